@@ -1,0 +1,5 @@
+//! Robust contact-implicit optimal control: dynamics, transcription, homotopy.
+
+mod task;
+
+pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};

@@ -1,0 +1,101 @@
+//! What is to be planned: one body, one environment, one start, one goal, several offsets.
+
+use nalgebra::Matrix3;
+
+/// A moved body, its environment and everything the optimal control problem needs to know of them.
+#[derive(Debug, Clone)]
+pub struct AssemblyTask {
+    /// Inertia `M` of the body as the impedance controller shapes it.
+    pub inertia: Inertia,
+    /// Pairs `Pi` of body and environment parts that may touch.
+    pub pairs: Vec<ContactPair>,
+    /// Start pose of the reference (position m, unit quaternion w x y z).
+    pub start: [f64; 7],
+    /// Goal pose of the body (position m, unit quaternion w x y z).
+    pub goal: [f64; 7],
+    /// The Cartesian impedance controller that tracks the reference (Eq. impedancewrench).
+    pub impedance: Impedance,
+    /// Offsets `rho^(l)` (m), in the body frame, one per scenario (Sec. ocp:ocp).
+    pub offsets: Vec<[f64; 3]>,
+    /// Time grid.
+    pub horizon: Horizon,
+    /// Weights of the cost (Sec. ocp:cost).
+    pub cost: TrajectoryCost,
+}
+
+/// One pair of parts that may touch.
+#[derive(Debug, Clone)]
+pub struct ContactPair {
+    /// Name of the part of the moved body.
+    pub body: String,
+    /// Name of the part of the environment.
+    pub environment: String,
+    /// The two shapes, placed in the body frame and in the world frame.
+    pub shapes: collision::Pair,
+}
+
+/// Mass (kg) and rotational inertia about the centre of mass in the body frame (kg m^2).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inertia {
+    /// Mass (kg).
+    pub mass: f64,
+    /// Symmetric positive definite rotational inertia (kg m^2).
+    pub rotational: Matrix3<f64>,
+}
+
+/// Isotropic stiffness and damping of the Cartesian impedance controller.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impedance {
+    /// `k_t` (N/m).
+    pub translational_stiffness: f64,
+    /// `k_r` (Nm/rad).
+    pub rotational_stiffness: f64,
+    /// `D_t` (Ns/m), the same along every axis.
+    pub translational_damping: f64,
+    /// `D_r` (Nms/rad), in the body frame.
+    pub rotational_damping: Matrix3<f64>,
+}
+
+impl Impedance {
+    /// Critical damping for the given inertia: `D_t = 2 sqrt(k_t m)`, `D_r = 2 sqrt(k_r I_jj)` per axis.
+    pub fn critically_damped(translational_stiffness: f64, rotational_stiffness: f64, inertia: &Inertia) -> Self {
+        let rotational = inertia.rotational.diagonal().map(|axis| 2.0 * (rotational_stiffness * axis).sqrt());
+        Self {
+            translational_stiffness,
+            rotational_stiffness,
+            translational_damping: 2.0 * (translational_stiffness * inertia.mass).sqrt(),
+            rotational_damping: Matrix3::from_diagonal(&rotational),
+        }
+    }
+}
+
+/// `N` steps of `time_step` seconds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Horizon {
+    /// Number of steps `N`, at least one.
+    pub steps: usize,
+    /// Step `Delta t` (s).
+    pub time_step: f64,
+}
+
+/// Weights of the reference and of every compliant trajectory.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrajectoryCost {
+    /// `beta_r`.
+    pub reference: CostWeights,
+    /// `beta_c`.
+    pub compliant: CostWeights,
+}
+
+/// Weights `beta_1 .. beta_4` of one trajectory (Sec. ocp:cost).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CostWeights {
+    /// Weight of `|nu|^2` in every step.
+    pub translational_velocity: f64,
+    /// Weight of `|omega|^2` in every step.
+    pub rotational_velocity: f64,
+    /// Weight of the squared terminal position error.
+    pub terminal_position: f64,
+    /// Weight of the squared terminal rotation matrix error.
+    pub terminal_orientation: f64,
+}
