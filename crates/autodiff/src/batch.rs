@@ -1,0 +1,55 @@
+//! Numbers of many points as a structure of arrays.
+
+/// Points that are evaluated together; rows are padded to a multiple of it.
+pub(crate) const BLOCK: usize = 16;
+
+/// A row of numbers per quantity, a column per point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Batch {
+    rows: usize,
+    points: usize,
+    values: Vec<[f64; BLOCK]>,
+}
+
+impl Batch {
+    /// Zeros.
+    pub fn new(rows: usize, points: usize) -> Self {
+        Self { rows, points, values: vec![[0.0; BLOCK]; rows * points.div_ceil(BLOCK)] }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// The values of a quantity, one per point.
+    pub fn row(&self, row: usize) -> &[f64] {
+        let blocks = self.blocks();
+        &self.values[row * blocks..(row + 1) * blocks].as_flattened()[..self.points]
+    }
+
+    /// The values of a quantity, one per point.
+    pub fn row_mut(&mut self, row: usize) -> &mut [f64] {
+        let blocks = self.blocks();
+        &mut self.values[row * blocks..(row + 1) * blocks].as_flattened_mut()[..self.points]
+    }
+
+    /// Number of blocks of points.
+    pub(crate) fn blocks(&self) -> usize {
+        self.points.div_ceil(BLOCK)
+    }
+
+    pub(crate) fn block(&self, row: usize, block: usize) -> &[f64; BLOCK] {
+        &self.values[row * self.blocks() + block]
+    }
+
+    pub(crate) fn block_mut(&mut self, row: usize, block: usize) -> &mut [f64; BLOCK] {
+        let index = row * self.blocks() + block;
+        &mut self.values[index]
+    }
+}
