@@ -1,0 +1,73 @@
+//! What a nonlinear program has to provide.
+
+/// Coordinates of a sparse matrix, from 0. A coordinate may appear more than once; its values are summed.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Pattern {
+    /// Row of every entry.
+    pub rows: Vec<usize>,
+    /// Column of every entry.
+    pub columns: Vec<usize>,
+}
+
+/// Lower and upper bounds; an infinite one does not bind.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Bounds {
+    /// Lower bounds.
+    pub lower: Vec<f64>,
+    /// Upper bounds, equal to the lower ones where the value is fixed.
+    pub upper: Vec<f64>,
+}
+
+/// A function that has no value at the current point. Ipopt then tries a shorter step.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct EvaluationError(pub String);
+
+/// `min f(x)` subject to bounds on `x` and on `g(x)`, with sparse first and second derivatives.
+///
+/// [`Problem::set_point`] is called once whenever `x` changes; all evaluations after it are at that point.
+pub trait Problem {
+    /// Bounds on `x`, one entry per variable.
+    fn variable_bounds(&self) -> Bounds;
+    /// Bounds on `g`, one entry per constraint.
+    fn constraint_bounds(&self) -> Bounds;
+    /// Entries of the Jacobian of `g`.
+    fn jacobian_pattern(&self) -> Pattern;
+    /// Entries of the lower triangle of the Hessian of the Lagrangian.
+    fn hessian_pattern(&self) -> Pattern;
+    /// Moves to a new point.
+    ///
+    /// # Errors
+    /// When the problem has no meaning there.
+    fn set_point(&mut self, x: &[f64]) -> Result<(), EvaluationError>;
+    /// `f(x)`
+    ///
+    /// # Errors
+    /// When it has no value there.
+    fn objective(&mut self) -> Result<f64, EvaluationError>;
+    /// `grad f(x)`, every entry to be written.
+    ///
+    /// # Errors
+    /// When it has no value there.
+    fn gradient(&mut self, gradient: &mut [f64]) -> Result<(), EvaluationError>;
+    /// `g(x)`, every entry to be written.
+    ///
+    /// # Errors
+    /// When it has no value there.
+    fn constraints(&mut self, values: &mut [f64]) -> Result<(), EvaluationError>;
+    /// Jacobian of `g`, in the order of its pattern.
+    ///
+    /// # Errors
+    /// When it has no value there.
+    fn jacobian(&mut self, values: &mut [f64]) -> Result<(), EvaluationError>;
+    /// Hessian of `objective_factor f + multipliers' g`, in the order of its pattern.
+    ///
+    /// # Errors
+    /// When it has no value there.
+    fn hessian(
+        &mut self,
+        objective_factor: f64,
+        multipliers: &[f64],
+        values: &mut [f64],
+    ) -> Result<(), EvaluationError>;
+}

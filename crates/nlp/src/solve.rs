@@ -1,0 +1,254 @@
+//! Solution of a problem by Ipopt.
+
+#![allow(unsafe_code)]
+
+use std::ffi::CString;
+use std::panic::resume_unwind;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+use ipopt_sys as ipopt;
+
+use crate::callbacks::{self, FromTruth, Session};
+use crate::linear_solver;
+use crate::options::{OptionValue, Options};
+use crate::problem::{Bounds, Problem};
+use crate::solution::{Control, Iterate, Progress, Solution, Start, Timing};
+use crate::statistics;
+use crate::status::SolveStatus;
+
+/// Why a solve did not begin.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SolveError {
+    /// Ipopt refuses an option.
+    #[error("Ipopt refuses the option {name} = {value}: the name is unknown or the value is of the wrong type or out of range")]
+    Option {
+        /// Its name.
+        name: String,
+        /// Its value.
+        value: OptionValue,
+    },
+    /// A linear solver cannot be used.
+    #[error("linear solver \"{name}\": {reason}")]
+    LinearSolver {
+        /// Its name.
+        name: String,
+        /// Why not.
+        reason: String,
+    },
+    /// Sizes of the problem contradict each other.
+    #[error("invalid problem: {0}")]
+    Problem(String),
+}
+
+/// Sequential MUMPS keeps global state: two solves at once corrupt memory.
+static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+
+/// Solves `problem` from `start`. `observer` sees every iteration and may stop the solve; `linear_solver` is `mumps` or,
+/// where the user has the HSL library, `ma27`, `ma57` or `ma97`. Solves wait for each other.
+///
+/// # Errors
+/// When the problem, an option or the linear solver is refused. How the solve ends is the solution's status.
+///
+/// # Panics
+/// With the panic of a function of the problem or of the observer.
+pub fn solve(
+    problem: &mut dyn Problem,
+    start: &Start,
+    options: &Options,
+    linear_solver: &str,
+    observer: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<Solution, SolveError> {
+    let begin = Instant::now();
+    let _turn: MutexGuard<()> = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
+    linear_solver::require(linear_solver)?;
+    let statistics_file = tempfile::NamedTempFile::new().ok();
+    let handle = Handle::create(problem)?;
+    let mut all = defaults(start, linear_solver);
+    if let Some(file) = &statistics_file {
+        all.set("output_file", &*file.path().to_string_lossy());
+        all.set("file_print_level", 3);
+        all.set("print_timing_statistics", "yes");
+    }
+    all.extend(options);
+    handle.set_options(&all)?;
+
+    let mut iterate = starting_iterate(start, &handle)?;
+    let variable_bounds = problem.variable_bounds();
+    let constraint_bounds = problem.constraint_bounds();
+    let patterns = (problem.jacobian_pattern(), problem.hessian_pattern());
+    let mut session = Session::new(problem, observer, patterns.0, patterns.1);
+    let outcome = handle.solve(&mut iterate, &mut session);
+    if let Some(panic) = session.panic {
+        resume_unwind(panic);
+    }
+    let mut timing =
+        Timing { total: begin.elapsed().as_secs_f64(), evaluation: session.evaluation.as_secs_f64(), ..Timing::default() };
+    if let Some(file) = &statistics_file {
+        statistics::read(file.path(), &mut timing);
+    }
+    Ok(Solution {
+        status: outcome.status,
+        objective: outcome.objective,
+        constraint_violation: violation(&iterate.x, &variable_bounds)
+            .max(violation(&outcome.constraints, &constraint_bounds)),
+        constraints: outcome.constraints,
+        iterate,
+        iterations: session.log.last().map_or(0, |last| last.iteration),
+        log: session.log,
+        timing,
+        linear_solver: linear_solver.to_owned(),
+        evaluation_error: session.evaluation_error,
+    })
+}
+
+/// Options that hold unless the caller sets them.
+fn defaults(start: &Start, linear_solver: &str) -> Options {
+    let mut options = Options::default();
+    options.set("print_level", 0);
+    options.set("sb", "yes");
+    // A stray ipopt.opt in the working folder must not change results.
+    options.set("option_file_name", "");
+    options.set("linear_solver", linear_solver);
+    options.set("warm_start_init_point", if matches!(start, Start::Warm(_)) { "yes" } else { "no" });
+    options
+}
+
+fn starting_iterate(start: &Start, handle: &Handle) -> Result<Iterate, SolveError> {
+    let iterate = match start {
+        Start::Warm(iterate) => iterate.clone(),
+        Start::Cold(x) => Iterate {
+            x: x.clone(),
+            constraint_multipliers: vec![0.0; handle.constraints],
+            lower_multipliers: vec![0.0; x.len()],
+            upper_multipliers: vec![0.0; x.len()],
+        },
+    };
+    let lengths = [
+        (iterate.x.len(), handle.variables),
+        (iterate.lower_multipliers.len(), handle.variables),
+        (iterate.upper_multipliers.len(), handle.variables),
+        (iterate.constraint_multipliers.len(), handle.constraints),
+    ];
+    match lengths.iter().find(|(actual, expected)| actual != expected) {
+        Some((actual, expected)) => {
+            Err(SolveError::Problem(format!("the starting point has {actual} numbers where {expected} are needed")))
+        }
+        None => Ok(iterate),
+    }
+}
+
+fn violation(values: &[f64], bounds: &Bounds) -> f64 {
+    let sides = values.iter().zip(bounds.lower.iter().zip(&bounds.upper));
+    sides.map(|(value, (lower, upper))| (lower - value).max(value - upper)).fold(0.0, f64::max)
+}
+
+/// An Ipopt problem that is freed when dropped.
+struct Handle {
+    problem: ipopt::IpoptProblem,
+    variables: usize,
+    constraints: usize,
+}
+
+struct Outcome {
+    status: SolveStatus,
+    objective: f64,
+    constraints: Vec<f64>,
+}
+
+impl Handle {
+    fn create(problem: &dyn Problem) -> Result<Self, SolveError> {
+        let (mut variables, mut constraints) = (problem.variable_bounds(), problem.constraint_bounds());
+        let (jacobian, hessian) = (problem.jacobian_pattern(), problem.hessian_pattern());
+        let (n, m) = (variables.lower.len(), constraints.lower.len());
+        let inside = |indices: &[usize], limit| indices.iter().all(|&index| index < limit);
+        let consistent = variables.upper.len() == n
+            && constraints.upper.len() == m
+            && jacobian.rows.len() == jacobian.columns.len()
+            && hessian.rows.len() == hessian.columns.len()
+            && inside(&jacobian.rows, m)
+            && inside(&jacobian.columns, n)
+            && inside(&hessian.rows, n)
+            && hessian.rows.iter().zip(&hessian.columns).all(|(row, column)| column <= row);
+        if !consistent {
+            return Err(SolveError::Problem("bounds or patterns do not fit the numbers of variables and constraints".into()));
+        }
+        // SAFETY: the bounds have n and m numbers, which Ipopt copies; the callbacks fit their types.
+        let handle = unsafe {
+            ipopt::CreateIpoptProblem(
+                n as ipopt::Index,
+                variables.lower.as_mut_ptr(),
+                variables.upper.as_mut_ptr(),
+                m as ipopt::Index,
+                constraints.lower.as_mut_ptr(),
+                constraints.upper.as_mut_ptr(),
+                jacobian.rows.len() as ipopt::Index,
+                hessian.rows.len() as ipopt::Index,
+                0,
+                Some(callbacks::objective),
+                Some(callbacks::constraints),
+                Some(callbacks::gradient),
+                Some(callbacks::jacobian),
+                Some(callbacks::hessian),
+            )
+        };
+        if handle.is_null() {
+            return Err(SolveError::Problem("Ipopt refuses it".into()));
+        }
+        // SAFETY: the handle is valid and the callback fits its type.
+        unsafe { ipopt::SetIntermediateCallback(handle, Some(callbacks::iteration)) };
+        Ok(Self { problem: handle, variables: n, constraints: m })
+    }
+
+    fn set_options(&self, options: &Options) -> Result<(), SolveError> {
+        for (name, value) in options.iter() {
+            if !self.set_option(name, value) {
+                return Err(SolveError::Option { name: name.to_owned(), value: value.clone() });
+            }
+        }
+        Ok(())
+    }
+
+    fn set_option(&self, name: &str, value: &OptionValue) -> bool {
+        let Ok(key) = CString::new(name) else { return false };
+        let key = key.as_ptr().cast_mut();
+        // SAFETY: the handle is valid, key and text end with a zero and are copied by Ipopt.
+        unsafe {
+            match value {
+                OptionValue::Integer(value) => {
+                    ipopt::AddIpoptIntOption(self.problem, key, *value).is_true()
+                        || ipopt::AddIpoptNumOption(self.problem, key, f64::from(*value)).is_true()
+                }
+                OptionValue::Number(value) => ipopt::AddIpoptNumOption(self.problem, key, *value).is_true(),
+                OptionValue::Text(text) => CString::new(text.as_str())
+                    .is_ok_and(|text| ipopt::AddIpoptStrOption(self.problem, key, text.as_ptr().cast_mut()).is_true()),
+            }
+        }
+    }
+
+    fn solve(&self, iterate: &mut Iterate, session: &mut Session) -> Outcome {
+        let mut constraints = vec![0.0; self.constraints];
+        let mut objective = 0.0;
+        // SAFETY: all arrays have the lengths that the handle was created with; the session lives until Ipopt returns.
+        let status = unsafe {
+            ipopt::IpoptSolve(
+                self.problem,
+                iterate.x.as_mut_ptr(),
+                constraints.as_mut_ptr(),
+                &mut objective,
+                iterate.constraint_multipliers.as_mut_ptr(),
+                iterate.lower_multipliers.as_mut_ptr(),
+                iterate.upper_multipliers.as_mut_ptr(),
+                std::ptr::from_mut(session).cast(),
+            )
+        };
+        Outcome { status: SolveStatus::from_code(status), objective, constraints }
+    }
+}
+
+impl Drop for Handle {
+    fn drop(&mut self) {
+        // SAFETY: the handle was created by Ipopt and is freed once.
+        unsafe { ipopt::FreeIpoptProblem(self.problem) };
+    }
+}
