@@ -1,0 +1,255 @@
+//! One pair at many poses: poses in lanes, the instruction set chosen at run time.
+
+use pulp::{Simd, WithSimd};
+
+use crate::contact::{CONTACT, Map, POSE, Placement};
+use crate::derivatives::{self, DIRECTIONS};
+use crate::frame;
+use crate::interior_point::{self, Row, Solution};
+use crate::lane::{Lane, MAX_LANES, Vector, dot, rotate};
+use crate::pair::{DistanceError, Pair};
+
+/// Which vector instructions are used; every choice gives the same bits.
+#[derive(Debug, Clone, Copy)]
+pub struct Instructions(pub(crate) pulp::Arch);
+
+impl Instructions {
+    /// The widest that this processor has.
+    pub fn best() -> Self {
+        Self(pulp::Arch::new())
+    }
+
+    /// None.
+    pub fn scalar() -> Self {
+        Self(pulp::Arch::Scalar)
+    }
+
+    /// AVX2 with fused multiply-add, where available.
+    pub fn avx2() -> Option<Self> {
+        #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+        return pulp::x86::V3::try_new().map(|simd| Self(pulp::Arch::V3(simd)));
+        #[cfg(not(any(target_arch = "x86_64", target_arch = "x86")))]
+        return None;
+    }
+}
+
+/// What is wanted at every pose, and where it goes.
+pub enum Request<'output> {
+    /// `Phi` and the contact normal `n` in R^7.
+    Normals(&'output mut [[f64; 1 + POSE]]),
+    /// Upper bounds on the exact distance that are tight to the barrier parameter.
+    Bounds(&'output mut [f64]),
+    /// `W`
+    Values(&'output mut [[f64; CONTACT]]),
+    /// `W` and `DW`
+    Jacobians(&'output mut [[f64; CONTACT]], &'output mut [[[f64; POSE]; CONTACT]]),
+    /// `W`, `DW` and `<s, D2W>` for seeds `s`
+    Hessians {
+        /// One seed per pose.
+        seeds: &'output [[f64; CONTACT]],
+        /// `W`
+        values: &'output mut [[f64; CONTACT]],
+        /// `DW`
+        jacobians: &'output mut [[[f64; POSE]; CONTACT]],
+        /// `<s, D2W>`
+        hessians: &'output mut [[[f64; POSE]; POSE]],
+    },
+}
+
+/// A pair at many poses.
+pub struct Evaluation<'evaluation> {
+    pub pair: &'evaluation Pair,
+    pub poses: &'evaluation [[f64; POSE]],
+    pub tau: f64,
+    /// Relative error at which a distance counts as solved.
+    pub tolerance: f64,
+    pub request: Request<'evaluation>,
+}
+
+impl WithSimd for Evaluation<'_> {
+    type Output = Result<usize, DistanceError>;
+
+    /// Evaluates everything; returns the largest number of iterations.
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, simd: S) -> Self::Output {
+        let mut rows: Vec<Row<S>> = Vec::with_capacity(self.pair.row_count());
+        let mut iterations = 0;
+        for start in (0..self.poses.len()).step_by(S::F64_LANES) {
+            let count = S::F64_LANES.min(self.poses.len() - start);
+            let place = Placement::new(simd, |lane| self.poses[start + lane.min(count - 1)]);
+            let solved = self.solve(simd, &mut rows, &place, start, count)?;
+            iterations = iterations.max(solved.iterations);
+            self.store(simd, &mut rows, &place, &solved, start, count);
+        }
+        Ok(iterations)
+    }
+}
+
+impl Evaluation<'_> {
+    /// Solves for one group of poses; when a lane does not converge, once more in the frame of its contact.
+    #[inline(always)]
+    fn solve<S: Simd>(
+        &self,
+        simd: S,
+        rows: &mut Vec<Row<S>>,
+        place: &Placement<S>,
+        start: usize,
+        count: usize,
+    ) -> Result<Solution<S>, DistanceError> {
+        let mut midpoint = self.pair.fill_rows(simd, rows, place);
+        let mut solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
+        let failed = |solution: &Solution<S>| {
+            let residuals = solution.residual.to_array();
+            (0..count).find(|&lane| !(residuals[lane] <= self.tolerance)).map(|lane| (lane, residuals[lane]))
+        };
+        if failed(&solution).is_some() {
+            let axes = frame::enter(simd, rows);
+            self.pair.fill_rows(simd, rows, place);
+            for row in rows.iter_mut() {
+                row.normal = rotate(&axes, &row.normal);
+            }
+            midpoint = rotate(&axes, &midpoint);
+            solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
+            // Back to world axes: the frame's inverse is its transpose.
+            let inverse: [Vector<S>; 3] = std::array::from_fn(|row| std::array::from_fn(|axis| axes[axis][row]));
+            solution.point = rotate(&inverse, &solution.point);
+            for row in rows.iter_mut() {
+                row.normal = rotate(&inverse, &row.normal);
+            }
+        }
+        match failed(&solution) {
+            None => Ok(solution),
+            Some((lane, residual)) => {
+                let index = start + lane;
+                Err(DistanceError { index, pose: self.poses[index], tau: self.tau, residual })
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn store<S: Simd>(
+        &mut self,
+        simd: S,
+        rows: &mut [Row<S>],
+        place: &Placement<S>,
+        solved: &Solution<S>,
+        start: usize,
+        count: usize,
+    ) {
+        let body = self.pair.body.normals().len();
+        let lever: Vector<S> = std::array::from_fn(|axis| solved.point[axis] - place.position[axis]);
+        let distance = solved.growth + solved.growth;
+        match &mut self.request {
+            Request::Bounds(bounds) => {
+                scatter(&[tightest(rows, &solved.point)], count, |lane, _, value| bounds[start + lane] = value);
+            }
+            Request::Normals(normals) => {
+                let normal = place.pose_normal(&force(simd, &rows[..body]), &lever);
+                scatter(&[distance], count, |lane, _, value| normals[start + lane][0] = value);
+                scatter(&normal, count, |lane, index, value| normals[start + lane][1 + index] = value);
+            }
+            Request::Values(values) => {
+                let force = force(simd, &rows[..body]);
+                let torque = crate::lane::cross(&force, &lever);
+                let inverse = |axis: usize| [place.rotation[0][axis], place.rotation[1][axis], place.rotation[2][axis]];
+                let torque: Vector<S> = std::array::from_fn(|axis| dot(&inverse(axis), &torque));
+                let [x, y, z] = force;
+                let value = [distance, -x, -y, -z, torque[0], torque[1], torque[2]];
+                scatter(&value, count, |lane, index, value| values[start + lane][index] = value);
+            }
+            Request::Jacobians(values, jacobians) => {
+                let group = Group::new(simd, rows, place, lever, body);
+                group.store_first(simd, distance, count, &mut values[start..], &mut jacobians[start..]);
+            }
+            Request::Hessians { seeds, values, jacobians, hessians } => {
+                let group = Group::new(simd, rows, place, lever, body);
+                group.store_first(simd, distance, count, &mut values[start..], &mut jacobians[start..]);
+                let (seeds, hessians) = (&seeds[start..], &mut hessians[start..]);
+                group.store_second(simd, count, rows, body, seeds, hessians);
+            }
+        }
+    }
+}
+
+/// First derivatives of one group of poses in its contact frame.
+struct Group<S: Simd> {
+    map: Map<S>,
+    first: derivatives::First<S>,
+}
+
+impl<S: Simd> Group<S> {
+    #[inline(always)]
+    fn new(simd: S, rows: &mut [Row<S>], place: &Placement<S>, lever: Vector<S>, body: usize) -> Self {
+        let axes = frame::enter(simd, rows);
+        let first = derivatives::first(simd, &rows[..body], &rows[body..], rotate(&axes, &lever));
+        Self { map: Map::new(axes, place), first }
+    }
+
+    #[inline(always)]
+    fn store_first(
+        &self,
+        simd: S,
+        distance: Lane<S>,
+        count: usize,
+        values: &mut [[f64; CONTACT]],
+        jacobians: &mut [[[f64; POSE]; CONTACT]],
+    ) {
+        scatter(&[distance], count, |lane, _, value| values[lane][0] = value);
+        let normal = self.map.normal(&self.first.normal);
+        scatter(&normal, count, |lane, index, value| values[lane][1 + index] = value);
+        for (component, row) in self.map.jacobian(simd, &self.first).iter().enumerate() {
+            scatter(row, count, |lane, index, value| jacobians[lane][component][index] = value);
+        }
+    }
+
+    #[inline(always)]
+    fn store_second(
+        &self,
+        simd: S,
+        count: usize,
+        rows: &[Row<S>],
+        body: usize,
+        seeds: &[[f64; CONTACT]],
+        hessians: &mut [[[f64; POSE]; POSE]],
+    ) {
+        let seed: [Lane<S>; CONTACT] =
+            std::array::from_fn(|index| Lane::from_fn(simd, |lane| seeds[lane.min(count - 1)][index]));
+        let along_seed: [Lane<S>; DIRECTIONS] = self.map.seed(&seed);
+        let (body_rows, fixed_rows) = rows.split_at(body);
+        let along = derivatives::second(simd, body_rows, fixed_rows, &self.first, seed[0], &along_seed);
+        let hessian = self.map.hessian(simd, &self.first, along, seed[0], &along_seed);
+        for (row, entries) in hessian.iter().enumerate() {
+            scatter(entries, count, |lane, column, value| hessians[lane][row][column] = value);
+        }
+    }
+}
+
+/// Contact force on the common point: `sum dual normal` over the body's rows.
+#[inline(always)]
+fn force<S: Simd>(simd: S, body_rows: &[Row<S>]) -> Vector<S> {
+    let mut force = [Lane::splat(simd, 0.0); 3];
+    for row in body_rows {
+        force = std::array::from_fn(|axis| row.dual.mul_add(row.normal[axis], force[axis]));
+    }
+    force
+}
+
+/// Twice the smallest growth for which the point lies in both parts.
+#[inline(always)]
+fn tightest<S: Simd>(rows: &[Row<S>], point: &Vector<S>) -> Lane<S> {
+    let growth = rows.iter().map(|row| dot(&row.normal, point) - row.offset);
+    let growth = growth.reduce(|largest, next| largest.max(next)).expect("a pair has rows");
+    growth + growth
+}
+
+/// Writes every number of every lane that is in use.
+#[inline(always)]
+fn scatter<S: Simd>(numbers: &[Lane<S>], count: usize, mut write: impl FnMut(usize, usize, f64)) {
+    for (index, number) in numbers.iter().enumerate() {
+        let values: [f64; MAX_LANES] = number.to_array();
+        for (lane, &value) in values[..count].iter().enumerate() {
+            write(lane, index, value);
+        }
+    }
+}
+

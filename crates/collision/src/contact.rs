@@ -1,0 +1,232 @@
+//! From derivatives along `u` to the contact information of the optimal control problem, `W(q) = (Phi, Q' n)` at the
+//! normalised pose, and its derivatives by the raw pose coordinates.
+
+use pulp::Simd;
+
+use crate::derivatives::{DIRECTIONS, DirectionMatrix, First, skew};
+use crate::lane::{Lane, Vector, cross, dot, rotate};
+
+/// Coordinates of a pose (position, quaternion).
+pub const POSE: usize = 7;
+/// Components of the contact information.
+pub const CONTACT: usize = 7;
+
+/// A pose in lanes, with everything that its quaternion stands for.
+pub struct Placement<S: Simd> {
+    /// Position (m).
+    pub position: Vector<S>,
+    /// Rotation matrix of the normalised quaternion.
+    pub rotation: [Vector<S>; 3],
+    /// Rotation vector per change of the raw quaternion: `2 vec(d xi (x) xi^-1)`.
+    turn: [[Lane<S>; 4]; 3],
+    /// Relative growth per change of the raw quaternion.
+    growth: [Lane<S>; 4],
+}
+
+impl<S: Simd> Placement<S> {
+    /// Reads one pose per lane.
+    #[inline(always)]
+    pub fn new(simd: S, pose: impl Fn(usize) -> [f64; POSE]) -> Self {
+        let coordinate = |index: usize| Lane::from_fn(simd, |lane| pose(lane)[index]);
+        let raw: [Lane<S>; 4] = std::array::from_fn(|index| coordinate(3 + index));
+        let square = raw.iter().fold(Lane::splat(simd, 0.0), |sum, component| component.mul_add(*component, sum));
+        let growth = raw.map(|component| component * square.recip());
+        let scale = square.sqrt().recip();
+        let [w, x, y, z] = raw.map(|component| component * scale);
+        let two = Lane::splat(simd, 2.0);
+        let double = |a: Lane<S>, b: Lane<S>, c: Lane<S>, d: Lane<S>| two * a.mul_add(b, c * d);
+        let diagonal = |a: Lane<S>, b: Lane<S>| Lane::splat(simd, 1.0) - two * a.mul_add(a, b * b);
+        let rotation = [
+            [diagonal(y, z), double(x, y, -w, z), double(x, z, w, y)],
+            [double(x, y, w, z), diagonal(x, z), double(y, z, -w, x)],
+            [double(x, z, -w, y), double(y, z, w, x), diagonal(x, y)],
+        ];
+        let [w, x, y, z] = growth.map(|component| two * component);
+        let turn = [[-x, w, -z, y], [-y, z, w, -x], [-z, -y, x, w]];
+        Self { position: std::array::from_fn(coordinate), rotation, turn, growth }
+    }
+
+    /// Contact normal `n_tau` in R^7 at the normalised pose; its radial part is that of the homogeneous rotation matrix.
+    #[inline(always)]
+    pub fn pose_normal(&self, force: &Vector<S>, lever: &Vector<S>) -> [Lane<S>; POSE] {
+        let torque = cross(force, lever);
+        let two = force[0].constant(2.0);
+        let radial = two * dot(force, lever);
+        std::array::from_fn(|index| {
+            if index < 3 {
+                return -force[index];
+            }
+            let column = index - 3;
+            let tangential = dot(&[self.turn[0][column], self.turn[1][column], self.turn[2][column]], &torque);
+            radial.mul_add(self.growth[column], tangential)
+        })
+    }
+}
+
+/// Maps between the contact frame and the pose coordinates.
+pub struct Map<S: Simd> {
+    /// Contact frame from world.
+    frame: [Vector<S>; 3],
+    /// Contact frame from body.
+    body_frame: [Vector<S>; 3],
+    /// Rotation vector in the contact frame per change of the raw quaternion.
+    turn: [[Lane<S>; 4]; 3],
+    growth: [Lane<S>; 4],
+}
+
+impl<S: Simd> Map<S> {
+    /// For a contact frame at a pose.
+    #[inline(always)]
+    pub fn new(frame: [Vector<S>; 3], place: &Placement<S>) -> Self {
+        let column = |axis: usize| [place.rotation[0][axis], place.rotation[1][axis], place.rotation[2][axis]];
+        let columns: [Vector<S>; 3] = std::array::from_fn(|axis| rotate(&frame, &column(axis)));
+        let turned: [Vector<S>; 4] = std::array::from_fn(|component| {
+            rotate(&frame, &[place.turn[0][component], place.turn[1][component], place.turn[2][component]])
+        });
+        Self {
+            frame,
+            body_frame: std::array::from_fn(|row| std::array::from_fn(|axis| columns[axis][row])),
+            turn: std::array::from_fn(|row| std::array::from_fn(|component| turned[component][row])),
+            growth: place.growth,
+        }
+    }
+
+    /// `n~ = Q' n`: force in the world frame, torque in the body frame.
+    #[inline(always)]
+    pub fn normal(&self, normal: &[Lane<S>; DIRECTIONS]) -> [Lane<S>; DIRECTIONS] {
+        self.to_twist(normal)
+    }
+
+    /// `DW`: rows are components of `W`, columns raw pose coordinates.
+    #[inline(always)]
+    pub fn jacobian(&self, simd: S, first: &First<S>) -> [[Lane<S>; POSE]; CONTACT] {
+        let along = self.normal_derivative(simd, first);
+        let mut columns = [[Lane::splat(simd, 0.0); DIRECTIONS]; DIRECTIONS];
+        for (direction, column) in columns.iter_mut().enumerate() {
+            *column = self.to_twist(&std::array::from_fn(|row| along[row][direction]));
+        }
+        std::array::from_fn(|component| {
+            if component == 0 {
+                return self.to_pose(&first.distance);
+            }
+            self.to_pose(&std::array::from_fn(|direction| columns[direction][component - 1]))
+        })
+    }
+
+    /// The seed of `W` in the contact frame.
+    #[inline(always)]
+    pub fn seed(&self, seed: &[Lane<S>; CONTACT]) -> [Lane<S>; DIRECTIONS] {
+        let shift = rotate(&self.frame, &[seed[1], seed[2], seed[3]]);
+        let spin = rotate(&self.body_frame, &[seed[4], seed[5], seed[6]]);
+        [shift[0], shift[1], shift[2], spin[0], spin[1], spin[2]]
+    }
+
+    /// `<s, D2W>` by raw pose coordinates from `<s, D2 (Phi, V')>` along `u`.
+    #[inline(always)]
+    pub fn hessian(
+        &self,
+        simd: S,
+        first: &First<S>,
+        mut along: DirectionMatrix<S>,
+        distance_seed: Lane<S>,
+        seed: &[Lane<S>; DIRECTIONS],
+    ) -> [[Lane<S>; POSE]; POSE] {
+        let torque = [first.normal[3], first.normal[4], first.normal[5]];
+        add_chart_terms(simd, &mut along, &first.curvature, &torque, &[seed[3], seed[4], seed[5]]);
+        let derivative = self.normal_derivative(simd, first);
+        let gradient: Vector<S> = std::array::from_fn(|axis| {
+            let start = distance_seed * first.distance[3 + axis];
+            (0..DIRECTIONS).fold(start, |sum, row| seed[row].mul_add(derivative[row][3 + axis], sum))
+        });
+        let half: [[Lane<S>; POSE]; DIRECTIONS] = std::array::from_fn(|row| self.to_pose(&along[row]));
+        let columns: [[Lane<S>; POSE]; POSE] = std::array::from_fn(|column| {
+            self.to_pose(&std::array::from_fn(|row| half[row][column]))
+        });
+        // Second derivative of the rotation vector: growing and turning at once turns less.
+        let turned = self.turned(&gradient);
+        let mut hessian = columns;
+        for row in 0..4 {
+            for column in 0..4 {
+                let product = self.growth[row].mul_add(turned[column], turned[row] * self.growth[column]);
+                hessian[3 + row][3 + column] -= product;
+            }
+        }
+        hessian
+    }
+
+    /// Derivative along `u` of the normal as force and torque in the contact frame: `V'' + [torque] / 2` in rotations,
+    /// since the gradient by a rotation vector is not yet the torque where that vector is not zero.
+    #[inline(always)]
+    fn normal_derivative(&self, simd: S, first: &First<S>) -> DirectionMatrix<S> {
+        let half = Lane::splat(simd, 0.5);
+        let twist = skew(simd, &[first.normal[3], first.normal[4], first.normal[5]]);
+        let mut along = first.curvature;
+        for row in 0..3 {
+            for column in 0..3 {
+                along[3 + row][3 + column] = half.mul_add(twist[row][column], along[3 + row][3 + column]);
+            }
+        }
+        along
+    }
+
+    /// From the contact frame to world (force) and body (torque) axes.
+    #[inline(always)]
+    fn to_twist(&self, wrench: &[Lane<S>; DIRECTIONS]) -> [Lane<S>; DIRECTIONS] {
+        std::array::from_fn(|index| {
+            let (matrix, axis, start) =
+                if index < 3 { (&self.frame, index, 0) } else { (&self.body_frame, index - 3, 3) };
+            dot(
+                &[matrix[0][axis], matrix[1][axis], matrix[2][axis]],
+                &[wrench[start], wrench[start + 1], wrench[start + 2]],
+            )
+        })
+    }
+
+    /// A gradient along `u` as a gradient by raw pose coordinates.
+    #[inline(always)]
+    fn to_pose(&self, gradient: &[Lane<S>; DIRECTIONS]) -> [Lane<S>; POSE] {
+        let shift = [gradient[0], gradient[1], gradient[2]];
+        let turned = self.turned(&[gradient[3], gradient[4], gradient[5]]);
+        std::array::from_fn(|index| {
+            if index >= 3 {
+                return turned[index - 3];
+            }
+            dot(&[self.frame[0][index], self.frame[1][index], self.frame[2][index]], &shift)
+        })
+    }
+
+    #[inline(always)]
+    fn turned(&self, gradient: &Vector<S>) -> [Lane<S>; 4] {
+        std::array::from_fn(|component| {
+            dot(&[self.turn[0][component], self.turn[1][component], self.turn[2][component]], gradient)
+        })
+    }
+}
+
+/// Second-order difference between the gradient by a rotation vector and the torque in body axes:
+/// `(I - [theta] / 2 + [theta]^2 / 12) V_theta`.
+#[inline(always)]
+fn add_chart_terms<S: Simd>(
+    simd: S,
+    along: &mut DirectionMatrix<S>,
+    curvature: &DirectionMatrix<S>,
+    torque: &Vector<S>,
+    spin: &Vector<S>,
+) {
+    let (half, twelfth) = (Lane::splat(simd, 0.5), Lane::splat(simd, 1.0 / 12.0));
+    for column in 0..DIRECTIONS {
+        let change = cross(spin, &[curvature[3][column], curvature[4][column], curvature[5][column]]);
+        for row in 0..3 {
+            along[3 + row][column] = half.mul_add(change[row], along[3 + row][column]);
+            along[column][3 + row] = half.mul_add(change[row], along[column][3 + row]);
+        }
+    }
+    let aligned = dot(spin, torque);
+    for row in 0..3 {
+        for column in 0..3 {
+            let product = spin[row].mul_add(torque[column], torque[row] * spin[column]);
+            along[3 + row][3 + column] = twelfth.mul_add(product, along[3 + row][3 + column]);
+        }
+        along[3 + row][3 + row] -= twelfth * (aligned + aligned);
+    }
+}

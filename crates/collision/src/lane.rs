@@ -1,0 +1,184 @@
+//! Several numbers side by side: one per pose, in one vector register.
+
+use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+use pulp::Simd;
+
+/// As many numbers as the instruction set's registers hold. All operations are the same IEEE operations in every
+/// instruction set, so that results do not depend on it.
+#[derive(Clone, Copy)]
+pub struct Lane<S: Simd> {
+    simd: S,
+    value: S::f64s,
+}
+
+/// A truth value per number.
+#[derive(Clone, Copy)]
+pub struct Mask<S: Simd>(S::m64s);
+
+/// Widest register of all instruction sets.
+pub const MAX_LANES: usize = 8;
+
+impl<S: Simd> Lane<S> {
+    /// The same number everywhere.
+    #[inline(always)]
+    pub fn splat(simd: S, value: f64) -> Self {
+        Self { simd, value: simd.splat_f64s(value) }
+    }
+
+    /// The same number everywhere, by the instruction set of another lane.
+    #[inline(always)]
+    pub fn constant(self, value: f64) -> Self {
+        Self::splat(self.simd, value)
+    }
+
+    /// One number per lane.
+    #[inline(always)]
+    pub fn from_fn(simd: S, number: impl Fn(usize) -> f64) -> Self {
+        let mut numbers = [0.0; MAX_LANES];
+        for (lane, slot) in numbers[..S::F64_LANES].iter_mut().enumerate() {
+            *slot = number(lane);
+        }
+        Self { simd, value: simd.partial_load_f64s(&numbers[..S::F64_LANES]) }
+    }
+
+    /// The numbers; entries beyond the register are zero.
+    #[inline(always)]
+    pub fn to_array(self) -> [f64; MAX_LANES] {
+        let mut numbers = [0.0; MAX_LANES];
+        self.simd.partial_store_f64s(&mut numbers[..S::F64_LANES], self.value);
+        numbers
+    }
+
+    /// `self factor + term`, rounded once.
+    #[inline(always)]
+    pub fn mul_add(self, factor: Self, term: Self) -> Self {
+        Self { value: self.simd.mul_add_f64s(self.value, factor.value, term.value), ..self }
+    }
+
+    /// `term - self factor`, rounded once.
+    #[inline(always)]
+    pub fn mul_sub_from(self, factor: Self, term: Self) -> Self {
+        Self { value: self.simd.negate_mul_add_f64s(self.value, factor.value, term.value), ..self }
+    }
+
+    /// The smaller number.
+    #[inline(always)]
+    pub fn min(self, other: Self) -> Self {
+        Self { value: self.simd.min_f64s(self.value, other.value), ..self }
+    }
+
+    /// The larger number.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        Self { value: self.simd.max_f64s(self.value, other.value), ..self }
+    }
+
+    /// Absolute value.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        Self { value: self.simd.abs_f64s(self.value), ..self }
+    }
+
+    /// Reciprocal.
+    #[inline(always)]
+    pub fn recip(self) -> Self {
+        Self { value: self.simd.div_f64s(self.simd.splat_f64s(1.0), self.value), ..self }
+    }
+
+    /// Square root.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Self { value: self.simd.sqrt_f64s(self.value), ..self }
+    }
+
+    /// Where this number is smaller.
+    #[inline(always)]
+    pub fn less_than(self, other: Self) -> Mask<S> {
+        Mask(self.simd.less_than_f64s(self.value, other.value))
+    }
+
+    /// This number where the mask holds, else the other.
+    #[inline(always)]
+    pub fn select(self, mask: Mask<S>, other: Self) -> Self {
+        Self { value: self.simd.select_f64s(mask.0, self.value, other.value), ..self }
+    }
+
+    /// Whether the mask holds everywhere.
+    #[inline(always)]
+    pub fn all(self, mask: Mask<S>) -> bool {
+        let holds = self.constant(1.0).select(mask, self.constant(0.0));
+        self.simd.reduce_min_f64s(holds.value) > 0.0
+    }
+}
+
+impl<S: Simd> Add for Lane<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { value: self.simd.add_f64s(self.value, other.value), ..self }
+    }
+}
+
+impl<S: Simd> Sub for Lane<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { value: self.simd.sub_f64s(self.value, other.value), ..self }
+    }
+}
+
+impl<S: Simd> Mul for Lane<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self { value: self.simd.mul_f64s(self.value, other.value), ..self }
+    }
+}
+
+impl<S: Simd> Neg for Lane<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { value: self.simd.neg_f64s(self.value), ..self }
+    }
+}
+
+impl<S: Simd> AddAssign for Lane<S> {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Simd> SubAssign for Lane<S> {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+/// Three numbers per lane.
+pub type Vector<S> = [Lane<S>; 3];
+
+/// `a b`
+#[inline(always)]
+pub fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Lane<S> {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+/// `a x b`
+#[inline(always)]
+pub fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
+    [
+        a[1].mul_add(b[2], -(a[2] * b[1])),
+        a[2].mul_add(b[0], -(a[0] * b[2])),
+        a[0].mul_add(b[1], -(a[1] * b[0])),
+    ]
+}
+
+/// Matrix times vector.
+#[inline(always)]
+pub fn rotate<S: Simd>(matrix: &[Vector<S>; 3], vector: &Vector<S>) -> Vector<S> {
+    [dot(&matrix[0], vector), dot(&matrix[1], vector), dot(&matrix[2], vector)]
+}

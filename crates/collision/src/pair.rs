@@ -1,0 +1,186 @@
+//! A part of the body and a part of the environment, and their distances.
+
+use pulp::Simd;
+
+use crate::batch::{Evaluation, Instructions, Request};
+use crate::contact::{CONTACT, POSE, Placement};
+use crate::interior_point::{Row, TOLERANCE};
+use crate::lane::{Lane, Vector, dot, rotate};
+use crate::polytope::Polytope;
+
+/// A distance that could not be computed. This has not been seen for `tau >= 1e-8`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("no convergence at pose {pose:?} with tau = {tau:e}: residual {residual:e}")]
+pub struct DistanceError {
+    /// Index of the pose in the batch.
+    pub index: usize,
+    /// The pose.
+    pub pose: [f64; POSE],
+    /// Smoothing.
+    pub tau: f64,
+    /// Largest relative error of `dual slack / tau` that remained.
+    pub residual: f64,
+}
+
+/// Smoothed distance and contact normal at one pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Distance {
+    /// `Phi_tau = 2 alpha_tau` (m).
+    pub smoothed_distance: f64,
+    /// `n_tau` in R^7 (Eq. contactvectordef).
+    pub contact_normal: [f64; POSE],
+}
+
+/// A polytope of the moved body (in the body frame) and one of the environment (in the world frame).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pair {
+    pub(crate) body: Polytope,
+    pub(crate) environment: Polytope,
+}
+
+/// Smoothing for exact distances: what it adds to a distance is of the size of rounding.
+const EXACT_TAU: f64 = 1e-13;
+/// The products `dual slack` need not be equal for an exact distance, only small.
+const EXACT_TOLERANCE: f64 = 0.5;
+
+impl Pair {
+    /// A pair of parts already placed in the body frame and in the world frame.
+    pub fn new(body: Polytope, environment: Polytope) -> Self {
+        Self { body, environment }
+    }
+
+    /// The body's part, in the body frame.
+    pub fn body(&self) -> &Polytope {
+        &self.body
+    }
+
+    /// The environment's part, in the world frame.
+    pub fn environment(&self) -> &Polytope {
+        &self.environment
+    }
+
+    /// Number of halfspaces `n_g` of both parts.
+    pub fn row_count(&self) -> usize {
+        self.body.normals().len() + self.environment.normals().len()
+    }
+
+    /// Exact distance `Phi_0` (m, Eq. sdfopt), negative where the parts overlap, at a pose (position, quaternion of any
+    /// norm); right to about 1e-11 m.
+    pub fn exact_distance(&self, pose: &[f64; POSE]) -> f64 {
+        let mut bound = [f64::NAN];
+        // Larger smoothing gives a bound that is less tight, but one.
+        for tau in [EXACT_TAU, 1e-11, 1e-9] {
+            let request = Request::Bounds(&mut bound);
+            if self.run(Instructions::best(), std::slice::from_ref(pose), tau, EXACT_TOLERANCE, request).is_ok() {
+                break;
+            }
+        }
+        bound[0]
+    }
+
+    /// `(Phi_tau, n_tau)` at the normalised pose.
+    ///
+    /// # Errors
+    /// When the problem cannot be solved, with the residual that remained.
+    pub fn distance(&self, pose: &[f64; POSE], tau: f64) -> Result<Distance, DistanceError> {
+        let mut normal = [[0.0; 1 + POSE]];
+        let poses = std::slice::from_ref(pose);
+        self.run(Instructions::best(), poses, tau, TOLERANCE, Request::Normals(&mut normal))?;
+        let [smoothed_distance, contact_normal @ ..] = normal[0];
+        Ok(Distance { smoothed_distance, contact_normal })
+    }
+
+    /// Contact information `W(q) = (Phi_tau(q~), Q(q~)' n_tau(q~))` in R^7 at many poses: distance (m), then the normal
+    /// as force in the world frame and torque in the body frame.
+    ///
+    /// # Errors
+    /// When a problem cannot be solved; results are then incomplete.
+    pub fn contacts(
+        &self,
+        poses: &[[f64; POSE]],
+        tau: f64,
+        values: &mut [[f64; CONTACT]],
+    ) -> Result<(), DistanceError> {
+        self.evaluate(Instructions::best(), poses, tau, Request::Values(values)).map(drop)
+    }
+
+    /// `W` and `DW` (rows are components of `W`, columns raw pose coordinates) at many poses.
+    ///
+    /// # Errors
+    /// When a problem cannot be solved; results are then incomplete.
+    pub fn contact_jacobians(
+        &self,
+        poses: &[[f64; POSE]],
+        tau: f64,
+        values: &mut [[f64; CONTACT]],
+        jacobians: &mut [[[f64; POSE]; CONTACT]],
+    ) -> Result<(), DistanceError> {
+        self.evaluate(Instructions::best(), poses, tau, Request::Jacobians(values, jacobians)).map(drop)
+    }
+
+    /// `W`, `DW` and `<s, D2W>` (symmetric) at many poses, with one seed `s` in R^7 per pose.
+    ///
+    /// # Errors
+    /// When a problem cannot be solved; results are then incomplete.
+    pub fn contact_hessians(
+        &self,
+        poses: &[[f64; POSE]],
+        tau: f64,
+        seeds: &[[f64; CONTACT]],
+        values: &mut [[f64; CONTACT]],
+        jacobians: &mut [[[f64; POSE]; CONTACT]],
+        hessians: &mut [[[f64; POSE]; POSE]],
+    ) -> Result<(), DistanceError> {
+        let request = Request::Hessians { seeds, values, jacobians, hessians };
+        self.evaluate(Instructions::best(), poses, tau, request).map(drop)
+    }
+
+    /// Any request with a given instruction set; returns the largest number of iterations that a pose needed.
+    ///
+    /// # Errors
+    /// When a problem cannot be solved; results are then incomplete.
+    pub fn evaluate(
+        &self,
+        instructions: Instructions,
+        poses: &[[f64; POSE]],
+        tau: f64,
+        request: Request,
+    ) -> Result<usize, DistanceError> {
+        self.run(instructions, poses, tau, TOLERANCE, request)
+    }
+
+    fn run(
+        &self,
+        instructions: Instructions,
+        poses: &[[f64; POSE]],
+        tau: f64,
+        tolerance: f64,
+        request: Request,
+    ) -> Result<usize, DistanceError> {
+        instructions.0.dispatch(Evaluation { pair: self, poses, tau, tolerance, request })
+    }
+
+    /// Halfspaces of both parts in world axes, body rows first, with the duals of the cold start. Returns the point
+    /// midway between the parts' centres.
+    #[inline(always)]
+    pub(crate) fn fill_rows<S: Simd>(&self, simd: S, rows: &mut Vec<Row<S>>, place: &Placement<S>) -> Vector<S> {
+        let splat = |vector: &[f64; 3]| vector.map(|component| Lane::splat(simd, component));
+        rows.clear();
+        for ((normal, &offset), &weight) in halfspaces(&self.body) {
+            let normal = rotate(&place.rotation, &splat(normal));
+            let offset = dot(&normal, &place.position) + Lane::splat(simd, offset);
+            rows.push(Row::new(normal, offset, Lane::splat(simd, weight)));
+        }
+        for ((normal, &offset), &weight) in halfspaces(&self.environment) {
+            rows.push(Row::new(splat(normal), Lane::splat(simd, offset), Lane::splat(simd, weight)));
+        }
+        let turned = rotate(&place.rotation, &splat(&self.body.center()));
+        let fixed = splat(&self.environment.center());
+        let half = Lane::splat(simd, 0.5);
+        std::array::from_fn(|axis| half * (turned[axis] + place.position[axis] + fixed[axis]))
+    }
+}
+
+fn halfspaces(part: &Polytope) -> impl Iterator<Item = ((&[f64; 3], &f64), &f64)> {
+    part.normals().iter().zip(part.offsets()).zip(part.center_weights())
+}
