@@ -1,0 +1,151 @@
+//! The homotopy (Sec. ocp:homotopy): solve with much smoothing, tighten, solve again from the last solution.
+
+use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
+
+use crate::settings::{HessianKind, HomotopySettings, Smoothing};
+use crate::task::AssemblyTask;
+use crate::trajectory::Trajectory;
+use crate::transcription::Transcription;
+
+/// What the observer of a homotopy learns at every iteration of the solver.
+#[derive(Debug, Clone, Copy)]
+pub struct Event<'event> {
+    /// Homotopy iteration, from 1.
+    pub stage: usize,
+    /// Number of homotopy iterations.
+    pub stages: usize,
+    /// Smoothing of this one.
+    pub smoothing: Smoothing,
+    /// The solver's iteration.
+    pub progress: &'event Progress,
+}
+
+/// One homotopy iteration.
+#[derive(Debug, Clone)]
+pub struct StageResult {
+    /// Its smoothing.
+    pub smoothing: Smoothing,
+    /// How the solver ended.
+    pub status: SolveStatus,
+    /// What the problem reported last when it could not be evaluated.
+    pub message: Option<String>,
+    /// Iterations of the solver.
+    pub iterations: usize,
+    /// Cost (Sec. ocp:cost).
+    pub objective: f64,
+    /// Largest violation of a constraint or bound.
+    pub constraint_violation: f64,
+    /// Where the time went.
+    pub timing: StageTiming,
+    /// The linear solver that ran.
+    pub linear_solver: String,
+    /// The motion.
+    pub trajectory: Trajectory,
+    /// The primal-dual point.
+    pub iterate: Iterate,
+}
+
+/// Wall seconds of one homotopy iteration.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct StageTiming {
+    /// All of it.
+    pub total: f64,
+    /// Distances and their derivatives.
+    pub distances: f64,
+    /// Model functions and assembly of the sparse matrices.
+    pub model: f64,
+    /// Factorisations and solves.
+    pub linear_solver: f64,
+    /// The rest: Ipopt's own work.
+    pub rest: f64,
+}
+
+/// A homotopy that is run stage by stage.
+pub struct Homotopy {
+    transcription: Transcription,
+    settings: HomotopySettings,
+}
+
+impl Homotopy {
+    /// Transcribes the task.
+    pub fn new(task: &AssemblyTask, settings: HomotopySettings) -> Self {
+        Self { transcription: Transcription::new(task, settings.complementarity, settings.hessian), settings }
+    }
+
+    /// The transcribed problem.
+    pub fn transcription(&self) -> &Transcription {
+        &self.transcription
+    }
+
+    /// Runs all homotopy iterations, each from the primal-dual solution of the one before. Stages that stop short are
+    /// continued from where they stopped; an interrupted one is the last.
+    ///
+    /// # Errors
+    /// When an option or the linear solver is refused; numerical failure is a status.
+    pub fn run(
+        &mut self,
+        mut observe: impl FnMut(Event) -> Control,
+        mut finished: impl FnMut(usize, &StageResult),
+    ) -> Result<Vec<StageResult>, SolveError> {
+        let mut start = Start::Cold(self.transcription.initial_guess());
+        let mut stages = Vec::with_capacity(self.settings.iterations);
+        for (index, smoothing) in self.settings.schedule().enumerate() {
+            let mut observer = |progress: &Progress| {
+                observe(Event { stage: index + 1, stages: self.settings.iterations, smoothing, progress })
+            };
+            let options = stage_options(&self.settings, smoothing);
+            self.transcription.set_smoothing(smoothing.tau, smoothing.sigma);
+            let result = solve_stage(&mut self.transcription, &start, smoothing, &options, &self.settings.linear_solver, &mut observer)?;
+            finished(index + 1, &result);
+            start = Start::Warm(result.iterate.clone());
+            let interrupted = result.status == SolveStatus::Interrupted;
+            stages.push(result);
+            if interrupted {
+                break;
+            }
+        }
+        Ok(stages)
+    }
+}
+
+fn stage_options(settings: &HomotopySettings, smoothing: Smoothing) -> Options {
+    let mut options = Options::default();
+    options.set("mu_init", smoothing.mu_init);
+    if settings.hessian == HessianKind::LimitedMemory {
+        options.set("hessian_approximation", "limited-memory");
+    }
+    options.extend(&settings.options);
+    options
+}
+
+fn solve_stage(
+    transcription: &mut Transcription,
+    start: &Start,
+    smoothing: Smoothing,
+    options: &Options,
+    linear_solver: &str,
+    observer: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<StageResult, SolveError> {
+    transcription.contacts().distances().reset_seconds();
+    let solution = nlp::solve(transcription, start, options, linear_solver, observer)?;
+    let distances = transcription.contacts().distances().seconds();
+    let timing = StageTiming {
+        total: solution.timing.total,
+        distances,
+        model: solution.timing.evaluation - distances,
+        linear_solver: solution.timing.linear_solver(),
+        rest: solution.timing.total - solution.timing.evaluation - solution.timing.linear_solver(),
+    };
+    Ok(StageResult {
+        smoothing,
+        status: solution.status,
+        message: solution.evaluation_error.map(|error| error.to_string()),
+        iterations: solution.iterations,
+        objective: solution.objective,
+        constraint_violation: solution.constraint_violation,
+        timing,
+        linear_solver: solution.linear_solver,
+        trajectory: Trajectory::new(transcription, &solution.iterate.x, smoothing.tau),
+        iterate: solution.iterate,
+    })
+}

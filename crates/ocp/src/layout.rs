@@ -1,0 +1,105 @@
+//! Where every variable and constraint of the transcription stands (Eq. discretizedOCP).
+//!
+//! Stages are numbered 1 to N. A stage's variables are the reference state, then for every scenario the compliant
+//! state and one force per pair. Its constraints are the step that leads to it: reference kinematics (7), then for
+//! every scenario pose dynamics (7), velocity dynamics (6), gaps (P) and complementarity products (P). The initial
+//! states are data.
+
+/// Number of coordinates of a pose (position, quaternion).
+pub const POSE: usize = 7;
+/// Number of coordinates of a twist (translational, rotational velocity).
+pub const TWIST: usize = 6;
+/// Number of components of the contact information `W = (Phi_tau, n~_tau)`.
+pub const CONTACT: usize = 1 + TWIST;
+/// Number of coordinates of a state (pose, twist).
+pub const STATE: usize = POSE + TWIST;
+
+/// Sizes of a transcription and the index of everything in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    /// Number of steps `N`.
+    pub steps: usize,
+    /// Number of scenarios `n_s`.
+    pub scenarios: usize,
+    /// Number of contact pairs `|Pi|`.
+    pub pairs: usize,
+}
+
+impl Layout {
+    /// Number of decision variables.
+    pub fn variable_count(&self) -> usize {
+        self.steps * self.stage_variables()
+    }
+
+    /// Number of constraints.
+    pub fn constraint_count(&self) -> usize {
+        self.steps * self.stage_constraints()
+    }
+
+    /// Index of the first of 13 coordinates of the reference state of a stage.
+    pub fn reference(&self, stage: usize) -> usize {
+        (stage - 1) * self.stage_variables()
+    }
+
+    /// Index of the first of 13 coordinates of a scenario's compliant state.
+    pub fn compliant(&self, stage: usize, scenario: usize) -> usize {
+        self.reference(stage) + STATE + scenario * self.scenario_variables()
+    }
+
+    /// Index of the contact force of a pair in the step that leads to a stage.
+    pub fn contact_force(&self, stage: usize, scenario: usize, pair: usize) -> usize {
+        self.compliant(stage, scenario) + STATE + pair
+    }
+
+    /// First of 7 rows of the reference kinematics.
+    pub fn reference_kinematics(&self, stage: usize) -> usize {
+        (stage - 1) * self.stage_constraints()
+    }
+
+    /// First of 7 rows of a scenario's pose dynamics (Eq. ts1).
+    pub fn pose_dynamics(&self, stage: usize, scenario: usize) -> usize {
+        self.reference_kinematics(stage) + POSE + scenario * self.scenario_constraints()
+    }
+
+    /// First of 6 rows of a scenario's velocity dynamics (Eq. ts).
+    pub fn velocity_dynamics(&self, stage: usize, scenario: usize) -> usize {
+        self.pose_dynamics(stage, scenario) + POSE
+    }
+
+    /// Row of a pair's linearised gap `a >= 0` (Eq. ts3).
+    pub fn gap(&self, stage: usize, scenario: usize, pair: usize) -> usize {
+        self.velocity_dynamics(stage, scenario) + TWIST + pair
+    }
+
+    /// Row of a pair's complementarity product `a lambda_n` (Eq. ts3).
+    pub fn complementarity(&self, stage: usize, scenario: usize, pair: usize) -> usize {
+        self.gap(stage, scenario, pair) + self.pairs
+    }
+
+    /// Every stage, 1 to N.
+    pub fn stages(&self) -> std::ops::RangeInclusive<usize> {
+        1..=self.steps
+    }
+
+    /// Every stage with every scenario, scenarios running fastest.
+    pub fn stages_and_scenarios(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let scenarios = self.scenarios;
+        self.stages().flat_map(move |stage| (0..scenarios).map(move |scenario| (stage, scenario)))
+    }
+
+    fn scenario_variables(&self) -> usize {
+        STATE + self.pairs
+    }
+
+    fn stage_variables(&self) -> usize {
+        STATE + self.scenarios * self.scenario_variables()
+    }
+
+    fn scenario_constraints(&self) -> usize {
+        STATE + 2 * self.pairs
+    }
+
+    fn stage_constraints(&self) -> usize {
+        POSE + self.scenarios * self.scenario_constraints()
+    }
+}

@@ -1,0 +1,51 @@
+//! Coordinates of a sparse matrix that is filled by many contributors.
+
+use std::collections::HashMap;
+
+use nlp::Pattern;
+
+/// Marks an entry that does not exist because its variable is data (the initial state).
+pub const ABSENT: u32 = u32::MAX;
+
+/// Collects distinct coordinates; every contributor keeps the slots it adds to.
+#[derive(Debug, Default)]
+pub struct PatternBuilder {
+    slots: HashMap<(u32, u32), u32>,
+    pattern: Pattern,
+}
+
+impl PatternBuilder {
+    /// Slot of an entry of a general matrix, [`ABSENT`] when its row or column is.
+    pub fn slot(&mut self, row: u32, column: u32) -> u32 {
+        if row == ABSENT || column == ABSENT {
+            return ABSENT;
+        }
+        let next = self.pattern.rows.len() as u32;
+        *self.slots.entry((row, column)).or_insert_with(|| {
+            self.pattern.rows.push(row as usize);
+            self.pattern.columns.push(column as usize);
+            next
+        })
+    }
+
+    /// Slot of an entry of a symmetric matrix, kept in its lower triangle.
+    pub fn symmetric_slot(&mut self, one: u32, other: u32) -> u32 {
+        if one == ABSENT || other == ABSENT {
+            return ABSENT;
+        }
+        self.slot(one.max(other), one.min(other))
+    }
+
+    /// The coordinates in slot order.
+    pub fn finish(self) -> Pattern {
+        self.pattern
+    }
+}
+
+/// Adds a value to a slot unless the slot is absent.
+#[inline]
+pub fn add(values: &mut [f64], slot: u32, value: f64) {
+    if slot != ABSENT {
+        values[slot as usize] += value;
+    }
+}

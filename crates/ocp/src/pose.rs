@@ -1,0 +1,39 @@
+//! Poses `(position, quaternion w x y z)` as plain numbers.
+
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+
+/// Rotation matrix of a quaternion of any norm.
+pub fn rotation_matrix(quaternion: &[f64; 4]) -> Matrix3<f64> {
+    *unit_quaternion(quaternion).to_rotation_matrix().matrix()
+}
+
+/// Inverse perturbation `P_q^-1(q, offset)` of a pose by a translational offset (Sec. ocp:ocp): where the body really
+/// is when the robot believes it to be at `pose`.
+pub fn without_offset(pose: &[f64; 7], offset: &[f64; 3]) -> [f64; 7] {
+    let shift = rotation_matrix(&[pose[3], pose[4], pose[5], pose[6]]) * Vector3::from(*offset);
+    let mut actual = *pose;
+    for axis in 0..3 {
+        actual[axis] -= shift[axis];
+    }
+    actual
+}
+
+/// The same pose with its quaternion scaled to unit norm.
+pub fn normalised(pose: &[f64; 7]) -> [f64; 7] {
+    let norm = pose[3..].iter().map(|component| component * component).sum::<f64>().sqrt();
+    let mut unit = *pose;
+    unit[3..].iter_mut().for_each(|component| *component /= norm);
+    unit
+}
+
+/// Distance (m) between two positions and angle (rad) between two orientations.
+pub fn errors(pose: &[f64; 7], goal: &[f64; 7]) -> (f64, f64) {
+    let position = (Vector3::from_column_slice(&pose[..3]) - Vector3::from_column_slice(&goal[..3])).norm();
+    let actual = unit_quaternion(&[pose[3], pose[4], pose[5], pose[6]]);
+    let target = unit_quaternion(&[goal[3], goal[4], goal[5], goal[6]]);
+    (position, actual.angle_to(&target))
+}
+
+fn unit_quaternion([w, x, y, z]: &[f64; 4]) -> UnitQuaternion<f64> {
+    UnitQuaternion::new_normalize(Quaternion::new(*w, *x, *y, *z))
+}
