@@ -1,1 +1,21 @@
-//! scene
+//! Scene and homotopy files to a validated assembly problem.
+//!
+//! [`Scene::load`] reads what an engineer writes: parts, poses, stiffnesses, offsets. Everything is checked before
+//! anything is computed, and an error names file, line, column, key and what would be right. [`Scene::task`] is the
+//! planning task of one start and offset magnitude; [`Homotopy`] holds the settings of its solution; [`resolved`]
+//! writes both as one file that reproduces the run.
+
+mod document;
+mod error;
+mod homotopy;
+mod mesh;
+mod part;
+mod pose;
+mod resolved;
+mod scene;
+
+pub use error::{SceneError, Source};
+pub use homotopy::Homotopy;
+pub use part::Part;
+pub use resolved::resolved;
+pub use scene::{Scene, StartPose};

@@ -1,0 +1,105 @@
+//! A scene and a homotopy as one file that reproduces a run.
+
+use ocp::CostWeights;
+use toml::{Table, Value};
+
+use crate::homotopy::Homotopy;
+use crate::part::Part;
+use crate::scene::{Scene, StartPose};
+
+/// A scene file with everything resolved: defaults, flags, meshes (as halfspaces) and the homotopy's tables.
+pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotopy: &Homotopy) -> String {
+    let (homotopy, ipopt) = homotopy.to_tables();
+    let rotational = &scene.inertia.rotational;
+    let damping = scene.impedance.rotational_damping.diagonal();
+    let mut body = table([
+        ("mass", scene.inertia.mass.into()),
+        ("inertia", Value::Array((0..3).map(|row| numbers(rotational.row(row).iter())).collect())),
+    ]);
+    body.insert("part".into(), parts(&scene.body));
+    let pairs = scene.pairs.iter().map(|&(part, other)| {
+        vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into()
+    });
+    let mut start_table = pose(&start.pose);
+    start_table.insert("name".into(), start.name.clone().into());
+    let document = table([
+        ("title", scene.title.clone().into()),
+        ("body", body.into()),
+        ("environment", table([("part", parts(&scene.environment))]).into()),
+        ("contact", table([("pairs", Value::Array(pairs.collect()))]).into()),
+        ("start", Value::Array(vec![start_table.into()])),
+        ("goal", pose(&scene.goal).into()),
+        (
+            "impedance",
+            table([
+                ("translational_stiffness", scene.impedance.translational_stiffness.into()),
+                ("rotational_stiffness", scene.impedance.rotational_stiffness.into()),
+                ("translational_damping", scene.impedance.translational_damping.into()),
+                ("rotational_damping", numbers(damping.iter())),
+            ])
+            .into(),
+        ),
+        (
+            "robustness",
+            table([
+                ("offset_magnitude", offset_magnitude.into()),
+                (
+                    "offset_directions",
+                    Value::Array(scene.offset_directions.iter().map(|direction| numbers(direction)).collect()),
+                ),
+            ])
+            .into(),
+        ),
+        (
+            "horizon",
+            table([
+                ("steps", Value::Integer(scene.horizon.steps as i64)),
+                ("time_step", scene.horizon.time_step.into()),
+            ])
+            .into(),
+        ),
+        (
+            "cost",
+            table([
+                ("reference", weights(&scene.cost.reference).into()),
+                ("compliant", weights(&scene.cost.compliant).into()),
+            ])
+            .into(),
+        ),
+        ("homotopy", homotopy.into()),
+        ("ipopt", ipopt.into()),
+    ]);
+    toml::to_string(&document).expect("a table of plain values is valid TOML")
+}
+
+fn table<const N: usize>(entries: [(&str, Value); N]) -> Table {
+    entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
+}
+
+fn numbers<'number>(numbers: impl IntoIterator<Item = &'number f64>) -> Value {
+    Value::Array(numbers.into_iter().map(|&number| Value::Float(number)).collect())
+}
+
+fn pose(pose: &[f64; 7]) -> Table {
+    table([("position", numbers(&pose[..3])), ("orientation", numbers(&pose[3..]))])
+}
+
+fn parts(parts: &[Part]) -> Value {
+    let part = |part: &Part| {
+        Value::Table(table([
+            ("name", part.name.clone().into()),
+            ("normals", Value::Array(part.shape.normals().iter().map(|normal| numbers(normal)).collect())),
+            ("offsets", numbers(part.shape.offsets())),
+        ]))
+    };
+    Value::Array(parts.iter().map(part).collect())
+}
+
+fn weights(weights: &CostWeights) -> Table {
+    table([
+        ("translational_velocity", weights.translational_velocity.into()),
+        ("rotational_velocity", weights.rotational_velocity.into()),
+        ("terminal_position", weights.terminal_position.into()),
+        ("terminal_orientation", weights.terminal_orientation.into()),
+    ])
+}
