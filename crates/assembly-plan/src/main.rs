@@ -1,1 +1,36 @@
-fn main() {}
+//! The command line of assembly-plan.
+
+mod arguments;
+mod check;
+mod failure;
+mod output;
+mod progress;
+mod result;
+mod solve;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::arguments::{Arguments, Command};
+
+/// The goal is reached and everything is written.
+const DONE: u8 = 0;
+/// The plan did not converge or does not reach the goal.
+const NO_PLAN: u8 = 1;
+/// The user stopped the program.
+const INTERRUPTED: u8 = 130;
+
+fn main() -> ExitCode {
+    // Clap prints usage errors itself and exits with 2.
+    let arguments = Arguments::parse();
+    let outcome = match &arguments.command {
+        Command::Solve(arguments) => solve::run(arguments),
+        Command::Check(arguments) => check::run(arguments),
+    };
+    let code = outcome.unwrap_or_else(|failure| {
+        eprintln!("error: {failure}");
+        failure.exit_code()
+    });
+    ExitCode::from(code)
+}

@@ -75,3 +75,6 @@ pub use problem::{Bounds, EvaluationError, Pattern, Problem};
 pub use solution::{Control, Iterate, Progress, Solution, Start, Timing};
 pub use solve::{SolveError, solve};
 pub use status::SolveStatus;
+
+/// Version of the Ipopt that this program was built with.
+pub const IPOPT_VERSION: &str = env!("IPOPT_VERSION");

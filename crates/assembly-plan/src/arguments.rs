@@ -1,0 +1,94 @@
+//! What the user can say.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
+///
+/// A scene file (TOML, lengths in metres, quaternions w x y z) names the shapes of the moved body and its environment,
+/// start and goal poses, the robot's stiffness and the size of the error. The plan is one reference trajectory that a
+/// Cartesian impedance controller tracks; it brings the body to its goal for every modelled error.
+#[derive(Debug, Parser)]
+#[command(name = "assembly-plan", version, after_help = EXIT_CODES)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 done, 1 no converged plan or goal not reached, 2 wrong input or usage, 3 anything else, 130 interrupted.
+
+Examples:
+  assembly-plan check scenes/peg1.toml
+  assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1";
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Plan one motion and write its files
+    Solve(SolveArguments),
+    /// Check and explain a scene without solving it
+    Check(CheckArguments),
+}
+
+/// What to plan.
+#[derive(Debug, Args)]
+pub struct TaskArguments {
+    /// Scene file (TOML)
+    pub scene: PathBuf,
+    /// Name of the start pose [default: the scene's first]
+    #[arg(long, value_name = "NAME")]
+    pub start: Option<String>,
+    /// Offset magnitude delta-hat in metres [default: the scene's]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    pub delta: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub struct SolveArguments {
+    #[command(flatten)]
+    pub task: TaskArguments,
+    /// Homotopy file (TOML) [default: the scene's, else the built-in configs/default.toml]
+    #[arg(long, value_name = "FILE")]
+    pub homotopy: Option<PathBuf>,
+    /// Folder for the results; an older plan in it is replaced [default: out/TITLE-START]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Linear solver: mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's]
+    #[arg(long, value_name = "NAME")]
+    pub linear_solver: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    #[command(flatten)]
+    pub task: TaskArguments,
+    /// Report every pair's distances at this pose: position (m) and quaternion
+    #[arg(long, value_name = "\"x y z qw qx qy qz\"", allow_hyphen_values = true, value_parser = parse_pose)]
+    pub pose: Option<Pose>,
+    /// Smoothing of the distances [default: the first of the scene's homotopy]
+    #[arg(long, value_name = "T")]
+    pub tau: Option<f64>,
+    /// Print the distances as JSON (at the start pose unless --pose is given)
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A pose from the command line, its quaternion scaled to unit norm.
+#[derive(Debug, Clone, Copy)]
+pub struct Pose(pub [f64; 7]);
+
+fn parse_pose(text: &str) -> Result<Pose, String> {
+    let words = text.split([' ', ',']).filter(|word| !word.is_empty());
+    let numbers: Result<Vec<f64>, String> =
+        words.map(|word| word.parse().map_err(|_| format!("`{word}` is not a number"))).collect();
+    let numbers = numbers?;
+    let pose: [f64; 7] = numbers
+        .try_into()
+        .map_err(|numbers: Vec<f64>| format!("a pose has 7 numbers, x y z qw qx qy qz; got {}", numbers.len()))?;
+    let norm = pose[3..].iter().map(|component| component * component).sum::<f64>().sqrt();
+    if !(norm > 0.0 && pose.iter().all(|number| number.is_finite())) {
+        return Err("a pose needs finite numbers and a quaternion that is not zero".to_owned());
+    }
+    Ok(Pose(ocp::pose::normalised(&pose)))
+}

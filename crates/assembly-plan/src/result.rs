@@ -1,0 +1,150 @@
+//! `result.json`.
+
+use ocp::{StageResult, StageTiming};
+use scene::{Scene, StartPose};
+use serde::Serialize;
+
+/// Everything that is known of a plan besides its trajectories.
+#[derive(Debug, Serialize)]
+pub struct PlanResult {
+    status: String,
+    converged: bool,
+    goal_reached: bool,
+    scene: String,
+    start: String,
+    delta_m: f64,
+    linear_solver: String,
+    threads: usize,
+    versions: Versions,
+    iterations: usize,
+    objective: f64,
+    wall_s: f64,
+    quaternion_drift: f64,
+    stages: Vec<Stage>,
+    scenarios: Vec<Scenario>,
+}
+
+#[derive(Debug, Serialize)]
+struct Versions {
+    assembly_plan: &'static str,
+    ipopt: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct Stage {
+    tau: f64,
+    sigma: f64,
+    mu_init: f64,
+    status: String,
+    message: Option<String>,
+    iterations: usize,
+    objective: f64,
+    constraint_violation: f64,
+    wall_s: f64,
+    wall_split_s: Split,
+}
+
+#[derive(Debug, Serialize)]
+struct Split {
+    distances: f64,
+    model: f64,
+    linear_solver: f64,
+    rest: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Scenario {
+    offset_m: [f64; 3],
+    position_error_m: f64,
+    orientation_error_rad: f64,
+    max_penetration_m: f64,
+    max_force_n: f64,
+}
+
+/// Largest final errors with which a scenario counts as at its goal.
+const POSITION_TOLERANCE: f64 = 3e-3;
+const ORIENTATION_TOLERANCE: f64 = 0.1;
+
+impl PlanResult {
+    /// From all homotopy iterations that ran; `stages` is not empty.
+    pub fn new(scene: &Scene, start: &StartPose, delta: f64, planned: usize, stages: &[StageResult]) -> Self {
+        let last = &stages[stages.len() - 1];
+        let (position, orientation) = last.trajectory.worst_errors();
+        let converged = stages.len() == planned && last.status.is_success();
+        let goal_reached = position <= POSITION_TOLERANCE && orientation <= ORIENTATION_TOLERANCE;
+        let status = match (converged, goal_reached) {
+            (true, true) => "done".to_owned(),
+            (true, false) => "converged, but the goal is not reached".to_owned(),
+            (false, _) => format!("stage {}: {}", stages.len(), last.status),
+        };
+        Self {
+            status,
+            converged,
+            goal_reached,
+            scene: scene.title.clone(),
+            start: start.name.clone(),
+            delta_m: delta,
+            linear_solver: last.linear_solver.clone(),
+            threads: 1,
+            versions: Versions { assembly_plan: env!("CARGO_PKG_VERSION"), ipopt: nlp::IPOPT_VERSION },
+            iterations: stages.iter().map(|stage| stage.iterations).sum(),
+            objective: last.objective,
+            wall_s: stages.iter().map(|stage| stage.timing.total).sum(),
+            quaternion_drift: last.trajectory.quaternion_drift,
+            stages: stages.iter().map(stage).collect(),
+            scenarios: last.trajectory.scenarios.iter().map(scenario).collect(),
+        }
+    }
+
+    /// Whether the plan converged and every scenario ends at the goal.
+    pub fn is_done(&self) -> bool {
+        self.converged && self.goal_reached
+    }
+
+    /// What happened, in a few lines.
+    pub fn summary(&self) -> String {
+        let mut lines = vec![format!(
+            "{}: {}; objective {:.4}, {} iterations, {:.1} s, linear solver {}",
+            self.scene, self.status, self.objective, self.iterations, self.wall_s, self.linear_solver
+        )];
+        for (index, scenario) in self.scenarios.iter().enumerate() {
+            let [x, y, z] = scenario.offset_m.map(|component| 1e3 * component);
+            lines.push(format!(
+                "  scenario {} (offset {x:.1} {y:.1} {z:.1} mm): ends {:.2} mm and {:.4} rad from the goal, overlaps at \
+                 most {:.2} mm, pushes at most {:.1} N",
+                index + 1,
+                1e3 * scenario.position_error_m,
+                scenario.orientation_error_rad,
+                1e3 * scenario.max_penetration_m,
+                scenario.max_force_n
+            ));
+        }
+        lines.join("\n")
+    }
+}
+
+fn stage(result: &StageResult) -> Stage {
+    let StageTiming { total, distances, model, linear_solver, rest } = result.timing;
+    Stage {
+        tau: result.smoothing.tau,
+        sigma: result.smoothing.sigma,
+        mu_init: result.smoothing.mu_init,
+        status: result.status.to_string(),
+        message: result.message.clone(),
+        iterations: result.iterations,
+        objective: result.objective,
+        constraint_violation: result.constraint_violation,
+        wall_s: total,
+        wall_split_s: Split { distances, model, linear_solver, rest },
+    }
+}
+
+fn scenario(motion: &ocp::ScenarioTrajectory) -> Scenario {
+    Scenario {
+        offset_m: motion.offset,
+        position_error_m: motion.quality.position_error,
+        orientation_error_rad: motion.quality.orientation_error,
+        max_penetration_m: motion.quality.max_penetration,
+        max_force_n: motion.quality.max_force,
+    }
+}
