@@ -6,7 +6,7 @@ use crate::contact::{CONTACT, Map, POSE, Placement};
 use crate::derivatives::{self, DIRECTIONS};
 use crate::frame;
 use crate::interior_point::{self, Row, Solution};
-use crate::lane::{Lane, MAX_LANES, Vector, dot, rotate};
+use crate::lane::{Lane, Vector, array, column, cross, dot, gather, rotate, scatter};
 use crate::pair::{DistanceError, Pair};
 
 /// Which vector instructions are used; every choice gives the same bits.
@@ -76,7 +76,7 @@ impl WithSimd for Evaluation<'_> {
         let mut iterations = 0;
         for start in (0..self.poses.len()).step_by(S::F64_LANES) {
             let count = S::F64_LANES.min(self.poses.len() - start);
-            let place = Placement::new(simd, |lane| self.poses[start + lane.min(count - 1)]);
+            let place = Placement::new(simd, &gather(simd, &self.poses[start..start + count]));
             let solved = self.solve(simd, &mut rows, &place, start, count)?;
             iterations = iterations.max(solved.iterations);
             self.store(simd, &mut rows, &place, &solved, start, count);
@@ -100,7 +100,8 @@ impl Evaluation<'_> {
         let mut solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
         let failed = |solution: &Solution<S>| {
             let residuals = solution.residual.to_array();
-            (0..count).find(|&lane| !(residuals[lane] <= self.tolerance)).map(|lane| (lane, residuals[lane]))
+            let open = |&lane: &usize| residuals[lane].is_nan() || residuals[lane] > self.tolerance;
+            (0..count).find(open).map(|lane| (lane, residuals[lane]))
         };
         if failed(&solution).is_some() {
             let axes = frame::enter(simd, rows);
@@ -111,7 +112,7 @@ impl Evaluation<'_> {
             midpoint = rotate(&axes, &midpoint);
             solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
             // Back to world axes: the frame's inverse is its transpose.
-            let inverse: [Vector<S>; 3] = std::array::from_fn(|row| std::array::from_fn(|axis| axes[axis][row]));
+            let inverse: [Vector<S>; 3] = array!(|axis| column(&axes, axis));
             solution.point = rotate(&inverse, &solution.point);
             for row in rows.iter_mut() {
                 row.normal = rotate(&inverse, &row.normal);
@@ -137,47 +138,46 @@ impl Evaluation<'_> {
         count: usize,
     ) {
         let body = self.pair.body.normals().len();
-        let lever: Vector<S> = std::array::from_fn(|axis| solved.point[axis] - place.position[axis]);
+        let lever: Vector<S> = array!(|axis| solved.point[axis] - place.position[axis]);
         let distance = solved.growth + solved.growth;
+        let group = start..start + count;
         match &mut self.request {
             Request::Bounds(bounds) => {
-                scatter(&[tightest(rows, &solved.point)], count, |lane, _, value| bounds[start + lane] = value);
+                let bound = tightest(rows, &solved.point).to_array();
+                bounds[group].copy_from_slice(&bound[..count]);
             }
             Request::Normals(normals) => {
-                let normal = place.pose_normal(&force(simd, &rows[..body]), &lever);
-                scatter(&[distance], count, |lane, _, value| normals[start + lane][0] = value);
-                scatter(&normal, count, |lane, index, value| normals[start + lane][1 + index] = value);
+                let [a, b, c, d, e, f, g] = place.pose_normal(&force(simd, &rows[..body]), &lever);
+                scatter(&[distance, a, b, c, d, e, f, g], normals[group].iter_mut());
             }
             Request::Values(values) => {
                 let force = force(simd, &rows[..body]);
-                let torque = crate::lane::cross(&force, &lever);
-                let inverse = |axis: usize| [place.rotation[0][axis], place.rotation[1][axis], place.rotation[2][axis]];
-                let torque: Vector<S> = std::array::from_fn(|axis| dot(&inverse(axis), &torque));
+                let torque = cross(&force, &lever);
                 let [x, y, z] = force;
-                let value = [distance, -x, -y, -z, torque[0], torque[1], torque[2]];
-                scatter(&value, count, |lane, index, value| values[start + lane][index] = value);
+                let [a, b, c]: Vector<S> = array!(|axis| dot(&column(&place.rotation, axis), &torque));
+                scatter(&[distance, -x, -y, -z, a, b, c], values[group].iter_mut());
             }
             Request::Jacobians(values, jacobians) => {
-                let group = Group::new(simd, rows, place, lever, body);
-                group.store_first(simd, distance, count, &mut values[start..], &mut jacobians[start..]);
+                let contact = ContactGroup::new(simd, rows, place, lever, body);
+                contact.store_first(simd, distance, &mut values[group.clone()], &mut jacobians[group]);
             }
             Request::Hessians { seeds, values, jacobians, hessians } => {
-                let group = Group::new(simd, rows, place, lever, body);
-                group.store_first(simd, distance, count, &mut values[start..], &mut jacobians[start..]);
-                let (seeds, hessians) = (&seeds[start..], &mut hessians[start..]);
-                group.store_second(simd, count, rows, body, seeds, hessians);
+                let contact = ContactGroup::new(simd, rows, place, lever, body);
+                contact.store_first(simd, distance, &mut values[group.clone()], &mut jacobians[group.clone()]);
+                let seed = gather(simd, &seeds[group.clone()]);
+                contact.store_second(simd, rows.split_at(body), &seed, &mut hessians[group]);
             }
         }
     }
 }
 
 /// First derivatives of one group of poses in its contact frame.
-struct Group<S: Simd> {
+struct ContactGroup<S: Simd> {
     map: Map<S>,
     first: derivatives::First<S>,
 }
 
-impl<S: Simd> Group<S> {
+impl<S: Simd> ContactGroup<S> {
     #[inline(always)]
     fn new(simd: S, rows: &mut [Row<S>], place: &Placement<S>, lever: Vector<S>, body: usize) -> Self {
         let axes = frame::enter(simd, rows);
@@ -190,15 +190,13 @@ impl<S: Simd> Group<S> {
         &self,
         simd: S,
         distance: Lane<S>,
-        count: usize,
         values: &mut [[f64; CONTACT]],
         jacobians: &mut [[[f64; POSE]; CONTACT]],
     ) {
-        scatter(&[distance], count, |lane, _, value| values[lane][0] = value);
-        let normal = self.map.normal(&self.first.normal);
-        scatter(&normal, count, |lane, index, value| values[lane][1 + index] = value);
+        let [a, b, c, d, e, f] = self.map.normal(&self.first.normal);
+        scatter(&[distance, a, b, c, d, e, f], values.iter_mut());
         for (component, row) in self.map.jacobian(simd, &self.first).iter().enumerate() {
-            scatter(row, count, |lane, index, value| jacobians[lane][component][index] = value);
+            scatter(row, jacobians.iter_mut().map(|jacobian| &mut jacobian[component]));
         }
     }
 
@@ -206,20 +204,15 @@ impl<S: Simd> Group<S> {
     fn store_second(
         &self,
         simd: S,
-        count: usize,
-        rows: &[Row<S>],
-        body: usize,
-        seeds: &[[f64; CONTACT]],
+        (body_rows, fixed_rows): (&[Row<S>], &[Row<S>]),
+        seed: &[Lane<S>; CONTACT],
         hessians: &mut [[[f64; POSE]; POSE]],
     ) {
-        let seed: [Lane<S>; CONTACT] =
-            std::array::from_fn(|index| Lane::from_fn(simd, |lane| seeds[lane.min(count - 1)][index]));
-        let along_seed: [Lane<S>; DIRECTIONS] = self.map.seed(&seed);
-        let (body_rows, fixed_rows) = rows.split_at(body);
+        let along_seed: [Lane<S>; DIRECTIONS] = self.map.seed(seed);
         let along = derivatives::second(simd, body_rows, fixed_rows, &self.first, seed[0], &along_seed);
         let hessian = self.map.hessian(simd, &self.first, along, seed[0], &along_seed);
-        for (row, entries) in hessian.iter().enumerate() {
-            scatter(entries, count, |lane, column, value| hessians[lane][row][column] = value);
+        for (index, row) in hessian.iter().enumerate() {
+            scatter(row, hessians.iter_mut().map(|hessian| &mut hessian[index]));
         }
     }
 }
@@ -229,7 +222,7 @@ impl<S: Simd> Group<S> {
 fn force<S: Simd>(simd: S, body_rows: &[Row<S>]) -> Vector<S> {
     let mut force = [Lane::splat(simd, 0.0); 3];
     for row in body_rows {
-        force = std::array::from_fn(|axis| row.dual.mul_add(row.normal[axis], force[axis]));
+        force = array!(|axis| row.dual.mul_add(row.normal[axis], force[axis]));
     }
     force
 }
@@ -241,15 +234,3 @@ fn tightest<S: Simd>(rows: &[Row<S>], point: &Vector<S>) -> Lane<S> {
     let growth = growth.reduce(|largest, next| largest.max(next)).expect("a pair has rows");
     growth + growth
 }
-
-/// Writes every number of every lane that is in use.
-#[inline(always)]
-fn scatter<S: Simd>(numbers: &[Lane<S>], count: usize, mut write: impl FnMut(usize, usize, f64)) {
-    for (index, number) in numbers.iter().enumerate() {
-        let values: [f64; MAX_LANES] = number.to_array();
-        for (lane, &value) in values[..count].iter().enumerate() {
-            write(lane, index, value);
-        }
-    }
-}
-

@@ -4,7 +4,7 @@
 use pulp::Simd;
 
 use crate::derivatives::{DIRECTIONS, DirectionMatrix, First, skew};
-use crate::lane::{Lane, Vector, cross, dot, rotate};
+use crate::lane::{Lane, Vector, array, column, cross, dot, rotate};
 
 /// Coordinates of a pose (position, quaternion).
 pub const POSE: usize = 7;
@@ -24,26 +24,24 @@ pub struct Placement<S: Simd> {
 }
 
 impl<S: Simd> Placement<S> {
-    /// Reads one pose per lane.
+    /// From pose coordinates, the quaternion of any norm.
     #[inline(always)]
-    pub fn new(simd: S, pose: impl Fn(usize) -> [f64; POSE]) -> Self {
-        let coordinate = |index: usize| Lane::from_fn(simd, |lane| pose(lane)[index]);
-        let raw: [Lane<S>; 4] = std::array::from_fn(|index| coordinate(3 + index));
-        let square = raw.iter().fold(Lane::splat(simd, 0.0), |sum, component| component.mul_add(*component, sum));
-        let growth = raw.map(|component| component * square.recip());
+    pub fn new(simd: S, pose: &[Lane<S>; POSE]) -> Self {
+        let [x, y, z, raw @ ..] = *pose;
+        let position = [x, y, z];
+        let mut square = Lane::splat(simd, 0.0);
+        for component in raw {
+            square = component.mul_add(component, square);
+        }
+        let inverse_square = square.recip();
+        let growth: [Lane<S>; 4] = array!(|index| raw[index] * inverse_square);
         let scale = square.sqrt().recip();
-        let [w, x, y, z] = raw.map(|component| component * scale);
+        let [w, x, y, z]: [Lane<S>; 4] = array!(|index| raw[index] * scale);
         let two = Lane::splat(simd, 2.0);
-        let double = |a: Lane<S>, b: Lane<S>, c: Lane<S>, d: Lane<S>| two * a.mul_add(b, c * d);
-        let diagonal = |a: Lane<S>, b: Lane<S>| Lane::splat(simd, 1.0) - two * a.mul_add(a, b * b);
-        let rotation = [
-            [diagonal(y, z), double(x, y, -w, z), double(x, z, w, y)],
-            [double(x, y, w, z), diagonal(x, z), double(y, z, -w, x)],
-            [double(x, z, -w, y), double(y, z, w, x), diagonal(x, y)],
-        ];
-        let [w, x, y, z] = growth.map(|component| two * component);
+        let rotation = rotation_matrix(w, [x, y, z]);
+        let [w, x, y, z]: [Lane<S>; 4] = array!(|index| two * growth[index]);
         let turn = [[-x, w, -z, y], [-y, z, w, -x], [-z, -y, x, w]];
-        Self { position: std::array::from_fn(coordinate), rotation, turn, growth }
+        Self { position, rotation, turn, growth }
     }
 
     /// Contact normal `n_tau` in R^7 at the normalised pose; its radial part is that of the homogeneous rotation matrix.
@@ -52,15 +50,28 @@ impl<S: Simd> Placement<S> {
         let torque = cross(force, lever);
         let two = force[0].constant(2.0);
         let radial = two * dot(force, lever);
-        std::array::from_fn(|index| {
+        array!(|index| {
             if index < 3 {
                 return -force[index];
             }
-            let column = index - 3;
-            let tangential = dot(&[self.turn[0][column], self.turn[1][column], self.turn[2][column]], &torque);
-            radial.mul_add(self.growth[column], tangential)
+            let component = index - 3;
+            let tangential = dot(&column(&self.turn, component), &torque);
+            radial.mul_add(self.growth[component], tangential)
         })
     }
+}
+
+/// Rotation matrix of a unit quaternion.
+#[inline(always)]
+fn rotation_matrix<S: Simd>(w: Lane<S>, [x, y, z]: Vector<S>) -> [Vector<S>; 3] {
+    let (one, two) = (w.constant(1.0), w.constant(2.0));
+    let (xx, yy, zz) = (x * x, y * y, z * z);
+    let (wx, wy, wz) = (w * x, w * y, w * z);
+    [
+        [one - two * (yy + zz), two * x.mul_add(y, -wz), two * x.mul_add(z, wy)],
+        [two * x.mul_add(y, wz), one - two * (xx + zz), two * y.mul_add(z, -wx)],
+        [two * x.mul_add(z, -wy), two * y.mul_add(z, wx), one - two * (xx + yy)],
+    ]
 }
 
 /// Maps between the contact frame and the pose coordinates.
@@ -78,15 +89,12 @@ impl<S: Simd> Map<S> {
     /// For a contact frame at a pose.
     #[inline(always)]
     pub fn new(frame: [Vector<S>; 3], place: &Placement<S>) -> Self {
-        let column = |axis: usize| [place.rotation[0][axis], place.rotation[1][axis], place.rotation[2][axis]];
-        let columns: [Vector<S>; 3] = std::array::from_fn(|axis| rotate(&frame, &column(axis)));
-        let turned: [Vector<S>; 4] = std::array::from_fn(|component| {
-            rotate(&frame, &[place.turn[0][component], place.turn[1][component], place.turn[2][component]])
-        });
+        let columns: [Vector<S>; 3] = array!(|axis| rotate(&frame, &column(&place.rotation, axis)));
+        let turned: [Vector<S>; 4] = array!(|component| { rotate(&frame, &column(&place.turn, component)) });
         Self {
             frame,
-            body_frame: std::array::from_fn(|row| std::array::from_fn(|axis| columns[axis][row])),
-            turn: std::array::from_fn(|row| std::array::from_fn(|component| turned[component][row])),
+            body_frame: array!(|row| array!(|axis| columns[axis][row])),
+            turn: array!(|row| array!(|component| turned[component][row])),
             growth: place.growth,
         }
     }
@@ -103,13 +111,13 @@ impl<S: Simd> Map<S> {
         let along = self.normal_derivative(simd, first);
         let mut columns = [[Lane::splat(simd, 0.0); DIRECTIONS]; DIRECTIONS];
         for (direction, column) in columns.iter_mut().enumerate() {
-            *column = self.to_twist(&std::array::from_fn(|row| along[row][direction]));
+            *column = self.to_twist(&array!(|row| along[row][direction]));
         }
-        std::array::from_fn(|component| {
+        array!(|component| {
             if component == 0 {
                 return self.to_pose(&first.distance);
             }
-            self.to_pose(&std::array::from_fn(|direction| columns[direction][component - 1]))
+            self.to_pose(&array!(|direction| columns[direction][component - 1]))
         })
     }
 
@@ -134,14 +142,15 @@ impl<S: Simd> Map<S> {
         let torque = [first.normal[3], first.normal[4], first.normal[5]];
         add_chart_terms(simd, &mut along, &first.curvature, &torque, &[seed[3], seed[4], seed[5]]);
         let derivative = self.normal_derivative(simd, first);
-        let gradient: Vector<S> = std::array::from_fn(|axis| {
-            let start = distance_seed * first.distance[3 + axis];
-            (0..DIRECTIONS).fold(start, |sum, row| seed[row].mul_add(derivative[row][3 + axis], sum))
+        let gradient: Vector<S> = array!(|axis| {
+            let mut sum = distance_seed * first.distance[3 + axis];
+            for row in 0..DIRECTIONS {
+                sum = seed[row].mul_add(derivative[row][3 + axis], sum);
+            }
+            sum
         });
-        let half: [[Lane<S>; POSE]; DIRECTIONS] = std::array::from_fn(|row| self.to_pose(&along[row]));
-        let columns: [[Lane<S>; POSE]; POSE] = std::array::from_fn(|column| {
-            self.to_pose(&std::array::from_fn(|row| half[row][column]))
-        });
+        let half: [[Lane<S>; POSE]; DIRECTIONS] = array!(|row| self.to_pose(&along[row]));
+        let columns: [[Lane<S>; POSE]; POSE] = array!(|column| { self.to_pose(&array!(|row| half[row][column])) });
         // Second derivative of the rotation vector: growing and turning at once turns less.
         let turned = self.turned(&gradient);
         let mut hessian = columns;
@@ -172,7 +181,7 @@ impl<S: Simd> Map<S> {
     /// From the contact frame to world (force) and body (torque) axes.
     #[inline(always)]
     fn to_twist(&self, wrench: &[Lane<S>; DIRECTIONS]) -> [Lane<S>; DIRECTIONS] {
-        std::array::from_fn(|index| {
+        array!(|index| {
             let (matrix, axis, start) =
                 if index < 3 { (&self.frame, index, 0) } else { (&self.body_frame, index - 3, 3) };
             dot(
@@ -187,19 +196,17 @@ impl<S: Simd> Map<S> {
     fn to_pose(&self, gradient: &[Lane<S>; DIRECTIONS]) -> [Lane<S>; POSE] {
         let shift = [gradient[0], gradient[1], gradient[2]];
         let turned = self.turned(&[gradient[3], gradient[4], gradient[5]]);
-        std::array::from_fn(|index| {
+        array!(|index| {
             if index >= 3 {
                 return turned[index - 3];
             }
-            dot(&[self.frame[0][index], self.frame[1][index], self.frame[2][index]], &shift)
+            dot(&column(&self.frame, index), &shift)
         })
     }
 
     #[inline(always)]
     fn turned(&self, gradient: &Vector<S>) -> [Lane<S>; 4] {
-        std::array::from_fn(|component| {
-            dot(&[self.turn[0][component], self.turn[1][component], self.turn[2][component]], gradient)
-        })
+        array!(|component| { dot(&column(&self.turn, component), gradient) })
     }
 }
 

@@ -10,7 +10,7 @@
 use pulp::Simd;
 
 use crate::interior_point::Row;
-use crate::lane::{Lane, Vector, cross, dot};
+use crate::lane::{Lane, Vector, array, cross, dot};
 use crate::newton::{Factors, Moments};
 
 /// Number of directions `u`.
@@ -42,7 +42,7 @@ pub fn first<S: Simd>(simd: S, body_rows: &[Row<S>], fixed_rows: &[Row<S>], leve
     let (mut body, mut fixed, mut force) = (Moments::zero(simd), Moments::zero(simd), [zero; 3]);
     for row in body_rows {
         body.add(row.curvature(), &row.normal);
-        force = std::array::from_fn(|axis| row.dual.mul_add(row.normal[axis], force[axis]));
+        force = array!(|axis| row.dual.mul_add(row.normal[axis], force[axis]));
     }
     for row in fixed_rows {
         fixed.add(row.curvature(), &row.normal);
@@ -52,7 +52,7 @@ pub fn first<S: Simd>(simd: S, body_rows: &[Row<S>], fixed_rows: &[Row<S>], leve
     let mixed = mixed_derivatives(simd, &body, &force, &lever);
     let solution = implicit(simd, &factors, &mixed);
     let cost_response = factors.solve([zero, zero, zero, Lane::splat(simd, 2.0)]);
-    let distance = std::array::from_fn(|column| solution[3][column] + solution[3][column]);
+    let distance = array!(|column| solution[3][column] + solution[3][column]);
     let curvature = value_curvature(simd, &body, &force, &lever, &mixed, &solution);
     let normal = [-force[0], -force[1], -force[2], torque[0], torque[1], torque[2]];
     First { normal, distance, curvature, force, lever, solution, cost_response, body }
@@ -63,7 +63,7 @@ pub fn first<S: Simd>(simd: S, body_rows: &[Row<S>], fixed_rows: &[Row<S>], leve
 fn moved_point<S: Simd>(simd: S, lever: &Vector<S>, column: usize) -> Vector<S> {
     let mut unit = [Lane::splat(simd, 0.0); 3];
     unit[column % 3] = Lane::splat(simd, 1.0);
-    if column < 3 { unit.map(|component| -component) } else { cross(lever, &unit) }
+    if column < 3 { array!(|axis| -unit[axis]) } else { cross(lever, &unit) }
 }
 
 /// `B_zu = M_body (dy'/du) + (0, -[f])`
@@ -92,14 +92,10 @@ fn mixed_derivatives<S: Simd>(
 
 /// `z' = -M^-1 B_zu` (Eq. firstderF)
 #[inline(always)]
-fn implicit<S: Simd>(
-    simd: S,
-    factors: &Factors<S>,
-    mixed: &[[Lane<S>; DIRECTIONS]; 4],
-) -> [[Lane<S>; DIRECTIONS]; 4] {
+fn implicit<S: Simd>(simd: S, factors: &Factors<S>, mixed: &[[Lane<S>; DIRECTIONS]; 4]) -> [[Lane<S>; DIRECTIONS]; 4] {
     let mut solution = [[Lane::splat(simd, 0.0); DIRECTIONS]; 4];
     for column in 0..DIRECTIONS {
-        let change = factors.solve(std::array::from_fn(|row| -mixed[row][column]));
+        let change = factors.solve(array!(|row| -mixed[row][column]));
         for row in 0..4 {
             solution[row][column] = change[row];
         }
@@ -155,11 +151,14 @@ pub fn second<S: Simd>(
     let shift: Vector<S> = [seed[0], seed[1], seed[2]];
     let spin: Vector<S> = [seed[3], seed[4], seed[5]];
     // Direction of z along which the third derivative is taken (Eq. secondderadjeq).
-    let adjoint: [Lane<S>; 4] = std::array::from_fn(|row| {
-        let start = -(distance_seed * first.cost_response[row]);
-        (0..DIRECTIONS).fold(start, |sum, column| solution[row][column].mul_add(seed[column], sum))
+    let adjoint: [Lane<S>; 4] = array!(|row| {
+        let mut sum = -(distance_seed * first.cost_response[row]);
+        for column in 0..DIRECTIONS {
+            sum = solution[row][column].mul_add(seed[column], sum);
+        }
+        sum
     });
-    let along: Vector<S> = std::array::from_fn(|axis| adjoint[axis] - shift[axis]);
+    let along: Vector<S> = array!(|axis| adjoint[axis] - shift[axis]);
     let spun = cross(&spin, lever);
     let body_direction = [along[0] - spun[0], along[1] - spun[1], along[2] - spun[2], adjoint[3]];
     let body_third = third_moments(simd, body_rows, &body_direction);
@@ -168,7 +167,7 @@ pub fn second<S: Simd>(
     let reaction = [reaction[0], reaction[1], reaction[2]];
 
     // w = p' - translation and y' along every direction.
-    let moves: [Vector<S>; DIRECTIONS] = std::array::from_fn(|column| {
+    let moves: [Vector<S>; DIRECTIONS] = array!(|column| {
         let mut point = [solution[0][column], solution[1][column], solution[2][column]];
         if column < 3 {
             point[column] -= Lane::splat(simd, 1.0);
@@ -179,14 +178,14 @@ pub fn second<S: Simd>(
     let rotational = rotational_terms(force, lever, &spin, &along, &reaction);
     let mut hessian = [[Lane::splat(simd, 0.0); DIRECTIONS]; DIRECTIONS];
     let half = Lane::splat(simd, 0.5);
-    let columns: [Column<S>; DIRECTIONS] = std::array::from_fn(|column| {
+    let columns: [Column<S>; DIRECTIONS] = array!(|column| {
         let point = relative_point(simd, lever, &moves[column], column);
         let hat = [point[0], point[1], point[2], solution[3][column]];
         let bend = bending(simd, lever, &spin, &along, &moves[column], column);
         let third = body_third.times(&hat);
         let bent = body.times_point(&bend);
-        let fixed = fixed_third.times(&std::array::from_fn(|row| solution[row][column]));
-        Column { hat, half_response: std::array::from_fn(|row| half.mul_add(third[row], bent[row])), fixed }
+        let fixed = fixed_third.times(&array!(|row| solution[row][column]));
+        Column { hat, half_response: array!(|row| half.mul_add(third[row], bent[row])), fixed }
     });
     for row in 0..DIRECTIONS {
         for column in 0..=row {
@@ -212,6 +211,7 @@ pub fn second<S: Simd>(
 }
 
 /// What one direction contributes to products with the others.
+#[derive(Clone, Copy)]
 struct Column<S: Simd> {
     /// Change of `(y', alpha)`.
     hat: [Lane<S>; 4],
@@ -240,7 +240,7 @@ fn relative_point<S: Simd>(simd: S, lever: &Vector<S>, moved: &Vector<S>, column
         return *moved;
     }
     let turned = moved_point(simd, lever, column);
-    std::array::from_fn(|axis| moved[axis] + turned[axis])
+    array!(|axis| moved[axis] + turned[axis])
 }
 
 /// Second derivative of `y'` along the seed's direction and another one:
@@ -256,7 +256,7 @@ fn bending<S: Simd>(
 ) -> Vector<S> {
     let turned = cross(spin, moved);
     if column < 3 {
-        return turned.map(|component| -component);
+        return array!(|axis| -turned[axis]);
     }
     let mut unit = [Lane::splat(simd, 0.0); 3];
     unit[column - 3] = Lane::splat(simd, 1.0);
@@ -264,18 +264,13 @@ fn bending<S: Simd>(
     let swept = cross(&unit, along);
     let outer = cross(spin, &cross(&unit, lever));
     let inner = cross(&unit, &cross(spin, lever));
-    std::array::from_fn(|axis| half.mul_add(outer[axis] + inner[axis], -(turned[axis] + swept[axis])))
+    array!(|axis| half.mul_add(outer[axis] + inner[axis], -(turned[axis] + swept[axis])))
 }
 
 /// Terms linear in one rotation and in the other direction's `w`:
 /// `[reaction] + (f spin' - 2 spin f' + (f spin) I) / 2`.
 #[inline(always)]
-fn rotating_terms<S: Simd>(
-    simd: S,
-    force: &Vector<S>,
-    spin: &Vector<S>,
-    reaction: &Vector<S>,
-) -> [Vector<S>; 3] {
+fn rotating_terms<S: Simd>(simd: S, force: &Vector<S>, spin: &Vector<S>, reaction: &Vector<S>) -> [Vector<S>; 3] {
     let half = Lane::splat(simd, 0.5);
     let aligned = half * dot(force, spin);
     let mut terms = skew(simd, reaction);
@@ -317,9 +312,8 @@ fn rotational_terms<S: Simd>(
 fn symmetric_part<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> [Vector<S>; 3] {
     let half = a[0].constant(0.5);
     let along = dot(a, b);
-    let mut matrix: [Vector<S>; 3] = std::array::from_fn(|row| {
-        std::array::from_fn(|column| half * a[row].mul_add(b[column], b[row] * a[column]))
-    });
+    let mut matrix: [Vector<S>; 3] =
+        array!(|row| { array!(|column| half * a[row].mul_add(b[column], b[row] * a[column])) });
     for (axis, row) in matrix.iter_mut().enumerate() {
         row[axis] -= along;
     }

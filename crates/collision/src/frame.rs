@@ -4,7 +4,7 @@
 use pulp::Simd;
 
 use crate::interior_point::Row;
-use crate::lane::{Lane, Vector, cross, dot, rotate};
+use crate::lane::{Lane, Vector, array, cross, dot, rotate};
 
 /// Rotates all normals into the frame whose z axis is the normal of the row with the largest curvature and whose x axis
 /// points along the tangential part of the row with the largest tangential curvature. Returns the frame's axes.
@@ -17,21 +17,21 @@ pub fn enter<S: Simd>(simd: S, rows: &mut [Row<S>]) -> [Vector<S>; 3] {
         let curvature = row.curvature();
         let larger = largest.less_than(curvature);
         largest = curvature.select(larger, largest);
-        z = std::array::from_fn(|axis| row.normal[axis].select(larger, z[axis]));
+        z = array!(|axis| row.normal[axis].select(larger, z[axis]));
     }
     let mut x = z;
     let mut largest = Lane::splat(simd, -1.0);
     for row in rows.iter() {
         let along = dot(&z, &row.normal);
-        let tangential: Vector<S> = std::array::from_fn(|axis| along.mul_sub_from(z[axis], row.normal[axis]));
+        let tangential: Vector<S> = array!(|axis| along.mul_sub_from(z[axis], row.normal[axis]));
         let curvature = row.curvature() * dot(&tangential, &tangential);
         let larger = largest.less_than(curvature);
         largest = curvature.select(larger, largest);
-        x = std::array::from_fn(|axis| tangential[axis].select(larger, x[axis]));
+        x = array!(|axis| tangential[axis].select(larger, x[axis]));
     }
     let z = unit(&z);
     let along = dot(&z, &x);
-    let x = unit(&std::array::from_fn(|axis| along.mul_sub_from(z[axis], x[axis])));
+    let x = unit(&array!(|axis| along.mul_sub_from(z[axis], x[axis])));
     let frame = [x, cross(&z, &x), z];
     for row in rows {
         row.normal = rotate(&frame, &row.normal);
@@ -42,5 +42,5 @@ pub fn enter<S: Simd>(simd: S, rows: &mut [Row<S>]) -> [Vector<S>; 3] {
 #[inline(always)]
 fn unit<S: Simd>(vector: &Vector<S>) -> Vector<S> {
     let scale = dot(vector, vector).sqrt().recip();
-    vector.map(|component| component * scale)
+    array!(|axis| vector[axis] * scale)
 }

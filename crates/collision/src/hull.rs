@@ -111,9 +111,8 @@ pub fn irredundant(halfspaces: &[Facet], vertices: &[Vector3<f64>]) -> Vec<Facet
     for facet in halfspaces {
         let on: Vec<usize> = (0..vertices.len()).filter(|&v| facet.height(&vertices[v]) >= -tolerance).collect();
         let mut corners = triples(on.len());
-        let is_face = corners.any(|(a, b, c)| {
-            plane(&vertices[on[a]], &vertices[on[b]], &vertices[on[c]], tolerance).is_some()
-        });
+        let is_face =
+            corners.any(|(a, b, c)| plane(&vertices[on[a]], &vertices[on[b]], &vertices[on[c]], tolerance).is_some());
         if is_face && kept.iter().all(|(_, other)| *other != on) {
             kept.push((*facet, on));
         }

@@ -148,13 +148,7 @@ fn start<S: Simd>(simd: S, rows: &mut [Row<S>], point: &Vector<S>, tau: f64) -> 
 /// Takes the last step and assembles the Newton system. Slacks are updated, not recomputed: recomputing adds rounding
 /// of the size of `eps / tau`.
 #[inline(always)]
-fn advance<S: Simd>(
-    simd: S,
-    rows: &mut [Row<S>],
-    primal_step: Lane<S>,
-    dual_step: Lane<S>,
-    tau: f64,
-) -> Assembly<S> {
+fn advance<S: Simd>(simd: S, rows: &mut [Row<S>], primal_step: Lane<S>, dual_step: Lane<S>, tau: f64) -> Assembly<S> {
     let zero = Lane::splat(simd, 0.0);
     let (one, inverse_tau) = (Lane::splat(simd, 1.0), Lane::splat(simd, 1.0 / tau));
     let mut matrix = Moments::zero(simd);
@@ -205,8 +199,7 @@ impl<S: Simd> Prediction<S> {
 fn predict<S: Simd>(simd: S, rows: &mut [Row<S>], step: &[Lane<S>; 4], tau: Lane<S>) -> Prediction<S> {
     let (zero, one) = (Lane::splat(simd, 0.0), Lane::splat(simd, 1.0));
     let limit = Lane::splat(simd, CORRECTION_LIMIT);
-    let mut prediction =
-        Prediction { primal_ratio: one, dual_ratio: one, changes: [zero; 3], correction: [zero; 4] };
+    let mut prediction = Prediction { primal_ratio: one, dual_ratio: one, changes: [zero; 3], correction: [zero; 4] };
     for row in rows {
         let slope = slope(&row.normal, step);
         let slack_change = row.inverse_slack * slope;

@@ -4,6 +4,27 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use pulp::Simd;
 
+/// An array by index: `array!(|index| entry)`. Unlike `std::array::from_fn` it is inlined with certainty. Outside of the
+/// dispatched function vector operations are calls that pass their operands through memory, ten times slower.
+macro_rules! array {
+    (|$index:ident| $entry:expr) => {
+        $crate::lane::by_index(
+            #[inline(always)]
+            |$index| $entry,
+        )
+    };
+}
+pub(crate) use array;
+
+#[inline(always)]
+pub fn by_index<T: Copy, const N: usize>(entry: impl Fn(usize) -> T) -> [T; N] {
+    let mut entries = [entry(0); N];
+    for (index, slot) in entries.iter_mut().enumerate().skip(1) {
+        *slot = entry(index);
+    }
+    entries
+}
+
 /// As many numbers as the instruction set's registers hold. All operations are the same IEEE operations in every
 /// instruction set, so that results do not depend on it.
 #[derive(Clone, Copy)]
@@ -32,21 +53,19 @@ impl<S: Simd> Lane<S> {
         Self::splat(self.simd, value)
     }
 
-    /// One number per lane.
+    /// One number per lane, the first of them.
     #[inline(always)]
-    pub fn from_fn(simd: S, number: impl Fn(usize) -> f64) -> Self {
-        let mut numbers = [0.0; MAX_LANES];
-        for (lane, slot) in numbers[..S::F64_LANES].iter_mut().enumerate() {
-            *slot = number(lane);
-        }
-        Self { simd, value: simd.partial_load_f64s(&numbers[..S::F64_LANES]) }
+    fn load(simd: S, numbers: &[f64; MAX_LANES]) -> Self {
+        let (registers, _) = S::as_simd_f64s(&numbers[..S::F64_LANES]);
+        Self { simd, value: registers[0] }
     }
 
     /// The numbers; entries beyond the register are zero.
     #[inline(always)]
     pub fn to_array(self) -> [f64; MAX_LANES] {
         let mut numbers = [0.0; MAX_LANES];
-        self.simd.partial_store_f64s(&mut numbers[..S::F64_LANES], self.value);
+        let (registers, _) = S::as_mut_simd_f64s(&mut numbers[..S::F64_LANES]);
+        registers[0] = self.value;
         numbers
     }
 
@@ -158,6 +177,34 @@ impl<S: Simd> SubAssign for Lane<S> {
     }
 }
 
+/// One record per lane, the last one repeated where there are fewer.
+#[inline(always)]
+pub fn gather<S: Simd, const N: usize>(simd: S, records: &[[f64; N]]) -> [Lane<S>; N] {
+    let mut columns = [[0.0; MAX_LANES]; N];
+    let last = records.len() - 1;
+    for lane in 0..S::F64_LANES {
+        let record = &records[lane.min(last)];
+        for index in 0..N {
+            columns[index][lane] = record[index];
+        }
+    }
+    array!(|index| Lane::load(simd, &columns[index]))
+}
+
+/// Writes one record per lane, as many as there are.
+#[inline(always)]
+pub fn scatter<'records, S: Simd, const N: usize>(
+    numbers: &[Lane<S>; N],
+    records: impl Iterator<Item = &'records mut [f64; N]>,
+) {
+    let columns: [[f64; MAX_LANES]; N] = array!(|index| numbers[index].to_array());
+    for (lane, record) in records.take(S::F64_LANES).enumerate() {
+        for index in 0..N {
+            record[index] = columns[index][lane];
+        }
+    }
+}
+
 /// Three numbers per lane.
 pub type Vector<S> = [Lane<S>; 3];
 
@@ -170,15 +217,17 @@ pub fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Lane<S> {
 /// `a x b`
 #[inline(always)]
 pub fn cross<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> Vector<S> {
-    [
-        a[1].mul_add(b[2], -(a[2] * b[1])),
-        a[2].mul_add(b[0], -(a[0] * b[2])),
-        a[0].mul_add(b[1], -(a[1] * b[0])),
-    ]
+    [a[1].mul_add(b[2], -(a[2] * b[1])), a[2].mul_add(b[0], -(a[0] * b[2])), a[0].mul_add(b[1], -(a[1] * b[0]))]
 }
 
 /// Matrix times vector.
 #[inline(always)]
 pub fn rotate<S: Simd>(matrix: &[Vector<S>; 3], vector: &Vector<S>) -> Vector<S> {
     [dot(&matrix[0], vector), dot(&matrix[1], vector), dot(&matrix[2], vector)]
+}
+
+/// A column of a matrix of three rows.
+#[inline(always)]
+pub fn column<S: Simd, const N: usize>(matrix: &[[Lane<S>; N]; 3], index: usize) -> Vector<S> {
+    [matrix[0][index], matrix[1][index], matrix[2][index]]
 }

@@ -22,6 +22,9 @@
 //! The random rescaling of Sec. colldet:rescaling is not needed: the interior-point method does not jam, and what fails
 //! would be solved once more in the frame of the contact.
 
+// Loops over the indices of small matrices read like the formulas they stand for.
+#![allow(clippy::needless_range_loop)]
+
 mod batch;
 mod contact;
 mod derivatives;

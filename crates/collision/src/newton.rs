@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use crate::lane::{Lane, Vector};
+use crate::lane::{Lane, Vector, array};
 
 /// Symmetric 4 x 4 matrix `sum weight a a'` with `a = (normal, -1)`: the nine entries that differ and the corner, as
 /// xx, xy, xz, yy, yz, zz, xa, ya, za, aa.
@@ -56,7 +56,7 @@ impl<S: Simd> Moments<S> {
     /// Product with a vector of 4.
     #[inline(always)]
     pub fn times(&self, vector: &[Lane<S>; 4]) -> [Lane<S>; 4] {
-        std::array::from_fn(|row| {
+        array!(|row| {
             let head = self.at(row, 0).mul_add(vector[0], self.at(row, 1) * vector[1]);
             self.at(row, 2).mul_add(vector[2], self.at(row, 3).mul_add(vector[3], head))
         })
@@ -65,7 +65,7 @@ impl<S: Simd> Moments<S> {
     /// Product with a vector of 3, its fourth component being zero.
     #[inline(always)]
     pub fn times_point(&self, vector: &Vector<S>) -> [Lane<S>; 4] {
-        std::array::from_fn(|row| {
+        array!(|row| {
             self.at(row, 0).mul_add(vector[0], self.at(row, 1).mul_add(vector[1], self.at(row, 2) * vector[2]))
         })
     }

@@ -5,7 +5,7 @@ use pulp::Simd;
 use crate::batch::{Evaluation, Instructions, Request};
 use crate::contact::{CONTACT, POSE, Placement};
 use crate::interior_point::{Row, TOLERANCE};
-use crate::lane::{Lane, Vector, dot, rotate};
+use crate::lane::{Lane, Vector, array, dot, rotate};
 use crate::polytope::Polytope;
 
 /// A distance that could not be computed. This has not been seen for `tau >= 1e-8`.
@@ -164,7 +164,7 @@ impl Pair {
     /// midway between the parts' centres.
     #[inline(always)]
     pub(crate) fn fill_rows<S: Simd>(&self, simd: S, rows: &mut Vec<Row<S>>, place: &Placement<S>) -> Vector<S> {
-        let splat = |vector: &[f64; 3]| vector.map(|component| Lane::splat(simd, component));
+        let splat = |vector: &[f64; 3]| -> Vector<S> { array!(|axis| Lane::splat(simd, vector[axis])) };
         rows.clear();
         for ((normal, &offset), &weight) in halfspaces(&self.body) {
             let normal = rotate(&place.rotation, &splat(normal));
@@ -177,7 +177,7 @@ impl Pair {
         let turned = rotate(&place.rotation, &splat(&self.body.center()));
         let fixed = splat(&self.environment.center());
         let half = Lane::splat(simd, 0.5);
-        std::array::from_fn(|axis| half * (turned[axis] + place.position[axis] + fixed[axis]))
+        array!(|axis| half * (turned[axis] + place.position[axis] + fixed[axis]))
     }
 }
 

@@ -95,7 +95,17 @@ impl Polytope {
             return Err(PolytopeError::EdgeLength { edge_lengths });
         }
         let normals: Vec<[f64; 3]> = (0..6)
-            .map(|row| std::array::from_fn(|axis| if axis != row % 3 { 0.0 } else if row < 3 { 1.0 } else { -1.0 }))
+            .map(|row| {
+                std::array::from_fn(|axis| {
+                    if axis != row % 3 {
+                        0.0
+                    } else if row < 3 {
+                        1.0
+                    } else {
+                        -1.0
+                    }
+                })
+            })
             .collect();
         let offsets: Vec<f64> = (0..6).map(|row| 0.5 * edge_lengths[row % 3]).collect();
         Self::from_halfspaces(&normals, &offsets)
@@ -172,9 +182,8 @@ impl Polytope {
     pub fn size(&self) -> f64 {
         let extent = |axis: usize| {
             let coordinates = self.vertices.iter().map(|vertex| vertex[axis]);
-            let (low, high) = coordinates.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-                (low.min(value), high.max(value))
-            });
+            let (low, high) = coordinates
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
             high - low
         };
         (0..3).map(extent).fold(0.0, f64::max)
@@ -223,8 +232,7 @@ fn analytic_center(facets: &[Facet], vertices: &[Vector3<f64>]) -> (Vector3<f64>
             break;
         }
     }
-    let weights: Vec<f64> =
-        facets.iter().map(|facet| 1.0 / (facet.offset - facet.normal.dot(&center))).collect();
+    let weights: Vec<f64> = facets.iter().map(|facet| 1.0 / (facet.offset - facet.normal.dot(&center))).collect();
     let total: f64 = weights.iter().sum();
     (center, weights.into_iter().map(|weight| weight / total).collect())
 }
