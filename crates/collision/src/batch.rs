@@ -99,9 +99,13 @@ impl Evaluation<'_> {
         let mut midpoint = self.pair.fill_rows(simd, rows, place);
         let mut solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
         let failed = |solution: &Solution<S>| {
-            let residuals = solution.residual.to_array();
-            let open = |&lane: &usize| residuals[lane].is_nan() || residuals[lane] > self.tolerance;
-            (0..count).find(open).map(|lane| (lane, residuals[lane]))
+            let (residuals, growths) = (solution.residual.to_array(), solution.growth.to_array());
+            (0..count).find_map(|lane| {
+                // The maximum over rows drops what is not a number; the growth does not.
+                let residual = if growths[lane].is_finite() { residuals[lane] } else { f64::NAN };
+                let solved = residual <= self.tolerance;
+                (!solved).then_some((lane, residual))
+            })
         };
         if failed(&solution).is_some() {
             let axes = frame::enter(simd, rows);
