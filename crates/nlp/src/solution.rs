@@ -68,17 +68,8 @@ pub struct Timing {
     pub total: f64,
     /// Inside the problem's functions.
     pub evaluation: f64,
-    /// Factorisations of the KKT system.
-    pub factorization: f64,
-    /// Solves with the factors.
-    pub back_substitution: f64,
-}
-
-impl Timing {
-    /// Factorisations and solves together.
-    pub fn linear_solver(&self) -> f64 {
-        self.factorization + self.back_substitution
-    }
+    /// Factorisations of the KKT system and solves with the factors.
+    pub linear_solver: f64,
 }
 
 /// The end of a solve.

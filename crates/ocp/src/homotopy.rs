@@ -133,8 +133,8 @@ fn solve_stage(
         total: solution.timing.total,
         distances,
         model: solution.timing.evaluation - distances,
-        linear_solver: solution.timing.linear_solver(),
-        rest: solution.timing.total - solution.timing.evaluation - solution.timing.linear_solver(),
+        linear_solver: solution.timing.linear_solver,
+        rest: solution.timing.total - solution.timing.evaluation - solution.timing.linear_solver,
     };
     Ok(StageResult {
         smoothing,
