@@ -1,138 +1,86 @@
-//! Polytopes from vertices, boxes and halfspaces, and what is not one.
+//! Polytopes from good and bad descriptions.
 
 use collision::{Polytope, PolytopeError};
 
-const UNIT: [[f64; 3]; 6] =
-    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
+const CUBE: [[f64; 3]; 8] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [1.0, 1.0, 0.0],
+    [1.0, 0.0, 1.0],
+    [0.0, 1.0, 1.0],
+    [1.0, 1.0, 1.0],
+];
 
-fn corners(size: f64) -> Vec<[f64; 3]> {
-    let side = |bit: usize, index: usize| if index >> bit & 1 == 0 { -size } else { size };
-    (0..8).map(|index| [side(0, index), side(1, index), side(2, index)]).collect()
-}
-
-/// Every vertex satisfies all rows and lies on at least three; every row is unit and touched.
-fn check(part: &Polytope, size: f64) {
-    let height = |normal: &[f64; 3], vertex: &[f64; 3]| -> f64 { (0..3).map(|axis| normal[axis] * vertex[axis]).sum() };
-    let tolerance = 1e-9 * size;
-    let rows = || part.normals().iter().zip(part.offsets());
-    for vertex in part.vertices() {
-        assert!(rows().all(|(normal, offset)| height(normal, vertex) <= offset + tolerance));
-        let touching = rows().filter(|(normal, offset)| height(normal, vertex) >= **offset - tolerance);
-        assert!(touching.count() >= 3);
-    }
-    for (normal, offset) in rows() {
-        assert!((height(normal, normal) - 1.0).abs() < 1e-14);
-        assert!(part.vertices().iter().filter(|vertex| height(normal, vertex) >= offset - tolerance).count() >= 3);
-        assert!(height(normal, &part.center()) < *offset);
-    }
+fn box_halfspaces() -> (Vec<[f64; 3]>, Vec<f64>) {
+    let part = Polytope::from_box([2.0, 2.0, 2.0]).unwrap();
+    (part.normals().to_vec(), part.offsets().to_vec())
 }
 
 #[test]
-fn coplanar_hull_facets_are_merged() {
-    for size in [1e-4, 0.05, 100.0] {
-        let part = Polytope::from_vertices(&corners(size)).unwrap();
-        assert_eq!((part.normals().len(), part.vertices().len()), (6, 8));
-        check(&part, size);
-    }
-}
-
-#[test]
-fn points_on_faces_edges_and_inside_are_dropped() {
-    let mut points = corners(0.05);
-    points.extend([[0.05, 0.0, 0.0], [0.05, 0.05, 0.01], [0.0, 0.0, 0.0], [0.01, -0.02, 0.03]]);
-    points.extend(corners(0.05));
+fn triangles_of_a_face_are_merged_and_inner_points_dropped() {
+    let mut points = CUBE.to_vec();
+    points.extend([[0.5, 0.5, 0.5], [0.5, 0.5, 0.0], [0.0, 0.0, 0.0], [0.5, 0.0, 0.0]]);
     let part = Polytope::from_vertices(&points).unwrap();
     assert_eq!((part.normals().len(), part.vertices().len()), (6, 8));
-    check(&part, 0.05);
+    let center = part.center();
+    assert!(center.iter().all(|coordinate| (coordinate - 0.5).abs() < 1e-12));
 }
 
 #[test]
-fn parts_far_from_their_origin_keep_their_shape() {
-    let points: Vec<[f64; 3]> = corners(0.05).into_iter().map(|[x, y, z]| [x + 3.0, y - 2.0, z + 1.0]).collect();
-    let part = Polytope::from_vertices(&points).unwrap();
-    assert_eq!((part.normals().len(), part.vertices().len()), (6, 8));
-    let part = Polytope::from_halfspaces(part.normals(), part.offsets()).unwrap();
-    assert_eq!((part.normals().len(), part.vertices().len()), (6, 8));
+fn rounded_vertices_still_make_flat_faces() {
+    let rounded: Vec<[f64; 3]> = CUBE.iter().map(|v| [v[0] + 3e-9 * v[1], v[1] - 2e-9 * v[2], v[2] + 1e-9 * v[0]]).collect();
+    assert_eq!(Polytope::from_vertices(&rounded).unwrap().normals().len(), 6);
 }
 
 #[test]
-fn regular_prisms_of_many_sides_keep_all_of_them() {
-    for sides in [5, 16, 58] {
-        let angle = |side: usize| std::f64::consts::TAU * side as f64 / sides as f64;
-        let points: Vec<[f64; 3]> = (0..2 * sides)
-            .map(|point| {
-                let (sine, cosine) = angle(point / 2).sin_cos();
-                [0.03 * cosine, 0.03 * sine, if point % 2 == 0 { 0.0 } else { 0.1 }]
-            })
-            .collect();
-        let part = Polytope::from_vertices(&points).unwrap();
-        assert_eq!((part.normals().len(), part.vertices().len()), (sides + 2, 2 * sides), "{sides} sides");
-        check(&part, 0.1);
-    }
-}
-
-#[test]
-fn noise_of_file_precision_does_not_split_faces() {
-    // Coordinates as in a file of single precision.
-    let points: Vec<[f64; 3]> = corners(0.05)
-        .into_iter()
-        .map(|[x, y, z]| {
-            let (sine, cosine) = 0.3_f64.sin_cos();
-            [cosine * x - sine * y, sine * x + cosine * y, z].map(|coordinate| f64::from(coordinate as f32))
-        })
-        .collect();
-    assert_eq!(Polytope::from_vertices(&points).unwrap().normals().len(), 6);
-}
-
-#[test]
-fn redundant_and_repeated_rows_are_removed() {
-    let mut normals = UNIT.to_vec();
-    let mut offsets = vec![0.05; 6];
-    normals.extend([[2.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 3.0], [1.0, 1.0, 1.0]]);
-    // Repeated with another length, touching an edge only, outside, touching a corner only.
-    offsets.extend([0.1, 0.1, 0.3, 0.15]);
+fn redundant_repeated_and_scaled_rows_are_removed() {
+    let (mut normals, mut offsets) = box_halfspaces();
+    normals.extend([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 1.0, 1.0]]);
+    offsets.extend([1.0, 2.0, 2.0, 9.0]);
     let part = Polytope::from_halfspaces(&normals, &offsets).unwrap();
     assert_eq!((part.normals().len(), part.vertices().len()), (6, 8));
-    check(&part, 0.05);
+    assert_eq!(part, Polytope::from_box([2.0, 2.0, 2.0]).unwrap());
 }
 
 #[test]
-fn placing_moves_rows_vertices_and_centre_together() {
-    let part = Polytope::from_box([0.1, 0.06, 0.03]).unwrap().placed([0.4, -0.2, 0.1], [0.9, 0.3, -0.2, 0.1]);
-    check(&part, 0.1);
-    let center = part.center();
-    assert!((0..3).all(|axis| (center[axis] - [0.4, -0.2, 0.1][axis]).abs() < 1e-12));
+fn an_unbounded_part_names_the_open_direction() {
+    let (normals, offsets) = box_halfspaces();
+    let open = Polytope::from_halfspaces(&normals[..5], &offsets[..5]);
+    let Err(PolytopeError::Unbounded { direction }) = open else { panic!("{open:?}") };
+    assert!((direction[2] + 1.0).abs() < 1e-12, "{direction:?}");
+    let slab = Polytope::from_halfspaces(&[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]], &[1.0, 1.0]);
+    assert!(matches!(slab, Err(PolytopeError::Unbounded { .. })));
 }
 
 #[test]
-fn what_is_no_polytope_says_why() {
-    use PolytopeError as Error;
-    let flat: Vec<[f64; 3]> = corners(0.05).into_iter().map(|[x, y, _]| [x, y, 0.2]).collect();
-    assert!(matches!(Polytope::from_vertices(&flat), Err(Error::Flat { .. })));
-    let line: Vec<[f64; 3]> = (0..6).map(|step| [f64::from(step), 2.0 * f64::from(step), 0.0]).collect();
-    assert!(matches!(Polytope::from_vertices(&line), Err(Error::Flat { .. })));
-    let same = [[1.0, 2.0, 3.0]; 9];
-    assert_eq!(Polytope::from_vertices(&same), Err(Error::TooFewVertices { count: 1 }));
-    assert_eq!(Polytope::from_vertices(&[]), Err(Error::TooFewVertices { count: 0 }));
-    let mut infinite = corners(0.05);
-    infinite[3][1] = f64::INFINITY;
-    assert_eq!(Polytope::from_vertices(&infinite), Err(Error::NotFinite { index: 3 }));
+fn bad_descriptions_are_refused() {
+    let (normals, mut offsets) = box_halfspaces();
+    offsets[3] = -2.0;
+    assert_eq!(Polytope::from_halfspaces(&normals, &offsets), Err(PolytopeError::Empty));
+    assert!(matches!(Polytope::from_halfspaces(&normals, &offsets[1..]), Err(PolytopeError::Lengths { .. })));
+    let zero = Polytope::from_halfspaces(&[[0.0; 3]], &[1.0]);
+    assert_eq!(zero, Err(PolytopeError::ZeroNormal { index: 0 }));
+    assert!(matches!(Polytope::from_vertices(&CUBE[..3]), Err(PolytopeError::TooFewVertices { count: 3 })));
+    let square = [CUBE[0], CUBE[1], CUBE[2], CUBE[4]];
+    assert!(matches!(Polytope::from_vertices(&square), Err(PolytopeError::Flat { .. })));
+    let mut broken = CUBE;
+    broken[2][1] = f64::NAN;
+    assert_eq!(Polytope::from_vertices(&broken), Err(PolytopeError::NotFinite { index: 2 }));
+    assert!(matches!(Polytope::from_box([1.0, 0.0, 1.0]), Err(PolytopeError::EdgeLength { .. })));
+    assert!(matches!(Polytope::from_box([1.0, f64::NAN, 1.0]), Err(PolytopeError::EdgeLength { .. })));
+}
 
-    assert!(matches!(Polytope::from_box([0.1, 0.0, 0.1]), Err(Error::EdgeLength { .. })));
-    assert!(matches!(Polytope::from_box([0.1, f64::NAN, 0.1]), Err(Error::EdgeLength { .. })));
-
-    let halfspaces = |normals: &[[f64; 3]], offsets: &[f64]| Polytope::from_halfspaces(normals, offsets);
-    assert_eq!(halfspaces(&UNIT, &[0.1; 5]), Err(Error::Lengths { normals: 6, offsets: 5 }));
-    let mut zero = UNIT;
-    zero[4] = [0.0; 3];
-    assert_eq!(halfspaces(&zero, &[0.1; 6]), Err(Error::ZeroNormal { index: 4 }));
-    assert_eq!(halfspaces(&UNIT, &[0.1, 0.1, f64::NAN, 0.1, 0.1, 0.1]), Err(Error::NotFinite { index: 2 }));
-    assert_eq!(halfspaces(&UNIT, &[0.1, 0.1, 0.1, -0.2, 0.1, 0.1]), Err(Error::Empty));
-    assert_eq!(halfspaces(&UNIT, &[0.1, 0.1, 0.1, -0.1, 0.1, 0.1]), Err(Error::Empty), "no thickness");
-    let open = halfspaces(&UNIT[..5], &[0.1; 5]).unwrap_err();
-    let Error::Unbounded { direction } = open else { panic!("{open:?}") };
-    assert!(direction[2] < -0.9);
-    assert!(matches!(halfspaces(&[], &[]), Err(Error::Unbounded { .. })));
-    let slab = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]];
-    assert!(matches!(halfspaces(&slab, &[0.1; 2]), Err(Error::Unbounded { .. })));
+#[test]
+fn a_placed_part_keeps_its_shape() {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let part = Polytope::from_box([0.2, 0.4, 0.6]).unwrap().placed([1.0, 2.0, 3.0], [half, 0.0, 0.0, half]);
+    assert!((part.size() - 0.6).abs() < 1e-12);
+    for vertex in part.vertices() {
+        let extents = [0.2, 0.1, 0.3];
+        for axis in 0..3 {
+            assert!((vertex[axis] - [1.0, 2.0, 3.0][axis]).abs() - extents[axis] < 1e-12);
+        }
+    }
 }
