@@ -108,9 +108,22 @@ impl Homotopy {
     }
 }
 
+/// Options that leave a warm start where it is: Ipopt's defaults push it so far from its bounds that the next stage may
+/// find another, worse optimum.
+const WARM_START_PUSHES: [&str; 5] = [
+    "warm_start_bound_push",
+    "warm_start_bound_frac",
+    "warm_start_slack_bound_push",
+    "warm_start_slack_bound_frac",
+    "warm_start_mult_bound_push",
+];
+
 fn stage_options(settings: &HomotopySettings, smoothing: Smoothing) -> Options {
     let mut options = Options::default();
     options.set("mu_init", smoothing.mu_init);
+    for push in WARM_START_PUSHES {
+        options.set(push, 1e-9);
+    }
     if settings.hessian == HessianKind::LimitedMemory {
         options.set("hessian_approximation", "limited-memory");
     }

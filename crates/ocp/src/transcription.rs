@@ -14,7 +14,7 @@ use crate::task::{AssemblyTask, CostWeights};
 use crate::trajectory::{at_rest, pose_of};
 
 /// Contact forces of the initial guess (N).
-const INITIAL_CONTACT_FORCE: f64 = 1e-2;
+const INITIAL_CONTACT_FORCE: f64 = 1e-3;
 
 /// Layout, tapes and patterns of a task, built once; smoothing is set before each homotopy iteration.
 pub struct Transcription {
