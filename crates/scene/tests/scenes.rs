@@ -1,0 +1,210 @@
+//! Good and bad scene files.
+
+use std::path::{Path, PathBuf};
+
+use ocp::{Complementarity, HessianKind};
+use scene::{Homotopy, Scene, SceneError, Source, resolved};
+
+const SCENE: &str = r#"
+[[body.part]]
+name = "shaft"
+box = [0.02, 0.02, 0.1]
+[[environment.part]]
+name = "wall"
+box = [0.1, 0.1, 0.1]
+position = [0.1, 0.0, 0.0]
+[[start]]
+name = "a"
+position = [0, 0, 0.09]
+orientation = [1, 0, 0, 0]
+[goal]
+position = [0, 0, 0]
+orientation = [1, 0, 0, 0]
+[impedance]
+translational_stiffness = 50.0
+rotational_stiffness = 5.0
+[robustness]
+offset_magnitude = 0.02
+offset_directions = [[0.7071, -0.7071, 0], [0, 0, 0]]
+[horizon]
+steps = 10
+time_step = 0.04
+"#;
+
+fn parse(text: &str) -> Result<Scene, SceneError> {
+    Scene::parse(Source { file: Path::new("test.toml"), text })
+}
+
+/// The error of the scene after a replacement, with its line of text.
+fn error(from: &str, to: &str) -> (SceneError, String) {
+    assert!(SCENE.contains(from));
+    let text = SCENE.replacen(from, to, 1);
+    let error = parse(&text).expect_err(to);
+    let line = error.line().map_or("", |line| text.lines().nth(line - 1).unwrap());
+    (error.clone(), line.to_owned())
+}
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
+}
+
+#[test]
+fn a_small_scene_gets_the_defaults() {
+    let scene = parse(SCENE).unwrap();
+    assert_eq!(scene.title, "test");
+    assert_eq!(scene.pairs, [(0, 0)]);
+    let task = scene.task(None, None).unwrap();
+    assert_eq!(task.inertia.mass, 1.0);
+    assert!((task.impedance.translational_damping - 2.0 * 50f64.sqrt()).abs() < 1e-12);
+    assert!((task.impedance.rotational_damping[(1, 1)] - 2.0 * (5.0f64 * 0.1).sqrt()).abs() < 1e-12);
+    assert_eq!(task.cost.compliant.terminal_position, 10_000.0);
+    assert_eq!(task.offsets, [[0.02 * 0.7071, -0.02 * 0.7071, 0.0], [0.0; 3]]);
+    assert_eq!(scene.task(Some("a"), Some(0.0)).unwrap().offsets[0], [0.0, -0.0, 0.0]);
+    assert!(scene.task(Some("b"), None).unwrap_err().contains("the scene has a"));
+    assert!(scene.task(None, Some(-1.0)).is_err());
+}
+
+#[test]
+fn an_unknown_key_names_the_nearest_valid_one() {
+    let (error, line) = error("steps", "stepps");
+    assert_eq!(line, "stepps = 10");
+    assert_eq!(error.column(), Some(1));
+    assert!(error.message().contains("`stepps`, did you mean `steps`?"), "{error}");
+    assert!(error.to_string().starts_with("test.toml:23:1: "), "{error}");
+    assert!(error.to_string().ends_with("^^^^^^"), "{error}");
+}
+
+#[test]
+fn bad_values_are_refused_where_they_stand() {
+    for (from, to, words, column) in [
+        ("steps = 10", "steps = 0", "horizon.steps = 0: must be at least 1", 9),
+        ("time_step = 0.04", "time_step = -1.0", "horizon.time_step = -1: must be positive", 13),
+        ("box = [0.02", "box = [0.0", "part `shaft`: edge lengths must be positive", 7),
+        ("offset_magnitude = 0.02", "offset_magnitude = -0.1", "must not be negative", 20),
+        ("[[0.7071, -0.7071, 0]", "[[0.5, 0, 0]", "this one has norm 0.5000", 22),
+        ("[1, 0, 0, 0]\n[goal]", "[1, 1, 0, 0]\n[goal]", "this one has norm 1.4142", 15),
+        ("name = \"wall\"", "name = \"\"", "a part needs a name", 8),
+        ("position = [0.1, 0.0, 0.0]", "position = [nan, 0.0, 0.0]", "three finite numbers", 12),
+        ("box = [0.1, 0.1, 0.1]", "mesh = \"wall.stl\"", "a mesh needs its `unit`", 8),
+        ("box = [0.1, 0.1, 0.1]", "mesh = \"wall.stl\"\nunit = \"mmm\"", "did you mean `mm`?", 8),
+        ("box = [0.1, 0.1, 0.1]", "vertices = [[0, 0, 0]]", "at least 4 are needed", 12),
+        ("rotational_stiffness = 5.0", "rotational_stiffness = \"5\"", "invalid type", 24),
+    ] {
+        let (error, line) = error(from, to);
+        assert!(error.message().contains(words), "{error}");
+        assert!(to.contains(line.as_str()) || line.contains(to.lines().next().unwrap()), "{error}");
+        assert_eq!(error.column(), Some(column), "{error}");
+    }
+}
+
+#[test]
+fn missing_and_double_things_are_refused() {
+    for (from, to, words) in [
+        ("box = [0.1, 0.1, 0.1]\n", "", "exactly one of `vertices`, `box`"),
+        ("box = [0.1, 0.1, 0.1]\n", "box = [1, 1, 1]\nmesh = \"a.stl\"\n", "exactly one of"),
+        ("box = [0.1, 0.1, 0.1]\n", "normals = [[1, 0, 0]]\n", "needs both `normals` and `offsets`"),
+        ("[goal]", "[[start]]\nname = \"a\"\nposition = [0, 0, 0]\norientation = [1, 0, 0, 0]\n[goal]", "used twice"),
+        ("[impedance]\ntranslational_stiffness = 50.0", "[impedance]", "missing field `translational_stiffness`"),
+        ("[goal]", "[contact]\npairs = [[\"shaft\", \"wal\"]]\n[goal]", "no part `wal`, did you mean `wall`?"),
+    ] {
+        let (error, _) = error(from, to);
+        assert!(error.message().contains(words), "{error}");
+    }
+}
+
+#[test]
+fn a_scene_that_cannot_be_read_is_named() {
+    let error = Scene::load(Path::new("no/such/scene.toml")).unwrap_err();
+    assert!(error.to_string().starts_with("no/such/scene.toml: the scene cannot be read"));
+}
+
+#[test]
+fn every_scene_and_homotopy_of_the_project_loads() {
+    for entry in std::fs::read_dir(folder("scenes")).unwrap() {
+        let path = entry.unwrap().path();
+        let scene = Scene::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        assert!(scene.homotopy.is_some() && scene.warnings.is_empty(), "{}", path.display());
+    }
+    for entry in std::fs::read_dir(folder("configs")).unwrap() {
+        Homotopy::load(&entry.unwrap().path()).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+#[test]
+fn the_default_homotopy_is_that_of_the_pegs() {
+    let peg = Homotopy::load(&folder("configs/homotopy_peg.toml")).unwrap();
+    assert_eq!(Homotopy::default().to_tables(), peg.to_tables());
+}
+
+#[test]
+fn homotopy_values_are_checked() {
+    let parse = |text: &str| Homotopy::parse(Source { file: Path::new("h.toml"), text });
+    let settings = parse("[homotopy]\ncomplementarity = \"smoothing\"\nhessian = \"l-bfgs\"").unwrap().0;
+    assert_eq!(settings.complementarity, Complementarity::Smoothing);
+    assert_eq!(settings.hessian, HessianKind::LimitedMemory);
+    for (text, words) in [
+        ("[homotopy]\ntau_rate = 1.2", "homotopy.tau_rate = 1.2: must lie in (0, 1)"),
+        ("[homotopy]\niterations = 0", "must be at least 1"),
+        ("[homotopy]\nhessian = \"exakt\"", "did you mean `exact`?"),
+        ("[homotopy]\nlinear_solver = \"mumsp\"", "did you mean `mumps`?"),
+        ("[homotopi]", "did you mean `homotopy`?"),
+        ("[ipopt]\ntol = [1]", "ipopt.tol must be"),
+    ] {
+        let error = parse(text).unwrap_err();
+        assert!(error.message().contains(words), "{error}");
+    }
+}
+
+#[test]
+fn a_resolved_scene_reproduces_the_task() {
+    let scene = Scene::load(&folder("scenes/clamp1.toml")).unwrap();
+    let homotopy = scene.homotopy.clone().unwrap();
+    let start = scene.start(Some("3")).unwrap();
+    let text = resolved(&scene, start, 0.003, &homotopy);
+    let again = parse(&text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(again.homotopy.clone().unwrap().to_tables(), homotopy.to_tables());
+    assert_eq!(again.starts.len(), 1);
+    let (one, other) = (scene.task(Some("3"), Some(0.003)).unwrap(), again.task(None, None).unwrap());
+    assert_eq!((one.start, one.goal, &one.offsets), (other.start, other.goal, &other.offsets));
+    assert_eq!((&one.impedance, one.horizon, one.cost), (&other.impedance, other.horizon, other.cost));
+    for (pair, twin) in one.pairs.iter().zip(&other.pairs) {
+        assert_eq!((&pair.body, &pair.environment), (&twin.body, &twin.environment));
+        let difference = pair.shapes.exact_distance(&one.start) - twin.shapes.exact_distance(&one.start);
+        assert!(difference.abs() < 1e-10);
+    }
+}
+
+/// A box as twelve triangles, with one corner moved.
+fn stl(corner: f64) -> String {
+    let vertex = |index: usize| {
+        let place = |axis: usize| if index >> axis & 1 == 1 { 20.0 } else { 0.0 };
+        if index == 7 { [corner; 3] } else { [place(0), place(1), place(2)] }
+    };
+    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let mut text = "solid part\n".to_owned();
+    for [a, b, c, d] in quads {
+        for triangle in [[a, b, c], [a, c, d]] {
+            text += "facet normal 0 0 0\nouter loop\n";
+            for [x, y, z] in triangle.map(vertex) {
+                text += &format!("vertex {x} {y} {z}\n");
+            }
+            text += "endloop\nendfacet\n";
+        }
+    }
+    text + "endsolid part\n"
+}
+
+#[test]
+fn meshes_are_read_in_their_unit_and_must_be_convex() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("scene.toml");
+    let text = SCENE.replacen("box = [0.1, 0.1, 0.1]", "mesh = \"wall.stl\"\nunit = \"mm\"", 1);
+    let parse = || Scene::parse(Source { file: &file, text: &text });
+    assert!(parse().unwrap_err().message().contains("wall.stl"));
+    std::fs::write(folder.path().join("wall.stl"), stl(20.0)).unwrap();
+    let scene = parse().unwrap();
+    assert_eq!(scene.environment[0].shape.normals().len(), 6);
+    assert!((scene.environment[0].shape.size() - 0.02).abs() < 1e-9);
+    std::fs::write(folder.path().join("wall.stl"), stl(5.0)).unwrap();
+    assert!(parse().unwrap_err().message().contains("not convex"));
+}
