@@ -10,8 +10,21 @@ use crate::lane::{Lane, Vector, array, column, cross, dot, gather, rotate, scatt
 use crate::pair::{DistanceError, Pair};
 
 /// Which vector instructions are used; every choice gives the same bits.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Instructions(pub(crate) pulp::Arch);
+
+impl std::fmt::Debug for Instructions {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter) -> std::fmt::Result {
+        formatter.write_str(match self.0 {
+            pulp::Arch::Scalar => "scalar",
+            #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+            pulp::Arch::V3(_) => "AVX2",
+            #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+            pulp::Arch::V4(_) => "AVX-512",
+            _ => "vector",
+        })
+    }
+}
 
 impl Instructions {
     /// The widest that this processor has.

@@ -1,0 +1,84 @@
+//! Median time per pose of values, Jacobians and Hessians, for parts of few and many facets and all instruction sets.
+//!
+//! `cargo bench -p collision`; medians, since other programs share the machine.
+
+use std::time::Instant;
+
+use collision::{Instructions, Pair, Polytope, Request};
+
+const POSES: usize = 1000;
+const SMOOTHINGS: [f64; 3] = [2.5e-3, 1e-4, 1e-6];
+/// Seconds per figure.
+const DURATION: f64 = 0.1;
+
+/// Numbers in -1..1 (xorshift64*), reproducible.
+struct Random(u64);
+
+impl Random {
+    fn number(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
+
+/// A cube, or as many planes around a sphere.
+fn part(facets: usize, random: &mut Random) -> Polytope {
+    if facets == 6 {
+        return Polytope::from_box([0.1; 3]).expect("a cube");
+    }
+    loop {
+        let normals: Vec<[f64; 3]> = (0..facets).map(|_| std::array::from_fn(|_| random.number())).collect();
+        let length = |normal: &[f64; 3]| normal.iter().map(|component| component * component).sum::<f64>().sqrt();
+        let offsets: Vec<f64> = normals.iter().map(|normal| 0.05 * length(normal)).collect();
+        match Polytope::from_halfspaces(&normals, &offsets) {
+            Ok(part) if part.normals().len() == facets => return part,
+            _ => {}
+        }
+    }
+}
+
+/// Median microseconds per pose.
+fn median(mut evaluate: impl FnMut()) -> f64 {
+    let begin = Instant::now();
+    let mut times = Vec::new();
+    while times.len() < 5 || begin.elapsed().as_secs_f64() < DURATION {
+        let start = Instant::now();
+        evaluate();
+        times.push(start.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2] * 1e6 / POSES as f64
+}
+
+fn main() {
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let mut record = |size: f64| -> [f64; 7] {
+        std::array::from_fn(|index| if index < 3 { size * random.number() } else { random.number() })
+    };
+    let poses: Vec<[f64; 7]> = (0..POSES).map(|_| record(0.15)).collect();
+    let seeds: Vec<[f64; 7]> = (0..POSES).map(|_| record(1.0)).collect();
+    let (mut values, mut jacobians) = (vec![[0.0; 7]; POSES], vec![[[0.0; 7]; 7]; POSES]);
+    let mut hessians = jacobians.clone();
+    println!("microseconds per pose");
+    println!("{:>4} {:<7} {:>7} {:>8} {:>10} {:>10}", "rows", "with", "tau", "values", "+ Jacobian", "+ Hessian");
+    for rows in [12, 24, 60, 120] {
+        let pair = Pair::new(part(rows / 2, &mut random), part(rows / 2, &mut random));
+        let sets = [Some(Instructions::best()), Instructions::avx2(), Some(Instructions::scalar())];
+        for instructions in sets.into_iter().flatten() {
+            let name = format!("{instructions:?}");
+            for tau in SMOOTHINGS {
+                let run = |request: Request| pair.evaluate(instructions, &poses, tau, request).map(drop);
+                let plain = median(|| run(Request::Values(&mut values)).expect("converges"));
+                let first = median(|| run(Request::Jacobians(&mut values, &mut jacobians)).expect("converges"));
+                let second = median(|| {
+                    let (seeds, values) = (&seeds[..], &mut values[..]);
+                    let (jacobians, hessians) = (&mut jacobians[..], &mut hessians[..]);
+                    run(Request::Hessians { seeds, values, jacobians, hessians }).expect("converges");
+                });
+                println!("{rows:>4} {name:<7} {tau:>7.0e} {plain:>8.3} {first:>10.3} {second:>10.3}");
+            }
+        }
+    }
+}
