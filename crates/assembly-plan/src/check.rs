@@ -80,7 +80,11 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
         println!("\n{parent}");
         for part in parts {
             let (facets, vertices) = (part.shape.normals().len(), part.shape.vertices().len());
-            println!("  {:<16} {:8.2} mm long, {facets} facets, {vertices} vertices", part.name, 1e3 * part.shape.size());
+            println!(
+                "  {:<16} {:8.2} mm long, {facets} facets, {vertices} vertices",
+                part.name,
+                1e3 * part.shape.size()
+            );
         }
     }
     let starts: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).collect();

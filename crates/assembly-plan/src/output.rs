@@ -9,9 +9,8 @@ use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 
-const STATE_COLUMNS: [&str; 13] = [
-    "px_m", "py_m", "pz_m", "qw", "qx", "qy", "qz", "vx_m_s", "vy_m_s", "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s",
-];
+const STATE_COLUMNS: [&str; 13] =
+    ["px_m", "py_m", "pz_m", "qw", "qx", "qy", "qz", "vx_m_s", "vy_m_s", "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"];
 const WRENCH_COLUMNS: [&str; 6] = ["fx_n", "fy_n", "fz_n", "tx_nm", "ty_nm", "tz_nm"];
 
 /// Writes a file whole or not at all.
@@ -47,9 +46,10 @@ pub fn write_trajectory(folder: &Path, trajectory: &Trajectory, pairs: &[Contact
 
 fn reference(trajectory: &Trajectory) -> Result<Vec<u8>, Failure> {
     let header = std::iter::once("time_s").chain(STATE_COLUMNS);
-    let rows = trajectory.reference.iter().enumerate().map(|(step, state)| {
-        std::iter::once(time(trajectory, step)).chain(state.iter().map(f64::to_string)).collect()
-    });
+    let rows =
+        trajectory.reference.iter().enumerate().map(|(step, state)| {
+            std::iter::once(time(trajectory, step)).chain(state.iter().map(f64::to_string)).collect()
+        });
     table(header, rows)
 }
 

@@ -29,23 +29,20 @@ fn step<T: Scalar>(x: &[T]) -> [T; 13] {
     let [w, i, j, k] = [now[3], now[4], now[5], now[6]];
     let [a, b, c, d] = [reference[3], reference[4], reference[5], reference[6]];
     let [p, q, r] = [now[10], now[11], now[12]];
-    let rates = [
-        (i * p + j * q + k * r) * -1.0,
-        w * p + j * r - k * q,
-        w * q + k * p - i * r,
-        w * r + i * q - j * p,
-    ];
+    let rates = [(i * p + j * q + k * r) * -1.0, w * p + j * r - k * q, w * q + k * p - i * r, w * r + i * q - j * p];
     let arm = [
-        (w * w + i * i - j * j - k * k) * OFFSET[0] + (i * j - w * k) * (2.0 * OFFSET[1]) + (i * k + w * j) * (2.0 * OFFSET[2]),
-        (i * j + w * k) * (2.0 * OFFSET[0]) + (w * w - i * i + j * j - k * k) * OFFSET[1] + (j * k - w * i) * (2.0 * OFFSET[2]),
-        (i * k - w * j) * (2.0 * OFFSET[0]) + (j * k + w * i) * (2.0 * OFFSET[1]) + (w * w - i * i - j * j + k * k) * OFFSET[2],
+        (w * w + i * i - j * j - k * k) * OFFSET[0]
+            + (i * j - w * k) * (2.0 * OFFSET[1])
+            + (i * k + w * j) * (2.0 * OFFSET[2]),
+        (i * j + w * k) * (2.0 * OFFSET[0])
+            + (w * w - i * i + j * j - k * k) * OFFSET[1]
+            + (j * k - w * i) * (2.0 * OFFSET[2]),
+        (i * k - w * j) * (2.0 * OFFSET[0])
+            + (j * k + w * i) * (2.0 * OFFSET[1])
+            + (w * w - i * i - j * j + k * k) * OFFSET[2],
     ];
     let scalar = w * a + i * b + j * c + k * d;
-    let vector = [
-        w * b - i * a - j * d + k * c,
-        w * c + i * d - j * a - k * b,
-        w * d - i * c + j * b - k * a,
-    ];
+    let vector = [w * b - i * a - j * d + k * c, w * c + i * d - j * a - k * b, w * d - i * c + j * b - k * a];
     std::array::from_fn(|row| match row {
         0..3 => now[row] - last[row] - now[7 + row] * TIME_STEP,
         3..7 => now[row] - last[row] - rates[row - 3] * (0.5 * TIME_STEP),

@@ -30,7 +30,8 @@ fn triangles_of_a_face_are_merged_and_inner_points_dropped() {
 
 #[test]
 fn rounded_vertices_still_make_flat_faces() {
-    let rounded: Vec<[f64; 3]> = CUBE.iter().map(|v| [v[0] + 3e-9 * v[1], v[1] - 2e-9 * v[2], v[2] + 1e-9 * v[0]]).collect();
+    let rounded: Vec<[f64; 3]> =
+        CUBE.iter().map(|v| [v[0] + 3e-9 * v[1], v[1] - 2e-9 * v[2], v[2] + 1e-9 * v[0]]).collect();
     assert_eq!(Polytope::from_vertices(&rounded).unwrap().normals().len(), 6);
 }
 

@@ -51,11 +51,7 @@ impl<'solve> Session<'solve> {
     }
 
     /// Evaluates something at `x`; false when there is no value or after a panic.
-    fn evaluate(
-        &mut self,
-        x: &[f64],
-        function: impl FnOnce(&mut dyn Problem) -> Result<(), EvaluationError>,
-    ) -> bool {
+    fn evaluate(&mut self, x: &[f64], function: impl FnOnce(&mut dyn Problem) -> Result<(), EvaluationError>) -> bool {
         if self.panic.is_some() {
             return false;
         }
@@ -99,27 +95,27 @@ impl<'solve> Session<'solve> {
 }
 
 /// `Bool` of the installed header: an integer up to Ipopt 3.13, a C99 `bool` after.
-pub trait FromTruth {
+pub trait Truth {
     /// The C value of a truth value.
     fn from_truth(truth: bool) -> Self;
     /// The truth value of a C value.
-    fn is_true(self) -> bool;
+    fn into_truth(self) -> bool;
 }
 
-impl FromTruth for i32 {
+impl Truth for i32 {
     fn from_truth(truth: bool) -> Self {
         i32::from(truth)
     }
-    fn is_true(self) -> bool {
+    fn into_truth(self) -> bool {
         self != 0
     }
 }
 
-impl FromTruth for bool {
+impl Truth for bool {
     fn from_truth(truth: bool) -> Self {
         truth
     }
-    fn is_true(self) -> bool {
+    fn into_truth(self) -> bool {
         self
     }
 }

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use ipopt_sys as ipopt;
 
-use crate::callbacks::{self, FromTruth, Session};
+use crate::callbacks::{self, Session, Truth};
 use crate::linear_solver;
 use crate::options::{OptionValue, Options};
 use crate::problem::{Bounds, Problem};
@@ -21,7 +21,9 @@ use crate::status::SolveStatus;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolveError {
     /// Ipopt refuses an option.
-    #[error("Ipopt refuses the option {name} = {value}: the name is unknown or the value is of the wrong type or out of range")]
+    #[error(
+        "Ipopt refuses the option {name} = {value}: the name is unknown or the value is of the wrong type or out of range"
+    )]
     Option {
         /// Its name.
         name: String,
@@ -171,7 +173,9 @@ impl Handle {
             && inside(&hessian.rows, n)
             && hessian.rows.iter().zip(&hessian.columns).all(|(row, column)| column <= row);
         if !consistent {
-            return Err(SolveError::Problem("bounds or patterns do not fit the numbers of variables and constraints".into()));
+            return Err(SolveError::Problem(
+                "bounds or patterns do not fit the numbers of variables and constraints".into(),
+            ));
         }
         // SAFETY: the bounds have n and m numbers, which Ipopt copies; the callbacks fit their types.
         let handle = unsafe {
@@ -216,12 +220,13 @@ impl Handle {
         unsafe {
             match value {
                 OptionValue::Integer(value) => {
-                    ipopt::AddIpoptIntOption(self.problem, key, *value).is_true()
-                        || ipopt::AddIpoptNumOption(self.problem, key, f64::from(*value)).is_true()
+                    ipopt::AddIpoptIntOption(self.problem, key, *value).into_truth()
+                        || ipopt::AddIpoptNumOption(self.problem, key, f64::from(*value)).into_truth()
                 }
-                OptionValue::Number(value) => ipopt::AddIpoptNumOption(self.problem, key, *value).is_true(),
-                OptionValue::Text(text) => CString::new(text.as_str())
-                    .is_ok_and(|text| ipopt::AddIpoptStrOption(self.problem, key, text.as_ptr().cast_mut()).is_true()),
+                OptionValue::Number(value) => ipopt::AddIpoptNumOption(self.problem, key, *value).into_truth(),
+                OptionValue::Text(text) => CString::new(text.as_str()).is_ok_and(|text| {
+                    ipopt::AddIpoptStrOption(self.problem, key, text.as_ptr().cast_mut()).into_truth()
+                }),
             }
         }
     }

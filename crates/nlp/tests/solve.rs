@@ -74,8 +74,7 @@ impl Problem for Product {
     }
     fn hessian(&mut self, factor: f64, multipliers: &[f64], values: &mut [f64]) -> Result<(), EvaluationError> {
         let [a, b, c, d] = self.x;
-        let objective =
-            [2.0 * d, d, 0.0, d, 0.0, 0.0, 2.0 * a + b + c, a, a, 0.0].map(|entry| entry * factor);
+        let objective = [2.0 * d, d, 0.0, d, 0.0, 0.0, 2.0 * a + b + c, a, a, 0.0].map(|entry| entry * factor);
         for (entry, (row, column)) in Self::pairs().enumerate() {
             let bilinear = if row == column { 2.0 * multipliers[1] } else { multipliers[0] * self.others(row, column) };
             values[entry] = objective[entry] + bilinear;

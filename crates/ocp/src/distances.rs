@@ -95,10 +95,7 @@ impl Distances {
     }
 
     /// `<s, D2W>` per (pair, pose) for seeds per (pair, pose); values and Jacobians are evaluated on the way.
-    pub fn hessians(
-        &mut self,
-        seeds: &[Vec<[f64; CONTACT]>],
-    ) -> Result<&[Vec<[[f64; POSE]; POSE]>], EvaluationError> {
+    pub fn hessians(&mut self, seeds: &[Vec<[f64; CONTACT]>]) -> Result<&[Vec<[[f64; POSE]; POSE]>], EvaluationError> {
         let begin = Instant::now();
         for (index, pair) in self.pairs.iter().enumerate() {
             pair.shapes

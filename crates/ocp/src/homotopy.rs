@@ -95,7 +95,14 @@ impl Homotopy {
             };
             let options = stage_options(&self.settings, smoothing);
             self.transcription.set_smoothing(smoothing.tau, smoothing.sigma);
-            let result = solve_stage(&mut self.transcription, &start, smoothing, &options, &self.settings.linear_solver, &mut observer)?;
+            let result = solve_stage(
+                &mut self.transcription,
+                &start,
+                smoothing,
+                &options,
+                &self.settings.linear_solver,
+                &mut observer,
+            )?;
             finished(index + 1, &result);
             start = Start::Warm(result.iterate.clone());
             let interrupted = result.status == SolveStatus::Interrupted;

@@ -69,9 +69,7 @@ pub fn contact(task: &AssemblyTask) -> Tape {
 
 /// Residuals of the running cost: inputs twist and the square roots of two weights; 6 outputs.
 pub fn running_residuals() -> Tape {
-    Tape::record(TWIST + 2, |inputs| {
-        (0..TWIST).map(|axis| inputs[axis] * inputs[TWIST + axis / 3]).collect()
-    })
+    Tape::record(TWIST + 2, |inputs| (0..TWIST).map(|axis| inputs[axis] * inputs[TWIST + axis / 3]).collect())
 }
 
 /// Residuals of the terminal cost (Sec. ocp:cost): inputs pose and the square roots of two weights; outputs the
@@ -128,9 +126,8 @@ fn impedance_wrench<'tape>(
     let vector = [a * f + b * e + c * h - d * g, a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e];
     let spin: [_; 3] = std::array::from_fn(|axis| reference[POSE + 3 + axis] - state[POSE + 3 + axis]);
     let damping = apply(&impedance.rotational_damping, &spin);
-    let torque: [_; 3] = std::array::from_fn(|axis| {
-        scalar * vector[axis] * (2.0 * impedance.rotational_stiffness) + damping[axis]
-    });
+    let torque: [_; 3] =
+        std::array::from_fn(|axis| scalar * vector[axis] * (2.0 * impedance.rotational_stiffness) + damping[axis]);
     [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
 }
 

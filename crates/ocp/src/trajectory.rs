@@ -155,12 +155,7 @@ fn wrenches(
     (0..states.len()).map(|point| std::array::from_fn(|axis| outputs.row(axis)[point])).collect()
 }
 
-fn states(
-    layout: Layout,
-    x: &[f64],
-    initial: &[f64; STATE],
-    start: impl Fn(usize) -> usize,
-) -> Vec<[f64; STATE]> {
+fn states(layout: Layout, x: &[f64], initial: &[f64; STATE], start: impl Fn(usize) -> usize) -> Vec<[f64; STATE]> {
     let later = layout.stages().map(|stage| std::array::from_fn(|component| x[start(stage) + component]));
     std::iter::once(*initial).chain(later).collect()
 }

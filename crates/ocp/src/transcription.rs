@@ -36,12 +36,10 @@ pub struct Transcription {
 impl Transcription {
     /// Records all tapes and patterns.
     pub fn new(task: &AssemblyTask, complementarity: Complementarity, hessian_kind: HessianKind) -> Self {
-        let layout =
-            Layout { steps: task.horizon.steps, scenarios: task.offsets.len(), pairs: task.pairs.len() };
+        let layout = Layout { steps: task.horizon.steps, scenarios: task.offsets.len(), pairs: task.pairs.len() };
         let initial_compliant: Vec<[f64; STATE]> =
             task.offsets.iter().map(|offset| at_rest(&without_offset(&task.start, offset))).collect();
-        let initial_poses: Vec<[f64; POSE]> =
-            initial_compliant.iter().map(pose_of).collect();
+        let initial_poses: Vec<[f64; POSE]> = initial_compliant.iter().map(pose_of).collect();
         let (mut jacobian, mut hessian) = (PatternBuilder::default(), PatternBuilder::default());
         let reference = reference_rows(task, layout, &mut jacobian, &mut hessian);
         let compliant = compliant_rows(task, layout, &initial_compliant, &mut jacobian, &mut hessian);

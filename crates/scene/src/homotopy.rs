@@ -17,11 +17,8 @@ const DEFAULT: &str = include_str!("../../../configs/default.toml");
 const LINEAR_SOLVERS: [&str; 4] = ["mumps", "ma27", "ma57", "ma97"];
 const COMPLEMENTARITIES: [(&str, Complementarity); 2] =
     [("relaxation", Complementarity::Relaxation), ("smoothing", Complementarity::Smoothing)];
-const HESSIANS: [(&str, HessianKind); 3] = [
-    ("exact", HessianKind::Exact),
-    ("gauss-newton", HessianKind::GaussNewton),
-    ("l-bfgs", HessianKind::LimitedMemory),
-];
+const HESSIANS: [(&str, HessianKind); 3] =
+    [("exact", HessianKind::Exact), ("gauss-newton", HessianKind::GaussNewton), ("l-bfgs", HessianKind::LimitedMemory)];
 
 /// Homotopy settings as files give them.
 #[derive(Debug, Clone)]
@@ -116,11 +113,7 @@ pub fn of_scene(
     }
 }
 
-fn settings(
-    source: Source,
-    document: &HomotopyDocument,
-    ipopt: &toml::Table,
-) -> Result<HomotopySettings, SceneError> {
+fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) -> Result<HomotopySettings, SceneError> {
     let number = |key: &str, value: &Option<Spanned<f64>>, default: f64| match value {
         Some(value) => positive(source, &format!("homotopy.{key}"), value),
         None => Ok(default),

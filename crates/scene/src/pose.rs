@@ -21,8 +21,8 @@ pub fn position(source: Source, position: &Spanned<[f64; 3]>) -> Result<[f64; 3]
 /// A unit quaternion (w x y z), scaled to exact norm.
 pub fn orientation(source: Source, orientation: &Spanned<[f64; 4]>) -> Result<[f64; 4], SceneError> {
     let value = *orientation.get_ref();
-    let norm = value.iter().map(|component| component * component).sum::<f64>().sqrt();
-    if !((norm - 1.0).abs() <= NORM_TOLERANCE) {
+    let norm = norm(&value);
+    if !is_unit(norm) {
         let message = format!("an orientation is a unit quaternion [w, x, y, z]; this one has norm {norm:.4}");
         return Err(source.error(orientation.span(), message));
     }
@@ -32,12 +32,20 @@ pub fn orientation(source: Source, orientation: &Spanned<[f64; 4]>) -> Result<[f
 /// A unit direction, or zero for the nominal scenario; kept as written.
 pub fn direction(source: Source, direction: &Spanned<[f64; 3]>) -> Result<[f64; 3], SceneError> {
     let value = *direction.get_ref();
-    let norm = value.iter().map(|component| component * component).sum::<f64>().sqrt();
-    if norm != 0.0 && !((norm - 1.0).abs() <= NORM_TOLERANCE) {
+    let norm = norm(&value);
+    if norm != 0.0 && !is_unit(norm) {
         let message = format!("an offset direction has norm 1, or is [0, 0, 0]; this one has norm {norm:.4}");
         return Err(source.error(direction.span(), message));
     }
     Ok(value)
+}
+
+fn norm(vector: &[f64]) -> f64 {
+    vector.iter().map(|component| component * component).sum::<f64>().sqrt()
+}
+
+fn is_unit(norm: f64) -> bool {
+    (norm - 1.0).abs() <= NORM_TOLERANCE
 }
 
 /// A value that satisfies a condition, said in words.

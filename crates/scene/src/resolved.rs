@@ -17,9 +17,10 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("inertia", Value::Array((0..3).map(|row| numbers(rotational.row(row).iter())).collect())),
     ]);
     body.insert("part".into(), parts(&scene.body));
-    let pairs = scene.pairs.iter().map(|&(part, other)| {
-        vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into()
-    });
+    let pairs = scene
+        .pairs
+        .iter()
+        .map(|&(part, other)| vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into());
     let mut start_table = pose(&start.pose);
     start_table.insert("name".into(), start.name.clone().into());
     let document = table([
@@ -43,10 +44,7 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
             "robustness",
             table([
                 ("offset_magnitude", offset_magnitude.into()),
-                (
-                    "offset_directions",
-                    Value::Array(scene.offset_directions.iter().map(|direction| numbers(direction)).collect()),
-                ),
+                ("offset_directions", Value::Array(scene.offset_directions.iter().map(numbers).collect())),
             ])
             .into(),
         ),
@@ -88,7 +86,7 @@ fn parts(parts: &[Part]) -> Value {
     let part = |part: &Part| {
         Value::Table(table([
             ("name", part.name.clone().into()),
-            ("normals", Value::Array(part.shape.normals().iter().map(|normal| numbers(normal)).collect())),
+            ("normals", Value::Array(part.shape.normals().iter().map(numbers).collect())),
             ("offsets", numbers(part.shape.offsets())),
         ]))
     };

@@ -80,10 +80,9 @@ impl Scene {
         let document: SceneDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
         let body = parts(source, &document.body.get_ref().part)?;
         let environment = parts(source, &document.environment.get_ref().part)?;
-        for (parts, parent, span) in [
-            (&body, "body", document.body.span()),
-            (&environment, "environment", document.environment.span()),
-        ] {
+        for (parts, parent, span) in
+            [(&body, "body", document.body.span()), (&environment, "environment", document.environment.span())]
+        {
             if parts.is_empty() {
                 return Err(source.error(span, format!("[{parent}] has no part: add a [[{parent}.part]]")));
             }

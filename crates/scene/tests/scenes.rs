@@ -25,7 +25,7 @@ translational_stiffness = 50.0
 rotational_stiffness = 5.0
 [robustness]
 offset_magnitude = 0.02
-offset_directions = [[0.7071, -0.7071, 0], [0, 0, 0]]
+offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]
 [horizon]
 steps = 10
 time_step = 0.04
@@ -58,7 +58,7 @@ fn a_small_scene_gets_the_defaults() {
     assert!((task.impedance.translational_damping - 2.0 * 50f64.sqrt()).abs() < 1e-12);
     assert!((task.impedance.rotational_damping[(1, 1)] - 2.0 * (5.0f64 * 0.1).sqrt()).abs() < 1e-12);
     assert_eq!(task.cost.compliant.terminal_position, 10_000.0);
-    assert_eq!(task.offsets, [[0.02 * 0.7071, -0.02 * 0.7071, 0.0], [0.0; 3]]);
+    assert_eq!(task.offsets, [[0.02 * 0.6, -0.02 * 0.8, 0.0], [0.0; 3]]);
     assert_eq!(scene.task(Some("a"), Some(0.0)).unwrap().offsets[0], [0.0, -0.0, 0.0]);
     assert!(scene.task(Some("b"), None).unwrap_err().contains("the scene has a"));
     assert!(scene.task(None, Some(-1.0)).is_err());
@@ -81,7 +81,7 @@ fn bad_values_are_refused_where_they_stand() {
         ("time_step = 0.04", "time_step = -1.0", "horizon.time_step = -1: must be positive", 13),
         ("box = [0.02", "box = [0.0", "part `shaft`: edge lengths must be positive", 7),
         ("offset_magnitude = 0.02", "offset_magnitude = -0.1", "must not be negative", 20),
-        ("[[0.7071, -0.7071, 0]", "[[0.5, 0, 0]", "this one has norm 0.5000", 22),
+        ("[[0.6, -0.8, 0]", "[[0.5, 0, 0]", "this one has norm 0.5000", 22),
         ("[1, 0, 0, 0]\n[goal]", "[1, 1, 0, 0]\n[goal]", "this one has norm 1.4142", 15),
         ("name = \"wall\"", "name = \"\"", "a part needs a name", 8),
         ("position = [0.1, 0.0, 0.0]", "position = [nan, 0.0, 0.0]", "three finite numbers", 12),
