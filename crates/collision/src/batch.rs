@@ -4,10 +4,12 @@ use pulp::{Simd, WithSimd};
 
 use crate::contact::{CONTACT, Map, POSE, Placement};
 use crate::derivatives::{self, DIRECTIONS};
+use crate::error::DistanceError;
 use crate::frame;
 use crate::interior_point::{self, Row, Solution};
 use crate::lane::{Lane, Vector, array, column, cross, dot, gather, rotate, scatter};
-use crate::pair::{DistanceError, Pair};
+use crate::polytope::Polytope;
+use crate::rows;
 
 /// Which vector instructions are used; every choice gives the same bits.
 #[derive(Clone, Copy)]
@@ -71,7 +73,8 @@ pub enum Request<'output> {
 
 /// A pair at many poses.
 pub struct Evaluation<'evaluation> {
-    pub pair: &'evaluation Pair,
+    pub body: &'evaluation Polytope,
+    pub environment: &'evaluation Polytope,
     pub poses: &'evaluation [[f64; POSE]],
     pub tau: f64,
     /// Relative error at which a distance counts as solved.
@@ -85,7 +88,7 @@ impl WithSimd for Evaluation<'_> {
     /// Evaluates everything; returns the largest number of iterations.
     #[inline(always)]
     fn with_simd<S: Simd>(mut self, simd: S) -> Self::Output {
-        let mut rows: Vec<Row<S>> = Vec::with_capacity(self.pair.row_count());
+        let mut rows: Vec<Row<S>> = Vec::new();
         let mut iterations = 0;
         for start in (0..self.poses.len()).step_by(S::F64_LANES) {
             let count = S::F64_LANES.min(self.poses.len() - start);
@@ -109,7 +112,7 @@ impl Evaluation<'_> {
         start: usize,
         count: usize,
     ) -> Result<Solution<S>, DistanceError> {
-        let mut midpoint = self.pair.fill_rows(simd, rows, place);
+        let mut midpoint = rows::fill(simd, rows, self.body, self.environment, place);
         let mut solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
         let failed = |solution: &Solution<S>| {
             let (residuals, growths) = (solution.residual.to_array(), solution.growth.to_array());
@@ -122,7 +125,7 @@ impl Evaluation<'_> {
         };
         if failed(&solution).is_some() {
             let axes = frame::enter(simd, rows);
-            self.pair.fill_rows(simd, rows, place);
+            rows::fill(simd, rows, self.body, self.environment, place);
             for row in rows.iter_mut() {
                 row.normal = rotate(&axes, &row.normal);
             }
@@ -154,7 +157,7 @@ impl Evaluation<'_> {
         start: usize,
         count: usize,
     ) {
-        let body = self.pair.body.normals().len();
+        let body = self.body.normals().len();
         let lever: Vector<S> = array!(|axis| solved.point[axis] - place.position[axis]);
         let distance = solved.growth + solved.growth;
         let group = start..start + count;

@@ -28,6 +28,7 @@
 mod batch;
 mod contact;
 mod derivatives;
+mod error;
 mod frame;
 mod hull;
 mod interior_point;
@@ -35,7 +36,9 @@ mod lane;
 mod newton;
 mod pair;
 mod polytope;
+mod rows;
 
 pub use batch::{Instructions, Request};
-pub use pair::{Distance, DistanceError, Pair};
+pub use error::DistanceError;
+pub use pair::{Distance, Pair};
 pub use polytope::{Polytope, PolytopeError};

@@ -1,26 +1,10 @@
 //! A part of the body and a part of the environment, and their distances.
 
-use pulp::Simd;
-
 use crate::batch::{Evaluation, Instructions, Request};
-use crate::contact::{CONTACT, POSE, Placement};
-use crate::interior_point::{Row, TOLERANCE};
-use crate::lane::{Lane, Vector, array, dot, rotate};
+use crate::contact::{CONTACT, POSE};
+use crate::error::DistanceError;
+use crate::interior_point::TOLERANCE;
 use crate::polytope::Polytope;
-
-/// A distance that could not be computed. This has not been seen for `tau >= 1e-8`.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("no convergence at pose {pose:?} with tau = {tau:e}: residual {residual:e}")]
-pub struct DistanceError {
-    /// Index of the pose in the batch.
-    pub index: usize,
-    /// The pose.
-    pub pose: [f64; POSE],
-    /// Smoothing.
-    pub tau: f64,
-    /// Largest relative error of `dual slack / tau` that remained.
-    pub residual: f64,
-}
 
 /// Smoothed distance and contact normal at one pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,8 +18,8 @@ pub struct Distance {
 /// A polytope of the moved body (in the body frame) and one of the environment (in the world frame).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pair {
-    pub(crate) body: Polytope,
-    pub(crate) environment: Polytope,
+    body: Polytope,
+    environment: Polytope,
 }
 
 /// Smoothing for exact distances: what it adds to a distance is of the size of rounding.
@@ -157,30 +141,7 @@ impl Pair {
         tolerance: f64,
         request: Request,
     ) -> Result<usize, DistanceError> {
-        instructions.0.dispatch(Evaluation { pair: self, poses, tau, tolerance, request })
+        let (body, environment) = (&self.body, &self.environment);
+        instructions.0.dispatch(Evaluation { body, environment, poses, tau, tolerance, request })
     }
-
-    /// Halfspaces of both parts in world axes, body rows first, with the duals of the cold start. Returns the point
-    /// midway between the parts' centres.
-    #[inline(always)]
-    pub(crate) fn fill_rows<S: Simd>(&self, simd: S, rows: &mut Vec<Row<S>>, place: &Placement<S>) -> Vector<S> {
-        let splat = |vector: &[f64; 3]| -> Vector<S> { array!(|axis| Lane::splat(simd, vector[axis])) };
-        rows.clear();
-        for ((normal, &offset), &weight) in halfspaces(&self.body) {
-            let normal = rotate(&place.rotation, &splat(normal));
-            let offset = dot(&normal, &place.position) + Lane::splat(simd, offset);
-            rows.push(Row::new(normal, offset, Lane::splat(simd, weight)));
-        }
-        for ((normal, &offset), &weight) in halfspaces(&self.environment) {
-            rows.push(Row::new(splat(normal), Lane::splat(simd, offset), Lane::splat(simd, weight)));
-        }
-        let turned = rotate(&place.rotation, &splat(&self.body.center()));
-        let fixed = splat(&self.environment.center());
-        let half = Lane::splat(simd, 0.5);
-        array!(|axis| half * (turned[axis] + place.position[axis] + fixed[axis]))
-    }
-}
-
-fn halfspaces(part: &Polytope) -> impl Iterator<Item = ((&[f64; 3], &f64), &f64)> {
-    part.normals().iter().zip(part.offsets()).zip(part.center_weights())
 }

@@ -60,6 +60,7 @@
 
 mod callbacks;
 mod check;
+mod error;
 mod linear_solver;
 mod options;
 mod problem;
@@ -69,11 +70,12 @@ mod statistics;
 mod status;
 
 pub use check::{DerivativeReport, Entry, Kind, check_derivatives};
+pub use error::SolveError;
 pub use linear_solver::MUMPS;
 pub use options::{OptionValue, Options};
 pub use problem::{Bounds, EvaluationError, Pattern, Problem};
 pub use solution::{Control, Iterate, Progress, Solution, Start, Timing};
-pub use solve::{SolveError, solve};
+pub use solve::solve;
 pub use status::SolveStatus;
 
 /// Version of the Ipopt that this program was built with.

@@ -2,7 +2,7 @@
 
 #![allow(unsafe_code)]
 
-use crate::solve::SolveError;
+use crate::error::SolveError;
 
 /// Solvers of the HSL collection that Ipopt loads from `libhsl.so`.
 const HSL: [&str; 3] = ["ma27", "ma57", "ma97"];

@@ -10,38 +10,13 @@ use std::time::Instant;
 use ipopt_sys as ipopt;
 
 use crate::callbacks::{self, Session, Truth};
+use crate::error::SolveError;
 use crate::linear_solver;
 use crate::options::{OptionValue, Options};
 use crate::problem::{Bounds, Problem};
 use crate::solution::{Control, Iterate, Progress, Solution, Start, Timing};
 use crate::statistics;
 use crate::status::SolveStatus;
-
-/// Why a solve did not begin.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SolveError {
-    /// Ipopt refuses an option.
-    #[error(
-        "Ipopt refuses the option {name} = {value}: the name is unknown or the value is of the wrong type or out of range"
-    )]
-    Option {
-        /// Its name.
-        name: String,
-        /// Its value.
-        value: OptionValue,
-    },
-    /// A linear solver cannot be used.
-    #[error("linear solver \"{name}\": {reason}")]
-    LinearSolver {
-        /// Its name.
-        name: String,
-        /// Why not.
-        reason: String,
-    },
-    /// Sizes of the problem contradict each other.
-    #[error("invalid problem: {0}")]
-    Problem(String),
-}
 
 /// Sequential MUMPS keeps global state: two solves at once corrupt memory.
 static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());

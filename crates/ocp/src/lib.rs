@@ -27,6 +27,7 @@ mod model;
 mod pattern;
 pub mod pose;
 mod settings;
+mod state;
 mod task;
 mod trajectory;
 mod transcription;

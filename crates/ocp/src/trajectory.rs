@@ -5,6 +5,7 @@ use autodiff::{Batch, Workspace};
 use crate::layout::{Layout, POSE, STATE, TWIST};
 use crate::model;
 use crate::pose;
+use crate::state::{at_rest, pose_of};
 use crate::task::AssemblyTask;
 use crate::transcription::Transcription;
 
@@ -158,16 +159,6 @@ fn wrenches(
 fn states(layout: Layout, x: &[f64], initial: &[f64; STATE], start: impl Fn(usize) -> usize) -> Vec<[f64; STATE]> {
     let later = layout.stages().map(|stage| std::array::from_fn(|component| x[start(stage) + component]));
     std::iter::once(*initial).chain(later).collect()
-}
-
-/// A pose with zero twist.
-pub fn at_rest(pose: &[f64; POSE]) -> [f64; STATE] {
-    std::array::from_fn(|index| if index < POSE { pose[index] } else { 0.0 })
-}
-
-/// The pose of a state.
-pub fn pose_of(state: &[f64; STATE]) -> [f64; POSE] {
-    std::array::from_fn(|index| state[index])
 }
 
 fn normalised(state: &[f64; STATE]) -> [f64; STATE] {

@@ -10,8 +10,8 @@ use crate::model::{self, COMPLIANT_VARIABLES};
 use crate::pattern::PatternBuilder;
 use crate::pose::without_offset;
 use crate::settings::{Complementarity, HessianKind};
+use crate::state::{at_rest, pose_of};
 use crate::task::{AssemblyTask, CostWeights};
-use crate::trajectory::{at_rest, pose_of};
 
 /// Contact forces of the initial guess (N).
 const INITIAL_CONTACT_FORCE: f64 = 1e-3;
