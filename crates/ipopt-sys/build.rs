@@ -19,7 +19,8 @@ fn main() {
     let interface = find(&folders, "IpStdCInterface.h").unwrap_or_else(|| {
         panic!("pkg-config knows Ipopt {}, but IpStdCInterface.h is missing. On Debian: {PACKAGES}", library.version);
     });
-    let loader = find(&folders, "HSLLoader.h");
+    // Only the loader of this very Ipopt: newer versions have none.
+    let loader = Some(interface.with_file_name("HSLLoader.h")).filter(|path| path.exists());
 
     println!("cargo::rustc-check-cfg=cfg(hsl_loader)");
     println!("cargo::metadata=version={}", library.version);
@@ -39,7 +40,7 @@ fn bind(interface: &Path, loader: Option<&Path>, folders: &[PathBuf]) {
         .header(interface.to_string_lossy())
         .clang_args(folders.iter().map(|folder| format!("-I{}", folder.display())))
         .allowlist_function("(Create|Free)IpoptProblem|AddIpopt(Str|Num|Int)Option|SetIntermediateCallback|IpoptSolve")
-        .allowlist_type("ApplicationReturnStatus|AlgorithmMode")
+        .allowlist_type("ApplicationReturnStatus|AlgorithmMode|Bool|Index|Number|UserDataPtr")
         .default_enum_style(bindgen::EnumVariation::ModuleConsts)
         .generate_comments(false)
         .layout_tests(false);
