@@ -1,10 +1,11 @@
 //! Numbers of many points as a structure of arrays.
 
-/// Points that are evaluated together; rows are padded to a multiple of it.
+/// Points that are evaluated together; rows are padded to a multiple of it. Two vector registers of the widest
+/// instruction set, so that the overhead of an instruction is shared and a tape's registers stay in the first cache.
 pub(crate) const BLOCK: usize = 16;
 
 /// A row of numbers per quantity, a column per point.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Batch {
     rows: usize,
     points: usize,
@@ -44,12 +45,27 @@ impl Batch {
         self.points.div_ceil(BLOCK)
     }
 
+    /// Number of points of a block that are not padding.
+    pub(crate) fn points_of_block(&self, block: usize) -> usize {
+        (self.points - block * BLOCK).min(BLOCK)
+    }
+
+    #[inline(always)]
     pub(crate) fn block(&self, row: usize, block: usize) -> &[f64; BLOCK] {
         &self.values[row * self.blocks() + block]
     }
 
+    #[inline(always)]
     pub(crate) fn block_mut(&mut self, row: usize, block: usize) -> &mut [f64; BLOCK] {
         let index = row * self.blocks() + block;
         &mut self.values[index]
+    }
+}
+
+/// Equal at every point; the padding does not count.
+impl PartialEq for Batch {
+    fn eq(&self, other: &Self) -> bool {
+        (self.rows, self.points) == (other.rows, other.points)
+            && (0..self.rows).all(|row| self.row(row) == other.row(row))
     }
 }

@@ -1,71 +1,136 @@
-//! Reverse-mode differentiation of a graph into itself.
+//! Differentiation of a graph into itself: the derivatives become nodes that share subexpressions with the values.
 
-use crate::graph::{Graph, Node, Operation};
+use crate::graph::Graph;
+use crate::operation::{Binary, Node, Operation, Unary};
 
-/// Adds the derivatives of `sum seed * node` by the first `variables` inputs to the graph; `None` where the derivative
-/// is zero for every input value.
-pub fn gradient(graph: &mut Graph, seeds: &[(Node, Node)], variables: usize) -> Vec<Option<Node>> {
+/// Nonzero derivatives of one expression, as (input, derivative) with ascending inputs.
+pub type Gradient = Vec<(usize, Node)>;
+
+/// Reverse mode: derivatives of `sum seed * node` by the first `variables` inputs.
+pub fn reverse(graph: &mut Graph, seeds: &[(Node, Node)], variables: usize) -> Gradient {
     let last = seeds.iter().map(|&(node, _)| node as usize + 1).max().unwrap_or(0);
     let mut adjoints: Vec<Option<Node>> = vec![None; last];
     for &(node, seed) in seeds {
-        accumulate(graph, &mut adjoints, node, seed);
+        accumulate(graph, &mut adjoints[node as usize], seed);
     }
-    let mut gradient = vec![None; variables];
+    let mut gradient = Gradient::new();
     for node in (0..last).rev() {
-        let Some(adjoint) = adjoints[node] else { continue };
+        let Some(adjoint) = adjoints[node].filter(|&adjoint| !graph.is_zero(adjoint)) else { continue };
         match graph.operations()[node] {
-            Operation::Input(index) if (index as usize) < variables => {
-                gradient[index as usize] = Some(adjoint).filter(|&adjoint| graph.value(adjoint) != Some(0.0));
+            Operation::Input(index) if (index as usize) < variables => gradient.push((index as usize, adjoint)),
+            _ => {
+                for (operand, partial) in partials(graph, node as Node) {
+                    let amount = graph.multiply(adjoint, partial);
+                    accumulate(graph, &mut adjoints[operand as usize], amount);
+                }
             }
-            operation => propagate(graph, &mut adjoints, node as Node, operation, adjoint),
         }
     }
+    gradient.sort_unstable();
     gradient
 }
 
-/// Adds a node's adjoint times its partial derivatives to the adjoints of its operands.
-fn propagate(graph: &mut Graph, adjoints: &mut [Option<Node>], node: Node, operation: Operation, adjoint: Node) {
+/// Forward mode: derivatives of every one of `nodes` by the first `variables` inputs.
+pub fn forward(graph: &mut Graph, nodes: &[Node], variables: usize) -> Vec<Gradient> {
+    let needed = reachable(graph.operations(), nodes);
+    let mut tangents: Vec<Gradient> = vec![Gradient::new(); needed.len()];
+    for node in (0..needed.len()).filter(|&node| needed[node]) {
+        tangents[node] = match graph.operations()[node] {
+            Operation::Input(index) if (index as usize) < variables => vec![(index as usize, graph.constant(1.0))],
+            _ => partials(graph, node as Node).into_iter().fold(Gradient::new(), |sum, (operand, partial)| {
+                add_multiple(graph, sum, partial, &tangents[operand as usize])
+            }),
+        };
+    }
+    nodes.iter().map(|&node| tangents[node as usize].clone()).collect()
+}
+
+/// Which nodes are needed to compute the given ones.
+pub fn reachable(operations: &[Operation], nodes: &[Node]) -> Vec<bool> {
+    let mut needed = vec![false; operations.len()];
+    nodes.iter().for_each(|&node| needed[node as usize] = true);
+    // Operands have smaller numbers than their users, so that marking downwards reaches everything.
+    for node in (0..operations.len()).rev() {
+        if needed[node] {
+            operations[node].operands().for_each(|operand| needed[operand as usize] = true);
+        }
+    }
+    needed
+}
+
+/// Operands of a node that are not constant, with the node's partial derivatives by them.
+fn partials(graph: &mut Graph, node: Node) -> Vec<(Node, Node)> {
+    let operation = graph.operations()[node as usize];
+    let varies: Vec<bool> = operation.operands().map(|operand| graph.value(operand).is_none()).collect();
+    let mut partials = Vec::with_capacity(2);
     match operation {
         Operation::Constant(_) | Operation::Input(_) => {}
-        Operation::Add(a, b) => {
-            accumulate(graph, adjoints, a, adjoint);
-            accumulate(graph, adjoints, b, adjoint);
+        Operation::Unary(function, a) => partials.push((a, unary_partial(graph, function, a, node))),
+        Operation::Binary(function, a, b) => {
+            if varies[0] {
+                let partial = match function {
+                    Binary::Add | Binary::Subtract => graph.constant(1.0),
+                    Binary::Multiply => b,
+                    // The quotients by one denominator share its reciprocal.
+                    Binary::Divide => graph.reciprocal(b),
+                };
+                partials.push((a, partial));
+            }
+            if varies[1] {
+                let partial = match function {
+                    Binary::Add => graph.constant(1.0),
+                    Binary::Subtract => graph.constant(-1.0),
+                    Binary::Multiply => a,
+                    Binary::Divide => {
+                        let reciprocal = graph.reciprocal(b);
+                        let product = graph.multiply(reciprocal, node);
+                        graph.negate(product)
+                    }
+                };
+                partials.push((b, partial));
+            }
         }
-        Operation::Subtract(a, b) => {
-            accumulate(graph, adjoints, a, adjoint);
-            let negative = graph.negate(adjoint);
-            accumulate(graph, adjoints, b, negative);
+    }
+    partials
+}
+
+fn unary_partial(graph: &mut Graph, function: Unary, a: Node, node: Node) -> Node {
+    match function {
+        Unary::Negate => graph.constant(-1.0),
+        Unary::SquareRoot => {
+            let reciprocal = graph.reciprocal(node);
+            graph.scale(0.5, reciprocal)
         }
-        Operation::Multiply(a, b) => {
-            let by_a = graph.multiply(adjoint, b);
-            accumulate(graph, adjoints, a, by_a);
-            let by_b = graph.multiply(adjoint, a);
-            accumulate(graph, adjoints, b, by_b);
+        Unary::Sine => graph.unary(Unary::Cosine, a),
+        Unary::Cosine => {
+            let sine = graph.unary(Unary::Sine, a);
+            graph.negate(sine)
         }
-        Operation::Divide(a, b) => {
-            let by_a = graph.divide(adjoint, b);
-            accumulate(graph, adjoints, a, by_a);
-            let product = graph.multiply(by_a, node);
-            let by_b = graph.negate(product);
-            accumulate(graph, adjoints, b, by_b);
-        }
-        Operation::Negate(a) => {
-            let negative = graph.negate(adjoint);
-            accumulate(graph, adjoints, a, negative);
-        }
-        Operation::SquareRoot(a) => {
-            let half = graph.constant(0.5);
-            let scaled = graph.multiply(half, adjoint);
-            let by_a = graph.divide(scaled, node);
-            accumulate(graph, adjoints, a, by_a);
-        }
+        Unary::Exponential => node,
+        Unary::Logarithm => graph.reciprocal(a),
     }
 }
 
-fn accumulate(graph: &mut Graph, adjoints: &mut [Option<Node>], node: Node, amount: Node) {
-    if graph.value(node).is_some() {
-        return;
+fn accumulate(graph: &mut Graph, adjoint: &mut Option<Node>, amount: Node) {
+    *adjoint = Some(adjoint.map_or(amount, |adjoint| graph.add(adjoint, amount)));
+}
+
+/// `sum + factor * tangent`, entry by entry, without the entries that vanish.
+fn add_multiple(graph: &mut Graph, sum: Gradient, factor: Node, tangent: &Gradient) -> Gradient {
+    let mut result = Gradient::with_capacity(sum.len() + tangent.len());
+    let mut sum = sum.into_iter().peekable();
+    for &(input, derivative) in tangent {
+        while let Some(before) = sum.next_if(|&(other, _)| other < input) {
+            result.push(before);
+        }
+        let mut entry = graph.multiply(factor, derivative);
+        if let Some((_, other)) = sum.next_if(|&(other, _)| other == input) {
+            entry = graph.add(other, entry);
+        }
+        if !graph.is_zero(entry) {
+            result.push((input, entry));
+        }
     }
-    let slot = &mut adjoints[node as usize];
-    *slot = Some(slot.map_or(amount, |adjoint| graph.add(adjoint, amount)));
+    result.extend(sum);
+    result
 }

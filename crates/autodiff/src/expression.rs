@@ -1,12 +1,16 @@
 //! Ordinary Rust arithmetic that records what it does.
 
 use std::cell::RefCell;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::graph::{Graph, Node};
+use crate::graph::Graph;
+use crate::operation::{Node, Unary};
 
 /// A number that is not known yet: an input or something computed from inputs.
-#[derive(Clone, Copy)]
+///
+/// # Panics
+/// Arithmetic panics on expressions of two different tapes.
+#[derive(Clone, Copy, Debug)]
 pub struct Expression<'tape> {
     graph: &'tape RefCell<Graph>,
     node: Node,
@@ -18,13 +22,40 @@ impl<'tape> Expression<'tape> {
         Self { graph, node }
     }
 
-    pub(crate) fn node(&self) -> Node {
+    /// The node, if the expression is of the given graph.
+    pub(crate) fn node_of(&self, graph: &RefCell<Graph>) -> Node {
+        assert!(std::ptr::eq(self.graph, graph), "expression of another tape");
         self.node
     }
 
     /// Square root.
     pub fn sqrt(self) -> Self {
-        self.record(|graph| graph.square_root(self.node))
+        self.unary(Unary::SquareRoot)
+    }
+
+    /// Sine, in radians.
+    pub fn sin(self) -> Self {
+        self.unary(Unary::Sine)
+    }
+
+    /// Cosine, in radians.
+    pub fn cos(self) -> Self {
+        self.unary(Unary::Cosine)
+    }
+
+    /// Exponential function.
+    pub fn exp(self) -> Self {
+        self.unary(Unary::Exponential)
+    }
+
+    /// Natural logarithm.
+    pub fn ln(self) -> Self {
+        self.unary(Unary::Logarithm)
+    }
+
+    /// One divided by the expression.
+    pub fn recip(self) -> Self {
+        self.record(|graph| graph.reciprocal(self.node))
     }
 
     /// The expression times itself.
@@ -32,9 +63,25 @@ impl<'tape> Expression<'tape> {
         self * self
     }
 
+    /// An integer power, by repeated squaring; the power 0 is the constant 1.
+    pub fn powi(self, exponent: i32) -> Self {
+        let mut power = self.constant(1.0);
+        for bit in (0..u32::BITS - exponent.unsigned_abs().leading_zeros()).rev() {
+            power = power.square();
+            if exponent.unsigned_abs() >> bit & 1 == 1 {
+                power = power * self;
+            }
+        }
+        if exponent < 0 { power.recip() } else { power }
+    }
+
     /// A number as an expression of the same tape.
     pub fn constant(self, value: f64) -> Self {
         self.record(|graph| graph.constant(value))
+    }
+
+    fn unary(self, function: Unary) -> Self {
+        self.record(|graph| graph.unary(function, self.node))
     }
 
     fn record(self, operation: impl FnOnce(&mut Graph) -> Node) -> Self {
@@ -44,11 +91,12 @@ impl<'tape> Expression<'tape> {
 }
 
 macro_rules! binary_operator {
-    ($operator:ident, $method:ident, $record:ident) => {
+    ($operator:ident, $method:ident, $assign:ident, $assign_method:ident, $record:ident) => {
         impl<'tape> $operator for Expression<'tape> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                self.record(|graph| graph.$record(self.node, other.node))
+                let other = other.node_of(self.graph);
+                self.record(|graph| graph.$record(self.node, other))
             }
         }
 
@@ -65,13 +113,22 @@ macro_rules! binary_operator {
                 other.constant(self).$method(other)
             }
         }
+
+        impl<'tape, T> $assign<T> for Expression<'tape>
+        where
+            Self: $operator<T, Output = Self>,
+        {
+            fn $assign_method(&mut self, other: T) {
+                *self = self.$method(other);
+            }
+        }
     };
 }
 
-binary_operator!(Add, add, add);
-binary_operator!(Sub, sub, subtract);
-binary_operator!(Mul, mul, multiply);
-binary_operator!(Div, div, divide);
+binary_operator!(Add, add, AddAssign, add_assign, add);
+binary_operator!(Sub, sub, SubAssign, sub_assign, subtract);
+binary_operator!(Mul, mul, MulAssign, mul_assign, multiply);
+binary_operator!(Div, div, DivAssign, div_assign, divide);
 
 impl Neg for Expression<'_> {
     type Output = Self;

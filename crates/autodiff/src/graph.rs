@@ -2,57 +2,13 @@
 
 use std::collections::HashMap;
 
-/// Index of a node; operands come before the nodes that use them.
-pub type Node = u32;
+use crate::operation::{Binary, Node, Operation, Unary};
 
-/// What a node computes. Constants are kept as bits so that operations can be compared and hashed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Operation {
-    /// A number, as its bits.
-    Constant(u64),
-    /// The value of an input.
-    Input(u32),
-    /// Sum.
-    Add(Node, Node),
-    /// Difference.
-    Subtract(Node, Node),
-    /// Product.
-    Multiply(Node, Node),
-    /// Quotient.
-    Divide(Node, Node),
-    /// Negation.
-    Negate(Node),
-    /// Square root.
-    SquareRoot(Node),
-}
-
-impl Operation {
-    /// The nodes it reads.
-    pub fn operands(self) -> impl Iterator<Item = Node> {
-        let (first, second) = match self {
-            Self::Constant(_) | Self::Input(_) => (None, None),
-            Self::Negate(a) | Self::SquareRoot(a) => (Some(a), None),
-            Self::Add(a, b) | Self::Subtract(a, b) | Self::Multiply(a, b) | Self::Divide(a, b) => (Some(a), Some(b)),
-        };
-        first.into_iter().chain(second)
-    }
-
-    /// The same operation with its operands renamed.
-    pub fn renamed(self, name: impl Fn(Node) -> Node) -> Self {
-        match self {
-            Self::Constant(_) | Self::Input(_) => self,
-            Self::Add(a, b) => Self::Add(name(a), name(b)),
-            Self::Subtract(a, b) => Self::Subtract(name(a), name(b)),
-            Self::Multiply(a, b) => Self::Multiply(name(a), name(b)),
-            Self::Divide(a, b) => Self::Divide(name(a), name(b)),
-            Self::Negate(a) => Self::Negate(name(a)),
-            Self::SquareRoot(a) => Self::SquareRoot(name(a)),
-        }
-    }
-}
-
-/// A growing graph with constant folding and the identities that keep derivatives sparse.
-#[derive(Debug, Default)]
+/// A growing graph with constant folding and the identities that keep derivatives sparse and short.
+///
+/// No identity changes a rounding, except by overflow or underflow, so that values are those of the recorded
+/// arithmetic; only zeros may change their sign, and `0 x` is 0 for every `x`.
+#[derive(Debug, Clone, Default)]
 pub struct Graph {
     operations: Vec<Operation>,
     nodes: HashMap<Operation, Node>,
@@ -88,6 +44,11 @@ impl Graph {
         }
     }
 
+    /// Whether a node is the number zero.
+    pub fn is_zero(&self, node: Node) -> bool {
+        self.value(node) == Some(0.0)
+    }
+
     /// `a + b`
     pub fn add(&mut self, a: Node, b: Node) -> Node {
         match (self.value(a), self.value(b), self.negated(a), self.negated(b)) {
@@ -96,19 +57,24 @@ impl Graph {
             (_, Some(0.0), ..) => a,
             (.., Some(c)) => self.subtract(a, c),
             (_, _, Some(c), None) => self.subtract(b, c),
-            _ => self.intern(Operation::Add(a.min(b), a.max(b))),
+            _ if a == b => self.scale(2.0, a),
+            _ => self.binary(Binary::Add, a.min(b), a.max(b)),
         }
     }
 
     /// `a - b`
     pub fn subtract(&mut self, a: Node, b: Node) -> Node {
-        match (self.value(a), self.value(b), self.negated(b)) {
+        match (self.value(a), self.value(b), self.negated(a), self.negated(b)) {
             _ if a == b => self.constant(0.0),
-            (Some(x), Some(y), _) => self.constant(x - y),
-            (_, Some(0.0), _) => a,
+            (Some(x), Some(y), ..) => self.constant(x - y),
+            (_, Some(0.0), ..) => a,
             (Some(0.0), ..) => self.negate(b),
             (.., Some(c)) => self.add(a, c),
-            _ => self.intern(Operation::Subtract(a, b)),
+            (_, _, Some(c), None) => {
+                let sum = self.add(c, b);
+                self.negate(sum)
+            }
+            _ => self.binary(Binary::Subtract, a, b),
         }
     }
 
@@ -116,51 +82,80 @@ impl Graph {
     pub fn multiply(&mut self, a: Node, b: Node) -> Node {
         match (self.value(a), self.value(b), self.negated(a), self.negated(b)) {
             (Some(x), Some(y), ..) => self.constant(x * y),
-            (Some(0.0), ..) | (_, Some(0.0), ..) => self.constant(0.0),
-            (Some(1.0), ..) => b,
-            (_, Some(1.0), ..) => a,
-            (Some(-1.0), ..) => self.negate(b),
-            (_, Some(-1.0), ..) => self.negate(a),
-            (Some(x), _, _, Some(c)) => self.scale(-x, c),
-            (_, Some(y), Some(c), _) => self.scale(-y, c),
+            (Some(x), ..) => self.scale(x, b),
+            (_, Some(y), ..) => self.scale(y, a),
             (_, _, Some(c), Some(d)) => self.multiply(c, d),
             (_, _, Some(c), None) => self.negated_product(c, b),
             (_, _, None, Some(d)) => self.negated_product(a, d),
-            _ => self.intern(Operation::Multiply(a.min(b), a.max(b))),
+            _ => self.binary(Binary::Multiply, a.min(b), a.max(b)),
         }
     }
 
     /// `a / b`
     pub fn divide(&mut self, a: Node, b: Node) -> Node {
-        match (self.value(a), self.value(b)) {
-            (Some(x), Some(y)) => self.constant(x / y),
-            (Some(0.0), _) => self.constant(0.0),
-            (_, Some(1.0)) => a,
-            _ => self.intern(Operation::Divide(a, b)),
+        match (self.value(a), self.value(b), self.negated(a), self.negated(b)) {
+            (Some(x), Some(y), ..) => self.constant(x / y),
+            (Some(0.0), ..) => self.constant(0.0),
+            (_, Some(y), ..) if is_power_of_two(y) => self.scale(1.0 / y, a),
+            (_, _, Some(c), _) => {
+                let quotient = self.divide(c, b);
+                self.negate(quotient)
+            }
+            (.., Some(d)) => {
+                let quotient = self.divide(a, d);
+                self.negate(quotient)
+            }
+            _ => self.binary(Binary::Divide, a, b),
         }
+    }
+
+    /// `1 / a`
+    pub fn reciprocal(&mut self, a: Node) -> Node {
+        let one = self.constant(1.0);
+        self.divide(one, a)
     }
 
     /// `-a`
     pub fn negate(&mut self, a: Node) -> Node {
-        match (self.value(a), self.negated(a), self.operations[a as usize]) {
-            (Some(x), ..) => self.constant(-x),
-            (_, Some(c), _) => c,
-            (.., Operation::Subtract(c, d)) => self.subtract(d, c),
-            _ => self.intern(Operation::Negate(a)),
+        match (self.negated(a), self.operations[a as usize]) {
+            (Some(c), _) => c,
+            (_, Operation::Binary(Binary::Subtract, c, d)) => self.subtract(d, c),
+            _ => self.unary(Unary::Negate, a),
         }
     }
 
-    /// The square root of `a`
-    pub fn square_root(&mut self, a: Node) -> Node {
+    /// A function of one node.
+    pub fn unary(&mut self, function: Unary, a: Node) -> Node {
         match self.value(a) {
-            Some(x) => self.constant(x.sqrt()),
-            None => self.intern(Operation::SquareRoot(a)),
+            Some(x) => self.constant(function.apply(x)),
+            None => self.intern(Operation::Unary(function, a)),
         }
     }
 
-    fn scale(&mut self, factor: f64, a: Node) -> Node {
-        let factor = self.constant(factor);
-        self.multiply(factor, a)
+    /// `factor a`
+    pub fn scale(&mut self, factor: f64, a: Node) -> Node {
+        if factor == 0.0 {
+            return self.constant(0.0);
+        }
+        if factor == 1.0 {
+            return a;
+        }
+        if factor == -1.0 {
+            return self.negate(a);
+        }
+        match (self.negated(a), self.scaled(a)) {
+            (Some(c), _) => self.scale(-factor, c),
+            // One factor is a power of two: both products round alike.
+            (_, Some((inner, c))) if is_power_of_two(factor) || is_power_of_two(inner) => self.scale(factor * inner, c),
+            _ => {
+                let factor = self.constant(factor);
+                if self.value(a).is_some() { self.multiply(factor, a) } else { self.product(factor, a) }
+            }
+        }
+    }
+
+    fn product(&mut self, a: Node, b: Node) -> Node {
+        self.binary(Binary::Multiply, a.min(b), a.max(b))
     }
 
     fn negated_product(&mut self, a: Node, b: Node) -> Node {
@@ -171,9 +166,19 @@ impl Graph {
     /// The operand when a node is a negation.
     fn negated(&self, node: Node) -> Option<Node> {
         match self.operations[node as usize] {
-            Operation::Negate(a) => Some(a),
+            Operation::Unary(Unary::Negate, a) => Some(a),
             _ => None,
         }
+    }
+
+    /// Factor and operand when a node is a multiple of another.
+    fn scaled(&self, node: Node) -> Option<(f64, Node)> {
+        let Operation::Binary(Binary::Multiply, a, b) = self.operations[node as usize] else { return None };
+        self.value(a).map(|factor| (factor, b)).or(self.value(b).map(|factor| (factor, a)))
+    }
+
+    fn binary(&mut self, function: Binary, a: Node, b: Node) -> Node {
+        self.intern(Operation::Binary(function, a, b))
     }
 
     fn intern(&mut self, operation: Operation) -> Node {
@@ -182,4 +187,10 @@ impl Graph {
             (self.operations.len() - 1) as Node
         })
     }
+}
+
+/// Whether multiplying and dividing by a number is exact.
+fn is_power_of_two(value: f64) -> bool {
+    const FRACTION: u64 = (1 << 52) - 1;
+    value.is_normal() && value.to_bits() & FRACTION == 0
 }

@@ -27,13 +27,17 @@
 //! ```
 
 mod batch;
+mod derivatives;
 mod differentiate;
 mod expression;
 mod graph;
+mod operation;
 mod program;
+mod registers;
 mod tape;
 
 pub use batch::Batch;
+pub use derivatives::{Jacobian, LagrangianHessian};
 pub use expression::Expression;
 pub use program::{Instructions, Workspace};
-pub use tape::{Jacobian, LagrangianHessian, Tape};
+pub use tape::Tape;
