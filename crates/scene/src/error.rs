@@ -96,8 +96,9 @@ impl Source<'_> {
     }
 }
 
-/// Rewords serde's message about an unknown key.
+/// Rewords serde's messages: the nearest key for one that is unknown, kinds of numbers in plain words.
 fn explain(message: &str) -> String {
+    let message = &message.replace("expected i64", "expected an integer").replace("expected f64", "expected a number");
     let mut names = message.split('`').skip(1).step_by(2);
     let is_unknown = message.starts_with("unknown field") || message.starts_with("unknown variant");
     let Some(unknown) = names.next().filter(|_| is_unknown) else { return message.trim_end().to_owned() };

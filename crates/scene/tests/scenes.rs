@@ -78,6 +78,7 @@ fn an_unknown_key_names_the_nearest_valid_one() {
 fn bad_values_are_refused_where_they_stand() {
     for (from, to, words, column) in [
         ("steps = 10", "steps = 0", "horizon.steps = 0: must be at least 1", 9),
+        ("steps = 10", "steps = 2.5", "expected an integer", 9),
         ("time_step = 0.04", "time_step = -1.0", "horizon.time_step = -1: must be positive", 13),
         ("box = [0.02", "box = [0.0", "part `shaft`: edge lengths must be positive", 7),
         ("offset_magnitude = 0.02", "offset_magnitude = -0.1", "must not be negative", 20),
