@@ -2,7 +2,7 @@
 
 /// Points that are evaluated together; rows are padded to a multiple of it. Two vector registers of the widest
 /// instruction set, so that the overhead of an instruction is shared and a tape's registers stay in the first cache.
-pub(crate) const BLOCK: usize = 16;
+pub(crate) const BLOCK: usize = 64;
 
 /// A row of numbers per quantity, a column per point.
 #[derive(Debug, Clone)]

@@ -69,7 +69,7 @@ impl<'tape> Expression<'tape> {
         for bit in (0..u32::BITS - exponent.unsigned_abs().leading_zeros()).rev() {
             power = power.square();
             if exponent.unsigned_abs() >> bit & 1 == 1 {
-                power = power * self;
+                power *= self;
             }
         }
         if exponent < 0 { power.recip() } else { power }

@@ -1,5 +1,7 @@
 //! A tape as instructions on a small file of registers, each of which holds one block of points.
 
+use pulp::{Simd, WithSimd};
+
 use crate::batch::{BLOCK, Batch};
 use crate::operation::{Binary, Node, Operation, Unary};
 use crate::registers::{Allocation, Instruction, Kernel};
@@ -31,8 +33,10 @@ impl Instructions {
     }
 }
 
-/// The values of one register at one block of points.
-type Register = [f64; BLOCK];
+/// The values of one register at one block of points, aligned for the widest vectors.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+struct Register([f64; BLOCK]);
 
 /// Registers that are reused from call to call.
 #[derive(Debug, Clone, Default)]
@@ -54,88 +58,112 @@ impl Program {
     pub fn run(&self, instructions: Instructions, inputs: &Batch, outputs: &mut Batch, workspace: &mut Workspace) {
         let registers = &mut workspace.registers;
         registers.clear();
-        registers.extend(self.0.constants.iter().map(|&constant| [constant; BLOCK]));
-        registers.resize(self.0.register_count as usize, [0.0; BLOCK]);
-        instructions.0.dispatch(
-            #[inline(always)]
-            || {
-                for block in 0..inputs.blocks() {
-                    self.load(block, inputs, registers);
-                    for &instruction in &self.0.instructions {
-                        execute(instruction, registers);
-                    }
-                    self.store(block, registers, outputs);
-                }
-            },
-        );
+        registers.extend(self.0.constants.iter().map(|&constant| Register([constant; BLOCK])));
+        registers.resize(self.0.register_count as usize, Register([0.0; BLOCK]));
+        instructions.0.dispatch(Run { program: self, inputs, outputs, registers });
     }
 
     #[inline(always)]
     fn load(&self, block: usize, inputs: &Batch, registers: &mut [Register]) {
-        let points = inputs.points_of_block(block);
         for &(input, to) in &self.0.loads {
-            let register = &mut registers[to as usize];
-            *register = *inputs.block(input as usize, block);
+            registers[to as usize].0 = *inputs.block(input as usize, block);
+        }
+        let points = inputs.points_of_block(block);
+        if points < BLOCK {
             // The padding repeats a point, so that it takes no slow path through invalid numbers.
-            let last = register[points - 1];
-            register[points..].fill(last);
+            for &(_, to) in &self.0.loads {
+                let register = &mut registers[to as usize].0;
+                let last = register[points - 1];
+                register[points..].fill(last);
+            }
         }
     }
 
     #[inline(always)]
     fn store(&self, block: usize, registers: &[Register], outputs: &mut Batch) {
         for (output, &from) in self.0.stores.iter().enumerate() {
-            *outputs.block_mut(output, block) = registers[from as usize];
+            *outputs.block_mut(output, block) = registers[from as usize].0;
         }
     }
 }
 
-#[inline(always)]
-fn execute(Instruction { kernel, operands: [a, b, c], to }: Instruction, registers: &mut [Register]) {
-    match kernel {
-        Kernel::MultiplyAdd => ternary(registers, [a, b, c], to, |x, y, z| x * y + z),
-        Kernel::MultiplySubtract => ternary(registers, [a, b, c], to, |x, y, z| x * y - z),
-        Kernel::SubtractMultiply => ternary(registers, [a, b, c], to, |x, y, z| z - x * y),
-        Kernel::Binary(Binary::Add) => binary(registers, [a, b], to, |x, y| x + y),
-        Kernel::Binary(Binary::Subtract) => binary(registers, [a, b], to, |x, y| x - y),
-        Kernel::Binary(Binary::Multiply) => binary(registers, [a, b], to, |x, y| x * y),
-        Kernel::Binary(Binary::Divide) => binary(registers, [a, b], to, |x, y| x / y),
-        Kernel::Unary(Unary::Negate) => unary(registers, a, to, |x| -x),
-        Kernel::Unary(Unary::SquareRoot) => unary(registers, a, to, f64::sqrt),
-        Kernel::Unary(Unary::Sine) => unary(registers, a, to, f64::sin),
-        Kernel::Unary(Unary::Cosine) => unary(registers, a, to, f64::cos),
-        Kernel::Unary(Unary::Exponential) => unary(registers, a, to, f64::exp),
-        Kernel::Unary(Unary::Logarithm) => unary(registers, a, to, f64::ln),
+/// A run as a type instead of a closure, because a closure is not inlined where the instruction set is enabled.
+struct Run<'run> {
+    program: &'run Program,
+    inputs: &'run Batch,
+    outputs: &'run mut Batch,
+    registers: &'run mut [Register],
+}
+
+impl WithSimd for Run<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let mut file = RegisterFile { simd, registers: self.registers };
+        for block in 0..self.inputs.blocks() {
+            self.program.load(block, self.inputs, file.registers);
+            for &instruction in &self.program.0.instructions {
+                file.execute(instruction);
+            }
+            self.program.store(block, file.registers, self.outputs);
+        }
     }
 }
 
-// The operands are copied because the result may replace one of them. Plain loops instead of iterator adapters:
-// only what is inlined here is compiled for the chosen instruction set.
-
-#[inline(always)]
-fn ternary(registers: &mut [Register], operands: [u32; 3], to: u32, function: impl Fn(f64, f64, f64) -> f64) {
-    let [first, second] = [registers[operands[0] as usize], registers[operands[1] as usize]];
-    let third = registers[operands[2] as usize];
-    let result = &mut registers[to as usize];
-    for point in 0..BLOCK {
-        result[point] = function(first[point], second[point], third[point]);
-    }
+/// Registers with the vector instructions that work on them. Loops are over whole vectors: left to the compiler, they
+/// become stores of mixed widths, which later loads have to wait for.
+struct RegisterFile<'run, S> {
+    simd: S,
+    registers: &'run mut [Register],
 }
 
-#[inline(always)]
-fn binary(registers: &mut [Register], operands: [u32; 2], to: u32, function: impl Fn(f64, f64) -> f64) {
-    let [first, second] = [registers[operands[0] as usize], registers[operands[1] as usize]];
-    let result = &mut registers[to as usize];
-    for point in 0..BLOCK {
-        result[point] = function(first[point], second[point]);
+impl<S: Simd> RegisterFile<'_, S> {
+    #[inline(always)]
+    fn execute(&mut self, Instruction { kernel, operands: [a, b, c], to }: Instruction) {
+        let simd = self.simd;
+        match kernel {
+            Kernel::MultiplyAdd => self.ternary(a, b, c, to, |x, y, z| simd.add_f64s(simd.mul_f64s(x, y), z)),
+            Kernel::MultiplySubtract => self.ternary(a, b, c, to, |x, y, z| simd.sub_f64s(simd.mul_f64s(x, y), z)),
+            Kernel::SubtractMultiply => self.ternary(a, b, c, to, |x, y, z| simd.sub_f64s(z, simd.mul_f64s(x, y))),
+            Kernel::Binary(Binary::Add) => self.binary(a, b, to, |x, y| simd.add_f64s(x, y)),
+            Kernel::Binary(Binary::Subtract) => self.binary(a, b, to, |x, y| simd.sub_f64s(x, y)),
+            Kernel::Binary(Binary::Multiply) => self.binary(a, b, to, |x, y| simd.mul_f64s(x, y)),
+            Kernel::Binary(Binary::Divide) => self.binary(a, b, to, |x, y| simd.div_f64s(x, y)),
+            Kernel::Unary(Unary::Negate) => self.binary(a, a, to, |x, _| simd.neg_f64s(x)),
+            Kernel::Unary(Unary::SquareRoot) => self.binary(a, a, to, |x, _| simd.sqrt_f64s(x)),
+            Kernel::Unary(function) => self.each(a, to, function),
+        }
     }
-}
 
-#[inline(always)]
-fn unary(registers: &mut [Register], operand: u32, to: u32, function: impl Fn(f64) -> f64) {
-    let argument = registers[operand as usize];
-    let result = &mut registers[to as usize];
-    for point in 0..BLOCK {
-        result[point] = function(argument[point]);
+    #[inline(always)]
+    fn ternary(&mut self, a: u32, b: u32, c: u32, to: u32, function: impl Fn(S::f64s, S::f64s, S::f64s) -> S::f64s) {
+        for vector in 0..BLOCK / S::F64_LANES {
+            let result = function(self.vector(a, vector), self.vector(b, vector), self.vector(c, vector));
+            self.set_vector(to, vector, result);
+        }
+    }
+
+    #[inline(always)]
+    fn binary(&mut self, a: u32, b: u32, to: u32, function: impl Fn(S::f64s, S::f64s) -> S::f64s) {
+        for vector in 0..BLOCK / S::F64_LANES {
+            let result = function(self.vector(a, vector), self.vector(b, vector));
+            self.set_vector(to, vector, result);
+        }
+    }
+
+    /// Functions without vector instructions.
+    fn each(&mut self, a: u32, to: u32, function: Unary) {
+        self.registers[to as usize].0 = self.registers[a as usize].0.map(|value| function.apply(value));
+    }
+
+    #[inline(always)]
+    fn vector(&self, register: u32, vector: usize) -> S::f64s {
+        S::as_simd_f64s(&self.registers[register as usize].0).0[vector]
+    }
+
+    #[inline(always)]
+    fn set_vector(&mut self, register: u32, vector: usize, value: S::f64s) {
+        S::as_mut_simd_f64s(&mut self.registers[register as usize].0).0[vector] = value;
     }
 }
