@@ -9,19 +9,20 @@ pub type Gradient = Vec<(usize, Node)>;
 /// Reverse mode: derivatives of `sum seed * node` by the first `variables` inputs.
 pub fn reverse(graph: &mut Graph, seeds: &[(Node, Node)], variables: usize) -> Gradient {
     let last = seeds.iter().map(|&(node, _)| node as usize + 1).max().unwrap_or(0);
-    let mut adjoints: Vec<Option<Node>> = vec![None; last];
-    for &(node, seed) in seeds {
-        accumulate(graph, &mut adjoints[node as usize], seed);
-    }
+    // Terms are added only when all are known, so that those that cancel meet.
+    let mut terms: Vec<Vec<Node>> = vec![Vec::new(); last];
+    seeds.iter().for_each(|&(node, seed)| terms[node as usize].push(seed));
     let mut gradient = Gradient::new();
     for node in (0..last).rev() {
-        let Some(adjoint) = adjoints[node].filter(|&adjoint| !graph.is_zero(adjoint)) else { continue };
+        let adjoint = graph.sum(&terms[node]);
+        if graph.is_zero(adjoint) {
+            continue;
+        }
         match graph.operations()[node] {
             Operation::Input(index) if (index as usize) < variables => gradient.push((index as usize, adjoint)),
             _ => {
                 for (operand, partial) in partials(graph, node as Node) {
-                    let amount = graph.multiply(adjoint, partial);
-                    accumulate(graph, &mut adjoints[operand as usize], amount);
+                    terms[operand as usize].push(graph.multiply(adjoint, partial));
                 }
             }
         }
@@ -109,10 +110,6 @@ fn unary_partial(graph: &mut Graph, function: Unary, a: Node, node: Node) -> Nod
         Unary::Exponential => node,
         Unary::Logarithm => graph.reciprocal(a),
     }
-}
-
-fn accumulate(graph: &mut Graph, adjoint: &mut Option<Node>, amount: Node) {
-    *adjoint = Some(adjoint.map_or(amount, |adjoint| graph.add(adjoint, amount)));
 }
 
 /// `sum + factor * tangent`, entry by entry, without the entries that vanish.

@@ -8,8 +8,14 @@ use crate::operation::{Node, Unary};
 
 /// A number that is not known yet: an input or something computed from inputs.
 ///
-/// # Panics
-/// Arithmetic panics on expressions of two different tapes.
+/// The lifetime keeps the expressions of different tapes apart:
+/// ```compile_fail
+/// # use autodiff::Tape;
+/// Tape::record(1, |outer| {
+///     Tape::record(1, |inner| vec![inner[0] * outer[0]]);
+///     Vec::new()
+/// });
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Expression<'tape> {
     graph: &'tape RefCell<Graph>,
@@ -22,9 +28,7 @@ impl<'tape> Expression<'tape> {
         Self { graph, node }
     }
 
-    /// The node, if the expression is of the given graph.
-    pub(crate) fn node_of(&self, graph: &RefCell<Graph>) -> Node {
-        assert!(std::ptr::eq(self.graph, graph), "expression of another tape");
+    pub(crate) fn node(&self) -> Node {
         self.node
     }
 
@@ -95,8 +99,7 @@ macro_rules! binary_operator {
         impl<'tape> $operator for Expression<'tape> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                let other = other.node_of(self.graph);
-                self.record(|graph| graph.$record(self.node, other))
+                self.record(|graph| graph.$record(self.node, other.node))
             }
         }
 

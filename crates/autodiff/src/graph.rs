@@ -6,8 +6,8 @@ use crate::operation::{Binary, Node, Operation, Unary};
 
 /// A growing graph with constant folding and the identities that keep derivatives sparse and short.
 ///
-/// No identity changes a rounding, except by overflow or underflow, so that values are those of the recorded
-/// arithmetic; only zeros may change their sign, and `0 x` is 0 for every `x`.
+/// No identity of an operation changes a rounding, except by overflow or underflow, so that values are those of the
+/// recorded arithmetic; only zeros may change their sign, and `0 x` is 0 for every `x`.
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
     operations: Vec<Operation>,
@@ -152,6 +152,35 @@ impl Graph {
                 if self.value(a).is_some() { self.multiply(factor, a) } else { self.product(factor, a) }
             }
         }
+    }
+
+    /// The sum of many terms, in which multiples of the same node are one term.
+    pub fn sum(&mut self, terms: &[Node]) -> Node {
+        if let &[term] = terms {
+            return term;
+        }
+        let mut multiples: Vec<(f64, Node)> = Vec::with_capacity(terms.len());
+        for &term in terms {
+            let (factor, node) = self.factored(term);
+            match multiples.iter_mut().find(|(_, other)| *other == node) {
+                Some((sum, _)) => *sum += factor,
+                None => multiples.push((factor, node)),
+            }
+        }
+        let zero = self.constant(0.0);
+        multiples.into_iter().fold(zero, |sum, (factor, node)| {
+            let term = self.scale(factor, node);
+            self.add(sum, term)
+        })
+    }
+
+    /// Factor and node that a node is the product of; the factor may be 1, the node the number 1.
+    fn factored(&mut self, node: Node) -> (f64, Node) {
+        if let Some(value) = self.value(node) {
+            return (value, self.constant(1.0));
+        }
+        let (sign, positive) = self.negated(node).map_or((1.0, node), |positive| (-1.0, positive));
+        self.scaled(positive).map_or((sign, positive), |(factor, inner)| (sign * factor, inner))
     }
 
     fn product(&mut self, a: Node, b: Node) -> Node {

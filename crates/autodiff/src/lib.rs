@@ -1,15 +1,21 @@
 //! Expression tapes: a function is recorded once from ordinary Rust arithmetic, differentiated exactly, and evaluated
 //! at many points at once.
 //!
-//! The optimal control problem repeats a few functions at every stage and scenario. A [`Tape`] holds one of them;
-//! equal subexpressions are shared. [`Tape::jacobian`] and [`Tape::lagrangian_hessian`] differentiate it symbolically,
-//! in reverse mode, into tapes of exactly the structural nonzeros. A [`Batch`] holds the inputs of all points as a
-//! structure of arrays, which every instruction of the tape sweeps in vector registers.
+//! The optimal control problem repeats a few functions at every stage and scenario: the time-stepping scheme, the
+//! impedance law, the cost. The paper differentiates them with CasADi (Sec. diffphys:dsctime: "First- and second-order
+//! derivatives \[...\] will be derived by automatic differentiation"); this crate takes its place.
 //!
-//! What is computed outside a tape (contact information) enters as an input like any other: the adjoint of that input
-//! is the seed for the second derivatives of what stands behind it.
+//! | step | here |
+//! |---|---|
+//! | record | [`Tape::record`]: equal subexpressions are one, constants are folded, dead code is dropped |
+//! | differentiate | [`Tape::jacobian`], [`Tape::lagrangian_hessian`]: tapes of exactly the structural nonzeros, in forward or reverse mode, whichever is cheaper |
+//! | evaluate | [`Tape::evaluate`]: every instruction sweeps a block of points of a [`Batch`] in vector registers |
 //!
-//! This takes the place of the automatic differentiation of Sec. diffphys:dsctime.
+//! Recording and differentiating happen once, evaluation often. Values are those of the recorded arithmetic, bit for
+//! bit, in every instruction set. Division by zero and the like give infinities and NaN.
+//!
+//! What is computed outside a tape, the contact information, enters as an input like any other. Its adjoint
+//! ([`LagrangianHessian::adjoint`]) is the seed for the second derivatives of what stands behind it.
 //!
 //! ```
 //! use autodiff::{Batch, Tape, Workspace};
@@ -24,6 +30,10 @@
 //! assert_eq!(jacobian.columns, [0, 1]);
 //! assert_eq!(values.row(0), [16.0, 25.0, 36.0]);
 //! assert_eq!(values.row(1), [8.0, 20.0, 36.0]);
+//!
+//! // One multiplier per output follows the inputs.
+//! let hessian = tape.lagrangian_hessian(2);
+//! assert_eq!((hessian.rows, hessian.columns), (vec![1, 1], vec![0, 1]));
 //! ```
 
 mod batch;

@@ -21,16 +21,13 @@ pub struct Tape {
 
 impl Tape {
     /// Records `function` of `inputs` inputs.
-    ///
-    /// # Panics
-    /// When `function` mixes in expressions of another tape.
     pub fn record(
         inputs: usize,
         function: impl for<'tape> FnOnce(&[Expression<'tape>]) -> Vec<Expression<'tape>>,
     ) -> Self {
         let graph = RefCell::new(Graph::default());
         let arguments: Vec<Expression> = (0..inputs).map(|index| Expression::input(&graph, index)).collect();
-        let outputs: Vec<Node> = function(&arguments).iter().map(|output| output.node_of(&graph)).collect();
+        let outputs: Vec<Node> = function(&arguments).iter().map(Expression::node).collect();
         drop(arguments);
         Self::of_graph(inputs, &graph.borrow(), &outputs)
     }

@@ -1,143 +1,133 @@
-//! Values and derivatives against direct evaluation and finite differences.
+//! Derivatives against finite differences and against derivatives written by hand.
 
-use autodiff::{Batch, Expression, Instructions, Tape, Workspace};
-use proptest::prelude::*;
+#[path = "../benches/stage/by_hand.rs"]
+mod by_hand;
+#[path = "../benches/stage/step.rs"]
+mod step;
+mod support;
 
-fn evaluate(tape: &Tape, inputs: &[f64]) -> Vec<f64> {
-    let mut batch = Batch::new(inputs.len(), 1);
-    for (row, value) in inputs.iter().enumerate() {
-        batch.row_mut(row)[0] = *value;
-    }
-    let mut outputs = Batch::new(tape.output_count(), 1);
-    tape.evaluate(&batch, &mut outputs, &mut Workspace::default());
-    (0..tape.output_count()).map(|row| outputs.row(row)[0]).collect()
-}
+use autodiff::{Expression, Tape};
+use support::{check_derivatives, evaluate};
 
-/// Rotation of a fixed vector by a normalised quaternion: products, sums, square root and quotients.
-fn rotated<'tape>(q: &[Expression<'tape>]) -> Vec<Expression<'tape>> {
-    let norm = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
-    let [w, x, y, z] = [q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm];
+fn rotation<'tape>(q: &[Expression<'tape>]) -> Vec<Expression<'tape>> {
+    let [w, x, y, z] = [q[0], q[1], q[2], q[3]];
     vec![
-        w * w + x * x - y * y - z * z + (x * y - w * z) * 2.0,
-        (x * y + w * z) * 2.0 + (w * w - x * x + y * y - z * z),
-        2.0 * (x * z - w * y) - -(y * z + w * x) * 2.0,
+        w * w + x * x - y * y - z * z,
+        2.0 * (x * y - w * z),
+        2.0 * (x * z + w * y),
+        2.0 * (x * y + w * z),
+        w * w - x * x + y * y - z * z,
+        2.0 * (y * z - w * x),
+        2.0 * (x * z - w * y),
+        2.0 * (y * z + w * x),
+        w * w - x * x - y * y + z * z,
     ]
 }
 
+fn normalised<'tape>(q: &[Expression<'tape>]) -> Vec<Expression<'tape>> {
+    let norm = (q[0].square() + q[1].square() + q[2].square() + q[3].square()).sqrt();
+    (0..4).map(|component| q[component] / norm).collect()
+}
+
+fn quaternion_product<'tape>(x: &[Expression<'tape>]) -> Vec<Expression<'tape>> {
+    let [a, b, c, d, e, f, g, h] = std::array::from_fn(|index| x[index]);
+    vec![
+        a * e - b * f - c * g - d * h,
+        a * f + b * e + c * h - d * g,
+        a * g - b * h + c * e + d * f,
+        a * h + b * g - c * f + d * e,
+    ]
+}
+
+const POINT: [f64; 8] = [0.9, -0.2, 0.4, 0.3, 1.2, 0.7, -0.5, 0.8];
+
 #[test]
-fn jacobian_agrees_with_differences() {
-    let tape = Tape::record(4, rotated);
-    let jacobian = tape.jacobian(4);
-    let point = [0.9, -0.2, 0.4, 0.3];
-    let values = evaluate(jacobian.tape(), &point);
-    let step = 1e-6;
-    assert_eq!(values.len(), 12);
+fn quaternions_agree_with_differences() {
+    check_derivatives(&Tape::record(8, quaternion_product), 8, &POINT).unwrap();
+    check_derivatives(&Tape::record(4, rotation), 4, &POINT[..4]).unwrap();
+    check_derivatives(&Tape::record(4, normalised), 4, &POINT[..4]).unwrap();
+    check_derivatives(&Tape::record(4, |q| rotation(&normalised(q))), 4, &POINT[..4]).unwrap();
+}
+
+#[test]
+fn every_operation_agrees_with_differences() {
+    let tape = Tape::record(4, |x| {
+        let mut changing = x[0];
+        changing += x[1];
+        changing *= 2.0;
+        changing -= x[2];
+        changing /= x[3];
+        vec![
+            x[0] / x[1] + 3.0 / x[2] - x[3] / 7.0,
+            x[0].square().sqrt() * x[3].sqrt(),
+            (x[0] * x[1]).sin() + (x[2] - x[3]).cos(),
+            (x[0] * 0.3 - x[1]).exp() * x[3].ln(),
+            x[1].recip() - -x[2] * 4.0 + (1.0 - x[0]),
+            x[0].powi(3) + x[1].powi(-2) + x[2].powi(0) + x[3].powi(1),
+            changing,
+        ]
+    });
+    check_derivatives(&tape, 4, &[0.9, -1.2, 0.4, 1.3]).unwrap();
+}
+
+#[test]
+fn parameters_are_not_differentiated() {
+    let tape = Tape::record(4, |x| vec![x[0] * x[2] * x[3] + x[1].square() * x[3]]);
+    check_derivatives(&tape, 2, &POINT[..4]).unwrap();
+    let jacobian = tape.jacobian(2);
+    assert_eq!(jacobian.columns, [0, 1]);
+    let hessian = tape.lagrangian_hessian(2);
+    assert_eq!((hessian.rows, hessian.columns), (vec![1], vec![1]));
+}
+
+/// `gap = distance + dt normal' v` and its product with a force: the adjoint by the contact information is the seed
+/// for its second derivatives.
+#[test]
+fn external_inputs_have_adjoints_and_second_derivatives() {
+    let tape = Tape::record(4, |x| {
+        let [velocity, force, distance, normal] = [x[0], x[1], x[2], x[3]];
+        vec![(distance + normal * velocity * 0.5) * force]
+    });
+    let hessian = tape.lagrangian_hessian(4);
+    let inputs = [3.0, 5.0, 0.25, 2.0, 10.0];
+    assert_eq!(evaluate(hessian.adjoint(), &inputs), [50.0, 32.5, 50.0, 75.0]);
+    assert_eq!((hessian.rows.as_slice(), hessian.columns.as_slice()), (&[1, 2, 3, 3][..], &[0, 1, 0, 1][..]));
+    assert_eq!(evaluate(hessian.tape(), &inputs), [10.0, 10.0, 25.0, 15.0]);
+}
+
+#[test]
+fn normalisation_agrees_with_the_projection() {
+    let jacobian = Tape::record(4, normalised).jacobian(4);
+    let q = [0.9, -0.2, 0.4, 0.3];
+    let norm = q.iter().map(|value| value * value).sum::<f64>().sqrt();
+    let values = evaluate(jacobian.tape(), &q);
     for ((&row, &column), value) in jacobian.rows.iter().zip(&jacobian.columns).zip(values) {
-        let (mut ahead, mut behind) = (point, point);
-        ahead[column] += step;
-        behind[column] -= step;
-        let difference = (evaluate(&tape, &ahead)[row] - evaluate(&tape, &behind)[row]) / (2.0 * step);
-        assert!((value - difference).abs() < 1e-8, "({row}, {column}): {value} and {difference}");
-        assert_ne!(value, difference);
+        let identity = if row == column { 1.0 } else { 0.0 };
+        let expected = (identity - q[row] * q[column] / (norm * norm)) / norm;
+        assert!((value - expected).abs() < 1e-15, "({row}, {column}): {value}, by hand {expected}");
     }
 }
 
 #[test]
-fn hessian_agrees_with_differences_of_the_adjoint() {
-    let tape = Tape::record(4, rotated);
-    let hessian = tape.lagrangian_hessian(4);
-    let point = [0.9, -0.2, 0.4, 0.3, 1.5, -0.7, 0.2];
-    let values = evaluate(hessian.tape(), &point);
-    let step = 1e-6;
-    assert_eq!(values.len(), 10);
-    for ((&row, &column), value) in hessian.rows.iter().zip(&hessian.columns).zip(values) {
-        let (mut ahead, mut behind) = (point, point);
-        ahead[column] += step;
-        behind[column] -= step;
-        let adjoint = |inputs: &[f64]| evaluate(hessian.adjoint(), inputs)[row];
-        let difference = (adjoint(&ahead) - adjoint(&behind)) / (2.0 * step);
-        assert!((value - difference).abs() < 1e-8, "({row}, {column}): {value} and {difference}");
+fn the_step_agrees_with_derivatives_by_hand() {
+    let tape = Tape::record(step::INPUTS, |x| step::step(x).to_vec());
+    let (jacobian, hessian) = (tape.jacobian(step::INPUTS), tape.lagrangian_hessian(step::INPUTS));
+    for number in 0..5 {
+        let point = step::sample(number);
+        assert_eq!(evaluate(&tape, &point), step::step(&point[..step::INPUTS]));
+        let mut expected = [0.0; by_hand::JACOBIAN_NONZEROS];
+        by_hand::jacobian(&point, &mut expected);
+        compare(&evaluate(jacobian.tape(), &point), &expected);
+        let mut expected = [0.0; by_hand::HESSIAN_NONZEROS];
+        by_hand::hessian(&point, &mut expected);
+        compare(&evaluate(hessian.tape(), &point), &expected);
     }
+    check_derivatives(&tape, step::INPUTS, &step::sample(3)[..step::INPUTS]).unwrap();
 }
 
-#[test]
-fn sparsity_is_exact() {
-    let tape = Tape::record(4, |x| vec![x[0] * x[1] + x[2], x[3] * 3.0, x[0] - x[0], x[1] * 0.0]);
-    let jacobian = tape.jacobian(3);
-    assert_eq!((jacobian.rows, jacobian.columns), (vec![0, 0, 0], vec![0, 1, 2]));
-    let hessian = tape.lagrangian_hessian(4);
-    assert_eq!((hessian.rows, hessian.columns), (vec![1], vec![0]));
-}
-
-#[test]
-fn equal_subexpressions_are_recorded_once() {
-    let tape = Tape::record(2, |x| vec![x[0] * x[1] + 1.0, x[1] * x[0] + 2.0]);
-    assert_eq!(tape.operation_count(), 3);
-}
-
-#[test]
-fn inputs_constants_and_repeated_outputs() {
-    let tape = Tape::record(2, |x| vec![x[1], x[0].constant(4.0), x[1], x[0] + x[1]]);
-    assert_eq!(evaluate(&tape, &[2.0, 3.0]), [3.0, 4.0, 3.0, 5.0]);
-    let empty = Tape::record(1, |_| Vec::new());
-    assert!(evaluate(&empty, &[1.0]).is_empty());
-}
-
-#[test]
-fn every_number_of_points_and_instruction_set_gives_the_same_bits() {
-    let tape = Tape::record(4, rotated);
-    let jacobian = tape.jacobian(4);
-    for points in [0, 1, 7, 8, 9, 16, 17, 65] {
-        let mut inputs = Batch::new(4, points);
-        for row in 0..4 {
-            for (point, value) in inputs.row_mut(row).iter_mut().enumerate() {
-                *value = 1.0 + ((row + 1) * (point + 3)) as f64 * 0.37 % 1.0;
-            }
-        }
-        let (mut fast, mut plain) = (Batch::new(12, points), Batch::new(12, points));
-        let mut workspace = Workspace::default();
-        jacobian.tape().evaluate_with(Instructions::best(), &inputs, &mut fast, &mut workspace);
-        jacobian.tape().evaluate_with(Instructions::scalar(), &inputs, &mut plain, &mut workspace);
-        for row in 0..12 {
-            assert_eq!(fast.row(row), plain.row(row));
-            for point in 0..points {
-                let one: Vec<f64> = (0..4).map(|input| inputs.row(input)[point]).collect();
-                assert_eq!(fast.row(row)[point], evaluate(jacobian.tape(), &one)[row]);
-            }
-        }
-    }
-}
-
-/// A random arithmetic program: every step combines two earlier results.
-fn run<T: Copy>(steps: &[(u8, usize, usize)], inputs: &[T], apply: impl Fn(u8, T, T) -> T) -> T {
-    let mut results = inputs.to_vec();
-    for &(operation, one, other) in steps {
-        let (a, b) = (results[one % results.len()], results[other % results.len()]);
-        results.push(apply(operation, a, b));
-    }
-    results[results.len() - 1]
-}
-
-proptest! {
-    #[test]
-    fn random_programs_agree_with_plain_arithmetic(
-        steps in prop::collection::vec((0..4u8, 0..100usize, 0..100usize), 1..20),
-        inputs in prop::array::uniform3(0.5..2.0f64),
-    ) {
-        let tape = Tape::record(3, |x| vec![run(&steps, x, |operation, a, b| match operation {
-            0 => a + b,
-            1 => a - b,
-            2 => a * b,
-            _ => a / (b * b + 1.0),
-        })]);
-        let expected = run(&steps, &inputs, |operation, a, b| match operation {
-            0 => a + b,
-            1 => a - b,
-            2 => a * b,
-            _ => a / (b * b + 1.0),
-        });
-        let value = evaluate(&tape, &inputs)[0];
-        prop_assume!(expected.is_finite() && expected.abs() < 1e6);
-        prop_assert!((value - expected).abs() <= 1e-9 * expected.abs().max(1.0));
+fn compare(values: &[f64], expected: &[f64]) {
+    assert_eq!(values.len(), expected.len());
+    for (entry, (value, expected)) in values.iter().zip(expected).enumerate() {
+        assert!((value - expected).abs() < 1e-14, "nonzero {entry}: {value}, by hand {expected}");
     }
 }
