@@ -67,7 +67,7 @@ fn a_plan_is_written_with_all_its_files() {
     }
     let result = result(&out);
     assert_eq!(result["status"], "done");
-    assert_eq!(result["linear_solver"], "mumps");
+    assert_eq!(result["linear_solver"], "stage");
     assert!((result["objective"].as_f64().unwrap() / 0.1886 - 1.0).abs() < 0.02);
     assert_eq!(result["stages"].as_array().unwrap().len(), 5);
     for scenario in result["scenarios"].as_array().unwrap() {

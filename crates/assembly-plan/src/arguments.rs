@@ -54,7 +54,8 @@ pub struct SolveArguments {
     /// Folder for the results; an older plan in it is replaced [default: out/TITLE-START]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Linear solver: mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's]
+    /// Linear solver: stage, mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's,
+    /// else stage]
     #[arg(long, value_name = "NAME")]
     pub linear_solver: Option<String>,
 }

@@ -14,6 +14,8 @@ pub struct PlanResult {
     start: String,
     delta_m: f64,
     linear_solver: String,
+    /// Linear systems that the stage solver left to a general solver.
+    linear_solver_fallbacks: usize,
     threads: usize,
     versions: Versions,
     iterations: usize,
@@ -42,6 +44,33 @@ struct Stage {
     constraint_violation: f64,
     wall_s: f64,
     wall_split_s: Split,
+    stage_solver: Option<StageSolver>,
+}
+
+/// What the stage solver did in a homotopy iteration.
+#[derive(Debug, Serialize)]
+struct StageSolver {
+    factorisations: usize,
+    early_exits: usize,
+    /// Factorisations in which the poses of a stage could not be eliminated first.
+    general_path: usize,
+    solves: usize,
+    refinements: usize,
+    fallbacks: Fallbacks,
+    largest_residual: f64,
+    element_growth: f64,
+    factorisation_s: f64,
+    solve_s: f64,
+}
+
+/// Why matrices went to the general solver.
+#[derive(Debug, Serialize)]
+struct Fallbacks {
+    structure: usize,
+    uncertain_pivot: usize,
+    not_finite: usize,
+    residual: usize,
+    quality: usize,
 }
 
 #[derive(Debug, Serialize)]
@@ -85,6 +114,7 @@ impl PlanResult {
             start: start.name.clone(),
             delta_m: delta,
             linear_solver: last.linear_solver.clone(),
+            linear_solver_fallbacks: stages.iter().map(StageResult::fallbacks).sum(),
             threads: 1,
             versions: Versions { assembly_plan: env!("CARGO_PKG_VERSION"), ipopt: nlp::IPOPT_VERSION },
             iterations: stages.iter().map(|stage| stage.iterations).sum(),
@@ -104,8 +134,17 @@ impl PlanResult {
     /// What happened, in a few lines.
     pub fn summary(&self) -> String {
         let mut lines = vec![format!(
-            "{}: {}; objective {:.4}, {} iterations, {:.1} s, linear solver {}",
-            self.scene, self.status, self.objective, self.iterations, self.wall_s, self.linear_solver
+            "{}: {}; objective {:.4}, {} iterations, {:.1} s, linear solver {}{}",
+            self.scene,
+            self.status,
+            self.objective,
+            self.iterations,
+            self.wall_s,
+            self.linear_solver,
+            match self.linear_solver_fallbacks {
+                0 => String::new(),
+                count => format!(" ({count} systems left to the general solver)"),
+            }
         )];
         for (index, scenario) in self.scenarios.iter().enumerate() {
             let [x, y, z] = scenario.offset_m.map(|component| 1e3 * component);
@@ -136,6 +175,23 @@ fn stage(result: &StageResult) -> Stage {
         constraint_violation: result.constraint_violation,
         wall_s: total,
         wall_split_s: Split { distances, model, linear_solver, rest },
+        stage_solver: result.stage_solver.as_ref().map(stage_solver),
+    }
+}
+
+fn stage_solver(report: &kkt::Report) -> StageSolver {
+    let kkt::Fallbacks { structure, uncertain_pivot, not_finite, residual, quality } = report.fallbacks;
+    StageSolver {
+        factorisations: report.factorisations,
+        early_exits: report.early_exits,
+        general_path: report.general_path,
+        solves: report.solves,
+        refinements: report.refinements,
+        fallbacks: Fallbacks { structure, uncertain_pivot, not_finite, residual, quality },
+        largest_residual: report.largest_residual,
+        element_growth: report.element_growth,
+        factorisation_s: report.factorisation_seconds,
+        solve_s: report.solve_seconds,
     }
 }
 

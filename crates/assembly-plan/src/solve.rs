@@ -27,6 +27,10 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     for warning in &scene.warnings {
         eprintln!("warning: {warning}");
     }
+    if homotopy.0.linear_solver == ocp::STAGE && !nlp::TAKES_OWN_SOLVER {
+        let version = nlp::IPOPT_VERSION;
+        eprintln!("warning: Ipopt {version} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower");
+    }
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&scene, start));
     prepare(&folder)?;
     write_file(&folder.join("resolved.toml"), resolved(&scene, start, delta, &homotopy).as_bytes())?;

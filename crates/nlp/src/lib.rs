@@ -6,11 +6,13 @@
 //! the C code: Ipopt is stopped and the panic goes on after it has returned. [`check_derivatives`] compares a problem's
 //! derivatives with central differences.
 //!
+//! The linear systems are solved by one of Ipopt's own solvers or by the program's: see [`LinearSolver`].
+//!
 //! Numerical failure is a [`SolveStatus`], not an error. Ipopt's own time in its linear solver is read from the
 //! statistics that it writes to a temporary file.
 //!
 //! ```
-//! use nlp::{Bounds, Control, EvaluationError, Options, Pattern, Problem, Start, solve};
+//! use nlp::{Bounds, Control, EvaluationError, LinearSolver, Options, Pattern, Problem, Start, solve};
 //!
 //! /// `min (x - 3)^2` for `x <= 2`
 //! struct Parabola(f64);
@@ -52,7 +54,8 @@
 //! }
 //!
 //! let start = Start::Cold(vec![0.0]);
-//! let solution = solve(&mut Parabola(0.0), &start, &Options::default(), nlp::MUMPS, &mut |_| Control::Continue)?;
+//! let solver = LinearSolver::Named(nlp::MUMPS);
+//! let solution = solve(&mut Parabola(0.0), &start, &Options::default(), solver, &mut |_| Control::Continue)?;
 //! assert!(solution.status.is_success());
 //! assert!((solution.iterate.x[0] - 2.0).abs() < 1e-6);
 //! # Ok::<(), nlp::SolveError>(())
@@ -61,9 +64,15 @@
 mod callbacks;
 mod check;
 mod error;
+mod kkt_solver;
 mod linear_solver;
 mod options;
 mod problem;
+#[cfg(hsl_loader)]
+mod slot;
+#[cfg(not(hsl_loader))]
+#[path = "no_slot.rs"]
+mod slot;
 mod solution;
 mod solve;
 mod statistics;
@@ -71,7 +80,8 @@ mod status;
 
 pub use check::{DerivativeReport, Entry, Kind, check_derivatives};
 pub use error::SolveError;
-pub use linear_solver::MUMPS;
+pub use kkt_solver::{Factorisation, KktSolver, LinearSolver};
+pub use linear_solver::{MUMPS, TAKES_OWN_SOLVER};
 pub use options::{OptionValue, Options};
 pub use problem::{Bounds, EvaluationError, Pattern, Problem};
 pub use solution::{Control, Iterate, Progress, Solution, Start, Timing};

@@ -4,44 +4,57 @@
 
 use std::ffi::CString;
 use std::panic::resume_unwind;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::path::Path;
+use std::sync::{PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::Instant;
 
 use ipopt_sys as ipopt;
 
 use crate::callbacks::{self, Session, Truth};
 use crate::error::SolveError;
+use crate::kkt_solver::LinearSolver;
 use crate::linear_solver;
 use crate::options::{OptionValue, Options};
 use crate::problem::{Bounds, Problem};
+use crate::slot::Slot;
 use crate::solution::{Control, Iterate, Progress, Solution, Start, Timing};
 use crate::statistics;
 use crate::status::SolveStatus;
 
-/// Sequential MUMPS keeps global state: two solves at once corrupt memory.
-static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+/// Sequential MUMPS keeps global state: two solves at once corrupt memory. HSL's MA57 and a program's own solver are
+/// reached through the same global function pointers. Solves with the program's own solvers share the lock.
+static LINEAR_SOLVERS: RwLock<()> = RwLock::new(());
 
-/// Solves `problem` from `start`. `observer` sees every iteration and may stop the solve; `linear_solver` is `mumps` or,
-/// where the user has the HSL library, `ma27`, `ma57` or `ma97`. Solves wait for each other.
+/// Keeps solves apart that must not run at once.
+enum Turn {
+    Shared { _guard: RwLockReadGuard<'static, ()> },
+    Alone { _guard: RwLockWriteGuard<'static, ()> },
+}
+
+/// Solves `problem` from `start`. `observer` sees every iteration and may stop the solve. Solves with the program's own
+/// linear solver may run at once in several threads; those with Ipopt's wait for all others.
 ///
 /// # Errors
 /// When the problem, an option or the linear solver is refused. How the solve ends is the solution's status.
 ///
 /// # Panics
-/// With the panic of a function of the problem or of the observer.
+/// With the panic of a function of the problem, of the linear solver or of the observer.
 pub fn solve(
     problem: &mut dyn Problem,
     start: &Start,
     options: &Options,
-    linear_solver: &str,
+    linear_solver: LinearSolver,
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<Solution, SolveError> {
     let begin = Instant::now();
-    let _turn: MutexGuard<()> = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
-    linear_solver::require(linear_solver)?;
+    let mut solver = SolverInUse::new(linear_solver)?;
     let statistics_file = tempfile::NamedTempFile::new().ok();
     let handle = Handle::create(problem)?;
-    let mut all = defaults(start, linear_solver);
+    let mut all = defaults(start, solver.option());
+    if solver.own.is_some() {
+        // MA57 stands for it, and Ipopt would look for HSL's scaling to go with that.
+        all.set("linear_system_scaling", "none");
+    }
     if let Some(file) = &statistics_file {
         all.set("output_file", &*file.path().to_string_lossy());
         all.set("file_print_level", 3);
@@ -55,14 +68,14 @@ pub fn solve(
     let constraint_bounds = problem.constraint_bounds();
     let patterns = (problem.jacobian_pattern(), problem.hessian_pattern());
     let mut session = Session::new(problem, observer, patterns.0, patterns.1);
-    let outcome = handle.solve(&mut iterate, &mut session);
+    let outcome = solver.run(|| handle.solve(&mut iterate, &mut session))?;
     if let Some(panic) = session.panic {
         resume_unwind(panic);
     }
     let timing = Timing {
         total: begin.elapsed().as_secs_f64(),
         evaluation: session.evaluation.as_secs_f64(),
-        linear_solver: statistics_file.map_or(0.0, |file| statistics::linear_solver_seconds(file.path())),
+        linear_solver: solver.seconds(statistics_file.as_ref().map(|file| file.path())),
     };
     Ok(Solution {
         status: outcome.status,
@@ -74,9 +87,59 @@ pub fn solve(
         iterations: session.log.last().map_or(0, |last| last.iteration),
         log: session.log,
         timing,
-        linear_solver: linear_solver.to_owned(),
+        linear_solver: solver.name,
         evaluation_error: session.evaluation_error,
     })
+}
+
+/// The linear solver of a running solve.
+struct SolverInUse<'solver> {
+    name: String,
+    own: Option<Slot<'solver>>,
+    _turn: Turn,
+}
+
+impl<'solver> SolverInUse<'solver> {
+    /// Waits until the solver may run and checks that it can.
+    fn new(linear_solver: LinearSolver<'solver>) -> Result<Self, SolveError> {
+        match linear_solver {
+            LinearSolver::Named(name) => {
+                let turn = Turn::Alone { _guard: LINEAR_SOLVERS.write().unwrap_or_else(PoisonError::into_inner) };
+                linear_solver::require(name)?;
+                Ok(Self { name: name.to_owned(), own: None, _turn: turn })
+            }
+            LinearSolver::Own(solver) => {
+                let turn = Turn::Shared { _guard: LINEAR_SOLVERS.read().unwrap_or_else(PoisonError::into_inner) };
+                linear_solver::require_slot(solver.name())?;
+                Ok(Self { name: solver.name().to_owned(), own: Some(Slot::new(solver)), _turn: turn })
+            }
+        }
+    }
+
+    /// Name by which Ipopt knows it.
+    fn option(&self) -> &str {
+        if self.own.is_some() { linear_solver::SLOT } else { &self.name }
+    }
+
+    fn run(&mut self, solve: impl FnOnce() -> Outcome) -> Result<Outcome, SolveError> {
+        let Some(slot) = &mut self.own else { return Ok(solve()) };
+        let outcome = slot.run(solve);
+        if let Some(panic) = slot.panic.take() {
+            resume_unwind(panic);
+        }
+        match slot.refusal.take() {
+            Some(reason) => Err(SolveError::LinearSolver { name: self.name.clone(), reason }),
+            None => Ok(outcome),
+        }
+    }
+
+    /// Wall time in factorisations and solves: measured, or what Ipopt's statistics say.
+    fn seconds(&self, statistics: Option<&Path>) -> f64 {
+        match &self.own {
+            Some(slot) => slot.elapsed.as_secs_f64(),
+            None => statistics.map_or(0.0, statistics::linear_solver_seconds),
+        }
+    }
 }
 
 /// Options that hold unless the caller sets them.

@@ -1,7 +1,7 @@
 //! A small problem solved, refused, stopped and checked.
 
 use nlp::{
-    Bounds, Control, EvaluationError, Iterate, Options, Pattern, Problem, SolveError, SolveStatus, Start,
+    Bounds, Control, EvaluationError, Iterate, LinearSolver, Options, Pattern, Problem, SolveError, SolveStatus, Start,
     check_derivatives, solve,
 };
 
@@ -91,7 +91,7 @@ fn cold() -> Start {
 }
 
 fn run(problem: &mut Product, start: &Start, options: &Options) -> nlp::Solution {
-    solve(problem, start, options, nlp::MUMPS, &mut |_| Control::Continue).unwrap()
+    solve(problem, start, options, LinearSolver::Named(nlp::MUMPS), &mut |_| Control::Continue).unwrap()
 }
 
 #[test]
@@ -122,7 +122,9 @@ fn unknown_and_ill_typed_options_are_refused() {
         let mut options = Options::default();
         let value: nlp::OptionValue = value;
         options.set(name, value);
-        let refused = solve(&mut Product::default(), &cold(), &options, nlp::MUMPS, &mut |_| Control::Continue);
+        let refused = solve(&mut Product::default(), &cold(), &options, LinearSolver::Named(nlp::MUMPS), &mut |_| {
+            Control::Continue
+        });
         assert!(matches!(refused, Err(SolveError::Option { name: refused, .. }) if refused == name));
     }
     let mut options = Options::default();
@@ -132,15 +134,23 @@ fn unknown_and_ill_typed_options_are_refused() {
 
 #[test]
 fn unknown_and_missing_linear_solvers_are_refused() {
-    let refused =
-        solve(&mut Product::default(), &cold(), &Options::default(), "no_such_solver", &mut |_| Control::Continue);
+    let refused = solve(
+        &mut Product::default(),
+        &cold(),
+        &Options::default(),
+        LinearSolver::Named("no_such_solver"),
+        &mut |_| Control::Continue,
+    );
     assert!(matches!(refused, Err(SolveError::LinearSolver { .. })));
 }
 
 #[test]
 fn a_starting_point_of_the_wrong_size_is_refused() {
     let start = Start::Warm(Iterate { x: vec![1.0; 4], ..Iterate::default() });
-    let refused = solve(&mut Product::default(), &start, &Options::default(), nlp::MUMPS, &mut |_| Control::Continue);
+    let refused =
+        solve(&mut Product::default(), &start, &Options::default(), LinearSolver::Named(nlp::MUMPS), &mut |_| {
+            Control::Continue
+        });
     assert!(matches!(refused, Err(SolveError::Problem(_))));
 }
 
@@ -160,7 +170,9 @@ fn the_observer_stops_a_solve_at_its_last_iterate() {
     let mut stop = |progress: &nlp::Progress| {
         if progress.iteration == 2 { Control::Stop } else { Control::Continue }
     };
-    let solution = solve(&mut Product::default(), &cold(), &Options::default(), nlp::MUMPS, &mut stop).unwrap();
+    let solution =
+        solve(&mut Product::default(), &cold(), &Options::default(), LinearSolver::Named(nlp::MUMPS), &mut stop)
+            .unwrap();
     assert_eq!(solution.status, SolveStatus::Interrupted);
     assert_eq!(solution.iterations, 2);
     assert_ne!(solution.iterate.x, [1.0, 5.0, 5.0, 1.0]);

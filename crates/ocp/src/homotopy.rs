@@ -1,8 +1,9 @@
 //! The homotopy (Sec. ocp:homotopy): solve with much smoothing, tighten, solve again from the last solution.
 
-use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
+use nlp::{Control, Iterate, LinearSolver, Options, Progress, SolveError, SolveStatus, Start};
 
 use crate::settings::{HessianKind, HomotopySettings, Smoothing};
+use crate::stage_solver::{STAGE, TranscriptionSolver};
 use crate::task::AssemblyTask;
 use crate::trajectory::Trajectory;
 use crate::transcription::Transcription;
@@ -39,10 +40,19 @@ pub struct StageResult {
     pub timing: StageTiming,
     /// The linear solver that ran.
     pub linear_solver: String,
+    /// What the stage solver did, if it ran.
+    pub stage_solver: Option<kkt::Report>,
     /// The motion.
     pub trajectory: Trajectory,
     /// The primal-dual point.
     pub iterate: Iterate,
+}
+
+impl StageResult {
+    /// Number of linear systems that the stage solver left to a general solver.
+    pub fn fallbacks(&self) -> usize {
+        self.stage_solver.map_or(0, |report| report.fallbacks.total())
+    }
 }
 
 /// Wall seconds of one homotopy iteration.
@@ -147,7 +157,13 @@ fn solve_stage(
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<StageResult, SolveError> {
     transcription.contacts().distances().reset_seconds();
-    let solution = nlp::solve(transcription, start, options, linear_solver, observer)?;
+    let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.complementarity());
+    let chosen = match linear_solver {
+        STAGE if nlp::TAKES_OWN_SOLVER => LinearSolver::Own(&mut stage_solver),
+        STAGE => LinearSolver::Named(nlp::MUMPS),
+        name => LinearSolver::Named(name),
+    };
+    let solution = nlp::solve(transcription, start, options, chosen, observer)?;
     let distances = transcription.contacts().distances().seconds();
     let timing = StageTiming {
         total: solution.timing.total,
@@ -165,6 +181,7 @@ fn solve_stage(
         constraint_violation: solution.constraint_violation,
         timing,
         linear_solver: solution.linear_solver,
+        stage_solver: stage_solver.report().copied(),
         trajectory: Trajectory::new(transcription, &solution.iterate.x, smoothing.tau),
         iterate: solution.iterate,
     })

@@ -74,6 +74,11 @@ impl Transcription {
         self.layout
     }
 
+    /// Relaxation or smoothing of the complementarity conditions.
+    pub fn complementarity(&self) -> Complementarity {
+        self.complementarity
+    }
+
     /// The task that was transcribed.
     pub fn task(&self) -> &AssemblyTask {
         &self.task

@@ -14,7 +14,7 @@ use crate::pose::{positive, within};
 const DEFAULT: &str = include_str!("../../../configs/default.toml");
 
 /// Linear solvers by name.
-const LINEAR_SOLVERS: [&str; 4] = ["mumps", "ma27", "ma57", "ma97"];
+const LINEAR_SOLVERS: [&str; 5] = [ocp::STAGE, nlp::MUMPS, "ma27", "ma57", "ma97"];
 const COMPLEMENTARITIES: [(&str, Complementarity); 2] =
     [("relaxation", Complementarity::Relaxation), ("smoothing", Complementarity::Smoothing)];
 const HESSIANS: [(&str, HessianKind); 3] =
@@ -139,7 +139,7 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
             require_known(source, name, &LINEAR_SOLVERS)?;
             name.get_ref().clone()
         }
-        None => nlp::MUMPS.to_owned(),
+        None => ocp::STAGE.to_owned(),
     };
     Ok(HomotopySettings {
         iterations,

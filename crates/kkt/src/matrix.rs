@@ -1,0 +1,117 @@
+//! The assembled matrix, for residuals and for the general solver.
+
+use feral::CscMatrix;
+
+/// Lower triangle by columns, filled from triplets.
+#[derive(Debug)]
+pub struct Matrix {
+    pub columns: CscMatrix,
+    /// Which stored number every triplet is added to.
+    slots: Vec<u32>,
+}
+
+impl Matrix {
+    /// Sorts the entries by column, then by row.
+    pub fn new(dimension: usize, rows: &[usize], columns: &[usize]) -> Self {
+        // Two stable bucket sorts, the second by column, leave the entries of a column in the order of their rows.
+        let lower: Vec<(usize, usize)> = rows.iter().zip(columns).map(|(&r, &c)| (r.max(c), r.min(c))).collect();
+        let by_row = bucket_sort(dimension, 0..lower.len(), |entry| lower[entry].0);
+        let by_column = bucket_sort(dimension, by_row.into_iter(), |entry| lower[entry].1);
+        let mut slots = vec![0; lower.len()];
+        let mut row_idx = Vec::new();
+        let mut col_ptr = vec![0; dimension + 1];
+        let mut last = None;
+        for entry in by_column {
+            let (row, column) = lower[entry];
+            if last != Some((row, column)) {
+                last = Some((row, column));
+                row_idx.push(row);
+                col_ptr[column + 1] += 1;
+            }
+            slots[entry] = (row_idx.len() - 1) as u32;
+        }
+        for column in 0..dimension {
+            col_ptr[column + 1] += col_ptr[column];
+        }
+        let values = vec![0.0; row_idx.len()];
+        Self { columns: CscMatrix { n: dimension, col_ptr, row_idx, values }, slots }
+    }
+
+    /// Sums the triplets.
+    pub fn fill(&mut self, values: &[f64]) {
+        self.columns.values.fill(0.0);
+        for (&slot, value) in self.slots.iter().zip(values) {
+            self.columns.values[slot as usize] += value;
+        }
+    }
+
+    /// Column of every stored number.
+    pub fn column_indices(&self) -> Vec<usize> {
+        let ends = &self.columns.col_ptr;
+        (0..self.columns.n).flat_map(|column| (ends[column]..ends[column + 1]).map(move |_| column)).collect()
+    }
+
+    /// Largest absolute value, infinite when a number is not finite.
+    pub fn largest(&self) -> f64 {
+        let size = |value: &f64| if value.is_nan() { f64::INFINITY } else { value.abs() };
+        self.columns.values.iter().map(size).fold(0.0, f64::max)
+    }
+
+    /// Writes `b - A x` and returns its size, component by component relative to `|A| |x| + |b|` (the backward error
+    /// of Oettli and Prager). `terms` is scratch.
+    pub fn residual(&self, x: &[f64], b: &[f64], residual: &mut [f64], terms: &mut [f64]) -> f64 {
+        residual.copy_from_slice(b);
+        for (term, b) in terms.iter_mut().zip(b) {
+            *term = b.abs();
+        }
+        let matrix = &self.columns;
+        for column in 0..matrix.n {
+            let range = matrix.col_ptr[column]..matrix.col_ptr[column + 1];
+            let here = x[column];
+            let (mut sum, mut size) = (0.0, 0.0);
+            for (&row, &value) in matrix.row_idx[range.clone()].iter().zip(&matrix.values[range]) {
+                let across = value * x[row];
+                sum += across;
+                size += across.abs();
+                if row != column {
+                    let down = value * here;
+                    residual[row] -= down;
+                    terms[row] += down.abs();
+                }
+            }
+            residual[column] -= sum;
+            terms[column] += size;
+        }
+        // A row whose terms all vanish next to the others' has no relative error worth the name.
+        let floor = 1e3 * f64::EPSILON * terms.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let mut largest = 0.0f64;
+        for (residual, term) in residual.iter().zip(terms) {
+            let ratio = residual.abs() / (*term + floor);
+            if !ratio.is_finite() {
+                return f64::INFINITY;
+            }
+            largest = largest.max(ratio);
+        }
+        largest
+    }
+}
+
+/// Sorts by a key below `keys`, keeping the order of equal ones.
+fn bucket_sort(keys: usize, items: impl Iterator<Item = usize> + Clone, key: impl Fn(usize) -> usize) -> Vec<usize> {
+    let mut starts = vec![0; keys + 1];
+    let mut count = 0;
+    for item in items.clone() {
+        starts[key(item) + 1] += 1;
+        count += 1;
+    }
+    for index in 0..keys {
+        starts[index + 1] += starts[index];
+    }
+    let mut sorted = vec![0; count];
+    for item in items {
+        let place = &mut starts[key(item)];
+        sorted[*place] = item;
+        *place += 1;
+    }
+    sorted
+}

@@ -1,0 +1,239 @@
+//! The solver: stages first, a general solver where they cannot be trusted.
+
+use std::time::Instant;
+
+use pulp::Arch;
+
+use crate::error::StructureError;
+use crate::fallback::{Fallback, Outcome};
+use crate::label::Label;
+use crate::matrix::Matrix;
+use crate::pivot::Breakdown;
+use crate::report::{FallbackReason, Report};
+use crate::stages::Stages;
+use crate::symbolic::Symbolic;
+
+/// Backward error above which a solution is refined.
+const REFINE: f64 = 1e-11;
+/// Backward error above which the general solver is asked.
+const POOR: f64 = 1e-6;
+/// Most steps of iterative refinement.
+const REFINEMENTS: usize = 3;
+
+/// What a factorisation found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Factorisation {
+    /// The matrix has so many negative eigenvalues.
+    Inertia {
+        /// Exact when it is not larger than the number of multipliers, and else at least larger than that.
+        negative: usize,
+    },
+    /// The matrix is singular.
+    Singular,
+    /// No factors could be computed.
+    Failed,
+}
+
+/// Which factors are at hand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Factors {
+    None,
+    Stages,
+    /// Of some stages only: the rest was left out after too many negative pivots.
+    SomeStages,
+    General,
+}
+
+/// A solver for symmetric indefinite matrices of one pattern.
+pub struct StageSolver {
+    matrix: Matrix,
+    stages: Result<(Symbolic, Stages), StructureError>,
+    general: Fallback,
+    factors: Factors,
+    more_quality: bool,
+    report: Report,
+    residual: Vec<f64>,
+    terms: Vec<f64>,
+    solution: Vec<f64>,
+}
+
+impl StageSolver {
+    /// Plans the elimination of matrices whose entries stand at the given positions (either triangle; entries at the
+    /// same place are summed). A pattern that does not fit the labels is left to the general solver: see
+    /// [`StageSolver::structure_error`].
+    ///
+    /// # Errors
+    /// When labels, rows and columns do not describe a matrix.
+    pub fn new(labels: &[Label], rows: &[usize], columns: &[usize]) -> Result<Self, StructureError> {
+        Self::with_arch(labels, rows, columns, Arch::new())
+    }
+
+    /// The same for a given instruction set.
+    ///
+    /// # Errors
+    /// See [`StageSolver::new`].
+    pub fn with_arch(labels: &[Label], rows: &[usize], columns: &[usize], arch: Arch) -> Result<Self, StructureError> {
+        let dimension = labels.len();
+        check(dimension, rows, columns)?;
+        let matrix = Matrix::new(dimension, rows, columns);
+        let lower_rows = &matrix.columns.row_idx;
+        let lower_columns = matrix.column_indices();
+        let stages = Symbolic::new(labels, lower_rows, &lower_columns).map(|symbolic| {
+            let stages = Stages::new(&symbolic, arch);
+            (symbolic, stages)
+        });
+        Ok(Self {
+            matrix,
+            stages,
+            general: Fallback::default(),
+            factors: Factors::None,
+            more_quality: false,
+            report: Report::default(),
+            residual: vec![0.0; dimension],
+            terms: vec![0.0; dimension],
+            solution: vec![0.0; dimension],
+        })
+    }
+
+    /// Number of rows.
+    pub fn dimension(&self) -> usize {
+        self.residual.len()
+    }
+
+    /// Why all matrices go to the general solver, if they do.
+    pub fn structure_error(&self) -> Option<&StructureError> {
+        self.stages.as_ref().err()
+    }
+
+    /// What was done so far.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// Factorises the matrix with these numbers at the positions given before.
+    pub fn factorise(&mut self, values: &[f64]) -> Factorisation {
+        let begin = Instant::now();
+        self.report.factorisations += 1;
+        self.matrix.fill(values);
+        let outcome = if std::mem::take(&mut self.more_quality) {
+            self.general.increase_quality();
+            self.factorise_generally(FallbackReason::Quality)
+        } else {
+            self.factorise_stages(true)
+        };
+        self.report.factorisation_seconds += begin.elapsed().as_secs_f64();
+        outcome
+    }
+
+    /// Has the next matrix factorised with more care.
+    pub fn increase_quality(&mut self) {
+        self.more_quality = true;
+    }
+
+    fn factorise_stages(&mut self, stop_early: bool) -> Factorisation {
+        let Ok((symbolic, stages)) = &mut self.stages else {
+            return self.factorise_generally(FallbackReason::Structure);
+        };
+        let found = match stages.factorise(symbolic, &self.matrix.columns.values, stop_early) {
+            Ok(found) => found,
+            Err(Breakdown::Uncertain) => return self.factorise_generally(FallbackReason::UncertainPivot),
+            Err(Breakdown::NotFinite) => return self.factorise_generally(FallbackReason::NotFinite),
+        };
+        let largest = self.matrix.largest();
+        if largest > 0.0 {
+            self.report.element_growth = self.report.element_growth.max(stages.largest_scale() / largest);
+        }
+        self.report.fast_path += usize::from(!found.general);
+        self.report.general_path += usize::from(found.general);
+        self.report.early_exits += usize::from(!found.complete);
+        self.factors = if found.complete { Factors::Stages } else { Factors::SomeStages };
+        let negative = if found.complete { found.negative } else { self.dimension() };
+        Factorisation::Inertia { negative }
+    }
+
+    fn factorise_generally(&mut self, reason: FallbackReason) -> Factorisation {
+        self.report.fallbacks.count(reason);
+        self.factors = Factors::None;
+        // A number that is not finite would only be passed on.
+        if !self.matrix.largest().is_finite() {
+            return Factorisation::Failed;
+        }
+        match self.general.factorise(&self.matrix) {
+            Outcome::Done(negative) => {
+                self.factors = Factors::General;
+                Factorisation::Inertia { negative }
+            }
+            Outcome::Singular => Factorisation::Singular,
+            Outcome::Failed => Factorisation::Failed,
+        }
+    }
+
+    /// Solves in place with the matrix that was factorised last; false when there are no factors to do so.
+    pub fn solve(&mut self, values: &mut [f64]) -> bool {
+        let begin = Instant::now();
+        self.report.solves += 1;
+        if self.factors == Factors::SomeStages {
+            self.factorise_stages(false);
+        }
+        let solved = match self.factors {
+            Factors::Stages => self.solve_stages(values) || self.solve_generally(values, true),
+            Factors::General => self.solve_generally(values, false),
+            Factors::None | Factors::SomeStages => false,
+        };
+        self.report.solve_seconds += begin.elapsed().as_secs_f64();
+        solved
+    }
+
+    /// Solves with the factors of the stages, refined until the residual is small; false, with the right-hand side as
+    /// it was, when it stays poor.
+    fn solve_stages(&mut self, values: &mut [f64]) -> bool {
+        let Ok((symbolic, stages)) = &mut self.stages else { return false };
+        self.solution.copy_from_slice(values);
+        stages.solve(symbolic, &mut self.solution);
+        let mut error = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.terms);
+        for _ in 0..REFINEMENTS {
+            if error <= REFINE || !error.is_finite() {
+                break;
+            }
+            self.report.refinements += 1;
+            stages.solve(symbolic, &mut self.residual);
+            for (solution, correction) in self.solution.iter_mut().zip(&self.residual) {
+                *solution += correction;
+            }
+            let refined = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.terms);
+            let stalled = refined > 0.5 * error;
+            error = refined;
+            if stalled {
+                break;
+            }
+        }
+        if error.is_nan() || error > POOR {
+            return false;
+        }
+        self.report.largest_residual = self.report.largest_residual.max(error);
+        values.copy_from_slice(&self.solution);
+        true
+    }
+
+    fn solve_generally(&mut self, values: &mut [f64], factorise: bool) -> bool {
+        if factorise {
+            let outcome = self.factorise_generally(FallbackReason::Residual);
+            if !matches!(outcome, Factorisation::Inertia { .. }) {
+                return false;
+            }
+        }
+        self.general.solve(&self.matrix, values)
+    }
+}
+
+fn check(dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), StructureError> {
+    if rows.len() != columns.len() {
+        return Err(StructureError::Length { rows: rows.len(), columns: columns.len() });
+    }
+    for (entry, (&row, &column)) in rows.iter().zip(columns).enumerate() {
+        if row.max(column) >= dimension {
+            return Err(StructureError::Range { entry, row, column, dimension });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,270 @@
+//! Factorisation stage by stage, backward in time, and solves with its factors.
+
+use pulp::Arch;
+
+use crate::assembly::Place;
+use crate::general::{FrontFactors, FrontNumbers, SolveGeneral};
+use crate::kernel::{Aligned, padded};
+use crate::leaf_solve::SolveLeaf;
+use crate::leaf_store::{FactoriseLeaf, LeafStore, LeafWork};
+use crate::pivot::{Breakdown, Pivots};
+use crate::pose_elimination::{EliminatePoses, SolvePoses, work_length as pose_work_length};
+use crate::symbolic::{Stage, Symbolic};
+
+/// How a factorisation of all stages went.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Factorised {
+    /// Number of negative pivots.
+    pub negative: usize,
+    /// Whether all stages were factorised, or the rest left out because there were too many negative pivots already.
+    pub complete: bool,
+    /// Whether a stage was factorised as one dense front.
+    pub general: bool,
+}
+
+/// Factors of all stages.
+#[derive(Debug)]
+pub struct Stages {
+    arch: Arch,
+    leaf_store: LeafStore,
+    /// Fronts whose poses were eliminated first.
+    fast_store: Aligned,
+    /// Fronts that were factorised as one dense block; there is room when the first one needs it.
+    general_store: Aligned,
+    diagonal: Vec<f64>,
+    subdiagonal: Vec<f64>,
+    order: Vec<u32>,
+    /// Whether a stage's poses were eliminated first.
+    fast: Vec<bool>,
+    work: Work,
+    /// Largest sum of the terms of a pivot.
+    largest_scale: f64,
+}
+
+/// Scratch of one stage.
+#[derive(Debug, Default)]
+struct Work {
+    leaf: LeafWork,
+    /// Schur complement of the stage at hand.
+    schur: Aligned,
+    /// Schur complement of the next stage.
+    later: Aligned,
+    /// Sums of the absolute values of the terms of the front's diagonal, then of its separator.
+    scale: Aligned,
+    /// The same of the next stage's separator.
+    later_scale: Vec<f64>,
+    columns: Aligned,
+    poses: Aligned,
+    solve: Aligned,
+}
+
+impl Stages {
+    /// Room for all factors.
+    pub fn new(symbolic: &Symbolic, arch: Arch) -> Self {
+        let pivots = symbolic.stages.iter().map(|stage| stage.front.len()).sum();
+        let mut work = Work::default();
+        for leaf in &symbolic.leaves {
+            work.leaf.reserve(leaf);
+            let largest_cell = leaf.cells.iter().map(|cell| cell.order).max().unwrap_or(0);
+            work.solve.reserve(leaf.width + largest_cell);
+        }
+        for stage in &symbolic.stages {
+            let layout = stage.general.layout;
+            let schur = padded(layout.separator) * layout.separator;
+            work.schur.reserve(schur);
+            work.later.reserve(schur);
+            work.scale.reserve(layout.stride());
+            work.columns.reserve(crate::bunch_kaufman::work_length(layout.stride()));
+            work.solve.reserve(layout.stride());
+            if let Some(plan) = &stage.fast {
+                work.poses.reserve(pose_work_length(&plan.layout));
+                work.solve.reserve(plan.layout.rest.stride() + 2 * padded(plan.layout.poses));
+            }
+        }
+        Self {
+            arch,
+            leaf_store: LeafStore::new(symbolic.leaf_end),
+            fast_store: Aligned::new(symbolic.fast_store),
+            general_store: Aligned::default(),
+            diagonal: vec![0.0; pivots],
+            subdiagonal: vec![0.0; pivots],
+            order: vec![0; pivots],
+            fast: vec![false; symbolic.stages.len()],
+            work,
+            largest_scale: 0.0,
+        }
+    }
+
+    /// Largest sum of the terms of a pivot of the last factorisation.
+    pub fn largest_scale(&self) -> f64 {
+        self.largest_scale
+    }
+
+    /// Factorises the matrix with these numbers. With `stop_early` it ends as soon as the negative pivots prove that
+    /// there are more negative eigenvalues than multipliers.
+    pub fn factorise(
+        &mut self,
+        symbolic: &Symbolic,
+        values: &[f64],
+        stop_early: bool,
+    ) -> Result<Factorised, Breakdown> {
+        let (mut negative, mut multipliers) = (0, 0);
+        self.largest_scale = 0.0;
+        for (index, stage) in symbolic.stages.iter().enumerate().rev() {
+            negative += self.factorise_stage(symbolic, stage, index, values)?;
+            multipliers += stage.multipliers;
+            // The stages that are left have at least as many negative eigenvalues as multipliers.
+            if stop_early && symbolic.causal && negative > multipliers {
+                let general = !self.fast[index..].iter().all(|&fast| fast);
+                return Ok(Factorised { negative, complete: false, general });
+            }
+        }
+        Ok(Factorised { negative, complete: true, general: !self.fast.iter().all(|&fast| fast) })
+    }
+
+    fn factorise_stage(
+        &mut self,
+        symbolic: &Symbolic,
+        stage: &Stage,
+        index: usize,
+        values: &[f64],
+    ) -> Result<usize, Breakdown> {
+        let fast = stage.fast.as_ref().filter(|plan| {
+            let store = &mut self.fast_store[plan.offset..][..plan.layout.store];
+            plan.layout.prepare(values, store)
+        });
+        self.fast[index] = fast.is_some();
+        let (store, assembly) = match fast {
+            Some(plan) => (&mut self.fast_store[plan.offset..][..plan.layout.blocks[0].inverse], &plan.assembly),
+            None => {
+                self.general_store.reserve(symbolic.general_store);
+                let plan = &stage.general;
+                (&mut self.general_store[plan.offset..][..plan.layout.store()], &plan.assembly)
+            }
+        };
+        let work = &mut self.work;
+        store.fill(0.0);
+        work.schur[..padded(stage.separator.len()) * stage.separator.len()].fill(0.0);
+        work.scale[..stage.general.layout.stride()].fill(0.0);
+        assembly.scatter_entries(values, store, &mut work.schur);
+        let place_of = |place: Place| stage.scale_row(fast.is_some(), place);
+        let mut negative = 0;
+        for (number, leaf) in symbolic.leaves[stage.leaves.clone()].iter().enumerate() {
+            let (arch, leaf_store) = (self.arch, &mut self.leaf_store);
+            negative += arch.dispatch(FactoriseLeaf { arch, leaf, values, store: leaf_store, work: &mut work.leaf })?;
+            assembly.scatter_block(number, &work.leaf.schur, store, &mut work.schur);
+            for (&place, &scale) in stage.leaf_places[number].iter().zip(&*work.leaf.scale) {
+                place_of(place).into_iter().for_each(|row| work.scale[row] += scale);
+            }
+        }
+        assembly.scatter_block(stage.leaves.len(), &work.later, store, &mut work.schur);
+        for (&place, &scale) in stage.later_places.iter().zip(&work.later_scale) {
+            place_of(place).into_iter().for_each(|row| work.scale[row] += scale);
+        }
+        Ok(negative + self.factorise_front(stage, fast.is_some())?)
+    }
+
+    /// Factorises an assembled front and hands its Schur complement on.
+    fn factorise_front(&mut self, stage: &Stage, fast: bool) -> Result<usize, Breakdown> {
+        let (arch, work) = (self.arch, &mut self.work);
+        let (layout, store, eliminated) = match &stage.fast {
+            Some(plan) if fast => {
+                let store = &mut self.fast_store[plan.offset..][..plan.layout.store];
+                let (schur, scale, poses) = (&mut *work.schur, &mut *work.scale, &mut *work.poses);
+                let poses = &mut poses[..pose_work_length(&plan.layout)];
+                EliminatePoses { arch, layout: &plan.layout, store, schur, scale, work: poses }.run();
+                (plan.layout.rest, &mut self.fast_store[plan.offset..], plan.layout.poses)
+            }
+            _ => (stage.general.layout, &mut self.general_store[stage.general.offset..], 0),
+        };
+        let pivots = stage.pivots..stage.pivots + layout.order;
+        let numbers = FrontNumbers {
+            store,
+            schur: &mut work.schur,
+            scale: &mut work.scale,
+            work: &mut work.columns,
+            pivots: Pivots {
+                diagonal: &mut self.diagonal[pivots.clone()],
+                subdiagonal: &mut self.subdiagonal[pivots.clone()],
+                order: &mut self.order[pivots],
+            },
+        };
+        let negative = layout.factorise(arch, numbers)?;
+        let separator = padded(layout.order);
+        let largest = work.scale[..layout.stride()].iter().fold(0.0, |largest: f64, &scale| largest.max(scale));
+        self.largest_scale = self.largest_scale.max(largest);
+        work.later_scale.clear();
+        work.later_scale.extend_from_slice(&work.scale[separator..separator + layout.separator]);
+        std::mem::swap(&mut work.schur, &mut work.later);
+        Ok(negative + eliminated)
+    }
+
+    /// Solves with the factors, in place.
+    pub fn solve(&mut self, symbolic: &Symbolic, values: &mut [f64]) {
+        for (index, stage) in symbolic.stages.iter().enumerate().rev() {
+            self.sweep_leaves(symbolic, stage, values, false);
+            self.sweep_poses(stage, index, values, false);
+            self.sweep_front(stage, index, values, false);
+        }
+        for (index, stage) in symbolic.stages.iter().enumerate() {
+            self.sweep_front(stage, index, values, true);
+            self.sweep_poses(stage, index, values, true);
+            self.sweep_leaves(symbolic, stage, values, true);
+        }
+    }
+
+    fn sweep_leaves(&mut self, symbolic: &Symbolic, stage: &Stage, values: &mut [f64], backward: bool) {
+        for leaf in &symbolic.leaves[stage.leaves.clone()] {
+            self.arch.dispatch(SolveLeaf {
+                leaf,
+                store: &self.leaf_store,
+                values,
+                work: &mut self.work.solve,
+                backward,
+            });
+        }
+    }
+
+    fn sweep_poses(&mut self, stage: &Stage, index: usize, values: &mut [f64], backward: bool) {
+        let Some(plan) = stage.fast.as_ref().filter(|_| self.fast[index]) else { return };
+        self.arch.dispatch(SolvePoses {
+            layout: &plan.layout,
+            store: &self.fast_store[plan.offset..][..plan.layout.store],
+            front: &stage.front,
+            separator: &stage.separator,
+            values,
+            work: &mut self.work.solve,
+            backward,
+        });
+    }
+
+    fn sweep_front(&mut self, stage: &Stage, index: usize, values: &mut [f64], backward: bool) {
+        let (layout, store, first) = match &stage.fast {
+            Some(plan) if self.fast[index] => {
+                (plan.layout.rest, &self.fast_store[plan.offset..], 2 * plan.layout.poses)
+            }
+            _ => (stage.general.layout, &self.general_store[stage.general.offset..], 0),
+        };
+        let pivots = stage.pivots..stage.pivots + layout.order;
+        let factors = FrontFactors {
+            store,
+            diagonal: &self.diagonal[pivots.clone()],
+            subdiagonal: &self.subdiagonal[pivots.clone()],
+            order: &self.order[pivots],
+            front: &stage.front[first..],
+            separator: &stage.separator,
+        };
+        self.arch.dispatch(SolveGeneral { layout, factors, values, work: &mut self.work.solve, backward });
+    }
+}
+
+impl Stage {
+    /// Where the scale of a row of the stage is kept; `None` for poses that are eliminated without pivots.
+    fn scale_row(&self, fast: bool, place: Place) -> Option<usize> {
+        match (&self.fast, place) {
+            (Some(plan), _) if fast => plan.layout.rest_row(place),
+            (_, Place::Front(position)) => Some(position),
+            (_, Place::Separator(position)) => Some(padded(self.front.len()) + position),
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! The program's own linear solver in the place of MA57.
+//!
+//! Ipopt reaches MA57 through five function pointers that a program may set. Ours find the solver of the running solve
+//! in a variable of the thread, which Ipopt never leaves.
+
+#![allow(unsafe_code)]
+
+use std::any::Any;
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr::NonNull;
+use std::slice::{from_raw_parts, from_raw_parts_mut};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use ipopt_sys::ipfint;
+
+use crate::kkt_solver::{Factorisation, KktSolver};
+
+thread_local! {
+    /// The session of the solve that runs in this thread.
+    static CURRENT: Cell<Option<NonNull<Slot<'static>>>> = const { Cell::new(None) };
+}
+
+/// Whether MA57's functions are ours at the moment.
+static REGISTERED: Mutex<bool> = Mutex::new(false);
+
+/// Takes MA57's place, once: other threads may be using it.
+fn register() {
+    let mut registered = REGISTERED.lock().unwrap_or_else(PoisonError::into_inner);
+    if !std::mem::replace(&mut registered, true) {
+        // SAFETY: the functions have MA57's signatures.
+        unsafe {
+            ipopt_sys::LSL_setMA57(Some(analyse), Some(factorise), Some(solve_system), Some(enlarge), Some(initialise))
+        };
+    }
+}
+
+/// Notes that HSL's own functions have been loaded over ours.
+pub fn forget() {
+    *REGISTERED.lock().unwrap_or_else(PoisonError::into_inner) = false;
+}
+
+/// MA57's codes in `info(1)`.
+const FINE: ipfint = 0;
+const SINGULAR: ipfint = 4;
+const FATAL: ipfint = -1;
+/// Places in `info`, counted from 0.
+const STATUS: usize = 0;
+const FACTOR_LENGTHS: [usize; 2] = [8, 9];
+const NEGATIVE_EIGENVALUES: usize = 23;
+const RANK: usize = 24;
+const INFO_LENGTH: usize = 40;
+/// Lengths of `cntl` and `icntl`.
+const CONTROL_LENGTHS: [usize; 2] = [5, 20];
+/// Ipopt allocates arrays for factors that it never looks at.
+const NOMINAL_LENGTH: ipfint = 64;
+
+/// The solver of one solve.
+pub struct Slot<'solver> {
+    solver: &'solver mut dyn KktSolver,
+    dimension: usize,
+    /// Ipopt's pivot tolerance: it is raised to ask for more quality.
+    pivot_tolerance: Option<f64>,
+    /// Wall time in the solver.
+    pub elapsed: Duration,
+    /// Why the solver cannot be used.
+    pub refusal: Option<String>,
+    /// A panic to be resumed when Ipopt has returned.
+    pub panic: Option<Box<dyn Any + Send>>,
+}
+
+impl<'solver> Slot<'solver> {
+    /// A slot for a solver.
+    pub fn new(solver: &'solver mut dyn KktSolver) -> Self {
+        Self { solver, dimension: 0, pivot_tolerance: None, elapsed: Duration::ZERO, refusal: None, panic: None }
+    }
+
+    /// Runs Ipopt with this slot's solver where it believes to have MA57.
+    pub fn run<T>(&mut self, solve: impl FnOnce() -> T) -> T {
+        register();
+        let slot = NonNull::from(&mut *self).cast::<Slot<'static>>();
+        let _guard = Restore(CURRENT.replace(Some(slot)));
+        solve()
+    }
+
+    /// Runs one of the solver's functions; `None` after a panic or refusal, now or before.
+    fn call<T>(&mut self, function: impl FnOnce(&mut Self) -> T) -> Option<T> {
+        if self.panic.is_some() || self.refusal.is_some() {
+            return None;
+        }
+        let begin = Instant::now();
+        let result = catch_unwind(AssertUnwindSafe(|| function(self)));
+        self.elapsed += begin.elapsed();
+        result.map_err(|panic| self.panic = Some(panic)).ok()
+    }
+}
+
+/// Restores what was current before.
+struct Restore(Option<NonNull<Slot<'static>>>);
+
+impl Drop for Restore {
+    fn drop(&mut self) {
+        CURRENT.set(self.0);
+    }
+}
+
+/// Runs a function with the current slot, if there is one.
+fn with_current<T>(function: impl FnOnce(&mut Slot) -> Option<T>) -> Option<T> {
+    let mut slot = CURRENT.get()?;
+    // SAFETY: the slot is borrowed by `run` until Ipopt has returned, and Ipopt makes one call at a time.
+    function(unsafe { slot.as_mut() })
+}
+
+/// # Safety
+/// As Ipopt calls MA57ID.
+unsafe extern "C" fn initialise(control: *mut f64, integer_control: *mut ipfint) {
+    // SAFETY: both arrays have the lengths that MA57 prescribes.
+    unsafe {
+        from_raw_parts_mut(control, CONTROL_LENGTHS[0]).fill(0.0);
+        from_raw_parts_mut(integer_control, CONTROL_LENGTHS[1]).fill(0);
+    }
+}
+
+/// # Safety
+/// As Ipopt calls MA57AD.
+unsafe extern "C" fn analyse(
+    dimension: *mut ipfint,
+    entries: *mut ipfint,
+    rows: *const ipfint,
+    columns: *const ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    info: *mut ipfint,
+    _: *mut f64,
+) {
+    // SAFETY: Ipopt passes as many rows and columns, counted from 1, as it says, and the info array.
+    let (dimension, rows, columns, info) = unsafe {
+        let entries = *entries as usize;
+        (
+            *dimension as usize,
+            from_raw_parts(rows, entries),
+            from_raw_parts(columns, entries),
+            from_raw_parts_mut(info, INFO_LENGTH),
+        )
+    };
+    let from_zero = |indices: &[ipfint]| -> Vec<usize> { indices.iter().map(|&index| index as usize - 1).collect() };
+    let analysed = with_current(|slot| {
+        slot.call(|slot| {
+            slot.dimension = dimension;
+            slot.solver.analyse(dimension, &from_zero(rows), &from_zero(columns)).map_err(|reason| {
+                slot.refusal = Some(reason);
+            })
+        })
+    });
+    info.fill(0);
+    info[STATUS] = if matches!(analysed, Some(Ok(()))) { FINE } else { FATAL };
+    for place in FACTOR_LENGTHS {
+        info[place] = NOMINAL_LENGTH;
+    }
+}
+
+/// # Safety
+/// As Ipopt calls MA57BD.
+unsafe extern "C" fn factorise(
+    _: *mut ipfint,
+    entries: *mut ipfint,
+    values: *mut f64,
+    _: *mut f64,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    control: *mut f64,
+    info: *mut ipfint,
+    _: *mut f64,
+) {
+    // SAFETY: Ipopt passes as many values as it says, the control and the info array.
+    let (values, tolerance, info) =
+        unsafe { (from_raw_parts(values, *entries as usize), *control, from_raw_parts_mut(info, INFO_LENGTH)) };
+    let found = with_current(|slot| {
+        slot.call(|slot| {
+            if slot.pivot_tolerance.replace(tolerance).is_some_and(|before| tolerance > before) {
+                slot.solver.increase_quality();
+            }
+            (slot.solver.factorise(values), slot.dimension)
+        })
+    });
+    info.fill(0);
+    match found {
+        Some((Factorisation::Inertia { negative }, dimension)) => {
+            info[NEGATIVE_EIGENVALUES] = negative as ipfint;
+            info[RANK] = dimension as ipfint;
+        }
+        Some((Factorisation::Singular, _)) => info[STATUS] = SINGULAR,
+        Some((Factorisation::Failed, _)) | None => info[STATUS] = FATAL,
+    }
+}
+
+/// # Safety
+/// As Ipopt calls MA57CD.
+unsafe extern "C" fn solve_system(
+    _: *mut ipfint,
+    dimension: *mut ipfint,
+    _: *mut f64,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    count: *mut ipfint,
+    values: *mut f64,
+    stride: *mut ipfint,
+    _: *mut f64,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    info: *mut ipfint,
+) {
+    // SAFETY: Ipopt passes so many right-hand sides, `stride` numbers apart, each with a number for every row.
+    let (mut columns, info) = unsafe {
+        let (dimension, count, stride) = (*dimension as usize, *count as usize, *stride as usize);
+        let columns = (0..count).map(move |index| from_raw_parts_mut(values.add(index * stride), dimension));
+        (columns, from_raw_parts_mut(info, INFO_LENGTH))
+    };
+    let solved = with_current(|slot| slot.call(|slot| columns.all(|column| slot.solver.solve(column))));
+    info[STATUS] = if solved == Some(true) { FINE } else { FATAL };
+}
+
+/// Never needed, for the arrays hold no factors, but Ipopt insists on it.
+///
+/// # Safety
+/// As Ipopt calls MA57ED.
+unsafe extern "C" fn enlarge(
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut f64,
+    _: *mut ipfint,
+    _: *mut f64,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    _: *mut ipfint,
+    info: *mut ipfint,
+) {
+    // SAFETY: Ipopt passes the info array.
+    unsafe { *info = FATAL };
+}
