@@ -28,14 +28,20 @@ fn main() {
         println!("cargo::rustc-cfg=hsl_loader");
         println!("cargo::metadata=hsl_loader=1");
     }
-    bind(&interface, loader.as_deref(), &folders);
+    let mumps = std::env::var_os("CARGO_FEATURE_MUMPS").map(|_| {
+        println!("cargo::rustc-link-lib=dmumps_seq");
+        find(&folders, "dmumps_c.h").or_else(|| find(&["/usr/include".into()], "dmumps_c.h")).unwrap_or_else(|| {
+            panic!("dmumps_c.h is missing. On Debian: apt-get install libmumps-seq-dev");
+        })
+    });
+    bind(&interface, loader.as_deref(), mumps.as_deref(), &folders);
 }
 
 fn find(folders: &[PathBuf], header: &str) -> Option<PathBuf> {
     folders.iter().map(|folder| folder.join(header)).find(|path| path.exists())
 }
 
-fn bind(interface: &Path, loader: Option<&Path>, folders: &[PathBuf]) {
+fn bind(interface: &Path, loader: Option<&Path>, mumps: Option<&Path>, folders: &[PathBuf]) {
     let mut builder = bindgen::Builder::default()
         .header(interface.to_string_lossy())
         .clang_args(folders.iter().map(|folder| format!("-I{}", folder.display())))
@@ -48,6 +54,9 @@ fn bind(interface: &Path, loader: Option<&Path>, folders: &[PathBuf]) {
         builder = builder
             .header(loader.to_string_lossy())
             .allowlist_function("LSL_(loadHSL|unloadHSL|isHSLLoaded|isMA(27|57|97)available|setMA57)");
+    }
+    if let Some(mumps) = mumps {
+        builder = builder.header(mumps.to_string_lossy()).allowlist_function("dmumps_c");
     }
     let bindings = builder
         .generate()

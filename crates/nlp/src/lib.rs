@@ -66,6 +66,8 @@ mod check;
 mod error;
 mod kkt_solver;
 mod linear_solver;
+#[cfg(feature = "mumps")]
+mod mumps;
 mod options;
 mod problem;
 #[cfg(hsl_loader)]
@@ -82,6 +84,8 @@ pub use check::{DerivativeReport, Entry, Kind, check_derivatives};
 pub use error::SolveError;
 pub use kkt_solver::{Factorisation, KktSolver, LinearSolver};
 pub use linear_solver::{MUMPS, TAKES_OWN_SOLVER};
+#[cfg(feature = "mumps")]
+pub use mumps::Mumps;
 pub use options::{OptionValue, Options};
 pub use problem::{Bounds, EvaluationError, Pattern, Problem};
 pub use solution::{Control, Iterate, Progress, Solution, Start, Timing};

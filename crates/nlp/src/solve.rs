@@ -27,8 +27,14 @@ static LINEAR_SOLVERS: RwLock<()> = RwLock::new(());
 
 /// Keeps solves apart that must not run at once.
 enum Turn {
-    Shared { _guard: RwLockReadGuard<'static, ()> },
-    Alone { _guard: RwLockWriteGuard<'static, ()> },
+    Shared {
+        _guard: RwLockReadGuard<'static, ()>,
+    },
+    Alone {
+        _guard: RwLockWriteGuard<'static, ()>,
+        #[cfg(feature = "mumps")]
+        _mumps: std::sync::MutexGuard<'static, ()>,
+    },
 }
 
 /// Solves `problem` from `start`. `observer` sees every iteration and may stop the solve. Solves with the program's own
@@ -52,7 +58,7 @@ pub fn solve(
     let handle = Handle::create(problem)?;
     let mut all = defaults(start, solver.option());
     if solver.own.is_some() {
-        // MA57 stands for it, and Ipopt would look for HSL's scaling to go with that.
+        // MA57 stands for it, and Ipopt would scale with MC19, where a machine has HSL: results must not depend on it.
         all.set("linear_system_scaling", "none");
     }
     if let Some(file) = &statistics_file {
@@ -104,7 +110,11 @@ impl<'solver> SolverInUse<'solver> {
     fn new(linear_solver: LinearSolver<'solver>) -> Result<Self, SolveError> {
         match linear_solver {
             LinearSolver::Named(name) => {
-                let turn = Turn::Alone { _guard: LINEAR_SOLVERS.write().unwrap_or_else(PoisonError::into_inner) };
+                let turn = Turn::Alone {
+                    _guard: LINEAR_SOLVERS.write().unwrap_or_else(PoisonError::into_inner),
+                    #[cfg(feature = "mumps")]
+                    _mumps: crate::mumps::lock(),
+                };
                 linear_solver::require(name)?;
                 Ok(Self { name: name.to_owned(), own: None, _turn: turn })
             }

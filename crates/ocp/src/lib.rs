@@ -36,7 +36,7 @@ mod transcription;
 pub use homotopy::{Event, Homotopy, StageResult, StageTiming};
 pub use layout::Layout;
 pub use settings::{Complementarity, HessianKind, HomotopySettings, Smoothing};
-pub use stage_solver::STAGE;
+pub use stage_solver::{STAGE, TranscriptionSolver};
 pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 pub use trajectory::{Contact, Quality, ScenarioTrajectory, Trajectory};
 pub use transcription::Transcription;

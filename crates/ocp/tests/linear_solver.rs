@@ -1,0 +1,212 @@
+//! The stage solver inside of whole solves: matrix by matrix against MUMPS, and in several threads at once.
+
+use std::path::Path;
+
+use kkt::Fallbacks;
+use nlp::{Control, Factorisation, KktSolver, LinearSolver, Mumps, Options, SolveStatus, Start};
+use ocp::{AssemblyTask, Complementarity, HessianKind, Transcription, TranscriptionSolver};
+
+fn task(scene: &str, steps: usize) -> AssemblyTask {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{scene}.toml"));
+    let mut task = scene::Scene::load(&path).unwrap().task(None, None).unwrap();
+    task.horizon.steps = steps;
+    task
+}
+
+fn transcribe(task: &AssemblyTask, complementarity: Complementarity, hessian: HessianKind) -> Transcription {
+    let mut transcription = Transcription::new(task, complementarity, hessian);
+    transcription.set_smoothing(0.0025, 0.00125);
+    transcription
+}
+
+fn options() -> Options {
+    let mut options = Options::default();
+    options.set("tol", 1e-2);
+    options.set("mu_init", 1.0);
+    options.set("max_iter", 40);
+    options
+}
+
+/// Runs the stage solver and MUMPS side by side.
+struct Compared {
+    stage: TranscriptionSolver,
+    mumps: Mumps,
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    values: Vec<f64>,
+    constraints: usize,
+    right_inertia: usize,
+    wrong_inertia: usize,
+}
+
+impl Compared {
+    fn new(transcription: &Transcription, complementarity: Complementarity) -> Self {
+        Self {
+            stage: TranscriptionSolver::new(transcription.layout(), complementarity),
+            mumps: Mumps::new(),
+            rows: Vec::new(),
+            columns: Vec::new(),
+            values: Vec::new(),
+            constraints: transcription.layout().constraint_count(),
+            right_inertia: 0,
+            wrong_inertia: 0,
+        }
+    }
+
+    /// Largest component of `b - A x` relative to `|A| |x| + |b|`.
+    fn backward_error(&self, x: &[f64], b: &[f64]) -> f64 {
+        let mut residual = b.to_vec();
+        let mut terms: Vec<f64> = b.iter().map(|b| b.abs()).collect();
+        for ((&row, &column), &value) in self.rows.iter().zip(&self.columns).zip(&self.values) {
+            let mut add = |row: usize, column: usize| {
+                residual[row] -= value * x[column];
+                terms[row] += (value * x[column]).abs();
+            };
+            add(row, column);
+            if row != column {
+                add(column, row);
+            }
+        }
+        let floor = 1e-12 * terms.iter().fold(0.0, |largest: f64, &term| largest.max(term));
+        residual.iter().zip(&terms).map(|(residual, term)| residual.abs() / (term + floor)).fold(0.0, f64::max)
+    }
+}
+
+impl KktSolver for Compared {
+    fn name(&self) -> &str {
+        "stage beside MUMPS"
+    }
+
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+        (self.rows, self.columns) = (rows.to_vec(), columns.to_vec());
+        self.mumps.analyse(dimension, rows, columns)?;
+        self.stage.analyse(dimension, rows, columns)
+    }
+
+    fn factorise(&mut self, values: &[f64]) -> Factorisation {
+        self.values = values.to_vec();
+        let (found, expected) = (self.stage.factorise(values), self.mumps.factorise(values));
+        match (found, expected) {
+            (Factorisation::Inertia { negative: found }, Factorisation::Inertia { negative: expected }) => {
+                if found > self.constraints {
+                    assert!(expected > self.constraints, "{expected}, not {found} negative eigenvalues");
+                    self.wrong_inertia += 1;
+                } else {
+                    assert_eq!(found, expected, "number of negative eigenvalues");
+                    self.right_inertia += 1;
+                }
+            }
+            _ => assert_eq!(found, expected),
+        }
+        found
+    }
+
+    fn solve(&mut self, values: &mut [f64]) -> bool {
+        let right = values.to_vec();
+        assert!(self.stage.solve(values));
+        let error = self.backward_error(values, &right);
+        assert!(error < 1e-9, "backward error {error:e}");
+        true
+    }
+
+    fn increase_quality(&mut self) {
+        self.stage.increase_quality();
+        self.mumps.increase_quality();
+    }
+}
+
+/// What a comparison is made for.
+struct Case {
+    scene: &'static str,
+    steps: usize,
+    complementarity: Complementarity,
+    hessian: HessianKind,
+    options: &'static [(&'static str, &'static str)],
+}
+
+const PLAIN: Case = Case {
+    scene: "corner",
+    steps: 20,
+    complementarity: Complementarity::Relaxation,
+    hessian: HessianKind::Exact,
+    options: &[],
+};
+
+/// Solves with both solvers side by side and expects the same of every matrix.
+fn compare(case: Case) -> (Compared, kkt::Report) {
+    let mut transcription = transcribe(&task(case.scene, case.steps), case.complementarity, case.hessian);
+    let mut solver = Compared::new(&transcription, case.complementarity);
+    let mut options = options();
+    for &(name, value) in case.options {
+        options.set(name, value);
+    }
+    let start = Start::Cold(transcription.initial_guess());
+    let chosen = LinearSolver::Own(&mut solver);
+    nlp::solve(&mut transcription, &start, &options, chosen, &mut |_| Control::Continue).unwrap();
+    let report = *solver.stage.report().unwrap();
+    assert!(report.factorisations > 20, "{report:?}");
+    assert_eq!(report.fallbacks, Fallbacks::default());
+    (solver, report)
+}
+
+#[test]
+fn relaxation_agrees_with_mumps() {
+    let (solver, report) = compare(PLAIN);
+    assert!(solver.right_inertia > 20 && solver.wrong_inertia > 0);
+    assert_eq!(report.general_path, 0);
+}
+
+#[test]
+fn smoothing_agrees_with_mumps() {
+    compare(Case { complementarity: Complementarity::Smoothing, ..PLAIN });
+}
+
+#[test]
+fn many_pairs_and_three_scenarios_agree_with_mumps() {
+    let (_, report) = compare(Case { scene: "peg2", steps: 15, ..PLAIN });
+    assert!(report.early_exits > 0);
+}
+
+#[test]
+fn the_restoration_phase_agrees_with_mumps() {
+    let (_, report) = compare(Case { options: &[("start_with_resto", "yes")], ..PLAIN });
+    assert!(report.general_path > 0, "{report:?}");
+}
+
+#[test]
+fn perturbed_constraints_agree_with_mumps() {
+    let (_, report) = compare(Case { options: &[("perturb_always_cd", "yes")], ..PLAIN });
+    assert!(report.general_path > 20, "{report:?}");
+}
+
+#[test]
+fn gauss_newton_and_quasi_newton_agree_with_mumps() {
+    compare(Case { hessian: HessianKind::GaussNewton, ..PLAIN });
+    let limited_memory = &[("hessian_approximation", "limited-memory")];
+    compare(Case { hessian: HessianKind::LimitedMemory, options: limited_memory, ..PLAIN });
+}
+
+/// A solution's bits.
+fn solve_corner() -> (SolveStatus, Vec<u64>) {
+    let complementarity = Complementarity::Relaxation;
+    let mut transcription = transcribe(&task("corner", 20), complementarity, HessianKind::Exact);
+    let mut solver = TranscriptionSolver::new(transcription.layout(), complementarity);
+    let start = Start::Cold(transcription.initial_guess());
+    let chosen = LinearSolver::Own(&mut solver);
+    let solution = nlp::solve(&mut transcription, &start, &options(), chosen, &mut |_| Control::Continue).unwrap();
+    (solution.status, solution.iterate.x.iter().map(|value| value.to_bits()).collect())
+}
+
+#[test]
+fn solves_in_threads_have_the_bits_of_sequential_ones() {
+    let expected = solve_corner();
+    assert_eq!(expected, solve_corner());
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..4).map(|_| scope.spawn(|| [(); 3].map(|()| solve_corner()))).collect();
+        for thread in threads {
+            for solution in thread.join().unwrap() {
+                assert_eq!(solution, expected);
+            }
+        }
+    });
+}
