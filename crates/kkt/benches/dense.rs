@@ -2,10 +2,10 @@
 
 use std::hint::black_box;
 
-use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use criterion::{Criterion, criterion_group, criterion_main};
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::bunch_kaufman::factor::{cholesky_in_place, cholesky_in_place_scratch};
+use faer::linalg::cholesky::lblt::factor::{cholesky_in_place, cholesky_in_place_scratch};
 use faer::{Mat, Par, Spec};
 use kkt::{Class, Label, Owner, StageSolver};
 use pulp::Arch;
@@ -30,7 +30,7 @@ fn ours(criterion: &mut Criterion, order: usize) {
     }
     for (name, arch) in arches {
         let mut solver = StageSolver::with_arch(&labels, &rows, &columns, arch).unwrap();
-        criterion.bench_function(&BenchmarkId::new(name, order).to_string(), |bencher| {
+        criterion.bench_function(&format!("{name}/{order}"), |bencher| {
             bencher.iter(|| solver.factorise(black_box(&values)));
         });
     }
@@ -42,7 +42,7 @@ fn faers(criterion: &mut Criterion, order: usize) {
     let mut subdiagonal = Diag::<f64>::zeros(order);
     let (mut forward, mut backward) = (vec![0usize; order], vec![0usize; order]);
     let mut memory = MemBuffer::new(cholesky_in_place_scratch::<usize, f64>(order, Par::Seq, Spec::default()));
-    criterion.bench_function(&BenchmarkId::new("faer", order).to_string(), |bencher| {
+    criterion.bench_function(&format!("faer/{order}"), |bencher| {
         bencher.iter(|| {
             factors.copy_from(black_box(&matrix));
             let stack = MemStack::new(&mut memory);

@@ -163,7 +163,7 @@ impl PartialFactorisation<'_> {
         let (scaled, _) = S::as_simd_f64s(&work[start..stride]);
         match pivot {
             Pivot::One(d) => {
-                (self.pivots.diagonal[next], self.pivots.subdiagonal[next]) = (d, 0.0);
+                (self.pivots.diagonal[next], self.pivots.subdiagonal[next]) = (1.0 / d, 0.0);
                 let inverse = simd.splat_f64s(1.0 / d);
                 for ((lower, scaled), scale) in lower.iter_mut().zip(scaled).zip(scales) {
                     *lower = simd.mul_f64s(*scaled, inverse);
@@ -172,16 +172,16 @@ impl PartialFactorisation<'_> {
                 first_column[start..=next].fill(0.0);
             }
             Pivot::Two(a, b, c) => {
+                let (a, b, c) = inverse(a, b, c);
                 (self.pivots.diagonal[next], self.pivots.subdiagonal[next]) = (a, b);
                 (self.pivots.diagonal[next + 1], self.pivots.subdiagonal[next + 1]) = (c, 0.0);
-                let (a, b, c) = inverse(a, b, c);
                 let (a, b, c) = (simd.splat_f64s(a), simd.splat_f64s(b), simd.splat_f64s(c));
                 let (other, _) = S::as_mut_simd_f64s(&mut second_column[start..stride]);
                 let (second, _) = S::as_simd_f64s(&work[stride + start..2 * stride]);
                 let columns = lower.iter_mut().zip(other).zip(scaled).zip(second);
                 for ((((lower, other), u), v), scale) in columns.zip(scales) {
-                    *lower = simd.mul_add_f64s(*u, a, simd.mul_f64s(*v, b));
-                    *other = simd.mul_add_f64s(*u, b, simd.mul_f64s(*v, c));
+                    *lower = simd.mul_add_e_f64s(*u, a, simd.mul_f64s(*v, b));
+                    *other = simd.mul_add_e_f64s(*u, b, simd.mul_f64s(*v, c));
                     let terms = simd.abs_f64s(simd.mul_f64s(*lower, *u));
                     let terms = simd.add_f64s(terms, simd.abs_f64s(simd.mul_f64s(*other, *v)));
                     *scale = simd.add_f64s(*scale, terms);

@@ -16,8 +16,9 @@ pub struct CellNumbers<'a> {
     pub filled: &'a mut [bool],
     /// Which row stands at each place.
     pub order: &'a mut [u32],
+    /// Diagonal of `D^{-1}`.
     pub diagonal: &'a mut [f64],
-    /// Nonzero in the first row of every 2x2 pivot.
+    /// Subdiagonal of `D^{-1}`: nonzero in the first row of every 2x2 pivot.
     pub subdiagonal: &'a mut [f64],
     /// Sums of the absolute values of the terms of every diagonal entry.
     pub scale: &'a mut [f64],
@@ -102,7 +103,7 @@ impl CellNumbers<'_> {
     #[inline(always)]
     fn eliminate_one<S: Simd>(&mut self, simd: S, next: usize, d: f64) {
         let count = self.order.len();
-        (self.diagonal[next], self.subdiagonal[next]) = (d, 0.0);
+        (self.diagonal[next], self.subdiagonal[next]) = (1.0 / d, 0.0);
         for row in next + 1..count {
             let entry = self.block[row + next * count];
             if entry == 0.0 {
@@ -122,9 +123,9 @@ impl CellNumbers<'_> {
     #[inline(always)]
     fn eliminate_two<S: Simd>(&mut self, simd: S, next: usize, [a, b, c]: [f64; 3]) {
         let count = self.order.len();
+        let (a, b, c) = inverse(a, b, c);
         (self.diagonal[next], self.subdiagonal[next]) = (a, b);
         (self.diagonal[next + 1], self.subdiagonal[next + 1]) = (c, 0.0);
-        let (a, b, c) = inverse(a, b, c);
         let columns = [next * count, (next + 1) * count];
         self.block[next + 1 + columns[0]] = 0.0;
         for row in next + 2..count {
@@ -158,7 +159,7 @@ impl CellNumbers<'_> {
         let (target, source) = if row < pivot { (near, far) } else { (far, near) };
         let factor = simd.splat_f64s(factor);
         for (target, source) in S::as_mut_simd_f64s(target).0.iter_mut().zip(S::as_simd_f64s(source).0) {
-            *target = simd.negate_mul_add_f64s(factor, *source, *target);
+            *target = simd.negate_mul_add_e_f64s(factor, *source, *target);
         }
     }
 }

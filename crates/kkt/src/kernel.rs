@@ -55,7 +55,7 @@ impl SubtractProduct<'_> {
             for j in 0..COLUMNS {
                 let factor = simd.splat_f64s(right[j]);
                 for i in 0..VECTORS {
-                    sums[j][i] = simd.mul_add_f64s(left[i], factor, sums[j][i]);
+                    sums[j][i] = simd.mul_add_e_f64s(left[i], factor, sums[j][i]);
                 }
             }
         }
@@ -132,8 +132,8 @@ pub fn subtract_columns<S: Simd>(simd: S, target: &mut [f64], columns: &[f64], s
         let (e, f) = (simd.splat_f64s(factors[0]), simd.splat_f64s(factors[1]));
         let (g, h) = (simd.splat_f64s(factors[2]), simd.splat_f64s(factors[3]));
         for ((((target, a), b), c), d) in target.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-            let first = simd.negate_mul_add_f64s(*b, f, simd.negate_mul_add_f64s(*a, e, *target));
-            *target = simd.negate_mul_add_f64s(*d, h, simd.negate_mul_add_f64s(*c, g, first));
+            let first = simd.negate_mul_add_e_f64s(*b, f, simd.negate_mul_add_e_f64s(*a, e, *target));
+            *target = simd.negate_mul_add_e_f64s(*d, h, simd.negate_mul_add_e_f64s(*c, g, first));
         }
         start += 4 * stride;
     }
@@ -141,7 +141,7 @@ pub fn subtract_columns<S: Simd>(simd: S, target: &mut [f64], columns: &[f64], s
         let (column, _) = S::as_simd_f64s(&columns[start..start + rows]);
         let factor = simd.splat_f64s(factor);
         for (target, column) in target.iter_mut().zip(column) {
-            *target = simd.negate_mul_add_f64s(*column, factor, *target);
+            *target = simd.negate_mul_add_e_f64s(*column, factor, *target);
         }
         start += stride;
     }
@@ -154,12 +154,12 @@ pub fn dot<S: Simd>(simd: S, left: &[f64], right: &[f64]) -> f64 {
     let zero = simd.splat_f64s(0.0);
     let mut sums = [zero; 2];
     for (a, b) in left.chunks_exact(2).zip(right.chunks_exact(2)) {
-        sums[0] = simd.mul_add_f64s(a[0], b[0], sums[0]);
-        sums[1] = simd.mul_add_f64s(a[1], b[1], sums[1]);
+        sums[0] = simd.mul_add_e_f64s(a[0], b[0], sums[0]);
+        sums[1] = simd.mul_add_e_f64s(a[1], b[1], sums[1]);
     }
     if left.len() % 2 == 1 {
         let last = left.len() - 1;
-        sums[0] = simd.mul_add_f64s(left[last], right[last], sums[0]);
+        sums[0] = simd.mul_add_e_f64s(left[last], right[last], sums[0]);
     }
     simd.reduce_sum_f64s(simd.add_f64s(sums[0], sums[1]))
 }

@@ -34,6 +34,8 @@ pub struct Leaf {
     pub blocks: usize,
     /// Entries of the matrix: target in the blocks and, behind them, the rows of the boundary; source.
     pub entries: Vec<(u32, u32)>,
+    /// Whether a row is coupled with the boundary.
+    pub filled: Vec<bool>,
     /// Number of multipliers.
     pub multipliers: usize,
     /// Where its numbers start.
@@ -67,12 +69,14 @@ impl Leaf {
         for (index, &row) in group.boundary.iter().enumerate() {
             local[row] = index;
         }
+        let mut filled = vec![false; rows.len()];
         let mut entries = Vec::with_capacity(2 * group.entries.len());
         for entry in &group.entries {
             let (row, other) = (local[entry.row], local[entry.column]);
             let mut add = |target: usize| entries.push((target as u32, entry.source as u32));
             if let Role::Front(_) = grouping.role[entry.column] {
                 add(blocks + row * width + other);
+                filled[row] = true;
                 continue;
             }
             let cell = &cells[cell_of[row]];
@@ -82,7 +86,8 @@ impl Leaf {
             }
         }
         let multipliers = rows.iter().filter(|&&row| labels[row].class.is_multiplier()).count();
-        Self { rows, cells, boundary: group.boundary.clone(), width, blocks, entries, multipliers, offset }
+        let boundary = group.boundary.clone();
+        Self { rows, cells, boundary, width, blocks, entries, filled, multipliers, offset }
     }
 
     /// Numbers of a row of `Y` for every row.

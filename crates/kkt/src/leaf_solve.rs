@@ -4,7 +4,7 @@ use pulp::{Simd, WithSimd};
 
 use crate::kernel::{dot, subtract_columns};
 use crate::leaf::{Cell, Leaf};
-use crate::leaf_store::{LeafStore, NONE};
+use crate::leaf_store::LeafStore;
 use crate::pivot::apply_inverse;
 
 /// Solves with a leaf's `L` and takes its part off the boundary, or the other way round with `L'`.
@@ -14,19 +14,14 @@ pub struct SolveLeaf<'a> {
     /// Right-hand side or solution, by the rows of the matrix. Between the two sweeps the leaf's rows hold those of
     /// its pivots.
     pub values: &'a mut [f64],
-    /// As long as the boundary and the largest cell.
+    /// See [`work_length`].
     pub work: &'a mut [f64],
     pub backward: bool,
 }
 
-/// Factors of one cell.
-struct CellFactors<'a> {
-    rows: &'a [usize],
-    block: &'a [f64],
-    order: &'a [u32],
-    panel_row: &'a [u32],
-    diagonal: &'a [f64],
-    subdiagonal: &'a [f64],
+/// Numbers of scratch that a solve needs: boundary, pivots, rows of the panel.
+pub fn work_length(leaf: &Leaf) -> usize {
+    leaf.width + 2 * leaf.rows.len()
 }
 
 impl WithSimd for SolveLeaf<'_> {
@@ -34,23 +29,45 @@ impl WithSimd for SolveLeaf<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let (leaf, values) = (self.leaf, self.values);
-        let (boundary, local) = self.work.split_at_mut(leaf.width);
+        let Self { leaf, store, values, work, backward } = self;
+        let count = leaf.rows.len();
+        let pivots = leaf.offset.rows..leaf.offset.rows + count;
+        let (boundary, work) = work.split_at_mut(leaf.width);
+        let (local, coefficients) = work.split_at_mut(count);
+        let panel_pivot = &store.panel_pivot[pivots.clone()][..store.panel_rows[pivots.start] as usize];
+        let coefficients = &mut coefficients[..panel_pivot.len()];
+        let panel = &store.panel[leaf.offset.panel..];
+        let rows = &store.rows[pivots.clone()];
+        let (diagonal, subdiagonal) = (&store.diagonal[pivots.clone()], &store.subdiagonal[pivots]);
+        for (value, &row) in local.iter_mut().zip(rows) {
+            *value = values[row as usize];
+        }
         boundary.fill(0.0);
-        let panel = &self.store.panel[leaf.offset.panel..][..leaf.panel()];
-        if self.backward {
+        if backward {
             for (value, &row) in boundary.iter_mut().zip(&leaf.boundary) {
                 *value = values[row];
             }
+            for (row, &pivot) in panel.chunks_exact(leaf.width).zip(panel_pivot) {
+                local[pivot as usize] -= dot(simd, row, boundary);
+            }
+            apply_inverse(diagonal, subdiagonal, local);
             for cell in &leaf.cells {
-                let factors = self.store.cell(leaf, cell);
-                factors.backward(simd, panel, boundary, values, &mut local[..cell.order]);
+                store.solve_transposed(leaf, cell, local);
             }
         } else {
             for cell in &leaf.cells {
-                let factors = self.store.cell(leaf, cell);
-                factors.forward(simd, panel, boundary, values, &mut local[..cell.order]);
+                store.solve_lower(leaf, cell, local);
             }
+        }
+        for (value, &row) in local.iter().zip(rows) {
+            values[row as usize] = *value;
+        }
+        if !backward {
+            apply_inverse(diagonal, subdiagonal, local);
+            for (coefficient, &pivot) in coefficients.iter_mut().zip(panel_pivot) {
+                *coefficient = local[pivot as usize];
+            }
+            subtract_columns(simd, boundary, panel, leaf.width, coefficients);
             for (value, &row) in boundary.iter().zip(&leaf.boundary) {
                 values[row] += value;
             }
@@ -59,60 +76,31 @@ impl WithSimd for SolveLeaf<'_> {
 }
 
 impl LeafStore {
-    #[inline(always)]
-    fn cell<'a>(&'a self, leaf: &'a Leaf, cell: &Cell) -> CellFactors<'a> {
-        let stored = leaf.offset.rows + cell.first..leaf.offset.rows + cell.first + cell.order;
-        CellFactors {
-            rows: &leaf.rows[cell.first..cell.first + cell.order],
-            block: &self.blocks[leaf.offset.blocks + cell.block..][..cell.order * cell.order],
-            order: &self.order[stored.clone()],
-            panel_row: &self.panel_row[stored.clone()],
-            diagonal: &self.diagonal[stored.clone()],
-            subdiagonal: &self.subdiagonal[stored],
-        }
+    fn block(&self, leaf: &Leaf, cell: &Cell) -> &[f64] {
+        &self.blocks[leaf.offset.blocks + cell.block..][..cell.order * cell.order]
     }
-}
 
-impl CellFactors<'_> {
+    /// Solves with `L` of a cell.
     #[inline(always)]
-    fn forward<S: Simd>(&self, simd: S, panel: &[f64], boundary: &mut [f64], values: &mut [f64], local: &mut [f64]) {
-        let (count, width) = (local.len(), boundary.len());
-        for (value, &row) in local.iter_mut().zip(self.order) {
-            *value = values[self.rows[row as usize]];
-        }
+    fn solve_lower(&self, leaf: &Leaf, cell: &Cell, local: &mut [f64]) {
+        let (block, count) = (self.block(leaf, cell), cell.order);
+        let local = &mut local[cell.first..cell.first + count];
         for column in 0..count {
             for row in column + 1..count {
-                local[row] -= self.block[row + column * count] * local[column];
-            }
-        }
-        for (value, &row) in local.iter().zip(self.rows) {
-            values[row] = *value;
-        }
-        apply_inverse(self.diagonal, self.subdiagonal, local);
-        for (value, &row) in local.iter().zip(self.panel_row) {
-            if row != NONE {
-                subtract_columns(simd, boundary, &panel[row as usize * width..], width, &[*value]);
+                local[row] -= block[row + column * count] * local[column];
             }
         }
     }
 
+    /// Solves with `L'` of a cell.
     #[inline(always)]
-    fn backward<S: Simd>(&self, simd: S, panel: &[f64], boundary: &[f64], values: &mut [f64], local: &mut [f64]) {
-        let (count, width) = (local.len(), boundary.len());
-        for ((value, &row), &panel_row) in local.iter_mut().zip(self.rows).zip(self.panel_row) {
-            *value = values[row];
-            if panel_row != NONE {
-                *value -= dot(simd, &panel[panel_row as usize * width..][..width], boundary);
-            }
-        }
-        apply_inverse(self.diagonal, self.subdiagonal, local);
+    fn solve_transposed(&self, leaf: &Leaf, cell: &Cell, local: &mut [f64]) {
+        let (block, count) = (self.block(leaf, cell), cell.order);
+        let local = &mut local[cell.first..cell.first + count];
         for column in (0..count).rev() {
             for row in column + 1..count {
-                local[column] -= self.block[row + column * count] * local[row];
+                local[column] -= block[row + column * count] * local[row];
             }
-        }
-        for (value, &row) in local.iter().zip(self.order) {
-            values[self.rows[row as usize]] = *value;
         }
     }
 }

@@ -5,10 +5,7 @@ use pulp::{Arch, Simd, WithSimd};
 use crate::cell::CellNumbers;
 use crate::kernel::{Aligned, SubtractProduct};
 use crate::leaf::{Leaf, Offset};
-use crate::pivot::{Breakdown, inverse};
-
-/// A row without nonzeros at the boundary.
-pub const NONE: u32 = u32::MAX;
+use crate::pivot::Breakdown;
 
 /// Factors of all leaves.
 #[derive(Debug)]
@@ -17,12 +14,15 @@ pub struct LeafStore {
     pub blocks: Aligned,
     /// Rows of `Y` that have nonzeros, side by side for every leaf.
     pub panel: Aligned,
+    /// `D^{-1}`
     pub diagonal: Vec<f64>,
     pub subdiagonal: Vec<f64>,
-    /// Order of the pivots in every cell.
-    pub order: Vec<u32>,
-    /// Which row of the panel belongs to a pivot.
-    pub panel_row: Vec<u32>,
+    /// Row of the matrix of every pivot.
+    pub rows: Vec<u32>,
+    /// Pivot of every row of a leaf's panel.
+    pub panel_pivot: Vec<u32>,
+    /// Number of rows of a leaf's panel, where the leaf starts.
+    pub panel_rows: Vec<u32>,
 }
 
 impl LeafStore {
@@ -33,8 +33,9 @@ impl LeafStore {
             panel: Aligned::new(end.panel),
             diagonal: vec![0.0; end.rows],
             subdiagonal: vec![0.0; end.rows],
-            order: vec![0; end.rows],
-            panel_row: vec![NONE; end.rows],
+            rows: vec![0; end.rows],
+            panel_pivot: vec![0; end.rows],
+            panel_rows: vec![0; end.rows],
         }
     }
 }
@@ -52,6 +53,8 @@ pub struct LeafWork {
     pub scale: Aligned,
     filled: Vec<bool>,
     row_scale: Vec<f64>,
+    /// Order of the pivots in every cell.
+    order: Vec<u32>,
 }
 
 impl LeafWork {
@@ -64,6 +67,7 @@ impl LeafWork {
         let rows = self.filled.len().max(leaf.rows.len());
         self.filled.resize(rows, false);
         self.row_scale.resize(rows, 0.0);
+        self.order.resize(rows, 0);
     }
 }
 
@@ -94,7 +98,7 @@ impl WithSimd for FactoriseLeaf<'_> {
                 rows: &mut panel[rows.start * leaf.width..rows.end * leaf.width],
                 width: leaf.width,
                 filled: &mut self.work.filled[rows.clone()],
-                order: &mut self.store.order[stored.clone()],
+                order: &mut self.work.order[rows.clone()],
                 diagonal: &mut self.store.diagonal[stored.clone()],
                 subdiagonal: &mut self.store.subdiagonal[stored],
                 scale: &mut self.work.row_scale[rows.clone()],
@@ -104,6 +108,7 @@ impl WithSimd for FactoriseLeaf<'_> {
             self.store.blocks[stored..stored + numbers.block.len()].copy_from_slice(numbers.block);
             used = self.collect_rows(simd, rows, used);
         }
+        self.store.panel_rows[leaf.offset.rows] = used as u32;
         self.update(simd, used);
         Ok(negative)
     }
@@ -114,13 +119,9 @@ impl FactoriseLeaf<'_> {
         let (leaf, work) = (self.leaf, &mut *self.work);
         let numbers = &mut work.numbers[..leaf.blocks + leaf.panel()];
         numbers.fill(0.0);
-        work.filled[..leaf.rows.len()].fill(false);
+        work.filled[..leaf.rows.len()].copy_from_slice(&leaf.filled);
         for &(target, source) in &leaf.entries {
-            let target = target as usize;
-            numbers[target] += self.values[source as usize];
-            if target >= leaf.blocks {
-                work.filled[(target - leaf.blocks) / leaf.width] = true;
-            }
+            numbers[target as usize] += self.values[source as usize];
         }
     }
 
@@ -131,31 +132,33 @@ impl FactoriseLeaf<'_> {
         let base = leaf.offset.rows + rows.start;
         let (store, work) = (&mut *self.store, &mut *self.work);
         let numbers = &work.numbers[leaf.blocks + rows.start * width..];
-        let mut place = 0;
-        while place < rows.len() {
-            let here = base + place;
+        let order = &work.order[rows.clone()];
+        for (row, &position) in store.rows[base..].iter_mut().zip(order) {
+            *row = leaf.rows[rows.start + position as usize] as u32;
+        }
+        let mut next = 0;
+        while next < rows.len() {
+            let (place, here) = (next, base + next);
             let size = if store.subdiagonal[here] != 0.0 { 2 } else { 1 };
-            let pivots = here..here + size;
-            place += size;
-            if !store.order[pivots.clone()].iter().any(|&row| work.filled[rows.start + row as usize]) {
-                store.panel_row[pivots].fill(NONE);
+            next += size;
+            if !order[place..next].iter().any(|&row| work.filled[rows.start + row as usize]) {
                 continue;
             }
             let panel = &mut store.panel[leaf.offset.panel + used * width..][..size * width];
             let scaled = &mut work.scaled[used * width..][..size * width];
             for (half, panel) in panel.chunks_exact_mut(width).enumerate() {
-                let source = store.order[here + half] as usize * width;
+                let source = order[place + half] as usize * width;
                 panel.copy_from_slice(&numbers[source..source + width]);
-                store.panel_row[here + half] = (used + half) as u32;
+                store.panel_pivot[leaf.offset.rows + used + half] = (rows.start + place + half) as u32;
             }
             if size == 2 {
                 let (first, second) = panel.split_at(width);
                 let (scaled_first, scaled_second) = scaled.split_at_mut(width);
-                let (a, b, c) = inverse(store.diagonal[here], store.subdiagonal[here], store.diagonal[here + 1]);
+                let (a, b, c) = (store.diagonal[here], store.subdiagonal[here], store.diagonal[here + 1]);
                 combine(simd, scaled_first, first, a, second, b);
                 combine(simd, scaled_second, first, b, second, c);
             } else {
-                combine(simd, scaled, panel, 1.0 / store.diagonal[here], panel, 0.0);
+                combine(simd, scaled, panel, store.diagonal[here], panel, 0.0);
             }
             used += size;
         }
@@ -202,6 +205,6 @@ fn combine<S: Simd>(simd: S, target: &mut [f64], first: &[f64], a: f64, second: 
     let (a, b) = (simd.splat_f64s(a), simd.splat_f64s(b));
     let sources = S::as_simd_f64s(first).0.iter().zip(S::as_simd_f64s(second).0);
     for (target, (first, second)) in S::as_mut_simd_f64s(target).0.iter_mut().zip(sources) {
-        *target = simd.mul_add_f64s(a, *first, simd.mul_f64s(b, *second));
+        *target = simd.mul_add_e_f64s(a, *first, simd.mul_f64s(b, *second));
     }
 }

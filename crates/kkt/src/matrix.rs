@@ -6,6 +6,8 @@ use feral::CscMatrix;
 #[derive(Debug)]
 pub struct Matrix {
     pub columns: CscMatrix,
+    /// Rows of the stored numbers, in half the memory: a product with the matrix is a matter of memory only.
+    rows: Vec<u32>,
     /// Which stored number every triplet is added to.
     slots: Vec<u32>,
 }
@@ -34,7 +36,8 @@ impl Matrix {
             col_ptr[column + 1] += col_ptr[column];
         }
         let values = vec![0.0; row_idx.len()];
-        Self { columns: CscMatrix { n: dimension, col_ptr, row_idx, values }, slots }
+        let rows = row_idx.iter().map(|&row| row as u32).collect();
+        Self { columns: CscMatrix { n: dimension, col_ptr, row_idx, values }, rows, slots }
     }
 
     /// Sums the triplets.
@@ -58,41 +61,52 @@ impl Matrix {
     }
 
     /// Writes `b - A x` and returns its size, component by component relative to `|A| |x| + |b|` (the backward error
-    /// of Oettli and Prager). `terms` is scratch.
-    pub fn residual(&self, x: &[f64], b: &[f64], residual: &mut [f64], terms: &mut [f64]) -> f64 {
-        residual.copy_from_slice(b);
-        for (term, b) in terms.iter_mut().zip(b) {
-            *term = b.abs();
+    /// of Oettli and Prager). `sums` is scratch, of as many numbers as the matrix has rows.
+    pub fn residual(&self, x: &[f64], b: &[f64], residual: &mut [f64], sums: &mut [RowSum]) -> f64 {
+        for (sum, &b) in sums.iter_mut().zip(b) {
+            *sum = RowSum { residual: b, terms: b.abs() };
         }
         let matrix = &self.columns;
         for column in 0..matrix.n {
             let range = matrix.col_ptr[column]..matrix.col_ptr[column + 1];
             let here = x[column];
-            let (mut sum, mut size) = (0.0, 0.0);
-            for (&row, &value) in matrix.row_idx[range.clone()].iter().zip(&matrix.values[range]) {
-                let across = value * x[row];
-                sum += across;
-                size += across.abs();
+            let mut own = RowSum { residual: 0.0, terms: 0.0 };
+            for (&row, &value) in self.rows[range.clone()].iter().zip(&matrix.values[range]) {
+                let row = row as usize;
+                own.subtract(value * x[row]);
                 if row != column {
-                    let down = value * here;
-                    residual[row] -= down;
-                    terms[row] += down.abs();
+                    sums[row].subtract(value * here);
                 }
             }
-            residual[column] -= sum;
-            terms[column] += size;
+            sums[column].residual += own.residual;
+            sums[column].terms += own.terms;
         }
         // A row whose terms all vanish next to the others' has no relative error worth the name.
-        let floor = 1e3 * f64::EPSILON * terms.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let floor = 1e3 * f64::EPSILON * sums.iter().map(|sum| sum.terms).fold(f64::MIN_POSITIVE, f64::max);
         let mut largest = 0.0f64;
-        for (residual, term) in residual.iter().zip(terms) {
-            let ratio = residual.abs() / (*term + floor);
+        for (residual, sum) in residual.iter_mut().zip(sums) {
+            *residual = sum.residual;
+            let ratio = sum.residual.abs() / (sum.terms + floor);
             if !ratio.is_finite() {
                 return f64::INFINITY;
             }
             largest = largest.max(ratio);
         }
         largest
+    }
+}
+
+/// A component of `b - A x` and the sum of its terms' sizes, side by side in memory.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RowSum {
+    residual: f64,
+    terms: f64,
+}
+
+impl RowSum {
+    fn subtract(&mut self, term: f64) {
+        self.residual -= term;
+        self.terms += term.abs();
     }
 }
 

@@ -67,27 +67,27 @@ pub fn inverse(a: f64, b: f64, c: f64) -> (f64, f64, f64) {
     (q * scale, -scale, p * scale)
 }
 
-/// `D` of a factorisation and the order of its rows, as slices of a larger store.
+/// `D^{-1}` of a factorisation and the order of its rows, as slices of a larger store.
 #[derive(Debug)]
 pub struct Pivots<'a> {
-    /// Diagonal of `D`.
+    /// Diagonal of `D^{-1}`.
     pub diagonal: &'a mut [f64],
-    /// Subdiagonal of `D`: nonzero in the first row of every 2x2 pivot.
+    /// Subdiagonal of `D^{-1}`: nonzero in the first row of every 2x2 pivot.
     pub subdiagonal: &'a mut [f64],
     /// Which row stands at each place.
     pub order: &'a mut [u32],
 }
 
-/// `values := D^{-1} values`
+/// `values := D^{-1} values`, given `D^{-1}`.
 #[inline(always)]
 pub fn apply_inverse(diagonal: &[f64], subdiagonal: &[f64], values: &mut [f64]) {
     let mut j = 0;
     while j < diagonal.len() {
         if subdiagonal[j] == 0.0 {
-            values[j] /= diagonal[j];
+            values[j] *= diagonal[j];
             j += 1;
         } else {
-            let (a, b, c) = inverse(diagonal[j], subdiagonal[j], diagonal[j + 1]);
+            let (a, b, c) = (diagonal[j], subdiagonal[j], diagonal[j + 1]);
             let (u, v) = (values[j], values[j + 1]);
             values[j] = a * u + b * v;
             values[j + 1] = b * u + c * v;

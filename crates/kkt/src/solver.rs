@@ -7,7 +7,7 @@ use pulp::Arch;
 use crate::error::StructureError;
 use crate::fallback::{Fallback, Outcome};
 use crate::label::Label;
-use crate::matrix::Matrix;
+use crate::matrix::{Matrix, RowSum};
 use crate::pivot::Breakdown;
 use crate::report::{FallbackReason, Report};
 use crate::stages::Stages;
@@ -53,7 +53,7 @@ pub struct StageSolver {
     more_quality: bool,
     report: Report,
     residual: Vec<f64>,
-    terms: Vec<f64>,
+    sums: Vec<RowSum>,
     solution: Vec<f64>,
 }
 
@@ -90,7 +90,7 @@ impl StageSolver {
             more_quality: false,
             report: Report::default(),
             residual: vec![0.0; dimension],
-            terms: vec![0.0; dimension],
+            sums: vec![RowSum::default(); dimension],
             solution: vec![0.0; dimension],
         })
     }
@@ -190,7 +190,7 @@ impl StageSolver {
         let Ok((symbolic, stages)) = &mut self.stages else { return false };
         self.solution.copy_from_slice(values);
         stages.solve(symbolic, &mut self.solution);
-        let mut error = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.terms);
+        let mut error = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.sums);
         for _ in 0..REFINEMENTS {
             if error <= REFINE || !error.is_finite() {
                 break;
@@ -200,7 +200,7 @@ impl StageSolver {
             for (solution, correction) in self.solution.iter_mut().zip(&self.residual) {
                 *solution += correction;
             }
-            let refined = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.terms);
+            let refined = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.sums);
             let stalled = refined > 0.5 * error;
             error = refined;
             if stalled {

@@ -5,7 +5,7 @@ use pulp::Arch;
 use crate::assembly::Place;
 use crate::general::{FrontFactors, FrontNumbers, SolveGeneral};
 use crate::kernel::{Aligned, padded};
-use crate::leaf_solve::SolveLeaf;
+use crate::leaf_solve::{SolveLeaf, work_length as leaf_work_length};
 use crate::leaf_store::{FactoriseLeaf, LeafStore, LeafWork};
 use crate::pivot::{Breakdown, Pivots};
 use crate::pose_elimination::{EliminatePoses, SolvePoses, work_length as pose_work_length};
@@ -65,8 +65,7 @@ impl Stages {
         let mut work = Work::default();
         for leaf in &symbolic.leaves {
             work.leaf.reserve(leaf);
-            let largest_cell = leaf.cells.iter().map(|cell| cell.order).max().unwrap_or(0);
-            work.solve.reserve(leaf.width + largest_cell);
+            work.solve.reserve(leaf_work_length(leaf));
         }
         for stage in &symbolic.stages {
             let layout = stage.general.layout;
