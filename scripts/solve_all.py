@@ -1,45 +1,67 @@
 """Solves scenes one after the other and prints what came out as a Markdown table."""
 
+import argparse
 import json
 import os
 import pathlib
-import re
+import resource
 import subprocess
-import sys
+import tomllib
 
 COLUMNS = (
-    "scene | start | iterations per stage | total | wall s | distances | model | linear solver | rest "
-    "| objective | position errors mm | penetration mm | force N | status"
+    "scene | start | linear solver | iterations per stage | total | wall s | cpu s | speed | distances | model "
+    "| linear solver s | rest | objective | position errors mm | penetration mm | force N | status"
 )
+
+
+def parse_arguments() -> argparse.Namespace:
+    """Reads the command line."""
+    parser = argparse.ArgumentParser(prog="scripts/solve-all", description=__doc__)
+    parser.add_argument("scenes", nargs="*", type=pathlib.Path, help="scene files [default: all in scenes/]")
+    parser.add_argument("--root", type=pathlib.Path, help=argparse.SUPPRESS)
+    parser.add_argument("--all-starts", action="store_true", help="solve from every start, not only the first")
+    parser.add_argument(
+        "--linear-solvers",
+        default="stage",
+        metavar="NAMES",
+        help="solve with each of these, separated by commas; `speed` compares with the first [default: stage]",
+    )
+    return parser.parse_args()
 
 
 def start_names(scene: pathlib.Path) -> list[str]:
     """Names of all [[start]] tables."""
-    tables = scene.read_text().split("[[start]]")[1:]
-    return [re.search(r'^name = "(.*)"', table, re.MULTILINE).group(1) for table in tables]
+    return [start["name"] for start in tomllib.loads(scene.read_text())["start"]]
 
 
-def solve(program: str, scene: pathlib.Path, start: str, folder: pathlib.Path) -> dict:
-    """Runs one solve and reads its result.json."""
+def solve(program: pathlib.Path, scene: pathlib.Path, start: str, solver: str, folder: pathlib.Path) -> dict:
+    """Runs one solve; its result.json and, as `cpu_s`, the processor time it took."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run(
-        [program, "solve", str(scene), "--start", start, "--out", str(folder)],
+        [program, "solve", scene, "--start", start, "--linear-solver", solver, "--out", folder],
         stdout=subprocess.DEVNULL,
         check=False,
     )
-    return json.loads((folder / "result.json").read_text())
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return json.loads((folder / "result.json").read_text()) | {"cpu_s": cpu}
 
 
-def row(result: dict) -> str:
+def row(result: dict, reference: dict) -> str:
     """One line of the table."""
     stages = result["stages"]
-    split = [sum(stage["wall_split_s"][part] for stage in stages) for part in ("distances", "model", "linear_solver", "rest")]
+    parts = ("distances", "model", "linear_solver", "rest")
+    split = [sum(stage["wall_split_s"][part] for stage in stages) for part in parts]
     scenarios = result["scenarios"]
     cells = [
         result["scene"],
         result["start"],
+        result["linear_solver"],
         "+".join(str(stage["iterations"]) for stage in stages),
         str(result["iterations"]),
         f"{result['wall_s']:.1f}",
+        f"{result['cpu_s']:.1f}",
+        f"{reference['cpu_s'] / result['cpu_s']:.1f}",
         *(f"{seconds:.1f}" for seconds in split),
         f"{result['objective']:.4f}",
         " ".join(f"{1e3 * scenario['position_error_m']:.2f}" for scenario in scenarios),
@@ -51,17 +73,20 @@ def row(result: dict) -> str:
 
 
 def main() -> None:
-    """Solves all scenes named on the command line, by default every one in scenes/."""
-    root = pathlib.Path(sys.argv[1])
-    arguments = [argument for argument in sys.argv[2:] if argument != "--all-starts"]
-    target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", root / "target"))
-    scenes = [pathlib.Path(name) for name in arguments] or sorted((root / "scenes").glob("*.toml"))
+    """Solves all scenes named on the command line."""
+    arguments = parse_arguments()
+    target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", arguments.root / "target"))
+    program = target / "release/assembly-plan"
     print(f"| {COLUMNS} |\n|{'---|' * (COLUMNS.count('|') + 1)}", flush=True)
-    for scene in scenes:
+    for scene in arguments.scenes or sorted((arguments.root / "scenes").glob("*.toml")):
         names = start_names(scene)
-        for start in names if "--all-starts" in sys.argv else names[:1]:
-            folder = root / "out" / f"{scene.stem}-{start}"
-            print(row(solve(str(target / "release/assembly-plan"), scene, start, folder)), flush=True)
+        for start in names if arguments.all_starts else names[:1]:
+            reference = None
+            for solver in arguments.linear_solvers.split(","):
+                folder = arguments.root / "out" / f"{scene.stem}-{start}-{solver}"
+                result = solve(program, scene, start, solver, folder)
+                reference = reference or result
+                print(row(result, reference), flush=True)
 
 
 main()

@@ -141,6 +141,10 @@ fn stage_options(settings: &HomotopySettings, smoothing: Smoothing) -> Options {
     for push in WARM_START_PUSHES {
         options.set(push, 1e-9);
     }
+    if settings.linear_solver == STAGE && nlp::TAKES_OWN_SOLVER {
+        // It refines its solutions itself, where they need it.
+        options.set("min_refinement_steps", 0);
+    }
     if settings.hessian == HessianKind::LimitedMemory {
         options.set("hessian_approximation", "limited-memory");
     }
