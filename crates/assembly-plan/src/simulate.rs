@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
+use ocp::AssemblyTask;
 use scene::Scene;
 use simulation::{Outcome, Reference, Rollout, Settings, Success, offsets};
 
@@ -12,6 +13,9 @@ use crate::failure::Failure;
 use crate::output::{table, write_file};
 use crate::plan::{Plan, read_numbers};
 use crate::success_table::{Motion, SuccessTable};
+
+/// Poses closer than this (m, rad) are the same: files keep all digits.
+const SAME_POSE: f64 = 1e-6;
 
 /// Offsets that are counted together.
 struct Injection {
@@ -55,13 +59,14 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
     write_file(&folder.join("rollouts.csv"), &rollouts(&played)?)?;
     write_file(&folder.join("success.csv"), &successes.to_csv()?)?;
     println!(
-        "{}: success is to end within {} mm and {} rad of the goal; intervals of 95 % (Wilson)\n\n{successes}",
+        "{}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, overlap \
+         and force are the largest of all rollouts\n\n{successes}",
         scene.title,
         1e3 * arguments.position_tolerance,
         arguments.angle_tolerance
     );
     let rate = 60.0 * played.len() as f64 / seconds;
-    println!("{} rollouts in {seconds:.1} s, {rate:.0} per minute on {jobs} threads", played.len());
+    println!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), threads(jobs));
     println!("written to {}", folder.display());
     Ok(DONE)
 }
@@ -75,8 +80,10 @@ fn play<'plan>(
     jobs: usize,
 ) -> Result<Vec<Played<'plan>>, Failure> {
     let about_plan = |problem| Failure::Input(format!("{}: {problem}", plan.folder.display()));
-    let task = scene.task(Some(&plan.start), Some(plan.delta)).map_err(about_plan)?;
-    let motions = motions(arguments, plan, Reference::straight(&task.start, &task.goal, task.horizon))?;
+    let mut task = scene.task(Some(&plan.start), Some(plan.delta)).map_err(about_plan)?;
+    // Reality does not know which pairs the plan has left out.
+    task.pairs = scene.all_pairs();
+    let motions = motions(arguments, plan, &task)?;
     let injections = injections(arguments, scene, plan, magnitudes)?;
     let success = Success { position: arguments.position_tolerance, orientation: arguments.angle_tolerance };
     let mut played = Vec::new();
@@ -104,14 +111,26 @@ fn play<'plan>(
 fn motions(
     arguments: &SimulateArguments,
     plan: &Plan,
-    straight: Reference,
+    task: &AssemblyTask,
 ) -> Result<Vec<(Motion, Reference)>, Failure> {
     let mut motions = Vec::new();
     if arguments.stages {
         let stages = plan.stage_references()?.into_iter().enumerate();
         motions.extend(stages.map(|(index, reference)| (Motion::Stage(index + 1), reference)));
     }
-    motions.extend([(Motion::Plan, plan.reference()?), (Motion::StraightPush, straight)]);
+    motions.push((Motion::Plan, plan.reference()?));
+    for (_, reference) in &motions {
+        let (distance, angle) = ocp::pose::errors(&reference.start(), &task.start);
+        if distance > SAME_POSE || angle > SAME_POSE {
+            return Err(Failure::Input(format!(
+                "{}: the plan does not begin at start `{}` of {}; was it made from another scene?",
+                plan.folder.display(),
+                plan.start,
+                arguments.scene.display()
+            )));
+        }
+    }
+    motions.push((Motion::StraightPush, Reference::straight(&task.start, &task.goal, task.horizon)));
     Ok(motions)
 }
 
@@ -196,6 +215,10 @@ fn rollouts(played: &[Played]) -> Result<Vec<u8>, Failure> {
         ]
     });
     table(header.into_iter(), rows)
+}
+
+fn threads(jobs: usize) -> &'static str {
+    if jobs == 1 { "thread" } else { "threads" }
 }
 
 fn processors() -> usize {

@@ -160,13 +160,13 @@ impl SuccessTable {
     fn write_details(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         writeln!(
             formatter,
-            "{:<8} {:>8} {:>8} {:>8}  {:<20} {:>9} {:>9} {:>11} {:>7}  straight push",
-            "motion", "friction", "modelled", "injected", "success", "error", "angle", "penetration", "force"
+            "{:<8} {:>8} {:>8} {:>8}  {:<20} {:>9} {:>9} {:>9} {:>7}  straight push",
+            "motion", "friction", "modelled", "injected", "success", "error", "angle", "overlap", "force"
         )?;
         for cell in self.cells.iter().filter(|cell| cell.motion != Motion::StraightPush) {
             writeln!(
                 formatter,
-                "{:<8} {:>8} {:>5.1} mm {:>5.1} mm  {:<20} {:>6.2} mm {:>5.3} rad {:>8.4} mm {:>5.1} N  {}",
+                "{:<8} {:>8} {:>5.1} mm {:>5.1} mm  {:<20} {:>6.2} mm {:>5.3} rad {:>6.3} mm {:>5.1} N  {}",
                 cell.motion,
                 cell.friction,
                 1e3 * cell.delta,
@@ -212,7 +212,11 @@ impl SuccessTable {
 impl fmt::Display for SuccessTable {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         self.write_details(formatter)?;
-        writeln!(formatter, "\nlargest errors, penetration and force of each line\n")?;
-        self.write_matrix(formatter)
+        let first = self.cells.first().map(|cell| cell.magnitude);
+        if self.cells.iter().any(|cell| Some(cell.magnitude) != first) {
+            writeln!(formatter)?;
+            self.write_matrix(formatter)?;
+        }
+        Ok(())
     }
 }

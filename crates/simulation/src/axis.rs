@@ -125,3 +125,34 @@ fn common_normal(body: &Arc, environment: &Arc) -> Option<Vector3<f64>> {
     let outward = normal.dot(&(body.ends[0] + body.ends[1]));
     Some(if outward > 0.0 { -normal } else { normal })
 }
+
+#[cfg(test)]
+mod tests {
+    use collision::{Pair, Polytope};
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn shape() -> impl Strategy<Value = Polytope> {
+        let vertex = proptest::array::uniform3(-0.1..0.1_f64);
+        let hull = |vertices: Vec<[f64; 3]>| Polytope::from_vertices(&vertices).ok();
+        proptest::collection::vec(vertex, 6..20).prop_filter_map("flat", hull)
+    }
+
+    proptest! {
+        /// Two oracles: shapes are apart here exactly if they are apart for the planner's distances.
+        #[test]
+        fn separation_has_the_sign_of_the_exact_distance(
+            (body, environment) in (shape(), shape()),
+            shift in proptest::array::uniform3(-0.2..0.2_f64),
+            orientation in proptest::array::uniform4(0.1..1.0_f64),
+        ) {
+            let placed = body.placed(shift, orientation);
+            let axis = separate(&Solid::new(&placed), &Solid::new(&environment), f64::INFINITY);
+            let distance = Pair::new(placed, environment).exact_distance(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+            prop_assume!(distance.abs() > 2.0 * PREFERENCE);
+            prop_assert!(axis.separation * distance > 0.0, "{} and {}", axis.separation, distance);
+            prop_assert!((axis.normal.norm() - 1.0).abs() < 1e-12);
+        }
+    }
+}

@@ -31,7 +31,8 @@ impl Knot {
 }
 
 impl Reference {
-    /// From the states (pose, twist) of a plan, `time_step` seconds apart; there is at least one.
+    /// From the states (pose, twist) of a plan, at least one, `time_step` seconds apart: those of `reference.csv` or of
+    /// [`ocp::Trajectory::reference`].
     pub fn new(time_step: f64, states: &[[f64; 13]]) -> Self {
         Self { time_step, knots: states.iter().map(Knot::new).collect() }
     }
@@ -60,9 +61,9 @@ impl Reference {
         self.knots.len() - 1
     }
 
-    /// The first knot.
-    pub fn first(&self) -> &Knot {
-        &self.knots[0]
+    /// The first pose (position m, unit quaternion w x y z).
+    pub fn start(&self) -> [f64; 7] {
+        coordinates(&self.knots[0].pose)
     }
 
     /// At a fraction (0 to 1) of an interval; after the last interval the last pose is held at rest.

@@ -7,7 +7,7 @@ use ocp::AssemblyTask;
 
 use crate::contact::ContactFinder;
 use crate::dynamics::{Body, Stepper};
-use crate::reference::{Reference, coordinates};
+use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
 
 /// A task that is ready to be played.
@@ -81,8 +81,8 @@ impl Rollout {
         let mut finder = self.finder.clone();
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut stepper = Stepper::new(time_step, &self.task.inertia, &self.task.impedance, self.settings.friction);
+        let mut body = start(reference, offset);
         let offset = Vector3::from(*offset);
-        let mut body = start(reference, &offset);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
         let mut max_impulse = 0.0_f64;
         let mut impulses = vec![0.0; self.task.pairs.len()];
@@ -113,9 +113,8 @@ impl Rollout {
 }
 
 /// At rest at `P_q^-1` of the reference's start (Sec. ocp:ocp).
-fn start(reference: &Reference, offset: &Vector3<f64>) -> Body {
-    let mut pose = reference.first().pose;
-    pose.translation.vector -= pose.rotation * offset;
+fn start(reference: &Reference, offset: &[f64; 3]) -> Body {
+    let pose = isometry(&ocp::pose::without_offset(&reference.start(), offset));
     Body { pose, velocity: Vector3::zeros(), spin: Vector3::zeros() }
 }
 

@@ -1,0 +1,47 @@
+//! What holds in every rollout.
+
+use proptest::prelude::*;
+use simulation::{Rollout, Settings, offsets};
+
+use crate::world::{block, hole, task, through};
+
+/// Points of the body within reach of a hole's rim (m).
+fn place() -> impl Strategy<Value = [f64; 3]> {
+    (-0.03..0.03_f64, -0.03..0.03_f64, -0.02..0.08_f64).prop_map(Into::into)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    /// Contacts are hard; the planner's own exact distance is the judge.
+    #[test]
+    fn nothing_overlaps(places in proptest::collection::vec(place(), 3), friction in prop_oneof![Just(0.0), 0.0..0.6_f64]) {
+        const OVERLAP: f64 = 2e-5;
+        let task = task(&block([0.04, 0.04, 0.08], [0.0; 3]), &hole(0.042));
+        let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
+        let mut way = vec![[0.0, 0.0, 0.06]];
+        way.extend(places);
+        let mut smallest = f64::INFINITY;
+        let mut count = 0;
+        let outcome = rollout.play(&through(&way, 0.5), &[0.0; 3], |moment| {
+            count += 1;
+            if count % 10 == 0 {
+                let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
+                smallest = distances.fold(smallest, f64::min);
+            }
+        });
+        prop_assert!(!outcome.diverged);
+        prop_assert!(outcome.max_penetration < OVERLAP, "{}", outcome.max_penetration);
+        prop_assert!(smallest > -OVERLAP, "{}", smallest);
+    }
+
+    #[test]
+    fn outcomes_do_not_depend_on_threads(seed in 0..1000_u64) {
+        let task = task(&block([0.04, 0.04, 0.08], [0.0; 3]), &hole(0.042));
+        let settings = Settings { friction: 0.2, settling_time: 0.2, ..Settings::default() };
+        let rollout = Rollout::new(&task, settings);
+        let offsets = offsets::ball(0.01, 5, seed);
+        let reference = through(&[[0.0, 0.0, 0.06], [0.0, 0.0, 0.0]], 0.5);
+        prop_assert_eq!(rollout.simulate(&reference, &offsets, 1), rollout.simulate(&reference, &offsets, 3));
+    }
+}
