@@ -89,9 +89,11 @@ pub struct SimulateArguments {
     pub offsets: Option<PathBuf>,
     /// Magnitudes in metres to which the planned offsets are scaled [default: delta-hat of every plan]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = not_negative)]
+    #[arg(allow_negative_numbers = true)]
     pub magnitude: Vec<f64>,
     /// Coulomb friction coefficients
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0", value_parser = not_negative)]
+    #[arg(allow_negative_numbers = true)]
     pub friction: Vec<f64>,
     /// Also play the reference of every homotopy iteration
     #[arg(long)]

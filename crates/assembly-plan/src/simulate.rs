@@ -54,6 +54,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
         played.extend(play(arguments, &scene, plan, &magnitudes, jobs)?);
     }
     let seconds = begin.elapsed().as_secs_f64();
+    warn_about_overlap(&played);
     let successes = SuccessTable::new(&played);
     let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
     write_file(&folder.join("rollouts.csv"), &rollouts(&played)?)?;
@@ -175,6 +176,20 @@ fn listed(file: &Path) -> Result<Injection, Failure> {
     let offsets: Vec<[f64; 3]> = rows.iter().map(|row| [row[0], row[1], row[2]]).collect();
     let length = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
     Ok(Injection { magnitude: offsets.iter().map(length).fold(0.0, f64::max), offsets })
+}
+
+/// Contacts are hard: what overlaps has done so from the beginning.
+fn warn_about_overlap(played: &[Played]) {
+    /// More than time steps leave (m).
+    const OVERLAP: f64 = 1e-4;
+    let count = played.iter().filter(|played| played.outcome.max_penetration > OVERLAP).count();
+    if count > 0 {
+        eprintln!(
+            "warning: in {count} of {} rollouts parts overlap; is the offset so large that the body starts inside the \
+             environment?",
+            played.len()
+        );
+    }
 }
 
 fn rollouts(played: &[Played]) -> Result<Vec<u8>, Failure> {

@@ -3,9 +3,11 @@
 /// Time steps and friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Largest time step (s); the interval between two knots is divided into equal steps that are not longer.
+    /// Largest time step (s), above zero; the interval between two knots is divided into equal steps that are not longer.
     pub time_step: f64,
-    /// Coulomb's coefficient; 0 is the frictionless contact of the paper.
+    /// Coulomb's coefficient; 0 is the frictionless contact of the paper. Friction is Anitescu's convex approximation
+    /// (Optimization-based simulation of nonsmooth rigid multibody dynamics, 2006): sticking and the force of sliding
+    /// are Coulomb's, but a body that slides at a speed `v` hovers `friction v time_step` above the surface.
     pub friction: f64,
     /// How long the last reference pose is held (s), rounded up to whole intervals between knots.
     pub settling_time: f64,
