@@ -1,13 +1,21 @@
 //! What holds in every rollout.
 
+use collision::Polytope;
 use proptest::prelude::*;
-use simulation::{Rollout, Settings, offsets};
+use simulation::{Reference, Rollout, Settings, offsets};
 
-use crate::world::{block, hole, task, through};
+use crate::world::{at_rest, block, floor, hole, task, through};
 
 /// Points of the body within reach of a hole's rim (m).
 fn place() -> impl Strategy<Value = [f64; 3]> {
     (-0.03..0.03_f64, -0.03..0.03_f64, -0.02..0.08_f64).prop_map(Into::into)
+}
+
+/// A convex body of some centimetres around the origin.
+fn shape() -> impl Strategy<Value = Polytope> {
+    let vertex = proptest::array::uniform3(-0.05..0.05_f64);
+    let hull = |vertices: Vec<[f64; 3]>| Polytope::from_vertices(&vertices).ok();
+    proptest::collection::vec(vertex, 6..14).prop_filter_map("flat", hull)
 }
 
 proptest! {
@@ -29,6 +37,29 @@ proptest! {
                 let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
                 smallest = distances.fold(smallest, f64::min);
             }
+        });
+        prop_assert!(!outcome.diverged);
+        prop_assert!(outcome.max_penetration < OVERLAP, "{}", outcome.max_penetration);
+        prop_assert!(smallest > -OVERLAP, "{}", smallest);
+    }
+
+    /// Edges, corners and slanted facets, at any orientation and fast.
+    #[test]
+    fn odd_shapes_do_not_overlap(
+        (body, first, second) in (shape(), shape(), shape()),
+        orientation in proptest::array::uniform4(-1.0..1.0_f64),
+        friction in prop_oneof![Just(0.0), 0.0..0.6_f64],
+    ) {
+        const OVERLAP: f64 = 2e-4;
+        let place = |shape: &Polytope, x| shape.placed([x, 0.0, 0.0], [1.0, 0.2, -0.3, 0.1]);
+        let task = task(&body, &[place(&first, 0.03), place(&second, -0.03), floor()]);
+        let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
+        let mut target = at_rest([0.01, 0.01, -0.02]);
+        target[3..7].copy_from_slice(&orientation);
+        let mut smallest = f64::INFINITY;
+        let outcome = rollout.play(&Reference::new(0.3, &[at_rest([0.0, 0.0, 0.2]), target]), &[0.0; 3], |moment| {
+            let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
+            smallest = distances.fold(smallest, f64::min);
         });
         prop_assert!(!outcome.diverged);
         prop_assert!(outcome.max_penetration < OVERLAP, "{}", outcome.max_penetration);
