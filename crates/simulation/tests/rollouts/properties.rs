@@ -24,13 +24,12 @@ proptest! {
     /// Contacts are hard; the planner's own exact distance is the judge.
     #[test]
     fn nothing_overlaps(places in proptest::collection::vec(place(), 3), friction in prop_oneof![Just(0.0), 0.0..0.6_f64]) {
-        const OVERLAP: f64 = 2e-5;
+        const OVERLAP: f64 = 1e-5;
         let task = task(&block([0.04, 0.04, 0.08], [0.0; 3]), &hole(0.042));
         let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
         let mut way = vec![[0.0, 0.0, 0.06]];
         way.extend(places);
-        let mut smallest = f64::INFINITY;
-        let mut count = 0;
+        let (mut smallest, mut count) = (f64::INFINITY, 0);
         let outcome = rollout.play(&through(&way, 0.5), &[0.0; 3], |moment| {
             count += 1;
             if count % 10 == 0 {
@@ -50,16 +49,21 @@ proptest! {
         orientation in proptest::array::uniform4(-1.0..1.0_f64),
         friction in prop_oneof![Just(0.0), 0.0..0.6_f64],
     ) {
-        const OVERLAP: f64 = 2e-4;
+        // A corner that passes a facet may meet the one behind it within a step: less than what a body at 0.7 m/s moves.
+        const OVERLAP: f64 = 7e-4;
         let place = |shape: &Polytope, x| shape.placed([x, 0.0, 0.0], [1.0, 0.2, -0.3, 0.1]);
         let task = task(&body, &[place(&first, 0.03), place(&second, -0.03), floor()]);
         let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
         let mut target = at_rest([0.01, 0.01, -0.02]);
         target[3..7].copy_from_slice(&orientation);
-        let mut smallest = f64::INFINITY;
-        let outcome = rollout.play(&Reference::new(0.3, &[at_rest([0.0, 0.0, 0.2]), target]), &[0.0; 3], |moment| {
-            let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
-            smallest = distances.fold(smallest, f64::min);
+        let (mut smallest, mut count) = (f64::INFINITY, 0);
+        let reference = Reference::new(0.3, &[at_rest([0.0, 0.0, 0.2]), target]);
+        let outcome = rollout.play(&reference, &[0.0; 3], |moment| {
+            count += 1;
+            if count % 5 == 0 {
+                let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
+                smallest = distances.fold(smallest, f64::min);
+            }
         });
         prop_assert!(!outcome.diverged);
         prop_assert!(outcome.max_penetration < OVERLAP, "{}", outcome.max_penetration);
