@@ -121,6 +121,7 @@ fn wrong_input_exits_with_2_and_says_what_is_right() {
         (vec![SCENE, &plan_text, "--friction", "-1"], "must not be negative"),
         (vec![SCENE, &plan_text, "--time-step", "0"], "must be above zero"),
         (vec![SCENE, &plan_text, "--random", "0"], "--random"),
+        (vec![SCENE, &plan_text, "--grid", "20000"], "more than 10000"),
         (vec![SCENE, &plan_text, "--random", "3", "--grid", "3"], "cannot be used with"),
         (vec!["scenes/peg1.toml", &plan_text], "was it made from another scene?"),
     ] {

@@ -82,7 +82,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
     /// Play a grid in the hull of the planned offsets, N intervals along each of its edges
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100), group = "source")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), group = "source")]
     pub grid: Option<u32>,
     /// Play the offsets of a CSV file with the header x_m,y_m,z_m (body frame)
     #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]

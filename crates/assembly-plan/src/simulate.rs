@@ -160,12 +160,22 @@ fn injections(
         let offsets = match (arguments.random, arguments.grid) {
             (Some(count), _) if arguments.ball => offsets::ball(magnitude, count as usize, arguments.seed),
             (Some(count), _) => offsets::hull(&planned, count as usize, arguments.seed),
-            (_, Some(divisions)) => offsets::grid(&planned, divisions as usize),
+            (_, Some(divisions)) => grid(&planned, divisions as usize)?,
             (None, None) => planned,
         };
         Ok(Injection { magnitude, offsets: offsets::distinct(&offsets) })
     };
     magnitudes.iter().map(of_magnitude).collect()
+}
+
+fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, Failure> {
+    const LARGEST: f64 = 10_000.0;
+    let size = offsets::grid_size(planned.len(), divisions);
+    if size > LARGEST {
+        let problem = format!("a grid of {size:.0} offsets, more than {LARGEST}; use a smaller N, or --random");
+        return Err(Failure::Input(format!("--grid {divisions}: {problem}")));
+    }
+    Ok(offsets::grid(planned, divisions))
 }
 
 fn listed(file: &Path) -> Result<Injection, Failure> {

@@ -16,6 +16,11 @@ pub fn grid(planned: &[[f64; 3]], divisions: usize) -> Vec<[f64; 3]> {
     distinct(&found)
 }
 
+/// Number of combinations that [`grid`] goes through, before those that coincide are left out.
+pub fn grid_size(planned: usize, divisions: usize) -> f64 {
+    (1..planned).map(|index| (divisions + index) as f64 / index as f64).product()
+}
+
 /// Calls `visit` with every way to distribute `rest` over the entries from `position` on.
 fn for_each_composition(weights: &mut Vec<usize>, position: usize, rest: usize, visit: &mut impl FnMut(&[usize])) {
     if position + 1 >= weights.len() {
@@ -80,6 +85,7 @@ mod tests {
     fn a_grid_has_the_planned_offsets_as_corners() {
         let offsets = grid(&PLANNED, 4);
         assert_eq!(offsets.len(), 15);
+        assert!((grid_size(PLANNED.len(), 4) - 15.0).abs() < 1e-9);
         assert!(PLANNED.iter().all(|corner| offsets.contains(corner)));
         assert!(offsets.into_iter().all(in_hull));
         assert_eq!(grid(&PLANNED, 1).len(), 3);
