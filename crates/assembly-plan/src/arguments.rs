@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use simulation::{Settings, Success};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///
@@ -21,12 +22,15 @@ Exit codes: 0 done, 1 no converged plan or goal not reached, 2 wrong input or us
 
 Examples:
   assembly-plan check scenes/peg1.toml
-  assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1";
+  assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
+  assembly-plan simulate scenes/peg1.toml out/peg1 --random 50 --magnitude 0.005,0.01 --friction 0,0.1";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Plan one motion and write its files
     Solve(SolveArguments),
+    /// Play plans under injected offsets, with hard contacts, and count how often they succeed
+    Simulate(SimulateArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
 }
@@ -58,6 +62,60 @@ pub struct SolveArguments {
     /// else stage]
     #[arg(long, value_name = "NAME")]
     pub linear_solver: Option<String>,
+}
+
+/// How plans are played. Which offsets is said by at most one of --random, --grid and --offsets.
+#[derive(Debug, Args)]
+pub struct SimulateArguments {
+    /// Scene file (TOML) of the plans
+    pub scene: PathBuf,
+    /// Folder that `solve` wrote, or a folder of such folders
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Play N random convex combinations of the planned offsets [default: the planned offsets themselves]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), group = "source")]
+    pub random: Option<u32>,
+    /// With --random: offsets uniform in the ball, not in the hull of the planned ones
+    #[arg(long, requires = "random")]
+    pub ball: bool,
+    /// Seed of the random offsets
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Play a grid in the hull of the planned offsets, N intervals along each of its edges
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), group = "source")]
+    pub grid: Option<u32>,
+    /// Play the offsets of a CSV file with the header x_m,y_m,z_m (body frame)
+    #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]
+    pub offsets: Option<PathBuf>,
+    /// Magnitudes in metres to which the planned offsets are scaled [default: delta-hat of every plan]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = not_negative)]
+    #[arg(allow_negative_numbers = true)]
+    pub magnitude: Vec<f64>,
+    /// Coulomb friction coefficients
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0", value_parser = not_negative)]
+    #[arg(allow_negative_numbers = true)]
+    pub friction: Vec<f64>,
+    /// Also play the reference of every homotopy iteration
+    #[arg(long)]
+    pub stages: bool,
+    /// Largest final position error of a success (m)
+    #[arg(long, value_name = "M", default_value_t = Success::default().position, value_parser = positive)]
+    pub position_tolerance: f64,
+    /// Largest final angle to the goal of a success (rad)
+    #[arg(long, value_name = "RAD", default_value_t = Success::default().orientation, value_parser = positive)]
+    pub angle_tolerance: f64,
+    /// How long the end of the reference is held before a rollout is judged (s)
+    #[arg(long, value_name = "S", default_value_t = Settings::default().settling_time, value_parser = not_negative)]
+    pub settling_time: f64,
+    /// Time step of the simulation (s)
+    #[arg(long, value_name = "S", default_value_t = Settings::default().time_step, value_parser = positive)]
+    pub time_step: f64,
+    /// Threads [default: one per processor]; they change nothing but the time it takes
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Folder for rollouts.csv and success.csv [default: DIR]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -92,4 +150,20 @@ fn parse_pose(text: &str) -> Result<Pose, String> {
         return Err("a pose needs finite numbers and a quaternion that is not zero".to_owned());
     }
     Ok(Pose(ocp::pose::normalised(&pose)))
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    number(text, |number| number > 0.0, "must be above zero")
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    number(text, |number| number >= 0.0, "must not be negative")
+}
+
+fn number(text: &str, is_right: impl Fn(f64) -> bool, rule: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() && is_right(number) => Ok(number),
+        Ok(_) => Err(rule.to_owned()),
+        Err(_) => Err("not a number".to_owned()),
+    }
 }

@@ -4,9 +4,12 @@ mod arguments;
 mod check;
 mod failure;
 mod output;
+mod plan;
 mod progress;
 mod result;
+mod simulate;
 mod solve;
+mod success_table;
 
 use std::process::ExitCode;
 
@@ -26,6 +29,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let outcome = match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
         Command::Check(arguments) => check::run(arguments),
     };
     let code = outcome.unwrap_or_else(|failure| {

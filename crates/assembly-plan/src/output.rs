@@ -9,7 +9,8 @@ use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 
-const STATE_COLUMNS: [&str; 13] =
+/// Columns of a state (pose, twist) in every table.
+pub const STATE_COLUMNS: [&str; 13] =
     ["px_m", "py_m", "pz_m", "qw", "qx", "qy", "qz", "vx_m_s", "vy_m_s", "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s"];
 const WRENCH_COLUMNS: [&str; 6] = ["fx_n", "fy_n", "fz_n", "tx_nm", "ty_nm", "tz_nm"];
 
@@ -99,7 +100,8 @@ fn time(trajectory: &Trajectory, step: usize) -> String {
     ((step as f64 * trajectory.time_step * NANOSECONDS).round() / NANOSECONDS).to_string()
 }
 
-fn table<'header>(
+/// A table as CSV.
+pub fn table<'header>(
     header: impl Iterator<Item = &'header str>,
     rows: impl Iterator<Item = Vec<String>>,
 ) -> Result<Vec<u8>, Failure> {

@@ -3,6 +3,7 @@
 use ocp::{StageResult, StageTiming};
 use scene::{Scene, StartPose};
 use serde::Serialize;
+use simulation::Success;
 
 /// Everything that is known of a plan besides its trajectories.
 #[derive(Debug, Serialize)]
@@ -90,17 +91,13 @@ struct Scenario {
     max_force_n: f64,
 }
 
-/// Largest final errors with which a scenario counts as at its goal.
-const POSITION_TOLERANCE: f64 = 3e-3;
-const ORIENTATION_TOLERANCE: f64 = 0.1;
-
 impl PlanResult {
     /// From all homotopy iterations that ran; `stages` is not empty.
     pub fn new(scene: &Scene, start: &StartPose, delta: f64, planned: usize, stages: &[StageResult]) -> Self {
         let last = &stages[stages.len() - 1];
         let (position, orientation) = last.trajectory.worst_errors();
         let converged = stages.len() == planned && last.status.is_success();
-        let goal_reached = position <= POSITION_TOLERANCE && orientation <= ORIENTATION_TOLERANCE;
+        let goal_reached = Success::default().reached(position, orientation);
         let status = match (converged, goal_reached) {
             (true, true) => "done".to_owned(),
             (true, false) => "converged, but the goal is not reached".to_owned(),

@@ -131,17 +131,9 @@ impl Scene {
         if !(magnitude >= 0.0 && magnitude.is_finite()) {
             return Err(format!("the offset magnitude must not be negative, got {magnitude}"));
         }
-        let pair = |&(body, environment): &(usize, usize)| {
-            let (body, environment) = (&self.body[body], &self.environment[environment]);
-            ContactPair {
-                body: body.name.clone(),
-                environment: environment.name.clone(),
-                shapes: collision::Pair::new(body.shape.clone(), environment.shape.clone()),
-            }
-        };
         Ok(AssemblyTask {
             inertia: self.inertia.clone(),
-            pairs: self.pairs.iter().map(pair).collect(),
+            pairs: self.pairs.iter().map(|&(part, other)| self.pair(part, other)).collect(),
             start: self.start(start)?.pose,
             goal: self.goal,
             impedance: self.impedance.clone(),
@@ -149,6 +141,21 @@ impl Scene {
             horizon: self.horizon,
             cost: self.cost,
         })
+    }
+
+    /// Every body part with every environment part, also those that a plan leaves out.
+    pub fn all_pairs(&self) -> Vec<ContactPair> {
+        let others = 0..self.environment.len();
+        (0..self.body.len()).flat_map(|part| others.clone().map(move |other| self.pair(part, other))).collect()
+    }
+
+    fn pair(&self, part: usize, other: usize) -> ContactPair {
+        let (body, environment) = (&self.body[part], &self.environment[other]);
+        ContactPair {
+            body: body.name.clone(),
+            environment: environment.name.clone(),
+            shapes: collision::Pair::new(body.shape.clone(), environment.shape.clone()),
+        }
     }
 }
 

@@ -1,0 +1,257 @@
+//! `simulate`: play plans closed loop under injected offsets and count how often they succeed.
+
+use std::path::Path;
+use std::time::Instant;
+
+use ocp::AssemblyTask;
+use scene::Scene;
+use simulation::{Outcome, Reference, Rollout, Settings, Success, offsets};
+
+use crate::DONE;
+use crate::arguments::SimulateArguments;
+use crate::failure::Failure;
+use crate::output::{table, write_file};
+use crate::plan::{Plan, read_numbers};
+use crate::success_table::{Motion, SuccessTable};
+
+/// Poses closer than this (m, rad) are the same: files keep all digits.
+const SAME_POSE: f64 = 1e-6;
+
+/// Offsets that are counted together.
+struct Injection {
+    /// Magnitude, or the largest length in a list (m).
+    magnitude: f64,
+    /// Offsets (m, body frame).
+    offsets: Vec<[f64; 3]>,
+}
+
+/// One rollout and what it was.
+pub struct Played<'plan> {
+    pub plan: &'plan Plan,
+    pub motion: Motion,
+    pub friction: f64,
+    /// Injected magnitude (m).
+    pub magnitude: f64,
+    /// Injected offset (m, body frame).
+    pub offset: [f64; 3],
+    pub outcome: Outcome,
+    pub success: bool,
+}
+
+/// Plays everything, writes both tables and prints the one of successes.
+pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
+    let scene = Scene::load(&arguments.scene)?;
+    let plans = Plan::find(&arguments.folder)?;
+    stop_on_interrupt()?;
+    let begin = Instant::now();
+    let jobs = arguments.jobs.map_or_else(processors, usize::from);
+    let magnitudes = magnitudes(arguments, &plans);
+    let mut played = Vec::new();
+    for plan in &plans {
+        if !plan.converged {
+            eprintln!("warning: {}: the plan did not converge", plan.folder.display());
+        }
+        played.extend(play(arguments, &scene, plan, &magnitudes, jobs)?);
+    }
+    let seconds = begin.elapsed().as_secs_f64();
+    warn_about_overlap(&played);
+    let successes = SuccessTable::new(&played);
+    let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
+    write_file(&folder.join("rollouts.csv"), &rollouts(&played)?)?;
+    write_file(&folder.join("success.csv"), &successes.to_csv()?)?;
+    println!(
+        "{}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, overlap \
+         and force are the largest of all rollouts\n\n{successes}",
+        scene.title,
+        1e3 * arguments.position_tolerance,
+        arguments.angle_tolerance
+    );
+    let rate = 60.0 * played.len() as f64 / seconds;
+    println!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), threads(jobs));
+    println!("written to {}", folder.display());
+    Ok(DONE)
+}
+
+/// Plays all motions of one plan with all frictions and offsets.
+fn play<'plan>(
+    arguments: &SimulateArguments,
+    scene: &Scene,
+    plan: &'plan Plan,
+    magnitudes: &[f64],
+    jobs: usize,
+) -> Result<Vec<Played<'plan>>, Failure> {
+    let about_plan = |problem| Failure::Input(format!("{}: {problem}", plan.folder.display()));
+    let mut task = scene.task(Some(&plan.start), Some(plan.delta)).map_err(about_plan)?;
+    // Reality does not know which pairs the plan has left out.
+    task.pairs = scene.all_pairs();
+    let motions = motions(arguments, plan, &task)?;
+    let injections = injections(arguments, scene, plan, magnitudes)?;
+    let success = Success { position: arguments.position_tolerance, orientation: arguments.angle_tolerance };
+    let mut played = Vec::new();
+    for &friction in &arguments.friction {
+        let (time_step, settling_time) = (arguments.time_step, arguments.settling_time);
+        let rollout = Rollout::new(&task, Settings { time_step, friction, settling_time });
+        for (motion, reference) in &motions {
+            for Injection { magnitude, offsets } in &injections {
+                let outcomes = rollout.simulate(reference, offsets, jobs);
+                played.extend(offsets.iter().zip(outcomes).map(|(&offset, outcome)| Played {
+                    plan,
+                    motion: *motion,
+                    friction,
+                    magnitude: *magnitude,
+                    offset,
+                    outcome,
+                    success: success.holds(&outcome),
+                }));
+            }
+        }
+    }
+    Ok(played)
+}
+
+fn motions(
+    arguments: &SimulateArguments,
+    plan: &Plan,
+    task: &AssemblyTask,
+) -> Result<Vec<(Motion, Reference)>, Failure> {
+    let mut motions = Vec::new();
+    if arguments.stages {
+        let stages = plan.stage_references()?.into_iter().enumerate();
+        motions.extend(stages.map(|(index, reference)| (Motion::Stage(index + 1), reference)));
+    }
+    motions.push((Motion::Plan, plan.reference()?));
+    for (_, reference) in &motions {
+        let (distance, angle) = ocp::pose::errors(&reference.start(), &task.start);
+        if distance > SAME_POSE || angle > SAME_POSE {
+            return Err(Failure::Input(format!(
+                "{}: the plan does not begin at start `{}` of {}; was it made from another scene?",
+                plan.folder.display(),
+                plan.start,
+                arguments.scene.display()
+            )));
+        }
+    }
+    motions.push((Motion::StraightPush, Reference::straight(&task.start, &task.goal, task.horizon)));
+    Ok(motions)
+}
+
+/// What the user asks for, else delta-hat of every plan; increasing.
+fn magnitudes(arguments: &SimulateArguments, plans: &[Plan]) -> Vec<f64> {
+    let mut magnitudes = arguments.magnitude.clone();
+    if magnitudes.is_empty() {
+        magnitudes = plans.iter().map(|plan| plan.delta).collect();
+    }
+    magnitudes.sort_by(f64::total_cmp);
+    magnitudes.dedup();
+    magnitudes
+}
+
+fn injections(
+    arguments: &SimulateArguments,
+    scene: &Scene,
+    plan: &Plan,
+    magnitudes: &[f64],
+) -> Result<Vec<Injection>, Failure> {
+    if let Some(file) = &arguments.offsets {
+        return Ok(vec![listed(file)?]);
+    }
+    let of_magnitude = |&magnitude: &f64| {
+        let planned = scene.task(Some(&plan.start), Some(magnitude)).map_err(Failure::Input)?.offsets;
+        let offsets = match (arguments.random, arguments.grid) {
+            (Some(count), _) if arguments.ball => offsets::ball(magnitude, count as usize, arguments.seed),
+            (Some(count), _) => offsets::hull(&planned, count as usize, arguments.seed),
+            (_, Some(divisions)) => grid(&planned, divisions as usize)?,
+            (None, None) => planned,
+        };
+        Ok(Injection { magnitude, offsets: offsets::distinct(&offsets) })
+    };
+    magnitudes.iter().map(of_magnitude).collect()
+}
+
+fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, Failure> {
+    const LARGEST: f64 = 10_000.0;
+    let size = offsets::grid_size(planned.len(), divisions);
+    if size > LARGEST {
+        let problem = format!("a grid of {size:.0} offsets, more than {LARGEST}; use a smaller N, or --random");
+        return Err(Failure::Input(format!("--grid {divisions}: {problem}")));
+    }
+    Ok(offsets::grid(planned, divisions))
+}
+
+fn listed(file: &Path) -> Result<Injection, Failure> {
+    let rows = read_numbers(file, &["x_m", "y_m", "z_m"])?;
+    if rows.is_empty() {
+        return Err(Failure::Input(format!("{}: no offsets", file.display())));
+    }
+    let offsets: Vec<[f64; 3]> = rows.iter().map(|row| [row[0], row[1], row[2]]).collect();
+    let length = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
+    Ok(Injection { magnitude: offsets.iter().map(length).fold(0.0, f64::max), offsets })
+}
+
+/// Contacts are hard: what overlaps has done so from the beginning.
+fn warn_about_overlap(played: &[Played]) {
+    /// More than time steps leave (m).
+    const OVERLAP: f64 = 1e-4;
+    let count = played.iter().filter(|played| played.outcome.max_penetration > OVERLAP).count();
+    if count > 0 {
+        eprintln!(
+            "warning: in {count} of {} rollouts parts overlap; is the offset so large that the body starts inside the \
+             environment?",
+            played.len()
+        );
+    }
+}
+
+fn rollouts(played: &[Played]) -> Result<Vec<u8>, Failure> {
+    let header = [
+        "plan",
+        "start",
+        "delta_m",
+        "motion",
+        "friction",
+        "magnitude_m",
+        "x_m",
+        "y_m",
+        "z_m",
+        "success",
+        "position_error_m",
+        "orientation_error_rad",
+        "max_penetration_m",
+        "max_force_n",
+    ];
+    let rows = played.iter().map(|played| {
+        let outcome = &played.outcome;
+        let [x, y, z] = played.offset.map(|component| component.to_string());
+        vec![
+            played.plan.folder.display().to_string(),
+            played.plan.start.clone(),
+            played.plan.delta.to_string(),
+            played.motion.to_string(),
+            played.friction.to_string(),
+            played.magnitude.to_string(),
+            x,
+            y,
+            z,
+            u8::from(played.success).to_string(),
+            outcome.position_error.to_string(),
+            outcome.orientation_error.to_string(),
+            outcome.max_penetration.to_string(),
+            outcome.max_force.to_string(),
+        ]
+    });
+    table(header.into_iter(), rows)
+}
+
+fn threads(jobs: usize) -> &'static str {
+    if jobs == 1 { "thread" } else { "threads" }
+}
+
+fn processors() -> usize {
+    std::thread::available_parallelism().map_or(1, Into::into)
+}
+
+/// Ends at Ctrl-C: nothing is written before everything has been played.
+fn stop_on_interrupt() -> Result<(), Failure> {
+    ctrlc::set_handler(|| std::process::exit(i32::from(crate::INTERRUPTED)))
+        .map_err(|error| Failure::Internal(format!("interrupts cannot be handled: {error}")))
+}

@@ -1,0 +1,95 @@
+//! Reference motions between their knots.
+
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use ocp::Horizon;
+
+/// A reference motion given at equidistant knots. Between them positions are interpolated linearly and orientations
+/// by slerp; on `[k, k + 1]` the twist of knot `k + 1` holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    time_step: f64,
+    knots: Vec<Knot>,
+}
+
+/// What the controller is to track at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Knot {
+    /// Position (m) and orientation.
+    pub pose: Isometry3<f64>,
+    /// Velocity in the world frame (m/s).
+    pub velocity: Vector3<f64>,
+    /// Angular velocity in the body frame (rad/s).
+    pub spin: Vector3<f64>,
+}
+
+impl Knot {
+    /// From a state: position, quaternion w x y z, velocity (world frame), angular velocity (body frame).
+    fn new(state: &[f64; 13]) -> Self {
+        let [x, y, z, w, i, j, k, vx, vy, vz, p, q, r] = *state;
+        Self { pose: isometry(&[x, y, z, w, i, j, k]), velocity: [vx, vy, vz].into(), spin: [p, q, r].into() }
+    }
+}
+
+impl Reference {
+    /// From the states (pose, twist) of a plan, at least one, `time_step` seconds apart: those of `reference.csv` or of
+    /// [`ocp::Trajectory::reference`].
+    pub fn new(time_step: f64, states: &[[f64; 13]]) -> Self {
+        Self { time_step, knots: states.iter().map(Knot::new).collect() }
+    }
+
+    /// What one would do without a plan: straight from start to goal, turning about one axis, at constant velocity.
+    pub fn straight(start: &[f64; 7], goal: &[f64; 7], horizon: Horizon) -> Self {
+        let (start, goal) = (isometry(start), isometry(goal));
+        let duration = horizon.steps as f64 * horizon.time_step;
+        let velocity = (goal.translation.vector - start.translation.vector) / duration;
+        let spin = start.rotation.rotation_to(&goal.rotation).scaled_axis();
+        let spin = start.rotation.inverse() * spin / duration;
+        let knot = |step: usize| {
+            let fraction = step as f64 / horizon.steps as f64;
+            Knot { pose: interpolate(&start, &goal, fraction), velocity, spin }
+        };
+        Self { time_step: horizon.time_step, knots: (0..=horizon.steps).map(knot).collect() }
+    }
+
+    /// Time between two knots (s).
+    pub fn time_step(&self) -> f64 {
+        self.time_step
+    }
+
+    /// Number of intervals between knots.
+    pub fn intervals(&self) -> usize {
+        self.knots.len() - 1
+    }
+
+    /// The first pose (position m, unit quaternion w x y z).
+    pub fn start(&self) -> [f64; 7] {
+        coordinates(&self.knots[0].pose)
+    }
+
+    /// At a fraction (0 to 1) of an interval; after the last interval the last pose is held at rest.
+    pub fn at(&self, interval: usize, fraction: f64) -> Knot {
+        match self.knots.get(interval..interval + 2) {
+            Some([from, to]) => Knot { pose: interpolate(&from.pose, &to.pose, fraction), ..*to },
+            _ => Knot { pose: self.knots[self.intervals()].pose, velocity: Vector3::zeros(), spin: Vector3::zeros() },
+        }
+    }
+}
+
+fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) -> Isometry3<f64> {
+    let position = from.translation.vector.lerp(&to.translation.vector, fraction);
+    // The shorter way also where the signs of the quaternions differ.
+    let turn = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;
+    Isometry3::from_parts(position.into(), from.rotation * UnitQuaternion::from_scaled_axis(turn))
+}
+
+/// A pose as nalgebra has it; the quaternion may be of any norm.
+pub fn isometry([x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
+    let rotation = UnitQuaternion::new_normalize(Quaternion::new(*w, *i, *j, *k));
+    Isometry3::from_parts(Translation3::new(*x, *y, *z), rotation)
+}
+
+/// A pose as position and quaternion w x y z.
+pub fn coordinates(pose: &Isometry3<f64>) -> [f64; 7] {
+    let (position, turned) = (pose.translation.vector, pose.rotation);
+    [position.x, position.y, position.z, turned.w, turned.i, turned.j, turned.k]
+}

@@ -1,0 +1,127 @@
+//! Plans played closed loop under injected offsets.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use nalgebra::Vector3;
+use ocp::AssemblyTask;
+
+use crate::contact::ContactFinder;
+use crate::dynamics::{Body, Stepper};
+use crate::reference::{Reference, coordinates, isometry};
+use crate::settings::Settings;
+
+/// A task that is ready to be played.
+#[derive(Debug, Clone)]
+pub struct Rollout {
+    task: AssemblyTask,
+    settings: Settings,
+    finder: ContactFinder,
+}
+
+/// How a rollout ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outcome {
+    /// Final pose of the body (position m, unit quaternion w x y z).
+    pub pose: [f64; 7],
+    /// Distance of the final position from the goal (m).
+    pub position_error: f64,
+    /// Angle between the final orientation and the goal (rad).
+    pub orientation_error: f64,
+    /// Deepest overlap of a pair (m) after any time step, or at the start.
+    pub max_penetration: f64,
+    /// Largest normal force of a pair (N), the mean over an interval between two knots: an impact has no largest force,
+    /// only an impulse.
+    pub max_force: f64,
+    /// Whether the motion left the range of numbers; nothing else then means anything.
+    pub diverged: bool,
+}
+
+/// A moment of a rollout.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moment {
+    /// Time since the start (s).
+    pub time: f64,
+    /// Pose of the body (position m, unit quaternion w x y z).
+    pub pose: [f64; 7],
+    /// Velocity in the world frame (m/s).
+    pub velocity: [f64; 3],
+    /// Angular velocity in the body frame (rad/s).
+    pub spin: [f64; 3],
+}
+
+impl Rollout {
+    /// Prepares the shapes of a task.
+    pub fn new(task: &AssemblyTask, settings: Settings) -> Self {
+        Self { task: task.clone(), settings, finder: ContactFinder::new(&task.pairs) }
+    }
+
+    /// Plays a reference once per offset (m, body frame) on `jobs` threads; outcomes are in the order of the offsets
+    /// and do not depend on the number of threads.
+    pub fn simulate(&self, reference: &Reference, offsets: &[[f64; 3]], jobs: usize) -> Vec<Outcome> {
+        let next = AtomicUsize::new(0);
+        let work = || {
+            let mut done = Vec::new();
+            loop {
+                let index = next.fetch_add(1, Ordering::Relaxed);
+                let Some(offset) = offsets.get(index) else { return done };
+                done.push((index, self.play(reference, offset, |_| {})));
+            }
+        };
+        let mut outcomes: Vec<(usize, Outcome)> = std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..jobs.clamp(1, offsets.len().max(1))).map(|_| scope.spawn(work)).collect();
+            threads.into_iter().flat_map(|thread| thread.join().expect("rollouts do not panic")).collect()
+        });
+        outcomes.sort_by_key(|(index, _)| *index);
+        outcomes.into_iter().map(|(_, outcome)| outcome).collect()
+    }
+
+    /// Plays a reference with one offset (m, body frame) and shows every moment of it: the body starts at rest where the
+    /// robot believes to hold it at the reference's start, and the reference is held at its end for the settling time.
+    pub fn play(&self, reference: &Reference, offset: &[f64; 3], mut observe: impl FnMut(&Moment)) -> Outcome {
+        let mut finder = self.finder.clone();
+        let (time_step, substeps) = self.settings.divide(reference.time_step());
+        let mut stepper = Stepper::new(time_step, &self.task.inertia, &self.task.impedance, self.settings.friction);
+        let mut body = start(reference, offset);
+        let offset = Vector3::from(*offset);
+        let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
+        let mut max_impulse = 0.0_f64;
+        let mut impulses = vec![0.0; self.task.pairs.len()];
+        for interval in 0..reference.intervals() + self.settings.settling_intervals(reference.time_step()) {
+            impulses.fill(0.0);
+            for substep in 1..=substeps {
+                let target = reference.at(interval, substep as f64 / substeps as f64);
+                let overlap = stepper.step(&mut body, &target, &offset, &mut finder, &mut impulses);
+                max_penetration = max_penetration.max(overlap);
+                observe(&moment((interval * substeps + substep) as f64 * time_step, &body));
+            }
+            max_impulse = impulses.iter().copied().fold(max_impulse, f64::max);
+            if !is_finite(&body) {
+                break;
+            }
+        }
+        let pose = coordinates(&body.pose);
+        let (position_error, orientation_error) = ocp::pose::errors(&pose, &self.task.goal);
+        Outcome {
+            pose,
+            position_error,
+            orientation_error,
+            max_penetration,
+            max_force: max_impulse / reference.time_step(),
+            diverged: !is_finite(&body),
+        }
+    }
+}
+
+/// At rest at `P_q^-1` of the reference's start (Sec. ocp:ocp).
+fn start(reference: &Reference, offset: &[f64; 3]) -> Body {
+    let pose = isometry(&ocp::pose::without_offset(&reference.start(), offset));
+    Body { pose, velocity: Vector3::zeros(), spin: Vector3::zeros() }
+}
+
+fn moment(time: f64, body: &Body) -> Moment {
+    Moment { time, pose: coordinates(&body.pose), velocity: body.velocity.into(), spin: body.spin.into() }
+}
+
+fn is_finite(body: &Body) -> bool {
+    coordinates(&body.pose).iter().chain(&body.velocity).chain(&body.spin).all(|number| number.is_finite())
+}

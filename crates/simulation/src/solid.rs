@@ -1,0 +1,123 @@
+//! Polytopes with the facets, edges and corners that touch.
+
+use std::collections::BTreeMap;
+
+use collision::Polytope;
+use nalgebra::{Rotation3, Vector3};
+
+/// A convex polytope, placed somewhere.
+#[derive(Debug, Clone)]
+pub struct Solid {
+    pub vertices: Vec<Vector3<f64>>,
+    pub facets: Vec<Facet>,
+    pub edges: Vec<Edge>,
+}
+
+/// A facet `{p | normal p = offset}` with its corners, counter-clockwise as seen from outside.
+#[derive(Debug, Clone)]
+pub struct Facet {
+    pub normal: Vector3<f64>,
+    pub offset: f64,
+    pub corners: Vec<usize>,
+}
+
+/// Two vertices and the two facets that meet between them.
+#[derive(Debug, Clone, Copy)]
+pub struct Edge {
+    pub ends: [usize; 2],
+    pub facets: [usize; 2],
+}
+
+/// A vertex closer to a facet's plane than this fraction of the part's size is one of its corners.
+const CORNER_TOLERANCE: f64 = 1e-6;
+
+impl Solid {
+    /// The polytope in its own frame.
+    pub fn new(shape: &Polytope) -> Self {
+        let vertices: Vec<Vector3<f64>> = shape.vertices().iter().map(|vertex| Vector3::from(*vertex)).collect();
+        let tolerance = CORNER_TOLERANCE * shape.size();
+        let facets: Vec<Facet> = shape
+            .normals()
+            .iter()
+            .zip(shape.offsets())
+            .map(|(normal, &offset)| {
+                let normal = Vector3::from(*normal);
+                Facet { normal, offset, corners: corners(&vertices, &normal, offset, tolerance) }
+            })
+            .collect();
+        let edges = edges(&facets);
+        Self { vertices, facets, edges }
+    }
+
+    /// Largest distance of a vertex from the origin of the frame (m).
+    pub fn radius(&self) -> f64 {
+        self.vertices.iter().map(Vector3::norm).fold(0.0, f64::max)
+    }
+
+    /// Becomes `other` rotated and then moved; both must be placements of the same polytope.
+    pub fn place(&mut self, other: &Self, rotation: &Rotation3<f64>, position: &Vector3<f64>) {
+        for (placed, vertex) in self.vertices.iter_mut().zip(&other.vertices) {
+            *placed = rotation * vertex + position;
+        }
+        for (placed, facet) in self.facets.iter_mut().zip(&other.facets) {
+            placed.normal = rotation * facet.normal;
+            placed.offset = facet.offset + placed.normal.dot(position);
+        }
+    }
+
+    /// The vertex that lies furthest against a direction, and how far along the direction it lies.
+    pub fn lowest(&self, direction: &Vector3<f64>) -> (usize, f64) {
+        let heights = self.vertices.iter().map(|vertex| direction.dot(vertex)).enumerate();
+        heights.fold((0, f64::INFINITY), |lowest, next| if next.1 < lowest.1 { next } else { lowest })
+    }
+
+    /// End points of an edge.
+    pub fn segment(&self, edge: &Edge) -> [Vector3<f64>; 2] {
+        edge.ends.map(|end| self.vertices[end])
+    }
+}
+
+/// Vertices in a plane, counter-clockwise about its normal.
+fn corners(vertices: &[Vector3<f64>], normal: &Vector3<f64>, offset: f64, tolerance: f64) -> Vec<usize> {
+    let mut corners: Vec<usize> =
+        (0..vertices.len()).filter(|&index| (normal.dot(&vertices[index]) - offset).abs() <= tolerance).collect();
+    let center = corners.iter().map(|&index| vertices[index]).sum::<Vector3<f64>>() / corners.len() as f64;
+    let first = vertices[corners[0]] - center;
+    let second = normal.cross(&first);
+    let angle = |&index: &usize| {
+        let arm = vertices[index] - center;
+        arm.dot(&second).atan2(arm.dot(&first))
+    };
+    corners.sort_by(|one, other| angle(one).total_cmp(&angle(other)));
+    corners
+}
+
+fn edges(facets: &[Facet]) -> Vec<Edge> {
+    let mut sides: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
+    for (index, facet) in facets.iter().enumerate() {
+        for (&from, &to) in facet.corners.iter().zip(facet.corners.iter().cycle().skip(1)) {
+            sides.entry([from.min(to), from.max(to)]).or_default().push(index);
+        }
+    }
+    let shared = |(ends, facets): ([usize; 2], Vec<usize>)| Some(Edge { ends, facets: facets.try_into().ok()? });
+    sides.into_iter().filter_map(shared).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn euler_counts_vertices_edges_and_facets() {
+        let roof =
+            [[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.1, 0.1, 0.0], [0.0, 0.05, 0.1], [0.1, 0.05, 0.1]];
+        for shape in [Polytope::from_box([0.1, 0.2, 0.3]).unwrap(), Polytope::from_vertices(&roof).unwrap()] {
+            let solid = Solid::new(&shape);
+            assert_eq!(solid.vertices.len() + solid.facets.len(), solid.edges.len() + 2);
+            for facet in &solid.facets {
+                let [a, b, c] = [0, 1, 2].map(|corner| solid.vertices[facet.corners[corner]]);
+                assert!((b - a).cross(&(c - b)).dot(&facet.normal) > 0.0, "counter-clockwise");
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What counts as success, and how sure a rate of success is.
+
+use crate::rollout::Outcome;
+
+/// Largest final errors of a successful rollout.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Success {
+    /// Distance from the goal (m).
+    pub position: f64,
+    /// Angle to the goal (rad).
+    pub orientation: f64,
+}
+
+impl Default for Success {
+    fn default() -> Self {
+        Self { position: 3e-3, orientation: 0.1 }
+    }
+}
+
+impl Success {
+    /// Whether a rollout ends at the goal.
+    pub fn holds(&self, outcome: &Outcome) -> bool {
+        !outcome.diverged && self.reached(outcome.position_error, outcome.orientation_error)
+    }
+
+    /// Whether final errors (m, rad) are small enough.
+    pub fn reached(&self, position_error: f64, orientation_error: f64) -> bool {
+        position_error <= self.position && orientation_error <= self.orientation
+    }
+}
+
+/// Wilson's interval in which the probability of success lies with 95 % confidence, after `successes` of `trials`.
+pub fn wilson_interval(successes: usize, trials: usize) -> [f64; 2] {
+    // Quantile of the normal distribution at 97.5 %.
+    const Z: f64 = 1.959_963_984_540_054;
+    if trials == 0 {
+        return [0.0, 1.0];
+    }
+    let (count, rate) = (trials as f64, successes as f64 / trials as f64);
+    let center = rate + Z * Z / (2.0 * count);
+    let half = Z * (rate * (1.0 - rate) / count + Z * Z / (4.0 * count * count)).sqrt();
+    let scale = 1.0 + Z * Z / count;
+    [((center - half) / scale).max(0.0), ((center + half) / scale).min(1.0)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wilson_intervals_are_those_of_the_literature() {
+        for (successes, trials, low, high) in [
+            (0, 10, 0.0, 0.277_533),
+            (5, 10, 0.236_593, 0.763_407),
+            (10, 10, 0.722_467, 1.0),
+            (90, 90, 0.959_064, 1.0),
+            (24, 30, 0.626_947, 0.904_952),
+        ] {
+            let [actual_low, actual_high] = wilson_interval(successes, trials);
+            assert!((actual_low - low).abs() < 1e-5, "{successes} of {trials}: {actual_low}");
+            assert!((actual_high - high).abs() < 1e-5, "{successes} of {trials}: {actual_high}");
+        }
+        assert_eq!(wilson_interval(0, 0), [0.0, 1.0]);
+    }
+}

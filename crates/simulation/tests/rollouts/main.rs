@@ -1,0 +1,5 @@
+//! Rollouts in small worlds.
+
+mod physics;
+mod properties;
+mod world;

@@ -1,0 +1,143 @@
+//! Rollouts against what mechanics says.
+
+use collision::Polytope;
+use nalgebra::Vector3;
+use simulation::{Moment, Reference, Rollout, Settings};
+
+use crate::world::{
+    INERTIA, MASS, ROTATIONAL_STIFFNESS, STIFFNESS, at_rest, block, floor, hole, moments, task, through,
+};
+
+/// What is left of a deviation of a critically damped body after a time (s).
+fn critically_damped(frequency: f64, time: f64) -> f64 {
+    (1.0 + frequency * time) * (-frequency * time).exp()
+}
+
+/// Largest deviation from the motion of a critically damped body whose target jumps once: in position (m) and in angle
+/// (rad).
+fn deviations_in_free_motion(time_step: f64) -> (f64, f64) {
+    const JUMP: f64 = 0.02;
+    const TURN: f64 = 1e-3;
+    let rollout = Rollout::new(&task(&block([0.1; 3], [0.0; 3]), &[]), Settings { time_step, ..Settings::default() });
+    let mut target = at_rest([JUMP, 0.0, 0.0]);
+    (target[3], target[5]) = ((0.5 * TURN).cos(), (0.5 * TURN).sin());
+    let mut largest = (0.0_f64, 0.0_f64);
+    for moment in moments(&rollout, &Reference::new(time_step, &[at_rest([0.0; 3]), target])) {
+        let position = JUMP * (1.0 - critically_damped((STIFFNESS / MASS).sqrt(), moment.time));
+        let angle = TURN * (1.0 - critically_damped((ROTATIONAL_STIFFNESS / INERTIA).sqrt(), moment.time));
+        largest.0 = largest.0.max((moment.pose[0] - position).abs());
+        largest.1 = largest.1.max((2.0 * moment.pose[5].asin() - angle).abs());
+    }
+    largest
+}
+
+#[test]
+fn free_motion_is_that_of_a_critically_damped_body() {
+    let deviations = [4e-3, 2e-3, 1e-3, 5e-4].map(deviations_in_free_motion);
+    assert!(deviations[2].0 < 5e-5 && deviations[2].1 < 5e-6, "{deviations:?}");
+    for pair in deviations.windows(2) {
+        assert!((1.8..2.2).contains(&(pair[0].0 / pair[1].0)), "first order: {deviations:?}");
+        assert!((1.8..2.2).contains(&(pair[0].1 / pair[1].1)), "first order: {deviations:?}");
+    }
+}
+
+#[test]
+fn an_offset_displaces_the_body_and_the_controller_never_learns_of_it() {
+    let rollout = Rollout::new(&task(&block([0.1; 3], [0.0; 3]), &[]), Settings::default());
+    let outcome = rollout.play(&through(&[[0.1, 0.0, 0.0], [0.0; 3]], 1.0), &[0.003, 0.004, 0.0], |_| {});
+    assert!((Vector3::new(outcome.pose[0], outcome.pose[1], 0.0) - Vector3::new(-0.003, -0.004, 0.0)).norm() < 2e-4);
+    assert!((outcome.position_error - 0.005).abs() < 2e-4 && outcome.orientation_error < 1e-12);
+}
+
+/// Positions every 8 ms of a box that falls on a floor, tilted by contact, and slides into a wall.
+fn bumpy_motion(time_step: f64, friction: f64) -> Vec<Vector3<f64>> {
+    let wall = block([0.1, 0.6, 0.4], [-0.05, 0.0, 0.2]);
+    let mut start = at_rest([0.1, 0.0, 0.08]);
+    (start[3], start[5]) = (0.15_f64.cos(), 0.15_f64.sin());
+    let target = at_rest([0.045, 0.0, 0.02]);
+    let rollout = Rollout::new(
+        &task(&block([0.1, 0.08, 0.06], [0.0; 3]), &[floor(), wall]),
+        Settings { time_step, friction, ..Settings::default() },
+    );
+    let moments = moments(&rollout, &Reference::new(0.4, &[start, target]));
+    let every = (8e-3 / time_step).round() as usize;
+    moments.iter().skip(every - 1).step_by(every).map(position).collect()
+}
+
+fn position(moment: &Moment) -> Vector3<f64> {
+    Vector3::new(moment.pose[0], moment.pose[1], moment.pose[2])
+}
+
+#[test]
+fn motion_with_contacts_converges_as_steps_get_finer() {
+    for friction in [0.0, 0.3] {
+        let exact = bumpy_motion(6.25e-5, friction);
+        let deviations = [4e-3, 2e-3, 1e-3, 5e-4].map(|time_step| {
+            let positions = bumpy_motion(time_step, friction);
+            positions.iter().zip(&exact).map(|(one, other)| (one - other).norm()).fold(0.0, f64::max)
+        });
+        assert!(deviations[2] < 1e-3, "friction {friction}: {deviations:?}");
+        assert!(deviations[3] < 0.3 * deviations[0], "friction {friction}: {deviations:?}");
+    }
+}
+
+#[test]
+fn a_wall_is_pushed_with_the_force_of_the_spring() {
+    const DEPTH: f64 = 0.03;
+    let body = block([0.1, 0.1, 0.06], [0.0; 3]);
+    let rollout = Rollout::new(&task(&body, &[floor()]), Settings::default());
+    let outcome = rollout.play(&through(&[[0.0, 0.0, 0.03], [0.0, 0.0, 0.03 - DEPTH]], 1.0), &[0.0; 3], |_| {});
+    assert!((outcome.max_force / (STIFFNESS * DEPTH) - 1.0).abs() < 1e-6, "{outcome:?}");
+    assert!((outcome.pose[2] - 0.03).abs() < 1e-9 && outcome.max_penetration < 1e-9, "{outcome:?}");
+}
+
+#[test]
+fn friction_holds_up_to_its_limit_and_then_drags() {
+    const DEPTH: f64 = 0.03;
+    let body = block([0.1, 0.1, 0.06], [0.0; 3]);
+    for friction in [0.1, 0.5] {
+        let settings = Settings { friction, settling_time: 4.0, ..Settings::default() };
+        let rollout = Rollout::new(&task(&body, &[floor()]), settings);
+        // The normal force is that of the spring; a pull along the floor moves the body when it exceeds mu times that.
+        let limit = friction * DEPTH;
+        for (pull, rest) in [(0.9 * limit, 0.0), (1.1 * limit, 0.1 * limit), (3.0 * limit, 2.0 * limit)] {
+            let (pressed, above) = ([0.0, 0.0, 0.03 - DEPTH], [0.0, 0.0, 0.03]);
+            // Along a direction that the friction cone is not built around.
+            let (x, y) = (0.8 * pull, 0.6 * pull);
+            let reference = through(&[above, pressed, [x, y, pressed[2]]], 1.0);
+            let outcome = rollout.play(&reference, &[0.0; 3], |_| {});
+            let moved = outcome.pose[0].hypot(outcome.pose[1]);
+            assert!((moved - rest).abs() < 1e-5, "friction {friction}, pull {pull}: {moved}, not {rest}");
+            assert!((outcome.pose[2] - 0.03).abs() < 1e-6);
+        }
+    }
+}
+
+#[test]
+fn a_peg_enters_a_hole_that_it_meets_and_rests_on_a_rim_that_it_does_not() {
+    let peg = block([0.04, 0.04, 0.08], [0.0; 3]);
+    let rollout = Rollout::new(&task(&peg, &hole(0.041)), Settings::default());
+    // From above the rim to a little above the bottom, with the lower end of the peg 0.04 m below its centre.
+    let reference = through(&[[0.0, 0.0, 0.06], [0.0, 0.0, -0.005]], 2.0);
+    let heights = [0.0, 4e-4, 2e-3].map(|offset| {
+        let outcome = rollout.play(&reference, &[offset, 0.0, 0.0], |_| {});
+        assert!(outcome.max_penetration < 1e-6, "{outcome:?}");
+        outcome.pose[2]
+    });
+    assert!((heights[0] + 0.005).abs() < 1e-3 && (heights[1] + 0.005).abs() < 1e-3, "{heights:?}");
+    assert!((heights[2] - 0.04).abs() < 1e-3, "{heights:?}");
+}
+
+#[test]
+fn a_fast_body_does_not_pass_a_thin_plate() {
+    let plate = block([1.0, 1.0, 0.001], [0.0, 0.0, 0.0]);
+    let body: Polytope = block([0.02, 0.02, 0.002], [0.0; 3]);
+    for friction in [0.0, 0.3] {
+        let settings = Settings { friction, ..Settings::default() };
+        let rollout = Rollout::new(&task(&body, std::slice::from_ref(&plate)), settings);
+        // Pulled 2 m down it would cross the plate at about 5 m/s, five thicknesses in a step.
+        let reference = Reference::new(1e-3, &[at_rest([0.0, 0.0, 1.0]), at_rest([0.0, 0.0, -1.0])]);
+        let outcome = rollout.play(&reference, &[0.0; 3], |_| {});
+        assert!((outcome.pose[2] - 0.0015).abs() < 1e-6, "{outcome:?}");
+    }
+}
