@@ -58,6 +58,13 @@ pub struct SolveArguments {
     /// else stage]
     #[arg(long, value_name = "NAME")]
     pub linear_solver: Option<String>,
+    /// Go on after the last homotopy stage that an interrupted solve of the same problem finished in --out; when
+    /// interrupted, leave its stages and no result
+    #[arg(long, requires = "out")]
+    pub resume: bool,
+    /// Refuse any problem but the one with this identity: a batch has written it into its manifest
+    #[arg(long, hide = true, value_name = "HASH")]
+    pub expect: Option<String>,
 }
 
 #[derive(Debug, Args)]

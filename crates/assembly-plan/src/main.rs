@@ -2,8 +2,10 @@
 
 mod arguments;
 mod check;
+mod checkpoint;
 mod failure;
 mod output;
+mod problem;
 mod progress;
 mod result;
 mod solve;
