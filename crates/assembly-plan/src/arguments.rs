@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::batch::BatchArguments;
+
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///
 /// A scene file (TOML, lengths in metres, quaternions w x y z) names the shapes of the moved body and its environment,
@@ -21,12 +23,15 @@ Exit codes: 0 done, 1 no converged plan or goal not reached, 2 wrong input or us
 
 Examples:
   assembly-plan check scenes/peg1.toml
-  assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1";
+  assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
+  assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Plan one motion and write its files
     Solve(SolveArguments),
+    /// Plan every start and offset magnitude of some scenes, here or on a cluster
+    Batch(BatchArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
 }
@@ -62,9 +67,10 @@ pub struct SolveArguments {
     /// interrupted, leave its stages and no result
     #[arg(long, requires = "out")]
     pub resume: bool,
-    /// Refuse any problem but the one with this identity: a batch has written it into its manifest
-    #[arg(long, hide = true, value_name = "HASH")]
-    pub expect: Option<String>,
+    /// Solve a cell of a batch: refuse any problem but the one of this identity, which stands in the manifest, and stop
+    /// when standard input ends
+    #[arg(long, hide = true, requires = "resume", value_name = "IDENTITY")]
+    pub cell: Option<String>,
 }
 
 #[derive(Debug, Args)]

@@ -1,7 +1,6 @@
 //! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy iteration.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::Path;
 
 use nlp::Iterate;
@@ -9,7 +8,7 @@ use ocp::StageResult;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
-use crate::output::write_file;
+use crate::output::{remove_file, write_file};
 use crate::result::Stage;
 
 /// Name of the file, beside the plan's own.
@@ -51,11 +50,7 @@ impl Checkpoint {
 
     /// Removes the checkpoint of a folder, if there is one.
     pub fn remove(folder: &Path) -> Result<(), Failure> {
-        let file = folder.join(FILE);
-        match fs::remove_file(&file) {
-            Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(&file, &error)),
-            _ => Ok(()),
-        }
+        remove_file(&folder.join(FILE))
     }
 
     /// The primal-dual point where the next iteration starts.

@@ -1,6 +1,7 @@
 //! The command line of assembly-plan.
 
 mod arguments;
+mod batch;
 mod check;
 mod checkpoint;
 mod failure;
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let outcome = match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(arguments),
     };
     let code = outcome.unwrap_or_else(|failure| {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::problem::Problem;
 
 /// Everything that is known of a plan besides its trajectories.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize)]
 pub struct PlanResult {
     status: String,
     converged: bool,
@@ -27,10 +27,10 @@ pub struct PlanResult {
     scenarios: Vec<Scenario>,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize)]
 struct Versions {
-    assembly_plan: String,
-    ipopt: String,
+    assembly_plan: &'static str,
+    ipopt: &'static str,
 }
 
 /// One homotopy iteration, without its trajectory.
@@ -83,7 +83,7 @@ struct Split {
     rest: f64,
 }
 
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Serialize)]
 struct Scenario {
     offset_m: [f64; 3],
     position_error_m: f64,
@@ -117,10 +117,7 @@ impl PlanResult {
             linear_solver: last.linear_solver.clone(),
             linear_solver_fallbacks: stages.iter().map(Stage::fallbacks).sum(),
             threads: 1,
-            versions: Versions {
-                assembly_plan: env!("CARGO_PKG_VERSION").to_owned(),
-                ipopt: nlp::IPOPT_VERSION.to_owned(),
-            },
+            versions: Versions { assembly_plan: env!("CARGO_PKG_VERSION"), ipopt: nlp::IPOPT_VERSION },
             iterations: stages.iter().map(|stage| stage.iterations).sum(),
             objective: last.objective,
             wall_s: stages.iter().map(|stage| stage.wall_s).sum(),

@@ -13,7 +13,7 @@ use scene::{Scene, StartPose};
 use crate::arguments::SolveArguments;
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
-use crate::output::{write_file, write_trajectory};
+use crate::output::{remove_file, write_file, write_trajectory};
 use crate::problem::{Problem, homotopy};
 use crate::progress::Progress;
 use crate::result::{PlanResult, Stage};
@@ -25,7 +25,7 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     let settings = homotopy(&scene, arguments.homotopy.as_deref(), arguments.linear_solver.as_deref())?;
     let problem = Problem::new(&scene, arguments.task.start.as_deref(), arguments.task.delta, settings)
         .map_err(Failure::Input)?;
-    if arguments.expect.as_ref().is_some_and(|expected| *expected != problem.identity) {
+    if arguments.cell.as_ref().is_some_and(|identity| *identity != problem.identity) {
         let message = "the scene, a mesh, the homotopy or the version of assembly-plan is not the one of the manifest; \
                        expand the batch into another folder";
         return Err(Failure::Input(format!("{}: {message}", arguments.task.scene.display())));
@@ -42,7 +42,11 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     prepare(&folder, checkpoint.is_some())?;
     write_file(&folder.join("resolved.toml"), problem.resolved.as_bytes())?;
 
-    let (stages, last) = solve(&problem, &folder, checkpoint)?;
+    let stopped = stop_on_interrupt()?;
+    if arguments.cell.is_some() {
+        stop_with_parent(Arc::clone(&stopped));
+    }
+    let (stages, last) = solve(&problem, &folder, checkpoint, &stopped)?;
     let interrupted = last.status == SolveStatus::Interrupted;
     if interrupted && arguments.resume {
         eprintln!("interrupted in stage {}; the same command goes on with it", stages.len());
@@ -66,9 +70,9 @@ fn solve(
     problem: &Problem,
     folder: &Path,
     checkpoint: Option<Checkpoint>,
+    stopped: &AtomicBool,
 ) -> Result<(Vec<Stage>, StageResult), Failure> {
     let planned = problem.homotopy.0.iterations;
-    let stopped = stop_on_interrupt()?;
     let progress = Progress::new();
     let observe = |event: Event| {
         progress.iteration(&event);
@@ -119,16 +123,14 @@ fn default_folder(scene: &Scene, start: &StartPose) -> PathBuf {
 /// Removes an older plan's mark of being whole before anything of it is replaced and, unless its finished stages are
 /// kept, these and its checkpoint.
 fn prepare(folder: &Path, keeps_stages: bool) -> Result<(), Failure> {
-    let missing_is_fine = |path: &Path, outcome: std::io::Result<()>| match outcome {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(path, &error)),
-        _ => Ok(()),
-    };
-    let result = folder.join("result.json");
-    missing_is_fine(&result, fs::remove_file(&result))?;
+    remove_file(&folder.join("result.json"))?;
     if !keeps_stages {
         Checkpoint::remove(folder)?;
         let stages = folder.join("stages");
-        missing_is_fine(&stages, fs::remove_dir_all(&stages))?;
+        match fs::remove_dir_all(&stages) {
+            Err(error) if error.kind() != ErrorKind::NotFound => return Err(Failure::io(&stages, &error)),
+            _ => {}
+        }
     }
     fs::create_dir_all(folder).map_err(|error| Failure::io(folder, &error))
 }
@@ -140,4 +142,14 @@ pub fn stop_on_interrupt() -> Result<Arc<AtomicBool>, Failure> {
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
         .map_err(|error| Failure::Internal(format!("interrupts cannot be handled: {error}")))?;
     Ok(stopped)
+}
+
+/// Sets the flag when standard input ends: a batch holds the other end of it, so its cells stop when it wants them to
+/// and also when it is killed itself.
+fn stop_with_parent(stopped: Arc<AtomicBool>) {
+    std::thread::spawn(move || {
+        // An input that cannot be read has ended too.
+        let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
+        stopped.store(true, Ordering::Relaxed);
+    });
 }
