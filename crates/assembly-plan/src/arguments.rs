@@ -61,7 +61,7 @@ pub struct SolveArguments {
     pub out: Option<PathBuf>,
     /// Linear solver: stage, mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's,
     /// else stage]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = scene::LINEAR_SOLVERS, hide_possible_values = true)]
     pub linear_solver: Option<String>,
     /// Go on after the last homotopy stage that an interrupted solve of the same problem finished in --out; when
     /// interrupted, leave its stages and no result

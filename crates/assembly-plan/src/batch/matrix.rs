@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use scene::{SceneError, Source};
+use scene::{LINEAR_SOLVERS, SceneError, Source};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -63,7 +63,7 @@ struct MatrixDocument {
     deltas: Option<Spanned<Vec<f64>>>,
     #[serde(default)]
     homotopies: Vec<PathBuf>,
-    linear_solver: Option<String>,
+    linear_solver: Option<Spanned<String>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -94,6 +94,9 @@ impl Matrix {
             .map_err(|error| SceneError::about(path, format!("the matrix cannot be read: {error}")))?;
         let source = Source { file: path, text: &text };
         let document: MatrixDocument = toml::from_str(&text).map_err(|error| source.parse_error(&error))?;
+        if let Some(name) = &document.linear_solver {
+            source.require_known(name, &LINEAR_SOLVERS)?;
+        }
         let beside = |files: &[PathBuf]| files.iter().map(|file| path.parent().unwrap_or(path).join(file)).collect();
         let names = match document.starts.as_ref().map(Spanned::get_ref) {
             None => Vec::new(),
@@ -112,7 +115,7 @@ impl Matrix {
             starts: Starts::new(names),
             deltas: document.deltas.map_or_else(Vec::new, Spanned::into_inner),
             homotopies: beside(&document.homotopies),
-            linear_solver: document.linear_solver,
+            linear_solver: document.linear_solver.map(Spanned::into_inner),
             places,
         })
     }

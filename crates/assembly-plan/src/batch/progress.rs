@@ -56,7 +56,7 @@ impl Progress {
             eprintln!("{clear}nothing to do: all {total} cells are finished, {done} done, {failed} failed");
         } else {
             let time = words(self.begun.elapsed());
-            eprintln!("{clear}{done}/{total} cells done, {failed} failed; {solved} solved now, in {time}");
+            eprintln!("{clear}{done}/{total} cells done, {failed} failed; {solved} solves in {time}");
         }
     }
 
