@@ -1,9 +1,9 @@
 //! `batch`: every start, offset magnitude and homotopy of some scenes, on one machine or as a job array.
 //!
-//! [`expand`] turns a [`matrix`] into the cells of an immutable [`manifest`]; [`run`] solves them, each by a `solve` of
-//! its own in a folder named after what it solves. The files are the truth: a cell is finished when its `result.json`
-//! stands, and being solved while a process holds the lock on its log. So any number of runs, on one machine or many,
-//! share one folder, and each can be killed at any moment and started again.
+//! [`mod@expand`] turns a [`matrix`] into the cells of an immutable [`manifest`]; [`mod@run`] solves them, each by a
+//! `solve` of its own in a folder named after what it solves. The files are the truth: a cell is finished when its
+//! `result.json` stands, and being solved while a process holds the lock on its log. So any number of runs, on one
+//! machine or many, share one folder, and each can be killed at any moment and started again.
 
 mod arguments;
 mod collect;
