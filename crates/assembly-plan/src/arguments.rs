@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 use simulation::{Settings, Success};
 
+use crate::batch::BatchArguments;
+
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///
 /// A scene file (TOML, lengths in metres, quaternions w x y z) names the shapes of the moved body and its environment,
@@ -23,12 +25,15 @@ Exit codes: 0 done, 1 no converged plan or goal not reached, 2 wrong input or us
 Examples:
   assembly-plan check scenes/peg1.toml
   assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
+  assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1
   assembly-plan simulate scenes/peg1.toml out/peg1 --random 50 --magnitude 0.005,0.01 --friction 0,0.1";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Plan one motion and write its files
     Solve(SolveArguments),
+    /// Plan every start and offset magnitude of some scenes, here or on a cluster
+    Batch(BatchArguments),
     /// Play plans under injected offsets, with hard contacts, and count how often they succeed
     Simulate(SimulateArguments),
     /// Check and explain a scene without solving it
@@ -60,8 +65,16 @@ pub struct SolveArguments {
     pub out: Option<PathBuf>,
     /// Linear solver: stage, mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's,
     /// else stage]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = scene::LINEAR_SOLVERS, hide_possible_values = true)]
     pub linear_solver: Option<String>,
+    /// Go on after the last homotopy stage that an interrupted solve of the same problem finished in --out; when
+    /// interrupted, leave its stages and no result
+    #[arg(long, requires = "out")]
+    pub resume: bool,
+    /// Solve a cell of a batch: refuse any problem but the one of this identity, which stands in the manifest, and stop
+    /// when standard input ends
+    #[arg(long, hide = true, requires = "resume", value_name = "IDENTITY")]
+    pub cell: Option<String>,
 }
 
 /// How plans are played. Which offsets is said by at most one of --random, --grid and --offsets.

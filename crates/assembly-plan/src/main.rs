@@ -1,10 +1,13 @@
 //! The command line of assembly-plan.
 
 mod arguments;
+mod batch;
 mod check;
+mod checkpoint;
 mod failure;
 mod output;
 mod plan;
+mod problem;
 mod progress;
 mod result;
 mod simulate;
@@ -30,6 +33,7 @@ fn main() -> ExitCode {
     let outcome = match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(arguments),
     };
     let code = outcome.unwrap_or_else(|failure| {

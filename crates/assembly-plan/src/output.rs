@@ -1,7 +1,7 @@
 //! Files of a plan. Each is written under a temporary name and then renamed, so that none is ever half there.
 
 use std::fs;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use ocp::{ContactPair, Trajectory};
@@ -23,6 +23,14 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<(), Failure> {
     make_readable(file.path()).map_err(|error| Failure::io(path, &error))?;
     file.persist(path).map_err(|error| Failure::io(path, &error.error))?;
     Ok(())
+}
+
+/// Removes a file, if there is one.
+pub fn remove_file(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(path, &error)),
+        _ => Ok(()),
+    }
 }
 
 /// Temporary files are private; results are not.

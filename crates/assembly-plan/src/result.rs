@@ -1,9 +1,10 @@
 //! `result.json`.
 
 use ocp::{StageResult, StageTiming};
-use scene::{Scene, StartPose};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use simulation::Success;
+
+use crate::problem::Problem;
 
 /// Everything that is known of a plan besides its trajectories.
 #[derive(Debug, Serialize)]
@@ -33,8 +34,9 @@ struct Versions {
     ipopt: &'static str,
 }
 
-#[derive(Debug, Serialize)]
-struct Stage {
+/// One homotopy iteration, without its trajectory.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Stage {
     tau: f64,
     sigma: f64,
     mu_init: f64,
@@ -49,7 +51,7 @@ struct Stage {
 }
 
 /// What the stage solver did in a homotopy iteration.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 struct StageSolver {
     factorisations: usize,
     early_exits: usize,
@@ -65,7 +67,7 @@ struct StageSolver {
 }
 
 /// Why matrices went to the general solver.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 struct Fallbacks {
     structure: usize,
     uncertain_pivot: usize,
@@ -74,7 +76,7 @@ struct Fallbacks {
     quality: usize,
 }
 
-#[derive(Debug, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 struct Split {
     distances: f64,
     model: f64,
@@ -92,11 +94,10 @@ struct Scenario {
 }
 
 impl PlanResult {
-    /// From all homotopy iterations that ran; `stages` is not empty.
-    pub fn new(scene: &Scene, start: &StartPose, delta: f64, planned: usize, stages: &[StageResult]) -> Self {
-        let last = &stages[stages.len() - 1];
+    /// From the records of all homotopy iterations that ran, and the last one itself.
+    pub fn new(problem: &Problem, stages: Vec<Stage>, last: &StageResult) -> Self {
         let (position, orientation) = last.trajectory.worst_errors();
-        let converged = stages.len() == planned && last.status.is_success();
+        let converged = stages.len() == problem.homotopy.0.iterations && last.status.is_success();
         let goal_reached = Success::default().reached(position, orientation);
         let status = match (converged, goal_reached) {
             (true, true) => "done".to_owned(),
@@ -107,18 +108,18 @@ impl PlanResult {
             status,
             converged,
             goal_reached,
-            scene: scene.title.clone(),
-            start: start.name.clone(),
-            delta_m: delta,
+            scene: problem.scene.title.clone(),
+            start: problem.start.name.clone(),
+            delta_m: problem.delta,
             linear_solver: last.linear_solver.clone(),
-            linear_solver_fallbacks: stages.iter().map(StageResult::fallbacks).sum(),
+            linear_solver_fallbacks: stages.iter().map(Stage::fallbacks).sum(),
             threads: 1,
             versions: Versions { assembly_plan: env!("CARGO_PKG_VERSION"), ipopt: nlp::IPOPT_VERSION },
             iterations: stages.iter().map(|stage| stage.iterations).sum(),
             objective: last.objective,
-            wall_s: stages.iter().map(|stage| stage.timing.total).sum(),
+            wall_s: stages.iter().map(|stage| stage.wall_s).sum(),
             quaternion_drift: last.trajectory.quaternion_drift,
-            stages: stages.iter().map(stage).collect(),
+            stages,
             scenarios: last.trajectory.scenarios.iter().map(scenario).collect(),
         }
     }
@@ -159,36 +160,52 @@ impl PlanResult {
     }
 }
 
-fn stage(result: &StageResult) -> Stage {
-    let StageTiming { total, distances, model, linear_solver, rest } = result.timing;
-    Stage {
-        tau: result.smoothing.tau,
-        sigma: result.smoothing.sigma,
-        mu_init: result.smoothing.mu_init,
-        status: result.status.to_string(),
-        message: result.message.clone(),
-        iterations: result.iterations,
-        objective: result.objective,
-        constraint_violation: result.constraint_violation,
-        wall_s: total,
-        wall_split_s: Split { distances, model, linear_solver, rest },
-        stage_solver: result.stage_solver.as_ref().map(stage_solver),
+impl Stage {
+    fn fallbacks(&self) -> usize {
+        self.stage_solver.as_ref().map_or(0, |solver| solver.fallbacks.total())
     }
 }
 
-fn stage_solver(report: &kkt::Report) -> StageSolver {
-    let kkt::Fallbacks { structure, uncertain_pivot, not_finite, residual, quality } = report.fallbacks;
-    StageSolver {
-        factorisations: report.factorisations,
-        early_exits: report.early_exits,
-        general_path: report.general_path,
-        solves: report.solves,
-        refinements: report.refinements,
-        fallbacks: Fallbacks { structure, uncertain_pivot, not_finite, residual, quality },
-        largest_residual: report.largest_residual,
-        element_growth: report.element_growth,
-        factorisation_s: report.factorisation_seconds,
-        solve_s: report.solve_seconds,
+impl Fallbacks {
+    fn total(&self) -> usize {
+        self.structure + self.uncertain_pivot + self.not_finite + self.residual + self.quality
+    }
+}
+
+impl From<&StageResult> for Stage {
+    fn from(result: &StageResult) -> Self {
+        let StageTiming { total, distances, model, linear_solver, rest } = result.timing;
+        Self {
+            tau: result.smoothing.tau,
+            sigma: result.smoothing.sigma,
+            mu_init: result.smoothing.mu_init,
+            status: result.status.to_string(),
+            message: result.message.clone(),
+            iterations: result.iterations,
+            objective: result.objective,
+            constraint_violation: result.constraint_violation,
+            wall_s: total,
+            wall_split_s: Split { distances, model, linear_solver, rest },
+            stage_solver: result.stage_solver.as_ref().map(StageSolver::from),
+        }
+    }
+}
+
+impl From<&kkt::Report> for StageSolver {
+    fn from(report: &kkt::Report) -> Self {
+        let kkt::Fallbacks { structure, uncertain_pivot, not_finite, residual, quality } = report.fallbacks;
+        Self {
+            factorisations: report.factorisations,
+            early_exits: report.early_exits,
+            general_path: report.general_path,
+            solves: report.solves,
+            refinements: report.refinements,
+            fallbacks: Fallbacks { structure, uncertain_pivot, not_finite, residual, quality },
+            largest_residual: report.largest_residual,
+            element_growth: report.element_growth,
+            factorisation_s: report.factorisation_seconds,
+            solve_s: report.solve_seconds,
+        }
     }
 }
 

@@ -6,74 +6,110 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use nlp::{Control, SolveStatus};
+use nlp::{Control, SolveStatus, Start};
 use ocp::{Event, StageResult};
-use scene::{Homotopy, Scene, StartPose, resolved};
+use scene::{Scene, StartPose};
 
 use crate::arguments::SolveArguments;
+use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
-use crate::output::{write_file, write_trajectory};
+use crate::output::{remove_file, write_file, write_trajectory};
+use crate::problem::{Problem, homotopy};
 use crate::progress::Progress;
-use crate::result::PlanResult;
+use crate::result::{PlanResult, Stage};
 use crate::{DONE, INTERRUPTED, NO_PLAN};
 
 /// Plans, writes all files and says what happened.
 pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     let scene = Scene::load(&arguments.task.scene)?;
-    let start = scene.start(arguments.task.start.as_deref()).map_err(Failure::Input)?;
-    let delta = arguments.task.delta.unwrap_or(scene.offset_magnitude);
-    let task = scene.task(Some(&start.name), Some(delta)).map_err(Failure::Input)?;
-    let homotopy = homotopy(arguments, &scene)?;
+    let settings = homotopy(&scene, arguments.homotopy.as_deref(), arguments.linear_solver.as_deref())?;
+    let problem = Problem::new(&scene, arguments.task.start.as_deref(), arguments.task.delta, settings)
+        .map_err(Failure::Input)?;
+    if arguments.cell.as_ref().is_some_and(|identity| *identity != problem.identity) {
+        let message = "the scene, a mesh, the homotopy or the version of assembly-plan is not the one of the manifest; \
+                       expand the batch into another folder";
+        return Err(Failure::Input(format!("{}: {message}", arguments.task.scene.display())));
+    }
     for warning in &scene.warnings {
         eprintln!("warning: {warning}");
     }
-    if homotopy.0.linear_solver == ocp::STAGE && !nlp::TAKES_OWN_SOLVER {
+    if problem.homotopy.0.linear_solver == ocp::STAGE && !nlp::TAKES_OWN_SOLVER {
         let version = nlp::IPOPT_VERSION;
         eprintln!("warning: Ipopt {version} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower");
     }
-    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&scene, start));
-    prepare(&folder)?;
-    write_file(&folder.join("resolved.toml"), resolved(&scene, start, delta, &homotopy).as_bytes())?;
+    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&scene, problem.start));
+    let checkpoint = if arguments.resume { Checkpoint::load(&folder, &problem.identity) } else { None };
+    prepare(&folder, checkpoint.is_some())?;
+    write_file(&folder.join("resolved.toml"), problem.resolved.as_bytes())?;
 
-    let planned = homotopy.0.iterations;
     let stopped = stop_on_interrupt()?;
+    if arguments.cell.is_some() {
+        stop_with_parent(Arc::clone(&stopped));
+    }
+    let (stages, last) = solve(&problem, &folder, checkpoint, &stopped)?;
+    let interrupted = last.status == SolveStatus::Interrupted;
+    if interrupted && arguments.resume {
+        eprintln!("interrupted in stage {}; the same command goes on with it", stages.len());
+        return Ok(INTERRUPTED);
+    }
+    write_trajectory(&folder, &last.trajectory, &problem.task.pairs)?;
+    let result = PlanResult::new(&problem, stages, &last);
+    let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
+    write_file(&folder.join("result.json"), &json)?;
+    println!("{}\nwritten to {}", result.summary(), folder.display());
+    if interrupted {
+        return Ok(INTERRUPTED);
+    }
+    Checkpoint::remove(&folder)?;
+    Ok(if result.is_done() { DONE } else { NO_PLAN })
+}
+
+/// Runs the homotopy, from the checkpoint where there is one, and writes what each iteration finds. Returns the records
+/// of all iterations and the last one.
+fn solve(
+    problem: &Problem,
+    folder: &Path,
+    checkpoint: Option<Checkpoint>,
+    stopped: &AtomicBool,
+) -> Result<(Vec<Stage>, StageResult), Failure> {
+    let planned = problem.homotopy.0.iterations;
     let progress = Progress::new();
     let observe = |event: Event| {
         progress.iteration(&event);
         if stopped.load(Ordering::Relaxed) { Control::Stop } else { Control::Continue }
     };
+    let mut stages = checkpoint.as_ref().map_or_else(Vec::new, |checkpoint| checkpoint.stages.clone());
     let mut written = Ok(());
     let finished = |number: usize, stage: &StageResult| {
         progress.stage(number, planned, stage);
-        let stage_folder = folder.join("stages").join(number.to_string());
+        stages.push(Stage::from(stage));
         if written.is_ok() {
-            written = write_trajectory(&stage_folder, &stage.trajectory, &task.pairs);
+            written = write_stage(problem, folder, &stages, stage);
         }
     };
-    let stages = ocp::Homotopy::new(&task, homotopy.0).run(observe, finished)?;
+    let mut homotopy = ocp::Homotopy::new(&problem.task, problem.homotopy.0.clone());
+    let mut results = match checkpoint {
+        None => homotopy.run(observe, finished)?,
+        Some(checkpoint) => {
+            let done = checkpoint.stages.len();
+            eprintln!("going on after stage {done}/{planned} of an earlier run");
+            homotopy.run_from(done, Start::Warm(checkpoint.iterate()), observe, finished)?
+        }
+    };
     written?;
-    let last = &stages[stages.len() - 1];
-    write_trajectory(&folder, &last.trajectory, &task.pairs)?;
-    let result = PlanResult::new(&scene, start, delta, planned, &stages);
-    let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
-    write_file(&folder.join("result.json"), &json)?;
-    println!("{}\nwritten to {}", result.summary(), folder.display());
-    Ok(match last.status {
-        SolveStatus::Interrupted => INTERRUPTED,
-        _ if result.is_done() => DONE,
-        _ => NO_PLAN,
-    })
+    let last = results.pop().ok_or_else(|| Failure::Internal("no homotopy iteration was left to run".to_owned()))?;
+    Ok((stages, last))
 }
 
-fn homotopy(arguments: &SolveArguments, scene: &Scene) -> Result<Homotopy, Failure> {
-    let mut homotopy = match &arguments.homotopy {
-        Some(file) => Homotopy::load(file)?,
-        None => scene.homotopy.clone().unwrap_or_default(),
-    };
-    if let Some(name) = &arguments.linear_solver {
-        homotopy.0.linear_solver.clone_from(name);
+/// Writes the tables of a stage, then the checkpoint from which the next one can start.
+fn write_stage(problem: &Problem, folder: &Path, stages: &[Stage], last: &StageResult) -> Result<(), Failure> {
+    let stage_folder = folder.join("stages").join(stages.len().to_string());
+    write_trajectory(&stage_folder, &last.trajectory, &problem.task.pairs)?;
+    let is_final = stages.len() == problem.homotopy.0.iterations;
+    if is_final || last.status == SolveStatus::Interrupted {
+        return Ok(());
     }
-    Ok(homotopy)
+    Checkpoint::new(&problem.identity, stages, last).save(folder)
 }
 
 fn default_folder(scene: &Scene, start: &StartPose) -> PathBuf {
@@ -84,24 +120,36 @@ fn default_folder(scene: &Scene, start: &StartPose) -> PathBuf {
     Path::new("out").join(name)
 }
 
-/// Removes an older plan's mark of being whole before anything of it is replaced, and its stages.
-fn prepare(folder: &Path) -> Result<(), Failure> {
-    let missing_is_fine = |path: &Path, outcome: std::io::Result<()>| match outcome {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::io(path, &error)),
-        _ => Ok(()),
-    };
-    let result = folder.join("result.json");
-    missing_is_fine(&result, fs::remove_file(&result))?;
-    let stages = folder.join("stages");
-    missing_is_fine(&stages, fs::remove_dir_all(&stages))?;
+/// Removes an older plan's mark of being whole before anything of it is replaced and, unless its finished stages are
+/// kept, these and its checkpoint.
+fn prepare(folder: &Path, keeps_stages: bool) -> Result<(), Failure> {
+    remove_file(&folder.join("result.json"))?;
+    if !keeps_stages {
+        Checkpoint::remove(folder)?;
+        let stages = folder.join("stages");
+        match fs::remove_dir_all(&stages) {
+            Err(error) if error.kind() != ErrorKind::NotFound => return Err(Failure::io(&stages, &error)),
+            _ => {}
+        }
+    }
     fs::create_dir_all(folder).map_err(|error| Failure::io(folder, &error))
 }
 
-/// A flag that Ctrl-C sets: the solve then ends with its last iterate.
-fn stop_on_interrupt() -> Result<Arc<AtomicBool>, Failure> {
+/// A flag that Ctrl-C and a request to terminate set: the solve then ends with its last iterate.
+pub fn stop_on_interrupt() -> Result<Arc<AtomicBool>, Failure> {
     let stopped = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&stopped);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
         .map_err(|error| Failure::Internal(format!("interrupts cannot be handled: {error}")))?;
     Ok(stopped)
+}
+
+/// Sets the flag when standard input ends: a batch holds the other end of it, so its cells stop when it wants them to
+/// and also when it is killed itself.
+fn stop_with_parent(stopped: Arc<AtomicBool>) {
+    std::thread::spawn(move || {
+        // An input that cannot be read has ended too.
+        let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
+        stopped.store(true, Ordering::Relaxed);
+    });
 }

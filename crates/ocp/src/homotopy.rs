@@ -48,13 +48,6 @@ pub struct StageResult {
     pub iterate: Iterate,
 }
 
-impl StageResult {
-    /// Number of linear systems that the stage solver left to a general solver.
-    pub fn fallbacks(&self) -> usize {
-        self.stage_solver.map_or(0, |report| report.fallbacks.total())
-    }
-}
-
 /// Wall seconds of one homotopy iteration.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct StageTiming {
@@ -94,12 +87,25 @@ impl Homotopy {
     /// When an option or the linear solver is refused; numerical failure is a status.
     pub fn run(
         &mut self,
+        observe: impl FnMut(Event) -> Control,
+        finished: impl FnMut(usize, &StageResult),
+    ) -> Result<Vec<StageResult>, SolveError> {
+        self.run_from(0, Start::Cold(self.transcription.initial_guess()), observe, finished)
+    }
+
+    /// Runs the homotopy iterations after the first `done`, which an earlier run has finished at `start`.
+    ///
+    /// # Errors
+    /// As [`Homotopy::run`].
+    pub fn run_from(
+        &mut self,
+        done: usize,
+        mut start: Start,
         mut observe: impl FnMut(Event) -> Control,
         mut finished: impl FnMut(usize, &StageResult),
     ) -> Result<Vec<StageResult>, SolveError> {
-        let mut start = Start::Cold(self.transcription.initial_guess());
-        let mut stages = Vec::with_capacity(self.settings.iterations);
-        for (index, smoothing) in self.settings.schedule().enumerate() {
+        let mut stages = Vec::with_capacity(self.settings.iterations.saturating_sub(done));
+        for (index, smoothing) in self.settings.schedule().enumerate().skip(done) {
             let mut observer = |progress: &Progress| {
                 observe(Event { stage: index + 1, stages: self.settings.iterations, smoothing, progress })
             };

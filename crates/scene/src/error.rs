@@ -4,6 +4,8 @@ use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use toml::Spanned;
+
 /// What is wrong with a file, where, and what would be right.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneError {
@@ -84,6 +86,18 @@ impl Source<'_> {
             text: text.to_owned(),
         };
         SceneError { file: self.file.to_owned(), message: message.into(), place: Some(place) }
+    }
+
+    /// Index of a value among the known ones.
+    ///
+    /// # Errors
+    /// When it is none of them, with the nearest.
+    pub fn require_known(&self, value: &Spanned<String>, known: &[&str]) -> Result<usize, SceneError> {
+        let name = value.get_ref();
+        known
+            .iter()
+            .position(|known| known == name)
+            .ok_or_else(|| self.error(value.span(), format!("unknown value `{name}`{}", suggest(name, known))))
     }
 
     /// An error of the TOML parser, with the nearest valid key for one that is unknown.

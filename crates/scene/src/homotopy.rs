@@ -7,14 +7,14 @@ use ocp::{Complementarity, HessianKind, HomotopySettings};
 use toml::Spanned;
 
 use crate::document::{HomotopyDocument, HomotopyFileDocument};
-use crate::error::{SceneError, Source, suggest};
+use crate::error::{SceneError, Source};
 use crate::pose::{positive, within};
 
 /// The homotopy that is used when neither the command line nor the scene names one.
 const DEFAULT: &str = include_str!("../../../configs/default.toml");
 
 /// Linear solvers by name.
-const LINEAR_SOLVERS: [&str; 5] = [ocp::STAGE, nlp::MUMPS, "ma27", "ma57", "ma97"];
+pub const LINEAR_SOLVERS: [&str; 5] = [ocp::STAGE, nlp::MUMPS, "ma27", "ma57", "ma97"];
 const COMPLEMENTARITIES: [(&str, Complementarity); 2] =
     [("relaxation", Complementarity::Relaxation), ("smoothing", Complementarity::Smoothing)];
 const HESSIANS: [(&str, HessianKind); 3] =
@@ -136,7 +136,7 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
     };
     let linear_solver = match &document.linear_solver {
         Some(name) => {
-            require_known(source, name, &LINEAR_SOLVERS)?;
+            source.require_known(name, &LINEAR_SOLVERS)?;
             name.get_ref().clone()
         }
         None => ocp::STAGE.to_owned(),
@@ -160,14 +160,8 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
 fn choice<T: Copy>(source: Source, name: Option<&Spanned<String>>, choices: &[(&str, T)]) -> Result<T, SceneError> {
     let Some(name) = name else { return Ok(choices[0].1) };
     let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-    let index = require_known(source, name, &names)?;
+    let index = source.require_known(name, &names)?;
     Ok(choices[index].1)
-}
-
-fn require_known(source: Source, name: &Spanned<String>, names: &[&str]) -> Result<usize, SceneError> {
-    names.iter().position(|known| known == name.get_ref()).ok_or_else(|| {
-        source.error(name.span(), format!("unknown value `{}`{}", name.get_ref(), suggest(name.get_ref(), names)))
-    })
 }
 
 fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: T) -> &'static str {

@@ -15,7 +15,7 @@ mod resolved;
 mod scene;
 
 pub use error::{SceneError, Source};
-pub use homotopy::Homotopy;
+pub use homotopy::{Homotopy, LINEAR_SOLVERS};
 pub use part::Part;
 pub use resolved::resolved;
 pub use scene::{Scene, StartPose};

@@ -1,0 +1,122 @@
+//! What the user can say about a batch.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+
+use crate::failure::Failure;
+
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, after_help = BATCH_HELP)]
+pub struct BatchArguments {
+    #[command(subcommand)]
+    pub step: Option<BatchCommand>,
+    #[command(flatten)]
+    pub matrix: MatrixArguments,
+    /// How many cells are solved at once, each by one thread [default: the number of cores]
+    #[arg(long, value_name = "N")]
+    pub jobs: Option<NonZeroUsize>,
+}
+
+const BATCH_HELP: &str = "\
+Without a step: expands, runs and collects. The same command again goes on where the last one stopped; a finished cell \
+is never solved again.
+
+Examples:
+  assembly-plan batch scenes/clamp1.toml --deltas 0,0.001,0.002 --starts all --jobs 2 --out runs/clamp1
+  assembly-plan batch status runs/clamp1";
+
+#[derive(Debug, Subcommand)]
+pub enum BatchCommand {
+    /// Write the manifest: one line per cell, never changed afterwards
+    Expand(MatrixArguments),
+    /// Solve the cells of a manifest that are not finished
+    Run(RunArguments),
+    /// Say which cells are done, running, failed or still to do
+    Status(FolderArguments),
+    /// Write cells.csv and cells.json: convergence, iterations, times, errors, overlap and force of every cell
+    Collect(FolderArguments),
+    /// Write a job array for a cluster
+    Submit(SubmitArguments),
+}
+
+/// What is combined with what.
+#[derive(Debug, Clone, Args)]
+pub struct MatrixArguments {
+    /// Scene files (TOML)
+    #[arg(value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// File (TOML) with `scenes`, `starts`, `deltas`, `homotopies` and `linear_solver`, instead of the flags
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scenes", "starts", "deltas", "homotopies", "linear_solver"])]
+    pub matrix: Option<PathBuf>,
+    /// Names of start poses, or `all` [default: each scene's first]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub starts: Vec<String>,
+    /// Offset magnitudes delta-hat in metres [default: each scene's]
+    #[arg(long, value_name = "M,M,...", value_delimiter = ',', allow_negative_numbers = true)]
+    pub deltas: Vec<f64>,
+    /// Homotopy files (TOML) [default: each scene's own, else the built-in one]
+    #[arg(long, value_name = "FILES", value_delimiter = ',')]
+    pub homotopies: Vec<PathBuf>,
+    /// Linear solver of all cells [default: the homotopy's]
+    #[arg(long, value_name = "NAME", value_parser = scene::LINEAR_SOLVERS, hide_possible_values = true)]
+    pub linear_solver: Option<String>,
+    /// Folder of the batch [default: runs/NAME, after the matrix or the first scene]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+impl MatrixArguments {
+    /// Folder of the batch.
+    pub fn folder(&self) -> Result<PathBuf, Failure> {
+        if let Some(out) = &self.out {
+            return Ok(out.clone());
+        }
+        let name = self.matrix.as_ref().or(self.scenes.first()).and_then(|file| file.file_stem());
+        name.map(|name| Path::new("runs").join(name))
+            .ok_or_else(|| Failure::Input("name scenes, or a matrix file with --matrix".to_owned()))
+    }
+}
+
+#[derive(Debug, Args)]
+pub struct FolderArguments {
+    /// Folder of the batch
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub struct RunArguments {
+    /// Folder of the batch
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Only the cells from this one, counted from 0 [default: HQ_TASK_ID or SLURM_ARRAY_TASK_ID, else all cells]
+    #[arg(long, value_name = "K")]
+    pub index: Option<usize>,
+    /// How many cells from --index
+    #[arg(long, value_name = "C")]
+    pub count: Option<NonZeroUsize>,
+    /// How many cells are solved at once, each by one thread [default: the number of cores]
+    #[arg(long, value_name = "N")]
+    pub jobs: Option<NonZeroUsize>,
+}
+
+#[derive(Debug, Args)]
+pub struct SubmitArguments {
+    /// Folder of the batch
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// For Slurm: writes submit.sh
+    #[arg(long, required = true)]
+    pub slurm: bool,
+    /// Submit it as well
+    #[arg(long)]
+    pub now: bool,
+    /// Cells per task of the array, solved one after the other
+    #[arg(long, value_name = "C", default_value = "1")]
+    pub count: NonZeroUsize,
+    /// Options of sbatch, such as `-- --partition=long --time=2:00:00`
+    #[arg(last = true, value_name = "SBATCH OPTIONS")]
+    pub options: Vec<String>,
+}

@@ -1,0 +1,128 @@
+//! The process that solves a cell.
+
+use std::fs::{self, File, TryLockError};
+use std::path::Path;
+use std::process::{Child, Command, ExitStatus, Stdio};
+
+use super::manifest::{Cell, Manifest};
+use super::outcome::{Outcome, Places};
+use crate::INTERRUPTED;
+use crate::failure::Failure;
+use crate::output::{remove_file, write_file};
+
+/// What limits the threads of the libraries that a solve may use; a cell has one.
+const THREAD_LIMITS: [&str; 4] = ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "RAYON_NUM_THREADS"];
+
+/// What came of the wish to solve a cell.
+pub enum Begun {
+    /// A process solves it now.
+    Process(Process),
+    /// It was finished before.
+    Finished(Box<Outcome>),
+    /// Another run solves it.
+    Busy,
+}
+
+/// How a process has ended.
+pub enum Ended {
+    /// With a whole plan, good or bad.
+    Finished(Box<Outcome>),
+    /// It was asked to stop; the next one goes on after its last finished homotopy iteration.
+    Interrupted,
+    /// Without a plan, for this reason.
+    Crashed(String),
+}
+
+/// A running `solve` of one cell.
+pub struct Process {
+    /// Index of the cell.
+    pub cell: usize,
+    places: Places,
+    child: Child,
+}
+
+impl Process {
+    /// Solves a cell unless it is finished or another run is at it.
+    ///
+    /// # Errors
+    /// When its files cannot be written or the program cannot be started.
+    pub fn begin(manifest: &Manifest, cell: &Cell) -> Result<Begun, Failure> {
+        let places = Places::new(manifest, cell);
+        fs::create_dir_all(places.folder()).map_err(|error| Failure::io(places.folder(), &error))?;
+        let path = places.log();
+        let log = File::options().append(true).create(true).open(&path).map_err(|error| Failure::io(&path, &error))?;
+        match log.try_lock() {
+            Err(TryLockError::WouldBlock) => return Ok(Begun::Busy),
+            Err(TryLockError::Error(error)) => return Err(Failure::io(&path, &error)),
+            Ok(()) => {}
+        }
+        // Only now, for the run that held the lock may just have finished it.
+        if let Some((outcome, _)) = places.result() {
+            return Ok(Begun::Finished(outcome));
+        }
+        remove_file(&places.failure())?;
+        log.set_len(0).map_err(|error| Failure::io(&path, &error))?;
+        let program = std::env::current_exe().map_err(|error| Failure::Internal(error.to_string()))?;
+        let errors = log.try_clone().map_err(|error| Failure::io(&path, &error))?;
+        // The process inherits the lock with the log and holds it even when this one is killed.
+        let child = solve(program.as_path(), manifest, cell)
+            .stdin(Stdio::piped())
+            .stdout(log)
+            .stderr(errors)
+            .spawn()
+            .map_err(|error| Failure::io(&program, &error))?;
+        Ok(Begun::Process(Self { cell: cell.index, places, child }))
+    }
+
+    /// Asks the process to stop. It does so at its next iteration.
+    pub fn stop(&mut self) {
+        self.child.stdin = None;
+    }
+
+    /// How the process has ended, if it has.
+    ///
+    /// # Errors
+    /// When this is not known, or the reason of its failure cannot be written.
+    pub fn ended(&mut self) -> Result<Option<Ended>, Failure> {
+        let status = self.child.try_wait().map_err(|error| Failure::Internal(error.to_string()))?;
+        let Some(status) = status else { return Ok(None) };
+        if let Some((outcome, _)) = self.places.result() {
+            return Ok(Some(Ended::Finished(outcome)));
+        }
+        // One that is stopped before it can handle that has not failed either.
+        let is_stopped = self.child.stdin.is_none();
+        if is_stopped || status.code() == Some(INTERRUPTED.into()) {
+            return Ok(Some(Ended::Interrupted));
+        }
+        let reason = reason(status, &self.places.log());
+        write_file(&self.places.failure(), reason.as_bytes())?;
+        Ok(Some(Ended::Crashed(reason)))
+    }
+}
+
+fn solve(program: &Path, manifest: &Manifest, cell: &Cell) -> Command {
+    let mut command = Command::new(program);
+    command.arg("solve").arg(manifest.folder.join(&cell.scene)).arg("--resume");
+    command.arg("--out").arg(manifest.folder.join(&cell.folder));
+    command.arg(format!("--start={}", cell.start)).arg(format!("--delta={}", cell.delta_m));
+    command.args(["--cell", &cell.identity]);
+    if let Some(homotopy) = &cell.homotopy {
+        command.arg("--homotopy").arg(manifest.folder.join(homotopy));
+    }
+    if let Some(solver) = &cell.linear_solver {
+        command.arg(format!("--linear-solver={solver}"));
+    }
+    command.envs(THREAD_LIMITS.map(|name| (name, "1")));
+    command
+}
+
+/// Why a process has failed: its last error, else how it ended.
+fn reason(status: ExitStatus, log: &Path) -> String {
+    let text = fs::read(log).unwrap_or_default();
+    let text = String::from_utf8_lossy(&text);
+    let error = text.lines().rev().find_map(|line| line.strip_prefix("error: "));
+    match (status.code(), error) {
+        (Some(_), Some(error)) => error.to_owned(),
+        _ => status.to_string(),
+    }
+}

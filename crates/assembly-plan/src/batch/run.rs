@@ -1,0 +1,177 @@
+//! Solves the cells of a batch, some at a time, each in a process of its own.
+
+use std::collections::VecDeque;
+use std::num::NonZeroUsize;
+use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::Duration;
+
+use super::manifest::{Cell, Manifest};
+use super::outcome::Outcome;
+use super::process::{Begun, Ended, Process};
+use super::progress::Progress;
+use crate::failure::Failure;
+use crate::solve::stop_on_interrupt;
+use crate::{DONE, INTERRUPTED, NO_PLAN};
+
+/// Between two looks at the processes; short beside any solve.
+const PAUSE: Duration = Duration::from_millis(10);
+
+/// Variables with which job arrays tell a task its number.
+const INDEX_VARIABLES: [&str; 2] = ["HQ_TASK_ID", "SLURM_ARRAY_TASK_ID"];
+
+/// The cells that `--index` and `--count`, or the task of a job array, stand for.
+///
+/// # Errors
+/// When there are no such cells.
+pub fn select(manifest: &Manifest, index: Option<usize>, count: Option<NonZeroUsize>) -> Result<&[Cell], Failure> {
+    let from_flag = index.map(|index| ("--index", index));
+    let Some((name, index)) = from_flag.map_or_else(index_of_task, |index| Ok(Some(index)))? else {
+        return match count {
+            None => Ok(&manifest.cells),
+            Some(_) => Err(Failure::Input("--count needs --index, the first cell".to_owned())),
+        };
+    };
+    let last = manifest.cells.len().saturating_sub(1);
+    let end = index.saturating_add(count.map_or(1, NonZeroUsize::get)).min(manifest.cells.len());
+    manifest.cells.get(index..end).filter(|cells| !cells.is_empty()).ok_or_else(|| {
+        Failure::Input(format!("{name} {index}: the cells of {} are 0 to {last}", manifest.file().display()))
+    })
+}
+
+fn index_of_task() -> Result<Option<(&'static str, usize)>, Failure> {
+    let set = INDEX_VARIABLES.into_iter().find_map(|name| std::env::var(name).ok().map(|value| (name, value)));
+    let Some((name, value)) = set else { return Ok(None) };
+    match value.parse() {
+        Ok(index) => Ok(Some((name, index))),
+        Err(_) => {
+            Err(Failure::Input(format!("{name}={value}: must be the number of a cell; unset it or give --index")))
+        }
+    }
+}
+
+/// Solves the cells that are not finished, `jobs` at a time, and names those that failed.
+///
+/// # Errors
+/// When interrupts cannot be handled.
+pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<NonZeroUsize>) -> Result<u8, Failure> {
+    let stopped = stop_on_interrupt()?;
+    let jobs = jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+    let mut pool = Pool::new(manifest, cells, jobs);
+    while !pool.is_empty() {
+        if stopped.load(Ordering::Relaxed) {
+            pool.stop();
+        }
+        pool.reap();
+        pool.fill();
+        pool.progress.show(pool.processes.len(), pool.waiting.len());
+        thread::sleep(PAUSE);
+    }
+    pool.report();
+    Ok(match (pool.interrupted.is_empty(), pool.failed.is_empty()) {
+        (true, true) => DONE,
+        (false, _) if pool.stopped => INTERRUPTED,
+        _ => NO_PLAN,
+    })
+}
+
+/// Cells on their way.
+struct Pool<'manifest> {
+    manifest: &'manifest Manifest,
+    jobs: usize,
+    waiting: VecDeque<&'manifest Cell>,
+    processes: Vec<Process>,
+    failed: Vec<(&'manifest Cell, String)>,
+    interrupted: Vec<&'manifest Cell>,
+    stopped: bool,
+    progress: Progress,
+}
+
+impl<'manifest> Pool<'manifest> {
+    fn new(manifest: &'manifest Manifest, cells: &'manifest [Cell], jobs: usize) -> Self {
+        Self {
+            manifest,
+            jobs,
+            waiting: cells.iter().collect(),
+            processes: Vec::new(),
+            failed: Vec::new(),
+            interrupted: Vec::new(),
+            stopped: false,
+            progress: Progress::new(cells.len()),
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.waiting.is_empty() && self.processes.is_empty()
+    }
+
+    /// Begins no more cells and stops those that are being solved.
+    fn stop(&mut self) {
+        self.stopped = true;
+        self.interrupted.extend(self.waiting.drain(..));
+        self.processes.iter_mut().for_each(Process::stop);
+    }
+
+    /// Takes the processes out that have ended.
+    fn reap(&mut self) {
+        for mut process in std::mem::take(&mut self.processes) {
+            let cell = &self.manifest.cells[process.cell];
+            match process.ended() {
+                Ok(None) => self.processes.push(process),
+                Ok(Some(Ended::Finished(outcome))) => {
+                    self.progress.solved();
+                    self.finished(cell, &outcome);
+                }
+                Ok(Some(Ended::Interrupted)) => self.interrupted.push(cell),
+                Ok(Some(Ended::Crashed(reason))) => self.crashed(cell, reason),
+                Err(failure) => self.crashed(cell, failure.to_string()),
+            }
+        }
+    }
+
+    /// Begins cells while there is room. Those that another run solves wait until it has finished or given up.
+    fn fill(&mut self) {
+        for _ in 0..self.waiting.len() {
+            if self.processes.len() == self.jobs {
+                return;
+            }
+            let Some(cell) = self.waiting.pop_front() else { return };
+            match Process::begin(self.manifest, cell) {
+                Ok(Begun::Process(process)) => self.processes.push(process),
+                Ok(Begun::Finished(outcome)) => self.finished(cell, &outcome),
+                Ok(Begun::Busy) => self.waiting.push_back(cell),
+                Err(failure) => self.crashed(cell, failure.to_string()),
+            }
+        }
+    }
+
+    fn finished(&mut self, cell: &'manifest Cell, outcome: &Outcome) {
+        if outcome.is_done() {
+            self.progress.done += 1;
+        } else {
+            self.fail(cell, outcome.status.clone());
+        }
+    }
+
+    fn crashed(&mut self, cell: &'manifest Cell, reason: String) {
+        self.progress.solved();
+        self.fail(cell, reason);
+    }
+
+    fn fail(&mut self, cell: &'manifest Cell, reason: String) {
+        self.progress.failed += 1;
+        self.failed.push((cell, reason));
+    }
+
+    /// Says what has come of all cells.
+    fn report(&mut self) {
+        self.progress.end();
+        self.failed.sort_by_key(|(cell, _)| cell.index);
+        for (cell, reason) in &self.failed {
+            eprintln!("failed: {}: {reason} (see {})", cell.label(), self.manifest.folder.join(&cell.folder).display());
+        }
+        if !self.interrupted.is_empty() {
+            eprintln!("interrupted with {} cells to do; the same command goes on with them", self.interrupted.len());
+        }
+    }
+}
