@@ -12,7 +12,7 @@ that are injected as in the plan: the body starts displaced by the offset and th
 the last knot the reference rests for the settling time, then the final pose is judged."""
 
 EPILOG = """\
-Exit codes: 0 done, 1 the self-test or the comparison failed, 2 wrong input or usage, 3 anything else, 130 interrupted.
+Exit codes: 0 done, 1 the self-test failed, 2 wrong input or usage, 3 anything else, 130 interrupted.
 
 Examples:
   scripts/validate_mujoco out/peg1-1 --position-tolerance 0.005 --friction 0,0.1,0.3
@@ -78,8 +78,7 @@ def parse_arguments() -> argparse.Namespace:
         "--compare",
         type=pathlib.Path,
         metavar="FILE",
-        help="instead of tables compare the motion of --trace with that of another simulator, in a file with the "
-        "columns of reference.csv; exit code 1 if they end further apart than the tolerances",
+        help="instead of tables play what is in the rollouts.csv of `assembly-plan simulate` and compare the outcomes",
     )
     add("--self-test", action="store_true", help="compare the simulation with known solutions")
     arguments = parser.parse_args()

@@ -80,19 +80,28 @@ def initialise(plan: Plan, time_step: float, settling_time: float) -> None:
     ROLLOUTS[:] = [Rollouts(plan, time_step, settling_time)]
 
 
-def run(task: tuple[str, float, np.ndarray]) -> Outcome:
+# Motion, friction and offset.
+Task = tuple[str, float, np.ndarray]
+
+
+def run(task: Task) -> Outcome:
     """Plays a motion in a prepared process."""
     return ROLLOUTS[0].play(*task)
 
 
+def play_all(arguments: argparse.Namespace, plan: Plan, tasks: list[Task]) -> list[Outcome]:
+    """Plays motions of one plan."""
+    settings = (plan, arguments.time_step, arguments.settling_time)
+    with multiprocessing.Pool(arguments.jobs, initialise, settings) as pool:
+        return pool.map(run, tasks, chunksize=1)
+
+
 def validate(arguments: argparse.Namespace, plan: Plan, cells: list[offsets.Cell]) -> list[results.Column]:
-    """Plays all motions of one plan."""
+    """Plays a plan at all frictions and offsets."""
     motions = [PLANNED, STRAIGHT] if arguments.baseline else [PLANNED]
     heads = [(motion, friction) for friction in parse_frictions(arguments.friction) for motion in motions]
     tasks = [(*head, offset) for head in heads for cell in cells for offset in cell.offsets]
-    settings = (plan, arguments.time_step, arguments.settling_time)
-    with multiprocessing.Pool(arguments.jobs, initialise, settings) as pool:
-        outcomes = iter(pool.map(run, tasks, chunksize=1))
+    outcomes = iter(play_all(arguments, plan, tasks))
     return [results.Column(*head, [[next(outcomes) for _ in cell.offsets] for cell in cells]) for head in heads]
 
 
@@ -101,18 +110,25 @@ def cells_of(arguments: argparse.Namespace, plan: Plan) -> list[offsets.Cell]:
     return offsets.cells(plan, arguments.offsets, arguments.magnitudes, arguments.count, arguments.seed)
 
 
-def play_one(arguments: argparse.Namespace) -> bool:
-    """`--trace` and `--compare`: the motion at the first friction and the first offset; whether a comparison holds."""
+def write_trace(arguments: argparse.Namespace) -> None:
+    """`--trace`."""
     plan = plans.load(arguments.folders[0], arguments.scene)
     offset = cells_of(arguments, plan)[0].offsets[0]
     friction = parse_frictions(arguments.friction)[0]
-    other = comparison.read(arguments.compare) if arguments.compare else None
     rows = Rollouts(plan, arguments.time_step, arguments.settling_time).trace(friction, offset)
+    results.write_csv(arguments.trace, [plans.TIME_COLUMN, *plans.STATE_COLUMNS], rows)
     x, y, z = 1e3 * offset
-    print(f"{plan.title}, start {plan.start_name}, friction {friction:g}, offset ({x:g} {y:g} {z:g}) mm")
-    if arguments.trace:
-        results.write_csv(arguments.trace, [plans.TIME_COLUMN, *plans.STATE_COLUMNS], rows)
-    return other is None or comparison.report(np.array(rows), other, tolerance_of(arguments))
+    print(f"{arguments.trace}: {plan.title}, friction {friction:g}, offset ({x:g} {y:g} {z:g}) mm")
+
+
+def compare(arguments: argparse.Namespace) -> None:
+    """`--compare`: plays what `assembly-plan simulate` played."""
+    loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
+    known = [comparison.read(arguments.compare, plan) for plan in loaded]
+    for plan, theirs in zip(loaded, known):
+        ours = play_all(arguments, plan, [(other.motion, other.friction, other.offset) for other in theirs])
+        print(f"### {plan.title}, start {plan.start_name}: {len(theirs)} motions in both simulators\n")
+        print(comparison.table(theirs, ours, tolerance_of(arguments)) + "\n", flush=True)
 
 
 def tolerance_of(arguments: argparse.Namespace) -> results.Tolerance:
@@ -152,9 +168,12 @@ def main() -> int:
     try:
         if arguments.self_test:
             return 0 if selftest.run() else 1
-        if arguments.trace or arguments.compare:
-            return 0 if play_one(arguments) else 1
-        print_tables(arguments)
+        if arguments.trace:
+            write_trace(arguments)
+        elif arguments.compare:
+            compare(arguments)
+        else:
+            print_tables(arguments)
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2

@@ -143,7 +143,7 @@ def read_reference(path: pathlib.Path) -> Reference:
     times = np.array([float(row[TIME_COLUMN]) for row in rows])
     states = np.array([[float(row[column]) for column in STATE_COLUMNS] for row in rows])
     if len(times) < 2 or (np.diff(times) <= 0).any():
-        raise ValueError(f"{path.name} needs at least two rows with increasing times")
+        raise ValueError("reference.csv needs at least two rows with increasing times")
     return Reference(times, states)
 
 
