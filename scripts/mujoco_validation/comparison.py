@@ -1,0 +1,71 @@
+"""The same motions in MuJoCo and in our own simulator."""
+
+import csv
+import dataclasses
+import pathlib
+
+import numpy as np
+
+from plans import InputError, Plan
+from results import Tolerance, markdown
+from rollout import Outcome
+
+
+@dataclasses.dataclass(frozen=True)
+class Rollout:
+    """A motion that `assembly-plan simulate` played: offset (m, body frame), success and final errors (m, rad)."""
+
+    motion: str
+    friction: float
+    offset: np.ndarray
+    success: bool
+    position_error: float
+    angle_error: float
+
+
+def read(path: pathlib.Path, plan: Plan) -> list[Rollout]:
+    """The rows of one plan in a `rollouts.csv` of `assembly-plan simulate`."""
+    name = plan.folder.resolve().name
+    try:
+        with path.open(newline="") as file:
+            # Folders are known by name, so that they may be written from one place and read from another.
+            rows = [rollout(row) for row in csv.DictReader(file) if pathlib.Path(row["plan"]).resolve().name == name]
+    except (OSError, KeyError, TypeError, ValueError) as error:
+        raise InputError(f"--compare {path}: no rollouts.csv of `assembly-plan simulate`: {error}") from error
+    if not rows:
+        raise InputError(f"--compare {path}: no rollouts of a plan in a folder called {name}")
+    return rows
+
+
+def rollout(row: dict[str, str]) -> Rollout:
+    """One row of the file."""
+    return Rollout(
+        motion=row["motion"],
+        friction=float(row["friction"]),
+        offset=np.array([float(row[column]) for column in ("x_m", "y_m", "z_m")]),
+        success=row["success"] == "1",
+        position_error=float(row["position_error_m"]),
+        angle_error=float(row["orientation_error_rad"]),
+    )
+
+
+def table(theirs: list[Rollout], ours: list[Outcome], tolerance: Tolerance) -> str:
+    """How often the simulators agree, and how far apart the final errors are where both succeed."""
+    rows = []
+    for motion, friction in dict.fromkeys((rollout.motion, rollout.friction) for rollout in theirs):
+        pairs = [pair for pair in zip(theirs, ours) if (pair[0].motion, pair[0].friction) == (motion, friction)]
+        verdicts = [(other.success, tolerance.accepts(outcome)) for other, outcome in pairs]
+        both = [pair for pair, verdict in zip(pairs, verdicts) if all(verdict)]
+        positions = [1e3 * abs(other.position_error - outcome.position_error) for other, outcome in both]
+        angles = [abs(other.angle_error - outcome.angle_error) for other, outcome in both]
+        rows.append(
+            [
+                f"{motion}, friction {friction:g}",
+                *(str(verdicts.count(verdict)) for verdict in ((True, True), (False, False))),
+                *(str(verdicts.count(verdict)) for verdict in ((False, True), (True, False))),
+                f"{max(positions):.2f}" if both else "-",
+                f"{max(angles):.4f}" if both else "-",
+            ]
+        )
+    head = ["motion", "succeeds in both", "fails in both", "only in MuJoCo", "only in ours"]
+    return "\n".join(markdown([*head, "errors differ by, mm", "rad"], rows))

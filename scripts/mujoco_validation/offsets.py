@@ -1,0 +1,80 @@
+"""Errors of the part in the gripper under which a plan is played."""
+
+import csv
+import dataclasses
+import pathlib
+
+import numpy as np
+
+from plans import InputError, Plan
+
+# Unit of a magnitude that is a length and not a fraction.
+MILLIMETRES = "mm"
+
+
+@dataclasses.dataclass(frozen=True)
+class Cell:
+    """Offsets (n x 3, m, body frame) that are counted together."""
+
+    label: str
+    offsets: np.ndarray
+
+
+def cells(plan: Plan, source: str, magnitudes: str, count: int, seed: int) -> list[Cell]:
+    """One cell per magnitude, or a single one from a file.
+
+    `planned`: the offsets of the plan's scenarios, scaled to the magnitude.
+    `random`: convex combinations of these, weights uniform on the simplex; the same weights in every cell, so that
+    cells differ by nothing but the magnitude.
+    """
+    if source not in ("planned", "random"):
+        path = pathlib.Path(source)
+        return [Cell(path.name, read_offsets(path))]
+    # Without magnitude there is nothing to scale, and nothing to divide by.
+    directions = plan.offsets / plan.delta if plan.delta > 0 else 0 * plan.offsets
+    if source == "random":
+        weights = np.random.default_rng(seed).dirichlet(np.ones(len(directions)), count)
+        directions = weights @ directions
+    return [
+        Cell(label, distinct(magnitude * directions)) for label, magnitude in parse_magnitudes(magnitudes, plan.delta)
+    ]
+
+
+def distinct(offsets: np.ndarray) -> np.ndarray:
+    """The offsets without repetitions: the simulation is deterministic, so playing one twice says nothing."""
+    _, first = np.unique(offsets, axis=0, return_index=True)
+    return offsets[np.sort(first)]
+
+
+def parse_magnitudes(text: str, delta: float) -> list[tuple[str, float]]:
+    """Labels and magnitudes (m) of a list: fractions of delta-hat (0.5), lengths (2mm), delta-hat less a length (-1mm).
+    Those below zero, when delta-hat is small, are left out."""
+    parsed = []
+    for entry in filter(None, text.split(",")):
+        is_length = entry.endswith(MILLIMETRES)
+        try:
+            number = float(entry.removesuffix(MILLIMETRES))
+        except ValueError as error:
+            raise InputError(f"--magnitudes: `{entry}` is neither a fraction nor a length in mm") from error
+        if not is_length:
+            parsed.append((f"{100 * number:g} %", number * delta))
+        elif entry.startswith("-"):
+            parsed.append((f"delta - {-number:g} mm", delta + 1e-3 * number))
+        else:
+            parsed.append((f"{number:g} mm", 1e-3 * number))
+    possible = [(label, magnitude) for label, magnitude in parsed if magnitude >= 0]
+    if not possible:
+        raise InputError(f"--magnitudes {text}: none is above zero with a delta-hat of {1e3 * delta:g} mm")
+    return possible
+
+
+def read_offsets(path: pathlib.Path) -> np.ndarray:
+    """Offsets of a CSV file with the header `x_m,y_m,z_m`."""
+    try:
+        with path.open(newline="") as file:
+            rows = [[float(row[column]) for column in ("x_m", "y_m", "z_m")] for row in csv.DictReader(file)]
+    except (OSError, KeyError, TypeError, ValueError) as error:
+        raise InputError(f"--offsets {path}: no CSV file of numbers with the header x_m,y_m,z_m: {error}") from error
+    if not rows:
+        raise InputError(f"--offsets {path}: no offsets")
+    return np.array(rows)

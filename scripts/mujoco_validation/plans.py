@@ -1,0 +1,177 @@
+"""A plan as `assembly-plan solve` wrote it, and its reference at the simulator's time steps."""
+
+import csv
+import dataclasses
+import json
+import pathlib
+import tomllib
+from typing import Any
+
+import numpy as np
+
+from shapes import part_vertices
+
+TIME_COLUMN = "time_s"
+STATE_COLUMNS = "px_m py_m pz_m qw qx qy qz vx_m_s vy_m_s vz_m_s wx_rad_s wy_rad_s wz_rad_s".split()
+
+
+class InputError(Exception):
+    """Something the user gave is wrong."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Impedance:
+    """The controller (Eq. impedancewrench): stiffness N/m, Nm/rad; damping Ns/m and per body axis Nms/rad."""
+
+    translational_stiffness: float
+    rotational_stiffness: float
+    translational_damping: float
+    rotational_damping: tuple[float, float, float]
+
+
+@dataclasses.dataclass(frozen=True)
+class Reference:
+    """Knots of a motion: times (s) and states (position, quaternion w x y z, velocity, angular velocity)."""
+
+    times: np.ndarray
+    states: np.ndarray
+
+    def interval(self) -> float:
+        """Mean time between knots (s)."""
+        return self.times[-1] / (len(self.times) - 1)
+
+    def sample(self, time_step: float, settling_time: float) -> np.ndarray:
+        """States at multiples of `time_step`: positions linear, orientations by slerp, the velocity of the later knot
+        held between knots; after the last knot its pose at rest for `settling_time`."""
+        count = round((self.times[-1] + settling_time) / time_step)
+        times = np.arange(count) * time_step
+        # Times of knots that are multiples of the time step belong to the interval that they begin.
+        later = np.searchsorted(self.times, times + 1e-9, side="right")
+        moving = later < len(self.times)
+        later = np.minimum(later, len(self.times) - 1)
+        share = np.clip((times - self.times[later - 1]) / (self.times[later] - self.times[later - 1]), 0.0, 1.0)
+        before, after = self.states[later - 1], self.states[later]
+        states = np.empty((count, len(STATE_COLUMNS)))
+        states[:, :3] = before[:, :3] + share[:, None] * (after[:, :3] - before[:, :3])
+        states[:, 3:7] = slerp(before[:, 3:7], after[:, 3:7], share)
+        states[:, 7:] = np.where(moving[:, None], after[:, 7:], 0.0)
+        return states
+
+
+@dataclasses.dataclass(frozen=True)
+class Plan:
+    """Everything needed to play a plan. `offsets` (n x 3, m, body frame) are those of the planned scenarios."""
+
+    folder: pathlib.Path
+    title: str
+    start_name: str
+    status: str
+    body: list[np.ndarray]
+    environment: list[np.ndarray]
+    mass: float
+    inertia: np.ndarray
+    impedance: Impedance
+    start: np.ndarray
+    goal: np.ndarray
+    delta: float
+    offsets: np.ndarray
+    reference: Reference
+
+    def straight(self) -> Reference:
+        """The unplanned baseline: straight from start to goal at constant speed, in the plan's time."""
+        duration = self.reference.times[-1]
+        velocity = (self.goal[:3] - self.start[:3]) / duration
+        spin = rotation_vector(self.start[3:], self.goal[3:]) / duration
+        states = np.zeros((2, len(STATE_COLUMNS)))
+        states[:, :7] = self.start, self.goal
+        states[:, 7:] = np.concatenate([velocity, spin])
+        return Reference(np.array([0.0, duration]), states)
+
+
+def load(folder: pathlib.Path, scene_file: pathlib.Path | None) -> Plan:
+    """Reads a folder of `solve`; a scene file replaces the shapes in `resolved.toml` by those it was solved from."""
+    try:
+        resolved = tomllib.loads((folder / "resolved.toml").read_text())
+        result = json.loads((folder / "result.json").read_text())
+        reference = read_reference(folder / "reference.csv")
+        shapes_file = scene_file or folder / "resolved.toml"
+        shapes = tomllib.loads(shapes_file.read_text())
+        return plan(folder, resolved, result, reference, (shapes, shapes_file.parent))
+    except OSError as error:
+        raise InputError(f"{folder} is no folder of a finished `assembly-plan solve`: {error}") from error
+    except (KeyError, ValueError) as error:
+        raise InputError(f"{folder}: {type(error).__name__}: {error}") from error
+
+
+def plan(
+    folder: pathlib.Path,
+    resolved: dict[str, Any],
+    result: dict[str, Any],
+    reference: Reference,
+    shapes: tuple[dict[str, Any], pathlib.Path],
+) -> Plan:
+    """Puts a plan together from its parsed files."""
+    document, mesh_folder = shapes
+    impedance = resolved["impedance"]
+    return Plan(
+        folder=folder,
+        title=resolved["title"],
+        start_name=resolved["start"][0]["name"],
+        status=result["status"],
+        body=[part_vertices(part, mesh_folder) for part in document["body"]["part"]],
+        environment=[part_vertices(part, mesh_folder) for part in document["environment"]["part"]],
+        mass=resolved["body"]["mass"],
+        inertia=np.array(resolved["body"]["inertia"]),
+        impedance=Impedance(
+            impedance["translational_stiffness"],
+            impedance["rotational_stiffness"],
+            impedance["translational_damping"],
+            tuple(impedance["rotational_damping"]),
+        ),
+        start=pose(resolved["start"][0]),
+        goal=pose(resolved["goal"]),
+        delta=result["delta_m"],
+        offsets=np.array([scenario["offset_m"] for scenario in result["scenarios"]]),
+        reference=reference,
+    )
+
+
+def read_reference(path: pathlib.Path) -> Reference:
+    """Reads `reference.csv`."""
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    times = np.array([float(row[TIME_COLUMN]) for row in rows])
+    states = np.array([[float(row[column]) for column in STATE_COLUMNS] for row in rows])
+    if len(times) < 2 or (np.diff(times) <= 0).any():
+        raise ValueError("reference.csv needs at least two rows with increasing times")
+    return Reference(times, states)
+
+
+def pose(table: dict[str, Any]) -> np.ndarray:
+    """Position and quaternion of a table of the scene."""
+    return np.array([*table["position"], *table["orientation"]])
+
+
+def slerp(before: np.ndarray, after: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Spherical interpolation of unit quaternions (n x 4), the short way round."""
+    cosine = np.sum(before * after, axis=1)
+    after = np.where(cosine[:, None] < 0, -after, after)
+    angle = np.arccos(np.clip(np.abs(cosine), 0.0, 1.0))
+    sine = np.sin(angle)
+    # For small angles the weights tend to those of linear interpolation.
+    small = sine < 1e-9
+    divisor = np.where(small, 1.0, sine)
+    first = np.where(small, 1 - share, np.sin((1 - share) * angle) / divisor)
+    second = np.where(small, share, np.sin(share * angle) / divisor)
+    mixed = first[:, None] * before + second[:, None] * after
+    return mixed / np.linalg.norm(mixed, axis=1, keepdims=True)
+
+
+def rotation_vector(start: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Rotation from one unit quaternion to another, in the frame of either (they share its axis): axis x angle."""
+    w, vector = start[0] * end[0] + start[1:] @ end[1:], start[0] * end[1:] - end[0] * start[1:]
+    vector = vector - np.cross(start[1:], end[1:])
+    if w < 0:
+        w, vector = -w, -vector
+    norm = np.linalg.norm(vector)
+    return np.zeros(3) if norm < 1e-12 else 2 * np.arctan2(norm, w) * vector / norm

@@ -1,0 +1,150 @@
+"""One motion played through MuJoCo: a free body driven by the impedance wrench alone."""
+
+import dataclasses
+from collections.abc import Callable
+
+import mujoco
+import numpy as np
+
+from plans import Impedance
+from shapes import rotation_matrix
+
+State = list[float]
+
+
+@dataclasses.dataclass(frozen=True)
+class Outcome:
+    """Final errors (m, rad), deepest overlap (m), largest force of a pair (N) and whether MuJoCo warned of anything."""
+
+    position_error: float
+    angle_error: float
+    overlap: float
+    force: float
+    warned: bool
+
+
+class ContactRecord:
+    """Deepest overlap (m) and largest normal force of a pair (N) during a motion. The force is the mean over a window:
+    how high an impact peaks is a matter of the time step, its impulse is not."""
+
+    def __init__(self, geom_count: int, window: int) -> None:
+        self.overlap = 0.0
+        self.force = 0.0
+        self.geom_count = geom_count
+        self.window = window
+        self.sums = np.zeros(geom_count**2)
+
+    def add(self, data: mujoco.MjData) -> None:
+        """Reads the contacts of a step."""
+        if data.ncon:
+            contact = data.contact
+            self.overlap = max(self.overlap, -float(contact.dist.min()))
+            pairs = self.geom_count * contact.geom[:, 0] + contact.geom[:, 1]
+            # The first row of a contact is its normal, with and without friction.
+            self.sums += np.bincount(pairs, data.efc_force[contact.efc_address], len(self.sums))
+
+    def close_window(self) -> None:
+        """Takes the mean over the window that ends."""
+        self.force = max(self.force, float(self.sums.max()) / self.window)
+        self.sums[:] = 0.0
+
+
+def impedance_wrench(
+    impedance: Impedance, reference: State, pose: State, velocity: State, offset: State
+) -> tuple[float, ...]:
+    """Force (world frame, N) and torque (body frame, Nm) that pull the pose `P_q(pose, offset)` to the reference
+    (Eq. impedancewrench). Plain numbers: numpy takes several times longer for three of them."""
+    x, y, z, w, i, j, k = pose
+    a, b, c = offset
+    shift = (
+        (1 - 2 * (j * j + k * k)) * a + 2 * (i * j - w * k) * b + 2 * (i * k + w * j) * c,
+        2 * (i * j + w * k) * a + (1 - 2 * (i * i + k * k)) * b + 2 * (j * k - w * i) * c,
+        2 * (i * k - w * j) * a + 2 * (j * k + w * i) * b + (1 - 2 * (i * i + j * j)) * c,
+    )
+    stiffness, damping = impedance.translational_stiffness, impedance.translational_damping
+    rx, ry, rz, rw, ri, rj, rk, *reference_velocity = reference
+    scalar = w * rw + i * ri + j * rj + k * rk
+    twice = 2 * impedance.rotational_stiffness * scalar
+    p, q, r = impedance.rotational_damping
+    return (
+        stiffness * (rx - x - shift[0]) + damping * (reference_velocity[0] - velocity[0]),
+        stiffness * (ry - y - shift[1]) + damping * (reference_velocity[1] - velocity[1]),
+        stiffness * (rz - z - shift[2]) + damping * (reference_velocity[2] - velocity[2]),
+        twice * (w * ri - i * rw - j * rk + k * rj) + p * (reference_velocity[3] - velocity[3]),
+        twice * (w * rj + i * rk - j * rw - k * ri) + q * (reference_velocity[4] - velocity[4]),
+        twice * (w * rk - i * rj + j * ri - k * rw) + r * (reference_velocity[5] - velocity[5]),
+    )
+
+
+def gyroscopic_torque(inertia: list[list[float]], spin: State) -> tuple[float, float, float]:
+    """`omega x I omega` (Nm, body frame)."""
+    p, q, r = spin
+    a, b, c = (row[0] * p + row[1] * q + row[2] * r for row in inertia)
+    return q * c - r * b, r * a - p * c, p * b - q * a
+
+
+class Player:
+    """Plays motions on one model. Forces are means over `window` steps."""
+
+    def __init__(self, model: mujoco.MjModel, inertia: np.ndarray, impedance: Impedance, window: int) -> None:
+        self.model = model
+        self.window = window
+        self.data = mujoco.MjData(model)
+        self.inertia = inertia.tolist()
+        # Isotropic inertia has no gyroscopic term; leaving it out saves time.
+        self.isotropic = np.allclose(inertia, inertia[0, 0] * np.eye(3))
+        self.impedance = impedance
+        # MuJoCo would write warnings to a file in the working directory; they are counted in `data` all the same.
+        mujoco.set_mju_user_warning(lambda message: None)
+
+    def play(
+        self,
+        samples: list[State],
+        offset: State,
+        initial: np.ndarray,
+        observe: Callable[[mujoco.MjData], None] = lambda data: None,
+    ) -> ContactRecord:
+        """Tracks reference samples, one per time step, from an initial state (13 numbers). `observe` sees the data
+        before every step. Stops early at a warning."""
+        model, data = self.model, self.data
+        mujoco.mj_resetData(model, data)
+        data.qpos[:], data.qvel[:] = initial[:7], initial[7:]
+        record = ContactRecord(model.ngeom, self.window)
+        for step, reference in enumerate(samples, start=1):
+            observe(data)
+            pose, velocity = data.qpos.tolist(), data.qvel.tolist()
+            wrench = impedance_wrench(self.impedance, reference, pose, velocity, offset)
+            if not self.isotropic:
+                # The model of the plan has no gyroscopic term, MuJoCo has: it is cancelled.
+                spin = gyroscopic_torque(self.inertia, velocity[3:])
+                wrench = (*wrench[:3], *(torque + term for torque, term in zip(wrench[3:], spin)))
+            data.qfrc_applied[:] = wrench
+            mujoco.mj_step(model, data)
+            record.add(data)
+            if step % self.window == 0:
+                record.close_window()
+                if self.warned():
+                    break
+        observe(data)
+        return record
+
+    def warned(self) -> bool:
+        """Whether MuJoCo warned of anything since the start of the motion."""
+        return bool(self.data.warning.number.any()) or not np.isfinite(self.data.qpos).all()
+
+    def outcome(self, samples: list[State], offset: np.ndarray, goal: np.ndarray) -> Outcome:
+        """Plays a motion from rest at its first pose, displaced by the offset, and measures where it ends."""
+        record = self.play(samples, offset.tolist(), displaced(np.array(samples[0]), offset))
+        position, quaternion = self.data.qpos[:3], self.data.qpos[3:]
+        cosine = abs(float(quaternion @ goal[3:])) / float(np.linalg.norm(quaternion) * np.linalg.norm(goal[3:]))
+        angle = 2 * np.arccos(min(1.0, cosine))
+        distance = float(np.linalg.norm(position - goal[:3]))
+        return Outcome(distance, float(angle), record.overlap, record.force, self.warned())
+
+
+def displaced(reference: np.ndarray, offset: np.ndarray) -> np.ndarray:
+    """The state at rest in which the body really is when the robot believes it at the reference: `P_q^-1`."""
+    state = np.zeros(13)
+    state[:7] = reference[:7]
+    state[:3] -= rotation_matrix(reference[3:7]) @ offset
+    return state
