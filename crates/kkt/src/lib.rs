@@ -4,10 +4,10 @@
 //! neighbouring stages only. Every row carries a [`Label`]: stage, scenario, kind. [`StageSolver`] plans the
 //! elimination once and repeats it for every matrix:
 //!
-//! 1. contact forces, slacks and their multipliers, each pair by itself (`leaf`, `cell`);
-//! 2. stage by stage, backward in time: poses with the kinematics that define them, without pivoting (`poses`,
-//!    `pose_elimination`), then the rest of the stage as one dense front with Bunch and Kaufman's pivots (`general`,
-//!    `bunch_kaufman`), whose Schur complement goes to the stage before (`stages`).
+//! 1. contact forces, slacks and their multipliers, each pair by itself (`leaf`);
+//! 2. stage by stage, backward in time: poses with the kinematics that define them, without pivoting
+//!    (`front::poses`), then the rest of the stage as one dense front with Bunch and Kaufman's pivots (`front::general`),
+//!    whose Schur complement goes to the stage before (`stages`).
 //!
 //! The number of negative eigenvalues is exact: every pivot's size is compared with the terms that it is the sum of
 //! (`pivot`), and where its sign cannot be trusted, where a residual stays large after refinement, where more quality is
@@ -16,22 +16,15 @@
 //!
 //! Time grows linearly in stages and pairs, and with the third power of the number of scenarios.
 
-mod assembly;
-mod bunch_kaufman;
-mod cell;
 mod error;
 mod fallback;
-mod general;
+mod front;
 mod grouping;
 mod kernel;
 mod label;
 mod leaf;
-mod leaf_solve;
-mod leaf_store;
 mod matrix;
 mod pivot;
-mod pose_elimination;
-mod poses;
 mod report;
 mod solver;
 mod stages;

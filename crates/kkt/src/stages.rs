@@ -2,13 +2,13 @@
 
 use pulp::Arch;
 
-use crate::assembly::Place;
-use crate::general::{FrontFactors, FrontNumbers, SolveGeneral};
+use crate::front::assembly::Place;
+use crate::front::general::{FrontFactors, FrontNumbers, SolveGeneral};
+use crate::front::pose_elimination::{EliminatePoses, SolvePoses, work_length as pose_work_length};
 use crate::kernel::{Aligned, padded};
-use crate::leaf_solve::{SolveLeaf, work_length as leaf_work_length};
-use crate::leaf_store::{FactoriseLeaf, LeafStore, LeafWork};
+use crate::leaf::solve::{SolveLeaf, work_length as leaf_work_length};
+use crate::leaf::store::{FactoriseLeaf, LeafStore, LeafWork};
 use crate::pivot::{Breakdown, Pivots};
-use crate::pose_elimination::{EliminatePoses, SolvePoses, work_length as pose_work_length};
 use crate::symbolic::{Stage, Symbolic};
 
 /// How a factorisation of all stages went.
@@ -73,7 +73,7 @@ impl Stages {
             work.schur.reserve(schur);
             work.later.reserve(schur);
             work.scale.reserve(layout.stride());
-            work.columns.reserve(crate::bunch_kaufman::work_length(layout.stride()));
+            work.columns.reserve(crate::front::bunch_kaufman::work_length(layout.stride()));
             work.solve.reserve(layout.stride());
             if let Some(plan) = &stage.fast {
                 work.poses.reserve(pose_work_length(&plan.layout));

@@ -1,13 +1,13 @@
 //! The elimination, planned once for all matrices of a pattern.
 
-use crate::assembly::{Assembly, Place, Target};
 use crate::error::StructureError;
-use crate::general::GeneralLayout;
+use crate::front::assembly::{Assembly, Place, Target};
+use crate::front::general::GeneralLayout;
+use crate::front::poses::PoseLayout;
 use crate::grouping::{Entry, Grouping, group};
 use crate::kernel::padded;
 use crate::label::Label;
 use crate::leaf::{Leaf, Offset};
-use crate::poses::PoseLayout;
 
 /// One way to factorise a front.
 #[derive(Debug)]

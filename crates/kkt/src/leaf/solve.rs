@@ -3,8 +3,8 @@
 use pulp::{Simd, WithSimd};
 
 use crate::kernel::{dot, subtract_columns};
+use crate::leaf::store::LeafStore;
 use crate::leaf::{Cell, Leaf};
-use crate::leaf_store::LeafStore;
 use crate::pivot::apply_inverse;
 
 /// Solves with a leaf's `L` and takes its part off the boundary, or the other way round with `L'`.

@@ -5,6 +5,10 @@
 //! smoothing leaves them without diagonal), and leaves a symmetric update of the states at its boundary. The rows `Y`
 //! of all cells are collected, so that a leaf needs one product `Y' D^{-1} Y`.
 
+pub mod cell;
+pub mod solve;
+pub mod store;
+
 use crate::grouping::{Group, Grouping, Role};
 use crate::kernel::padded;
 use crate::label::Label;

@@ -2,8 +2,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::cell::CellNumbers;
 use crate::kernel::{Aligned, SubtractProduct};
+use crate::leaf::cell::CellNumbers;
 use crate::leaf::{Leaf, Offset};
 use crate::pivot::Breakdown;
 

@@ -1,9 +1,9 @@
-//! Numbers of the fast path: see [`crate::poses`].
+//! Numbers of the fast path: see [`crate::front::poses`].
 
 use pulp::{Arch, Simd, WithSimd};
 
+use crate::front::poses::{LARGEST_POSE, PoseBlock, PoseLayout};
 use crate::kernel::{SubtractProduct, dot, padded, subtract_columns};
-use crate::poses::{LARGEST_POSE, PoseBlock, PoseLayout};
 
 /// A pivot of `J` below this part of its largest entry leaves the elimination of the poses to a general front.
 const SMALLEST_PIVOT: f64 = 1e-6;

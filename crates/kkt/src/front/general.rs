@@ -2,8 +2,8 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::assembly::{Place, Target};
-use crate::bunch_kaufman::{PartialFactorisation, backward, forward};
+use crate::front::assembly::{Place, Target};
+use crate::front::bunch_kaufman::{PartialFactorisation, backward, forward};
 use crate::kernel::padded;
 use crate::pivot::{Breakdown, Pivots, apply_inverse};
 

@@ -13,8 +13,8 @@
 //! poses. This needs a zero in place of `y`'s diagonal; with a perturbation there, as in the restoration phase, the
 //! front is factorised as one dense block.
 
-use crate::assembly::{Place, Target};
-use crate::general::GeneralLayout;
+use crate::front::assembly::{Place, Target};
+use crate::front::general::GeneralLayout;
 use crate::grouping::Entry;
 use crate::kernel::padded;
 use crate::label::{Class, Label};
