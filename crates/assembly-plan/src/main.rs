@@ -11,6 +11,7 @@ mod problem;
 mod progress;
 mod result;
 mod simulate;
+mod smoothing;
 mod solve;
 mod success_table;
 

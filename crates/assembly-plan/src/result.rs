@@ -1,6 +1,6 @@
 //! `result.json`.
 
-use ocp::{StageResult, StageTiming};
+use ocp::{AssemblyTask, Peak, ScenarioTrajectory, StageResult, StageTiming};
 use serde::{Deserialize, Serialize};
 use simulation::Success;
 
@@ -24,6 +24,8 @@ pub struct PlanResult {
     objective: f64,
     wall_s: f64,
     quaternion_drift: f64,
+    /// What the user was warned of.
+    warnings: Vec<String>,
     stages: Vec<Stage>,
     scenarios: Vec<Scenario>,
 }
@@ -45,6 +47,8 @@ pub struct Stage {
     iterations: usize,
     objective: f64,
     constraint_violation: f64,
+    /// Deepest overlap of the exact shapes in any scenario.
+    pub max_penetration_m: f64,
     wall_s: f64,
     wall_split_s: Split,
     stage_solver: Option<StageSolver>,
@@ -89,13 +93,26 @@ struct Scenario {
     offset_m: [f64; 3],
     position_error_m: f64,
     orientation_error_rad: f64,
+    /// Deepest overlap of the exact shapes.
     max_penetration_m: f64,
+    max_penetration_at: Option<Place>,
+    /// Largest product of a contact force and the exact distance at the end of its step.
+    max_complementarity_nm: f64,
+    max_complementarity_at: Option<Place>,
     max_force_n: f64,
+}
+
+/// Where along a plan something is largest.
+#[derive(Debug, Serialize)]
+struct Place {
+    time_s: f64,
+    step: usize,
+    pair: String,
 }
 
 impl PlanResult {
     /// From the records of all homotopy iterations that ran, and the last one itself.
-    pub fn new(problem: &Problem, stages: Vec<Stage>, last: &StageResult) -> Self {
+    pub fn new(problem: &Problem, stages: Vec<Stage>, last: &StageResult, warnings: Vec<String>) -> Self {
         let (position, orientation) = last.trajectory.worst_errors();
         let converged = stages.len() == problem.homotopy.0.iterations && last.status.is_success();
         let goal_reached = Success::default().reached(position, orientation);
@@ -119,8 +136,9 @@ impl PlanResult {
             objective: last.objective,
             wall_s: stages.iter().map(|stage| stage.wall_s).sum(),
             quaternion_drift: last.trajectory.quaternion_drift,
+            warnings,
             stages,
-            scenarios: last.trajectory.scenarios.iter().map(scenario).collect(),
+            scenarios: last.trajectory.scenarios.iter().map(|motion| scenario(motion, &problem.task)).collect(),
         }
     }
 
@@ -184,6 +202,7 @@ impl From<&StageResult> for Stage {
             iterations: result.iterations,
             objective: result.objective,
             constraint_violation: result.constraint_violation,
+            max_penetration_m: result.trajectory.max_penetration(),
             wall_s: total,
             wall_split_s: Split { distances, model, linear_solver, rest },
             stage_solver: result.stage_solver.as_ref().map(StageSolver::from),
@@ -209,12 +228,24 @@ impl From<&kkt::Report> for StageSolver {
     }
 }
 
-fn scenario(motion: &ocp::ScenarioTrajectory) -> Scenario {
+fn scenario(motion: &ScenarioTrajectory, task: &AssemblyTask) -> Scenario {
+    let quality = &motion.quality;
+    let value = |peak: Option<Peak>| peak.map_or(0.0, |peak| peak.value);
+    let place = |peak: Option<Peak>| {
+        peak.map(|Peak { step, pair, .. }| Place {
+            time_s: step as f64 * task.horizon.time_step,
+            step,
+            pair: task.pairs[pair].to_string(),
+        })
+    };
     Scenario {
         offset_m: motion.offset,
-        position_error_m: motion.quality.position_error,
-        orientation_error_rad: motion.quality.orientation_error,
-        max_penetration_m: motion.quality.max_penetration,
-        max_force_n: motion.quality.max_force,
+        position_error_m: quality.position_error,
+        orientation_error_rad: quality.orientation_error,
+        max_penetration_m: value(quality.penetration),
+        max_penetration_at: place(quality.penetration),
+        max_complementarity_nm: value(quality.complementarity),
+        max_complementarity_at: place(quality.complementarity),
+        max_force_n: quality.max_force,
     }
 }

@@ -26,6 +26,7 @@ mod layout;
 mod model;
 mod pattern;
 pub mod pose;
+mod quality;
 mod settings;
 mod stage_solver;
 mod state;
@@ -35,8 +36,9 @@ mod transcription;
 
 pub use homotopy::{Event, Homotopy, StageResult, StageTiming};
 pub use layout::Layout;
+pub use quality::{Peak, Quality};
 pub use settings::{Complementarity, HessianKind, HomotopySettings, Smoothing};
 pub use stage_solver::{STAGE, TranscriptionSolver};
 pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
-pub use trajectory::{Contact, Quality, ScenarioTrajectory, Trajectory};
+pub use trajectory::{Contact, ScenarioTrajectory, Trajectory};
 pub use transcription::Transcription;

@@ -5,6 +5,7 @@ use autodiff::{Batch, Workspace};
 use crate::layout::{Layout, POSE, STATE, TWIST};
 use crate::model;
 use crate::pose;
+use crate::quality::Quality;
 use crate::state::{at_rest, pose_of};
 use crate::task::AssemblyTask;
 use crate::transcription::Transcription;
@@ -46,19 +47,6 @@ pub struct Contact {
     pub force: f64,
 }
 
-/// Final errors and extremes of one scenario.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quality {
-    /// Distance of the final position from the goal (m).
-    pub position_error: f64,
-    /// Angle between the final orientation and the goal (rad).
-    pub orientation_error: f64,
-    /// Deepest overlap of the exact shapes (m), 0 when they never overlap.
-    pub max_penetration: f64,
-    /// Largest contact force (N).
-    pub max_force: f64,
-}
-
 impl Trajectory {
     /// Reads the point `x` of a transcription whose distances are smoothed by `tau`.
     pub fn new(transcription: &Transcription, x: &[f64], tau: f64) -> Self {
@@ -98,6 +86,12 @@ impl Trajectory {
             (quality.position_error.max(position), quality.orientation_error.max(orientation))
         })
     }
+
+    /// Deepest overlap of the exact shapes in any scenario (m), 0 when there is none.
+    pub fn max_penetration(&self) -> f64 {
+        let peaks = self.scenarios.iter().filter_map(|scenario| scenario.quality.penetration);
+        peaks.map(|peak| peak.value).fold(0.0, f64::max)
+    }
 }
 
 impl ScenarioTrajectory {
@@ -118,14 +112,7 @@ impl ScenarioTrajectory {
                 pairs.map(|(distances, &force)| Contact { distance: distances[stage - 1], force }).collect()
             })
             .collect();
-        let exact = task.pairs.iter().flat_map(|pair| poses.iter().map(|pose| pair.shapes.exact_distance(pose)));
-        let (position_error, orientation_error) = pose::errors(&poses[poses.len() - 1], &task.goal);
-        let quality = Quality {
-            position_error,
-            orientation_error,
-            max_penetration: exact.map(|distance| -distance).fold(0.0, f64::max),
-            max_force: contacts.iter().flatten().map(|contact| contact.force).fold(0.0, f64::max),
-        };
+        let quality = Quality::new(task, &poses, &contacts);
         let wrenches = wrenches(task, offset, &reference[1..], &raw[1..]);
         Self { offset, states, wrenches, contacts, quality }
     }
