@@ -103,6 +103,11 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
     if task.clearance(&task.goal) < 0.0 {
         eprintln!("warning: the body overlaps the environment at the goal; it cannot be reached");
     }
+    for (name, unit, limit) in task.limits.named() {
+        if limit.is_finite() {
+            println!("limit: {name} {limit} {unit}");
+        }
+    }
     let settings = &homotopy.0;
     let transcription = Transcription::new(task, settings.complementarity, settings.hessian);
     let layout = transcription.layout();

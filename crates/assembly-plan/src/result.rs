@@ -1,6 +1,6 @@
 //! `result.json`.
 
-use ocp::{AssemblyTask, Peak, ScenarioTrajectory, StageResult, StageTiming};
+use ocp::{AssemblyTask, Limits, Peak, ScenarioTrajectory, StageResult, StageTiming};
 use serde::{Deserialize, Serialize};
 use simulation::Success;
 
@@ -26,6 +26,10 @@ pub struct PlanResult {
     quaternion_drift: f64,
     /// What the user was warned of.
     warnings: Vec<String>,
+    /// Largest components allowed, null where there is no limit.
+    limits: Magnitudes,
+    /// Largest components of the reference and of all scenarios.
+    reached: Magnitudes,
     stages: Vec<Stage>,
     scenarios: Vec<Scenario>,
 }
@@ -100,6 +104,20 @@ struct Scenario {
     max_complementarity_nm: f64,
     max_complementarity_at: Option<Place>,
     max_force_n: f64,
+    /// Largest components.
+    reached: Magnitudes,
+}
+
+/// A number for everything that can be limited.
+#[derive(Debug, Serialize)]
+struct Magnitudes {
+    translational_velocity_m_s: f64,
+    rotational_velocity_rad_s: f64,
+    translational_acceleration_m_s2: f64,
+    rotational_acceleration_rad_s2: f64,
+    contact_force_n: f64,
+    force_n: f64,
+    torque_nm: f64,
 }
 
 /// Where along a plan something is largest.
@@ -137,6 +155,8 @@ impl PlanResult {
             wall_s: stages.iter().map(|stage| stage.wall_s).sum(),
             quaternion_drift: last.trajectory.quaternion_drift,
             warnings,
+            limits: Magnitudes::from(problem.task.limits),
+            reached: Magnitudes::from(last.trajectory.keeps()),
             stages,
             scenarios: last.trajectory.scenarios.iter().map(|motion| scenario(motion, &problem.task)).collect(),
         }
@@ -247,5 +267,20 @@ fn scenario(motion: &ScenarioTrajectory, task: &AssemblyTask) -> Scenario {
         max_complementarity_nm: value(quality.complementarity),
         max_complementarity_at: place(quality.complementarity),
         max_force_n: quality.max_force,
+        reached: Magnitudes::from(motion.keeps),
+    }
+}
+
+impl From<Limits> for Magnitudes {
+    fn from(limits: Limits) -> Self {
+        Self {
+            translational_velocity_m_s: limits.translational_velocity,
+            rotational_velocity_rad_s: limits.rotational_velocity,
+            translational_acceleration_m_s2: limits.translational_acceleration,
+            rotational_acceleration_rad_s2: limits.rotational_acceleration,
+            contact_force_n: limits.contact_force,
+            force_n: limits.force,
+            torque_nm: limits.torque,
+        }
     }
 }

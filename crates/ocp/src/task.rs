@@ -2,6 +2,8 @@
 
 use nalgebra::Matrix3;
 
+use crate::limits::Limits;
+
 /// A moved body, its environment and everything the optimal control problem needs to know of them.
 #[derive(Debug, Clone)]
 pub struct AssemblyTask {
@@ -21,6 +23,8 @@ pub struct AssemblyTask {
     pub horizon: Horizon,
     /// Weights of the cost (Sec. ocp:cost).
     pub cost: TrajectoryCost,
+    /// What reference and scenarios must not exceed.
+    pub limits: Limits,
 }
 
 impl AssemblyTask {

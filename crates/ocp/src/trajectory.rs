@@ -3,6 +3,7 @@
 use autodiff::{Batch, Workspace};
 
 use crate::layout::{Layout, POSE, STATE, TWIST};
+use crate::limits::Limits;
 use crate::model;
 use crate::pose;
 use crate::quality::Quality;
@@ -21,6 +22,8 @@ pub struct Trajectory {
     pub scenarios: Vec<ScenarioTrajectory>,
     /// Largest `| |xi| - 1 |` before normalisation: the drift of Euler's method.
     pub quaternion_drift: f64,
+    /// The tightest limits that the reference keeps; it has no forces.
+    pub reference_keeps: Limits,
 }
 
 /// The compliant motion of one scenario.
@@ -36,6 +39,8 @@ pub struct ScenarioTrajectory {
     pub contacts: Vec<Vec<Contact>>,
     /// How well the scenario ends and how hard it touches.
     pub quality: Quality,
+    /// The tightest limits that the scenario keeps.
+    pub keeps: Limits,
 }
 
 /// One pair at one time.
@@ -73,6 +78,7 @@ impl Trajectory {
             .collect();
         Self {
             time_step: task.horizon.time_step,
+            reference_keeps: Limits::kept_by(&reference_raw, task.horizon.time_step, &[], 0.0),
             reference: reference_raw.iter().map(normalised).collect(),
             scenarios,
             quaternion_drift,
@@ -85,6 +91,11 @@ impl Trajectory {
         qualities.fold((0.0, 0.0), |(position, orientation), quality| {
             (quality.position_error.max(position), quality.orientation_error.max(orientation))
         })
+    }
+
+    /// The tightest limits that the reference and all scenarios keep.
+    pub fn keeps(&self) -> Limits {
+        self.scenarios.iter().fold(self.reference_keeps, |limits, scenario| limits.max(&scenario.keeps))
     }
 
     /// Deepest overlap of the exact shapes in any scenario (m), 0 when there is none.
@@ -114,7 +125,8 @@ impl ScenarioTrajectory {
             .collect();
         let quality = Quality::new(task, &poses, &contacts);
         let wrenches = wrenches(task, offset, &reference[1..], &raw[1..]);
-        Self { offset, states, wrenches, contacts, quality }
+        let keeps = Limits::kept_by(&states, task.horizon.time_step, &wrenches, quality.max_force);
+        Self { offset, states, wrenches, contacts, quality, keeps }
     }
 }
 
@@ -129,7 +141,7 @@ fn wrenches(
     reference: &[[f64; STATE]],
     states: &[[f64; STATE]],
 ) -> Vec<[f64; TWIST]> {
-    let tape = model::wrench(&task.impedance);
+    let tape = model::wrench(&task.impedance, &[0, 1, 2, 3, 4, 5]);
     let mut inputs = Batch::new(2 * STATE + offset.len(), states.len());
     let mut outputs = Batch::new(TWIST, states.len());
     for component in 0..STATE {
