@@ -5,6 +5,7 @@ mod batch;
 mod check;
 mod checkpoint;
 mod failure;
+mod limits;
 mod output;
 mod plan;
 mod problem;

@@ -4,6 +4,7 @@ use ocp::{AssemblyTask, Limits, Peak, ScenarioTrajectory, StageResult, StageTimi
 use serde::{Deserialize, Serialize};
 use simulation::Success;
 
+use crate::limits;
 use crate::problem::Problem;
 
 /// Everything that is known of a plan besides its trajectories.
@@ -27,9 +28,11 @@ pub struct PlanResult {
     /// What the user was warned of.
     warnings: Vec<String>,
     /// Largest components allowed, null where there is no limit.
-    limits: Magnitudes,
+    #[serde(with = "LimitsRecord")]
+    limits: Limits,
     /// Largest components of the reference and of all scenarios.
-    reached: Magnitudes,
+    #[serde(with = "LimitsRecord")]
+    reached: Limits,
     stages: Vec<Stage>,
     scenarios: Vec<Scenario>,
 }
@@ -105,19 +108,8 @@ struct Scenario {
     max_complementarity_at: Option<Place>,
     max_force_n: f64,
     /// Largest components.
-    reached: Magnitudes,
-}
-
-/// A number for everything that can be limited.
-#[derive(Debug, Serialize)]
-struct Magnitudes {
-    translational_velocity_m_s: f64,
-    rotational_velocity_rad_s: f64,
-    translational_acceleration_m_s2: f64,
-    rotational_acceleration_rad_s2: f64,
-    contact_force_n: f64,
-    force_n: f64,
-    torque_nm: f64,
+    #[serde(with = "LimitsRecord")]
+    reached: Limits,
 }
 
 /// Where along a plan something is largest.
@@ -126,6 +118,26 @@ struct Place {
     time_s: f64,
     step: usize,
     pair: String,
+}
+
+/// How [`Limits`] are written; infinity as null.
+#[derive(Debug, Serialize)]
+#[serde(remote = "Limits")]
+struct LimitsRecord {
+    #[serde(rename = "translational_velocity_m_s")]
+    translational_velocity: f64,
+    #[serde(rename = "rotational_velocity_rad_s")]
+    rotational_velocity: f64,
+    #[serde(rename = "translational_acceleration_m_s2")]
+    translational_acceleration: f64,
+    #[serde(rename = "rotational_acceleration_rad_s2")]
+    rotational_acceleration: f64,
+    #[serde(rename = "contact_force_n")]
+    contact_force: f64,
+    #[serde(rename = "force_n")]
+    force: f64,
+    #[serde(rename = "torque_nm")]
+    torque: f64,
 }
 
 impl PlanResult {
@@ -155,8 +167,8 @@ impl PlanResult {
             wall_s: stages.iter().map(|stage| stage.wall_s).sum(),
             quaternion_drift: last.trajectory.quaternion_drift,
             warnings,
-            limits: Magnitudes::from(problem.task.limits),
-            reached: Magnitudes::from(last.trajectory.keeps()),
+            limits: problem.task.limits,
+            reached: last.trajectory.keeps(),
             stages,
             scenarios: last.trajectory.scenarios.iter().map(|motion| scenario(motion, &problem.task)).collect(),
         }
@@ -194,6 +206,7 @@ impl PlanResult {
                 scenario.max_force_n
             ));
         }
+        lines.extend(limits::summary(&self.limits, &self.reached));
         lines.join("\n")
     }
 }
@@ -267,20 +280,6 @@ fn scenario(motion: &ScenarioTrajectory, task: &AssemblyTask) -> Scenario {
         max_complementarity_nm: value(quality.complementarity),
         max_complementarity_at: place(quality.complementarity),
         max_force_n: quality.max_force,
-        reached: Magnitudes::from(motion.keeps),
-    }
-}
-
-impl From<Limits> for Magnitudes {
-    fn from(limits: Limits) -> Self {
-        Self {
-            translational_velocity_m_s: limits.translational_velocity,
-            rotational_velocity_rad_s: limits.rotational_velocity,
-            translational_acceleration_m_s2: limits.translational_acceleration,
-            rotational_acceleration_rad_s2: limits.rotational_acceleration,
-            contact_force_n: limits.contact_force,
-            force_n: limits.force,
-            torque_nm: limits.torque,
-        }
+        reached: motion.keeps,
     }
 }

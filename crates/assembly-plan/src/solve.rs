@@ -13,6 +13,7 @@ use scene::{Scene, StartPose};
 use crate::arguments::SolveArguments;
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
+use crate::limits;
 use crate::output::{remove_file, write_file, write_trajectory};
 use crate::problem::{Problem, homotopy};
 use crate::progress::Progress;
@@ -49,12 +50,12 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
         return Ok(INTERRUPTED);
     }
     write_trajectory(&folder, &last.trajectory, &problem.task.pairs)?;
-    if last.status.is_success()
-        && let Some(warning) = smoothing::warning(&problem, &stages, &last)
-    {
-        eprintln!("warning: {warning}");
-        warnings.push(warning);
+    let mut late = limits::warnings(&problem.task.limits, &last.trajectory.keeps());
+    if last.status.is_success() {
+        late.extend(smoothing::warning(&problem, &stages, &last));
     }
+    late.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    warnings.extend(late);
     let result = PlanResult::new(&problem, stages, &last, warnings);
     let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
     write_file(&folder.join("result.json"), &json)?;
