@@ -47,7 +47,8 @@ fn a_plan_is_written_with_all_its_files() {
     let run = program(&["solve", "scenes/corner.toml", "--out", out.to_str().unwrap()]);
     assert_eq!(code(&run), 0, "{}", text(&run.stderr));
     assert!(text(&run.stdout).contains("corner: done"));
-    assert_eq!(text(&run.stderr).lines().count(), 5, "one line per homotopy iteration off a terminal");
+    let progress = text(&run.stderr).lines().filter(|line| line.starts_with("stage ")).count();
+    assert_eq!(progress, 5, "one line per homotopy iteration off a terminal");
 
     let stages: Vec<PathBuf> = (1..=5).map(|stage| out.join("stages").join(stage.to_string())).collect();
     for folder in stages.iter().chain([&out]) {
@@ -83,6 +84,57 @@ fn a_plan_is_written_with_all_its_files() {
     for (one, other) in first.1.iter().flatten().zip(second.1.iter().flatten()) {
         assert!((one.parse::<f64>().unwrap() - other.parse::<f64>().unwrap()).abs() < 1e-2);
     }
+}
+
+#[test]
+fn a_plan_that_leans_on_smoothing_says_what_cures_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let solve = |iterations: u64| {
+        let homotopy = folder.path().join("homotopy.toml");
+        std::fs::write(&homotopy, format!("[homotopy]\niterations = {iterations}\n[ipopt]\ntol = 1e-2\n")).unwrap();
+        let arguments = ["--homotopy", homotopy.to_str().unwrap(), "--out", folder.path().to_str().unwrap()];
+        let run = program(&[&["solve", "scenes/corner.toml"][..], &arguments].concat());
+        assert_eq!(code(&run), 0, "{}", text(&run.stderr));
+        (result(folder.path()), text(&run.stderr))
+    };
+    let largest = |result: &Value, key: &str| {
+        let scenarios = result["scenarios"].as_array().unwrap();
+        scenarios.iter().map(|scenario| scenario[key].as_f64().unwrap()).fold(0.0, f64::max)
+    };
+    // Box and corner are 1 mm apart at the goal.
+    let (soft, stderr) = solve(5);
+    assert!(largest(&soft, "max_penetration_m") > 1e-4);
+    let warning = soft["warnings"][0].as_str().unwrap();
+    assert!(stderr.contains(warning) && warning.contains("leans on smoothing"), "{stderr}");
+    let cure = warning.split("set iterations = ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+
+    let (hard, stderr) = solve(cure.parse().unwrap());
+    assert!(largest(&hard, "max_penetration_m") <= 1e-4);
+    assert_eq!(hard["warnings"].as_array().unwrap().len(), 0);
+    assert!(!stderr.contains("warning"), "{stderr}");
+    assert!(largest(&hard, "max_complementarity_nm") < 0.5 * largest(&soft, "max_complementarity_nm"));
+    let place = &soft["scenarios"][0]["max_complementarity_at"];
+    assert!(["box/floor", "box/wall"].contains(&place["pair"].as_str().unwrap()));
+    let step = place["step"].as_u64().unwrap();
+    assert!((1..=20).contains(&step) && (place["time_s"].as_f64().unwrap() - 0.08 * step as f64).abs() < 1e-12);
+}
+
+#[test]
+fn overlap_that_smoothing_does_not_explain_asks_for_shorter_steps() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, homotopy) = (folder.path().join("corner.toml"), folder.path().join("homotopy.toml"));
+    std::fs::write(&homotopy, "[homotopy]\niterations = 9\n[ipopt]\ntol = 1e-8\n").unwrap();
+    let text = std::fs::read_to_string(project("scenes/corner.toml")).unwrap();
+    let text = text.replace("../configs/homotopy_peg.toml", "homotopy.toml");
+    let warnings = |text: &str| {
+        std::fs::write(&scene, text).unwrap();
+        let run = program(&["solve", scene.to_str().unwrap(), "--out", folder.path().to_str().unwrap()]);
+        assert_eq!(code(&run), 0);
+        result(folder.path())["warnings"].to_string()
+    };
+    let coarse = warnings(&text);
+    assert!(coarse.contains("set steps = 40 and time_step = 0.04 in [horizon]"), "{coarse}");
+    assert_eq!(warnings(&text.replace("steps = 20", "steps = 40").replace("= 0.08\n", "= 0.04\n")), "[]");
 }
 
 #[test]

@@ -90,18 +90,23 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
     let starts: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).collect();
     println!("\nstarts: {}", starts.join(", "));
     println!("\nsmallest exact distance (negative: overlap)");
-    println!("  goal                            {:8.3} mm", 1e3 * clearance(task, &task.goal));
-    println!("  start                           {:8.3} mm", 1e3 * clearance(task, &task.start));
+    println!("  goal                            {:8.3} mm", 1e3 * task.clearance(&task.goal));
+    println!("  start                           {:8.3} mm", 1e3 * task.clearance(&task.start));
     for (index, offset) in task.offsets.iter().enumerate() {
-        let distance = clearance(task, &ocp::pose::without_offset(&task.start, offset));
+        let distance = task.clearance(&ocp::pose::without_offset(&task.start, offset));
         let [x, y, z] = offset.map(|component| 1e3 * component);
         println!("  start, offset {} ({x:6.2} {y:6.2} {z:6.2}) {:7.3} mm", index + 1, 1e3 * distance);
         if distance < 0.0 {
             eprintln!("warning: with offset {} the body overlaps the environment at the start", index + 1);
         }
     }
-    if clearance(task, &task.goal) < 0.0 {
+    if task.clearance(&task.goal) < 0.0 {
         eprintln!("warning: the body overlaps the environment at the goal; it cannot be reached");
+    }
+    for (name, unit, limit) in task.limits.named() {
+        if limit.is_finite() {
+            println!("limit: {name} {limit} {unit}");
+        }
     }
     let settings = &homotopy.0;
     let transcription = Transcription::new(task, settings.complementarity, settings.hessian);
@@ -132,9 +137,4 @@ fn warn_about_smoothing(task: &AssemblyTask, homotopy: &Homotopy) {
             1e3 * largest
         );
     }
-}
-
-/// Smallest exact distance of all pairs (m).
-fn clearance(task: &AssemblyTask, pose: &[f64; 7]) -> f64 {
-    task.pairs.iter().map(|pair| pair.shapes.exact_distance(pose)).fold(f64::INFINITY, f64::min)
 }

@@ -5,12 +5,14 @@ mod batch;
 mod check;
 mod checkpoint;
 mod failure;
+mod limits;
 mod output;
 mod plan;
 mod problem;
 mod progress;
 mod result;
 mod simulate;
+mod smoothing;
 mod solve;
 mod success_table;
 

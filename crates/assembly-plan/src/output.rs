@@ -92,7 +92,7 @@ fn contacts(trajectory: &Trajectory, pairs: &[ContactPair]) -> Result<Vec<u8>, F
                 vec![
                     time(trajectory, step + 1),
                     (scenario + 1).to_string(),
-                    format!("{}/{}", pair.body, pair.environment),
+                    pair.to_string(),
                     contact.distance.to_string(),
                     contact.force.to_string(),
                 ]

@@ -1,9 +1,10 @@
 //! `result.json`.
 
-use ocp::{StageResult, StageTiming};
+use ocp::{AssemblyTask, Limits, Peak, ScenarioTrajectory, StageResult, StageTiming};
 use serde::{Deserialize, Serialize};
 use simulation::Success;
 
+use crate::limits;
 use crate::problem::Problem;
 
 /// Everything that is known of a plan besides its trajectories.
@@ -24,6 +25,14 @@ pub struct PlanResult {
     objective: f64,
     wall_s: f64,
     quaternion_drift: f64,
+    /// What the user was warned of.
+    warnings: Vec<String>,
+    /// Largest components allowed, null where there is no limit.
+    #[serde(with = "LimitsRecord")]
+    limits: Limits,
+    /// Largest components of the reference and of all scenarios.
+    #[serde(with = "LimitsRecord")]
+    reached: Limits,
     stages: Vec<Stage>,
     scenarios: Vec<Scenario>,
 }
@@ -45,6 +54,8 @@ pub struct Stage {
     iterations: usize,
     objective: f64,
     constraint_violation: f64,
+    /// Deepest overlap of the exact shapes in any scenario.
+    pub max_penetration_m: f64,
     wall_s: f64,
     wall_split_s: Split,
     stage_solver: Option<StageSolver>,
@@ -89,13 +100,49 @@ struct Scenario {
     offset_m: [f64; 3],
     position_error_m: f64,
     orientation_error_rad: f64,
+    /// Deepest overlap of the exact shapes.
     max_penetration_m: f64,
+    max_penetration_at: Option<Place>,
+    /// Largest product of a contact force and the exact distance at the end of its step.
+    max_complementarity_nm: f64,
+    max_complementarity_at: Option<Place>,
     max_force_n: f64,
+    /// Largest components.
+    #[serde(with = "LimitsRecord")]
+    reached: Limits,
+}
+
+/// Where along a plan something is largest.
+#[derive(Debug, Serialize)]
+struct Place {
+    time_s: f64,
+    step: usize,
+    pair: String,
+}
+
+/// How [`Limits`] are written; infinity as null.
+#[derive(Debug, Serialize)]
+#[serde(remote = "Limits")]
+struct LimitsRecord {
+    #[serde(rename = "translational_velocity_m_s")]
+    translational_velocity: f64,
+    #[serde(rename = "rotational_velocity_rad_s")]
+    rotational_velocity: f64,
+    #[serde(rename = "translational_acceleration_m_s2")]
+    translational_acceleration: f64,
+    #[serde(rename = "rotational_acceleration_rad_s2")]
+    rotational_acceleration: f64,
+    #[serde(rename = "contact_force_n")]
+    contact_force: f64,
+    #[serde(rename = "force_n")]
+    force: f64,
+    #[serde(rename = "torque_nm")]
+    torque: f64,
 }
 
 impl PlanResult {
     /// From the records of all homotopy iterations that ran, and the last one itself.
-    pub fn new(problem: &Problem, stages: Vec<Stage>, last: &StageResult) -> Self {
+    pub fn new(problem: &Problem, stages: Vec<Stage>, last: &StageResult, warnings: Vec<String>) -> Self {
         let (position, orientation) = last.trajectory.worst_errors();
         let converged = stages.len() == problem.homotopy.0.iterations && last.status.is_success();
         let goal_reached = Success::default().reached(position, orientation);
@@ -119,8 +166,11 @@ impl PlanResult {
             objective: last.objective,
             wall_s: stages.iter().map(|stage| stage.wall_s).sum(),
             quaternion_drift: last.trajectory.quaternion_drift,
+            warnings,
+            limits: problem.task.limits,
+            reached: last.trajectory.keeps(),
             stages,
-            scenarios: last.trajectory.scenarios.iter().map(scenario).collect(),
+            scenarios: last.trajectory.scenarios.iter().map(|motion| scenario(motion, &problem.task)).collect(),
         }
     }
 
@@ -156,6 +206,7 @@ impl PlanResult {
                 scenario.max_force_n
             ));
         }
+        lines.extend(limits::summary(&self.limits, &self.reached));
         lines.join("\n")
     }
 }
@@ -184,6 +235,7 @@ impl From<&StageResult> for Stage {
             iterations: result.iterations,
             objective: result.objective,
             constraint_violation: result.constraint_violation,
+            max_penetration_m: result.trajectory.max_penetration(),
             wall_s: total,
             wall_split_s: Split { distances, model, linear_solver, rest },
             stage_solver: result.stage_solver.as_ref().map(StageSolver::from),
@@ -209,12 +261,25 @@ impl From<&kkt::Report> for StageSolver {
     }
 }
 
-fn scenario(motion: &ocp::ScenarioTrajectory) -> Scenario {
+fn scenario(motion: &ScenarioTrajectory, task: &AssemblyTask) -> Scenario {
+    let quality = &motion.quality;
+    let value = |peak: Option<Peak>| peak.map_or(0.0, |peak| peak.value);
+    let place = |peak: Option<Peak>| {
+        peak.map(|Peak { step, pair, .. }| Place {
+            time_s: step as f64 * task.horizon.time_step,
+            step,
+            pair: task.pairs[pair].to_string(),
+        })
+    };
     Scenario {
         offset_m: motion.offset,
-        position_error_m: motion.quality.position_error,
-        orientation_error_rad: motion.quality.orientation_error,
-        max_penetration_m: motion.quality.max_penetration,
-        max_force_n: motion.quality.max_force,
+        position_error_m: quality.position_error,
+        orientation_error_rad: quality.orientation_error,
+        max_penetration_m: value(quality.penetration),
+        max_penetration_at: place(quality.penetration),
+        max_complementarity_nm: value(quality.complementarity),
+        max_complementarity_at: place(quality.complementarity),
+        max_force_n: quality.max_force,
+        reached: motion.keeps,
     }
 }

@@ -13,10 +13,12 @@ use scene::{Scene, StartPose};
 use crate::arguments::SolveArguments;
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
+use crate::limits;
 use crate::output::{remove_file, write_file, write_trajectory};
 use crate::problem::{Problem, homotopy};
 use crate::progress::Progress;
 use crate::result::{PlanResult, Stage};
+use crate::smoothing;
 use crate::{DONE, INTERRUPTED, NO_PLAN};
 
 /// Plans, writes all files and says what happened.
@@ -30,13 +32,8 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
                        expand the batch into another folder";
         return Err(Failure::Input(format!("{}: {message}", arguments.task.scene.display())));
     }
-    for warning in &scene.warnings {
-        eprintln!("warning: {warning}");
-    }
-    if problem.homotopy.0.linear_solver == ocp::STAGE && !nlp::TAKES_OWN_SOLVER {
-        let version = nlp::IPOPT_VERSION;
-        eprintln!("warning: Ipopt {version} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower");
-    }
+    let mut warnings = warnings(&problem);
+    warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&scene, problem.start));
     let checkpoint = if arguments.resume { Checkpoint::load(&folder, &problem.identity) } else { None };
     prepare(&folder, checkpoint.is_some())?;
@@ -53,7 +50,13 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
         return Ok(INTERRUPTED);
     }
     write_trajectory(&folder, &last.trajectory, &problem.task.pairs)?;
-    let result = PlanResult::new(&problem, stages, &last);
+    let mut late = limits::warnings(&problem.task.limits, &last.trajectory.keeps());
+    if last.status.is_success() {
+        late.extend(smoothing::warning(&problem, &stages, &last));
+    }
+    late.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    warnings.extend(late);
+    let result = PlanResult::new(&problem, stages, &last, warnings);
     let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
     write_file(&folder.join("result.json"), &json)?;
     println!("{}\nwritten to {}", result.summary(), folder.display());
@@ -62,6 +65,16 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     }
     Checkpoint::remove(&folder)?;
     Ok(if result.is_done() { DONE } else { NO_PLAN })
+}
+
+/// What is odd about a problem before it is solved.
+fn warnings(problem: &Problem) -> Vec<String> {
+    let mut warnings = problem.scene.warnings.clone();
+    if problem.homotopy.0.linear_solver == ocp::STAGE && !nlp::TAKES_OWN_SOLVER {
+        let version = nlp::IPOPT_VERSION;
+        warnings.push(format!("Ipopt {version} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower"));
+    }
+    warnings
 }
 
 /// Runs the homotopy, from the checkpoint where there is one, and writes what each iteration finds. Returns the records

@@ -1,9 +1,9 @@
 //! Where every variable and constraint of the transcription stands (Eq. discretizedOCP).
 //!
 //! Stages are numbered 1 to N. A stage's variables are the reference state, then for every scenario the compliant
-//! state and one force per pair. Its constraints are the step that leads to it: reference kinematics (7), then for
-//! every scenario pose dynamics (7), velocity dynamics (6), gaps (P) and complementarity products (P). The initial
-//! states are data.
+//! state and one force per pair. Its constraints are the step that leads to it: reference kinematics (7) and limited
+//! accelerations, then for every scenario pose dynamics (7), velocity dynamics (6), gaps (P), complementarity products
+//! (P), limited accelerations and limited wrenches. The initial states are data.
 
 /// Number of coordinates of a pose (position, quaternion).
 pub const POSE: usize = 7;
@@ -23,6 +23,10 @@ pub struct Layout {
     pub scenarios: usize,
     /// Number of contact pairs `|Pi|`.
     pub pairs: usize,
+    /// Number of axes whose acceleration is limited.
+    pub accelerations: usize,
+    /// Number of axes whose wrench is limited.
+    pub wrenches: usize,
 }
 
 impl Layout {
@@ -46,6 +50,14 @@ impl Layout {
         self.reference(stage) + STATE + scenario * self.scenario_variables()
     }
 
+    /// Index of the first of 13 coordinates of the state of trajectory 0, the reference, or 1 + scenario.
+    pub fn state(&self, stage: usize, trajectory: usize) -> usize {
+        match trajectory {
+            0 => self.reference(stage),
+            _ => self.compliant(stage, trajectory - 1),
+        }
+    }
+
     /// Index of the contact force of a pair in the step that leads to a stage.
     pub fn contact_force(&self, stage: usize, scenario: usize, pair: usize) -> usize {
         self.compliant(stage, scenario) + STATE + pair
@@ -58,7 +70,7 @@ impl Layout {
 
     /// First of 7 rows of a scenario's pose dynamics (Eq. ts1).
     pub fn pose_dynamics(&self, stage: usize, scenario: usize) -> usize {
-        self.reference_kinematics(stage) + POSE + scenario * self.scenario_constraints()
+        self.reference_kinematics(stage) + POSE + self.accelerations + scenario * self.scenario_constraints()
     }
 
     /// First of 6 rows of a scenario's velocity dynamics (Eq. ts).
@@ -76,6 +88,19 @@ impl Layout {
         self.gap(stage, scenario, pair) + self.pairs
     }
 
+    /// First row of the limited accelerations of trajectory 0, the reference, or 1 + scenario.
+    pub fn acceleration(&self, stage: usize, trajectory: usize) -> usize {
+        match trajectory {
+            0 => self.reference_kinematics(stage) + POSE,
+            _ => self.complementarity(stage, trajectory - 1, 0) + self.pairs,
+        }
+    }
+
+    /// First row of a scenario's limited wrenches.
+    pub fn wrench(&self, stage: usize, scenario: usize) -> usize {
+        self.acceleration(stage, 1 + scenario) + self.accelerations
+    }
+
     /// Every stage, 1 to N.
     pub fn stages(&self) -> std::ops::RangeInclusive<usize> {
         1..=self.steps
@@ -87,6 +112,12 @@ impl Layout {
         self.stages().flat_map(move |stage| (0..scenarios).map(move |scenario| (stage, scenario)))
     }
 
+    /// Every stage with every trajectory, the reference first.
+    pub fn stages_and_trajectories(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let trajectories = self.scenarios + 1;
+        self.stages().flat_map(move |stage| (0..trajectories).map(move |trajectory| (stage, trajectory)))
+    }
+
     fn scenario_variables(&self) -> usize {
         STATE + self.pairs
     }
@@ -96,10 +127,10 @@ impl Layout {
     }
 
     fn scenario_constraints(&self) -> usize {
-        STATE + 2 * self.pairs
+        STATE + 2 * self.pairs + self.accelerations + self.wrenches
     }
 
     fn stage_constraints(&self) -> usize {
-        POSE + self.scenarios * self.scenario_constraints()
+        POSE + self.accelerations + self.scenarios * self.scenario_constraints()
     }
 }

@@ -15,6 +15,7 @@
 //! | `P_q^-1` (Sec. ocp:ocp) | [`pose::without_offset`] |
 //! | `Eq. discretizedOCP` | [`Transcription`] |
 //! | Sec. ocp:cost | `model::running_residuals`, `model::terminal_residuals` |
+//! | bounds on velocities, accelerations and forces (Sec. intro) | [`Limits`] |
 //! | Sec. ocp:homotopy | [`Homotopy`], [`HomotopySettings::schedule`] |
 
 mod contacts;
@@ -23,9 +24,11 @@ mod distances;
 mod function;
 mod homotopy;
 mod layout;
+mod limits;
 mod model;
 mod pattern;
 pub mod pose;
+mod quality;
 mod settings;
 mod stage_solver;
 mod state;
@@ -35,8 +38,10 @@ mod transcription;
 
 pub use homotopy::{Event, Homotopy, StageResult, StageTiming};
 pub use layout::Layout;
+pub use limits::Limits;
+pub use quality::{Peak, Quality};
 pub use settings::{Complementarity, HessianKind, HomotopySettings, Smoothing};
 pub use stage_solver::{STAGE, TranscriptionSolver};
 pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
-pub use trajectory::{Contact, Quality, ScenarioTrajectory, Trajectory};
+pub use trajectory::{Contact, ScenarioTrajectory, Trajectory};
 pub use transcription::Transcription;

@@ -37,13 +37,22 @@ pub fn compliant_dynamics(task: &AssemblyTask) -> Tape {
     })
 }
 
-/// The impedance wrench (Eq. impedancewrench): inputs reference state, compliant state, offset (3); outputs force
-/// (world frame, N) and torque (body frame, Nm).
-pub fn wrench(impedance: &Impedance) -> Tape {
+/// Some axes of the impedance wrench (Eq. impedancewrench): inputs reference state, compliant state, offset (3);
+/// outputs of force (axes 0 to 2, world frame, N) and torque (3 to 5, body frame, Nm).
+pub fn wrench(impedance: &Impedance, axes: &[usize]) -> Tape {
     Tape::record(2 * STATE + 3, |inputs| {
         let (reference, rest) = inputs.split_at(STATE);
         let (state, offset) = rest.split_at(STATE);
-        impedance_wrench(impedance, reference, state, offset).to_vec()
+        let wrench = impedance_wrench(impedance, reference, state, offset);
+        axes.iter().map(|&axis| wrench[axis]).collect()
+    })
+}
+
+/// Some axes of the acceleration of a step: inputs previous twist and twist.
+pub fn acceleration(time_step: f64, axes: &[usize]) -> Tape {
+    Tape::record(2 * TWIST, |inputs| {
+        let (previous, twist) = inputs.split_at(TWIST);
+        axes.iter().map(|&axis| (twist[axis] - previous[axis]) * (1.0 / time_step)).collect()
     })
 }
 

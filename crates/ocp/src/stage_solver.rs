@@ -1,5 +1,7 @@
 //! The stage-structured linear solver for a transcription: says what every row of its linear systems is.
 
+use std::ops::Range;
+
 use kkt::{Class, Label, Owner, StageSolver};
 use nlp::{Factorisation, KktSolver};
 
@@ -105,16 +107,20 @@ fn constraints(layout: Layout, complementarity: Complementarity) -> Vec<Label> {
     };
     let mut labels = Vec::with_capacity(layout.constraint_count());
     for stage in layout.stages() {
-        let mut add = |owner: Owner, class: Class, count: usize| {
-            labels.extend((0..count).map(|index| Label { stage, owner, class, index }));
+        let mut add = |owner: Owner, class: Class, indices: Range<usize>| {
+            labels.extend(indices.map(|index| Label { stage, owner, class, index }));
         };
-        add(Owner::Reference, Class::PoseMultiplier, POSE);
+        add(Owner::Reference, Class::PoseMultiplier, 0..POSE);
+        add(Owner::Reference, Class::InequalityMultiplier, 0..layout.accelerations);
         for scenario in 0..layout.scenarios {
             let owner = Owner::Scenario(scenario);
-            add(owner, Class::PoseMultiplier, POSE);
-            add(owner, Class::VelocityMultiplier, TWIST);
-            add(owner, Class::InequalityMultiplier, layout.pairs);
-            add(owner, product, layout.pairs);
+            add(owner, Class::PoseMultiplier, 0..POSE);
+            add(owner, Class::VelocityMultiplier, 0..TWIST);
+            add(owner, Class::InequalityMultiplier, 0..layout.pairs);
+            add(owner, product, 0..layout.pairs);
+            // Limits are numbered behind the pairs.
+            let limits = layout.accelerations + layout.wrenches;
+            add(owner, Class::InequalityMultiplier, layout.pairs..layout.pairs + limits);
         }
     }
     labels

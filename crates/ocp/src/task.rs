@@ -2,6 +2,8 @@
 
 use nalgebra::Matrix3;
 
+use crate::limits::Limits;
+
 /// A moved body, its environment and everything the optimal control problem needs to know of them.
 #[derive(Debug, Clone)]
 pub struct AssemblyTask {
@@ -21,6 +23,15 @@ pub struct AssemblyTask {
     pub horizon: Horizon,
     /// Weights of the cost (Sec. ocp:cost).
     pub cost: TrajectoryCost,
+    /// What reference and scenarios must not exceed.
+    pub limits: Limits,
+}
+
+impl AssemblyTask {
+    /// Smallest exact distance of all pairs (m) at a pose, negative where parts overlap; infinite without pairs.
+    pub fn clearance(&self, pose: &[f64; 7]) -> f64 {
+        self.pairs.iter().map(|pair| pair.shapes.exact_distance(pose)).fold(f64::INFINITY, f64::min)
+    }
 }
 
 /// One pair of parts that may touch.
@@ -32,6 +43,12 @@ pub struct ContactPair {
     pub environment: String,
     /// The two shapes, placed in the body frame and in the world frame.
     pub shapes: collision::Pair,
+}
+
+impl std::fmt::Display for ContactPair {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{}/{}", self.body, self.environment)
+    }
 }
 
 /// Mass (kg) and rotational inertia about the centre of mass in the body frame (kg m^2).

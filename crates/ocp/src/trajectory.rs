@@ -3,8 +3,10 @@
 use autodiff::{Batch, Workspace};
 
 use crate::layout::{Layout, POSE, STATE, TWIST};
+use crate::limits::Limits;
 use crate::model;
 use crate::pose;
+use crate::quality::Quality;
 use crate::state::{at_rest, pose_of};
 use crate::task::AssemblyTask;
 use crate::transcription::Transcription;
@@ -20,6 +22,8 @@ pub struct Trajectory {
     pub scenarios: Vec<ScenarioTrajectory>,
     /// Largest `| |xi| - 1 |` before normalisation: the drift of Euler's method.
     pub quaternion_drift: f64,
+    /// The tightest limits that the reference keeps; it has no forces.
+    pub reference_keeps: Limits,
 }
 
 /// The compliant motion of one scenario.
@@ -35,6 +39,8 @@ pub struct ScenarioTrajectory {
     pub contacts: Vec<Vec<Contact>>,
     /// How well the scenario ends and how hard it touches.
     pub quality: Quality,
+    /// The tightest limits that the scenario keeps.
+    pub keeps: Limits,
 }
 
 /// One pair at one time.
@@ -44,19 +50,6 @@ pub struct Contact {
     pub distance: f64,
     /// Normal force in the step that led here (N).
     pub force: f64,
-}
-
-/// Final errors and extremes of one scenario.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quality {
-    /// Distance of the final position from the goal (m).
-    pub position_error: f64,
-    /// Angle between the final orientation and the goal (rad).
-    pub orientation_error: f64,
-    /// Deepest overlap of the exact shapes (m), 0 when they never overlap.
-    pub max_penetration: f64,
-    /// Largest contact force (N).
-    pub max_force: f64,
 }
 
 impl Trajectory {
@@ -85,6 +78,7 @@ impl Trajectory {
             .collect();
         Self {
             time_step: task.horizon.time_step,
+            reference_keeps: Limits::kept_by(&reference_raw, task.horizon.time_step, &[], 0.0),
             reference: reference_raw.iter().map(normalised).collect(),
             scenarios,
             quaternion_drift,
@@ -97,6 +91,17 @@ impl Trajectory {
         qualities.fold((0.0, 0.0), |(position, orientation), quality| {
             (quality.position_error.max(position), quality.orientation_error.max(orientation))
         })
+    }
+
+    /// The tightest limits that the reference and all scenarios keep.
+    pub fn keeps(&self) -> Limits {
+        self.scenarios.iter().fold(self.reference_keeps, |limits, scenario| limits.max(&scenario.keeps))
+    }
+
+    /// Deepest overlap of the exact shapes in any scenario (m), 0 when there is none.
+    pub fn max_penetration(&self) -> f64 {
+        let peaks = self.scenarios.iter().filter_map(|scenario| scenario.quality.penetration);
+        peaks.map(|peak| peak.value).fold(0.0, f64::max)
     }
 }
 
@@ -118,16 +123,10 @@ impl ScenarioTrajectory {
                 pairs.map(|(distances, &force)| Contact { distance: distances[stage - 1], force }).collect()
             })
             .collect();
-        let exact = task.pairs.iter().flat_map(|pair| poses.iter().map(|pose| pair.shapes.exact_distance(pose)));
-        let (position_error, orientation_error) = pose::errors(&poses[poses.len() - 1], &task.goal);
-        let quality = Quality {
-            position_error,
-            orientation_error,
-            max_penetration: exact.map(|distance| -distance).fold(0.0, f64::max),
-            max_force: contacts.iter().flatten().map(|contact| contact.force).fold(0.0, f64::max),
-        };
+        let quality = Quality::new(task, &poses, &contacts);
         let wrenches = wrenches(task, offset, &reference[1..], &raw[1..]);
-        Self { offset, states, wrenches, contacts, quality }
+        let keeps = Limits::kept_by(&states, task.horizon.time_step, &wrenches, quality.max_force);
+        Self { offset, states, wrenches, contacts, quality, keeps }
     }
 }
 
@@ -142,7 +141,7 @@ fn wrenches(
     reference: &[[f64; STATE]],
     states: &[[f64; STATE]],
 ) -> Vec<[f64; TWIST]> {
-    let tape = model::wrench(&task.impedance);
+    let tape = model::wrench(&task.impedance, &[0, 1, 2, 3, 4, 5]);
     let mut inputs = Batch::new(2 * STATE + offset.len(), states.len());
     let mut outputs = Batch::new(TWIST, states.len());
     for component in 0..STATE {

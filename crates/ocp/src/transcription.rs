@@ -6,6 +6,7 @@ use crate::contacts::Contacts;
 use crate::cost::LeastSquares;
 use crate::function::{ConstraintFunction, PointFunction, Source};
 use crate::layout::{Layout, POSE, STATE, TWIST};
+use crate::limits::limit_rows;
 use crate::model::{self, COMPLIANT_VARIABLES};
 use crate::pattern::PatternBuilder;
 use crate::pose::without_offset;
@@ -23,8 +24,8 @@ pub struct Transcription {
     complementarity: Complementarity,
     hessian_kind: HessianKind,
     sigma: f64,
-    reference: ConstraintFunction,
-    compliant: ConstraintFunction,
+    /// Kinematics, dynamics without contact, and limits.
+    free_motion: Vec<ConstraintFunction>,
     contacts: Contacts,
     running_cost: LeastSquares,
     terminal_cost: LeastSquares,
@@ -36,13 +37,22 @@ pub struct Transcription {
 impl Transcription {
     /// Records all tapes and patterns.
     pub fn new(task: &AssemblyTask, complementarity: Complementarity, hessian_kind: HessianKind) -> Self {
-        let layout = Layout { steps: task.horizon.steps, scenarios: task.offsets.len(), pairs: task.pairs.len() };
+        let layout = Layout {
+            steps: task.horizon.steps,
+            scenarios: task.offsets.len(),
+            pairs: task.pairs.len(),
+            accelerations: task.limits.accelerations().len(),
+            wrenches: task.limits.wrenches().len(),
+        };
         let initial_compliant: Vec<[f64; STATE]> =
             task.offsets.iter().map(|offset| at_rest(&without_offset(&task.start, offset))).collect();
         let initial_poses: Vec<[f64; POSE]> = initial_compliant.iter().map(pose_of).collect();
         let (mut jacobian, mut hessian) = (PatternBuilder::default(), PatternBuilder::default());
-        let reference = reference_rows(task, layout, &mut jacobian, &mut hessian);
-        let compliant = compliant_rows(task, layout, &initial_compliant, &mut jacobian, &mut hessian);
+        let mut free_motion = vec![
+            reference_rows(task, layout, &mut jacobian, &mut hessian),
+            compliant_rows(task, layout, &initial_compliant, &mut jacobian, &mut hessian),
+        ];
+        free_motion.extend(limit_rows(task, layout, &mut jacobian, &mut hessian));
         let contacts = Contacts::new(task, layout, &initial_poses, &mut jacobian, &mut hessian);
         let running_cost = running_cost(task, layout, &mut hessian);
         let terminal_cost = terminal_cost(task, layout, &mut hessian);
@@ -52,8 +62,7 @@ impl Transcription {
             complementarity,
             hessian_kind,
             sigma: f64::NAN,
-            reference,
-            compliant,
+            free_motion,
             contacts,
             running_cost,
             terminal_cost,
@@ -114,7 +123,9 @@ impl Problem for Transcription {
         for (stage, scenario) in self.layout.stages_and_scenarios() {
             lower[self.layout.contact_force(stage, scenario, 0)..][..self.layout.pairs].fill(0.0);
         }
-        Bounds { lower, upper: vec![f64::INFINITY; count] }
+        let mut bounds = Bounds { lower, upper: vec![f64::INFINITY; count] };
+        self.task.limits.bound_variables(self.layout, &mut bounds);
+        bounds
     }
 
     fn constraint_bounds(&self) -> Bounds {
@@ -131,7 +142,9 @@ impl Problem for Transcription {
             lower[products..][..pairs].fill(least_product);
             upper[products..][..pairs].fill(self.sigma);
         }
-        Bounds { lower, upper }
+        let mut bounds = Bounds { lower, upper };
+        self.task.limits.bound_rows(self.layout, &mut bounds);
+        bounds
     }
 
     fn jacobian_pattern(&self) -> Pattern {
@@ -143,8 +156,7 @@ impl Problem for Transcription {
     }
 
     fn set_point(&mut self, x: &[f64]) -> Result<(), EvaluationError> {
-        self.reference.set_point(x);
-        self.compliant.set_point(x);
+        self.free_motion.iter_mut().for_each(|rows| rows.set_point(x));
         self.contacts.set_point(x);
         self.running_cost.set_point(x);
         self.terminal_cost.set_point(x);
@@ -164,15 +176,13 @@ impl Problem for Transcription {
 
     fn constraints(&mut self, values: &mut [f64]) -> Result<(), EvaluationError> {
         values.fill(0.0);
-        self.reference.add_values(values);
-        self.compliant.add_values(values);
+        self.free_motion.iter_mut().for_each(|rows| rows.add_values(values));
         self.contacts.add_values(values)
     }
 
     fn jacobian(&mut self, values: &mut [f64]) -> Result<(), EvaluationError> {
         values.fill(0.0);
-        self.reference.add_jacobian(values);
-        self.compliant.add_jacobian(values);
+        self.free_motion.iter_mut().for_each(|rows| rows.add_jacobian(values));
         self.contacts.add_jacobian(values)
     }
 
@@ -189,8 +199,7 @@ impl Problem for Transcription {
         if !exact {
             return Ok(());
         }
-        self.reference.add_hessian(multipliers, values);
-        self.compliant.add_hessian(multipliers, values);
+        self.free_motion.iter_mut().for_each(|rows| rows.add_hessian(multipliers, values));
         self.contacts.add_hessian(multipliers, values)
     }
 }
@@ -238,33 +247,30 @@ fn compliant_rows(
     ConstraintFunction::new(function, row, jacobian, hessian)
 }
 
-/// First coordinate of trajectory 0 (the reference) or `1 + scenario` at a stage, and its weights.
-fn trajectory(task: &AssemblyTask, layout: Layout, stage: usize, trajectory: usize) -> (usize, CostWeights) {
-    match trajectory {
-        0 => (layout.reference(stage), task.cost.reference),
-        _ => (layout.compliant(stage, trajectory - 1), task.cost.compliant),
-    }
+/// Weights of trajectory 0 (the reference) or `1 + scenario`.
+fn weights(task: &AssemblyTask, trajectory: usize) -> CostWeights {
+    if trajectory == 0 { task.cost.reference } else { task.cost.compliant }
 }
 
 fn running_cost(task: &AssemblyTask, layout: Layout, hessian: &mut PatternBuilder) -> LeastSquares {
-    let trajectories = layout.scenarios + 1;
+    let steps: Vec<(usize, usize)> = layout.stages_and_trajectories().collect();
     let source = |input: usize, point: usize| {
-        let (start, weights) = trajectory(task, layout, point / trajectories + 1, point % trajectories);
+        let (stage, trajectory) = steps[point];
+        let weights = weights(task, trajectory);
         match input {
-            0..TWIST => Source::Variable(start + POSE + input),
+            0..TWIST => Source::Variable(layout.state(stage, trajectory) + POSE + input),
             TWIST => Source::Constant(weights.translational_velocity.sqrt()),
             _ => Source::Constant(weights.rotational_velocity.sqrt()),
         }
     };
-    let points = layout.steps * trajectories;
-    LeastSquares::new(PointFunction::new(model::running_residuals(), TWIST, points, source), hessian)
+    LeastSquares::new(PointFunction::new(model::running_residuals(), TWIST, steps.len(), source), hessian)
 }
 
 fn terminal_cost(task: &AssemblyTask, layout: Layout, hessian: &mut PatternBuilder) -> LeastSquares {
-    let source = |input: usize, point: usize| {
-        let (start, weights) = trajectory(task, layout, layout.steps, point);
+    let source = |input: usize, trajectory: usize| {
+        let weights = weights(task, trajectory);
         match input {
-            0..POSE => Source::Variable(start + input),
+            0..POSE => Source::Variable(layout.state(layout.steps, trajectory) + input),
             POSE => Source::Constant(weights.terminal_position.sqrt()),
             _ => Source::Constant(weights.terminal_orientation.sqrt()),
         }

@@ -3,19 +3,23 @@
 use std::path::Path;
 
 use nlp::{Problem, check_derivatives};
-use ocp::{Complementarity, HessianKind, Transcription};
+use ocp::{AssemblyTask, Complementarity, HessianKind, Limits, Transcription};
 
 /// A deterministic number in (-1, 1).
 fn noise(index: usize) -> f64 {
     (index as f64 * 12.9898).sin()
 }
 
-fn check(scene: &str, steps: usize, pairs: usize) {
+fn task(scene: &str, steps: usize, pairs: usize) -> AssemblyTask {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{scene}.toml"));
     let mut task = scene::Scene::load(&path).unwrap().task(Some("2"), None).unwrap();
     task.horizon.steps = steps;
     task.pairs.truncate(pairs);
-    let mut problem = Transcription::new(&task, Complementarity::Relaxation, HessianKind::Exact);
+    task
+}
+
+fn check(task: &AssemblyTask) {
+    let mut problem = Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
     problem.set_smoothing(0.0025, 0.00125);
     let x: Vec<f64> =
         problem.initial_guess().iter().enumerate().map(|(index, value)| value + 0.02 * noise(index)).collect();
@@ -26,20 +30,63 @@ fn check(scene: &str, steps: usize, pairs: usize) {
 
 #[test]
 fn corner() {
-    check("corner", 3, 2);
+    check(&task("corner", 3, 2));
 }
 
 #[test]
 fn one_step() {
-    check("corner", 1, 2);
+    check(&task("corner", 1, 2));
 }
 
 #[test]
 fn no_contacts() {
-    check("corner", 2, 0);
+    check(&task("corner", 2, 0));
 }
 
 #[test]
 fn clamp_with_five_scenarios() {
-    check("clamp1", 2, 3);
+    check(&task("clamp1", 2, 3));
+}
+
+#[test]
+fn limits() {
+    let all = Limits {
+        translational_velocity: 0.1,
+        rotational_velocity: 0.2,
+        translational_acceleration: 0.3,
+        rotational_acceleration: 0.4,
+        contact_force: 5.0,
+        force: 6.0,
+        torque: 0.7,
+    };
+    let some = Limits { rotational_acceleration: 0.4, torque: 0.7, ..Limits::NONE };
+    for limits in [all, some] {
+        check(&AssemblyTask { limits, ..task("corner", 3, 2) });
+        check(&AssemblyTask { limits, ..task("clamp1", 1, 1) });
+    }
+}
+
+#[test]
+fn only_what_is_limited_has_rows_and_bounds() {
+    let unlimited = task("corner", 2, 2);
+    let transcribe = |limits: Limits| {
+        let task = AssemblyTask { limits, ..unlimited.clone() };
+        Transcription::new(&task, Complementarity::Relaxation, HessianKind::Exact)
+    };
+    let finite = |values: &[f64]| values.iter().filter(|value| value.is_finite()).count();
+    let none = transcribe(Limits::NONE);
+    let (rows, bounds) = (none.layout().constraint_count(), finite(&none.variable_bounds().upper));
+    assert_eq!((rows, bounds), (2 * (7 + 2 * (13 + 2 * 2)), 0));
+
+    let bounded = transcribe(Limits { translational_velocity: 0.1, contact_force: 5.0, ..Limits::NONE });
+    assert_eq!(bounded.layout().constraint_count(), rows);
+    assert_eq!(finite(&bounded.variable_bounds().upper), 2 * (3 + 2 * (3 + 2)));
+
+    let limited = transcribe(Limits { translational_acceleration: 0.3, torque: 0.7, ..Limits::NONE });
+    assert_eq!(limited.layout().constraint_count(), rows + 2 * (3 + 2 * (3 + 3)));
+    assert_eq!(finite(&limited.variable_bounds().upper), 0);
+    let bounds = limited.constraint_bounds();
+    for (limit, count) in [(0.3, 2 * (3 + 2 * 3)), (0.7, 2 * 2 * 3)] {
+        assert_eq!(bounds.lower.iter().zip(&bounds.upper).filter(|&pair| pair == (&-limit, &limit)).count(), count);
+    }
 }

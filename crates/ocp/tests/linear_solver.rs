@@ -4,7 +4,7 @@ use std::path::Path;
 
 use kkt::Fallbacks;
 use nlp::{Control, Factorisation, KktSolver, LinearSolver, Mumps, Options, SolveStatus, Start};
-use ocp::{AssemblyTask, Complementarity, HessianKind, Transcription, TranscriptionSolver};
+use ocp::{AssemblyTask, Complementarity, HessianKind, Limits, Transcription, TranscriptionSolver};
 
 fn task(scene: &str, steps: usize) -> AssemblyTask {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{scene}.toml"));
@@ -121,6 +121,7 @@ struct Case {
     steps: usize,
     complementarity: Complementarity,
     hessian: HessianKind,
+    limits: Limits,
     options: &'static [(&'static str, &'static str)],
 }
 
@@ -129,12 +130,14 @@ const PLAIN: Case = Case {
     steps: 20,
     complementarity: Complementarity::Relaxation,
     hessian: HessianKind::Exact,
+    limits: Limits::NONE,
     options: &[],
 };
 
 /// Solves with both solvers side by side and expects the same of every matrix.
 fn compare(case: Case) -> (Compared, kkt::Report) {
-    let mut transcription = transcribe(&task(case.scene, case.steps), case.complementarity, case.hessian);
+    let task = AssemblyTask { limits: case.limits, ..task(case.scene, case.steps) };
+    let mut transcription = transcribe(&task, case.complementarity, case.hessian);
     let mut solver = Compared::new(&transcription, case.complementarity);
     let mut options = options();
     for &(name, value) in case.options {
@@ -165,6 +168,30 @@ fn smoothing_agrees_with_mumps() {
 fn many_pairs_and_three_scenarios_agree_with_mumps() {
     let (_, report) = compare(Case { scene: "peg2", steps: 15, ..PLAIN });
     assert!(report.early_exits > 0);
+}
+
+/// Limits of which those of velocity, acceleration and wrench are active in the corner.
+const TIGHT: Limits = Limits {
+    translational_velocity: 0.06,
+    rotational_velocity: 0.12,
+    translational_acceleration: 0.15,
+    rotational_acceleration: 0.3,
+    contact_force: 1.5,
+    force: 0.5,
+    torque: 0.06,
+};
+
+#[test]
+fn limits_agree_with_mumps() {
+    for complementarity in [Complementarity::Relaxation, Complementarity::Smoothing] {
+        let (solver, report) = compare(Case { limits: TIGHT, complementarity, ..PLAIN });
+        assert!(solver.right_inertia > 20);
+        assert_eq!(report.general_path, 0);
+    }
+    // Accelerations alone couple the references of neighbouring stages; wrenches alone both trajectories of a stage.
+    let accelerations = Limits { force: f64::INFINITY, torque: f64::INFINITY, ..TIGHT };
+    compare(Case { limits: accelerations, scene: "peg2", steps: 15, ..PLAIN });
+    compare(Case { limits: Limits { force: 0.5, ..Limits::NONE }, ..PLAIN });
 }
 
 #[test]

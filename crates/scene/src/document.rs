@@ -21,6 +21,8 @@ pub struct SceneDocument {
     pub horizon: HorizonDocument,
     #[serde(default)]
     pub cost: CostDocument,
+    #[serde(default)]
+    pub limits: LimitsDocument,
 }
 
 #[derive(Debug, Deserialize)]
@@ -120,6 +122,18 @@ pub struct WeightsDocument {
     pub rotational_velocity: Option<Spanned<f64>>,
     pub terminal_position: Option<Spanned<f64>>,
     pub terminal_orientation: Option<Spanned<f64>>,
+}
+
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LimitsDocument {
+    pub translational_velocity: Option<Spanned<f64>>,
+    pub rotational_velocity: Option<Spanned<f64>>,
+    pub translational_acceleration: Option<Spanned<f64>>,
+    pub rotational_acceleration: Option<Spanned<f64>>,
+    pub contact_force: Option<Spanned<f64>>,
+    pub force: Option<Spanned<f64>>,
+    pub torque: Option<Spanned<f64>>,
 }
 
 /// A homotopy file, or the two tables of it within a scene.

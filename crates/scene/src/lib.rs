@@ -8,6 +8,7 @@
 mod document;
 mod error;
 mod homotopy;
+mod limits;
 mod mesh;
 mod part;
 mod pose;

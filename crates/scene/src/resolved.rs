@@ -23,7 +23,7 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         .map(|&(part, other)| vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into());
     let mut start_table = pose(&start.pose);
     start_table.insert("name".into(), start.name.clone().into());
-    let document = table([
+    let mut document = table([
         ("title", scene.title.clone().into()),
         ("body", body.into()),
         ("environment", table([("part", parts(&scene.environment))]).into()),
@@ -67,6 +67,11 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("homotopy", homotopy.into()),
         ("ipopt", ipopt.into()),
     ]);
+    let limits = scene.limits.named().into_iter().filter(|(_, _, limit)| limit.is_finite());
+    let limits: Table = limits.map(|(name, _, limit)| (name.to_owned(), limit.into())).collect();
+    if !limits.is_empty() {
+        document.insert("limits".into(), limits.into());
+    }
     toml::to_string(&document).expect("a table of plain values is valid TOML")
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use nalgebra::Matrix3;
-use ocp::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
+use ocp::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
 use toml::Spanned;
 
 use crate::document::{
@@ -12,6 +12,7 @@ use crate::document::{
 };
 use crate::error::{SceneError, Source, suggest};
 use crate::homotopy;
+use crate::limits::{check_reach, limits};
 use crate::part::{Part, parts, size_warnings};
 use crate::pose::{direction, not_negative, orientation, position, positive, within};
 
@@ -55,6 +56,8 @@ pub struct Scene {
     pub horizon: Horizon,
     /// Weights.
     pub cost: TrajectoryCost,
+    /// What no plan may exceed.
+    pub limits: Limits,
     /// Homotopy of the scene's own, from its file entry or its tables.
     pub homotopy: Option<homotopy::Homotopy>,
     /// Remarks that do not stop anything.
@@ -92,7 +95,7 @@ impl Scene {
         let inertia = inertia(source, &document)?;
         let (offset_magnitude, offset_directions) = offsets(source, &document.robustness)?;
         let title = source.file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-        Ok(Self {
+        let scene = Self {
             title: document.title.clone().unwrap_or(title),
             pairs: pairs(source, document.contact.as_ref(), &body, &environment)?,
             starts: starts(source, &document.start)?,
@@ -100,6 +103,7 @@ impl Scene {
             impedance: impedance(source, &document.impedance, &inertia)?,
             horizon: horizon(source, &document.horizon)?,
             cost: cost(source, &document.cost)?,
+            limits: limits(source, &document.limits)?,
             homotopy: homotopy::of_scene(source, document.homotopy.as_ref(), document.ipopt.as_ref())?,
             body,
             environment,
@@ -107,7 +111,9 @@ impl Scene {
             offset_magnitude,
             offset_directions,
             warnings,
-        })
+        };
+        check_reach(source, &document.limits, &scene)?;
+        Ok(scene)
     }
 
     /// The start of a given name, or the first.
@@ -140,6 +146,7 @@ impl Scene {
             offsets: self.offset_directions.iter().map(|d| d.map(|component| magnitude * component)).collect(),
             horizon: self.horizon,
             cost: self.cost,
+            limits: self.limits,
         })
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ocp::{Complementarity, HessianKind};
+use ocp::{Complementarity, HessianKind, Limits};
 use scene::{Homotopy, Scene, SceneError, Source, resolved};
 
 const SCENE: &str = r#"
@@ -111,6 +111,49 @@ fn missing_and_double_things_are_refused() {
         let (error, _) = error(from, to);
         assert!(error.message().contains(words), "{error}");
     }
+}
+
+#[test]
+fn limits_are_read_and_resolved() {
+    let scene =
+        parse(&SCENE.replace("[horizon]", "[limits]\nforce = 5\nrotational_velocity = 0.5\n[horizon]")).unwrap();
+    let limits = Limits { force: 5.0, rotational_velocity: 0.5, ..Limits::NONE };
+    assert_eq!(scene.task(None, None).unwrap().limits, limits);
+    let text = resolved(&scene, &scene.starts[0], 0.01, &Homotopy::default());
+    assert_eq!(parse(&text).unwrap().limits, limits);
+    let unlimited = parse(SCENE).unwrap();
+    assert_eq!(unlimited.limits, Limits::NONE);
+    assert!(!resolved(&unlimited, &unlimited.starts[0], 0.01, &Homotopy::default()).contains("[limits]"));
+}
+
+#[test]
+fn limits_that_no_plan_can_keep_are_refused() {
+    // The goal is 90 mm below the start and, with the first offset, 16 mm beside it; there are 10 steps of 0.04 s.
+    for (limits, words, column) in [
+        ("force = 0.0", "limits.force = 0: must be positive", 9),
+        ("torque = -1", "limits.torque = -1: must be positive", 10),
+        ("contact_force = inf", "limits.contact_force = inf: must be positive", 17),
+        ("contact_forces = 1", "unknown key `contact_forces`, did you mean `contact_force`?", 1),
+        ("velocity = 1", "unknown key `velocity`; valid are: translational_velocity, ", 1),
+        (
+            "translational_velocity = 0.2",
+            "limits.translational_velocity = 0.2: the goal is 0.090 m from start `a` along an axis, and 10 steps of 0.04 s \
+             within the limits cover 0.080 m; allow more than 0.225 m/s, or more steps in [horizon]",
+            26,
+        ),
+        ("translational_acceleration = 1.0", "cover 0.088 m; allow more than 1.023 m/s^2", 30),
+        ("translational_acceleration = 1.1\ntranslational_velocity = 0.23", "cover 0.073 m; allow more than 1.023", 30),
+    ] {
+        let (error, line) = error("[goal]", &format!("[limits]\n{limits}\n[goal]"));
+        assert!(error.message().contains(words), "{error}");
+        assert_eq!(line, limits.lines().next().unwrap());
+        assert_eq!(error.column(), Some(column), "{error}");
+    }
+    let turned = SCENE.replacen("orientation = [1, 0, 0, 0]", "orientation = [0, 1, 0, 0]", 1);
+    let turned = |velocity: f64| parse(&format!("{turned}[limits]\nrotational_velocity = {velocity}\n"));
+    assert!(turned(4.5).unwrap_err().message().contains("allow more than 4.535 rad/s"));
+    assert!(turned(4.6).is_ok());
+    assert!(parse(&SCENE.replace("[goal]", "[limits]\ntranslational_velocity = 0.226\n[goal]")).is_ok());
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use collision::{Pair, Polytope};
 use nalgebra::{Matrix3, Vector3};
-use ocp::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
+use ocp::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
 use simulation::{Moment, Reference, Rollout};
 
 /// Translational stiffness (N/m) and mass (kg) of every body.
@@ -57,6 +57,7 @@ pub fn task(body: &Polytope, obstacles: &[Polytope]) -> AssemblyTask {
         inertia,
         offsets: vec![[0.0; 3]],
         horizon: Horizon { steps: 1, time_step: 0.04 },
+        limits: Limits::NONE,
         cost: TrajectoryCost { reference: none, compliant: none },
     }
 }

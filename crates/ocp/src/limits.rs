@@ -1,0 +1,210 @@
+//! Limits of velocity, acceleration, force and wrench, which the reference and every scenario keep at every step.
+//!
+//! Limits of velocities and contact forces are bounds of variables. Accelerations and wrenches have rows of their own,
+//! two-sided inequalities, only for the axes that are limited.
+
+use nlp::Bounds;
+
+use crate::function::{ConstraintFunction, PointFunction, Source};
+use crate::layout::{Layout, POSE, STATE, TWIST};
+use crate::model;
+use crate::pattern::PatternBuilder;
+use crate::task::AssemblyTask;
+
+/// Largest absolute value of every single component, infinite where there is no limit. Like a robot controller's own
+/// limits these are per axis: a speed along a diagonal may be larger by a factor of up to the root of 3.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Velocity of the reference and of every scenario, in the world frame (m/s).
+    pub translational_velocity: f64,
+    /// Angular velocity of both, in the body frame (rad/s).
+    pub rotational_velocity: f64,
+    /// Change of the velocity in a step by the step's length, of both (m/s^2).
+    pub translational_acceleration: f64,
+    /// Change of the angular velocity in a step by the step's length, of both (rad/s^2).
+    pub rotational_acceleration: f64,
+    /// Normal force of every pair in every scenario (N).
+    pub contact_force: f64,
+    /// Force of the impedance controller in every scenario, in the world frame (N).
+    pub force: f64,
+    /// Torque of the impedance controller in every scenario, in the body frame (Nm).
+    pub torque: f64,
+}
+
+impl Limits {
+    /// No limits at all.
+    pub const NONE: Self = Self {
+        translational_velocity: f64::INFINITY,
+        rotational_velocity: f64::INFINITY,
+        translational_acceleration: f64::INFINITY,
+        rotational_acceleration: f64::INFINITY,
+        contact_force: f64::INFINITY,
+        force: f64::INFINITY,
+        torque: f64::INFINITY,
+    };
+
+    /// The tightest limits that a motion keeps: states at k = 0..N, wrenches and largest contact force (N) of its steps.
+    pub fn kept_by(states: &[[f64; STATE]], time_step: f64, wrenches: &[[f64; TWIST]], contact_force: f64) -> Self {
+        let velocity = |state: &[f64; STATE], axis: usize| state[POSE + axis];
+        let velocities = states.iter().map(|state| std::array::from_fn(|axis| velocity(state, axis)));
+        let accelerations = states
+            .windows(2)
+            .map(|pair| std::array::from_fn(|axis| (velocity(&pair[1], axis) - velocity(&pair[0], axis)) / time_step));
+        let [translational_velocity, rotational_velocity] = largest(velocities);
+        let [translational_acceleration, rotational_acceleration] = largest(accelerations);
+        let [force, torque] = largest(wrenches.iter().copied());
+        Self {
+            translational_velocity,
+            rotational_velocity,
+            translational_acceleration,
+            rotational_acceleration,
+            contact_force,
+            force,
+            torque,
+        }
+    }
+
+    /// Every limit with its name in scene files and its unit.
+    pub fn named(&self) -> [(&'static str, &'static str, f64); 7] {
+        [
+            ("translational_velocity", "m/s", self.translational_velocity),
+            ("rotational_velocity", "rad/s", self.rotational_velocity),
+            ("translational_acceleration", "m/s^2", self.translational_acceleration),
+            ("rotational_acceleration", "rad/s^2", self.rotational_acceleration),
+            ("contact_force", "N", self.contact_force),
+            ("force", "N", self.force),
+            ("torque", "Nm", self.torque),
+        ]
+    }
+
+    /// The larger one of each.
+    pub fn max(&self, other: &Self) -> Self {
+        Self {
+            translational_velocity: self.translational_velocity.max(other.translational_velocity),
+            rotational_velocity: self.rotational_velocity.max(other.rotational_velocity),
+            translational_acceleration: self.translational_acceleration.max(other.translational_acceleration),
+            rotational_acceleration: self.rotational_acceleration.max(other.rotational_acceleration),
+            contact_force: self.contact_force.max(other.contact_force),
+            force: self.force.max(other.force),
+            torque: self.torque.max(other.torque),
+        }
+    }
+
+    /// Limited axes of accelerations, with their limits.
+    pub fn accelerations(&self) -> Vec<(usize, f64)> {
+        limited_axes(self.translational_acceleration, self.rotational_acceleration)
+    }
+
+    /// Limited axes of wrenches, with their limits.
+    pub fn wrenches(&self) -> Vec<(usize, f64)> {
+        limited_axes(self.force, self.torque)
+    }
+
+    /// Sets the bounds of velocities and contact forces.
+    pub fn bound_variables(&self, layout: Layout, bounds: &mut Bounds) {
+        let velocities = limited_axes(self.translational_velocity, self.rotational_velocity);
+        for (stage, trajectory) in layout.stages_and_trajectories() {
+            for &(axis, limit) in &velocities {
+                bound(bounds, layout.state(stage, trajectory) + POSE + axis, limit);
+            }
+        }
+        for (stage, scenario) in layout.stages_and_scenarios() {
+            bounds.upper[layout.contact_force(stage, scenario, 0)..][..layout.pairs].fill(self.contact_force);
+        }
+    }
+
+    /// Sets the bounds of the rows of accelerations and wrenches.
+    pub fn bound_rows(&self, layout: Layout, bounds: &mut Bounds) {
+        let (accelerations, wrenches) = (self.accelerations(), self.wrenches());
+        for (stage, trajectory) in layout.stages_and_trajectories() {
+            for (row, &(_, limit)) in accelerations.iter().enumerate() {
+                bound(bounds, layout.acceleration(stage, trajectory) + row, limit);
+            }
+        }
+        for (stage, scenario) in layout.stages_and_scenarios() {
+            for (row, &(_, limit)) in wrenches.iter().enumerate() {
+                bound(bounds, layout.wrench(stage, scenario) + row, limit);
+            }
+        }
+    }
+}
+
+/// The rows of limited accelerations and wrenches; nothing where nothing is limited.
+pub fn limit_rows(
+    task: &AssemblyTask,
+    layout: Layout,
+    jacobian: &mut PatternBuilder,
+    hessian: &mut PatternBuilder,
+) -> Vec<ConstraintFunction> {
+    let axes = |limits: Vec<(usize, f64)>| -> Vec<usize> { limits.into_iter().map(|(axis, _)| axis).collect() };
+    let (accelerations, wrenches) = (axes(task.limits.accelerations()), axes(task.limits.wrenches()));
+    let mut rows = Vec::new();
+    if !accelerations.is_empty() {
+        rows.push(acceleration_rows(task, &accelerations, layout, jacobian, hessian));
+    }
+    if !wrenches.is_empty() {
+        rows.push(wrench_rows(task, &wrenches, layout, jacobian, hessian));
+    }
+    rows
+}
+
+fn acceleration_rows(
+    task: &AssemblyTask,
+    axes: &[usize],
+    layout: Layout,
+    jacobian: &mut PatternBuilder,
+    hessian: &mut PatternBuilder,
+) -> ConstraintFunction {
+    let steps: Vec<(usize, usize)> = layout.stages_and_trajectories().collect();
+    let source = |input: usize, point: usize| {
+        let (stage, trajectory) = steps[point];
+        match input {
+            // Everything starts at rest.
+            0..TWIST if stage == 1 => Source::Constant(0.0),
+            0..TWIST => Source::Variable(layout.state(stage - 1, trajectory) + POSE + input),
+            _ => Source::Variable(layout.state(stage, trajectory) + POSE + input - TWIST),
+        }
+    };
+    let tape = model::acceleration(task.horizon.time_step, axes);
+    let function = PointFunction::new(tape, 2 * TWIST, steps.len(), source);
+    let row = |output: usize, point: usize| layout.acceleration(steps[point].0, steps[point].1) + output;
+    ConstraintFunction::new(function, row, jacobian, hessian)
+}
+
+fn wrench_rows(
+    task: &AssemblyTask,
+    axes: &[usize],
+    layout: Layout,
+    jacobian: &mut PatternBuilder,
+    hessian: &mut PatternBuilder,
+) -> ConstraintFunction {
+    let steps: Vec<(usize, usize)> = layout.stages_and_scenarios().collect();
+    let source = |input: usize, point: usize| {
+        let (stage, scenario) = steps[point];
+        match (input / STATE, input % STATE) {
+            (0, component) => Source::Variable(layout.reference(stage) + component),
+            (1, component) => Source::Variable(layout.compliant(stage, scenario) + component),
+            (_, axis) => Source::Constant(task.offsets[scenario][axis]),
+        }
+    };
+    let function = PointFunction::new(model::wrench(&task.impedance, axes), 2 * STATE, steps.len(), source);
+    let row = |output: usize, point: usize| layout.wrench(steps[point].0, steps[point].1) + output;
+    ConstraintFunction::new(function, row, jacobian, hessian)
+}
+
+/// Axes of a twist or wrench that have a limit, with it.
+fn limited_axes(translational: f64, rotational: f64) -> Vec<(usize, f64)> {
+    let limits = (0..TWIST).map(|axis| (axis, if axis < 3 { translational } else { rotational }));
+    limits.filter(|(_, limit)| limit.is_finite()).collect()
+}
+
+fn bound(bounds: &mut Bounds, index: usize, limit: f64) {
+    (bounds.lower[index], bounds.upper[index]) = (-limit, limit);
+}
+
+/// Largest absolute translational and rotational component of all twists or wrenches.
+fn largest(twists: impl Iterator<Item = [f64; TWIST]>) -> [f64; 2] {
+    twists.fold([0.0; 2], |largest, twist| {
+        std::array::from_fn(|part| twist[3 * part..][..3].iter().fold(largest[part], |value, c| value.max(c.abs())))
+    })
+}

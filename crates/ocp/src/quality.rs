@@ -1,0 +1,66 @@
+//! How well a scenario ends, how hard it touches, and how far its contacts are from hard ones.
+
+use crate::layout::POSE;
+use crate::pose;
+use crate::task::AssemblyTask;
+use crate::trajectory::Contact;
+
+/// Final errors and extremes of one scenario.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quality {
+    /// Distance of the final position from the goal (m).
+    pub position_error: f64,
+    /// Angle between the final orientation and the goal (rad).
+    pub orientation_error: f64,
+    /// Deepest overlap of the exact shapes (m), `None` when they never overlap.
+    pub penetration: Option<Peak>,
+    /// Largest product of a contact force and the exact distance, positive or negative, at the end of its step (N m):
+    /// zero for hard contacts, which push only where the shapes touch. `None` when nothing pushes.
+    pub complementarity: Option<Peak>,
+    /// Largest contact force (N).
+    pub max_force: f64,
+}
+
+/// Where along a plan something is largest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// Its value, above zero.
+    pub value: f64,
+    /// Number of the step, 0 for the start.
+    pub step: usize,
+    /// Index of the pair.
+    pub pair: usize,
+}
+
+impl Quality {
+    /// Of poses at k = 0..N and contacts at k = 1..N.
+    pub fn new(task: &AssemblyTask, poses: &[[f64; POSE]], contacts: &[Vec<Contact>]) -> Self {
+        let distances: Vec<Vec<f64>> =
+            task.pairs.iter().map(|pair| poses.iter().map(|pose| pair.shapes.exact_distance(pose)).collect()).collect();
+        let overlaps = distances.iter().enumerate().flat_map(|(pair, distances)| {
+            distances.iter().enumerate().map(move |(step, distance)| Peak { value: -distance, step, pair })
+        });
+        let products = contacts.iter().zip(1..).flat_map(|(contacts, step)| {
+            contacts.iter().zip(&distances).enumerate().map(move |(pair, (contact, distances))| Peak {
+                value: (contact.force * distances[step]).abs(),
+                step,
+                pair,
+            })
+        });
+        let (position_error, orientation_error) = pose::errors(&poses[poses.len() - 1], &task.goal);
+        Self {
+            position_error,
+            orientation_error,
+            penetration: Peak::largest(overlaps),
+            complementarity: Peak::largest(products),
+            max_force: contacts.iter().flatten().map(|contact| contact.force).fold(0.0, f64::max),
+        }
+    }
+}
+
+impl Peak {
+    /// The largest of those above zero.
+    pub fn largest(peaks: impl Iterator<Item = Self>) -> Option<Self> {
+        peaks.filter(|peak| peak.value > 0.0).max_by(|one, other| one.value.total_cmp(&other.value))
+    }
+}
