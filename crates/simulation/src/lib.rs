@@ -31,18 +31,24 @@
 //! | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
 
 mod axis;
+mod bump;
 mod contact;
 mod dynamics;
+mod examiner;
 mod least_distance;
 mod metric;
 pub mod offsets;
 mod reference;
+mod refinement;
 mod rollout;
 mod settings;
 mod solid;
 mod success;
 
+pub use bump::Bump;
+pub use examiner::{Examiner, Trial, Verdict};
 pub use reference::{Knot, Reference};
+pub use refinement::Refinement;
 pub use rollout::{Moment, Outcome, Rollout};
 pub use settings::Settings;
 pub use success::{Success, wilson_interval};

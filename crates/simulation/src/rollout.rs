@@ -1,12 +1,11 @@
 //! Plans played closed loop under injected offsets.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use nalgebra::Vector3;
 use ocp::AssemblyTask;
 
 use crate::contact::ContactFinder;
 use crate::dynamics::{Body, Stepper};
+use crate::examiner::in_parallel;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
 
@@ -58,21 +57,7 @@ impl Rollout {
     /// Plays a reference once per offset (m, body frame) on `jobs` threads; outcomes are in the order of the offsets
     /// and do not depend on the number of threads.
     pub fn simulate(&self, reference: &Reference, offsets: &[[f64; 3]], jobs: usize) -> Vec<Outcome> {
-        let next = AtomicUsize::new(0);
-        let work = || {
-            let mut done = Vec::new();
-            loop {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                let Some(offset) = offsets.get(index) else { return done };
-                done.push((index, self.play(reference, offset, |_| {})));
-            }
-        };
-        let mut outcomes: Vec<(usize, Outcome)> = std::thread::scope(|scope| {
-            let threads: Vec<_> = (0..jobs.clamp(1, offsets.len().max(1))).map(|_| scope.spawn(work)).collect();
-            threads.into_iter().flat_map(|thread| thread.join().expect("rollouts do not panic")).collect()
-        });
-        outcomes.sort_by_key(|(index, _)| *index);
-        outcomes.into_iter().map(|(_, outcome)| outcome).collect()
+        in_parallel(offsets.len(), jobs, |index| self.play(reference, &offsets[index], |_| {}))
     }
 
     /// Plays a reference with one offset (m, body frame) and shows every moment of it: the body starts at rest where the
