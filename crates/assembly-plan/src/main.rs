@@ -7,6 +7,7 @@ mod output;
 mod plan;
 mod progress;
 mod result;
+mod robust;
 mod simulate;
 mod solve;
 mod success_table;

@@ -1,9 +1,11 @@
 //! `result.json`.
 
-use ocp::{StageResult, StageTiming};
+use ocp::{StageResult, StageTiming, Trajectory};
 use scene::{Scene, StartPose};
 use serde::Serialize;
 use simulation::Success;
+
+use crate::robust::Report;
 
 /// Everything that is known of a plan besides its trajectories.
 #[derive(Debug, Serialize)]
@@ -25,6 +27,9 @@ pub struct PlanResult {
     quaternion_drift: f64,
     stages: Vec<Stage>,
     scenarios: Vec<Scenario>,
+    /// Of `solve --robust`; the scenarios are then rollouts with hard contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    robust: Option<Report>,
 }
 
 #[derive(Debug, Serialize)]
@@ -92,16 +97,26 @@ struct Scenario {
 }
 
 impl PlanResult {
-    /// From all homotopy iterations that ran; `stages` is not empty.
-    pub fn new(scene: &Scene, start: &StartPose, delta: f64, planned: usize, stages: &[StageResult]) -> Self {
+    /// From all homotopy iterations that ran, of which there is at least one, and the trajectory that is the plan.
+    pub fn new(
+        scene: &Scene,
+        start: &StartPose,
+        delta: f64,
+        planned: usize,
+        stages: &[StageResult],
+        trajectory: &Trajectory,
+        robust: Option<Report>,
+    ) -> Self {
         let last = &stages[stages.len() - 1];
-        let (position, orientation) = last.trajectory.worst_errors();
+        let (position, orientation) = trajectory.worst_errors();
         let converged = stages.len() == planned && last.status.is_success();
         let goal_reached = Success::default().reached(position, orientation);
-        let status = match (converged, goal_reached) {
-            (true, true) => "done".to_owned(),
-            (true, false) => "converged, but the goal is not reached".to_owned(),
-            (false, _) => format!("stage {}: {}", stages.len(), last.status),
+        let status = match (&robust, converged, goal_reached) {
+            (Some(report), ..) if report.is_reached() => "done".to_owned(),
+            (Some(_), ..) => "the wanted rate of success is not reached".to_owned(),
+            (None, true, true) => "done".to_owned(),
+            (None, true, false) => "converged, but the goal is not reached".to_owned(),
+            (None, false, _) => format!("stage {}: {}", stages.len(), last.status),
         };
         Self {
             status,
@@ -117,15 +132,16 @@ impl PlanResult {
             iterations: stages.iter().map(|stage| stage.iterations).sum(),
             objective: last.objective,
             wall_s: stages.iter().map(|stage| stage.timing.total).sum(),
-            quaternion_drift: last.trajectory.quaternion_drift,
+            quaternion_drift: trajectory.quaternion_drift,
             stages: stages.iter().map(stage).collect(),
-            scenarios: last.trajectory.scenarios.iter().map(scenario).collect(),
+            scenarios: trajectory.scenarios.iter().map(scenario).collect(),
+            robust,
         }
     }
 
-    /// Whether the plan converged and every scenario ends at the goal.
+    /// Whether the plan converged and every scenario ends at the goal, or a robust one reaches the wanted rate.
     pub fn is_done(&self) -> bool {
-        self.converged && self.goal_reached
+        self.robust.as_ref().map_or(self.converged && self.goal_reached, Report::is_reached)
     }
 
     /// What happened, in a few lines.
@@ -155,6 +171,7 @@ impl PlanResult {
                 scenario.max_force_n
             ));
         }
+        lines.extend(self.robust.as_ref().map(Report::summary));
         lines.join("\n")
     }
 }

@@ -5,16 +5,20 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
-use nlp::{Control, SolveStatus};
-use ocp::{Event, StageResult};
+use nlp::Control;
+use ocp::{AssemblyTask, ContactPair, Event, HomotopySettings, StageResult, Trajectory};
 use scene::{Homotopy, Scene, StartPose, resolved};
+use simulation::{Rollout, Settings};
 
-use crate::arguments::SolveArguments;
+use crate::arguments::{RobustArguments, SolveArguments};
 use crate::failure::Failure;
 use crate::output::{write_file, write_trajectory};
 use crate::progress::Progress;
 use crate::result::PlanResult;
+use crate::robust::{Report, Robust, RobustPlan, Wishes};
+use crate::simulate::processors;
 use crate::{DONE, INTERRUPTED, NO_PLAN};
 
 /// Plans, writes all files and says what happened.
@@ -35,34 +39,100 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     prepare(&folder)?;
     write_file(&folder.join("resolved.toml"), resolved(&scene, start, delta, &homotopy).as_bytes())?;
 
-    let planned = homotopy.0.iterations;
+    let job =
+        Job { scene: &scene, task: &task, delta, settings: homotopy.0, folder: &folder, progress: Progress::new() };
     let stopped = stop_on_interrupt()?;
-    let progress = Progress::new();
-    let observe = |event: Event| {
-        progress.iteration(&event);
-        if stopped.load(Ordering::Relaxed) { Control::Stop } else { Control::Continue }
-    };
-    let mut written = Ok(());
-    let finished = |number: usize, stage: &StageResult| {
-        progress.stage(number, planned, stage);
-        let stage_folder = folder.join("stages").join(number.to_string());
-        if written.is_ok() {
-            written = write_trajectory(&stage_folder, &stage.trajectory, &task.pairs);
-        }
-    };
-    let stages = ocp::Homotopy::new(&task, homotopy.0).run(observe, finished)?;
-    written?;
-    let last = &stages[stages.len() - 1];
-    write_trajectory(&folder, &last.trajectory, &task.pairs)?;
-    let result = PlanResult::new(&scene, start, delta, planned, &stages);
+    let Planned { stages, trajectory, pairs, report } =
+        if arguments.robust.robust { job.robust(&arguments.robust, &stopped)? } else { job.plain(&stopped)? };
+    write_trajectory(&folder, &trajectory, &pairs)?;
+    let result = PlanResult::new(&scene, start, delta, job.settings.iterations, &stages, &trajectory, report);
     let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
     write_file(&folder.join("result.json"), &json)?;
     println!("{}\nwritten to {}", result.summary(), folder.display());
-    Ok(match last.status {
-        SolveStatus::Interrupted => INTERRUPTED,
-        _ if result.is_done() => DONE,
-        _ => NO_PLAN,
+    Ok(match () {
+        () if stopped.load(Ordering::Relaxed) => INTERRUPTED,
+        () if result.is_done() => DONE,
+        () => NO_PLAN,
     })
+}
+
+/// One motion to be planned.
+struct Job<'run> {
+    scene: &'run Scene,
+    task: &'run AssemblyTask,
+    delta: f64,
+    settings: HomotopySettings,
+    folder: &'run Path,
+    progress: Progress,
+}
+
+/// A plan.
+struct Planned {
+    stages: Vec<StageResult>,
+    trajectory: Trajectory,
+    /// Pairs whose contacts the trajectory knows.
+    pairs: Vec<ContactPair>,
+    report: Option<Report>,
+}
+
+impl Job<'_> {
+    /// The last homotopy iteration is the plan.
+    fn plain(&self, stopped: &AtomicBool) -> Result<Planned, Failure> {
+        let mut written = Ok(());
+        let stages = self.homotopy(self.task, &|| stopped.load(Ordering::Relaxed), |number, stage| {
+            if written.is_ok() {
+                written = self.write_stage(number, stage);
+            }
+        })?;
+        written?;
+        let trajectory = stages[stages.len() - 1].trajectory.clone();
+        Ok(Planned { stages, trajectory, pairs: self.task.pairs.clone(), report: None })
+    }
+
+    /// The plan is refined by rollouts, and its scenarios are rollouts without friction.
+    fn robust(&self, arguments: &RobustArguments, stopped: &AtomicBool) -> Result<Planned, Failure> {
+        let mut world = self.task.clone();
+        // Reality does not know which pairs the plan leaves out.
+        world.pairs = self.scene.all_pairs();
+        let wishes = Wishes {
+            rate: arguments.wanted_rate,
+            time_limit: Duration::try_from_secs_f64(arguments.time_limit).unwrap_or(Duration::MAX),
+            frictions: arguments.friction.clone(),
+            jobs: arguments.jobs.map_or_else(processors, usize::from),
+        };
+        let robust = Robust::new(self.task, &world, self.delta, wishes, &self.progress, stopped);
+        let RobustPlan { stages, reference, report } = robust
+            .run(|task, is_over| self.homotopy(task, &|| stopped.load(Ordering::Relaxed) || is_over(), |_, _| {}))?;
+        for (index, stage) in stages.iter().enumerate() {
+            self.write_stage(index + 1, stage)?;
+        }
+        let tau = stages[stages.len() - 1].smoothing.tau;
+        let rollout = Rollout::new(&world, Settings::default());
+        let trajectory = rollout.trajectory(&reference, &self.task.offsets, tau);
+        Ok(Planned { stages, trajectory, pairs: world.pairs, report: Some(report) })
+    }
+
+    fn homotopy(
+        &self,
+        task: &AssemblyTask,
+        stop: &dyn Fn() -> bool,
+        mut finished: impl FnMut(usize, &StageResult),
+    ) -> Result<Vec<StageResult>, Failure> {
+        let observe = |event: Event| {
+            self.progress.iteration(&event);
+            if stop() { Control::Stop } else { Control::Continue }
+        };
+        let finished = |number: usize, stage: &StageResult| {
+            self.progress.stage(number, self.settings.iterations, stage);
+            finished(number, stage);
+        };
+        Ok(ocp::Homotopy::new(task, self.settings.clone()).run(observe, finished)?)
+    }
+
+    fn write_stage(&self, number: usize, stage: &StageResult) -> Result<(), Failure> {
+        let folder = self.folder.join("stages").join(number.to_string());
+        write_trajectory(&folder, &stage.trajectory, &self.task.pairs)
+    }
 }
 
 fn homotopy(arguments: &SolveArguments, scene: &Scene) -> Result<Homotopy, Failure> {

@@ -51,7 +51,8 @@ impl Bump {
     /// How much of the change applies at a fraction of the duration.
     pub fn weight(&self, fraction: f64) -> f64 {
         let distance = (fraction - self.center) / self.width;
-        let shape = if self.lasting { 1.0 / (1.0 + (-4.0 * distance).exp()) } else { (-0.5 * distance * distance).exp() };
+        let shape =
+            if self.lasting { 1.0 / (1.0 + (-4.0 * distance).exp()) } else { (-0.5 * distance * distance).exp() };
         (fraction / FADE).min(1.0) * shape
     }
 }

@@ -51,11 +51,12 @@ impl Examiner {
 
     /// Plays one trial.
     pub fn judge(&self, reference: &Reference, trial: &Trial) -> Verdict {
-        let outcome = self.rollouts[trial.friction].play(reference, &trial.offset, |_| {});
+        let outcome = self.rollouts[trial.friction].play(reference, &trial.offset, |_, _| {});
         if self.success.holds(&outcome) {
             return Verdict { passed: true, miss: 0.0 };
         }
-        let miss = outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
+        let miss =
+            outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
         // Also when it is not a number.
         Verdict { passed: false, miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS } }
     }

@@ -37,6 +37,7 @@ mod dynamics;
 mod examiner;
 mod least_distance;
 mod metric;
+mod motion;
 pub mod offsets;
 mod reference;
 mod refinement;

@@ -31,7 +31,13 @@ struct Candidate {
 
 impl<'examiner> Refinement<'examiner> {
     /// Judges a reference in its trials, on `jobs` threads.
-    pub fn new(examiner: &'examiner Examiner, reference: Reference, trials: Vec<Trial>, seed: u64, jobs: usize) -> Self {
+    pub fn new(
+        examiner: &'examiner Examiner,
+        reference: Reference,
+        trials: Vec<Trial>,
+        seed: u64,
+        jobs: usize,
+    ) -> Self {
         let verdicts = examiner.judge_all(&reference, &trials, jobs);
         Self { examiner, random: Rng::with_seed(seed), reference, trials, verdicts }
     }
@@ -51,10 +57,10 @@ impl<'examiner> Refinement<'examiner> {
         score(&self.verdicts)
     }
 
-    /// Adds trials, with what is known of them.
-    pub fn add(&mut self, trials: &[Trial], verdicts: &[Verdict]) {
+    /// Adds trials.
+    pub fn add(&mut self, trials: &[Trial]) {
         self.trials.extend(trials);
-        self.verdicts.extend(verdicts);
+        self.verdicts.extend(trials.iter().map(|trial| self.examiner.judge(&self.reference, trial)));
     }
 
     /// Tries several random changes on `jobs` threads and keeps the best one that is an improvement; whether there is

@@ -12,8 +12,8 @@ use crate::settings::Settings;
 /// A task that is ready to be played.
 #[derive(Debug, Clone)]
 pub struct Rollout {
-    task: AssemblyTask,
-    settings: Settings,
+    pub(crate) task: AssemblyTask,
+    pub(crate) settings: Settings,
     finder: ContactFinder,
 }
 
@@ -57,12 +57,13 @@ impl Rollout {
     /// Plays a reference once per offset (m, body frame) on `jobs` threads; outcomes are in the order of the offsets
     /// and do not depend on the number of threads.
     pub fn simulate(&self, reference: &Reference, offsets: &[[f64; 3]], jobs: usize) -> Vec<Outcome> {
-        in_parallel(offsets.len(), jobs, |index| self.play(reference, &offsets[index], |_| {}))
+        in_parallel(offsets.len(), jobs, |index| self.play(reference, &offsets[index], |_, _| {}))
     }
 
     /// Plays a reference with one offset (m, body frame) and shows every moment of it: the body starts at rest where the
     /// robot believes to hold it at the reference's start, and the reference is held at its end for the settling time.
-    pub fn play(&self, reference: &Reference, offset: &[f64; 3], mut observe: impl FnMut(&Moment)) -> Outcome {
+    /// With every moment comes the normal impulse (Ns) of every pair since the last knot.
+    pub fn play(&self, reference: &Reference, offset: &[f64; 3], mut observe: impl FnMut(&Moment, &[f64])) -> Outcome {
         let mut finder = self.finder.clone();
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut stepper = Stepper::new(time_step, &self.task.inertia, &self.task.impedance, self.settings.friction);
@@ -77,7 +78,7 @@ impl Rollout {
                 let target = reference.at(interval, substep as f64 / substeps as f64);
                 let overlap = stepper.step(&mut body, &target, &offset, &mut finder, &mut impulses);
                 max_penetration = max_penetration.max(overlap);
-                observe(&moment((interval * substeps + substep) as f64 * time_step, &body));
+                observe(&moment((interval * substeps + substep) as f64 * time_step, &body), &impulses);
             }
             max_impulse = impulses.iter().copied().fold(max_impulse, f64::max);
             if !is_finite(&body) {
