@@ -27,7 +27,7 @@ use crate::robust::variants::{VARIANTS, Variant, variant};
 const TRAINING: usize = 8;
 const EXAM: usize = 50;
 /// Attempts in a row without improvement after which refinement is stuck.
-const PATIENCE: usize = 40;
+const PATIENCE: usize = 150;
 /// Seed of training offsets and changes; exams have the seeds after it.
 const SEED: u64 = 1;
 /// Distance between seeds: an exam has one per magnitude.
