@@ -10,7 +10,7 @@ use std::time::Duration;
 use nlp::Control;
 use ocp::{AssemblyTask, ContactPair, Event, HomotopySettings, StageResult, Trajectory};
 use scene::{Homotopy, Scene, StartPose, resolved};
-use simulation::{Rollout, Settings};
+use simulation::{Examiner, Rollout, Settings, Success};
 
 use crate::arguments::{RobustArguments, SolveArguments};
 use crate::failure::Failure;
@@ -100,7 +100,8 @@ impl Job<'_> {
             frictions: arguments.friction.clone(),
             jobs: arguments.jobs.map_or_else(processors, usize::from),
         };
-        let robust = Robust::new(self.task, &world, self.delta, wishes, &self.progress, stopped);
+        let examiner = Examiner::new(&world, &wishes.frictions, Success::default());
+        let robust = Robust::new(self.task, &examiner, self.delta, wishes, &self.progress, stopped);
         let RobustPlan { stages, reference, report } = robust
             .run(|task, is_over| self.homotopy(task, &|| stopped.load(Ordering::Relaxed) || is_over(), |_, _| {}))?;
         for (index, stage) in stages.iter().enumerate() {

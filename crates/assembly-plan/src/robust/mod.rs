@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 use nlp::SolveStatus;
 use ocp::{AssemblyTask, StageResult};
-use simulation::{Examiner, Reference, Refinement, Success, Trial};
+use simulation::{Examiner, Reference, Refinement, Trial};
 
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -23,8 +23,9 @@ pub use crate::robust::report::Report;
 use crate::robust::report::Round;
 use crate::robust::variants::{VARIANTS, Variant, variant};
 
-/// Random offsets per friction and magnitude to train with, and in an exam.
-const TRAINING: usize = 8;
+/// Random offsets per friction and magnitude to train with at first, and in an exam: what fails there is trained on next,
+/// so that few are needed at first.
+const TRAINING: usize = 4;
 const EXAM: usize = 50;
 /// Attempts in a row without improvement after which refinement is stuck.
 const PATIENCE: usize = 150;
@@ -67,7 +68,7 @@ pub struct Robust<'run> {
     task: &'run AssemblyTask,
     delta: f64,
     wishes: Wishes,
-    examiner: Examiner,
+    examiner: &'run Examiner,
     progress: &'run Progress,
     interrupted: &'run AtomicBool,
     begin: Instant,
@@ -82,17 +83,16 @@ pub struct Robust<'run> {
 }
 
 impl<'run> Robust<'run> {
-    /// For a task to plan and the world it is played in, whose pairs may be more.
+    /// For a task to plan and an examiner with the wished frictions, whose world may have more pairs.
     pub fn new(
         task: &'run AssemblyTask,
-        world: &AssemblyTask,
+        examiner: &'run Examiner,
         delta: f64,
         wishes: Wishes,
         progress: &'run Progress,
         interrupted: &'run AtomicBool,
     ) -> Self {
         let training = Exam::new(task, delta, &wishes.frictions, TRAINING, SEED).trials;
-        let examiner = Examiner::new(world, &wishes.frictions, Success::default());
         Self {
             task,
             delta,
@@ -143,36 +143,12 @@ impl<'run> Robust<'run> {
     /// Refines the best reference of a homotopy and examines it, until it is good enough, stuck, or the time is over.
     fn refine(&mut self, name: &'static str, task: &AssemblyTask, stages: Vec<StageResult>) {
         let begin = Instant::now();
-        let last = &stages[stages.len() - 1];
         if self.before.is_empty() {
-            self.before = self.examine(&reference(last)).1;
+            self.before = self.examine(&reference(&stages[stages.len() - 1])).1;
             self.progress.say(&format!("  {:.1} % of rollouts succeed", 100.0 * rate(&self.before)));
         }
-        let mut round = Round {
-            planned: name,
-            scenarios_m: task.offsets.clone(),
-            steps: task.horizon.steps,
-            solve_status: last.status.to_string(),
-            solve_s: stages.iter().map(|stage| stage.timing.total).sum(),
-            chosen_stage: 0,
-            refinement_s: 0.0,
-            changes: 0,
-            training_trials: self.training.len(),
-            added_trials: 0,
-            rate: 0.0,
-        };
-        let examiner = self.examiner.clone();
-        let number = self.rounds.len() as u64;
-        let (stage, mut refinement) = (0..stages.len())
-            .map(|stage| {
-                let (trials, jobs) = (self.training.clone(), self.wishes.jobs);
-                (stage, Refinement::new(&examiner, reference(&stages[stage]), trials, SEED + number, jobs))
-            })
-            .min_by(|(one_stage, one), (other_stage, other)| {
-                // Of equals the later, which is smoothed less.
-                one.score().0.cmp(&other.score().0).then(other_stage.cmp(one_stage))
-            })
-            .expect("a homotopy has an iteration");
+        let mut round = Round::new(name, task, &stages, self.training.len());
+        let (stage, mut refinement) = self.best_stage(&stages);
         round.chosen_stage = stage + 1;
         let mut best: Option<(Reference, Vec<Mark>)> = None;
         loop {
@@ -198,6 +174,19 @@ impl<'run> Robust<'run> {
             self.kept = Some(Kept { stages, reference, marks, round: self.rounds.len() + 1 });
         }
         self.rounds.push(round);
+    }
+
+    /// The homotopy iteration, from 0, whose reference passes most training trials; of equals the later, which is
+    /// smoothed less.
+    fn best_stage(&self, stages: &[StageResult]) -> (usize, Refinement<'run>) {
+        let seed = SEED + self.rounds.len() as u64;
+        let judged = stages.iter().map(|stage| {
+            Refinement::new(self.examiner, reference(stage), self.training.clone(), seed, self.wishes.jobs)
+        });
+        let best = judged.enumerate().min_by(|(one_stage, one), (other_stage, other)| {
+            one.score().0.cmp(&other.score().0).then(other_stage.cmp(one_stage))
+        });
+        best.expect("a homotopy has an iteration")
     }
 
     /// Improves until all training trials pass, which is what it returns, or it is stuck or the time is over.

@@ -1,5 +1,6 @@
 //! The section `robust` of `result.json`, and its summary.
 
+use ocp::{AssemblyTask, StageResult};
 use serde::Serialize;
 
 use crate::robust::exam::{Mark, comparison, rate};
@@ -39,6 +40,25 @@ pub struct Round {
     /// Failing trials of exams that became training trials.
     pub added_trials: usize,
     pub rate: f64,
+}
+
+impl Round {
+    /// A round whose homotopy, of at least one iteration, has run and whose reference is still to be refined.
+    pub fn new(planned: &'static str, task: &AssemblyTask, stages: &[StageResult], training_trials: usize) -> Self {
+        Self {
+            planned,
+            scenarios_m: task.offsets.clone(),
+            steps: task.horizon.steps,
+            solve_status: stages[stages.len() - 1].status.to_string(),
+            solve_s: stages.iter().map(|stage| stage.timing.total).sum(),
+            chosen_stage: 0,
+            refinement_s: 0.0,
+            changes: 0,
+            training_trials,
+            added_trials: 0,
+            rate: 0.0,
+        }
+    }
 }
 
 impl Report {
