@@ -1,4 +1,4 @@
-//! Rollouts of a plan under injected offsets with hard contacts, and success statistics.
+//! Rollouts of a plan under injected offsets with hard contacts, success statistics, and refinement by them.
 //!
 //! A plan is converged when Ipopt says so; it is good when a body that tracks it under the impedance law, with offsets
 //! that were not planned for, ends at the goal. The body is that of the plan: constant inertia, no gravity, no gyroscopic
@@ -16,6 +16,8 @@
 //!     outcomes.iter().filter(|outcome| Success::default().holds(outcome)).count()
 //! }
 //! ```
+//!
+//! A [`Refinement`] changes a reference until it passes all trials of an [`Examiner`].
 //!
 //! Contacts are neither smoothed nor relaxed, and nothing of the planner's collision kernel is used, so that a mistake
 //! there shows here: contact points come from the facets and edges that touch, all of a flat contact, and the velocity

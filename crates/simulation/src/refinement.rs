@@ -1,7 +1,7 @@
 //! Refinement of a reference by rollouts: random smooth changes, of which those stay that let more trials pass.
 //!
-//! Between two smoothings of the planner lie contacts that hold there and slip with hard contact. No derivative knows of
-//! them, but a rollout takes milliseconds, and most changes of the reference that are of no use are found out after a few.
+//! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of the
+//! plan do not know it. A rollout takes milliseconds, and a few of them show that a change is of no use.
 
 use fastrand::Rng;
 
