@@ -49,10 +49,12 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
     write_file(&folder.join("result.json"), &json)?;
     println!("{}\nwritten to {}", result.summary(), folder.display());
-    Ok(match () {
-        () if stopped.load(Ordering::Relaxed) => INTERRUPTED,
-        () if result.is_done() => DONE,
-        () => NO_PLAN,
+    Ok(if stopped.load(Ordering::Relaxed) {
+        INTERRUPTED
+    } else if result.is_done() {
+        DONE
+    } else {
+        NO_PLAN
     })
 }
 
