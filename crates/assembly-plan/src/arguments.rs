@@ -26,6 +26,7 @@ Examples:
   assembly-plan check scenes/peg1.toml
   assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
   assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1
+  assembly-plan solve scenes/peg1.toml --robust --time-limit 120 --out out/peg1
   assembly-plan simulate scenes/peg1.toml out/peg1 --random 50 --magnitude 0.005,0.01 --friction 0,0.1";
 
 #[derive(Debug, Subcommand)]
@@ -75,6 +76,29 @@ pub struct SolveArguments {
     /// when standard input ends
     #[arg(long, hide = true, requires = "resume", value_name = "IDENTITY")]
     pub cell: Option<String>,
+    #[command(flatten)]
+    pub robust: RobustArguments,
+}
+
+/// How a plan is made robust.
+#[derive(Debug, Args)]
+pub struct RobustArguments {
+    /// Play the plan with hard contacts at offsets that were not planned for, and change it until they succeed
+    #[arg(long, conflicts_with = "resume")]
+    pub robust: bool,
+    /// With --robust: rate of success to reach, from 0 to 1
+    #[arg(long, value_name = "RATE", default_value_t = 0.99, value_parser = fraction, requires = "robust")]
+    pub wanted_rate: f64,
+    /// With --robust: after this time (s) the best plan so far is kept
+    #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = positive, requires = "robust")]
+    pub time_limit: f64,
+    /// With --robust: Coulomb friction coefficients
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0,0.1", value_parser = not_negative)]
+    #[arg(allow_negative_numbers = true, requires = "robust")]
+    pub friction: Vec<f64>,
+    /// With --robust: threads [default: one per processor]; they change nothing but the time it takes
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), requires = "robust")]
+    pub jobs: Option<u16>,
 }
 
 /// How plans are played. Which offsets is said by at most one of --random, --grid and --offsets.
@@ -167,6 +191,10 @@ fn parse_pose(text: &str) -> Result<Pose, String> {
 
 fn positive(text: &str) -> Result<f64, String> {
     number(text, |number| number > 0.0, "must be above zero")
+}
+
+fn fraction(text: &str) -> Result<f64, String> {
+    number(text, |number| (0.0..=1.0).contains(&number), "must lie between 0 and 1")
 }
 
 fn not_negative(text: &str) -> Result<f64, String> {

@@ -11,6 +11,7 @@ mod plan;
 mod problem;
 mod progress;
 mod result;
+mod robust;
 mod simulate;
 mod smoothing;
 mod solve;

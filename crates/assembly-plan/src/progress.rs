@@ -51,4 +51,21 @@ impl Progress {
             1e3 * position
         );
     }
+
+    /// Shows how far a refinement is.
+    pub fn refinement(&self, failing: usize, trials: usize, changes: usize) {
+        if self.rewrites {
+            // A terminal that cannot be written to is no reason to stop.
+            let _ = write!(
+                stderr(),
+                "\r\x1b[Krefining the reference: {failing} of {trials} rollouts fail, {changes} changes kept"
+            );
+        }
+    }
+
+    /// Says something.
+    pub fn say(&self, line: &str) {
+        let clear = if self.rewrites { "\r\x1b[K" } else { "" };
+        let _ = writeln!(stderr(), "{clear}{line}");
+    }
 }

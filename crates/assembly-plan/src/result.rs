@@ -6,6 +6,8 @@ use simulation::Success;
 
 use crate::limits;
 use crate::problem::Problem;
+use crate::robust::Report;
+use crate::solve::Plan;
 
 /// Everything that is known of a plan besides its trajectories.
 #[derive(Debug, Serialize)]
@@ -35,6 +37,9 @@ pub struct PlanResult {
     reached: Limits,
     stages: Vec<Stage>,
     scenarios: Vec<Scenario>,
+    /// Of `solve --robust`; the scenarios are then rollouts with hard contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    robust: Option<Report>,
 }
 
 #[derive(Debug, Serialize)]
@@ -141,15 +146,18 @@ struct LimitsRecord {
 }
 
 impl PlanResult {
-    /// From the records of all homotopy iterations that ran, and the last one itself.
-    pub fn new(problem: &Problem, stages: Vec<Stage>, last: &StageResult, warnings: Vec<String>) -> Self {
-        let (position, orientation) = last.trajectory.worst_errors();
+    /// Of a plan and the records of all homotopy iterations that ran for it.
+    pub fn new(problem: &Problem, plan: Plan, warnings: Vec<String>) -> Self {
+        let Plan { stages, last, trajectory, task, report: robust } = plan;
+        let (position, orientation) = trajectory.worst_errors();
         let converged = stages.len() == problem.homotopy.0.iterations && last.status.is_success();
         let goal_reached = Success::default().reached(position, orientation);
-        let status = match (converged, goal_reached) {
-            (true, true) => "done".to_owned(),
-            (true, false) => "converged, but the goal is not reached".to_owned(),
-            (false, _) => format!("stage {}: {}", stages.len(), last.status),
+        let status = match (&robust, converged, goal_reached) {
+            (Some(report), ..) if report.is_reached() => "done".to_owned(),
+            (Some(_), ..) => "the wanted rate of success is not reached".to_owned(),
+            (None, true, true) => "done".to_owned(),
+            (None, true, false) => "converged, but the goal is not reached".to_owned(),
+            (None, false, _) => format!("stage {}: {}", stages.len(), last.status),
         };
         Self {
             status,
@@ -165,18 +173,19 @@ impl PlanResult {
             iterations: stages.iter().map(|stage| stage.iterations).sum(),
             objective: last.objective,
             wall_s: stages.iter().map(|stage| stage.wall_s).sum(),
-            quaternion_drift: last.trajectory.quaternion_drift,
+            quaternion_drift: trajectory.quaternion_drift,
             warnings,
             limits: problem.task.limits,
-            reached: last.trajectory.keeps(),
+            reached: trajectory.keeps(),
             stages,
-            scenarios: last.trajectory.scenarios.iter().map(|motion| scenario(motion, &problem.task)).collect(),
+            scenarios: trajectory.scenarios.iter().map(|motion| scenario(motion, &task)).collect(),
+            robust,
         }
     }
 
-    /// Whether the plan converged and every scenario ends at the goal.
+    /// Whether the plan converged and every scenario ends at the goal, or a robust one reaches the wanted rate.
     pub fn is_done(&self) -> bool {
-        self.converged && self.goal_reached
+        self.robust.as_ref().map_or(self.converged && self.goal_reached, Report::is_reached)
     }
 
     /// What happened, in a few lines.
@@ -207,6 +216,7 @@ impl PlanResult {
             ));
         }
         lines.extend(limits::summary(&self.limits, &self.reached));
+        lines.extend(self.robust.as_ref().map(Report::summary));
         lines.join("\n")
     }
 }

@@ -246,7 +246,8 @@ fn threads(jobs: usize) -> &'static str {
     if jobs == 1 { "thread" } else { "threads" }
 }
 
-fn processors() -> usize {
+/// Number of processors of this machine.
+pub fn processors() -> usize {
     std::thread::available_parallelism().map_or(1, Into::into)
 }
 

@@ -5,12 +5,14 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{Event, StageResult};
+use ocp::{AssemblyTask, Event, StageResult, Trajectory};
 use scene::{Scene, StartPose};
+use simulation::{Examiner, Rollout, Settings, Success};
 
-use crate::arguments::SolveArguments;
+use crate::arguments::{RobustArguments, SolveArguments};
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
 use crate::limits;
@@ -18,6 +20,8 @@ use crate::output::{remove_file, write_file, write_trajectory};
 use crate::problem::{Problem, homotopy};
 use crate::progress::Progress;
 use crate::result::{PlanResult, Stage};
+use crate::robust::{Report, Robust, RobustPlan, Wishes};
+use crate::simulate::processors;
 use crate::smoothing;
 use crate::{DONE, INTERRUPTED, NO_PLAN};
 
@@ -43,20 +47,21 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }
-    let (stages, last) = solve(&problem, &folder, checkpoint, &stopped)?;
-    let interrupted = last.status == SolveStatus::Interrupted;
+    let plan = match arguments.robust.robust {
+        true => plan_robustly(&problem, &folder, &arguments.robust, &stopped)?,
+        false => plan(&problem, &folder, checkpoint, &stopped)?,
+    };
+    // A robust plan has stopped its homotopies itself, when time was up.
+    let interrupted = stopped.load(Ordering::Relaxed) && (plan.report.is_some() || plan.is_interrupted());
     if interrupted && arguments.resume {
-        eprintln!("interrupted in stage {}; the same command goes on with it", stages.len());
+        eprintln!("interrupted in stage {}; the same command goes on with it", plan.stages.len());
         return Ok(INTERRUPTED);
     }
-    write_trajectory(&folder, &last.trajectory, &problem.task.pairs)?;
-    let mut late = limits::warnings(&problem.task.limits, &last.trajectory.keeps());
-    if last.status.is_success() {
-        late.extend(smoothing::warning(&problem, &stages, &last));
-    }
+    write_trajectory(&folder, &plan.trajectory, &plan.task.pairs)?;
+    let late = late_warnings(&problem, &plan);
     late.iter().for_each(|warning| eprintln!("warning: {warning}"));
     warnings.extend(late);
-    let result = PlanResult::new(&problem, stages, &last, warnings);
+    let result = PlanResult::new(&problem, plan, warnings);
     let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
     write_file(&folder.join("result.json"), &json)?;
     println!("{}\nwritten to {}", result.summary(), folder.display());
@@ -77,14 +82,43 @@ fn warnings(problem: &Problem) -> Vec<String> {
     warnings
 }
 
-/// Runs the homotopy, from the checkpoint where there is one, and writes what each iteration finds. Returns the records
-/// of all iterations and the last one.
-fn solve(
+/// What is wrong with a plan. A robust one leans on nothing: its scenarios are rollouts with hard contact.
+fn late_warnings(problem: &Problem, plan: &Plan) -> Vec<String> {
+    let mut warnings = limits::warnings(&problem.task.limits, &plan.trajectory.keeps());
+    if plan.report.is_none() && plan.last.status.is_success() {
+        warnings.extend(smoothing::warning(problem, &plan.stages, &plan.last));
+    }
+    warnings
+}
+
+/// A plan and where it comes from.
+pub struct Plan {
+    /// Records of all homotopy iterations that ran.
+    pub stages: Vec<Stage>,
+    /// The last of them.
+    pub last: StageResult,
+    /// The plan.
+    pub trajectory: Trajectory,
+    /// The problem whose pairs and horizon the trajectory has.
+    pub task: AssemblyTask,
+    /// Of a robust plan.
+    pub report: Option<Report>,
+}
+
+impl Plan {
+    fn is_interrupted(&self) -> bool {
+        self.last.status == SolveStatus::Interrupted
+    }
+}
+
+/// Runs the homotopy, from the checkpoint where there is one, and writes what each iteration finds; the last one is the
+/// plan.
+fn plan(
     problem: &Problem,
     folder: &Path,
     checkpoint: Option<Checkpoint>,
     stopped: &AtomicBool,
-) -> Result<(Vec<Stage>, StageResult), Failure> {
+) -> Result<Plan, Failure> {
     let planned = problem.homotopy.0.iterations;
     let progress = Progress::new();
     let observe = |event: Event| {
@@ -111,7 +145,48 @@ fn solve(
     };
     written?;
     let last = results.pop().ok_or_else(|| Failure::Internal("no homotopy iteration was left to run".to_owned()))?;
-    Ok((stages, last))
+    let (trajectory, task) = (last.trajectory.clone(), problem.task.clone());
+    Ok(Plan { stages, last, trajectory, task, report: None })
+}
+
+/// The plan is refined by rollouts, and its scenarios are rollouts without friction.
+fn plan_robustly(
+    problem: &Problem,
+    folder: &Path,
+    arguments: &RobustArguments,
+    stopped: &AtomicBool,
+) -> Result<Plan, Failure> {
+    let mut world = problem.task.clone();
+    // Reality does not know which pairs the plan leaves out.
+    world.pairs = problem.scene.all_pairs();
+    let wishes = Wishes {
+        rate: arguments.wanted_rate,
+        time_limit: Duration::try_from_secs_f64(arguments.time_limit).unwrap_or(Duration::MAX),
+        frictions: arguments.friction.clone(),
+        jobs: arguments.jobs.map_or_else(processors, usize::from),
+    };
+    let examiner = Examiner::new(&world, &wishes.frictions, Success::default());
+    let progress = Progress::new();
+    let robust = Robust::new(&problem.task, &examiner, problem.delta, wishes, &progress, stopped);
+    let settings = &problem.homotopy.0;
+    let homotopy = |task: &AssemblyTask, is_over: &dyn Fn() -> bool| -> Result<Vec<StageResult>, Failure> {
+        let observe = |event: Event| {
+            progress.iteration(&event);
+            if stopped.load(Ordering::Relaxed) || is_over() { Control::Stop } else { Control::Continue }
+        };
+        let finished = |number: usize, stage: &StageResult| progress.stage(number, settings.iterations, stage);
+        Ok(ocp::Homotopy::new(task, settings.clone()).run(observe, finished)?)
+    };
+    let RobustPlan { mut stages, reference, report } = robust.run(homotopy)?;
+    for (index, stage) in stages.iter().enumerate() {
+        let stage_folder = folder.join("stages").join((index + 1).to_string());
+        write_trajectory(&stage_folder, &stage.trajectory, &problem.task.pairs)?;
+    }
+    let records = stages.iter().map(Stage::from).collect();
+    let last = stages.pop().ok_or_else(|| Failure::Internal("no homotopy iteration ran".to_owned()))?;
+    let rollout = Rollout::new(&world, Settings::default());
+    let trajectory = rollout.trajectory(&reference, &problem.task.offsets, last.smoothing.tau);
+    Ok(Plan { stages: records, last, trajectory, task: world, report: Some(report) })
 }
 
 /// Writes the tables of a stage, then the checkpoint from which the next one can start.

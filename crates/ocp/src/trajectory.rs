@@ -106,7 +106,9 @@ impl Trajectory {
 }
 
 impl ScenarioTrajectory {
-    fn new<'x>(
+    /// From the states of reference and body at k = 0..N and the contact forces (N) of every pair in the step that leads
+    /// to k = 1..N; distances are smoothed by `tau`.
+    pub fn new<'x>(
         task: &AssemblyTask,
         offset: [f64; 3],
         reference: &[[f64; STATE]],

@@ -1,4 +1,4 @@
-//! Rollouts of a plan under injected offsets with hard contacts, and success statistics.
+//! Rollouts of a plan under injected offsets with hard contacts, success statistics, and refinement by them.
 //!
 //! A plan is converged when Ipopt says so; it is good when a body that tracks it under the impedance law, with offsets
 //! that were not planned for, ends at the goal. The body is that of the plan: constant inertia, no gravity, no gyroscopic
@@ -17,6 +17,8 @@
 //! }
 //! ```
 //!
+//! A [`Refinement`] changes a reference until it passes all trials of an [`Examiner`].
+//!
 //! Contacts are neither smoothed nor relaxed, and nothing of the planner's collision kernel is used, so that a mistake
 //! there shows here: contact points come from the facets and edges that touch, all of a flat contact, and the velocity
 //! after a step is the nearest in kinetic energy that does not overlap, exactly. Everything is of first order in the time
@@ -31,18 +33,25 @@
 //! | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
 
 mod axis;
+mod bump;
 mod contact;
 mod dynamics;
+mod examiner;
 mod least_distance;
 mod metric;
+mod motion;
 pub mod offsets;
 mod reference;
+mod refinement;
 mod rollout;
 mod settings;
 mod solid;
 mod success;
 
+pub use bump::Bump;
+pub use examiner::{Examiner, Trial, Verdict};
 pub use reference::{Knot, Reference};
+pub use refinement::Refinement;
 pub use rollout::{Moment, Outcome, Rollout};
 pub use settings::Settings;
 pub use success::{Success, wilson_interval};

@@ -3,6 +3,8 @@
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use ocp::Horizon;
 
+use crate::bump::Bump;
+
 /// A reference motion given at equidistant knots. Between them positions are interpolated linearly and orientations
 /// by slerp; on `[k, k + 1]` the twist of knot `k + 1` holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +30,11 @@ impl Knot {
         let [x, y, z, w, i, j, k, vx, vy, vz, p, q, r] = *state;
         Self { pose: isometry(&[x, y, z, w, i, j, k]), velocity: [vx, vy, vz].into(), spin: [p, q, r].into() }
     }
+
+    fn state(&self) -> [f64; 13] {
+        let ([x, y, z, w, i, j, k], v, s) = (coordinates(&self.pose), self.velocity, self.spin);
+        [x, y, z, w, i, j, k, v.x, v.y, v.z, s.x, s.y, s.z]
+    }
 }
 
 impl Reference {
@@ -49,6 +56,28 @@ impl Reference {
             Knot { pose: interpolate(&start, &goal, fraction), velocity, spin }
         };
         Self { time_step: horizon.time_step, knots: (0..=horizon.steps).map(knot).collect() }
+    }
+
+    /// The reference changed by a bump, with the twists that lead from knot to knot.
+    pub fn bent(&self, bump: &Bump) -> Self {
+        let mut knots = self.knots.clone();
+        for (index, knot) in knots.iter_mut().enumerate() {
+            let weight = bump.weight(index as f64 / self.intervals() as f64);
+            knot.pose.translation.vector += bump.shift * weight;
+            knot.pose.rotation *= UnitQuaternion::from_scaled_axis(bump.turn * weight);
+        }
+        for index in 1..knots.len() {
+            let (from, to) = (knots[index - 1].pose, knots[index].pose);
+            knots[index].velocity = (to.translation.vector - from.translation.vector) / self.time_step;
+            knots[index].spin = from.rotation.rotation_to(&to.rotation).scaled_axis();
+            knots[index].spin = from.rotation.inverse() * knots[index].spin / self.time_step;
+        }
+        Self { time_step: self.time_step, knots }
+    }
+
+    /// States (pose, twist) at the knots.
+    pub fn states(&self) -> Vec<[f64; 13]> {
+        self.knots.iter().map(Knot::state).collect()
     }
 
     /// Time between two knots (s).

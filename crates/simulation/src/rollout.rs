@@ -1,20 +1,19 @@
 //! Plans played closed loop under injected offsets.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use nalgebra::Vector3;
 use ocp::AssemblyTask;
 
 use crate::contact::ContactFinder;
 use crate::dynamics::{Body, Stepper};
+use crate::examiner::in_parallel;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
 
 /// A task that is ready to be played.
 #[derive(Debug, Clone)]
 pub struct Rollout {
-    task: AssemblyTask,
-    settings: Settings,
+    pub(crate) task: AssemblyTask,
+    pub(crate) settings: Settings,
     finder: ContactFinder,
 }
 
@@ -58,26 +57,13 @@ impl Rollout {
     /// Plays a reference once per offset (m, body frame) on `jobs` threads; outcomes are in the order of the offsets
     /// and do not depend on the number of threads.
     pub fn simulate(&self, reference: &Reference, offsets: &[[f64; 3]], jobs: usize) -> Vec<Outcome> {
-        let next = AtomicUsize::new(0);
-        let work = || {
-            let mut done = Vec::new();
-            loop {
-                let index = next.fetch_add(1, Ordering::Relaxed);
-                let Some(offset) = offsets.get(index) else { return done };
-                done.push((index, self.play(reference, offset, |_| {})));
-            }
-        };
-        let mut outcomes: Vec<(usize, Outcome)> = std::thread::scope(|scope| {
-            let threads: Vec<_> = (0..jobs.clamp(1, offsets.len().max(1))).map(|_| scope.spawn(work)).collect();
-            threads.into_iter().flat_map(|thread| thread.join().expect("rollouts do not panic")).collect()
-        });
-        outcomes.sort_by_key(|(index, _)| *index);
-        outcomes.into_iter().map(|(_, outcome)| outcome).collect()
+        in_parallel(offsets.len(), jobs, |index| self.play(reference, &offsets[index], |_, _| {}))
     }
 
     /// Plays a reference with one offset (m, body frame) and shows every moment of it: the body starts at rest where the
     /// robot believes to hold it at the reference's start, and the reference is held at its end for the settling time.
-    pub fn play(&self, reference: &Reference, offset: &[f64; 3], mut observe: impl FnMut(&Moment)) -> Outcome {
+    /// With every moment comes the normal impulse (Ns) of every pair since the last knot.
+    pub fn play(&self, reference: &Reference, offset: &[f64; 3], mut observe: impl FnMut(&Moment, &[f64])) -> Outcome {
         let mut finder = self.finder.clone();
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut stepper = Stepper::new(time_step, &self.task.inertia, &self.task.impedance, self.settings.friction);
@@ -92,7 +78,7 @@ impl Rollout {
                 let target = reference.at(interval, substep as f64 / substeps as f64);
                 let overlap = stepper.step(&mut body, &target, &offset, &mut finder, &mut impulses);
                 max_penetration = max_penetration.max(overlap);
-                observe(&moment((interval * substeps + substep) as f64 * time_step, &body));
+                observe(&moment((interval * substeps + substep) as f64 * time_step, &body), &impulses);
             }
             max_impulse = impulses.iter().copied().fold(max_impulse, f64::max);
             if !is_finite(&body) {

@@ -2,4 +2,5 @@
 
 mod physics;
 mod properties;
+mod refinement;
 mod world;

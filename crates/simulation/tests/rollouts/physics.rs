@@ -44,7 +44,7 @@ fn free_motion_is_that_of_a_critically_damped_body() {
 #[test]
 fn an_offset_displaces_the_body_and_the_controller_never_learns_of_it() {
     let rollout = Rollout::new(&task(&block([0.1; 3], [0.0; 3]), &[]), Settings::default());
-    let outcome = rollout.play(&through(&[[0.1, 0.0, 0.0], [0.0; 3]], 1.0), &[0.003, 0.004, 0.0], |_| {});
+    let outcome = rollout.play(&through(&[[0.1, 0.0, 0.0], [0.0; 3]], 1.0), &[0.003, 0.004, 0.0], |_, _| {});
     assert!((Vector3::new(outcome.pose[0], outcome.pose[1], 0.0) - Vector3::new(-0.003, -0.004, 0.0)).norm() < 2e-4);
     assert!((outcome.position_error - 0.005).abs() < 2e-4 && outcome.orientation_error < 1e-12);
 }
@@ -86,7 +86,7 @@ fn a_wall_is_pushed_with_the_force_of_the_spring() {
     const DEPTH: f64 = 0.03;
     let body = block([0.1, 0.1, 0.06], [0.0; 3]);
     let rollout = Rollout::new(&task(&body, &[floor()]), Settings::default());
-    let outcome = rollout.play(&through(&[[0.0, 0.0, 0.03], [0.0, 0.0, 0.03 - DEPTH]], 1.0), &[0.0; 3], |_| {});
+    let outcome = rollout.play(&through(&[[0.0, 0.0, 0.03], [0.0, 0.0, 0.03 - DEPTH]], 1.0), &[0.0; 3], |_, _| {});
     assert!((outcome.max_force / (STIFFNESS * DEPTH) - 1.0).abs() < 1e-6, "{outcome:?}");
     assert!((outcome.pose[2] - 0.03).abs() < 1e-9 && outcome.max_penetration < 1e-9, "{outcome:?}");
 }
@@ -105,7 +105,7 @@ fn friction_holds_up_to_its_limit_and_then_drags() {
             // Along a direction that the friction cone is not built around.
             let (x, y) = (0.8 * pull, 0.6 * pull);
             let reference = through(&[above, pressed, [x, y, pressed[2]]], 1.0);
-            let outcome = rollout.play(&reference, &[0.0; 3], |_| {});
+            let outcome = rollout.play(&reference, &[0.0; 3], |_, _| {});
             let moved = outcome.pose[0].hypot(outcome.pose[1]);
             assert!((moved - rest).abs() < 1e-5, "friction {friction}, pull {pull}: {moved}, not {rest}");
             assert!((outcome.pose[2] - 0.03).abs() < 1e-6);
@@ -120,7 +120,7 @@ fn a_peg_enters_a_hole_that_it_meets_and_rests_on_a_rim_that_it_does_not() {
     // From above the rim to a little above the bottom, with the lower end of the peg 0.04 m below its centre.
     let reference = through(&[[0.0, 0.0, 0.06], [0.0, 0.0, -0.005]], 2.0);
     let heights = [0.0, 4e-4, 2e-3].map(|offset| {
-        let outcome = rollout.play(&reference, &[offset, 0.0, 0.0], |_| {});
+        let outcome = rollout.play(&reference, &[offset, 0.0, 0.0], |_, _| {});
         assert!(outcome.max_penetration < 1e-6, "{outcome:?}");
         outcome.pose[2]
     });
@@ -137,7 +137,7 @@ fn a_fast_body_does_not_pass_a_thin_plate() {
         let rollout = Rollout::new(&task(&body, std::slice::from_ref(&plate)), settings);
         // Pulled 2 m down it would cross the plate at about 5 m/s, five thicknesses in a step.
         let reference = Reference::new(1e-3, &[at_rest([0.0, 0.0, 1.0]), at_rest([0.0, 0.0, -1.0])]);
-        let outcome = rollout.play(&reference, &[0.0; 3], |_| {});
+        let outcome = rollout.play(&reference, &[0.0; 3], |_, _| {});
         assert!((outcome.pose[2] - 0.0015).abs() < 1e-6, "{outcome:?}");
     }
 }

@@ -1,0 +1,96 @@
+//! The section `robust` of `result.json`, and its summary.
+
+use ocp::{AssemblyTask, StageResult};
+use serde::Serialize;
+
+use crate::robust::exam::{Mark, comparison, rate};
+
+/// What was wanted, what was done and what came of it.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// Wanted rate of success of all rollouts together.
+    wanted_rate: f64,
+    reached: bool,
+    /// Rate of the plan that `solve` finds without refinement.
+    rate_before: f64,
+    rate_after: f64,
+    wall_s: f64,
+    before: Vec<Mark>,
+    after: Vec<Mark>,
+    /// The round whose plan was kept, counted from 1.
+    kept_round: usize,
+    rounds: Vec<Round>,
+}
+
+/// One planning problem, its solution and the refinement of that.
+#[derive(Debug, Clone, Serialize)]
+pub struct Round {
+    /// What was planned, in words.
+    pub planned: &'static str,
+    pub scenarios_m: Vec<[f64; 3]>,
+    pub steps: usize,
+    pub solve_status: String,
+    pub solve_s: f64,
+    /// Homotopy iteration whose reference passed most training trials, counted from 1.
+    pub chosen_stage: usize,
+    pub refinement_s: f64,
+    /// Changes of the reference that were kept.
+    pub changes: usize,
+    pub training_trials: usize,
+    /// Failing trials of exams that became training trials.
+    pub added_trials: usize,
+    pub rate: f64,
+}
+
+impl Round {
+    /// A round whose homotopy, of at least one iteration, has run and whose reference is still to be refined.
+    pub fn new(planned: &'static str, task: &AssemblyTask, stages: &[StageResult], training_trials: usize) -> Self {
+        Self {
+            planned,
+            scenarios_m: task.offsets.clone(),
+            steps: task.horizon.steps,
+            solve_status: stages[stages.len() - 1].status.to_string(),
+            solve_s: stages.iter().map(|stage| stage.timing.total).sum(),
+            chosen_stage: 0,
+            refinement_s: 0.0,
+            changes: 0,
+            training_trials,
+            added_trials: 0,
+            rate: 0.0,
+        }
+    }
+}
+
+impl Report {
+    /// From the marks before and after.
+    pub fn new(
+        wanted_rate: f64,
+        wall_s: f64,
+        (before, after): (Vec<Mark>, Vec<Mark>),
+        kept_round: usize,
+        rounds: Vec<Round>,
+    ) -> Self {
+        let (rate_before, rate_after) = (rate(&before), rate(&after));
+        let reached = rate_after >= wanted_rate;
+        Self { wanted_rate, reached, rate_before, rate_after, wall_s, before, after, kept_round, rounds }
+    }
+
+    /// Whether the wanted rate is reached.
+    pub fn is_reached(&self) -> bool {
+        self.reached
+    }
+
+    /// In a few lines.
+    pub fn summary(&self) -> String {
+        let mut lines = vec![format!(
+            "success in rollouts with hard contact: {:.1} % before, {:.1} % after {} of refinement ({:.1} % wanted), {:.0} s",
+            100.0 * self.rate_before,
+            100.0 * self.rate_after,
+            if self.rounds.len() == 1 { "one round".to_owned() } else { format!("{} rounds", self.rounds.len()) },
+            100.0 * self.wanted_rate,
+            self.wall_s
+        )];
+        lines.extend(comparison(&self.before, &self.after));
+        lines.join("\n")
+    }
+}

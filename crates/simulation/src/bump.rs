@@ -1,0 +1,63 @@
+//! Smooth random changes of a reference motion.
+
+use fastrand::Rng;
+use nalgebra::Vector3;
+
+use crate::success::Success;
+
+/// Shifts and turns a reference around one moment, or from one moment on. Its start stays where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bump {
+    /// Middle of the change, as a fraction of the duration.
+    center: f64,
+    /// How long it takes, as a fraction of the duration.
+    width: f64,
+    /// Whether the change stays until the end.
+    lasting: bool,
+    /// Largest shift (m, world frame).
+    pub shift: Vector3<f64>,
+    /// Largest rotation vector (rad, body frame).
+    pub turn: Vector3<f64>,
+}
+
+/// Shortest and longest width, as fractions of the duration.
+const WIDTHS: [f64; 2] = [0.04, 0.34];
+/// Fraction of changes that last.
+const LASTING: f64 = 0.2;
+/// Standard deviation of the logarithm of sizes.
+const SPREAD: f64 = 0.8;
+/// The typical turn in tolerances of a success: turns act through levers.
+const TURN: f64 = 0.3;
+/// Fraction of the duration within which a change fades in, so that the start is kept.
+const FADE: f64 = 0.05;
+
+impl Bump {
+    /// A shift, a turn or both, with sizes around those that decide on success.
+    pub fn random(random: &mut Rng, success: &Success) -> Self {
+        let [least, most] = WIDTHS;
+        let (center, width) = (1.1 * random.f64(), least + (most - least) * random.f64() * random.f64());
+        let lasting = random.f64() < LASTING;
+        let kind = random.usize(..3);
+        let mut vector = |typical: f64, wanted: bool| {
+            let size = typical * (SPREAD * normal(random)).exp();
+            let direction = Vector3::from_fn(|_, _| normal(random));
+            if wanted { direction * size } else { Vector3::zeros() }
+        };
+        let shift = vector(success.position, kind != 1);
+        let turn = vector(TURN * success.orientation, kind != 0);
+        Self { center, width, lasting, shift, turn }
+    }
+
+    /// How much of the change applies at a fraction of the duration.
+    pub fn weight(&self, fraction: f64) -> f64 {
+        let distance = (fraction - self.center) / self.width;
+        let shape =
+            if self.lasting { 1.0 / (1.0 + (-4.0 * distance).exp()) } else { (-0.5 * distance * distance).exp() };
+        (fraction / FADE).min(1.0) * shape
+    }
+}
+
+/// Standard normal number (Box and Muller).
+fn normal(random: &mut Rng) -> f64 {
+    (-2.0 * (1.0 - random.f64()).ln()).sqrt() * (std::f64::consts::TAU * random.f64()).cos()
+}

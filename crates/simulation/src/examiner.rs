@@ -1,0 +1,89 @@
+//! References judged by rollouts.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use ocp::AssemblyTask;
+
+use crate::reference::Reference;
+use crate::rollout::Rollout;
+use crate::settings::Settings;
+use crate::success::Success;
+
+/// One rollout that a reference has to pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// Index into the frictions of the [`Examiner`].
+    pub friction: usize,
+    /// Injected offset (m, body frame).
+    pub offset: [f64; 3],
+}
+
+/// How a reference does in a trial.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Verdict {
+    /// Whether it ends at the goal.
+    pub passed: bool,
+    /// Sum of the final errors in tolerances, 0 when passed.
+    pub miss: f64,
+}
+
+/// Plays references in trials.
+#[derive(Debug, Clone)]
+pub struct Examiner {
+    rollouts: Vec<Rollout>,
+    success: Success,
+}
+
+/// Misses above this are all the same: how far away a lost part comes to rest says nothing.
+const LARGEST_MISS: f64 = 60.0;
+
+impl Examiner {
+    /// For a world and several friction coefficients.
+    pub fn new(task: &AssemblyTask, frictions: &[f64], success: Success) -> Self {
+        let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
+        Self { rollouts: frictions.iter().map(rollout).collect(), success }
+    }
+
+    /// What counts as success.
+    pub fn success(&self) -> &Success {
+        &self.success
+    }
+
+    /// Plays one trial.
+    pub fn judge(&self, reference: &Reference, trial: &Trial) -> Verdict {
+        let outcome = self.rollouts[trial.friction].play(reference, &trial.offset, |_, _| {});
+        if self.success.holds(&outcome) {
+            return Verdict { passed: true, miss: 0.0 };
+        }
+        let miss =
+            outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
+        // Also when it is not a number.
+        Verdict { passed: false, miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS } }
+    }
+
+    /// Plays all trials on `jobs` threads; verdicts are in the order of the trials.
+    pub fn judge_all(&self, reference: &Reference, trials: &[Trial], jobs: usize) -> Vec<Verdict> {
+        in_parallel(trials.len(), jobs, |index| self.judge(reference, &trials[index]))
+    }
+}
+
+/// Results of `count` pieces of work in their order, on `jobs` threads.
+pub fn in_parallel<T: Send>(count: usize, jobs: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let labour = || {
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count {
+                return done;
+            }
+            done.push((index, work(index)));
+        }
+    };
+    let mut results: Vec<(usize, T)> = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..jobs.clamp(1, count.max(1))).map(|_| scope.spawn(labour)).collect();
+        threads.into_iter().flat_map(|thread| thread.join().expect("work does not panic")).collect()
+    });
+    results.sort_by_key(|(index, _)| *index);
+    results.into_iter().map(|(_, result)| result).collect()
+}

@@ -1,0 +1,89 @@
+//! References judged and refined.
+
+use nalgebra::Vector3;
+use simulation::{Bump, Examiner, Reference, Refinement, Success, Trial};
+
+use crate::world::{block, hole, task, through};
+
+const WIDTH: f64 = 0.04;
+
+fn examiner() -> Examiner {
+    let world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
+    Examiner::new(&world, &[0.0, 0.1], Success::default())
+}
+
+/// Straight down beside the hole: the body comes to rest on the rim.
+fn beside() -> Reference {
+    through(&[[0.0015, 0.0, 0.06], [0.0015, 0.0, 0.0]], 1.0)
+}
+
+fn trials() -> Vec<Trial> {
+    let offsets = [[0.0; 3], [0.0005, 0.0, 0.0], [-0.0005, 0.0, 0.0]];
+    (0..2).flat_map(|friction| offsets.map(|offset| Trial { friction, offset })).collect()
+}
+
+#[test]
+fn what_fails_is_refined_until_it_passes() {
+    let examiner = examiner();
+    let mut refinement = Refinement::new(&examiner, beside(), trials(), 1, 2);
+    assert!(refinement.score().0 > 0, "the plain reference fails");
+    for _ in 0..300 {
+        if refinement.score().0 == 0 {
+            break;
+        }
+        let before = refinement.score();
+        let improved = refinement.improve(2, &|| false);
+        let after = refinement.score();
+        assert_eq!(improved, after.0 < before.0 || after.0 == before.0 && after.1 < before.1);
+    }
+    assert_eq!(refinement.score().0, 0);
+    let verdicts = examiner.judge_all(refinement.reference(), &trials(), 1);
+    assert!(verdicts.iter().all(|verdict| verdict.passed && verdict.miss == 0.0));
+}
+
+#[test]
+fn refinement_does_not_depend_on_threads_and_can_be_stopped() {
+    let examiner = examiner();
+    let refine = |jobs: usize, stop: bool| {
+        let mut refinement = Refinement::new(&examiner, beside(), trials(), 3, jobs);
+        (0..10).for_each(|_| {
+            refinement.improve(jobs, &|| stop);
+        });
+        refinement.reference().clone()
+    };
+    assert_eq!(refine(1, false), refine(3, false));
+    assert_eq!(refine(1, true), beside());
+}
+
+#[test]
+fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
+    let mut random = fastrand::Rng::with_seed(5);
+    for _ in 0..50 {
+        let bump = Bump::random(&mut random, &Success::default());
+        let bent = beside().bent(&bump);
+        assert_eq!(bent.start(), beside().start());
+        for pair in bent.states().windows(2) {
+            let (from, to) = (&pair[0], &pair[1]);
+            let moved =
+                Vector3::from_column_slice(&from[..3]) + Vector3::from_column_slice(&to[7..10]) * bent.time_step();
+            assert!((moved - Vector3::from_column_slice(&to[..3])).norm() < 1e-12);
+            let (_, angle) = ocp::pose::errors(&std::array::from_fn(|i| from[i]), &std::array::from_fn(|i| to[i]));
+            assert!((Vector3::from_column_slice(&to[10..]).norm() * bent.time_step() - angle).abs() < 1e-7);
+        }
+    }
+}
+
+/// The planner's files of a rollout say what the rollout says.
+#[test]
+fn a_rollout_is_a_trajectory() {
+    let world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
+    let rollout = simulation::Rollout::new(&world, simulation::Settings::default());
+    let offset = [0.001, 0.0, 0.0];
+    let trajectory = rollout.trajectory(&beside(), &[offset], 1e-5);
+    let scenario = &trajectory.scenarios[0];
+    assert_eq!((scenario.states.len(), scenario.contacts.len(), scenario.wrenches.len()), (26, 25, 25));
+    assert!((scenario.states[0][0] - 0.0005).abs() < 1e-12);
+    let outcome = rollout.play(&beside(), &offset, |_, _| {});
+    assert_eq!(scenario.quality.position_error, outcome.position_error);
+    assert_eq!(scenario.quality.max_force, outcome.max_force);
+}
