@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 use simulation::Success;
 
 use crate::limits;
+use crate::planned::Planned;
 use crate::problem::Problem;
 use crate::robust::Report;
-use crate::solve::Plan;
 
 /// Everything that is known of a plan besides its trajectories.
 #[derive(Debug, Serialize)]
@@ -147,8 +147,8 @@ struct LimitsRecord {
 
 impl PlanResult {
     /// Of a plan and the records of all homotopy iterations that ran for it.
-    pub fn new(problem: &Problem, plan: Plan, warnings: Vec<String>) -> Self {
-        let Plan { stages, last, trajectory, task, report: robust } = plan;
+    pub fn new(problem: &Problem, plan: Planned, warnings: Vec<String>) -> Self {
+        let Planned { stages, last, trajectory, task, report: robust } = plan;
         let (position, orientation) = trajectory.worst_errors();
         let converged = stages.len() == problem.homotopy.0.iterations && last.status.is_success();
         let goal_reached = Success::default().reached(position, orientation);

@@ -5,14 +5,16 @@ use std::time::Instant;
 
 use ocp::AssemblyTask;
 use scene::Scene;
-use simulation::{Outcome, Reference, Rollout, Settings, Success, offsets};
+use simulation::{Reference, Rollout, Settings, Success, offsets};
 
 use crate::DONE;
-use crate::arguments::SimulateArguments;
+use crate::arguments::{SimulateArguments, threads};
 use crate::failure::Failure;
+use crate::interrupt::exit_at_once;
 use crate::output::{table, write_file};
 use crate::plan::{Plan, read_numbers};
-use crate::success_table::{Motion, SuccessTable};
+use crate::played::{Motion, Played};
+use crate::success_table::SuccessTable;
 
 /// Poses closer than this (m, rad) are the same: files keep all digits.
 const SAME_POSE: f64 = 1e-6;
@@ -25,26 +27,13 @@ struct Injection {
     offsets: Vec<[f64; 3]>,
 }
 
-/// One rollout and what it was.
-pub struct Played<'plan> {
-    pub plan: &'plan Plan,
-    pub motion: Motion,
-    pub friction: f64,
-    /// Injected magnitude (m).
-    pub magnitude: f64,
-    /// Injected offset (m, body frame).
-    pub offset: [f64; 3],
-    pub outcome: Outcome,
-    pub success: bool,
-}
-
 /// Plays everything, writes both tables and prints the one of successes.
 pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
     let scene = Scene::load(&arguments.scene)?;
     let plans = Plan::find(&arguments.folder)?;
-    stop_on_interrupt()?;
+    exit_at_once()?;
     let begin = Instant::now();
-    let jobs = arguments.jobs.map_or_else(processors, usize::from);
+    let jobs = threads(arguments.jobs);
     let magnitudes = magnitudes(arguments, &plans);
     let mut played = Vec::new();
     for plan in &plans {
@@ -67,7 +56,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
         arguments.angle_tolerance
     );
     let rate = 60.0 * played.len() as f64 / seconds;
-    println!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), threads(jobs));
+    println!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), in_words(jobs));
     println!("written to {}", folder.display());
     Ok(DONE)
 }
@@ -242,17 +231,6 @@ fn rollouts(played: &[Played]) -> Result<Vec<u8>, Failure> {
     table(header.into_iter(), rows)
 }
 
-fn threads(jobs: usize) -> &'static str {
+fn in_words(jobs: usize) -> &'static str {
     if jobs == 1 { "thread" } else { "threads" }
-}
-
-/// Number of processors of this machine.
-pub fn processors() -> usize {
-    std::thread::available_parallelism().map_or(1, Into::into)
-}
-
-/// Ends at Ctrl-C: nothing is written before everything has been played.
-fn stop_on_interrupt() -> Result<(), Failure> {
-    ctrlc::set_handler(|| std::process::exit(i32::from(crate::INTERRUPTED)))
-        .map_err(|error| Failure::Internal(format!("interrupts cannot be handled: {error}")))
 }

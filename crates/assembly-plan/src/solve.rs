@@ -5,23 +5,22 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{AssemblyTask, Event, StageResult, Trajectory};
+use ocp::{Event, StageResult};
 use scene::{Scene, StartPose};
-use simulation::{Examiner, Rollout, Settings, Success};
 
-use crate::arguments::{RobustArguments, SolveArguments};
+use crate::arguments::SolveArguments;
 use crate::checkpoint::Checkpoint;
 use crate::failure::Failure;
+use crate::interrupt::{stop_flag, stop_with_parent};
 use crate::limits;
 use crate::output::{remove_file, write_file, write_trajectory};
+use crate::planned::Planned;
 use crate::problem::{Problem, homotopy};
 use crate::progress::Progress;
 use crate::result::{PlanResult, Stage};
-use crate::robust::{Report, Robust, RobustPlan, Wishes};
-use crate::simulate::processors;
+use crate::robust::plan_robustly;
 use crate::smoothing;
 use crate::{DONE, INTERRUPTED, NO_PLAN};
 
@@ -43,7 +42,7 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     prepare(&folder, checkpoint.is_some())?;
     write_file(&folder.join("resolved.toml"), problem.resolved.as_bytes())?;
 
-    let stopped = stop_on_interrupt()?;
+    let stopped = stop_flag()?;
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }
@@ -83,32 +82,12 @@ fn warnings(problem: &Problem) -> Vec<String> {
 }
 
 /// What is wrong with a plan. A robust one leans on nothing: its scenarios are rollouts with hard contact.
-fn late_warnings(problem: &Problem, plan: &Plan) -> Vec<String> {
+fn late_warnings(problem: &Problem, plan: &Planned) -> Vec<String> {
     let mut warnings = limits::warnings(&problem.task.limits, &plan.trajectory.keeps());
     if plan.report.is_none() && plan.last.status.is_success() {
         warnings.extend(smoothing::warning(problem, &plan.stages, &plan.last));
     }
     warnings
-}
-
-/// A plan and where it comes from.
-pub struct Plan {
-    /// Records of all homotopy iterations that ran.
-    pub stages: Vec<Stage>,
-    /// The last of them.
-    pub last: StageResult,
-    /// The plan.
-    pub trajectory: Trajectory,
-    /// The problem whose pairs and horizon the trajectory has.
-    pub task: AssemblyTask,
-    /// Of a robust plan.
-    pub report: Option<Report>,
-}
-
-impl Plan {
-    fn is_interrupted(&self) -> bool {
-        self.last.status == SolveStatus::Interrupted
-    }
 }
 
 /// Runs the homotopy, from the checkpoint where there is one, and writes what each iteration finds; the last one is the
@@ -118,7 +97,7 @@ fn plan(
     folder: &Path,
     checkpoint: Option<Checkpoint>,
     stopped: &AtomicBool,
-) -> Result<Plan, Failure> {
+) -> Result<Planned, Failure> {
     let planned = problem.homotopy.0.iterations;
     let progress = Progress::new();
     let observe = |event: Event| {
@@ -146,47 +125,7 @@ fn plan(
     written?;
     let last = results.pop().ok_or_else(|| Failure::Internal("no homotopy iteration was left to run".to_owned()))?;
     let (trajectory, task) = (last.trajectory.clone(), problem.task.clone());
-    Ok(Plan { stages, last, trajectory, task, report: None })
-}
-
-/// The plan is refined by rollouts, and its scenarios are rollouts without friction.
-fn plan_robustly(
-    problem: &Problem,
-    folder: &Path,
-    arguments: &RobustArguments,
-    stopped: &AtomicBool,
-) -> Result<Plan, Failure> {
-    let mut world = problem.task.clone();
-    // Reality does not know which pairs the plan leaves out.
-    world.pairs = problem.scene.all_pairs();
-    let wishes = Wishes {
-        rate: arguments.wanted_rate,
-        time_limit: Duration::try_from_secs_f64(arguments.time_limit).unwrap_or(Duration::MAX),
-        frictions: arguments.friction.clone(),
-        jobs: arguments.jobs.map_or_else(processors, usize::from),
-    };
-    let examiner = Examiner::new(&world, &wishes.frictions, Success::default());
-    let progress = Progress::new();
-    let robust = Robust::new(&problem.task, &examiner, problem.delta, wishes, &progress, stopped);
-    let settings = &problem.homotopy.0;
-    let homotopy = |task: &AssemblyTask, is_over: &dyn Fn() -> bool| -> Result<Vec<StageResult>, Failure> {
-        let observe = |event: Event| {
-            progress.iteration(&event);
-            if stopped.load(Ordering::Relaxed) || is_over() { Control::Stop } else { Control::Continue }
-        };
-        let finished = |number: usize, stage: &StageResult| progress.stage(number, settings.iterations, stage);
-        Ok(ocp::Homotopy::new(task, settings.clone()).run(observe, finished)?)
-    };
-    let RobustPlan { mut stages, reference, report } = robust.run(homotopy)?;
-    for (index, stage) in stages.iter().enumerate() {
-        let stage_folder = folder.join("stages").join((index + 1).to_string());
-        write_trajectory(&stage_folder, &stage.trajectory, &problem.task.pairs)?;
-    }
-    let records = stages.iter().map(Stage::from).collect();
-    let last = stages.pop().ok_or_else(|| Failure::Internal("no homotopy iteration ran".to_owned()))?;
-    let rollout = Rollout::new(&world, Settings::default());
-    let trajectory = rollout.trajectory(&reference, &problem.task.offsets, last.smoothing.tau);
-    Ok(Plan { stages: records, last, trajectory, task: world, report: Some(report) })
+    Ok(Planned { stages, last, trajectory, task, report: None })
 }
 
 /// Writes the tables of a stage, then the checkpoint from which the next one can start.
@@ -221,23 +160,4 @@ fn prepare(folder: &Path, keeps_stages: bool) -> Result<(), Failure> {
         }
     }
     fs::create_dir_all(folder).map_err(|error| Failure::io(folder, &error))
-}
-
-/// A flag that Ctrl-C and a request to terminate set: the solve then ends with its last iterate.
-pub fn stop_on_interrupt() -> Result<Arc<AtomicBool>, Failure> {
-    let stopped = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&stopped);
-    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
-        .map_err(|error| Failure::Internal(format!("interrupts cannot be handled: {error}")))?;
-    Ok(stopped)
-}
-
-/// Sets the flag when standard input ends: a batch holds the other end of it, so its cells stop when it wants them to
-/// and also when it is killed itself.
-fn stop_with_parent(stopped: Arc<AtomicBool>) {
-    std::thread::spawn(move || {
-        // An input that cannot be read has ended too.
-        let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
-        stopped.store(true, Ordering::Relaxed);
-    });
 }

@@ -6,28 +6,7 @@ use simulation::wilson_interval;
 
 use crate::failure::Failure;
 use crate::output::table;
-use crate::simulate::Played;
-
-/// What is played.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Motion {
-    /// The reference after a homotopy iteration (counted from 1).
-    Stage(usize),
-    /// The plan's reference.
-    Plan,
-    /// Straight from start to goal, unplanned: what a plan has to beat.
-    StraightPush,
-}
-
-impl fmt::Display for Motion {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Stage(number) => formatter.pad(&format!("stage {number}")),
-            Self::Plan => formatter.pad("plan"),
-            Self::StraightPush => formatter.pad("straight push"),
-        }
-    }
-}
+use crate::played::{Motion, Played};
 
 /// Rollouts that differ by nothing but plan (of the same delta-hat) and offset (of the same magnitude).
 struct Cell {

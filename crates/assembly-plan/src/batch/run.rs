@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use super::process::{Begun, Ended, Process};
 use super::progress::Progress;
 use crate::failure::Failure;
-use crate::solve::stop_on_interrupt;
+use crate::interrupt::stop_flag;
 use crate::{DONE, INTERRUPTED, NO_PLAN};
 
 /// Between two looks at the processes; short beside any solve.
@@ -55,7 +55,7 @@ fn index_of_task() -> Result<Option<(&'static str, usize)>, Failure> {
 /// # Errors
 /// When interrupts cannot be handled.
 pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<NonZeroUsize>) -> Result<u8, Failure> {
-    let stopped = stop_on_interrupt()?;
+    let stopped = stop_flag()?;
     let jobs = jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
     let mut pool = Pool::new(manifest, cells, jobs);
     while !pool.is_empty() {

@@ -6,6 +6,7 @@
 //! stuck, the next round plans something else. The plan with the best exam is kept.
 
 mod exam;
+mod plan;
 mod report;
 mod variants;
 
@@ -19,6 +20,7 @@ use simulation::{Examiner, Reference, Refinement, Trial};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::robust::exam::{Exam, Mark, rate};
+pub use crate::robust::plan::plan_robustly;
 pub use crate::robust::report::Report;
 use crate::robust::report::Round;
 use crate::robust::variants::{VARIANTS, Variant, variant};

@@ -1,0 +1,33 @@
+//! What Ctrl-C, requests to terminate and the end of a parent process do.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::failure::Failure;
+
+/// A flag that Ctrl-C and a request to terminate set: the solve then ends with its last iterate.
+pub fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
+    let stopped = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&stopped);
+    handle(move || flag.store(true, Ordering::Relaxed))?;
+    Ok(stopped)
+}
+
+/// Sets the flag when standard input ends: a batch holds the other end of it, so its cells stop when it wants them to
+/// and also when it is killed itself.
+pub fn stop_with_parent(stopped: Arc<AtomicBool>) {
+    std::thread::spawn(move || {
+        // An input that cannot be read has ended too.
+        let _ = std::io::copy(&mut std::io::stdin(), &mut std::io::sink());
+        stopped.store(true, Ordering::Relaxed);
+    });
+}
+
+/// Ends the program at once, for what writes nothing before all is done.
+pub fn exit_at_once() -> Result<(), Failure> {
+    handle(|| std::process::exit(i32::from(crate::INTERRUPTED)))
+}
+
+fn handle(handler: impl FnMut() + Send + 'static) -> Result<(), Failure> {
+    ctrlc::set_handler(handler).map_err(|error| Failure::Internal(format!("interrupts cannot be handled: {error}")))
+}

@@ -1,0 +1,58 @@
+//! A robust plan of one problem.
+
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use nlp::Control;
+use ocp::{AssemblyTask, Event, StageResult};
+use simulation::{Examiner, Rollout, Settings, Success};
+
+use crate::arguments::{RobustArguments, threads};
+use crate::failure::Failure;
+use crate::output::write_trajectory;
+use crate::planned::Planned;
+use crate::problem::Problem;
+use crate::progress::Progress;
+use crate::result::Stage;
+use crate::robust::{Robust, RobustPlan, Wishes};
+
+/// The plan is refined by rollouts, and its scenarios are rollouts without friction.
+pub fn plan_robustly(
+    problem: &Problem,
+    folder: &Path,
+    arguments: &RobustArguments,
+    stopped: &AtomicBool,
+) -> Result<Planned, Failure> {
+    let mut world = problem.task.clone();
+    // Reality does not know which pairs the plan leaves out.
+    world.pairs = problem.scene.all_pairs();
+    let wishes = Wishes {
+        rate: arguments.wanted_rate,
+        time_limit: Duration::try_from_secs_f64(arguments.time_limit).unwrap_or(Duration::MAX),
+        frictions: arguments.friction.clone(),
+        jobs: threads(arguments.jobs),
+    };
+    let examiner = Examiner::new(&world, &wishes.frictions, Success::default());
+    let progress = Progress::new();
+    let robust = Robust::new(&problem.task, &examiner, problem.delta, wishes, &progress, stopped);
+    let settings = &problem.homotopy.0;
+    let homotopy = |task: &AssemblyTask, is_over: &dyn Fn() -> bool| -> Result<Vec<StageResult>, Failure> {
+        let observe = |event: Event| {
+            progress.iteration(&event);
+            if stopped.load(Ordering::Relaxed) || is_over() { Control::Stop } else { Control::Continue }
+        };
+        let finished = |number: usize, stage: &StageResult| progress.stage(number, settings.iterations, stage);
+        Ok(ocp::Homotopy::new(task, settings.clone()).run(observe, finished)?)
+    };
+    let RobustPlan { mut stages, reference, report } = robust.run(homotopy)?;
+    for (index, stage) in stages.iter().enumerate() {
+        let stage_folder = folder.join("stages").join((index + 1).to_string());
+        write_trajectory(&stage_folder, &stage.trajectory, &problem.task.pairs)?;
+    }
+    let records = stages.iter().map(Stage::from).collect();
+    let last = stages.pop().ok_or_else(|| Failure::Internal("no homotopy iteration ran".to_owned()))?;
+    let rollout = Rollout::new(&world, Settings::default());
+    let trajectory = rollout.trajectory(&reference, &problem.task.offsets, last.smoothing.tau);
+    Ok(Planned { stages: records, last, trajectory, task: world, report: Some(report) })
+}
