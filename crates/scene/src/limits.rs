@@ -72,13 +72,11 @@ impl Way<'_> {
     fn check(&self, source: Source, start: &str, horizon: Horizon) -> Result<(), SceneError> {
         let value = |limit: &Option<Spanned<f64>>| limit.as_ref().map_or(f64::INFINITY, |limit| *limit.get_ref());
         let (velocity, acceleration) = (value(self.velocity), value(self.acceleration));
-        let (steps, duration) = (horizon.steps as f64, horizon.steps as f64 * horizon.time_step);
-        let slowest = self.distance / duration;
-        let gentlest = 2.0 * slowest / (horizon.time_step * (steps + 1.0));
+        let slowest = self.distance / (horizon.steps as f64 * horizon.time_step);
         let (name, limit, least) = match (self.velocity, self.acceleration) {
             (Some(limit), _) if velocity < slowest => ("velocity", limit, slowest),
             (_, Some(limit)) if reach(horizon, velocity, acceleration) < self.distance => {
-                ("acceleration", limit, gentlest)
+                ("acceleration", limit, gentlest(horizon, velocity, self.distance))
             }
             _ => return Ok(()),
         };
@@ -95,6 +93,21 @@ impl Way<'_> {
         );
         Err(source.error(limit.span(), message))
     }
+}
+
+/// Least acceleration with which an axis gets that far from rest. Its velocity limit suffices when it is reached at once.
+fn gentlest(horizon: Horizon, velocity: f64, distance: f64) -> f64 {
+    let steps = horizon.steps as f64;
+    let mut least = 2.0 * distance / (horizon.time_step.powi(2) * steps * (steps + 1.0));
+    if velocity.is_finite() {
+        let mut enough = velocity / horizon.time_step;
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let middle = 0.5 * (least + enough);
+            let limit = if reach(horizon, velocity, middle) < distance { &mut least } else { &mut enough };
+            *limit = middle;
+        }
+    }
+    least
 }
 
 /// How far an axis gets from rest: it gains speed in every step until it is at the limit.

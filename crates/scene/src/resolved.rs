@@ -1,6 +1,6 @@
 //! A scene and a homotopy as one file that reproduces a run.
 
-use ocp::CostWeights;
+use ocp::{CostWeights, Limits};
 use toml::{Table, Value};
 
 use crate::homotopy::Homotopy;
@@ -67,10 +67,8 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("homotopy", homotopy.into()),
         ("ipopt", ipopt.into()),
     ]);
-    let limits = scene.limits.named().into_iter().filter(|(_, _, limit)| limit.is_finite());
-    let limits: Table = limits.map(|(name, _, limit)| (name.to_owned(), limit.into())).collect();
-    if !limits.is_empty() {
-        document.insert("limits".into(), limits.into());
+    if scene.limits != Limits::NONE {
+        document.insert("limits".into(), limits(&scene.limits).into());
     }
     toml::to_string(&document).expect("a table of plain values is valid TOML")
 }
@@ -96,6 +94,11 @@ fn parts(parts: &[Part]) -> Value {
         ]))
     };
     Value::Array(parts.iter().map(part).collect())
+}
+
+fn limits(limits: &Limits) -> Table {
+    let given = limits.named().into_iter().filter(|(_, _, limit)| limit.is_finite());
+    given.map(|(name, _, limit)| (name.to_owned(), limit.into())).collect()
 }
 
 fn weights(weights: &CostWeights) -> Table {

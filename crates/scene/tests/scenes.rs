@@ -142,7 +142,11 @@ fn limits_that_no_plan_can_keep_are_refused() {
             26,
         ),
         ("translational_acceleration = 1.0", "cover 0.088 m; allow more than 1.023 m/s^2", 30),
-        ("translational_acceleration = 1.1\ntranslational_velocity = 0.23", "cover 0.073 m; allow more than 1.023", 30),
+        (
+            "translational_acceleration = 1.1\ntranslational_velocity = 0.23",
+            "cover 0.072 m; allow more than 4.5 m/s^2",
+            30,
+        ),
     ] {
         let (error, line) = error("[goal]", &format!("[limits]\n{limits}\n[goal]"));
         assert!(error.message().contains(words), "{error}");
