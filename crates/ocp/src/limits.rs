@@ -43,6 +43,11 @@ impl Limits {
         torque: f64::INFINITY,
     };
 
+    /// Whether something that needs `reached` stays within these limits, up to a part `slack` of each.
+    pub fn allow(&self, reached: &Self, slack: f64) -> bool {
+        self.named().iter().zip(reached.named()).all(|((_, _, limit), (_, _, value))| value <= limit * (1.0 + slack))
+    }
+
     /// The tightest limits that a motion keeps: states at k = 0..N, wrenches and largest contact force (N) of its steps.
     pub fn kept_by(states: &[[f64; STATE]], time_step: f64, wrenches: &[[f64; TWIST]], contact_force: f64) -> Self {
         let velocity = |state: &[f64; STATE], axis: usize| state[POSE + axis];

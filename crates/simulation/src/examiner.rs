@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use ocp::AssemblyTask;
+use ocp::{AssemblyTask, Limits};
 
 use crate::reference::Reference;
 use crate::rollout::Rollout;
@@ -32,21 +32,30 @@ pub struct Verdict {
 pub struct Examiner {
     rollouts: Vec<Rollout>,
     success: Success,
+    limits: Limits,
 }
 
 /// Misses above this are all the same: how far away a lost part comes to rest says nothing.
 const LARGEST_MISS: f64 = 60.0;
 
+/// Part of a limit by which a reference may exceed it.
+const LIMIT_SLACK: f64 = 1e-3;
+
 impl Examiner {
     /// For a world and several friction coefficients.
     pub fn new(task: &AssemblyTask, frictions: &[f64], success: Success) -> Self {
         let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
-        Self { rollouts: frictions.iter().map(rollout).collect(), success }
+        Self { rollouts: frictions.iter().map(rollout).collect(), success, limits: task.limits }
     }
 
     /// What counts as success.
     pub fn success(&self) -> &Success {
         &self.success
+    }
+
+    /// Whether the reference keeps the task's limits of velocity and acceleration, as well as a solver's does.
+    pub fn allows(&self, reference: &Reference) -> bool {
+        self.limits.allow(&reference.needs(), LIMIT_SLACK)
     }
 
     /// Plays one trial.

@@ -1,6 +1,6 @@
 //! Rollouts as the planner's trajectories, so that both are written and read alike.
 
-use ocp::{Limits, Quality, ScenarioTrajectory, Trajectory};
+use ocp::{Quality, ScenarioTrajectory, Trajectory};
 
 use crate::reference::Reference;
 use crate::rollout::Rollout;
@@ -12,7 +12,7 @@ impl Rollout {
         Trajectory {
             time_step: reference.time_step(),
             reference: reference.states(),
-            reference_keeps: Limits::kept_by(&reference.states(), reference.time_step(), &[], 0.0),
+            reference_keeps: reference.needs(),
             scenarios: offsets.iter().map(|offset| self.scenario(reference, offset, tau)).collect(),
             quaternion_drift: 0.0,
         }

@@ -1,7 +1,7 @@
 //! Reference motions between their knots.
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use ocp::Horizon;
+use ocp::{Horizon, Limits};
 
 use crate::bump::Bump;
 
@@ -78,6 +78,11 @@ impl Reference {
     /// States (pose, twist) at the knots.
     pub fn states(&self) -> Vec<[f64; 13]> {
         self.knots.iter().map(Knot::state).collect()
+    }
+
+    /// The tightest limits that the reference keeps; it has velocities and accelerations only.
+    pub fn needs(&self) -> Limits {
+        Limits::kept_by(&self.states(), self.time_step, &[], 0.0)
     }
 
     /// Time between two knots (s).

@@ -53,9 +53,12 @@ impl<'examiner> Refinement<'examiner> {
 
     /// Tries a random change on `jobs` threads and keeps it if it is an improvement; whether it is one. Failing trials
     /// come first, then those that must not be lost, both in random order, and only as many as it takes to see that the
-    /// change is no improvement. When `stop` says so, it counts as none.
+    /// change is no improvement. When `stop` says so, or when it breaks a limit, it counts as none.
     pub fn improve(&mut self, jobs: usize, stop: &dyn Fn() -> bool) -> bool {
         let reference = self.reference.bent(&Bump::random(&mut self.random, self.examiner.success()));
+        if !self.examiner.allows(&reference) {
+            return false;
+        }
         let mut verdicts = self.verdicts.clone();
         let (failing, passing) = self.shuffled();
         // Change of the sum of misses, and of the number of failing trials.

@@ -56,6 +56,20 @@ fn refinement_does_not_depend_on_threads_and_can_be_stopped() {
 }
 
 #[test]
+fn changes_that_break_a_limit_are_refused() {
+    let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
+    world.limits.translational_velocity = beside().needs().translational_velocity;
+    let limited = Examiner::new(&world, &[0.0, 0.1], Success::default());
+    let mut refinement = Refinement::new(&limited, beside(), trials(), 1, 2);
+    (0..100).for_each(|_| {
+        refinement.improve(2, &|| false);
+    });
+    assert!(limited.allows(refinement.reference()));
+    let bent = |seed| beside().bent(&Bump::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
+    assert!((0..20).any(|seed| !limited.allows(&bent(seed))), "there is something to be refused");
+}
+
+#[test]
 fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
     let mut random = fastrand::Rng::with_seed(5);
     for _ in 0..50 {
