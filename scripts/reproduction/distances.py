@@ -1,6 +1,5 @@
 """Fig. sdfresults: times of the distance kernel; Figs. distancecomp and normalvis: level lines and normals in a plane."""
 
-import csv
 import os
 import subprocess
 
@@ -8,14 +7,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import paper
+import plane
 import studies
 from page import COLOURS, Page
 
 STUDIES = ()
 TIMES = studies.RUNS / "distance_times.txt"
-PLANE = studies.RUNS / "planar_distances.csv"
 LEVELS = (-0.4, 0.0, 1.0)
-HALF_WIDTH, HALF_HEIGHT = 1.0, 0.5
+SMOOTHINGS = (0.3, 0.1, 0.03, 0.01)
 
 
 def cargo(*arguments: str) -> str:
@@ -26,12 +25,10 @@ def cargo(*arguments: str) -> str:
 
 
 def run() -> None:
-    """Measures and computes what is not there yet."""
+    """Measures what is not there yet."""
     studies.RUNS.mkdir(parents=True, exist_ok=True)
     if not TIMES.exists():
         TIMES.write_text(cargo("bench", "--package", "collision", "--bench", "distance"))
-    if not PLANE.exists():
-        PLANE.write_text(cargo("run", "--release", "--package", "collision", "--example", "planar_distances"))
 
 
 def cube_times() -> list[tuple[str, str, float, float, float]]:
@@ -82,105 +79,85 @@ def times_section(page: Page) -> str:
     return f"cube and cube, tau {tau}: {parts[0]:.2f} + {parts[1]:.2f} + {parts[2]:.2f} µs for values, Jacobian, Hessian"
 
 
-def plane() -> dict[float, dict[str, np.ndarray]]:
-    """Fields on the grid by tau."""
-    with PLANE.open() as file:
-        records = [{key: float(value) for key, value in record.items()} for record in csv.DictReader(file)]
-    fields = {}
-    for tau in sorted({record["tau"] for record in records}, reverse=True):
-        part = [record for record in records if record["tau"] == tau]
-        rows = len({record["y"] for record in part})
-        fields[tau] = {key: np.array([record[key] for record in part]).reshape(rows, -1) for key in part[0]}
-    return fields
-
-
-def euclidean(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Signed Euclidean distance to the rectangle."""
-    beside_x, beside_y = np.abs(x) - HALF_WIDTH, np.abs(y) - HALF_HEIGHT
-    outside = np.hypot(np.maximum(beside_x, 0), np.maximum(beside_y, 0))
-    return outside + np.minimum(np.maximum(beside_x, beside_y), 0)
-
-
-def scaling(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """The growth distance of earlier work, by which the rectangle must be scaled beyond one."""
-    return np.maximum(np.abs(x) / HALF_WIDTH, np.abs(y) / HALF_HEIGHT) - 1
+def grid(columns: int, rows: int) -> np.ndarray:
+    """Points around the rectangle."""
+    return np.stack(np.meshgrid(np.linspace(-2.5, 2.5, columns), np.linspace(-2, 2, rows)), axis=-1)
 
 
 def rectangle(axes: plt.Axes) -> None:
     """Draws the shape."""
-    corner = (-HALF_WIDTH, -HALF_HEIGHT)
-    axes.add_patch(plt.Rectangle(corner, 2 * HALF_WIDTH, 2 * HALF_HEIGHT, color="0.88", zorder=0))
+    corner = (-plane.HALF_WIDTH, -plane.HALF_HEIGHT)
+    axes.add_patch(plt.Rectangle(corner, 2 * plane.HALF_WIDTH, 2 * plane.HALF_HEIGHT, color="0.88", zorder=0))
     axes.set_aspect("equal")
 
 
-def levels_figure(fields: dict[float, dict[str, np.ndarray]]) -> plt.Figure:
+def levels_figure() -> plt.Figure:
     """Left: three exact distances. Right: the smoothed one for several tau."""
     drawn, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), sharey=True)
-    field = next(iter(fields.values()))
-    x, y = field["x"], field["y"]
-    exact = {"Euclidean": euclidean(x, y), "scaled (earlier work)": scaling(x, y), "this one, exact": field["exact_distance"]}
-    smoothed = {f"tau = {tau}": field["smoothed_distance"] for tau, field in fields.items()}
+    points = grid(501, 401)
+    exact = {
+        "Euclidean": plane.euclidean(points),
+        "scaled (earlier work)": plane.scaling(points),
+        "this one, exact": plane.exact(points),
+    }
+    smoothed = {f"tau = {tau}": plane.smoothed(points, tau).distance for tau in SMOOTHINGS}
     for axes, curves in ((left, exact), (right, smoothed)):
         rectangle(axes)
         for colour, style, (label, values) in zip(COLOURS, ("-", "-", "--", ":"), curves.items()):
-            axes.contour(x, y, values, levels=LEVELS, colors=colour, linestyles=style, linewidths=1.2)
+            axes.contour(points[..., 0], points[..., 1], values, levels=LEVELS, colors=colour, linestyles=style, linewidths=1.2)
             axes.plot([], [], color=colour, linestyle=style, label=label)
         axes.legend(frameon=False, fontsize=7, loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.15))
     return drawn
 
 
-def normals_figure(fields: dict[float, dict[str, np.ndarray]]) -> plt.Figure:
-    """Gradient and normal on a coarse grid for every tau."""
-    drawn, grid = plt.subplots(1, len(fields), figsize=(10, 2.8), sharey=True)
-    for axes, (tau, field) in zip(grid, fields.items()):
+def normals_figure() -> plt.Figure:
+    """Gradient and normal for every tau."""
+    drawn, panels = plt.subplots(2, 2, figsize=(9, 7), sharex=True, sharey=True)
+    points = grid(14, 12)
+    for axes, tau in zip(panels.flat, SMOOTHINGS):
         rectangle(axes)
-        coarse = {key: values[4:-4:8, 2:-2:8] for key, values in field.items()}
-        for colour, name, label in ((COLOURS[0], "gradient", "gradient"), (COLOURS[1], "normal", "normal n")):
-            arrows = (coarse[f"{name}_x"], coarse[f"{name}_y"])
-            axes.quiver(coarse["x"], coarse["y"], *arrows, color=colour, scale=4, scale_units="x", width=0.006, label=label)
+        field = plane.smoothed(points, tau)
+        for colour, width, label, arrows in (
+            (COLOURS[0], 0.008, "gradient", field.gradient),
+            (COLOURS[1], 0.004, "approximate normal", field.normal),
+        ):
+            axes.quiver(
+                *np.moveaxis(points, -1, 0), *np.moveaxis(arrows, -1, 0),
+                color=colour, scale=3.5, scale_units="x", width=width, label=label,
+            )  # fmt: skip
         axes.set_title(f"tau = {tau}", fontsize=8)
-    grid[0].legend(frameon=False, fontsize=7, loc="lower left", bbox_to_anchor=(0, -0.4), ncols=2)
+    panels[1][0].legend(frameon=False, fontsize=8, loc="upper left", bbox_to_anchor=(0, -0.08), ncols=2)
     return drawn
-
-
-def difference(field: dict[str, np.ndarray]) -> tuple[float, float, float]:
-    """Largest and median norm of gradient minus normal, and largest distance of the normal's norm from one."""
-    apart = np.hypot(field["gradient_x"] - field["normal_x"], field["gradient_y"] - field["normal_y"])
-    norms = np.hypot(field["normal_x"], field["normal_y"])
-    return float(apart.max()), float(np.median(apart)), float(np.median(norms))
 
 
 def plane_section(page: Page) -> str:
     """Level lines and normals."""
     page.heading("Level lines and normals (Figs. distancecomp and normalvis)")
-    if not PLANE.exists():
-        page.text("Missing: not computed.")
-        return "level lines missing"
-    fields = plane()
     page.text(
-        """The paper draws the distance of a point and a rectangle, both in the plane. Here the distances, normals and
-        gradients of the product itself are drawn (`cargo run --release -p collision --example planar_distances`), which
-        knows only solids: a cube of edge 0.001 m stands for the point, a cuboid of 2 x 1 x 20 m for the rectangle. Without
-        smoothing both agree but for half the cube's edge; with smoothing the cube's six facets blur as well, so that a tau
-        of the paper's figure and one of ours are not the same. The paper's values of tau, and data, are not given as
-        numbers; its levels are 1, 0, -0.4.""")
-    page.figure("levels", levels_figure(fields), "Levels 1, 0, -0.4 of the distance. Left: without smoothing. Right: smoothed.")
-    page.figure("normals", normals_figure(fields), "Gradient of the smoothed distance and the approximate normal n_tau.")
-    rows = [(tau, *difference(field)) for tau, field in fields.items()]
-    exact = next(iter(fields.values()))
-    inside = exact["exact_distance"] < 0
-    error = np.abs(exact["exact_distance"] - euclidean(exact["x"], exact["y"]))[inside].max()
-    page.table(
-        ["tau", "largest distance of gradient and normal", "median", "median norm of the normal"],
-        ([tau, *(f"{number:.3f}" for number in numbers)] for tau, *numbers in rows),
+        """The paper's example is the distance of a point and a rectangle in the plane, the point itself not growing. The
+        product knows only solids that both grow, so these figures come from the example's own equation, solved in
+        `scripts/reproduction/plane.py`; the solids are tested against independent data in `crates/collision`. Levels are
+        the paper's; its rectangle and its four values of tau are not given as numbers."""
     )
+    page.figure("levels", levels_figure(), "Levels 1, 0, -0.4 of the distance. Left: without smoothing. Right: smoothed.")
+    page.figure("normals", normals_figure(), "Gradient of the smoothed distance and the approximate normal n_tau.")
+    points = grid(101, 81)
+    rows = []
+    for tau in SMOOTHINGS:
+        field = plane.smoothed(points, tau)
+        apart = np.linalg.norm(field.gradient - field.normal, axis=-1)
+        norms = np.linalg.norm(field.normal, axis=-1)
+        rows.append([tau, *(f"{number:.3f}" for number in (apart.max(), np.median(apart), np.median(norms)))])
+    page.table(["tau", "largest distance of gradient and normal", "median", "median norm of the normal"], rows)
+    exact, euclidean = plane.exact(points), plane.euclidean(points)
+    inside = np.abs(exact - euclidean)[exact < 0].max()
     page.text(
-        f"""As the paper says: for negative values the distance is the Euclidean one (largest difference here {error:.4f} m,
-        half the cube's edge is 0.0005 m), and normal and gradient agree more and more as tau shrinks; where the nearest
-        facet changes, the exact distance has a kink and they differ at any tau, in a thinner and thinner strip."""
+        f"""As the paper says, the exact distance is the Euclidean one for negative values (largest difference {inside:.0e})
+        and 0-levels coincide, and normal and gradient agree more and more as tau shrinks. Where the nearest side changes
+        the exact distance has a kink; there they differ at any tau, in a strip that gets thinner."""
     )
     (first, _, large, _), (last, _, small, _) = rows[0], rows[-1]
-    return f"normal and gradient differ by {large:.3f} (median) at tau {first} and by {small:.3f} at tau {last}"
+    return f"normal and gradient differ by {large} (median) at tau {first} and by {small} at tau {last}"
 
 
 def render(page: Page) -> str:
