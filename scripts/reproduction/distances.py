@@ -61,9 +61,11 @@ def times_section(page: Page) -> str:
         return "times missing"
     times = cube_times()
     page.text(
-        """Two cubes of 0.1 m, 1000 random poses and seeds, one thread; medians of repeated batches (`cargo bench -p
-        collision`), for the widest SIMD instructions of the processor and for narrower ones. A Jacobian costs what is
-        shown on top of the values, a Hessian on top of the Jacobian."""
+        """Two cubes of 0.1 m, 1000 random poses and seeds, one thread; mean processor time (`cargo bench -p collision`, which
+        does not count waiting for a processor that others use), for the widest SIMD instructions of the processor and for
+        narrower ones. A Jacobian costs what is shown on top of the values, a Hessian on top of the Jacobian. Without SIMD
+        the fused multiply-adds of the kernel, rounded once, are calls of a library, so that `scalar` is what a processor
+        without such instructions would need and not the cost of one lane."""
     )
     page.figure("times", times_figure(times), "Microseconds per pair by instructions and tau.")
     page.table(

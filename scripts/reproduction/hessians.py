@@ -28,8 +28,13 @@ def load() -> dict[tuple[str, str, str], list[studies.Cell]]:
 
 
 def is_success(cell: studies.Cell) -> bool:
-    """Whether every homotopy iteration converged and the goal is reached."""
-    return cell.is_done and all(stage["status"].startswith("solved") for stage in cell.stages)
+    """Whether the last homotopy iteration converged and every scenario reaches the goal."""
+    return cell.is_done
+
+
+def is_capped(cell: studies.Cell) -> bool:
+    """Whether an earlier homotopy iteration stopped at our limit of iterations, so that the count says little."""
+    return any(stage["status"] == "iteration limit reached" for stage in cell.stages)
 
 
 def figure(groups: dict[tuple[str, str, str], list[studies.Cell]], tolerance: str) -> plt.Figure:
@@ -52,20 +57,17 @@ def figure(groups: dict[tuple[str, str, str], list[studies.Cell]], tolerance: st
                 count = stage["iterations"]
                 axes.bar(position, count, bottom=bottom, color=colour, hatch=None if is_success(cell) else "///", edgecolor="white")
                 bottom += count
-            if not is_success(cell):
-                axes.text(position, bottom, "failed", ha="center", va="bottom", color="#d55e00")
-    axes.set_xticks(range(len(labels)), labels, fontsize=7)
+            mark = "failed" if not is_success(cell) else "capped" if is_capped(cell) else ""
+            axes.text(position, bottom, mark, ha="center", va="bottom", color="#d55e00", fontsize=7)
+    axes.set_xticks(range(len(labels)), [label.replace("gauss-newton", "g.-newton") for label in labels], fontsize=7)
     axes.set(ylabel=f"Ipopt iterations, tol {tolerance}")
     return drawn
 
 
-def failure(cell: studies.Cell) -> str:
-    """Why a plan counts as failed, stage by stage."""
-    if is_success(cell):
-        return ""
-    bad = [(number, stage["status"]) for number, stage in enumerate(cell.stages, 1) if not stage["status"].startswith("solved")]
-    where = ", ".join(f"stage {number}: {status}" for number, status in bad)
-    return where or cell.result["status"]
+def remark(cell: studies.Cell) -> str:
+    """What kept a plan from converging in every homotopy iteration."""
+    bad = [f"stage {number}: {stage['status']}" for number, stage in enumerate(cell.stages, 1) if stage["status"] != "solved"]
+    return "; ".join([cell.result["status"], *bad])
 
 
 def row(key: tuple[str, str, str], cells: list[studies.Cell]) -> list[object]:
@@ -78,8 +80,9 @@ def row(key: tuple[str, str, str], cells: list[studies.Cell]) -> list[object]:
         complementarity,
         tolerance,
         f"{len(finished)} of {STARTS}",
-        len(finished) - len(good),
-        f"{good[0]}, {good[-1]}" if good else "none converged" if finished else "missing",
+        sum(not is_success(cell) for cell in finished) if finished else "missing",
+        sum(map(is_capped, finished)) if finished else "missing",
+        f"{good[0]}, {good[-1]}" if good else "none" if finished else "missing",
         paper.HESSIANS[hessian, tolerance],
     ]
 
@@ -90,9 +93,11 @@ def render(page: Page) -> str:
     finished = {key: [cell for cell in cells if cell.is_finished] for key, cells in groups.items()}
     page.text(
         """`peg1` from five starts with Scholtes' relaxation and smoothing, three kinds of Hessian and two tolerances of
-        Ipopt. A plan counts as failed when any homotopy iteration does not converge or a scenario misses the goal.
-        Gauss-Newton and L-BFGS get at most 1000 iterations per homotopy iteration, 5000 altogether, about ten times
-        what the exact Hessian needs; a stage that stops short is continued by the next one."""
+        Ipopt. A plan counts as failed when the last homotopy iteration does not converge or a scenario misses the goal.
+        Gauss-Newton and L-BFGS get at most 1000 iterations per homotopy iteration, 5000 altogether, about ten times what
+        the exact Hessian needs. That limit is ours. A homotopy iteration that reaches it is continued by the next one;
+        such plans are counted apart as capped: they need at least the iterations shown, and say nothing of whether the
+        approximation would have converged with more."""
     )
     for tolerance in TOLERANCES:
         page.figure(
@@ -101,18 +106,19 @@ def render(page: Page) -> str:
             f"Iterations of the best (b) and worst (w) start, one colour per homotopy iteration, tol {tolerance}.",
         )
     page.table(
-        ["Hessian", "complementarity", "tol", "starts run", "failed", "iterations, best and worst that converged", "paper, in words"],
+        ["Hessian", "complementarity", "tol", "starts run", "failed", "capped", "iterations, best and worst that reach the goal", "paper, in words"],
         (row(key, cells) for key, cells in groups.items()),
     )
     page.text("The paper does not give the figure as numbers, only the words above.")
-    failed = [(key, cell) for key, cells in finished.items() for cell in cells if not is_success(cell)]
+    failed = [(key, cell) for key, cells in finished.items() for cell in cells if not is_success(cell) or is_capped(cell)]
     if failed:
-        page.heading("Failures")
+        page.heading("Failed or capped")
         page.table(
-            ["Hessian", "complementarity", "tol", "start", "iterations", "largest final error mm", "why"],
-            ([*key, cell.start, cell.result["iterations"], f"{cell.error_mm:.2f}", failure(cell)] for key, cell in failed),
+            ["Hessian", "complementarity", "tol", "start", "iterations", "largest final error mm", "status"],
+            ([*key, cell.start, cell.result["iterations"], f"{cell.error_mm:.2f}", remark(cell)] for key, cell in failed),
         )
     runs = {hessian: [cell for key, cells in finished.items() if key[0] == hessian for cell in cells] for hessian in HESSIANS}
     return "; ".join(
-        f"{hessian}: {sum(map(is_success, cells))} of {len(cells)} converge ({4 * STARTS} planned)" for hessian, cells in runs.items()
+        f"{hessian}: {sum(map(is_success, cells))} of {len(cells)} reach the goal, "
+        f"{sum(map(is_capped, cells))} capped ({4 * STARTS} planned)" for hessian, cells in runs.items()
     )

@@ -43,16 +43,17 @@ def parse_arguments() -> argparse.Namespace:
 
 def run(names: list[str], jobs: int, is_quick: bool) -> None:
     """Does what is not done yet."""
-    if "distances" in names:
-        distances.run()
     for name in names:
+        if name in ("distances", "pegs") and not is_quick:
+            PAGES[name][0].run()
         for study in PAGES[name][0].STUDIES:
             studies.run(study, jobs, is_quick)
 
 
 def machine() -> str:
     """The machine, in neutral words."""
-    return f"""One processor core per plan, on a shared machine with {os.cpu_count()} cores: wall times are upper bounds. The
+    return f"""One processor core per plan, on a shared machine with {os.cpu_count()} cores: other programs ran too, so that
+        wall times include waiting and are upper bounds only. The
         paper used a laptop with an Intel i7-11850H (8 cores) and Ipopt with MA27."""
 
 
