@@ -7,12 +7,33 @@ import paper
 import studies
 from page import Page, mean
 
-CLAMPS = {"clamp1": "clamp1", "clamp2": "clamp2", "clamp3": "clamp3", "clamp1_paper": "clamp1, the paper's tau", "clamp1_auto": "clamp1, tau auto"}
-STUDIES = tuple(CLAMPS)
+CLAMPS = {"clamp1": "clamp1", "clamp2": "clamp2", "clamp3": "clamp3", "clamp1_paper": "clamp1, the paper's tau"}
+# Only for how large the first smoothing must be, with several in one study.
+SWEEPS = ("clamp1_first_tau", "clamp1_four_offsets", "clamp1_window", "clamp2_long_outer_leg")
+STUDIES = (*CLAMPS, *SWEEPS)
 # A plan keeps every scenario so close to the goal.
 TOLERANCE_MM = 1.0
 # Of a pair of boxes, which all parts of clamp1 are.
 HALFSPACES = 12
+LARGEST_OFFSET = 0.005
+
+
+EXPLANATION = """With smoothing tau shapes overlap by up to about the number of halfspaces of a pair times tau, called the
+reach below. It is a known suspicion that plans miss the goal because the first reach is too small for the offset. For
+`clamp1` at 5 mm that is not the reason: success is not monotone in the first tau. The scenario that misses the goal ends on
+the wrong side of the flange, 10 mm off. While tau is 0.00125 or more it stands at a point between both sides (y 6 mm),
+whatever the first tau; it comes to the right side in a stage with tau 0.001, and goes to the wrong one when the steps jump
+over that. The scenes' homotopy (0.002, halved) and 0.004 meet 0.001 on their way; 0.0025, 0.003 and four offsets
+(0.00167) do not. Two predictions of this were written down and then tried, the two lines with another rate in the table.
+A rule for the first tau and sigma from offset and shapes (a reach of four offsets) was tried and dropped, since it missed
+the goal here. How wide the window is, and whether it lies elsewhere in other tasks, was not examined: the scenes' setting
+is known to work for the plans of this page and not more."""
+
+# clamp2 has been chosen after a look at results.
+SELECTION = """`clamp2` is our second design: a first one with the long leg outside was solved before and missed the goal from
+some starts at 5 mm, also with twice the first smoothing, and another, with the long leg inside, took its place. That all
+plans of `clamp2` are good is therefore no test of the method. The first design is kept as `clamp2_long_outer_leg` in
+`scripts/reproduction/studies/scenes`, with its results in the last table."""
 
 
 def is_good(cell: studies.Cell) -> bool:
@@ -82,33 +103,38 @@ def failures(page: Page, groups: dict[str, list[studies.Cell]]) -> None:
     )
 
 
+def by_smoothing(cells: list[studies.Cell]) -> dict[tuple[str, float, float, float], list[studies.Cell]]:
+    """Finished cells by scene, magnitude of the offset, first tau and its rate."""
+    found: dict[tuple[str, float, float, float], list[studies.Cell]] = {}
+    for cell in (cell for cell in cells if cell.is_finished):
+        first, second = (stage["tau"] for stage in cell.stages[:2])
+        found.setdefault((cell.scene, cell.delta_m, first, round(second / first, 3)), []).append(cell)
+    return dict(sorted(found.items()))
+
+
 def first_smoothing(page: Page, groups: dict[str, list[studies.Cell]]) -> None:
-    """How many plans of clamp1 are good for how large a first smoothing."""
+    """Good plans by first smoothing, at the largest offset."""
     page.heading("The first smoothing")
-    page.text(
-        """With tau the shapes overlap by up to about the number of halfspaces of a pair times tau: the reach. With the
-        paper's tau_1 = 0.0005 and boxes the reach is 6 mm, 1.2 offsets of 5 mm. The scenario that then misses the goal
-        stays on the wrong side of the flange, 10 mm off: gap and leg have changed places. `tau = "auto"` and `sigma =
-        "auto"` (`configs/homotopy_auto.toml`) choose a reach of four offsets, at least the thickness of the thinnest part,
-        and `iterations = "auto"` goes on until the reach is below the clearance at the goal."""
-    )
+    page.text(EXPLANATION)
+    cells = [cell for study, found in groups.items() if study.startswith("clamp1") for cell in found]
+    cells += [cell for study in SWEEPS for cell in studies.load(study)]
     rows = []
-    for study, cells in groups.items():
-        for delta in sorted({cell.delta_m for cell in cells}):
-            finished = [cell for cell in cells if cell.delta_m == delta and cell.is_finished]
-            if not study.startswith("clamp1") or not finished:
-                continue
-            tau = finished[0].stages[0]["tau"]
-            reach = f"{HALFSPACES * tau / delta:.1f}" if delta else "-"
-            good = f"{sum(map(is_good, finished))} of {len(finished)}"
-            iterations = f"{mean(cell.result['iterations'] for cell in finished):.0f}"
-            rows.append([CLAMPS[study], f"{1e3 * delta:g}", f"{tau:.2e}", len(finished[0].stages), reach, good, iterations])
-    page.table(["", "offset mm", "tau_1", "stages", "reach / offset", "good plans", "iterations (mean)"], rows)
+    for (scene, delta, tau, rate), found in by_smoothing(cells).items():
+        if delta != LARGEST_OFFSET:
+            continue
+        values = ", ".join(f"{1e3 * stage['tau']:.2f}" for stage in found[0].stages[:4])
+        good = f"{sum(map(is_good, found))} of {len(found)}"
+        iterations = f"{mean(cell.result['iterations'] for cell in found):.0f}"
+        rows.append([scene, f"{tau:.2e}", rate, f"{values}, ...", f"{HALFSPACES * tau / delta:.1f}", good, iterations])
+    page.table(
+        ["5 mm offsets", "tau_1", "rate", "1000 tau by stage", "reach / offset", "good plans of those run", "iterations (mean)"],
+        rows,
+    )
 
 
 def render(page: Page) -> str:
     """Writes the page; the result in a sentence."""
-    groups = {study: cells for study in STUDIES if (cells := studies.load(study))}
+    groups = {study: cells for study in CLAMPS if (cells := studies.load(study))}
     page.text(
         f"""Three clips onto the H-strut, five starts and offsets of 0 to 5 mm each. `clamp1` is the paper's U-shaped clamp;
         `clamp2` (J-shaped, legs of different length) and `clamp3` (tapered legs, astride the web) are our own, with the
@@ -118,6 +144,7 @@ def render(page: Page) -> str:
         of these have exactly the paper's smoothing. A plan is good when it converged and every scenario ends within
         {TOLERANCE_MM:g} mm of the goal."""
     )
+    page.text(SELECTION)
     if groups:
         page.figure("errors", figure(groups), "Largest final position error of all scenarios in mm.")
     page.table(

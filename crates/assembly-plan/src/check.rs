@@ -23,7 +23,7 @@ pub fn run(arguments: &CheckArguments) -> Result<u8, Failure> {
     let scene = Scene::load(&arguments.task.scene)?;
     let start = arguments.task.start.as_deref();
     let task = scene.task(start, arguments.task.delta).map_err(Failure::Input)?;
-    let homotopy = scene.homotopy.clone().unwrap_or_default().for_task(&task);
+    let homotopy = scene.homotopy.clone().unwrap_or_default();
     let tau = arguments.tau.unwrap_or(homotopy.0.tau);
     if !(tau > 0.0 && tau.is_finite()) {
         return Err(Failure::Input(format!("--tau {tau}: must be positive")));
@@ -107,16 +107,13 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
     let transcription = Transcription::new(task, settings.complementarity, settings.hessian);
     let layout = transcription.layout();
     println!(
-        "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} homotopy iterations from tau {:.3e}, \
-         sigma {:.3e}",
+        "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} homotopy iterations",
         layout.steps,
         task.horizon.time_step,
         layout.scenarios,
         layout.variable_count(),
         layout.constraint_count(),
-        settings.iterations,
-        settings.tau,
-        settings.sigma
+        settings.iterations
     );
     warn_about_smoothing(task, homotopy);
 }

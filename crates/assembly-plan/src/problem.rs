@@ -41,7 +41,6 @@ impl<'scene> Problem<'scene> {
         let start = scene.start(start)?;
         let delta = delta.unwrap_or(scene.offset_magnitude);
         let task = scene.task(Some(&start.name), Some(delta))?;
-        let homotopy = homotopy.for_task(&task);
         let resolved = resolved(scene, start, delta, &homotopy);
         let identity = identity(&resolved);
         Ok(Self { scene, start, delta, task, homotopy, resolved, identity })

@@ -17,7 +17,6 @@
 //! | Sec. ocp:cost | `model::running_residuals`, `model::terminal_residuals` |
 //! | Sec. ocp:homotopy | [`Homotopy`], [`HomotopySettings::schedule`] |
 
-pub mod automatic;
 mod contacts;
 mod cost;
 mod distances;

@@ -132,27 +132,12 @@ pub struct HomotopyFileDocument {
     pub ipopt: toml::Table,
 }
 
-/// A number, or `"auto"`.
-#[derive(Debug, Deserialize)]
-#[serde(untagged, expecting = "must be a number or \"auto\"")]
-pub enum Automatic<T> {
-    Number(T),
-    Word(AutomaticWord),
-}
-
-/// The word that leaves a number to the program.
-#[derive(Debug, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum AutomaticWord {
-    Auto,
-}
-
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HomotopyDocument {
-    pub iterations: Option<Spanned<Automatic<i64>>>,
-    pub tau: Option<Spanned<Automatic<f64>>>,
-    pub sigma: Option<Spanned<Automatic<f64>>>,
+    pub iterations: Option<Spanned<i64>>,
+    pub tau: Option<Spanned<f64>>,
+    pub sigma: Option<Spanned<f64>>,
     pub mu_init: Option<Spanned<f64>>,
     pub tau_rate: Option<Spanned<f64>>,
     pub sigma_rate: Option<Spanned<f64>>,

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use nlp::{OptionValue, Options};
-use ocp::{AssemblyTask, Complementarity, HessianKind, HomotopySettings, automatic};
+use ocp::{Complementarity, HessianKind, HomotopySettings};
 use toml::Spanned;
 
-use crate::document::{Automatic, HomotopyDocument, HomotopyFileDocument};
+use crate::document::{HomotopyDocument, HomotopyFileDocument};
 use crate::error::{SceneError, Source};
 use crate::pose::{positive, within};
 
@@ -20,20 +20,9 @@ const COMPLEMENTARITIES: [(&str, Complementarity); 2] =
 const HESSIANS: [(&str, HessianKind); 3] =
     [("exact", HessianKind::Exact), ("gauss-newton", HessianKind::GaussNewton), ("l-bfgs", HessianKind::LimitedMemory)];
 
-/// The word for what the program chooses from the task.
-const AUTO: &str = "auto";
-
-/// Homotopy settings as files give them, and which of the numbers are still to be chosen from the task.
+/// Homotopy settings as files give them.
 #[derive(Debug, Clone)]
-pub struct Homotopy(pub HomotopySettings, ToChoose);
-
-/// Settings that are `"auto"`; their numbers mean nothing until [`Homotopy::for_task`] has chosen them.
-#[derive(Debug, Clone, Copy, Default)]
-struct ToChoose {
-    iterations: bool,
-    tau: bool,
-    sigma: bool,
-}
+pub struct Homotopy(pub HomotopySettings);
 
 impl Default for Homotopy {
     fn default() -> Self {
@@ -59,33 +48,17 @@ impl Homotopy {
     /// The first thing that is wrong, with its place.
     pub fn parse(source: Source) -> Result<Self, SceneError> {
         let document: HomotopyFileDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-        settings(source, &document.homotopy, &document.ipopt)
-    }
-
-    /// The same with a number for everything that is `"auto"` (see [`ocp::automatic`]).
-    pub fn for_task(&self, task: &AssemblyTask) -> Self {
-        let Self(mut settings, choose) = self.clone();
-        if choose.tau {
-            settings.tau = automatic::first_tau(task);
-        }
-        if choose.sigma {
-            settings.sigma = automatic::first_sigma(settings.tau);
-        }
-        if choose.iterations {
-            settings.iterations = automatic::iterations(task, settings.tau, settings.tau_rate);
-        }
-        Self(settings, ToChoose::default())
+        settings(source, &document.homotopy, &document.ipopt).map(Self)
     }
 
     /// The two tables of a file that gives these settings.
     pub fn to_tables(&self) -> (toml::Table, toml::Table) {
-        let Self(settings, choose) = self;
-        let number = |is_auto: bool, value: toml::Value| if is_auto { AUTO.into() } else { value };
+        let settings = &self.0;
         let mut homotopy = toml::Table::new();
         let mut insert = |key: &str, value: toml::Value| homotopy.insert(key.to_owned(), value);
-        insert("iterations", number(choose.iterations, toml::Value::Integer(settings.iterations as i64)));
-        insert("tau", number(choose.tau, settings.tau.into()));
-        insert("sigma", number(choose.sigma, settings.sigma.into()));
+        insert("iterations", toml::Value::Integer(settings.iterations as i64));
+        insert("tau", settings.tau.into());
+        insert("sigma", settings.sigma.into());
         insert("mu_init", settings.mu_init.into());
         insert("tau_rate", settings.tau_rate.into());
         insert("sigma_rate", settings.sigma_rate.into());
@@ -134,13 +107,13 @@ pub fn of_scene(
                 ipopt: toml::Table,
             }
             let tables: Tables = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-            settings(source, &tables.homotopy, &tables.ipopt).map(Some)
+            settings(source, &tables.homotopy, &tables.ipopt).map(|settings| Some(Homotopy(settings)))
         }
         _ => Err(source.error(entry.span(), "homotopy is the name of a file or a table")),
     }
 }
 
-fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) -> Result<Homotopy, SceneError> {
+fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) -> Result<HomotopySettings, SceneError> {
     let number = |key: &str, value: &Option<Spanned<f64>>, default: f64| match value {
         Some(value) => positive(source, &format!("homotopy.{key}"), value),
         None => Ok(default),
@@ -157,13 +130,7 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
         }
         None => 0.1,
     };
-    let (iterations, tau, sigma) = (given(&document.iterations), given(&document.tau), given(&document.sigma));
-    let choose = ToChoose {
-        iterations: document.iterations.is_some() && iterations.is_none(),
-        tau: document.tau.is_some() && tau.is_none(),
-        sigma: document.sigma.is_some() && sigma.is_none(),
-    };
-    let iterations = match &iterations {
+    let iterations = match &document.iterations {
         Some(value) => within(source, "homotopy.iterations", value, |count| count >= 1, "must be at least 1")? as usize,
         None => 5,
     };
@@ -174,10 +141,10 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
         }
         None => ocp::STAGE.to_owned(),
     };
-    let settings = HomotopySettings {
+    Ok(HomotopySettings {
         iterations,
-        tau: number("tau", &tau, 0.0025)?,
-        sigma: number("sigma", &sigma, 0.00125)?,
+        tau: number("tau", &document.tau, 0.0025)?,
+        sigma: number("sigma", &document.sigma, 0.00125)?,
         mu_init: number("mu_init", &document.mu_init, 1.0)?,
         tau_rate: rate("tau_rate", &document.tau_rate, 0.5)?,
         sigma_rate: rate("sigma_rate", &document.sigma_rate, 0.5)?,
@@ -186,17 +153,7 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
         hessian: choice(source, document.hessian.as_ref(), &HESSIANS)?,
         linear_solver,
         options: options(source, ipopt)?,
-    };
-    Ok(Homotopy(settings, choose))
-}
-
-/// The number that a file gives, with its place, unless it says `"auto"`.
-fn given<T: Copy>(entry: &Option<Spanned<Automatic<T>>>) -> Option<Spanned<T>> {
-    let entry = entry.as_ref()?;
-    match entry.get_ref() {
-        Automatic::Number(number) => Some(Spanned::new(entry.span(), *number)),
-        Automatic::Word(_) => None,
-    }
+    })
 }
 
 /// One of several names, by default the first.

@@ -146,8 +146,6 @@ fn homotopy_values_are_checked() {
     for (text, words) in [
         ("[homotopy]\ntau_rate = 1.2", "homotopy.tau_rate = 1.2: must lie in (0, 1)"),
         ("[homotopy]\niterations = 0", "must be at least 1"),
-        ("[homotopy]\ntau = \"automatic\"", "must be a number or \"auto\""),
-        ("[homotopy]\nsigma = -1", "homotopy.sigma = -1: must be positive"),
         ("[homotopy]\nhessian = \"exakt\"", "did you mean `exact`?"),
         ("[homotopy]\nlinear_solver = \"mumsp\"", "did you mean `mumps`?"),
         ("[homotopi]", "did you mean `homotopy`?"),
@@ -156,36 +154,6 @@ fn homotopy_values_are_checked() {
         let error = parse(text).unwrap_err();
         assert!(error.message().contains(words), "{error}");
     }
-}
-
-#[test]
-fn automatic_settings_are_chosen_from_the_task() {
-    let scene = Scene::load(&folder("scenes/clamp1.toml")).unwrap();
-    let automatic = Homotopy::load(&folder("configs/homotopy_auto.toml")).unwrap();
-    assert_eq!(automatic.to_tables().0["tau"].as_str(), Some("auto"));
-    let choose = |delta: f64| automatic.for_task(&scene.task(None, Some(delta)).unwrap());
-    // Four offsets of 5 mm over the 12 facets of two boxes; then the 5 mm of the walls, which are more than no offset.
-    for (delta, reach) in [(0.005, 0.02), (0.0, 0.005)] {
-        let chosen = choose(delta);
-        let (settings, tables) = (&chosen.0, chosen.to_tables().0);
-        assert!((settings.tau - reach / 12.0).abs() < 1e-6, "{}", settings.tau);
-        assert_eq!(settings.sigma, 0.5 * settings.tau);
-        assert_eq!(tables["tau"].as_float(), Some(settings.tau));
-        // The last reach is below the clearance of 0.2 mm, the one before is not.
-        let last = reach * 0.5f64.powi(settings.iterations as i32 - 1);
-        assert!(last <= 0.0002 && 0.0002 < 2.0 * last, "{} iterations", settings.iterations);
-    }
-    let text = resolved(&scene, &scene.starts[0], 0.005, &choose(0.005));
-    assert_eq!(parse(&text).unwrap().homotopy.unwrap().to_tables(), choose(0.005).to_tables());
-}
-
-#[test]
-fn numbers_stay_as_they_are_given_beside_automatic_ones() {
-    let text = "[homotopy]\niterations = 3\ntau = \"auto\"\nsigma = 0.5";
-    let homotopy = Homotopy::parse(Source { file: Path::new("h.toml"), text }).unwrap();
-    let chosen = homotopy.for_task(&parse(SCENE).unwrap().task(None, None).unwrap()).0;
-    assert_eq!((chosen.iterations, chosen.sigma), (3, 0.5));
-    assert!((chosen.tau - 0.08 / 12.0).abs() < 1e-9, "{}", chosen.tau);
 }
 
 #[test]
