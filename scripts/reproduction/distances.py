@@ -63,9 +63,9 @@ def times_section(page: Page) -> str:
     page.text(
         """Two cubes of 0.1 m, 1000 random poses and seeds, one thread; mean processor time (`cargo bench -p collision`, which
         does not count waiting for a processor that others use), for the widest SIMD instructions of the processor and for
-        narrower ones. A Jacobian costs what is shown on top of the values, a Hessian on top of the Jacobian. Without SIMD
-        the fused multiply-adds of the kernel, rounded once, are calls of a library, so that `scalar` is what a processor
-        without such instructions would need and not the cost of one lane."""
+        narrower ones. A Jacobian costs what is shown on top of the values, a Hessian on top of the Jacobian. `scalar`
+        costs more than eight lanes of AVX-512 together explain; calls of a library for multiply-adds that are rounded once
+        are suspected, which was not examined. On the busy machine figures vary by a quarter or so between runs."""
     )
     page.figure("times", times_figure(times), "Microseconds per pair by instructions and tau.")
     page.table(

@@ -97,7 +97,8 @@ def render(page: Page) -> str:
         Gauss-Newton and L-BFGS get at most 1000 iterations per homotopy iteration, 5000 altogether, about ten times what
         the exact Hessian needs. That limit is ours. A homotopy iteration that reaches it is continued by the next one;
         such plans are counted apart as capped: they need at least the iterations shown, and say nothing of whether the
-        approximation would have converged with more."""
+        approximation would have converged with more. A failure with `iteration limit reached` in the last homotopy
+        iteration is of this kind too. Where a single start was run, best and worst are the same run."""
     )
     for tolerance in TOLERANCES:
         page.figure(
