@@ -21,9 +21,9 @@ LARGEST_OFFSET = 0.005
 EXPLANATION = """With smoothing tau shapes overlap by up to about the number of halfspaces of a pair times tau, called the
 reach below. It is a known suspicion that plans miss the goal because the first reach is too small for the offset. For
 `clamp1` at 5 mm that is not the reason: success is not monotone in the first tau. The scenario that misses the goal ends on
-the wrong side of the flange, 10 mm off. While tau is 0.00125 or more it stands at a point between both sides (y 6 mm),
+the wrong side of the flange, 10 mm off. While tau is 0.00125 or more it stands at a point between both sides (y 6 mm) in the plans of starts 1 to 3 that were looked at,
 whatever the first tau; it comes to the right side in a stage with tau 0.001, and goes to the wrong one when the steps jump
-over that. The scenes' homotopy (0.002, halved) and 0.004 meet 0.001 on their way; 0.0025, 0.003 and four offsets
+over that or begin below it. The scenes' homotopy (0.002, halved) and 0.004 meet 0.001 on their way; 0.0025, 0.003 and four offsets
 (0.00167) do not. The explanation was found by looking at these runs; two predictions of it were then written down and tried on
 three starts, the lines with another rate: 0.00167 with steps through 0.001 should reach the goal, 0.002 with steps past it
 should not. It does not explain everything: `clamp2_long_outer_leg` steps through 0.001 and mostly misses the goal.

@@ -57,6 +57,17 @@ def machine() -> str:
         paper used a laptop with an Intel i7-11850H (8 cores) and Ipopt with MA27."""
 
 
+def unfinished() -> dict[str, str]:
+    """How many plans are missing of each study that is not whole."""
+    counts = {}
+    for study in (study for module, _ in PAGES.values() for study in module.STUDIES):
+        cells = studies.load(study)
+        missing = sum(not cell.is_finished for cell in cells)
+        if missing or not cells:
+            counts[study] = f"{missing} of {len(cells)}" if cells else "all"
+    return counts
+
+
 def write(folder: pathlib.Path) -> None:
     """Writes all pages; those whose studies were never begun say so."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -74,6 +85,8 @@ def write(folder: pathlib.Path) -> None:
         page.write()
         rows.append([f"[{title}]({name}.md)", summary])
     index.table(["page", "what came out"], rows)
+    missing = "; ".join(f"{study}: {count}" for study, count in unfinished().items())
+    index.text(f"Plans that are missing: {missing or 'none'}. `scripts/reproduce` goes on with them.")
     index.write()
     print(f"written to {folder}", file=sys.stderr)
 
