@@ -1,6 +1,7 @@
-//! Median time per pose of values, Jacobians and Hessians, for parts of few and many facets and all instruction sets.
+//! Mean time per pose of values, Jacobians and Hessians, for parts of few and many facets and all instruction sets.
 //!
-//! `cargo bench -p collision`; medians, since other programs share the machine.
+//! `cargo bench -p collision`. Where the system tells it (Linux), processor time counts and not wall time: on a busy machine
+//! a batch that is longer than a slice of the scheduler would otherwise include the wait for the next slice.
 
 use std::time::Instant;
 
@@ -39,17 +40,24 @@ fn part(facets: usize, random: &mut Random) -> Polytope {
     }
 }
 
-/// Median microseconds per pose.
-fn median(mut evaluate: impl FnMut()) -> f64 {
+/// Seconds on the processor since the program began, or on the clock where the system does not say.
+fn seconds(begin: Instant) -> f64 {
+    let statistics = std::fs::read_to_string("/proc/self/schedstat").ok();
+    let running = statistics.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    running.map_or_else(|| begin.elapsed().as_secs_f64(), |nanoseconds| 1e-9 * nanoseconds)
+}
+
+/// Mean microseconds per pose over an interval that is long beside the ticks in which the system counts.
+fn mean(mut evaluate: impl FnMut()) -> f64 {
     let begin = Instant::now();
-    let mut times = Vec::new();
-    while times.len() < 5 || begin.elapsed().as_secs_f64() < DURATION {
-        let start = Instant::now();
+    evaluate();
+    let first = seconds(begin);
+    let mut count = 0;
+    while count < 5 || seconds(begin) - first < DURATION {
         evaluate();
-        times.push(start.elapsed().as_secs_f64());
+        count += 1;
     }
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2] * 1e6 / POSES as f64
+    (seconds(begin) - first) * 1e6 / (count * POSES) as f64
 }
 
 fn main() {
@@ -70,9 +78,9 @@ fn main() {
             let name = format!("{instructions:?}");
             for tau in SMOOTHINGS {
                 let run = |request: Request| pair.evaluate(instructions, &poses, tau, request).map(drop);
-                let plain = median(|| run(Request::Values(&mut values)).expect("converges"));
-                let first = median(|| run(Request::Jacobians(&mut values, &mut jacobians)).expect("converges"));
-                let second = median(|| {
+                let plain = mean(|| run(Request::Values(&mut values)).expect("converges"));
+                let first = mean(|| run(Request::Jacobians(&mut values, &mut jacobians)).expect("converges"));
+                let second = mean(|| {
                     let (seeds, values) = (&seeds[..], &mut values[..]);
                     let (jacobians, hessians) = (&mut jacobians[..], &mut hessians[..]);
                     run(Request::Hessians { seeds, values, jacobians, hessians }).expect("converges");

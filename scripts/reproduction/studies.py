@@ -1,0 +1,109 @@
+"""Runs the batches behind tables and figures, and reads what they left."""
+
+import dataclasses
+import json
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MATRICES = pathlib.Path(__file__).resolve().parent / "studies"
+TARGET = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+RUNS = ROOT / "out/reproduction"
+
+
+@dataclasses.dataclass
+class Cell:
+    """One planning problem and what has become of it."""
+
+    scene: str
+    start: str
+    delta_m: float
+    homotopy: str | None
+    state: str
+    failure: str | None
+    result: dict | None
+
+    @property
+    def is_finished(self) -> bool:
+        """Whether a solve has run to its end, good or bad."""
+        return self.result is not None
+
+    @property
+    def is_done(self) -> bool:
+        """Whether the plan converged and every scenario reaches the goal."""
+        return self.state == "done"
+
+    @property
+    def stages(self) -> list[dict]:
+        """Its homotopy iterations."""
+        return self.result["stages"]
+
+    @property
+    def error_mm(self) -> float:
+        """Largest final position error of all scenarios."""
+        return 1e3 * max(scenario["position_error_m"] for scenario in self.result["scenarios"])
+
+    @property
+    def penetration_mm(self) -> float:
+        """Deepest overlap of the exact shapes in any scenario."""
+        return 1e3 * max(scenario["max_penetration_m"] for scenario in self.result["scenarios"])
+
+    def seconds(self, part: str) -> float:
+        """Wall time of one part of all stages."""
+        return sum(stage["wall_split_s"][part] for stage in self.stages)
+
+
+def program(*arguments: object) -> int:
+    """Runs assembly-plan; its exit code. Exits when it refuses its input or breaks down."""
+    command = [TARGET / "release/assembly-plan", *map(str, arguments)]
+    try:
+        code = subprocess.run(command, check=False, stdout=subprocess.DEVNULL).returncode
+    except FileNotFoundError:
+        sys.exit(f"error: {command[0]} is missing; scripts/reproduce builds it")
+    if code not in (0, 1):
+        print(f"error: {' '.join(map(str, command))} ended with code {code}", file=sys.stderr)
+        sys.exit(code)
+    return code
+
+
+def processor_seconds(scene: str) -> float:
+    """Processor time of solving a scene from its first start, measured once: waiting for other programs is not in it."""
+    file = RUNS / "processor" / f"{scene}.json"
+    if not file.exists():
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        program("solve", ROOT / "scenes" / f"{scene}.toml", "--out", RUNS / "processor" / scene)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        file.write_text(json.dumps(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime))
+    return json.loads(file.read_text())
+
+
+def run(study: str, jobs: int, is_quick: bool) -> None:
+    """Solves what is not finished of a study; only its first cell for a quick look."""
+    folder = RUNS / study
+    print(f"{study}:", file=sys.stderr, flush=True)
+    program("batch", "expand", "--matrix", MATRICES / f"{study}.toml", "--out", folder)
+    first = ["--index", "0"] if is_quick else []
+    program("batch", "run", folder, "--jobs", jobs, *first)
+
+
+def load(study: str) -> list[Cell]:
+    """All cells of a study, finished or not; none when it was never begun."""
+    folder = RUNS / study
+    if not (folder / "manifest.jsonl").exists():
+        return []
+    program("batch", "collect", folder)
+    return [
+        Cell(
+            scene=pathlib.Path(element["cell"]["scene"]).stem,
+            start=element["cell"]["start"],
+            delta_m=element["cell"]["delta_m"],
+            homotopy=pathlib.Path(element["cell"]["homotopy"]).name if element["cell"]["homotopy"] else None,
+            state=element["state"],
+            failure=element["failure"],
+            result=element["result"],
+        )
+        for element in json.loads((folder / "cells.json").read_text())
+    ]
