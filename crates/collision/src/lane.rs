@@ -69,16 +69,16 @@ impl<S: Simd> Lane<S> {
         numbers
     }
 
-    /// `self factor + term`, rounded once where the processor can: a library call that does so takes many times longer.
+    /// `self factor + term`, rounded once.
     #[inline(always)]
     pub fn mul_add(self, factor: Self, term: Self) -> Self {
-        Self { value: self.simd.mul_add_e_f64s(self.value, factor.value, term.value), ..self }
+        Self { value: self.simd.mul_add_f64s(self.value, factor.value, term.value), ..self }
     }
 
-    /// `term - self factor`, rounded as in [`Self::mul_add`].
+    /// `term - self factor`, rounded once.
     #[inline(always)]
     pub fn mul_sub_from(self, factor: Self, term: Self) -> Self {
-        Self { value: self.simd.negate_mul_add_e_f64s(self.value, factor.value, term.value), ..self }
+        Self { value: self.simd.negate_mul_add_f64s(self.value, factor.value, term.value), ..self }
     }
 
     /// The smaller number.
