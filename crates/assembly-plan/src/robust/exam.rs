@@ -8,6 +8,10 @@ use simulation::{Trial, Verdict, offsets};
 /// margin there but the planned offsets, which are played too.
 const FRACTIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
 
+/// Errors in every direction that random offsets have on top, as a part of delta-hat: what succeeds by a hair in one
+/// simulator does not in another, and planned offsets often lie in a plane.
+const SPREAD: f64 = 0.05;
+
 /// Trials and how they are counted.
 pub struct Exam {
     cells: Vec<Mark>,
@@ -38,7 +42,13 @@ impl Exam {
             };
             for (index, fraction) in FRACTIONS.iter().enumerate() {
                 let scaled: Vec<[f64; 3]> = task.offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
-                add(fraction * delta, false, &offsets::hull(&scaled, count, seed + index as u64));
+                let seed = seed + index as u64;
+                let errors = offsets::ball(SPREAD * delta, count, seed);
+                let planned = offsets::hull(&scaled, count, seed);
+                let sum =
+                    |(offset, error): ([f64; 3], &[f64; 3])| std::array::from_fn(|axis| offset[axis] + error[axis]);
+                let spread: Vec<[f64; 3]> = planned.into_iter().zip(&errors).map(sum).collect();
+                add(fraction * delta, false, &spread);
             }
             add(delta, true, &task.offsets);
         }

@@ -153,7 +153,13 @@ impl<'run> Robust<'run> {
         let (stage, mut refinement) = self.best_stage(&stages);
         round.chosen_stage = stage + 1;
         let mut best: Option<(Reference, Vec<Mark>)> = None;
-        loop {
+        if self.rounds.is_empty() && rate(&self.before) >= self.wishes.rate {
+            // A plan that is good enough is left alone: refinement knows nothing of its margins.
+            round.chosen_stage = stages.len();
+            round.rate = rate(&self.before);
+            best = Some((reference(&stages[stages.len() - 1]), self.before.clone()));
+        }
+        while best.as_ref().is_none_or(|(_, marks)| rate(marks) < self.wishes.rate) {
             let passes = self.train(&mut refinement, &mut round.changes);
             let (failures, marks) = self.examine(refinement.reference());
             let current = rate(&marks);
