@@ -150,6 +150,10 @@ pub struct SimulateArguments {
     /// Threads [default: one per processor]; they change nothing but the time it takes
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
+    /// Also write the course of one rollout to a CSV file with the columns of reference.csv: the first plan's at the first
+    /// friction and offset
+    #[arg(long, value_name = "FILE")]
+    pub trace: Option<PathBuf>,
     /// Folder for rollouts.csv and success.csv [default: DIR]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -19,6 +19,7 @@ mod simulate;
 mod smoothing;
 mod solve;
 mod success_table;
+mod trace;
 
 use std::process::ExitCode;
 

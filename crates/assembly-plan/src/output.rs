@@ -102,10 +102,14 @@ fn contacts(trajectory: &Trajectory, pairs: &[ContactPair]) -> Result<Vec<u8>, F
     table(header.into_iter(), rows)
 }
 
-/// Time of a step, without the rounding of repeated addition.
 fn time(trajectory: &Trajectory, step: usize) -> String {
+    in_seconds(step as f64 * trajectory.time_step)
+}
+
+/// A time (s) without the rounding of its computation.
+pub fn in_seconds(time: f64) -> String {
     const NANOSECONDS: f64 = 1e9;
-    ((step as f64 * trajectory.time_step * NANOSECONDS).round() / NANOSECONDS).to_string()
+    ((time * NANOSECONDS).round() / NANOSECONDS).to_string()
 }
 
 /// A table as CSV.

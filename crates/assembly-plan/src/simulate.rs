@@ -15,6 +15,7 @@ use crate::output::{table, write_file};
 use crate::plan::{Plan, read_numbers};
 use crate::played::{Motion, Played};
 use crate::success_table::SuccessTable;
+use crate::trace::trace;
 
 /// Poses closer than this (m, rad) are the same: files keep all digits.
 const SAME_POSE: f64 = 1e-6;
@@ -48,6 +49,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
     let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
     write_file(&folder.join("rollouts.csv"), &rollouts(&played)?)?;
     write_file(&folder.join("success.csv"), &successes.to_csv()?)?;
+    if let Some(file) = &arguments.trace {
+        write_trace(file, arguments, &scene, &played)?;
+    }
     println!(
         "{}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, overlap \
          and force are the largest of all rollouts\n\n{successes}",
@@ -69,17 +73,13 @@ fn play<'plan>(
     magnitudes: &[f64],
     jobs: usize,
 ) -> Result<Vec<Played<'plan>>, Failure> {
-    let about_plan = |problem| Failure::Input(format!("{}: {problem}", plan.folder.display()));
-    let mut task = scene.task(Some(&plan.start), Some(plan.delta)).map_err(about_plan)?;
-    // Reality does not know which pairs the plan has left out.
-    task.pairs = scene.all_pairs();
+    let task = world(scene, plan)?;
     let motions = motions(arguments, plan, &task)?;
     let injections = injections(arguments, scene, plan, magnitudes)?;
     let success = Success { position: arguments.position_tolerance, orientation: arguments.angle_tolerance };
     let mut played = Vec::new();
     for &friction in &arguments.friction {
-        let (time_step, settling_time) = (arguments.time_step, arguments.settling_time);
-        let rollout = Rollout::new(&task, Settings { time_step, friction, settling_time });
+        let rollout = Rollout::new(&task, settings(arguments, friction));
         for (motion, reference) in &motions {
             for Injection { magnitude, offsets } in &injections {
                 let outcomes = rollout.simulate(reference, offsets, jobs);
@@ -96,6 +96,25 @@ fn play<'plan>(
         }
     }
     Ok(played)
+}
+
+/// The task of a plan as it is in reality, which does not know which pairs the plan has left out.
+fn world(scene: &Scene, plan: &Plan) -> Result<AssemblyTask, Failure> {
+    let about_plan = |problem| Failure::Input(format!("{}: {problem}", plan.folder.display()));
+    let task = scene.task(Some(&plan.start), Some(plan.delta)).map_err(about_plan)?;
+    Ok(AssemblyTask { pairs: scene.all_pairs(), ..task })
+}
+
+fn settings(arguments: &SimulateArguments, friction: f64) -> Settings {
+    Settings { time_step: arguments.time_step, friction, settling_time: arguments.settling_time }
+}
+
+/// `--trace`: plays the plan's first rollout again and writes its course.
+fn write_trace(file: &Path, arguments: &SimulateArguments, scene: &Scene, played: &[Played]) -> Result<(), Failure> {
+    let first = played.iter().find(|played| played.motion == Motion::Plan);
+    let first = first.ok_or_else(|| Failure::Internal("no plan was played".to_owned()))?;
+    let rollout = Rollout::new(&world(scene, first.plan)?, settings(arguments, first.friction));
+    write_file(file, &trace(&rollout, &first.plan.reference()?, &first.offset)?)
 }
 
 fn motions(
