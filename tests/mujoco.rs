@@ -18,7 +18,7 @@ fn simulated(plan: &Path, friction: &str) -> Vec<Moment> {
     let trace = out.path().join("trace.csv");
     let run = Command::new(env!("CARGO_BIN_EXE_assembly-plan"))
         .args(["simulate".as_ref(), plan.join("resolved.toml").as_os_str(), plan.as_os_str()])
-        .args(["--friction", friction, "--out".as_ref(), out.path().as_os_str().to_str().unwrap()])
+        .args(["--friction", friction, "--out", out.path().to_str().unwrap()])
         .args(["--trace".as_ref(), trace.as_os_str()])
         .output()
         .unwrap();

@@ -1,18 +1,28 @@
 //! `solve --robust` as a user runs it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use serde_json::Value;
 
-/// Plans the smallest scene; one friction is enough.
+/// The smallest scene.
+fn corner() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml")
+}
+
+/// One friction is enough.
+fn command(out: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_assembly-plan"));
+    command.arg("solve").arg(corner()).args(["--friction", "0", "--robust", "--out"]).arg(out).args(arguments);
+    command
+}
+
+fn result(out: &Path) -> Value {
+    serde_json::from_str(&std::fs::read_to_string(out.join("result.json")).unwrap()).unwrap()
+}
+
 fn solve(out: &Path, arguments: &[&str]) -> (Output, Value) {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let all =
-        [&["solve", "scenes/corner.toml", "--friction", "0", "--robust", "--out", out.to_str().unwrap()], arguments];
-    let run = Command::new(env!("CARGO_BIN_EXE_assembly-plan")).current_dir(root).args(all.concat()).output().unwrap();
-    let result = std::fs::read_to_string(out.join("result.json")).unwrap();
-    (run, serde_json::from_str(&result).unwrap())
+    (command(out, arguments).output().unwrap(), result(out))
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -50,6 +60,45 @@ fn without_time_the_best_plan_is_kept_and_the_exit_code_says_so() {
     assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
     assert_eq!(result["status"], "the wanted rate of success is not reached");
     assert_eq!(result["robust"]["reached"], false);
+    assert!(folder.path().join("reference.csv").exists());
+}
+
+/// Nothing ends a hundredth of a millimetre from the goal, so that all problems are tried.
+const HOPELESS: [&str; 4] = ["--position-tolerance", "1e-5", "--patience", "3"];
+
+#[test]
+fn where_refinement_is_stuck_other_problems_are_solved() {
+    let folder = tempfile::tempdir().unwrap();
+    let (run, result) = solve(folder.path(), &HOPELESS);
+    assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
+    let rounds = result["robust"]["rounds"].as_array().unwrap();
+    let names: Vec<&str> = rounds.iter().map(|round| round["planned"].as_str().unwrap()).collect();
+    assert_eq!((names.len(), names[0]), (9, "the scene as it is"), "{names:?}");
+    for round in rounds {
+        assert_eq!(round["training_failures"], round["training_trials"], "{round}");
+        assert_eq!(round["rate"], 0.0, "{round}");
+    }
+    let find = |name: &str| &rounds[names.iter().position(|other| *other == name).unwrap()];
+    assert_eq!(find("twice the time")["steps"], 40);
+    assert_eq!(find("half the time step")["time_step_s"], 0.04);
+    assert_eq!(find("no offset and half offsets as scenarios")["scenarios_m"].as_array().unwrap().len(), 5);
+    assert!(text(&run.stdout).contains("the best of 9 problems"), "{}", text(&run.stdout));
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_the_best_plan_so_far() {
+    use std::io::{BufRead, BufReader};
+    let folder = tempfile::tempdir().unwrap();
+    let mut child = command(folder.path(), &HOPELESS).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
+    assert!(lines.any(|line| line.unwrap().contains("variants of the problem")));
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    // Whoever stops reading must not stop the program.
+    assert!(lines.all(|line| line.is_ok()));
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let result = result(folder.path());
+    assert!(result["robust"]["rounds"].as_array().unwrap().len() < 9);
     assert!(folder.path().join("reference.csv").exists());
 }
 

@@ -77,7 +77,26 @@ pub struct SolveArguments {
     #[arg(long, hide = true, requires = "resume", value_name = "IDENTITY")]
     pub cell: Option<String>,
     #[command(flatten)]
+    pub tolerance: ToleranceArguments,
+    #[command(flatten)]
     pub robust: RobustArguments,
+}
+
+/// What counts as success.
+#[derive(Debug, Args)]
+pub struct ToleranceArguments {
+    /// Largest final position error of a success (m)
+    #[arg(long, value_name = "M", default_value_t = Success::default().position, value_parser = positive)]
+    pub position_tolerance: f64,
+    /// Largest final angle to the goal of a success (rad)
+    #[arg(long, value_name = "RAD", default_value_t = Success::default().orientation, value_parser = positive)]
+    pub angle_tolerance: f64,
+}
+
+impl From<&ToleranceArguments> for Success {
+    fn from(arguments: &ToleranceArguments) -> Self {
+        Self { position: arguments.position_tolerance, orientation: arguments.angle_tolerance }
+    }
 }
 
 /// How a plan is made robust.
@@ -92,6 +111,9 @@ pub struct RobustArguments {
     /// With --robust: after this time (s) the best plan so far is kept
     #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = positive, requires = "robust")]
     pub time_limit: f64,
+    /// With --robust: changes tried in vain after which the refinement of a plan is given up
+    #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
+    pub patience: u32,
     /// With --robust: Coulomb friction coefficients
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0,0.1", value_parser = not_negative)]
     #[arg(allow_negative_numbers = true, requires = "robust")]
@@ -135,12 +157,8 @@ pub struct SimulateArguments {
     /// Also play the reference of every homotopy iteration
     #[arg(long)]
     pub stages: bool,
-    /// Largest final position error of a success (m)
-    #[arg(long, value_name = "M", default_value_t = Success::default().position, value_parser = positive)]
-    pub position_tolerance: f64,
-    /// Largest final angle to the goal of a success (rad)
-    #[arg(long, value_name = "RAD", default_value_t = Success::default().orientation, value_parser = positive)]
-    pub angle_tolerance: f64,
+    #[command(flatten)]
+    pub tolerance: ToleranceArguments,
     /// How long the end of the reference is held before a rollout is judged (s)
     #[arg(long, value_name = "S", default_value_t = Settings::default().settling_time, value_parser = not_negative)]
     pub settling_time: f64,

@@ -146,12 +146,12 @@ struct LimitsRecord {
 }
 
 impl PlanResult {
-    /// Of a plan and the records of all homotopy iterations that ran for it.
-    pub fn new(problem: &Problem, plan: Planned, warnings: Vec<String>) -> Self {
+    /// Of a plan, what counts as success, and what the user was warned of.
+    pub fn new(problem: &Problem, plan: Planned, success: &Success, warnings: Vec<String>) -> Self {
         let Planned { stages, last, trajectory, task, report: robust } = plan;
         let (position, orientation) = trajectory.worst_errors();
         let converged = stages.len() == problem.homotopy.0.iterations && last.status.is_success();
-        let goal_reached = Success::default().reached(position, orientation);
+        let goal_reached = success.reached(position, orientation);
         let status = match (&robust, converged, goal_reached) {
             (Some(report), ..) if report.is_reached() => "done".to_owned(),
             (Some(_), ..) => "the wanted rate of success is not reached".to_owned(),

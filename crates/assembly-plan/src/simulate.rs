@@ -56,8 +56,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
         "{}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, overlap \
          and force are the largest of all rollouts\n\n{successes}",
         scene.title,
-        1e3 * arguments.position_tolerance,
-        arguments.angle_tolerance
+        1e3 * arguments.tolerance.position_tolerance,
+        arguments.tolerance.angle_tolerance
     );
     let rate = 60.0 * played.len() as f64 / seconds;
     println!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), in_words(jobs));
@@ -76,7 +76,7 @@ fn play<'plan>(
     let task = world(scene, plan)?;
     let motions = motions(arguments, plan, &task)?;
     let injections = injections(arguments, scene, plan, magnitudes)?;
-    let success = Success { position: arguments.position_tolerance, orientation: arguments.angle_tolerance };
+    let success = Success::from(&arguments.tolerance);
     let mut played = Vec::new();
     for &friction in &arguments.friction {
         let rollout = Rollout::new(&task, settings(arguments, friction));

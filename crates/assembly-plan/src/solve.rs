@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use nlp::{Control, SolveStatus, Start};
 use ocp::{Event, StageResult};
 use scene::{Scene, StartPose};
+use simulation::Success;
 
 use crate::arguments::SolveArguments;
 use crate::checkpoint::Checkpoint;
@@ -46,8 +47,9 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }
+    let success = Success::from(&arguments.tolerance);
     let plan = match arguments.robust.robust {
-        true => plan_robustly(&problem, &folder, &arguments.robust, &stopped)?,
+        true => plan_robustly(&problem, &folder, (&arguments.robust, success), &stopped)?,
         false => plan(&problem, &folder, checkpoint, &stopped)?,
     };
     // A robust plan has stopped its homotopies itself, when time was up.
@@ -60,7 +62,7 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     let late = late_warnings(&problem, &plan);
     late.iter().for_each(|warning| eprintln!("warning: {warning}"));
     warnings.extend(late);
-    let result = PlanResult::new(&problem, plan, warnings);
+    let result = PlanResult::new(&problem, plan, &success, warnings);
     let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
     write_file(&folder.join("result.json"), &json)?;
     println!("{}\nwritten to {}", result.summary(), folder.display());

@@ -1,9 +1,8 @@
 //! References judged by rollouts.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use ocp::{AssemblyTask, Limits};
 
+use crate::parallel::in_parallel;
 use crate::reference::Reference;
 use crate::rollout::Rollout;
 use crate::settings::Settings;
@@ -21,9 +20,10 @@ pub struct Trial {
 /// How a reference does in a trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Verdict {
-    /// Whether it ends at the goal.
+    /// Whether it ends at the goal and no pair is pushed harder than the task's limit allows.
     pub passed: bool,
-    /// Sum of the final errors in tolerances, 0 when passed.
+    /// Sum of the final errors in tolerances and of what the largest force exceeds its limit by, as a part of that; 0 when
+    /// passed.
     pub miss: f64,
 }
 
@@ -38,7 +38,7 @@ pub struct Examiner {
 /// Misses above this are all the same: how far away a lost part comes to rest says nothing.
 const LARGEST_MISS: f64 = 60.0;
 
-/// Part of a limit by which a reference may exceed it.
+/// Part of a limit by which a motion may exceed it.
 const LIMIT_SLACK: f64 = 1e-3;
 
 impl Examiner {
@@ -61,11 +61,13 @@ impl Examiner {
     /// Plays one trial.
     pub fn judge(&self, reference: &Reference, trial: &Trial) -> Verdict {
         let outcome = self.rollouts[trial.friction].play(reference, &trial.offset, |_, _| {});
-        if self.success.holds(&outcome) {
+        let excess = (outcome.max_force / self.limits.contact_force - 1.0).max(0.0);
+        if self.success.holds(&outcome) && excess <= LIMIT_SLACK {
             return Verdict { passed: true, miss: 0.0 };
         }
-        let miss =
+        let errors =
             outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
+        let miss = errors + excess;
         // Also when it is not a number.
         Verdict { passed: false, miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS } }
     }
@@ -74,25 +76,4 @@ impl Examiner {
     pub fn judge_all(&self, reference: &Reference, trials: &[Trial], jobs: usize) -> Vec<Verdict> {
         in_parallel(trials.len(), jobs, |index| self.judge(reference, &trials[index]))
     }
-}
-
-/// Results of `count` pieces of work in their order, on `jobs` threads.
-pub fn in_parallel<T: Send>(count: usize, jobs: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let labour = || {
-        let mut done = Vec::new();
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= count {
-                return done;
-            }
-            done.push((index, work(index)));
-        }
-    };
-    let mut results: Vec<(usize, T)> = std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..jobs.clamp(1, count.max(1))).map(|_| scope.spawn(labour)).collect();
-        threads.into_iter().flat_map(|thread| thread.join().expect("work does not panic")).collect()
-    });
-    results.sort_by_key(|(index, _)| *index);
-    results.into_iter().map(|(_, result)| result).collect()
 }

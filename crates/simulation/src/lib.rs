@@ -41,6 +41,7 @@ mod least_distance;
 mod metric;
 mod motion;
 pub mod offsets;
+mod parallel;
 mod reference;
 mod refinement;
 mod rollout;
@@ -50,6 +51,7 @@ mod success;
 
 pub use bump::Bump;
 pub use examiner::{Examiner, Trial, Verdict};
+pub use parallel::in_parallel;
 pub use reference::{Knot, Reference};
 pub use refinement::Refinement;
 pub use rollout::{Moment, Outcome, Rollout};

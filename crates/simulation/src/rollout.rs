@@ -5,7 +5,7 @@ use ocp::AssemblyTask;
 
 use crate::contact::ContactFinder;
 use crate::dynamics::{Body, Stepper};
-use crate::examiner::in_parallel;
+use crate::parallel::in_parallel;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
 

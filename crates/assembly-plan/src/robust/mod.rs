@@ -1,36 +1,38 @@
 //! `solve --robust`: plan, play, refine what fails, play again.
 //!
-//! A round solves one planning problem ([`variants`]) and takes the homotopy iteration whose reference passes most
-//! training trials. Random changes of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an
-//! [`exam`] with offsets that were never trained on decides; what fails there is trained on next. When refinement is
-//! stuck, the next round plans something else. The plan with the best exam is kept.
+//! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken. Random changes
+//! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an [`exam`] with offsets that were
+//! never trained on decides; what fails there is trained on next. When refinement is stuck, a [`portfolio`] of other
+//! problems is solved side by side, and these are refined, the best first. The plan with the best exam is kept.
 
+mod candidate;
 mod exam;
 mod plan;
+mod portfolio;
 mod report;
-mod variants;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use nlp::SolveStatus;
-use ocp::{AssemblyTask, StageResult};
-use simulation::{Examiner, Reference, Refinement, Trial};
+use ocp::{AssemblyTask, HomotopySettings, StageResult};
+use simulation::{Examiner, Reference, Refinement, Trial, in_parallel};
 
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::robust::candidate::{Candidate, Kept, played};
 use crate::robust::exam::{Exam, Mark, rate};
 pub use crate::robust::plan::plan_robustly;
+use crate::robust::portfolio::{Variant, portfolio};
 pub use crate::robust::report::Report;
 use crate::robust::report::Round;
-use crate::robust::variants::{VARIANTS, Variant, variant};
 
 /// Random offsets per friction and magnitude to train with at first, and in an exam: what fails there is trained on next,
 /// so that few are needed at first.
 const TRAINING: usize = 4;
 const EXAM: usize = 50;
-/// Attempts in a row without improvement after which refinement is stuck.
-const PATIENCE: usize = 150;
+/// Misses that shrink to more than this part are no improvement: refinement could creep until the time is over.
+const CREEPING: f64 = 0.99;
 /// Seed of training offsets and changes; exams have the seeds after it.
 const SEED: u64 = 1;
 /// Distance between seeds: an exam has one per magnitude.
@@ -42,6 +44,8 @@ pub struct Wishes {
     pub rate: f64,
     /// When to stop refining.
     pub time_limit: Duration,
+    /// Attempts in a row without improvement after which refinement is stuck.
+    pub patience: usize,
     /// Coulomb coefficients to play with.
     pub frictions: Vec<f64>,
     /// Threads of rollouts.
@@ -57,17 +61,14 @@ pub struct RobustPlan {
     pub report: Report,
 }
 
-/// A plan, its exam and its round.
-struct Kept {
-    stages: Vec<StageResult>,
-    reference: Reference,
-    marks: Vec<Mark>,
-    round: usize,
-}
+/// Solves a variant, says so while it does if it runs alone, and gives up when its last argument says so.
+pub trait Solve: Fn(&Variant, bool, &dyn Fn() -> bool) -> Result<Vec<StageResult>, Failure> + Sync {}
+impl<F: Fn(&Variant, bool, &dyn Fn() -> bool) -> Result<Vec<StageResult>, Failure> + Sync> Solve for F {}
 
 /// The loop's state.
 pub struct Robust<'run> {
     task: &'run AssemblyTask,
+    settings: &'run HomotopySettings,
     delta: f64,
     wishes: Wishes,
     examiner: &'run Examiner,
@@ -80,131 +81,147 @@ pub struct Robust<'run> {
     failing: Vec<[f64; 3]>,
     exams: u64,
     before: Vec<Mark>,
-    kept: Option<Kept>,
     rounds: Vec<Round>,
 }
 
 impl<'run> Robust<'run> {
-    /// For a task to plan and an examiner with the wished frictions, whose world may have more pairs.
+    /// For a task to plan, its homotopy, and an examiner with the wished frictions, whose world may have more pairs.
     pub fn new(
-        task: &'run AssemblyTask,
+        (task, settings): (&'run AssemblyTask, &'run HomotopySettings),
         examiner: &'run Examiner,
         delta: f64,
         wishes: Wishes,
         progress: &'run Progress,
         interrupted: &'run AtomicBool,
     ) -> Self {
-        let training = Exam::new(task, delta, &wishes.frictions, TRAINING, SEED).trials;
         Self {
             task,
+            settings,
             delta,
-            wishes,
             examiner,
             progress,
             interrupted,
             begin: Instant::now(),
-            training,
+            training: Exam::new(task, delta, &wishes.frictions, TRAINING, SEED).trials,
+            wishes,
             failing: Vec::new(),
             exams: 0,
             before: Vec::new(),
-            kept: None,
             rounds: Vec::new(),
         }
     }
 
-    /// Goes through the rounds until one reaches the wanted rate or the time is over. `solve` runs the homotopy of a task
-    /// and gives up when its second argument says so.
+    /// Plans the scene and refines the plan; where that does not reach the wanted rate, the portfolio's.
     ///
     /// # Errors
     /// What `solve` reports.
-    pub fn run(
-        mut self,
-        mut solve: impl FnMut(&AssemblyTask, &dyn Fn() -> bool) -> Result<Vec<StageResult>, Failure>,
-    ) -> Result<RobustPlan, Failure> {
-        for round in 0..VARIANTS {
-            let Variant { task, name } = variant(self.task, round, &self.failing);
-            self.progress.say(&format!("round {}: {name}, {} scenarios", round + 1, task.offsets.len()));
-            // Without any plan there is nothing that a time limit could keep.
-            let stages = solve(&task, &|| self.kept.is_some() && self.is_over())?;
-            let is_whole = stages.last().is_some_and(|last| last.status != SolveStatus::Interrupted);
-            if is_whole || self.kept.is_none() {
-                self.refine(name, &task, stages);
-            }
-            if self.is_over() || self.kept.as_ref().is_some_and(|kept| rate(&kept.marks) >= self.wishes.rate) {
-                break;
+    pub fn run(mut self, solve: &impl Solve) -> Result<RobustPlan, Failure> {
+        let scene = Variant::scene(self.task, self.settings);
+        // Without any plan there is nothing that a time limit could keep.
+        let stages = solve(&scene, true, &|| false)?;
+        self.before = self.examine(&played(&stages[stages.len() - 1])).1;
+        self.progress.say(&format!("{:.1} % of rollouts succeed", 100.0 * rate(&self.before)));
+        let mut best = self.first(&scene, stages);
+        if !self.is_enough(&best.marks) && !self.is_over() {
+            for candidate in self.solve_portfolio(&scene, solve)? {
+                if self.is_enough(&best.marks) || self.is_over() {
+                    self.rounds.push(candidate.round);
+                } else {
+                    let other = self.refine(candidate);
+                    if rate(&other.marks) > rate(&best.marks) {
+                        best = other;
+                    }
+                }
             }
         }
-        let Some(Kept { stages, reference, marks, round }) = self.kept else {
-            return Err(Failure::Internal("no round has led to a plan".to_owned()));
-        };
         let seconds = self.begin.elapsed().as_secs_f64();
-        let report = Report::new(self.wishes.rate, seconds, (self.before, marks), round, self.rounds);
-        Ok(RobustPlan { stages, reference, report })
+        let report = Report::new(self.wishes.rate, seconds, (self.before, best.marks), best.round, self.rounds);
+        Ok(RobustPlan { stages: best.stages, reference: best.reference, report })
     }
 
-    /// Refines the best reference of a homotopy and examines it, until it is good enough, stuck, or the time is over.
-    fn refine(&mut self, name: &'static str, task: &AssemblyTask, stages: Vec<StageResult>) {
+    /// The plan of the scene, refined unless it is good enough: refinement knows nothing of margins.
+    fn first(&mut self, scene: &Variant, stages: Vec<StageResult>) -> Kept {
+        let mut candidate = self.candidate(scene, stages);
+        if !self.is_enough(&self.before) {
+            return self.refine(candidate);
+        }
+        candidate.round.chosen_stage = candidate.stages.len();
+        candidate.round.rate = Some(rate(&self.before));
+        let reference = played(&candidate.stages[candidate.stages.len() - 1]);
+        self.rounds.push(candidate.round);
+        Kept { stages: candidate.stages, reference, marks: self.before.clone(), round: self.rounds.len() }
+    }
+
+    /// Solves all variants side by side; what passes most training trials comes first.
+    fn solve_portfolio(&self, scene: &Variant, solve: &impl Solve) -> Result<Vec<Candidate<'run>>, Failure> {
+        let variants = portfolio(scene, &self.failing);
+        self.progress.say(&format!("refinement is stuck; solving {} variants of the problem", variants.len()));
+        // MUMPS cannot run twice in a process.
+        let solvers = if self.settings.linear_solver == ocp::STAGE { self.wishes.jobs } else { 1 };
+        let solved = in_parallel(variants.len(), solvers, |index| solve(&variants[index], false, &|| self.is_over()));
+        let mut candidates = Vec::with_capacity(variants.len());
+        for (variant, stages) in variants.iter().zip(solved) {
+            let stages = stages?;
+            if stages.last().is_some_and(|last| last.status != SolveStatus::Interrupted) {
+                let candidate = self.candidate(variant, stages);
+                let (failing, count) = (candidate.round.training_failures, self.training.len());
+                self.progress.say(&format!("  {}: {failing} of {count} training rollouts fail", variant.name));
+                candidates.push(candidate);
+            }
+        }
+        candidates.sort_by_key(|candidate| candidate.round.training_failures);
+        Ok(candidates)
+    }
+
+    fn candidate(&self, variant: &Variant, stages: Vec<StageResult>) -> Candidate<'run> {
+        Candidate::new(variant, stages, self.examiner, &self.training, (SEED, self.wishes.jobs))
+    }
+
+    /// Refines a reference and examines it, until it is good enough, stuck, or half of the time left is over.
+    fn refine(&mut self, candidate: Candidate<'run>) -> Kept {
         let begin = Instant::now();
-        if self.before.is_empty() {
-            self.before = self.examine(&reference(&stages[stages.len() - 1])).1;
-            self.progress.say(&format!("  {:.1} % of rollouts succeed", 100.0 * rate(&self.before)));
-        }
-        let mut round = Round::new(name, task, &stages, self.training.len());
-        let (stage, mut refinement) = self.best_stage(&stages);
-        round.chosen_stage = stage + 1;
+        // What follows is to have its chance.
+        let budget = self.wishes.time_limit.saturating_sub(self.begin.elapsed()) / 2;
+        let is_late = || begin.elapsed() > budget;
+        let Candidate { stages, mut refinement, mut round } = candidate;
+        self.progress.say(&format!("refining: {}", round.planned));
         let mut best: Option<(Reference, Vec<Mark>)> = None;
-        if self.rounds.is_empty() && rate(&self.before) >= self.wishes.rate {
-            // A plan that is good enough is left alone: refinement knows nothing of its margins.
-            round.chosen_stage = stages.len();
-            round.rate = rate(&self.before);
-            best = Some((reference(&stages[stages.len() - 1]), self.before.clone()));
-        }
-        while best.as_ref().is_none_or(|(_, marks)| rate(marks) < self.wishes.rate) {
-            let passes = self.train(&mut refinement, &mut round.changes);
+        loop {
+            let passes = self.train(&mut refinement, &mut round.changes, &is_late);
             let (failures, marks) = self.examine(refinement.reference());
-            let current = rate(&marks);
-            self.progress.say(&format!("  {:.1} % succeed at offsets not trained on", 100.0 * current));
-            if best.as_ref().is_none_or(|(_, marks)| current > rate(marks)) {
-                round.rate = current;
+            self.progress.say(&format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate(&marks)));
+            let is_last = self.is_enough(&marks) || !passes || is_late() || self.is_over();
+            if best.as_ref().is_none_or(|(_, best)| rate(&marks) > rate(best)) {
                 self.failing = failures.iter().map(|trial| trial.offset).collect();
                 best = Some((refinement.reference().clone(), marks));
             }
-            if current >= self.wishes.rate || !passes || self.is_over() {
+            if is_last {
                 break;
             }
             round.added_trials += failures.len();
             refinement.add(&failures);
             self.training.extend(failures);
         }
+        let (reference, marks) = best.expect("an exam was held");
+        round.rate = Some(rate(&marks));
         round.refinement_s = begin.elapsed().as_secs_f64();
-        let kept_rate = self.kept.as_ref().map(|kept| rate(&kept.marks));
-        if let Some((reference, marks)) = best.filter(|(_, marks)| kept_rate.is_none_or(|kept| rate(marks) > kept)) {
-            self.kept = Some(Kept { stages, reference, marks, round: self.rounds.len() + 1 });
-        }
         self.rounds.push(round);
+        Kept { stages, reference, marks, round: self.rounds.len() }
     }
 
-    /// The homotopy iteration, from 0, whose reference passes most training trials; of equals the later, which is
-    /// smoothed less.
-    fn best_stage(&self, stages: &[StageResult]) -> (usize, Refinement<'run>) {
-        let seed = SEED + self.rounds.len() as u64;
-        let judged = stages.iter().map(|stage| {
-            Refinement::new(self.examiner, reference(stage), self.training.clone(), seed, self.wishes.jobs)
-        });
-        let best = judged.enumerate().min_by(|(one_stage, one), (other_stage, other)| {
-            one.score().0.cmp(&other.score().0).then(other_stage.cmp(one_stage))
-        });
-        best.expect("a homotopy has an iteration")
-    }
-
-    /// Improves until all training trials pass, which is what it returns, or it is stuck or the time is over.
-    fn train(&self, refinement: &mut Refinement, changes: &mut usize) -> bool {
-        let mut vain = 0;
-        while refinement.score().0 > 0 && vain < PATIENCE && !self.is_over() {
-            let improved = refinement.improve(self.wishes.jobs, &|| self.is_over());
-            vain = if improved { 0 } else { vain + 1 };
-            *changes += usize::from(improved);
-            self.progress.refinement(refinement.score().0, refinement.trials().len(), *changes);
+    /// Improves until all training trials pass, which is what it returns, or it is stuck or late.
+    fn train(&self, refinement: &mut Refinement, changes: &mut usize, is_late: &dyn Fn() -> bool) -> bool {
+        let stops = || is_late() || self.is_over();
+        let (mut vain, mut last) = (0, refinement.score());
+        while refinement.score().0 > 0 && vain < self.wishes.patience && !stops() {
+            *changes += usize::from(refinement.improve(self.wishes.jobs, &stops));
+            let (failing, miss) = refinement.score();
+            if failing < last.0 || miss < CREEPING * last.1 {
+                (vain, last) = (0, (failing, miss));
+            } else {
+                vain += 1;
+            }
+            self.progress.refinement(failing, refinement.trials().len(), *changes);
         }
         refinement.score().0 == 0
     }
@@ -220,11 +237,11 @@ impl<'run> Robust<'run> {
         (failures.collect(), exam.marks(&verdicts))
     }
 
+    fn is_enough(&self, marks: &[Mark]) -> bool {
+        rate(marks) >= self.wishes.rate
+    }
+
     fn is_over(&self) -> bool {
         self.interrupted.load(Ordering::Relaxed) || self.begin.elapsed() > self.wishes.time_limit
     }
-}
-
-fn reference(stage: &StageResult) -> Reference {
-    Reference::new(stage.trajectory.time_step, &stage.trajectory.reference)
 }

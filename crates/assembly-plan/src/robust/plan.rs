@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use nlp::Control;
-use ocp::{AssemblyTask, Event, StageResult};
+use ocp::{Event, StageResult};
 use simulation::{Examiner, Rollout, Settings, Success};
 
 use crate::arguments::{RobustArguments, threads};
@@ -15,13 +15,14 @@ use crate::planned::Planned;
 use crate::problem::Problem;
 use crate::progress::Progress;
 use crate::result::Stage;
+use crate::robust::portfolio::Variant;
 use crate::robust::{Robust, RobustPlan, Wishes};
 
 /// The plan is refined by rollouts, and its scenarios are rollouts without friction.
 pub fn plan_robustly(
     problem: &Problem,
     folder: &Path,
-    arguments: &RobustArguments,
+    (arguments, success): (&RobustArguments, Success),
     stopped: &AtomicBool,
 ) -> Result<Planned, Failure> {
     let mut world = problem.task.clone();
@@ -30,22 +31,29 @@ pub fn plan_robustly(
     let wishes = Wishes {
         rate: arguments.wanted_rate,
         time_limit: Duration::try_from_secs_f64(arguments.time_limit).unwrap_or(Duration::MAX),
+        patience: arguments.patience as usize,
         frictions: arguments.friction.clone(),
         jobs: threads(arguments.jobs),
     };
-    let examiner = Examiner::new(&world, &wishes.frictions, Success::default());
+    let examiner = Examiner::new(&world, &wishes.frictions, success);
     let progress = Progress::new();
-    let robust = Robust::new(&problem.task, &examiner, problem.delta, wishes, &progress, stopped);
     let settings = &problem.homotopy.0;
-    let homotopy = |task: &AssemblyTask, is_over: &dyn Fn() -> bool| -> Result<Vec<StageResult>, Failure> {
+    let robust = Robust::new((&problem.task, settings), &examiner, problem.delta, wishes, &progress, stopped);
+    let homotopy = |variant: &Variant, shown: bool, is_over: &dyn Fn() -> bool| {
         let observe = |event: Event| {
-            progress.iteration(&event);
+            if shown {
+                progress.iteration(&event);
+            }
             if stopped.load(Ordering::Relaxed) || is_over() { Control::Stop } else { Control::Continue }
         };
-        let finished = |number: usize, stage: &StageResult| progress.stage(number, settings.iterations, stage);
-        Ok(ocp::Homotopy::new(task, settings.clone()).run(observe, finished)?)
+        let finished = |number: usize, stage: &StageResult| {
+            if shown {
+                progress.stage(number, variant.settings.iterations, stage);
+            }
+        };
+        Ok(ocp::Homotopy::new(&variant.task, variant.settings.clone()).run(observe, finished)?)
     };
-    let RobustPlan { mut stages, reference, report } = robust.run(homotopy)?;
+    let RobustPlan { mut stages, reference, report } = robust.run(&homotopy)?;
     for (index, stage) in stages.iter().enumerate() {
         let stage_folder = folder.join("stages").join((index + 1).to_string());
         write_trajectory(&stage_folder, &stage.trajectory, &problem.task.pairs)?;

@@ -1,0 +1,86 @@
+//! What is planned: the scene as it is and, where its plan cannot be refined, problems whose plans may have more margin.
+//! Which of them helps differs from scene to scene.
+
+use ocp::{AssemblyTask, CostWeights, HomotopySettings};
+use simulation::offsets;
+
+/// A planning problem and what makes it differ from the scene's own.
+#[derive(Clone)]
+pub struct Variant {
+    pub task: AssemblyTask,
+    pub settings: HomotopySettings,
+    /// In words.
+    pub name: &'static str,
+}
+
+/// Failing offsets that a variant takes over as scenarios.
+const ADDED_FAILURES: usize = 3;
+
+/// Factor of the offsets that are planned with a margin.
+const MARGIN: f64 = 1.1;
+
+/// Factor of the weights of velocities in a slower plan.
+const SLOWNESS: f64 = 10.0;
+
+impl Variant {
+    /// The scene as it is.
+    pub fn scene(task: &AssemblyTask, settings: &HomotopySettings) -> Self {
+        Self { task: task.clone(), settings: settings.clone(), name: "the scene as it is" }
+    }
+
+    /// With another name and something changed.
+    fn changed(&self, name: &'static str, change: impl FnOnce(&mut AssemblyTask, &mut HomotopySettings)) -> Self {
+        let mut variant = Self { name, ..self.clone() };
+        change(&mut variant.task, &mut variant.settings);
+        variant.task.offsets = offsets::distinct(&variant.task.offsets);
+        variant
+    }
+}
+
+/// Variants in scenarios, horizon, weights and smoothing. `failing` are offsets (m) at which the best plan so far fails.
+pub fn portfolio(scene: &Variant, failing: &[[f64; 3]]) -> Vec<Variant> {
+    let scaled = |factor: f64| scene.task.offsets.iter().map(move |offset| offset.map(|component| factor * component));
+    vec![
+        scene.changed("failing offsets as scenarios", |task, _| task.offsets.extend(spread(failing, ADDED_FAILURES))),
+        scene.changed("no offset and half offsets as scenarios", |task, _| {
+            task.offsets.push([0.0; 3]);
+            task.offsets.extend(scaled(0.5));
+        }),
+        scene.changed("10 % more offset", |task, _| task.offsets = scaled(MARGIN).collect()),
+        scene.changed("twice the time", |task, _| task.horizon.steps *= 2),
+        scene.changed("half the time step", |task, _| {
+            task.horizon.steps *= 2;
+            task.horizon.time_step *= 0.5;
+        }),
+        scene.changed("ten times the weight of velocities", |task, _| {
+            slow_down(&mut task.cost.reference);
+            slow_down(&mut task.cost.compliant);
+        }),
+        scene.changed("half the first smoothing", |_, settings| {
+            settings.tau *= 0.5;
+            settings.sigma *= 0.5;
+        }),
+        scene.changed("twice the first smoothing", |_, settings| {
+            settings.tau *= 2.0;
+            settings.sigma *= 2.0;
+            settings.iterations += 1;
+        }),
+    ]
+}
+
+fn slow_down(weights: &mut CostWeights) {
+    weights.translational_velocity *= SLOWNESS;
+    weights.rotational_velocity *= SLOWNESS;
+}
+
+/// Some of the offsets, each as far from those before it as possible.
+fn spread(offsets: &[[f64; 3]], count: usize) -> Vec<[f64; 3]> {
+    let distance = |one: &[f64; 3], other: &[f64; 3]| (0..3).map(|axis| (one[axis] - other[axis]).powi(2)).sum::<f64>();
+    let mut chosen: Vec<[f64; 3]> = offsets.first().copied().into_iter().collect();
+    while chosen.len() < count.min(offsets.len()) {
+        let nearest =
+            |offset: &[f64; 3]| chosen.iter().map(|other| distance(offset, other)).fold(f64::INFINITY, f64::min);
+        chosen.extend(offsets.iter().copied().max_by(|one, other| nearest(one).total_cmp(&nearest(other))));
+    }
+    chosen
+}
