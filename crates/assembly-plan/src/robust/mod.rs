@@ -177,20 +177,17 @@ impl<'run> Robust<'run> {
         Candidate::new(variant, stages, self.examiner, &self.training, (SEED, self.wishes.jobs))
     }
 
-    /// Refines a reference and examines it, until it is good enough, stuck, or half of the time left is over.
+    /// Refines a reference and examines it, until it is good enough, stuck, or the time is over.
     fn refine(&mut self, candidate: Candidate<'run>) -> Kept {
         let begin = Instant::now();
-        // What follows is to have its chance.
-        let budget = self.wishes.time_limit.saturating_sub(self.begin.elapsed()) / 2;
-        let is_late = || begin.elapsed() > budget;
         let Candidate { stages, mut refinement, mut round } = candidate;
         self.progress.say(&format!("refining: {}", round.planned));
         let mut best: Option<(Reference, Vec<Mark>)> = None;
         loop {
-            let passes = self.train(&mut refinement, &mut round.changes, &is_late);
+            let passes = self.train(&mut refinement, &mut round.changes);
             let (failures, marks) = self.examine(refinement.reference());
             self.progress.say(&format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate(&marks)));
-            let is_last = self.is_enough(&marks) || !passes || is_late() || self.is_over();
+            let is_last = self.is_enough(&marks) || !passes || self.is_over();
             if best.as_ref().is_none_or(|(_, best)| rate(&marks) > rate(best)) {
                 self.failing = failures.iter().map(|trial| trial.offset).collect();
                 best = Some((refinement.reference().clone(), marks));
@@ -209,12 +206,11 @@ impl<'run> Robust<'run> {
         Kept { stages, reference, marks, round: self.rounds.len() }
     }
 
-    /// Improves until all training trials pass, which is what it returns, or it is stuck or late.
-    fn train(&self, refinement: &mut Refinement, changes: &mut usize, is_late: &dyn Fn() -> bool) -> bool {
-        let stops = || is_late() || self.is_over();
+    /// Improves until all training trials pass, which is what it returns, or it is stuck or the time is over.
+    fn train(&self, refinement: &mut Refinement, changes: &mut usize) -> bool {
         let (mut vain, mut last) = (0, refinement.score());
-        while refinement.score().0 > 0 && vain < self.wishes.patience && !stops() {
-            *changes += usize::from(refinement.improve(self.wishes.jobs, &stops));
+        while refinement.score().0 > 0 && vain < self.wishes.patience && !self.is_over() {
+            *changes += usize::from(refinement.improve(self.wishes.jobs, &|| self.is_over()));
             let (failing, miss) = refinement.score();
             if failing < last.0 || miss < CREEPING * last.1 {
                 (vain, last) = (0, (failing, miss));
