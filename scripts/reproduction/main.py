@@ -44,17 +44,17 @@ def parse_arguments() -> argparse.Namespace:
 def run(names: list[str], jobs: int, is_quick: bool) -> None:
     """Does what is not done yet."""
     for name in names:
-        if name in ("distances", "pegs") and not is_quick:
-            PAGES[name][0].run()
+        if name == "distances" and not is_quick:
+            distances.run()
         for study in PAGES[name][0].STUDIES:
             studies.run(study, jobs, is_quick)
 
 
 def machine() -> str:
     """The machine, in neutral words."""
-    return f"""One processor core per plan, on a shared machine with {os.cpu_count()} cores: other programs ran too, so that
-        wall times include waiting and are upper bounds only. The
-        paper used a laptop with an Intel i7-11850H (8 cores) and Ipopt with MA27."""
+    return f"""One processor core per plan, on a machine with {os.cpu_count()} cores. Only the plans of the pegs' page had it
+        for themselves; elsewhere wall times include waiting for other programs. The paper used a laptop with an Intel
+        i7-11850H (8 cores) and Ipopt with MA27."""
 
 
 def unfinished() -> dict[str, str]:
@@ -86,7 +86,9 @@ def write(folder: pathlib.Path) -> None:
         rows.append([f"[{title}]({name}.md)", summary])
     index.table(["page", "what came out"], rows)
     missing = "; ".join(f"{study}: {count}" for study, count in unfinished().items())
-    index.text(f"Plans that are missing: {missing or 'none'}. `scripts/reproduce` goes on with them.")
+    index.text(
+        f"Plans that are missing: {missing}. `scripts/reproduce` goes on with them." if missing else "No plan is missing."
+    )
     index.write()
     print(f"written to {folder}", file=sys.stderr)
 

@@ -45,7 +45,7 @@ class Page:
     def figure(self, name: str, figure: Figure, caption: str) -> None:
         """Saves a figure beside the page and shows it."""
         file = f"{self.name}_{name}"
-        figure.savefig(self.folder / f"{file}.svg", metadata={"Date": None}, bbox_inches="tight")
+        figure.savefig(self.folder / f"{file}.svg", metadata={"Date": None, "Creator": None}, bbox_inches="tight")
         plt.close(figure)
         self.lines += [f"![{caption}]({file}.svg)", ""]
         self.text(f"*{caption}*")

@@ -15,17 +15,6 @@ SPLIT = {
 }
 
 
-def run() -> None:
-    """Measures processor times."""
-    for peg in paper.TOTAL_WALL_S:
-        studies.processor_seconds(peg)
-
-
-def processor(peg: str) -> str:
-    """Processor time of the first start, if it was measured."""
-    return f"{studies.processor_seconds(peg):.1f}" if (studies.RUNS / "processor" / f"{peg}.json").exists() else "missing"
-
-
 def milliseconds(cells: list[studies.Cell], parts: tuple[str, ...]) -> float:
     """Mean wall time per iteration of these parts."""
     return mean(1e3 * sum(cell.seconds(part) for part in parts) / cell.result["iterations"] for cell in cells)
@@ -51,6 +40,8 @@ def figure(by_peg: dict[str, list[studies.Cell]]) -> plt.Figure:
     left.set(xlabel="homotopy iteration", ylabel="Ipopt iterations (mean)")
     right.set(ylabel="wall ms per iteration (mean)")
     left.legend(frameon=False)
+    # Room for the legend.
+    right.set_ylim(top=1.3 * right.get_ylim()[1])
     right.legend(frameon=False, fontsize=8)
     return drawn
 
@@ -71,7 +62,7 @@ def render(page: Page) -> str:
         return summary
     page.heading("Total time (Table total_comp_times)")
     page.table(
-        ["", "plans", "iterations (mean)", "wall s (mean)", "wall s, fastest and slowest", "processor s, start 1", "wall s, paper (mean)"],
+        ["", "plans", "iterations (mean)", "wall s (mean)", "wall s, fastest and slowest", "wall s, paper (mean)"],
         (
             [
                 peg,
@@ -79,17 +70,14 @@ def render(page: Page) -> str:
                 f"{mean(cell.result['iterations'] for cell in found):.0f}",
                 f"{mean(cell.result['wall_s'] for cell in found):.1f}",
                 f"{min(cell.result['wall_s'] for cell in found):.1f}, {max(cell.result['wall_s'] for cell in found):.1f}",
-                processor(peg),
                 paper.TOTAL_WALL_S[peg],
             ]
             for peg, found in by_peg.items()
         ),
     )
     page.text(
-        """Other programs had most of the machine during these runs, and not always the same part of it: equal work took up
-        to several times longer, so that wall times of two pegs cannot be compared, nor with the paper's; neither can wall
-        times per iteration, of which only the shares mean something. Processor time, of one solve of start 1, has no
-        waiting in it."""
+        """Wall times of plans solved one after the other with nothing else on the machine. The paper's Ipopt has MA27 for
+        its linear systems."""
     )
     page.heading("Iterations and time per iteration (Fig. pegs_data)")
     page.figure("iterations", figure(by_peg), "Left: Ipopt iterations. Right: wall time per iteration. Means of the starts.")

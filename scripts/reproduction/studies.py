@@ -4,7 +4,6 @@ import dataclasses
 import json
 import os
 import pathlib
-import resource
 import subprocess
 import sys
 
@@ -67,17 +66,6 @@ def program(*arguments: object) -> int:
         print(f"error: {' '.join(map(str, command))} ended with code {code}", file=sys.stderr)
         sys.exit(code)
     return code
-
-
-def processor_seconds(scene: str) -> float:
-    """Processor time of solving a scene from its first start, measured once: waiting for other programs is not in it."""
-    file = RUNS / "processor" / f"{scene}.json"
-    if not file.exists():
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        program("solve", ROOT / "scenes" / f"{scene}.toml", "--out", RUNS / "processor" / scene)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        file.write_text(json.dumps(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime))
-    return json.loads(file.read_text())
 
 
 def run(study: str, jobs: int, is_quick: bool) -> None:
