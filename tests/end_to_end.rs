@@ -1,7 +1,7 @@
 //! The program as a user runs it.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
 
@@ -258,4 +258,16 @@ fn check_explains_a_scene() {
     for words in ["6 pairs", "shaft", "wall5", "goal", "100 steps", "3 scenarios", "7000 variables"] {
         assert!(report.contains(words), "{words} is missing in\n{report}");
     }
+}
+
+#[test]
+fn nobody_has_to_listen() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("corner");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_assembly-plan"));
+    command.current_dir(project("")).args(["solve", "scenes/corner.toml", "--out", out.to_str().unwrap()]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop((child.stdout.take(), child.stderr.take()));
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    assert_eq!(result(&out)["status"], "done");
 }

@@ -73,16 +73,17 @@ fn where_refinement_is_stuck_other_problems_are_solved() {
     assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
     let rounds = result["robust"]["rounds"].as_array().unwrap();
     let names: Vec<&str> = rounds.iter().map(|round| round["planned"].as_str().unwrap()).collect();
-    assert_eq!((names.len(), names[0]), (9, "the scene as it is"), "{names:?}");
+    assert_eq!((names.len(), names[0]), (10, "the scene as it is"), "{names:?}");
     for round in rounds {
         assert_eq!(round["training_failures"], round["training_trials"], "{round}");
         assert_eq!(round["rate"], 0.0, "{round}");
     }
     let find = |name: &str| &rounds[names.iter().position(|other| *other == name).unwrap()];
     assert_eq!(find("twice the time")["steps"], 40);
+    assert_eq!(find("failing offsets as scenarios, from the refined plan")["scenarios_m"].as_array().unwrap().len(), 5);
     assert_eq!(find("half the time step")["time_step_s"], 0.04);
     assert_eq!(find("no offset and half offsets as scenarios")["scenarios_m"].as_array().unwrap().len(), 5);
-    assert!(text(&run.stdout).contains("the best of 9 problems"), "{}", text(&run.stdout));
+    assert!(text(&run.stdout).contains("the best of 10 problems"), "{}", text(&run.stdout));
 }
 
 #[cfg(unix)]
@@ -98,7 +99,7 @@ fn ctrl_c_keeps_the_best_plan_so_far() {
     assert!(lines.all(|line| line.is_ok()));
     assert_eq!(child.wait().unwrap().code(), Some(130));
     let result = result(folder.path());
-    assert!(result["robust"]["rounds"].as_array().unwrap().len() < 9);
+    assert!(result["robust"]["rounds"].as_array().unwrap().len() < 10);
     assert!(folder.path().join("reference.csv").exists());
 }
 

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::DONE;
 use crate::arguments::CheckArguments;
+use crate::console::{say, tell};
 use crate::failure::Failure;
 
 /// Distances of one pair at one pose.
@@ -29,13 +30,13 @@ pub fn run(arguments: &CheckArguments) -> Result<u8, Failure> {
         return Err(Failure::Input(format!("--tau {tau}: must be positive")));
     }
     for warning in &scene.warnings {
-        eprintln!("warning: {warning}");
+        tell!("warning: {warning}");
     }
     let pose = arguments.pose.map(|pose| pose.0);
     if arguments.json {
         let report = pair_reports(&task, &pose.unwrap_or(task.start), tau)?;
         let json = serde_json::to_string_pretty(&report).map_err(|error| Failure::Internal(error.to_string()))?;
-        println!("{json}");
+        say!("{json}");
     } else if let Some(pose) = pose {
         print_pairs(&pair_reports(&task, &pose, tau)?, tau);
     } else {
@@ -61,9 +62,9 @@ fn pair_reports(task: &AssemblyTask, pose: &[f64; 7], tau: f64) -> Result<Vec<Pa
 }
 
 fn print_pairs(reports: &[PairReport], tau: f64) {
-    println!("{:<20} {:<20} {:>12} {:>16}", "body", "environment", "exact (mm)", "smoothed (mm)");
+    say!("{:<20} {:<20} {:>12} {:>16}", "body", "environment", "exact (mm)", "smoothed (mm)");
     for report in reports {
-        println!(
+        say!(
             "{:<20} {:<20} {:>12.4} {:>16.4}",
             report.body,
             report.environment,
@@ -71,47 +72,43 @@ fn print_pairs(reports: &[PairReport], tau: f64) {
             1e3 * report.smoothed_distance_m
         );
     }
-    println!("smoothed with tau = {tau}");
+    say!("smoothed with tau = {tau}");
 }
 
 fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
-    println!("{}: {} pairs of parts may touch", scene.title, task.pairs.len());
+    say!("{}: {} pairs of parts may touch", scene.title, task.pairs.len());
     for (parent, parts) in [("body", &scene.body), ("environment", &scene.environment)] {
-        println!("\n{parent}");
+        say!("\n{parent}");
         for part in parts {
             let (facets, vertices) = (part.shape.normals().len(), part.shape.vertices().len());
-            println!(
-                "  {:<16} {:8.2} mm long, {facets} facets, {vertices} vertices",
-                part.name,
-                1e3 * part.shape.size()
-            );
+            say!("  {:<16} {:8.2} mm long, {facets} facets, {vertices} vertices", part.name, 1e3 * part.shape.size());
         }
     }
     let starts: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).collect();
-    println!("\nstarts: {}", starts.join(", "));
-    println!("\nsmallest exact distance (negative: overlap)");
-    println!("  goal                            {:8.3} mm", 1e3 * task.clearance(&task.goal));
-    println!("  start                           {:8.3} mm", 1e3 * task.clearance(&task.start));
+    say!("\nstarts: {}", starts.join(", "));
+    say!("\nsmallest exact distance (negative: overlap)");
+    say!("  goal                            {:8.3} mm", 1e3 * task.clearance(&task.goal));
+    say!("  start                           {:8.3} mm", 1e3 * task.clearance(&task.start));
     for (index, offset) in task.offsets.iter().enumerate() {
         let distance = task.clearance(&ocp::pose::without_offset(&task.start, offset));
         let [x, y, z] = offset.map(|component| 1e3 * component);
-        println!("  start, offset {} ({x:6.2} {y:6.2} {z:6.2}) {:7.3} mm", index + 1, 1e3 * distance);
+        say!("  start, offset {} ({x:6.2} {y:6.2} {z:6.2}) {:7.3} mm", index + 1, 1e3 * distance);
         if distance < 0.0 {
-            eprintln!("warning: with offset {} the body overlaps the environment at the start", index + 1);
+            tell!("warning: with offset {} the body overlaps the environment at the start", index + 1);
         }
     }
     if task.clearance(&task.goal) < 0.0 {
-        eprintln!("warning: the body overlaps the environment at the goal; it cannot be reached");
+        tell!("warning: the body overlaps the environment at the goal; it cannot be reached");
     }
     for (name, unit, limit) in task.limits.named() {
         if limit.is_finite() {
-            println!("limit: {name} {limit} {unit}");
+            say!("limit: {name} {limit} {unit}");
         }
     }
     let settings = &homotopy.0;
     let transcription = Transcription::new(task, settings.complementarity, settings.hessian);
     let layout = transcription.layout();
-    println!(
+    say!(
         "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} homotopy iterations",
         layout.steps,
         task.horizon.time_step,
@@ -123,16 +120,17 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
     warn_about_smoothing(task, homotopy);
 }
 
-/// Warns when the first smoothing is smaller than the offset: the plan may then end in a wrong optimum.
+/// Warns when the first smoothing is smaller than the offset: the plan may then end in a wrong optimum. It often does not,
+/// and success is not monotone in the first smoothing, so that this is no more than a hint.
 fn warn_about_smoothing(task: &AssemblyTask, homotopy: &Homotopy) {
     let norm = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
     let largest = task.offsets.iter().map(norm).fold(0.0, f64::max);
     let rows = task.pairs.iter().map(|pair| pair.shapes.row_count()).min().unwrap_or(0);
     let reach = homotopy.0.tau * rows as f64;
     if reach < 1.5 * largest {
-        eprintln!(
-            "warning: the first smoothing reaches {:.1} mm, the offset is {:.1} mm; a larger homotopy.tau finds better \
-             plans",
+        tell!(
+            "warning: the first smoothing reaches {:.1} mm, the offset is {:.1} mm; if plans miss the goal, try a larger \
+             homotopy.tau",
             1e3 * reach,
             1e3 * largest
         );

@@ -4,6 +4,7 @@ mod arguments;
 mod batch;
 mod check;
 mod checkpoint;
+mod console;
 mod failure;
 mod interrupt;
 mod limits;
@@ -26,6 +27,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::arguments::{Arguments, Command};
+use crate::console::tell;
 
 /// The goal is reached and everything is written.
 const DONE: u8 = 0;
@@ -44,7 +46,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(arguments),
     };
     let code = outcome.unwrap_or_else(|failure| {
-        eprintln!("error: {failure}");
+        tell!("error: {failure}");
         failure.exit_code()
     });
     ExitCode::from(code)

@@ -9,6 +9,7 @@ use simulation::{Reference, Rollout, Settings, Success, offsets};
 
 use crate::DONE;
 use crate::arguments::{SimulateArguments, threads};
+use crate::console::{say, tell};
 use crate::failure::Failure;
 use crate::interrupt::exit_at_once;
 use crate::output::{table, write_file};
@@ -39,7 +40,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
     let mut played = Vec::new();
     for plan in &plans {
         if !plan.converged {
-            eprintln!("warning: {}: the plan did not converge", plan.folder.display());
+            tell!("warning: {}: the plan did not converge", plan.folder.display());
         }
         played.extend(play(arguments, &scene, plan, &magnitudes, jobs)?);
     }
@@ -52,7 +53,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
     if let Some(file) = &arguments.trace {
         write_trace(file, arguments, &scene, &played)?;
     }
-    println!(
+    say!(
         "{}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, overlap \
          and force are the largest of all rollouts\n\n{successes}",
         scene.title,
@@ -60,8 +61,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
         arguments.tolerance.angle_tolerance
     );
     let rate = 60.0 * played.len() as f64 / seconds;
-    println!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), in_words(jobs));
-    println!("written to {}", folder.display());
+    say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), in_words(jobs));
+    say!("written to {}", folder.display());
     Ok(DONE)
 }
 
@@ -202,7 +203,7 @@ fn warn_about_overlap(played: &[Played]) {
     const OVERLAP: f64 = 1e-4;
     let count = played.iter().filter(|played| played.outcome.max_penetration > OVERLAP).count();
     if count > 0 {
-        eprintln!(
+        tell!(
             "warning: in {count} of {} rollouts parts overlap; is the offset so large that the body starts inside the \
              environment?",
             played.len()

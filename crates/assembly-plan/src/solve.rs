@@ -13,6 +13,7 @@ use simulation::Success;
 
 use crate::arguments::SolveArguments;
 use crate::checkpoint::Checkpoint;
+use crate::console::{say, tell};
 use crate::failure::Failure;
 use crate::interrupt::{stop_flag, stop_with_parent};
 use crate::limits;
@@ -37,7 +38,7 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
         return Err(Failure::Input(format!("{}: {message}", arguments.task.scene.display())));
     }
     let mut warnings = warnings(&problem);
-    warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    warnings.iter().for_each(|warning| tell!("warning: {warning}"));
     let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&scene, problem.start));
     let checkpoint = if arguments.resume { Checkpoint::load(&folder, &problem.identity) } else { None };
     prepare(&folder, checkpoint.is_some())?;
@@ -55,17 +56,17 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     // A robust plan has stopped its homotopies itself, when time was up.
     let interrupted = stopped.load(Ordering::Relaxed) && (plan.report.is_some() || plan.is_interrupted());
     if interrupted && arguments.resume {
-        eprintln!("interrupted in stage {}; the same command goes on with it", plan.stages.len());
+        tell!("interrupted in stage {}; the same command goes on with it", plan.stages.len());
         return Ok(INTERRUPTED);
     }
     write_trajectory(&folder, &plan.trajectory, &plan.task.pairs)?;
     let late = late_warnings(&problem, &plan);
-    late.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    late.iter().for_each(|warning| tell!("warning: {warning}"));
     warnings.extend(late);
     let result = PlanResult::new(&problem, plan, &success, warnings);
     let json = serde_json::to_vec_pretty(&result).map_err(|error| Failure::Internal(error.to_string()))?;
     write_file(&folder.join("result.json"), &json)?;
-    println!("{}\nwritten to {}", result.summary(), folder.display());
+    say!("{}\nwritten to {}", result.summary(), folder.display());
     if interrupted {
         return Ok(INTERRUPTED);
     }
@@ -120,7 +121,7 @@ fn plan(
         None => homotopy.run(observe, finished)?,
         Some(checkpoint) => {
             let done = checkpoint.stages.len();
-            eprintln!("going on after stage {done}/{planned} of an earlier run");
+            tell!("going on after stage {done}/{planned} of an earlier run");
             homotopy.run_from(done, Start::Warm(checkpoint.iterate()), observe, finished)?
         }
     };

@@ -8,6 +8,7 @@ use serde_json::Value;
 
 use super::manifest::{Cell, Manifest};
 use super::outcome::{Outcome, ScenarioOutcome, Split, State};
+use crate::console::say;
 use crate::failure::Failure;
 use crate::output::write_file;
 
@@ -71,7 +72,7 @@ pub fn collect(manifest: &Manifest) -> Result<(), Failure> {
             continue;
         }
         write_file(&file, &content)?;
-        println!("written {}", file.display());
+        say!("written {}", file.display());
     }
     Ok(())
 }

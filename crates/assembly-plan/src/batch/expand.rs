@@ -7,6 +7,7 @@ use scene::Scene;
 use super::arguments::MatrixArguments;
 use super::manifest::Cell;
 use super::matrix::{Key, Matrix, Starts};
+use crate::console::tell;
 use crate::failure::Failure;
 use crate::problem::{Problem, homotopy};
 
@@ -42,7 +43,7 @@ pub fn cells(arguments: &MatrixArguments) -> Result<Vec<Cell>, Failure> {
 fn scene_cells(matrix: &Matrix, file: &Path, cells: &mut Vec<Cell>) -> Result<(), Failure> {
     let scene = Scene::load(file)?;
     for warning in &scene.warnings {
-        eprintln!("warning: {warning}");
+        tell!("warning: {warning}");
     }
     let solver = matrix.linear_solver.as_deref();
     let mut homotopies = Vec::new();

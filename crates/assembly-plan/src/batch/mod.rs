@@ -19,6 +19,7 @@ mod submit;
 
 pub use arguments::BatchArguments;
 
+use crate::console::tell;
 use crate::failure::Failure;
 use crate::{DONE, INTERRUPTED};
 use arguments::{BatchCommand, MatrixArguments};
@@ -53,8 +54,8 @@ fn expand(arguments: &MatrixArguments) -> Result<Manifest, Failure> {
     let cells = manifest.cells.len();
     let file = manifest.file();
     match manifest.write()? {
-        true => eprintln!("{cells} cells written to {}", file.display()),
-        false => eprintln!("{cells} cells, as {} already says", file.display()),
+        true => tell!("{cells} cells written to {}", file.display()),
+        false => tell!("{cells} cells, as {} already says", file.display()),
     }
     Ok(manifest)
 }

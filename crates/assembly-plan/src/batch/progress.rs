@@ -1,5 +1,6 @@
 //! What the user sees while a batch runs: one line that is rewritten on a terminal, a line now and then otherwise.
 
+use crate::console::tell;
 use std::io::{IsTerminal, Write, stderr};
 use std::time::{Duration, Instant};
 
@@ -53,10 +54,10 @@ impl Progress {
         let clear = if self.rewrites && self.shown.is_some() { "\r\x1b[K" } else { "" };
         let Self { done, failed, total, solved, .. } = self;
         if *solved == 0 && done + failed == *total {
-            eprintln!("{clear}nothing to do: all {total} cells are finished, {done} done, {failed} failed");
+            tell!("{clear}nothing to do: all {total} cells are finished, {done} done, {failed} failed");
         } else {
             let time = words(self.begun.elapsed());
-            eprintln!("{clear}{done}/{total} cells done, {failed} failed; {solved} solves in {time}");
+            tell!("{clear}{done}/{total} cells done, {failed} failed; {solved} solves in {time}");
         }
     }
 

@@ -10,6 +10,7 @@ use super::manifest::{Cell, Manifest};
 use super::outcome::Outcome;
 use super::process::{Begun, Ended, Process};
 use super::progress::Progress;
+use crate::console::tell;
 use crate::failure::Failure;
 use crate::interrupt::stop_flag;
 use crate::{DONE, INTERRUPTED, NO_PLAN};
@@ -168,10 +169,10 @@ impl<'manifest> Pool<'manifest> {
         self.progress.end();
         self.failed.sort_by_key(|(cell, _)| cell.index);
         for (cell, reason) in &self.failed {
-            eprintln!("failed: {}: {reason} (see {})", cell.label(), self.manifest.folder.join(&cell.folder).display());
+            tell!("failed: {}: {reason} (see {})", cell.label(), self.manifest.folder.join(&cell.folder).display());
         }
         if !self.interrupted.is_empty() {
-            eprintln!("interrupted with {} cells to do; the same command goes on with them", self.interrupted.len());
+            tell!("interrupted with {} cells to do; the same command goes on with them", self.interrupted.len());
         }
     }
 }

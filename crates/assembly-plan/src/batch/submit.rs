@@ -7,6 +7,7 @@ use std::process::Command;
 use super::arguments::SubmitArguments;
 use super::manifest::Manifest;
 use crate::DONE;
+use crate::console::say;
 use crate::failure::Failure;
 use crate::output::write_file;
 
@@ -22,7 +23,7 @@ pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<u8, Fa
     let tasks = manifest.cells.len().div_ceil(arguments.count.get());
     write_file(&file, script(&folder, tasks, arguments)?.as_bytes())?;
     if !arguments.now {
-        println!("{} written; sbatch {0} submits its {tasks} tasks", file.display());
+        say!("{} written; sbatch {0} submits its {tasks} tasks", file.display());
         return Ok(DONE);
     }
     let status = Command::new("sbatch")

@@ -123,7 +123,7 @@ impl<'run> Robust<'run> {
         self.progress.say(&format!("{:.1} % of rollouts succeed", 100.0 * rate(&self.before)));
         let mut best = self.first(&scene, stages);
         if !self.is_enough(&best.marks) && !self.is_over() {
-            for candidate in self.solve_portfolio(&scene, solve)? {
+            for candidate in self.solve_portfolio(&scene, &best.reference, solve)? {
                 if self.is_enough(&best.marks) || self.is_over() {
                     self.rounds.push(candidate.round);
                 } else {
@@ -153,8 +153,13 @@ impl<'run> Robust<'run> {
     }
 
     /// Solves all variants side by side; what passes most training trials comes first.
-    fn solve_portfolio(&self, scene: &Variant, solve: &impl Solve) -> Result<Vec<Candidate<'run>>, Failure> {
-        let variants = portfolio(scene, &self.failing);
+    fn solve_portfolio(
+        &self,
+        scene: &Variant,
+        refined: &Reference,
+        solve: &impl Solve,
+    ) -> Result<Vec<Candidate<'run>>, Failure> {
+        let variants = portfolio(scene, refined, &self.failing);
         self.progress.say(&format!("refinement is stuck; solving {} variants of the problem", variants.len()));
         // MUMPS cannot run twice in a process.
         let solvers = if self.settings.linear_solver == ocp::STAGE { self.wishes.jobs } else { 1 };

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use nlp::Control;
+use nlp::{Control, Start};
 use ocp::{Event, StageResult};
 use simulation::{Examiner, Rollout, Settings, Success};
 
@@ -17,6 +17,9 @@ use crate::progress::Progress;
 use crate::result::Stage;
 use crate::robust::portfolio::Variant;
 use crate::robust::{Robust, RobustPlan, Wishes};
+
+/// Iterations of the homotopy that run from a motion: more smoothing would lead away from it.
+const LAST_ITERATIONS: usize = 2;
 
 /// The plan is refined by rollouts, and its scenarios are rollouts without friction.
 pub fn plan_robustly(
@@ -51,7 +54,19 @@ pub fn plan_robustly(
                 progress.stage(number, variant.settings.iterations, stage);
             }
         };
-        Ok(ocp::Homotopy::new(&variant.task, variant.settings.clone()).run(observe, finished)?)
+        let mut homotopy = ocp::Homotopy::new(&variant.task, variant.settings.clone());
+        Ok(match &variant.near {
+            None => homotopy.run(observe, finished)?,
+            Some(motion) => {
+                let start = Start::Cold(homotopy.transcription().guess_near(motion));
+                homotopy.run_from(
+                    variant.settings.iterations.saturating_sub(LAST_ITERATIONS),
+                    start,
+                    observe,
+                    finished,
+                )?
+            }
+        })
     };
     let RobustPlan { mut stages, reference, report } = robust.run(&homotopy)?;
     for (index, stage) in stages.iter().enumerate() {

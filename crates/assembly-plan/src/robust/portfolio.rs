@@ -1,14 +1,16 @@
 //! What is planned: the scene as it is and, where its plan cannot be refined, problems whose plans may have more margin.
 //! Which of them helps differs from scene to scene.
 
-use ocp::{AssemblyTask, CostWeights, HomotopySettings};
-use simulation::offsets;
+use ocp::{AssemblyTask, CostWeights, HomotopySettings, Trajectory};
+use simulation::{Reference, Rollout, Settings, offsets};
 
 /// A planning problem and what makes it differ from the scene's own.
 #[derive(Clone)]
 pub struct Variant {
     pub task: AssemblyTask,
     pub settings: HomotopySettings,
+    /// A motion at which the last iterations of the homotopy begin; without it, all run from the start pose.
+    pub near: Option<Trajectory>,
     /// In words.
     pub name: &'static str,
 }
@@ -25,7 +27,7 @@ const SLOWNESS: f64 = 10.0;
 impl Variant {
     /// The scene as it is.
     pub fn scene(task: &AssemblyTask, settings: &HomotopySettings) -> Self {
-        Self { task: task.clone(), settings: settings.clone(), name: "the scene as it is" }
+        Self { task: task.clone(), settings: settings.clone(), near: None, name: "the scene as it is" }
     }
 
     /// With another name and something changed.
@@ -37,11 +39,18 @@ impl Variant {
     }
 }
 
-/// Variants in scenarios, horizon, weights and smoothing. `failing` are offsets (m) at which the best plan so far fails.
-pub fn portfolio(scene: &Variant, failing: &[[f64; 3]]) -> Vec<Variant> {
+/// Variants in scenarios, horizon, weights and smoothing. `failing` are offsets (m) at which the refined reference, the
+/// best so far, fails.
+pub fn portfolio(scene: &Variant, refined: &Reference, failing: &[[f64; 3]]) -> Vec<Variant> {
+    let mut resolved = scene.changed("failing offsets as scenarios, from the refined plan", |task, _| {
+        add_failures(&mut task.offsets, failing);
+    });
+    let rollout = Rollout::new(&resolved.task, Settings::default());
+    resolved.near = Some(rollout.trajectory(refined, &resolved.task.offsets, resolved.settings.tau));
     let scaled = |factor: f64| scene.task.offsets.iter().map(move |offset| offset.map(|component| factor * component));
     vec![
-        scene.changed("failing offsets as scenarios", |task, _| task.offsets.extend(spread(failing, ADDED_FAILURES))),
+        resolved,
+        scene.changed("failing offsets as scenarios", |task, _| add_failures(&mut task.offsets, failing)),
         scene.changed("no offset and half offsets as scenarios", |task, _| {
             task.offsets.push([0.0; 3]);
             task.offsets.extend(scaled(0.5));
@@ -73,14 +82,13 @@ fn slow_down(weights: &mut CostWeights) {
     weights.rotational_velocity *= SLOWNESS;
 }
 
-/// Some of the offsets, each as far from those before it as possible.
-fn spread(offsets: &[[f64; 3]], count: usize) -> Vec<[f64; 3]> {
+/// Adds a few of the failing offsets, each as far from all scenarios as possible.
+fn add_failures(offsets: &mut Vec<[f64; 3]>, failing: &[[f64; 3]]) {
     let distance = |one: &[f64; 3], other: &[f64; 3]| (0..3).map(|axis| (one[axis] - other[axis]).powi(2)).sum::<f64>();
-    let mut chosen: Vec<[f64; 3]> = offsets.first().copied().into_iter().collect();
-    while chosen.len() < count.min(offsets.len()) {
+    for _ in 0..ADDED_FAILURES {
         let nearest =
-            |offset: &[f64; 3]| chosen.iter().map(|other| distance(offset, other)).fold(f64::INFINITY, f64::min);
-        chosen.extend(offsets.iter().copied().max_by(|one, other| nearest(one).total_cmp(&nearest(other))));
+            |offset: &[f64; 3]| offsets.iter().map(|other| distance(offset, other)).fold(f64::INFINITY, f64::min);
+        let farthest = failing.iter().copied().max_by(|one, other| nearest(one).total_cmp(&nearest(other)));
+        offsets.extend(farthest);
     }
-    chosen
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use simulation::{Bump, Examiner, Reference, Refinement, Success, Trial};
 
-use crate::world::{block, hole, task, through};
+use crate::world::{STIFFNESS, block, floor, hole, task, through};
 
 const WIDTH: f64 = 0.04;
 
@@ -67,6 +67,24 @@ fn changes_that_break_a_limit_are_refused() {
     assert!(limited.allows(refinement.reference()));
     let bent = |seed| beside().bent(&Bump::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
     assert!((0..20).any(|seed| !limited.allows(&bent(seed))), "there is something to be refused");
+}
+
+#[test]
+fn a_push_beyond_the_limit_is_no_success() {
+    let trial = Trial { friction: 0, offset: [0.0; 3] };
+    const DEPTH: f64 = 1e-3;
+    let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
+    world.goal[2] = 0.04;
+    let pressing = through(&[[0.0, 0.0, 0.04], [0.0, 0.0, 0.04 - DEPTH]], 1.0);
+    let mut judge = |limit: f64| {
+        world.limits.contact_force = limit;
+        Examiner::new(&world, &[0.0], Success::default()).judge(&pressing, &trial)
+    };
+    assert!(judge(f64::INFINITY).passed);
+    let force = STIFFNESS * DEPTH;
+    assert!(judge(1.2 * force).passed);
+    let gentle = judge(0.5 * force);
+    assert!(!gentle.passed && (gentle.miss - 1.0).abs() < 0.01, "{gentle:?}");
 }
 
 #[test]

@@ -1,0 +1,30 @@
+//! Where a solve begins.
+
+use std::path::Path;
+
+use ocp::{Complementarity, HessianKind, Trajectory, Transcription};
+
+#[test]
+fn a_solve_may_begin_at_a_motion() {
+    const TAU: f64 = 1e-3;
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+    let mut task = scene::Scene::load(&path).unwrap().task(None, None).unwrap();
+    task.horizon.steps = 4;
+    let transcription = Transcription::new(&task, Complementarity::Relaxation, HessianKind::Exact);
+    let layout = transcription.layout();
+    let mut x = transcription.initial_guess();
+    // Everything but quaternions, which a motion normalises: 13 coordinates of a state, of which 3 to 6 are one.
+    for (stage, trajectory) in layout.stages_and_trajectories() {
+        for coordinate in [0, 1, 2, 7, 8, 9, 10, 11, 12] {
+            x[layout.state(stage, trajectory) + coordinate] += 0.01 * (stage * 10 + trajectory + coordinate) as f64;
+        }
+    }
+    for (stage, scenario) in layout.stages_and_scenarios() {
+        for pair in 0..layout.pairs {
+            x[layout.contact_force(stage, scenario, pair)] += (stage + scenario + pair) as f64;
+        }
+    }
+    let again = transcription.guess_near(&Trajectory::new(&transcription, &x, TAU));
+    let largest = x.iter().zip(&again).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+    assert!(largest < 1e-12, "{largest}");
+}
