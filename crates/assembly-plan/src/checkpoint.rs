@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
 use crate::output::{remove_file, write_file};
-use crate::result::Stage;
+use crate::stage::Stage;
 
 /// Name of the file, beside the plan's own.
 pub const FILE: &str = "checkpoint.json";

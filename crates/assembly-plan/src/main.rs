@@ -19,6 +19,7 @@ mod robust;
 mod simulate;
 mod smoothing;
 mod solve;
+mod stage;
 mod success_table;
 mod trace;
 

@@ -3,8 +3,8 @@
 use nlp::SolveStatus;
 use ocp::{AssemblyTask, StageResult, Trajectory};
 
-use crate::result::Stage;
 use crate::robust::Report;
+use crate::stage::Stage;
 
 /// A plan and where it comes from.
 pub struct Planned {

@@ -91,7 +91,7 @@ fn play<'plan>(
                     magnitude: *magnitude,
                     offset,
                     outcome,
-                    success: success.holds(&outcome),
+                    success: outcome.is(&success),
                 }));
             }
         }

@@ -3,7 +3,7 @@
 use ocp::StageResult;
 
 use crate::problem::Problem;
-use crate::result::Stage;
+use crate::stage::Stage;
 
 /// Overlap that counts as hard contact, as a part of the clearance at the goal.
 const HARD: f64 = 0.1;

@@ -21,9 +21,10 @@ use crate::output::{remove_file, write_file, write_trajectory};
 use crate::planned::Planned;
 use crate::problem::{Problem, homotopy};
 use crate::progress::Progress;
-use crate::result::{PlanResult, Stage};
+use crate::result::PlanResult;
 use crate::robust::plan_robustly;
 use crate::smoothing;
+use crate::stage::Stage;
 use crate::{DONE, INTERRUPTED, NO_PLAN};
 
 /// Plans, writes all files and says what happened.

@@ -30,6 +30,19 @@ pub struct LagrangianHessian {
     adjoint: Tape,
 }
 
+impl Tape {
+    /// Derivatives by the first `variables` inputs; the other inputs are parameters.
+    pub fn jacobian(&self, variables: usize) -> Jacobian {
+        Jacobian::new(self, variables)
+    }
+
+    /// Second derivatives by the first `variables` inputs of the outputs weighted by multipliers, which become the last
+    /// inputs of the derivative tapes.
+    pub fn lagrangian_hessian(&self, variables: usize) -> LagrangianHessian {
+        LagrangianHessian::new(self, variables)
+    }
+}
+
 impl Jacobian {
     /// Evaluates the nonzeros; same inputs as the original tape.
     pub fn tape(&self) -> &Tape {

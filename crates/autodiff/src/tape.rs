@@ -3,7 +3,6 @@
 use std::cell::RefCell;
 
 use crate::batch::Batch;
-use crate::derivatives::{Jacobian, LagrangianHessian};
 use crate::differentiate::reachable;
 use crate::expression::Expression;
 use crate::graph::Graph;
@@ -45,17 +44,6 @@ impl Tape {
     /// Number of arithmetic operations per point.
     pub fn operation_count(&self) -> usize {
         self.operations.iter().filter(|operation| operation.is_arithmetic()).count()
-    }
-
-    /// Derivatives by the first `variables` inputs; the other inputs are parameters.
-    pub fn jacobian(&self, variables: usize) -> Jacobian {
-        Jacobian::new(self, variables)
-    }
-
-    /// Second derivatives by the first `variables` inputs of the outputs weighted by multipliers, which become the last
-    /// inputs of the derivative tapes.
-    pub fn lagrangian_hessian(&self, variables: usize) -> LagrangianHessian {
-        LagrangianHessian::new(self, variables)
     }
 
     /// Evaluates all outputs at all points. `inputs` may have more rows than the tape has inputs.

@@ -3,7 +3,15 @@
 use crate::layout::POSE;
 use crate::pose;
 use crate::task::AssemblyTask;
-use crate::trajectory::Contact;
+
+/// One pair at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Smoothed distance `Phi_tau` (m).
+    pub distance: f64,
+    /// Normal force in the step that led here (N).
+    pub force: f64,
+}
 
 /// Final errors and extremes of one scenario.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,10 +6,10 @@ use crate::layout::{Layout, POSE, STATE, TWIST};
 use crate::limits::Limits;
 use crate::model;
 use crate::pose;
-use crate::quality::Quality;
+use crate::quality::{Contact, Quality};
 use crate::state::{at_rest, pose_of};
 use crate::task::AssemblyTask;
-use crate::transcription::Transcription;
+use crate::transcription::{INITIAL_CONTACT_FORCE, Transcription};
 
 /// A reference trajectory and the motion that every scenario makes when it tracks it. Quaternions are of unit norm.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,15 +43,6 @@ pub struct ScenarioTrajectory {
     pub keeps: Limits,
 }
 
-/// One pair at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
-    /// Smoothed distance `Phi_tau` (m).
-    pub distance: f64,
-    /// Normal force in the step that led here (N).
-    pub force: f64,
-}
-
 impl Trajectory {
     /// Reads the point `x` of a transcription whose distances are smoothed by `tau`.
     pub fn new(transcription: &Transcription, x: &[f64], tau: f64) -> Self {
@@ -83,6 +74,26 @@ impl Trajectory {
             scenarios,
             quaternion_drift,
         }
+    }
+
+    /// The variables of a transcription at this motion, where a solve may begin.
+    ///
+    /// # Panics
+    /// When the motion has fewer steps, scenarios or pairs than the layout.
+    pub fn variables(&self, layout: Layout) -> Vec<f64> {
+        let mut x = vec![INITIAL_CONTACT_FORCE; layout.variable_count()];
+        for stage in layout.stages() {
+            x[layout.reference(stage)..][..STATE].copy_from_slice(&self.reference[stage]);
+        }
+        for (stage, scenario) in layout.stages_and_scenarios() {
+            let motion = &self.scenarios[scenario];
+            x[layout.compliant(stage, scenario)..][..STATE].copy_from_slice(&motion.states[stage]);
+            for (pair, contact) in motion.contacts[stage - 1].iter().enumerate() {
+                let force = &mut x[layout.contact_force(stage, scenario, pair)];
+                *force = contact.force.max(INITIAL_CONTACT_FORCE);
+            }
+        }
+        x
     }
 
     /// Largest final position error (m) and orientation error (rad) of all scenarios.

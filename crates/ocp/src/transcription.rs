@@ -6,17 +6,16 @@ use crate::contacts::Contacts;
 use crate::cost::LeastSquares;
 use crate::function::{ConstraintFunction, PointFunction, Source};
 use crate::layout::{Layout, POSE, STATE, TWIST};
-use crate::limits::limit_rows;
+use crate::limit_rows::limit_rows;
 use crate::model::{self, COMPLIANT_VARIABLES};
 use crate::pattern::PatternBuilder;
 use crate::pose::without_offset;
 use crate::settings::{Complementarity, HessianKind};
 use crate::state::{at_rest, pose_of};
 use crate::task::{AssemblyTask, CostWeights};
-use crate::trajectory::Trajectory;
 
 /// Contact forces of the initial guess (N).
-const INITIAL_CONTACT_FORCE: f64 = 1e-3;
+pub const INITIAL_CONTACT_FORCE: f64 = 1e-3;
 
 /// Layout, tapes and patterns of a task, built once; smoothing is set before each homotopy iteration.
 pub struct Transcription {
@@ -111,26 +110,6 @@ impl Transcription {
             x[self.layout.reference(stage)..][..STATE].copy_from_slice(&at_rest(&self.task.start));
             for (scenario, state) in self.initial_compliant.iter().enumerate() {
                 x[self.layout.compliant(stage, scenario)..][..STATE].copy_from_slice(state);
-            }
-        }
-        x
-    }
-
-    /// Variables at a motion with as many steps, scenarios and pairs, where a solve may begin.
-    ///
-    /// # Panics
-    /// When the motion has others.
-    pub fn guess_near(&self, motion: &Trajectory) -> Vec<f64> {
-        let mut x = vec![INITIAL_CONTACT_FORCE; self.layout.variable_count()];
-        for stage in self.layout.stages() {
-            x[self.layout.reference(stage)..][..STATE].copy_from_slice(&motion.reference[stage]);
-        }
-        for (stage, scenario) in self.layout.stages_and_scenarios() {
-            let motion = &motion.scenarios[scenario];
-            x[self.layout.compliant(stage, scenario)..][..STATE].copy_from_slice(&motion.states[stage]);
-            for (pair, contact) in motion.contacts[stage - 1].iter().enumerate() {
-                let force = &mut x[self.layout.contact_force(stage, scenario, pair)];
-                *force = contact.force.max(INITIAL_CONTACT_FORCE);
             }
         }
         x

@@ -6,7 +6,6 @@ use toml::Spanned;
 use crate::document::LimitsDocument;
 use crate::error::{SceneError, Source};
 use crate::pose::positive;
-use crate::scene::Scene;
 
 /// The limits that a scene gives.
 pub fn limits(source: Source, document: &LimitsDocument) -> Result<Limits, SceneError> {
@@ -34,37 +33,34 @@ struct Way<'document> {
     acceleration: &'document Option<Spanned<f64>>,
 }
 
-/// Refuses limits of velocity and acceleration within which the goal is too far from a start.
-pub fn check_reach(source: Source, document: &LimitsDocument, scene: &Scene) -> Result<(), SceneError> {
-    for start in &scene.starts {
-        for direction in &scene.offset_directions {
-            let offset = direction.map(|component| scene.offset_magnitude * component);
-            let actual = pose::without_offset(&start.pose, &offset);
-            let farthest = (0..3).map(|axis| (actual[axis] - scene.goal[axis]).abs()).fold(0.0, f64::max);
-            let (_, angle) = pose::errors(&actual, &scene.goal);
-            let ways = [
-                Way {
-                    kind: "translational",
-                    unit: "m",
-                    distance: farthest,
-                    velocity: &document.translational_velocity,
-                    acceleration: &document.translational_acceleration,
-                },
-                Way {
-                    kind: "rotational",
-                    unit: "rad",
-                    // Limits are per axis, so that a turn about a diagonal is the fastest.
-                    distance: angle / 3f64.sqrt(),
-                    velocity: &document.rotational_velocity,
-                    acceleration: &document.rotational_acceleration,
-                },
-            ];
-            for way in ways {
-                way.check(source, &start.name, scene.horizon)?;
-            }
-        }
-    }
-    Ok(())
+/// Refuses limits of velocity and acceleration within which the goal is too far from a pose of the body at a start, which
+/// has a name.
+pub fn check_reach(
+    source: Source,
+    document: &LimitsDocument,
+    (start, pose): (&str, &[f64; 7]),
+    goal: &[f64; 7],
+    horizon: Horizon,
+) -> Result<(), SceneError> {
+    let farthest = (0..3).map(|axis| (pose[axis] - goal[axis]).abs()).fold(0.0, f64::max);
+    let (_, angle) = pose::errors(pose, goal);
+    let translational = Way {
+        kind: "translational",
+        unit: "m",
+        distance: farthest,
+        velocity: &document.translational_velocity,
+        acceleration: &document.translational_acceleration,
+    };
+    let rotational = Way {
+        kind: "rotational",
+        unit: "rad",
+        // Limits are per axis, so that a turn about a diagonal is the fastest.
+        distance: angle / 3f64.sqrt(),
+        velocity: &document.rotational_velocity,
+        acceleration: &document.rotational_acceleration,
+    };
+    translational.check(source, start, horizon)?;
+    rotational.check(source, start, horizon)
 }
 
 impl Way<'_> {

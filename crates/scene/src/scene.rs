@@ -112,7 +112,13 @@ impl Scene {
             offset_directions,
             warnings,
         };
-        check_reach(source, &document.limits, &scene)?;
+        for start in &scene.starts {
+            for direction in &scene.offset_directions {
+                let offset = direction.map(|component| scene.offset_magnitude * component);
+                let pose = ocp::pose::without_offset(&start.pose, &offset);
+                check_reach(source, &document.limits, (&start.name, &pose), &scene.goal, scene.horizon)?;
+            }
+        }
         Ok(scene)
     }
 

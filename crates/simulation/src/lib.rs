@@ -13,7 +13,7 @@
 //!     let reference = Reference::new(plan.time_step, &plan.reference);
 //!     let rollout = Rollout::new(task, Settings { friction: 0.1, ..Settings::default() });
 //!     let outcomes = rollout.simulate(&reference, &offsets::hull(&task.offsets, 100, 1), 2);
-//!     outcomes.iter().filter(|outcome| Success::default().holds(outcome)).count()
+//!     outcomes.iter().filter(|outcome| outcome.is(&Success::default())).count()
 //! }
 //! ```
 //!

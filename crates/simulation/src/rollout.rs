@@ -8,6 +8,7 @@ use crate::dynamics::{Body, Stepper};
 use crate::parallel::in_parallel;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
+use crate::success::Success;
 
 /// A task that is ready to be played.
 #[derive(Debug, Clone)]
@@ -33,6 +34,13 @@ pub struct Outcome {
     pub max_force: f64,
     /// Whether the motion left the range of numbers; nothing else then means anything.
     pub diverged: bool,
+}
+
+impl Outcome {
+    /// Whether it ends at the goal.
+    pub fn is(&self, success: &Success) -> bool {
+        !self.diverged && success.reached(self.position_error, self.orientation_error)
+    }
 }
 
 /// A moment of a rollout.

@@ -1,7 +1,5 @@
 //! What counts as success, and how sure a rate of success is.
 
-use crate::rollout::Outcome;
-
 /// Largest final errors of a successful rollout.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Success {
@@ -18,11 +16,6 @@ impl Default for Success {
 }
 
 impl Success {
-    /// Whether a rollout ends at the goal.
-    pub fn holds(&self, outcome: &Outcome) -> bool {
-        !outcome.diverged && self.reached(outcome.position_error, outcome.orientation_error)
-    }
-
     /// Whether final errors (m, rad) are small enough.
     pub fn reached(&self, position_error: f64, orientation_error: f64) -> bool {
         position_error <= self.position && orientation_error <= self.orientation

@@ -14,9 +14,9 @@ use crate::output::write_trajectory;
 use crate::planned::Planned;
 use crate::problem::Problem;
 use crate::progress::Progress;
-use crate::result::Stage;
 use crate::robust::portfolio::Variant;
 use crate::robust::{Robust, RobustPlan, Wishes};
+use crate::stage::Stage;
 
 /// Iterations of the homotopy that run from a motion: more smoothing would lead away from it.
 const LAST_ITERATIONS: usize = 2;
@@ -58,7 +58,7 @@ pub fn plan_robustly(
         Ok(match &variant.near {
             None => homotopy.run(observe, finished)?,
             Some(motion) => {
-                let start = Start::Cold(homotopy.transcription().guess_near(motion));
+                let start = Start::Cold(motion.variables(homotopy.transcription().layout()));
                 homotopy.run_from(
                     variant.settings.iterations.saturating_sub(LAST_ITERATIONS),
                     start,
