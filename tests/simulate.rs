@@ -54,7 +54,7 @@ fn plans_are_played_counted_and_compared() {
     assert_eq!(
         header,
         "plan,start,delta_m,motion,friction,magnitude_m,x_m,y_m,z_m,success,position_error_m,orientation_error_rad,\
-         max_penetration_m,max_force_n"
+         max_penetration_m,max_force_n,turn_x_rad,turn_y_rad,turn_z_rad"
     );
     assert_eq!(rows.len(), 4, "two scenarios, and the straight push for each");
     for row in rows.iter().filter(|row| row[3] == "plan") {
@@ -102,6 +102,23 @@ fn offsets_come_from_a_grid_a_ball_or_a_list() {
 }
 
 #[test]
+fn the_part_may_be_turned_in_the_gripper() {
+    let folder = plans();
+    let plan = folder.path().join("0.02");
+    // Without offset, only turned: every rollout is another one.
+    let run = simulate(&plan, &["--random", "5", "--magnitude", "0", "--turn", "0.02"]);
+    assert_eq!(code(&run), 0, "{}", text(&run.stderr));
+    let (_, rows) = table(&plan.join("rollouts.csv"));
+    assert_eq!(rows.len(), 2 * 5);
+    for row in &rows {
+        let turn: f64 = row[14..].iter().map(|angle| angle.parse::<f64>().unwrap().powi(2)).sum::<f64>().sqrt();
+        assert!(turn > 0.0 && turn <= 0.02, "{row:?}");
+    }
+    let errors: Vec<&str> = rows.iter().filter(|row| row[3] == "plan").map(|row| row[11].as_str()).collect();
+    assert!(errors.windows(2).all(|pair| pair[0] != pair[1]), "{errors:?}");
+}
+
+#[test]
 fn wrong_input_exits_with_2_and_says_what_is_right() {
     let folder = plans();
     let plan = folder.path().join("0.02");
@@ -120,6 +137,7 @@ fn wrong_input_exits_with_2_and_says_what_is_right() {
         (vec![SCENE, &plan_text, "--offsets", &offsets], "there is no column `z_m`"),
         (vec![SCENE, &plan_text, "--friction", "-1"], "must not be negative"),
         (vec![SCENE, &plan_text, "--time-step", "0"], "must be above zero"),
+        (vec![SCENE, &plan_text, "--turn", "-0.1"], "must not be negative"),
         (vec![SCENE, &plan_text, "--random", "0"], "--random"),
         (vec![SCENE, &plan_text, "--grid", "20000"], "more than 10000"),
         (vec![SCENE, &plan_text, "--random", "3", "--grid", "3"], "cannot be used with"),

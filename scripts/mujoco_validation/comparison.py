@@ -13,11 +13,13 @@ from rollout import Outcome
 
 @dataclasses.dataclass(frozen=True)
 class Rollout:
-    """A motion that `assembly-plan simulate` played: offset (m, body frame), success and final errors (m, rad)."""
+    """A motion that `assembly-plan simulate` played: offset (m, body frame), whether the part was turned in the gripper,
+    success and final errors (m, rad)."""
 
     motion: str
     friction: float
     offset: np.ndarray
+    turned: bool
     success: bool
     position_error: float
     angle_error: float
@@ -32,6 +34,8 @@ def read(path: pathlib.Path, plan: Plan) -> list[Rollout]:
             rows = [rollout(row) for row in csv.DictReader(file) if pathlib.Path(row["plan"]).resolve().name == name]
     except (OSError, KeyError, TypeError, ValueError) as error:
         raise InputError(f"--compare {path}: no rollouts.csv of `assembly-plan simulate`: {error}") from error
+    if any(row.turned for row in rows):
+        raise InputError(f"--compare {path}: parts that are turned in the gripper (--turn) cannot be compared")
     if not rows:
         raise InputError(f"--compare {path}: no rollouts of a plan in a folder called {name}")
     return rows
@@ -43,6 +47,7 @@ def rollout(row: dict[str, str]) -> Rollout:
         motion=row["motion"],
         friction=float(row["friction"]),
         offset=np.array([float(row[column]) for column in ("x_m", "y_m", "z_m")]),
+        turned=any(float(row[column]) for column in ("turn_x_rad", "turn_y_rad", "turn_z_rad")),
         success=row["success"] == "1",
         position_error=float(row["position_error_m"]),
         angle_error=float(row["orientation_error_rad"]),

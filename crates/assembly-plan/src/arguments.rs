@@ -118,6 +118,10 @@ pub struct RobustArguments {
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0,0.1", value_parser = not_negative)]
     #[arg(allow_negative_numbers = true, requires = "robust")]
     pub friction: Vec<f64>,
+    /// With --robust: by how much the part may be turned in the gripper, about any axis, besides its offset (rad)
+    #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, requires = "robust")]
+    #[arg(allow_negative_numbers = true)]
+    pub turn: f64,
     /// With --robust: threads [default: one per processor]; they change nothing but the time it takes
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), requires = "robust")]
     pub jobs: Option<u16>,
@@ -146,6 +150,9 @@ pub struct SimulateArguments {
     /// Play the offsets of a CSV file with the header x_m,y_m,z_m (body frame)
     #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]
     pub offsets: Option<PathBuf>,
+    /// Turn the part in the gripper too, at random: by up to this angle about any axis, another for every offset (rad)
+    #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, allow_negative_numbers = true)]
+    pub turn: f64,
     /// Magnitudes in metres to which the planned offsets are scaled [default: delta-hat of every plan]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = not_negative)]
     #[arg(allow_negative_numbers = true)]

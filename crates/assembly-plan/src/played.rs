@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use simulation::Outcome;
+use simulation::{Grasp, Outcome};
 
 use crate::plan::Plan;
 
@@ -34,8 +34,8 @@ pub struct Played<'plan> {
     pub friction: f64,
     /// Injected magnitude (m).
     pub magnitude: f64,
-    /// Injected offset (m, body frame).
-    pub offset: [f64; 3],
+    /// Injected error of the grasp.
+    pub grasp: Grasp,
     pub outcome: Outcome,
     pub success: bool,
 }

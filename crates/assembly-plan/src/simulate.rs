@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use ocp::AssemblyTask;
 use scene::Scene;
-use simulation::{Reference, Rollout, Settings, Success, offsets};
+use simulation::{Grasp, Reference, Rollout, Settings, Success, offsets};
 
 use crate::DONE;
 use crate::arguments::{SimulateArguments, threads};
@@ -25,8 +25,8 @@ const SAME_POSE: f64 = 1e-6;
 struct Injection {
     /// Magnitude, or the largest length in a list (m).
     magnitude: f64,
-    /// Offsets (m, body frame).
-    offsets: Vec<[f64; 3]>,
+    /// Errors of the grasp.
+    grasps: Vec<Grasp>,
 }
 
 /// Plays everything, writes both tables and prints the one of successes.
@@ -82,14 +82,14 @@ fn play<'plan>(
     for &friction in &arguments.friction {
         let rollout = Rollout::new(&task, settings(arguments, friction));
         for (motion, reference) in &motions {
-            for Injection { magnitude, offsets } in &injections {
-                let outcomes = rollout.simulate(reference, offsets, jobs);
-                played.extend(offsets.iter().zip(outcomes).map(|(&offset, outcome)| Played {
+            for Injection { magnitude, grasps } in &injections {
+                let outcomes = rollout.simulate(reference, grasps, jobs);
+                played.extend(grasps.iter().zip(outcomes).map(|(&grasp, outcome)| Played {
                     plan,
                     motion: *motion,
                     friction,
                     magnitude: *magnitude,
-                    offset,
+                    grasp,
                     outcome,
                     success: outcome.is(&success),
                 }));
@@ -115,7 +115,7 @@ fn write_trace(file: &Path, arguments: &SimulateArguments, scene: &Scene, played
     let first = played.iter().find(|played| played.motion == Motion::Plan);
     let first = first.ok_or_else(|| Failure::Internal("no plan was played".to_owned()))?;
     let rollout = Rollout::new(&world(scene, first.plan)?, settings(arguments, first.friction));
-    write_file(file, &trace(&rollout, &first.plan.reference()?, &first.offset)?)
+    write_file(file, &trace(&rollout, &first.plan.reference()?, &first.grasp)?)
 }
 
 fn motions(
@@ -162,7 +162,7 @@ fn injections(
     magnitudes: &[f64],
 ) -> Result<Vec<Injection>, Failure> {
     if let Some(file) = &arguments.offsets {
-        return Ok(vec![listed(file)?]);
+        return Ok(vec![listed(file, arguments)?]);
     }
     let of_magnitude = |&magnitude: &f64| {
         let planned = scene.task(Some(&plan.start), Some(magnitude)).map_err(Failure::Input)?.offsets;
@@ -172,7 +172,7 @@ fn injections(
             (_, Some(divisions)) => grid(&planned, divisions as usize)?,
             (None, None) => planned,
         };
-        Ok(Injection { magnitude, offsets: offsets::distinct(&offsets) })
+        Ok(Injection { magnitude, grasps: grasps(&offsets, arguments) })
     };
     magnitudes.iter().map(of_magnitude).collect()
 }
@@ -187,14 +187,20 @@ fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, Failure
     Ok(offsets::grid(planned, divisions))
 }
 
-fn listed(file: &Path) -> Result<Injection, Failure> {
+fn listed(file: &Path, arguments: &SimulateArguments) -> Result<Injection, Failure> {
     let rows = read_numbers(file, &["x_m", "y_m", "z_m"])?;
     if rows.is_empty() {
         return Err(Failure::Input(format!("{}: no offsets", file.display())));
     }
     let offsets: Vec<[f64; 3]> = rows.iter().map(|row| [row[0], row[1], row[2]]).collect();
     let length = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
-    Ok(Injection { magnitude: offsets.iter().map(length).fold(0.0, f64::max), offsets })
+    Ok(Injection { magnitude: offsets.iter().map(length).fold(0.0, f64::max), grasps: grasps(&offsets, arguments) })
+}
+
+/// Every offset with a turn of its own.
+fn grasps(offsets: &[[f64; 3]], arguments: &SimulateArguments) -> Vec<Grasp> {
+    let turns = offsets::ball(arguments.turn, offsets.len(), arguments.seed);
+    Grasp::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| Grasp { offset, turn }))
 }
 
 /// Contacts are hard: what overlaps has done so from the beginning.
@@ -227,10 +233,14 @@ fn rollouts(played: &[Played]) -> Result<Vec<u8>, Failure> {
         "orientation_error_rad",
         "max_penetration_m",
         "max_force_n",
+        "turn_x_rad",
+        "turn_y_rad",
+        "turn_z_rad",
     ];
     let rows = played.iter().map(|played| {
         let outcome = &played.outcome;
-        let [x, y, z] = played.offset.map(|component| component.to_string());
+        let [x, y, z] = played.grasp.offset.map(|component| component.to_string());
+        let [turn_x, turn_y, turn_z] = played.grasp.turn.map(|component| component.to_string());
         vec![
             played.plan.folder.display().to_string(),
             played.plan.start.clone(),
@@ -246,6 +256,9 @@ fn rollouts(played: &[Played]) -> Result<Vec<u8>, Failure> {
             outcome.orientation_error.to_string(),
             outcome.max_penetration.to_string(),
             outcome.max_force.to_string(),
+            turn_x,
+            turn_y,
+            turn_z,
         ]
     });
     table(header.into_iter(), rows)

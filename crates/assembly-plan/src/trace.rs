@@ -1,15 +1,15 @@
 //! The course of one rollout as a table with the columns of `reference.csv`.
 
-use simulation::{Reference, Rollout};
+use simulation::{Grasp, Reference, Rollout};
 
 use crate::failure::Failure;
 use crate::output::{STATE_COLUMNS, in_seconds, table};
 
-/// Time and state of the body at the start and after every time step, as CSV. `offset` in m, body frame.
-pub fn trace(rollout: &Rollout, reference: &Reference, offset: &[f64; 3]) -> Result<Vec<u8>, Failure> {
+/// Time and state of the body at the start and after every time step, as CSV.
+pub fn trace(rollout: &Rollout, reference: &Reference, grasp: &Grasp) -> Result<Vec<u8>, Failure> {
     let at_rest = [0.0; 6];
-    let mut rows = vec![row(0.0, &ocp::pose::without_offset(&reference.start(), offset), &at_rest)];
-    rollout.play(reference, offset, |moment, _| {
+    let mut rows = vec![row(0.0, &grasp.start(reference), &at_rest)];
+    rollout.play(reference, *grasp, |moment, _| {
         let [vx, vy, vz] = moment.velocity;
         let [p, q, r] = moment.spin;
         rows.push(row(moment.time, &moment.pose, &[vx, vy, vz, p, q, r]));

@@ -2,6 +2,7 @@
 
 use ocp::{AssemblyTask, Limits};
 
+use crate::grasp::Grasp;
 use crate::parallel::in_parallel;
 use crate::reference::Reference;
 use crate::rollout::Rollout;
@@ -13,8 +14,8 @@ use crate::success::Success;
 pub struct Trial {
     /// Index into the frictions of the [`Examiner`].
     pub friction: usize,
-    /// Injected offset (m, body frame).
-    pub offset: [f64; 3],
+    /// Injected error of the grasp.
+    pub grasp: Grasp,
 }
 
 /// How a reference does in a trial.
@@ -60,7 +61,7 @@ impl Examiner {
 
     /// Plays one trial.
     pub fn judge(&self, reference: &Reference, trial: &Trial) -> Verdict {
-        let outcome = self.rollouts[trial.friction].play(reference, &trial.offset, |_, _| {});
+        let outcome = self.rollouts[trial.friction].play(reference, trial.grasp, |_, _| {});
         let excess = (outcome.max_force / self.limits.contact_force - 1.0).max(0.0);
         if outcome.is(&self.success) && excess <= LIMIT_SLACK {
             return Verdict { passed: true, miss: 0.0 };

@@ -37,6 +37,7 @@ mod bump;
 mod contact;
 mod dynamics;
 mod examiner;
+mod grasp;
 mod least_distance;
 mod metric;
 mod motion;
@@ -51,6 +52,7 @@ mod success;
 
 pub use bump::Bump;
 pub use examiner::{Examiner, Trial, Verdict};
+pub use grasp::Grasp;
 pub use parallel::in_parallel;
 pub use reference::{Knot, Reference};
 pub use refinement::Refinement;

@@ -24,7 +24,7 @@ impl Rollout {
         let mut states = vec![std::array::from_fn(|index| initial.get(index).copied().unwrap_or(0.0))];
         let mut forces: Vec<Vec<f64>> = Vec::with_capacity(reference.intervals());
         let mut moments = 0;
-        let outcome = self.play(reference, offset, |moment, impulses| {
+        let outcome = self.play(reference, *offset, |moment, impulses| {
             moments += 1;
             if moments % substeps == 0 && forces.len() < reference.intervals() {
                 let [x, y, z, w, i, j, k] = moment.pose;

@@ -3,6 +3,8 @@
 use fastrand::Rng;
 use nalgebra::Vector3;
 
+use crate::grasp::Grasp;
+
 /// All convex combinations of the planned offsets with weights that are multiples of `1 / divisions`, each offset once:
 /// a grid in their hull with the planned offsets as its corners.
 pub fn grid(planned: &[[f64; 3]], divisions: usize) -> Vec<[f64; 3]> {
@@ -52,23 +54,16 @@ pub fn ball(radius: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
     let mut point = || loop {
         let point = Vector3::from_fn(|_, _| 2.0 * random.f64() - 1.0);
         if point.norm_squared() <= 1.0 {
-            return (point * radius).into();
+            // Without negative zeros.
+            return (point * radius).map(|component| component + 0.0).into();
         }
     };
     (0..count).map(|_| point()).collect()
 }
 
-/// The offsets without repetitions, in their order: a rollout is deterministic, and playing it twice says nothing.
+/// The offsets without repetitions, in their order.
 pub fn distinct(offsets: &[[f64; 3]]) -> Vec<[f64; 3]> {
-    /// Offsets closer than this (m) are the same.
-    const SAME: f64 = 1e-9;
-    let mut found: Vec<[f64; 3]> = Vec::new();
-    for offset in offsets {
-        if found.iter().all(|other| (Vector3::from(*other) - Vector3::from(*offset)).norm() > SAME) {
-            found.push(*offset);
-        }
-    }
-    found
+    Grasp::distinct(offsets.iter().copied().map(Grasp::from)).into_iter().map(|grasp| grasp.offset).collect()
 }
 
 #[cfg(test)]

@@ -75,6 +75,16 @@ impl Reference {
         Self { time_step: self.time_step, knots }
     }
 
+    /// Turned in the body frame: the same motion of a body whose frame is turned.
+    pub fn turned(&self, turn: &UnitQuaternion<f64>) -> Self {
+        let turned = |knot: &Knot| Knot {
+            pose: Isometry3::from_parts(knot.pose.translation, knot.pose.rotation * turn),
+            spin: turn.inverse() * knot.spin,
+            ..*knot
+        };
+        Self { time_step: self.time_step, knots: self.knots.iter().map(turned).collect() }
+    }
+
     /// States (pose, twist) at the knots.
     pub fn states(&self) -> Vec<[f64; 13]> {
         self.knots.iter().map(Knot::state).collect()

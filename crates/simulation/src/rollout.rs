@@ -5,6 +5,7 @@ use ocp::AssemblyTask;
 
 use crate::contact::ContactFinder;
 use crate::dynamics::{Body, Stepper};
+use crate::grasp::Grasp;
 use crate::parallel::in_parallel;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
@@ -62,21 +63,34 @@ impl Rollout {
         Self { task: task.clone(), settings, finder: ContactFinder::new(&task.pairs) }
     }
 
-    /// Plays a reference once per offset (m, body frame) on `jobs` threads; outcomes are in the order of the offsets
-    /// and do not depend on the number of threads.
-    pub fn simulate(&self, reference: &Reference, offsets: &[[f64; 3]], jobs: usize) -> Vec<Outcome> {
-        in_parallel(offsets.len(), jobs, |index| self.play(reference, &offsets[index], |_, _| {}))
+    /// Plays a reference once per grasp or offset (m, body frame) on `jobs` threads; outcomes are in their order and do
+    /// not depend on the number of threads.
+    pub fn simulate<G: Copy + Into<Grasp> + Sync>(
+        &self,
+        reference: &Reference,
+        grasps: &[G],
+        jobs: usize,
+    ) -> Vec<Outcome> {
+        in_parallel(grasps.len(), jobs, |index| self.play(reference, grasps[index], |_, _| {}))
     }
 
-    /// Plays a reference with one offset (m, body frame) and shows every moment of it: the body starts at rest where the
+    /// Plays a reference with one grasp or offset (m, body frame) and shows every moment of it: the body starts at rest where the
     /// robot believes to hold it at the reference's start, and the reference is held at its end for the settling time.
     /// With every moment comes the normal impulse (Ns) of every pair since the last knot.
-    pub fn play(&self, reference: &Reference, offset: &[f64; 3], mut observe: impl FnMut(&Moment, &[f64])) -> Outcome {
+    pub fn play(
+        &self,
+        reference: &Reference,
+        grasp: impl Into<Grasp>,
+        mut observe: impl FnMut(&Moment, &[f64]),
+    ) -> Outcome {
+        let grasp = grasp.into();
+        let mut body =
+            Body { pose: isometry(&grasp.start(reference)), velocity: Vector3::zeros(), spin: Vector3::zeros() };
+        let (reference, impedance) = (&grasp.reference(reference), grasp.impedance(&self.task.impedance));
         let mut finder = self.finder.clone();
         let (time_step, substeps) = self.settings.divide(reference.time_step());
-        let mut stepper = Stepper::new(time_step, &self.task.inertia, &self.task.impedance, self.settings.friction);
-        let mut body = start(reference, offset);
-        let offset = Vector3::from(*offset);
+        let mut stepper = Stepper::new(time_step, &self.task.inertia, &impedance, self.settings.friction);
+        let offset = Vector3::from(grasp.offset);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
         let mut max_impulse = 0.0_f64;
         let mut impulses = vec![0.0; self.task.pairs.len()];
@@ -104,12 +118,6 @@ impl Rollout {
             diverged: !is_finite(&body),
         }
     }
-}
-
-/// At rest at `P_q^-1` of the reference's start (Sec. ocp:ocp).
-fn start(reference: &Reference, offset: &[f64; 3]) -> Body {
-    let pose = isometry(&ocp::pose::without_offset(&reference.start(), offset));
-    Body { pose, velocity: Vector3::zeros(), spin: Vector3::zeros() }
 }
 
 fn moment(time: f64, body: &Body) -> Moment {

@@ -2,7 +2,7 @@
 
 use ocp::AssemblyTask;
 use serde::Serialize;
-use simulation::{Trial, Verdict, offsets};
+use simulation::{Grasp, Trial, Verdict, offsets};
 
 /// Magnitudes of the random offsets, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller has no
 /// margin there but the planned offsets, which are played too.
@@ -11,6 +11,9 @@ const FRACTIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
 /// Errors in every direction that random offsets have on top, as a part of delta-hat: what succeeds by a hair in one
 /// simulator does not in another, and planned offsets often lie in a plane.
 const SPREAD: f64 = 0.05;
+
+/// Turns are not to depend on offsets.
+const TURN_SEED: u64 = 50;
 
 /// Trials and how they are counted.
 pub struct Exam {
@@ -31,26 +34,28 @@ pub struct Mark {
 }
 
 impl Exam {
-    /// At most `count` random offsets per friction and magnitude.
-    pub fn new(task: &AssemblyTask, delta: f64, frictions: &[f64], count: usize, seed: u64) -> Self {
+    /// At most `count` random offsets per friction and magnitude, turned by up to `turn` (rad).
+    pub fn new(task: &AssemblyTask, (delta, turn): (f64, f64), frictions: &[f64], count: usize, seed: u64) -> Self {
         let (mut cells, mut trials) = (Vec::new(), Vec::new());
         for (friction, &coefficient) in frictions.iter().enumerate() {
-            let mut add = |magnitude_m: f64, planned: bool, offsets: &[[f64; 3]]| {
-                let offsets = offsets::distinct(offsets);
-                trials.extend(offsets.iter().map(|&offset| Trial { friction, offset }));
-                cells.push(Mark { friction: coefficient, magnitude_m, planned, rollouts: offsets.len(), successes: 0 });
+            let mut add = |magnitude_m: f64, planned: bool, grasps: &mut dyn Iterator<Item = Grasp>| {
+                let grasps = Grasp::distinct(grasps);
+                cells.push(Mark { friction: coefficient, magnitude_m, planned, rollouts: grasps.len(), successes: 0 });
+                trials.extend(grasps.into_iter().map(|grasp| Trial { friction, grasp }));
             };
             for (index, fraction) in FRACTIONS.iter().enumerate() {
                 let scaled: Vec<[f64; 3]> = task.offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
                 let seed = seed + index as u64;
                 let errors = offsets::ball(SPREAD * delta, count, seed);
                 let planned = offsets::hull(&scaled, count, seed);
-                let sum =
-                    |(offset, error): ([f64; 3], &[f64; 3])| std::array::from_fn(|axis| offset[axis] + error[axis]);
-                let spread: Vec<[f64; 3]> = planned.into_iter().zip(&errors).map(sum).collect();
-                add(fraction * delta, false, &spread);
+                let turns = offsets::ball(turn, count, seed + TURN_SEED);
+                let grasp = |((offset, error), turn): (([f64; 3], &[f64; 3]), [f64; 3])| Grasp {
+                    offset: std::array::from_fn(|axis| offset[axis] + error[axis]),
+                    turn,
+                };
+                add(fraction * delta, false, &mut planned.into_iter().zip(&errors).zip(turns).map(grasp));
             }
-            add(delta, true, &task.offsets);
+            add(delta, true, &mut task.offsets.iter().copied().map(Grasp::from));
         }
         Self { cells, trials }
     }

@@ -46,6 +46,8 @@ pub struct Wishes {
     pub time_limit: Duration,
     /// Attempts in a row without improvement after which refinement is stuck.
     pub patience: usize,
+    /// Largest turn of the part in the gripper (rad).
+    pub turn: f64,
     /// Coulomb coefficients to play with.
     pub frictions: Vec<f64>,
     /// Threads of rollouts.
@@ -102,7 +104,7 @@ impl<'run> Robust<'run> {
             progress,
             interrupted,
             begin: Instant::now(),
-            training: Exam::new(task, delta, &wishes.frictions, TRAINING, SEED).trials,
+            training: Exam::new(task, (delta, wishes.turn), &wishes.frictions, TRAINING, SEED).trials,
             wishes,
             failing: Vec::new(),
             exams: 0,
@@ -194,7 +196,7 @@ impl<'run> Robust<'run> {
             self.progress.say(&format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate(&marks)));
             let is_last = self.is_enough(&marks) || !passes || self.is_over();
             if best.as_ref().is_none_or(|(_, best)| rate(&marks) > rate(best)) {
-                self.failing = failures.iter().map(|trial| trial.offset).collect();
+                self.failing = failures.iter().map(|trial| trial.grasp.offset).collect();
                 best = Some((refinement.reference().clone(), marks));
             }
             if is_last {
@@ -231,7 +233,7 @@ impl<'run> Robust<'run> {
     fn examine(&mut self, reference: &Reference) -> (Vec<Trial>, Vec<Mark>) {
         self.exams += 1;
         let seed = SEED + SEED_STRIDE * self.exams;
-        let exam = Exam::new(self.task, self.delta, &self.wishes.frictions, EXAM, seed);
+        let exam = Exam::new(self.task, (self.delta, self.wishes.turn), &self.wishes.frictions, EXAM, seed);
         let verdicts = self.examiner.judge_all(reference, &exam.trials, self.wishes.jobs);
         let failures =
             exam.trials.iter().zip(&verdicts).filter(|(_, verdict)| !verdict.passed).map(|(trial, _)| *trial);

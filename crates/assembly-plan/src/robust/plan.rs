@@ -35,6 +35,7 @@ pub fn plan_robustly(
         rate: arguments.wanted_rate,
         time_limit: Duration::try_from_secs_f64(arguments.time_limit).unwrap_or(Duration::MAX),
         patience: arguments.patience as usize,
+        turn: arguments.turn,
         frictions: arguments.friction.clone(),
         jobs: threads(arguments.jobs),
     };

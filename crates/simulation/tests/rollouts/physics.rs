@@ -1,8 +1,8 @@
 //! Rollouts against what mechanics says.
 
 use collision::Polytope;
-use nalgebra::Vector3;
-use simulation::{Moment, Reference, Rollout, Settings};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use simulation::{Grasp, Moment, Reference, Rollout, Settings};
 
 use crate::world::{
     INERTIA, MASS, ROTATIONAL_STIFFNESS, STIFFNESS, at_rest, block, floor, hole, moments, task, through,
@@ -44,9 +44,41 @@ fn free_motion_is_that_of_a_critically_damped_body() {
 #[test]
 fn an_offset_displaces_the_body_and_the_controller_never_learns_of_it() {
     let rollout = Rollout::new(&task(&block([0.1; 3], [0.0; 3]), &[]), Settings::default());
-    let outcome = rollout.play(&through(&[[0.1, 0.0, 0.0], [0.0; 3]], 1.0), &[0.003, 0.004, 0.0], |_, _| {});
+    let outcome = rollout.play(&through(&[[0.1, 0.0, 0.0], [0.0; 3]], 1.0), [0.003, 0.004, 0.0], |_, _| {});
     assert!((Vector3::new(outcome.pose[0], outcome.pose[1], 0.0) - Vector3::new(-0.003, -0.004, 0.0)).norm() < 2e-4);
     assert!((outcome.position_error - 0.005).abs() < 2e-4 && outcome.orientation_error < 1e-12);
+}
+
+/// A turned part in the gripper is a body whose shape is turned the other way.
+#[test]
+fn a_turned_grasp_is_a_turned_shape() {
+    let turn = [0.006, -0.004, 0.03];
+    let rotation = UnitQuaternion::from_scaled_axis(Vector3::from(turn));
+    let [w, i, j, k] = {
+        let back = rotation.inverse();
+        [back.w, back.i, back.j, back.k]
+    };
+    let peg = block([0.04, 0.04, 0.08], [0.0; 3]);
+    let reference = through(&[[0.0, 0.0, 0.06], [0.0005, 0.0, -0.005]], 1.5);
+    for friction in [0.0, 0.2] {
+        let settings = Settings { friction, ..Settings::default() };
+        let play = |peg: &Polytope, grasp: Grasp| {
+            let mut poses = Vec::new();
+            let rollout = Rollout::new(&task(peg, &hole(0.0415)), settings);
+            let outcome = rollout.play(&reference, grasp, |moment, _| poses.push(moment.pose));
+            assert!(outcome.max_force > 0.1, "it touches: {outcome:?}");
+            poses
+        };
+        let held = play(&peg, Grasp { offset: [0.0; 3], turn });
+        let shaped = play(&peg.placed([0.0; 3], [w, i, j, k]), Grasp::default());
+        for (held, shaped) in held.iter().zip(&shaped) {
+            let orientation =
+                |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
+            let moved = (0..3).map(|axis| (held[axis] - shaped[axis]).abs()).fold(0.0, f64::max);
+            assert!(moved < 1e-8, "{moved}");
+            assert!((orientation(held) * rotation).angle_to(&orientation(shaped)) < 1e-6);
+        }
+    }
 }
 
 /// Positions every 8 ms of a box that falls on a floor, tilted by contact, and slides into a wall.
@@ -86,7 +118,7 @@ fn a_wall_is_pushed_with_the_force_of_the_spring() {
     const DEPTH: f64 = 0.03;
     let body = block([0.1, 0.1, 0.06], [0.0; 3]);
     let rollout = Rollout::new(&task(&body, &[floor()]), Settings::default());
-    let outcome = rollout.play(&through(&[[0.0, 0.0, 0.03], [0.0, 0.0, 0.03 - DEPTH]], 1.0), &[0.0; 3], |_, _| {});
+    let outcome = rollout.play(&through(&[[0.0, 0.0, 0.03], [0.0, 0.0, 0.03 - DEPTH]], 1.0), [0.0; 3], |_, _| {});
     assert!((outcome.max_force / (STIFFNESS * DEPTH) - 1.0).abs() < 1e-6, "{outcome:?}");
     assert!((outcome.pose[2] - 0.03).abs() < 1e-9 && outcome.max_penetration < 1e-9, "{outcome:?}");
 }
@@ -105,7 +137,7 @@ fn friction_holds_up_to_its_limit_and_then_drags() {
             // Along a direction that the friction cone is not built around.
             let (x, y) = (0.8 * pull, 0.6 * pull);
             let reference = through(&[above, pressed, [x, y, pressed[2]]], 1.0);
-            let outcome = rollout.play(&reference, &[0.0; 3], |_, _| {});
+            let outcome = rollout.play(&reference, [0.0; 3], |_, _| {});
             let moved = outcome.pose[0].hypot(outcome.pose[1]);
             assert!((moved - rest).abs() < 1e-5, "friction {friction}, pull {pull}: {moved}, not {rest}");
             assert!((outcome.pose[2] - 0.03).abs() < 1e-6);
@@ -120,7 +152,7 @@ fn a_peg_enters_a_hole_that_it_meets_and_rests_on_a_rim_that_it_does_not() {
     // From above the rim to a little above the bottom, with the lower end of the peg 0.04 m below its centre.
     let reference = through(&[[0.0, 0.0, 0.06], [0.0, 0.0, -0.005]], 2.0);
     let heights = [0.0, 4e-4, 2e-3].map(|offset| {
-        let outcome = rollout.play(&reference, &[offset, 0.0, 0.0], |_, _| {});
+        let outcome = rollout.play(&reference, [offset, 0.0, 0.0], |_, _| {});
         assert!(outcome.max_penetration < 1e-6, "{outcome:?}");
         outcome.pose[2]
     });
@@ -137,7 +169,7 @@ fn a_fast_body_does_not_pass_a_thin_plate() {
         let rollout = Rollout::new(&task(&body, std::slice::from_ref(&plate)), settings);
         // Pulled 2 m down it would cross the plate at about 5 m/s, five thicknesses in a step.
         let reference = Reference::new(1e-3, &[at_rest([0.0, 0.0, 1.0]), at_rest([0.0, 0.0, -1.0])]);
-        let outcome = rollout.play(&reference, &[0.0; 3], |_, _| {});
+        let outcome = rollout.play(&reference, [0.0; 3], |_, _| {});
         assert!((outcome.pose[2] - 0.0015).abs() < 1e-6, "{outcome:?}");
     }
 }

@@ -30,7 +30,7 @@ proptest! {
         let mut way = vec![[0.0, 0.0, 0.06]];
         way.extend(places);
         let (mut smallest, mut count) = (f64::INFINITY, 0);
-        let outcome = rollout.play(&through(&way, 0.5), &[0.0; 3], |moment, _| {
+        let outcome = rollout.play(&through(&way, 0.5), [0.0; 3], |moment, _| {
             count += 1;
             if count % 10 == 0 {
                 let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
@@ -58,7 +58,7 @@ proptest! {
         target[3..7].copy_from_slice(&orientation);
         let (mut smallest, mut count) = (f64::INFINITY, 0);
         let reference = Reference::new(0.3, &[at_rest([0.0, 0.0, 0.2]), target]);
-        let outcome = rollout.play(&reference, &[0.0; 3], |moment, _| {
+        let outcome = rollout.play(&reference, [0.0; 3], |moment, _| {
             count += 1;
             if count % 5 == 0 {
                 let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));

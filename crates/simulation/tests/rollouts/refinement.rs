@@ -1,7 +1,7 @@
 //! References judged and refined.
 
 use nalgebra::Vector3;
-use simulation::{Bump, Examiner, Reference, Refinement, Success, Trial};
+use simulation::{Bump, Examiner, Grasp, Reference, Refinement, Success, Trial};
 
 use crate::world::{STIFFNESS, block, floor, hole, task, through};
 
@@ -19,7 +19,7 @@ fn beside() -> Reference {
 
 fn trials() -> Vec<Trial> {
     let offsets = [[0.0; 3], [0.0005, 0.0, 0.0], [-0.0005, 0.0, 0.0]];
-    (0..2).flat_map(|friction| offsets.map(|offset| Trial { friction, offset })).collect()
+    (0..2).flat_map(|friction| offsets.map(|offset| Trial { friction, grasp: offset.into() })).collect()
 }
 
 #[test]
@@ -71,7 +71,7 @@ fn changes_that_break_a_limit_are_refused() {
 
 #[test]
 fn a_push_beyond_the_limit_is_no_success() {
-    let trial = Trial { friction: 0, offset: [0.0; 3] };
+    let trial = Trial { friction: 0, grasp: Grasp::default() };
     const DEPTH: f64 = 1e-3;
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
     world.goal[2] = 0.04;
@@ -115,7 +115,7 @@ fn a_rollout_is_a_trajectory() {
     let scenario = &trajectory.scenarios[0];
     assert_eq!((scenario.states.len(), scenario.contacts.len(), scenario.wrenches.len()), (26, 25, 25));
     assert!((scenario.states[0][0] - 0.0005).abs() < 1e-12);
-    let outcome = rollout.play(&beside(), &offset, |_, _| {});
+    let outcome = rollout.play(&beside(), offset, |_, _| {});
     assert_eq!(scenario.quality.position_error, outcome.position_error);
     assert_eq!(scenario.quality.max_force, outcome.max_force);
 }

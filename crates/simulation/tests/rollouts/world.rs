@@ -82,6 +82,6 @@ pub fn through(positions: &[[f64; 3]], seconds: f64) -> Reference {
 /// Every moment of a rollout without offset.
 pub fn moments(rollout: &Rollout, reference: &Reference) -> Vec<Moment> {
     let mut moments = Vec::new();
-    rollout.play(reference, &[0.0; 3], |moment, _| moments.push(*moment));
+    rollout.play(reference, [0.0; 3], |moment, _| moments.push(*moment));
     moments
 }
