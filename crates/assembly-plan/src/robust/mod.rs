@@ -154,7 +154,7 @@ impl<'run> Robust<'run> {
         Kept { stages: candidate.stages, reference, marks: self.before.clone(), round: self.rounds.len() }
     }
 
-    /// Solves all variants side by side; what passes most training trials comes first.
+    /// Solves variants side by side, as many as there is time for; what passes most training trials comes first.
     fn solve_portfolio(
         &self,
         scene: &Variant,
@@ -165,16 +165,25 @@ impl<'run> Robust<'run> {
         self.progress.say(&format!("refinement is stuck; solving {} variants of the problem", variants.len()));
         // MUMPS cannot run twice in a process.
         let solvers = if self.settings.linear_solver == ocp::STAGE { self.wishes.jobs } else { 1 };
-        let solved = in_parallel(variants.len(), solvers, |index| solve(&variants[index], false, &|| self.is_over()));
+        // Half of the time left is for refining them.
+        let (begin, budget) = (Instant::now(), self.wishes.time_limit.saturating_sub(self.begin.elapsed()) / 2);
+        let is_over = || self.is_over() || begin.elapsed() > budget;
+        let solved = in_parallel(variants.len(), solvers, |index| match is_over() {
+            true => Ok(Vec::new()),
+            false => solve(&variants[index], false, &is_over),
+        });
         let mut candidates = Vec::with_capacity(variants.len());
         for (variant, stages) in variants.iter().zip(solved) {
-            let stages = stages?;
-            if stages.last().is_some_and(|last| last.status != SolveStatus::Interrupted) {
-                let candidate = self.candidate(variant, stages);
-                let (failing, count) = (candidate.round.training_failures, self.training.len());
-                self.progress.say(&format!("  {}: {failing} of {count} training rollouts fail", variant.name));
-                candidates.push(candidate);
+            // What an interrupted homotopy has finished may do.
+            let mut stages = stages?;
+            stages.retain(|stage| stage.status != SolveStatus::Interrupted);
+            if stages.is_empty() {
+                continue;
             }
+            let candidate = self.candidate(variant, stages);
+            let (failing, count) = (candidate.round.training_failures, self.training.len());
+            self.progress.say(&format!("  {}: {failing} of {count} training rollouts fail", variant.name));
+            candidates.push(candidate);
         }
         candidates.sort_by_key(|candidate| candidate.round.training_failures);
         Ok(candidates)

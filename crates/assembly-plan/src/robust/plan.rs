@@ -18,9 +18,6 @@ use crate::robust::portfolio::Variant;
 use crate::robust::{Robust, RobustPlan, Wishes};
 use crate::stage::Stage;
 
-/// Iterations of the homotopy that run from a motion: more smoothing would lead away from it.
-const LAST_ITERATIONS: usize = 2;
-
 /// The plan is refined by rollouts, and its scenarios are rollouts without friction.
 pub fn plan_robustly(
     problem: &Problem,
@@ -56,18 +53,12 @@ pub fn plan_robustly(
             }
         };
         let mut homotopy = ocp::Homotopy::new(&variant.task, variant.settings.clone());
-        Ok(match &variant.near {
-            None => homotopy.run(observe, finished)?,
-            Some(motion) => {
-                let start = Start::Cold(motion.variables(homotopy.transcription().layout()));
-                homotopy.run_from(
-                    variant.settings.iterations.saturating_sub(LAST_ITERATIONS),
-                    start,
-                    observe,
-                    finished,
-                )?
-            }
-        })
+        let transcription = homotopy.transcription();
+        let start = match &variant.near {
+            None => transcription.initial_guess(),
+            Some(motion) => motion.variables(transcription.layout()),
+        };
+        Ok(homotopy.run_from(0, Start::Cold(start), observe, finished)?)
     };
     let RobustPlan { mut stages, reference, report } = robust.run(&homotopy)?;
     for (index, stage) in stages.iter().enumerate() {

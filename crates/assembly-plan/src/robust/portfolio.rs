@@ -9,7 +9,7 @@ use simulation::{Reference, Rollout, Settings, offsets};
 pub struct Variant {
     pub task: AssemblyTask,
     pub settings: HomotopySettings,
-    /// A motion at which the last iterations of the homotopy begin; without it, all run from the start pose.
+    /// The motion at which the homotopy begins, instead of rest at the start pose.
     pub near: Option<Trajectory>,
     /// In words.
     pub name: &'static str,
@@ -23,6 +23,12 @@ const MARGIN: f64 = 1.1;
 
 /// Factor of the weights of velocities in a slower plan.
 const SLOWNESS: f64 = 10.0;
+
+/// Iterations of the homotopy that begins at a motion.
+const RESOLVED_ITERATIONS: usize = 2;
+
+/// Its first barrier parameter: there are no multipliers yet.
+const RESOLVED_BARRIER: f64 = 1e-2;
 
 impl Variant {
     /// The scene as it is.
@@ -42,8 +48,9 @@ impl Variant {
 /// Variants in scenarios, horizon, weights and smoothing. `failing` are offsets (m) at which the refined reference, the
 /// best so far, fails.
 pub fn portfolio(scene: &Variant, refined: &Reference, failing: &[[f64; 3]]) -> Vec<Variant> {
-    let mut resolved = scene.changed("failing offsets as scenarios, from the refined plan", |task, _| {
+    let mut resolved = scene.changed("failing offsets as scenarios, from the refined plan", |task, settings| {
         add_failures(&mut task.offsets, failing);
+        end_of_homotopy(settings);
     });
     let rollout = Rollout::new(&resolved.task, Settings::default());
     resolved.near = Some(rollout.trajectory(refined, &resolved.task.offsets, resolved.settings.tau));
@@ -75,6 +82,15 @@ pub fn portfolio(scene: &Variant, refined: &Reference, failing: &[[f64; 3]]) -> 
             settings.iterations += 1;
         }),
     ]
+}
+
+/// Keeps the last iterations only: more smoothing would lead away from a motion that is nearly a solution.
+fn end_of_homotopy(settings: &mut HomotopySettings) {
+    let iterations = settings.iterations.min(RESOLVED_ITERATIONS);
+    if let Some(first) = settings.schedule().nth(settings.iterations - iterations) {
+        (settings.tau, settings.sigma, settings.mu_init) = (first.tau, first.sigma, RESOLVED_BARRIER);
+        settings.iterations = iterations;
+    }
 }
 
 fn slow_down(weights: &mut CostWeights) {
