@@ -2,7 +2,7 @@
 //!
 //! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken. Random changes
 //! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an [`exam`] with offsets that were
-//! never trained on decides; what fails there is trained on next. When refinement is stuck, a [`portfolio`] of other
+//! never trained on decides; what fails there is trained on next. When refinement is stuck, a [`mod@portfolio`] of other
 //! problems is solved side by side, and these are refined, the best first. The plan with the best exam is kept.
 
 mod candidate;
