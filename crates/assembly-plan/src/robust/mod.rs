@@ -168,9 +168,13 @@ impl<'run> Robust<'run> {
         // Half of the time left is for refining them.
         let (begin, budget) = (Instant::now(), self.wishes.time_limit.saturating_sub(self.begin.elapsed()) / 2);
         let is_over = || self.is_over() || begin.elapsed() > budget;
-        let solved = in_parallel(variants.len(), solvers, |index| match is_over() {
-            true => Ok(Vec::new()),
-            false => solve(&variants[index], false, &is_over),
+        let solved = in_parallel(variants.len(), solvers, |index| -> Result<Vec<StageResult>, Failure> {
+            if is_over() {
+                return Ok(Vec::new());
+            }
+            let stages = solve(&variants[index], false, &is_over)?;
+            self.progress.say(&format!("  {}: {}", variants[index].name, stages[stages.len() - 1].status));
+            Ok(stages)
         });
         let mut candidates = Vec::with_capacity(variants.len());
         for (variant, stages) in variants.iter().zip(solved) {
