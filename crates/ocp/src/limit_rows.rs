@@ -17,22 +17,20 @@ pub fn limit_rows(
     let (accelerations, wrenches) = (axes(task.limits.accelerations()), axes(task.limits.wrenches()));
     let mut rows = Vec::new();
     if !accelerations.is_empty() {
-        rows.push(acceleration_rows(task, &accelerations, layout, jacobian, hessian));
+        let steps: Vec<(usize, usize)> = layout.stages_and_trajectories().collect();
+        let row = |output: usize, point: usize| layout.acceleration(steps[point].0, steps[point].1) + output;
+        rows.push(ConstraintFunction::new(acceleration(task, &accelerations, layout, &steps), row, jacobian, hessian));
     }
     if !wrenches.is_empty() {
-        rows.push(wrench_rows(task, &wrenches, layout, jacobian, hessian));
+        let steps: Vec<(usize, usize)> = layout.stages_and_scenarios().collect();
+        let row = |output: usize, point: usize| layout.wrench(steps[point].0, steps[point].1) + output;
+        rows.push(ConstraintFunction::new(wrench(task, &wrenches, layout, &steps), row, jacobian, hessian));
     }
     rows
 }
 
-fn acceleration_rows(
-    task: &AssemblyTask,
-    axes: &[usize],
-    layout: Layout,
-    jacobian: &mut PatternBuilder,
-    hessian: &mut PatternBuilder,
-) -> ConstraintFunction {
-    let steps: Vec<(usize, usize)> = layout.stages_and_trajectories().collect();
+/// Accelerations in steps, which are stages with their trajectories.
+fn acceleration(task: &AssemblyTask, axes: &[usize], layout: Layout, steps: &[(usize, usize)]) -> PointFunction {
     let source = |input: usize, point: usize| {
         let (stage, trajectory) = steps[point];
         match input {
@@ -42,20 +40,11 @@ fn acceleration_rows(
             _ => Source::Variable(layout.state(stage, trajectory) + POSE + input - TWIST),
         }
     };
-    let tape = model::acceleration(task.horizon.time_step, axes);
-    let function = PointFunction::new(tape, 2 * TWIST, steps.len(), source);
-    let row = |output: usize, point: usize| layout.acceleration(steps[point].0, steps[point].1) + output;
-    ConstraintFunction::new(function, row, jacobian, hessian)
+    PointFunction::new(model::acceleration(task.horizon.time_step, axes), 2 * TWIST, steps.len(), source)
 }
 
-fn wrench_rows(
-    task: &AssemblyTask,
-    axes: &[usize],
-    layout: Layout,
-    jacobian: &mut PatternBuilder,
-    hessian: &mut PatternBuilder,
-) -> ConstraintFunction {
-    let steps: Vec<(usize, usize)> = layout.stages_and_scenarios().collect();
+/// Wrenches in steps, which are stages with their scenarios.
+fn wrench(task: &AssemblyTask, axes: &[usize], layout: Layout, steps: &[(usize, usize)]) -> PointFunction {
     let source = |input: usize, point: usize| {
         let (stage, scenario) = steps[point];
         match (input / STATE, input % STATE) {
@@ -64,7 +53,5 @@ fn wrench_rows(
             (_, axis) => Source::Constant(task.offsets[scenario][axis]),
         }
     };
-    let function = PointFunction::new(model::wrench(&task.impedance, axes), 2 * STATE, steps.len(), source);
-    let row = |output: usize, point: usize| layout.wrench(steps[point].0, steps[point].1) + output;
-    ConstraintFunction::new(function, row, jacobian, hessian)
+    PointFunction::new(model::wrench(&task.impedance, axes), 2 * STATE, steps.len(), source)
 }

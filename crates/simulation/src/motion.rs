@@ -27,9 +27,7 @@ impl Rollout {
         let outcome = self.play(reference, *offset, |moment, impulses| {
             moments += 1;
             if moments % substeps == 0 && forces.len() < reference.intervals() {
-                let [x, y, z, w, i, j, k] = moment.pose;
-                let ([vx, vy, vz], [p, q, r]) = (moment.velocity, moment.spin);
-                states.push([x, y, z, w, i, j, k, vx, vy, vz, p, q, r]);
+                states.push(moment.state());
                 forces.push(impulses.iter().map(|impulse| impulse / reference.time_step()).collect());
             }
         });

@@ -37,6 +37,14 @@ pub struct Outcome {
     pub diverged: bool,
 }
 
+impl Moment {
+    /// Pose and twist in the order of tables and transcriptions.
+    pub fn state(&self) -> [f64; 13] {
+        let ([x, y, z, w, i, j, k], [vx, vy, vz], [p, q, r]) = (self.pose, self.velocity, self.spin);
+        [x, y, z, w, i, j, k, vx, vy, vz, p, q, r]
+    }
+}
+
 impl Outcome {
     /// Whether it ends at the goal.
     pub fn is(&self, success: &Success) -> bool {

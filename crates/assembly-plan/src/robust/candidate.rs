@@ -19,6 +19,8 @@ pub struct Kept {
     pub stages: Vec<StageResult>,
     pub reference: Reference,
     pub marks: Vec<Mark>,
+    /// Offsets (m) at which it fails there.
+    pub failing: Vec<[f64; 3]>,
     /// Its place among the rounds.
     pub round: usize,
 }

@@ -79,8 +79,6 @@ pub struct Robust<'run> {
     begin: Instant,
     /// Trials that every reference is refined in; failures of exams are added.
     training: Vec<Trial>,
-    /// Failing offsets (m) of the best exam.
-    failing: Vec<[f64; 3]>,
     exams: u64,
     before: Vec<Mark>,
     rounds: Vec<Round>,
@@ -106,7 +104,6 @@ impl<'run> Robust<'run> {
             begin: Instant::now(),
             training: Exam::new(task, (delta, wishes.turn), &wishes.frictions, TRAINING, SEED).trials,
             wishes,
-            failing: Vec::new(),
             exams: 0,
             before: Vec::new(),
             rounds: Vec::new(),
@@ -125,7 +122,7 @@ impl<'run> Robust<'run> {
         self.progress.say(&format!("{:.1} % of rollouts succeed", 100.0 * rate(&self.before)));
         let mut best = self.first(&scene, stages);
         if !self.is_enough(&best.marks) && !self.is_over() {
-            for candidate in self.solve_portfolio(&scene, &best.reference, solve)? {
+            for candidate in self.solve_portfolio(&scene, &best, solve)? {
                 if self.is_enough(&best.marks) || self.is_over() {
                     self.rounds.push(candidate.round);
                 } else {
@@ -143,25 +140,26 @@ impl<'run> Robust<'run> {
 
     /// The plan of the scene, refined unless it is good enough: refinement knows nothing of margins.
     fn first(&mut self, scene: &Variant, stages: Vec<StageResult>) -> Kept {
-        let mut candidate = self.candidate(scene, stages);
         if !self.is_enough(&self.before) {
-            return self.refine(candidate);
+            return self.refine(self.candidate(scene, stages));
         }
-        candidate.round.chosen_stage = candidate.stages.len();
-        candidate.round.rate = Some(rate(&self.before));
-        let reference = played(&candidate.stages[candidate.stages.len() - 1]);
-        self.rounds.push(candidate.round);
-        Kept { stages: candidate.stages, reference, marks: self.before.clone(), round: self.rounds.len() }
+        let reference = played(&stages[stages.len() - 1]);
+        let training = self.training.clone();
+        let judged = Refinement::new(self.examiner, reference.clone(), training, SEED, self.wishes.jobs);
+        let round = Round { rate: Some(rate(&self.before)), ..Round::new(scene, &stages, stages.len(), &judged) };
+        self.rounds.push(round);
+        let marks = self.before.clone();
+        Kept { stages, reference, marks, failing: Vec::new(), round: self.rounds.len() }
     }
 
     /// Solves variants side by side, as many as there is time for; what passes most training trials comes first.
     fn solve_portfolio(
         &self,
         scene: &Variant,
-        refined: &Reference,
+        refined: &Kept,
         solve: &impl Solve,
     ) -> Result<Vec<Candidate<'run>>, Failure> {
-        let variants = portfolio(scene, refined, &self.failing);
+        let variants = portfolio(scene, &refined.reference, &refined.failing);
         self.progress.say(&format!("refinement is stuck; solving {} variants of the problem", variants.len()));
         // MUMPS cannot run twice in a process.
         let solvers = if self.settings.linear_solver == ocp::STAGE { self.wishes.jobs } else { 1 };
@@ -202,15 +200,14 @@ impl<'run> Robust<'run> {
         let begin = Instant::now();
         let Candidate { stages, mut refinement, mut round } = candidate;
         self.progress.say(&format!("refining: {}", round.planned));
-        let mut best: Option<(Reference, Vec<Mark>)> = None;
+        let mut best: Option<(Reference, Vec<Mark>, Vec<Trial>)> = None;
         loop {
             let passes = self.train(&mut refinement, &mut round.changes);
             let (failures, marks) = self.examine(refinement.reference());
             self.progress.say(&format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate(&marks)));
             let is_last = self.is_enough(&marks) || !passes || self.is_over();
-            if best.as_ref().is_none_or(|(_, best)| rate(&marks) > rate(best)) {
-                self.failing = failures.iter().map(|trial| trial.grasp.offset).collect();
-                best = Some((refinement.reference().clone(), marks));
+            if best.as_ref().is_none_or(|(_, best, _)| rate(&marks) > rate(best)) {
+                best = Some((refinement.reference().clone(), marks, failures.clone()));
             }
             if is_last {
                 break;
@@ -219,11 +216,12 @@ impl<'run> Robust<'run> {
             refinement.add(&failures);
             self.training.extend(failures);
         }
-        let (reference, marks) = best.expect("an exam was held");
+        let (reference, marks, failures) = best.expect("an exam was held");
+        let failing = failures.iter().map(|trial| trial.grasp.offset).collect();
         round.rate = Some(rate(&marks));
         round.refinement_s = begin.elapsed().as_secs_f64();
         self.rounds.push(round);
-        Kept { stages, reference, marks, round: self.rounds.len() }
+        Kept { stages, reference, marks, failing, round: self.rounds.len() }
     }
 
     /// Improves until all training trials pass, which is what it returns, or it is stuck or the time is over.
