@@ -66,7 +66,7 @@ pub struct SolveArguments {
     pub out: Option<PathBuf>,
     /// Linear solver: stage, mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's,
     /// else stage]
-    #[arg(long, value_name = "NAME", value_parser = scene::LINEAR_SOLVERS, hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", value_parser = task::LinearSolver::ALL.map(task::LinearSolver::name), hide_possible_values = true)]
     pub linear_solver: Option<String>,
     /// Go on after the last homotopy stage that an interrupted solve of the same problem finished in --out; when
     /// interrupted, leave its stages and no result
@@ -215,7 +215,7 @@ fn parse_pose(text: &str) -> Result<Pose, String> {
     if !(norm > 0.0 && pose.iter().all(|number| number.is_finite())) {
         return Err("a pose needs finite numbers and a quaternion that is not zero".to_owned());
     }
-    Ok(Pose(ocp::pose::normalised(&pose)))
+    Ok(Pose(task::pose::normalised(&pose)))
 }
 
 fn positive(text: &str) -> Result<f64, String> {

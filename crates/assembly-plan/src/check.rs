@@ -1,8 +1,10 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use ocp::{AssemblyTask, Transcription};
-use scene::{Homotopy, Scene};
+use ocp::Transcription;
+use scene::Scene;
 use serde::Serialize;
+use task::AssemblyTask;
+use task::HomotopySettings;
 
 use crate::DONE;
 use crate::arguments::CheckArguments;
@@ -24,8 +26,8 @@ pub fn run(arguments: &CheckArguments) -> Result<u8, Failure> {
     let scene = Scene::load(&arguments.task.scene)?;
     let start = arguments.task.start.as_deref();
     let task = scene.task(start, arguments.task.delta).map_err(Failure::Input)?;
-    let homotopy = scene.homotopy.clone().unwrap_or_default();
-    let tau = arguments.tau.unwrap_or(homotopy.0.tau);
+    let homotopy = scene.homotopy.clone().unwrap_or_else(scene::default_homotopy);
+    let tau = arguments.tau.unwrap_or(homotopy.tau);
     if !(tau > 0.0 && tau.is_finite()) {
         return Err(Failure::Input(format!("--tau {tau}: must be positive")));
     }
@@ -46,7 +48,7 @@ pub fn run(arguments: &CheckArguments) -> Result<u8, Failure> {
 }
 
 fn pair_reports(task: &AssemblyTask, pose: &[f64; 7], tau: f64) -> Result<Vec<PairReport>, Failure> {
-    let report = |pair: &ocp::ContactPair| {
+    let report = |pair: &task::ContactPair| {
         let distance = pair.shapes.distance(pose, tau).map_err(|error| {
             Failure::Internal(format!("distance of {} and {}: {error}", pair.body, pair.environment))
         })?;
@@ -75,7 +77,7 @@ fn print_pairs(reports: &[PairReport], tau: f64) {
     say!("smoothed with tau = {tau}");
 }
 
-fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
+fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &HomotopySettings) {
     say!("{}: {} pairs of parts may touch", scene.title, task.pairs.len());
     for (parent, parts) in [("body", &scene.body), ("environment", &scene.environment)] {
         say!("\n{parent}");
@@ -90,7 +92,7 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
     say!("  goal                            {:8.3} mm", 1e3 * task.clearance(&task.goal));
     say!("  start                           {:8.3} mm", 1e3 * task.clearance(&task.start));
     for (index, offset) in task.offsets.iter().enumerate() {
-        let distance = task.clearance(&ocp::pose::without_offset(&task.start, offset));
+        let distance = task.clearance(&task::pose::without_offset(&task.start, offset));
         let [x, y, z] = offset.map(|component| 1e3 * component);
         say!("  start, offset {} ({x:6.2} {y:6.2} {z:6.2}) {:7.3} mm", index + 1, 1e3 * distance);
         if distance < 0.0 {
@@ -105,7 +107,7 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
             say!("limit: {name} {limit} {unit}");
         }
     }
-    let settings = &homotopy.0;
+    let settings = homotopy;
     let transcription = Transcription::new(task, settings.complementarity, settings.hessian);
     let layout = transcription.layout();
     say!(
@@ -122,11 +124,11 @@ fn explain(scene: &Scene, task: &AssemblyTask, homotopy: &Homotopy) {
 
 /// Warns when the first smoothing is smaller than the offset: the plan may then end in a wrong optimum. It often does not,
 /// and success is not monotone in the first smoothing, so that this is no more than a hint.
-fn warn_about_smoothing(task: &AssemblyTask, homotopy: &Homotopy) {
+fn warn_about_smoothing(task: &AssemblyTask, homotopy: &HomotopySettings) {
     let norm = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
     let largest = task.offsets.iter().map(norm).fold(0.0, f64::max);
     let rows = task.pairs.iter().map(|pair| pair.shapes.row_count()).min().unwrap_or(0);
-    let reach = homotopy.0.tau * rows as f64;
+    let reach = homotopy.tau * rows as f64;
     if reach < 1.5 * largest {
         tell!(
             "warning: the first smoothing reaches {:.1} mm, the offset is {:.1} mm; if plans miss the goal, try a larger \

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use nlp::Iterate;
-use ocp::StageResult;
+use ocp::HomotopyIteration;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
@@ -29,7 +29,7 @@ pub struct Checkpoint {
 
 impl Checkpoint {
     /// After the iterations in `stages`, of which `last` is the last.
-    pub fn new(identity: &str, stages: &[Stage], last: &StageResult) -> Self {
+    pub fn new(identity: &str, stages: &[Stage], last: &HomotopyIteration) -> Self {
         let Iterate { x, constraint_multipliers, lower_multipliers, upper_multipliers } = last.iterate.clone();
         let (identity, stages) = (identity.to_owned(), stages.to_vec());
         Self { identity, stages, x, constraint_multipliers, lower_multipliers, upper_multipliers }

@@ -1,6 +1,6 @@
 //! Whether a plan keeps its limits, in words.
 
-use ocp::Limits;
+use task::Limits;
 
 /// What the solver may exceed a limit by without being told of (in units of the limit, and as a part of it).
 const TOLERANCE: (f64, f64) = (1e-4, 1e-3);

@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-use ocp::{ContactPair, Trajectory};
+use task::{ContactPair, Trajectory};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;

@@ -1,7 +1,8 @@
 //! A plan before it is written.
 
 use nlp::SolveStatus;
-use ocp::{AssemblyTask, StageResult, Trajectory};
+use ocp::HomotopyIteration;
+use task::{AssemblyTask, Trajectory};
 
 use crate::robust::Report;
 use crate::stage::Stage;
@@ -11,7 +12,7 @@ pub struct Planned {
     /// Records of all homotopy iterations that ran.
     pub stages: Vec<Stage>,
     /// The last of them.
-    pub last: StageResult,
+    pub last: HomotopyIteration,
     /// The plan.
     pub trajectory: Trajectory,
     /// The problem whose pairs and horizon the trajectory has.

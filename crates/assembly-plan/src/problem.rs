@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use ocp::AssemblyTask;
-use scene::{Homotopy, Scene, StartPose, resolved};
+use scene::{Scene, StartPose, resolved};
 use sha2::{Digest, Sha256};
+use task::{AssemblyTask, HomotopySettings, LinearSolver};
 
 use crate::failure::Failure;
 
@@ -19,7 +19,7 @@ pub struct Problem<'scene> {
     /// The optimal control problem.
     pub task: AssemblyTask,
     /// Its homotopy.
-    pub homotopy: Homotopy,
+    pub homotopy: HomotopySettings,
     /// `resolved.toml`: everything that the plan depends on, shapes included.
     pub resolved: String,
     /// What makes two problems the same one: a hash (hexadecimal) of [`Self::resolved`] and of the program's version.
@@ -36,7 +36,7 @@ impl<'scene> Problem<'scene> {
         scene: &'scene Scene,
         start: Option<&str>,
         delta: Option<f64>,
-        homotopy: Homotopy,
+        homotopy: HomotopySettings,
     ) -> Result<Self, String> {
         let start = scene.start(start)?;
         let delta = delta.unwrap_or(scene.offset_magnitude);
@@ -54,13 +54,13 @@ fn identity(resolved: &str) -> String {
 }
 
 /// The homotopy of a file, else of the scene, else the built-in one; `linear_solver` replaces its own.
-pub fn homotopy(scene: &Scene, file: Option<&Path>, linear_solver: Option<&str>) -> Result<Homotopy, Failure> {
+pub fn homotopy(scene: &Scene, file: Option<&Path>, linear_solver: Option<&str>) -> Result<HomotopySettings, Failure> {
     let mut homotopy = match file {
-        Some(file) => Homotopy::load(file)?,
-        None => scene.homotopy.clone().unwrap_or_default(),
+        Some(file) => scene::load_homotopy(file)?,
+        None => scene.homotopy.clone().unwrap_or_else(scene::default_homotopy),
     };
     if let Some(name) = linear_solver {
-        homotopy.0.linear_solver = name.to_owned();
+        homotopy.linear_solver = LinearSolver::from_name(name).expect("clap knows the names");
     }
     Ok(homotopy)
 }

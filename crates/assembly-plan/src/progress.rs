@@ -3,7 +3,7 @@
 
 use std::io::{IsTerminal, Write, stderr};
 
-use ocp::{Event, StageResult};
+use ocp::{Event, HomotopyIteration};
 
 /// Progress on standard error.
 pub struct Progress {
@@ -26,8 +26,8 @@ impl Progress {
         let _ = write!(
             stderr(),
             "\r\x1b[Kstage {}/{} (tau {:.2e}): iteration {}, objective {:.5}, infeasibility {:.1e}{}",
-            event.stage,
-            event.stages,
+            event.number,
+            event.count,
             event.smoothing.tau,
             progress.iteration,
             progress.objective,
@@ -37,7 +37,7 @@ impl Progress {
     }
 
     /// Shows the end of a homotopy iteration.
-    pub fn stage(&self, number: usize, stages: usize, result: &StageResult) {
+    pub fn stage(&self, number: usize, stages: usize, result: &HomotopyIteration) {
         let (position, _) = result.trajectory.worst_errors();
         let clear = if self.rewrites { "\r\x1b[K" } else { "" };
         let _ = writeln!(

@@ -1,8 +1,8 @@
 //! `result.json`.
 
-use ocp::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 use serde::Serialize;
 use simulation::Success;
+use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
 use crate::limits;
 use crate::planned::Planned;
@@ -99,7 +99,7 @@ impl PlanResult {
     pub fn new(problem: &Problem, plan: Planned, success: &Success, warnings: Vec<String>) -> Self {
         let Planned { stages, last, trajectory, task, report: robust } = plan;
         let (position, orientation) = trajectory.worst_errors();
-        let converged = stages.len() == problem.homotopy.0.iterations && last.status.is_success();
+        let converged = stages.len() == problem.homotopy.iterations && last.status.is_success();
         let goal_reached = success.reached(position, orientation);
         let status = match (&robust, converged, goal_reached) {
             (Some(report), ..) if report.is_reached() => "done".to_owned(),

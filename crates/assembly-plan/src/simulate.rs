@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::time::Instant;
 
-use ocp::AssemblyTask;
 use scene::Scene;
 use simulation::{Grasp, Reference, Rollout, Settings, Success, offsets};
+use task::AssemblyTask;
 
 use crate::DONE;
 use crate::arguments::{SimulateArguments, threads};
@@ -130,7 +130,7 @@ fn motions(
     }
     motions.push((Motion::Plan, plan.reference()?));
     for (_, reference) in &motions {
-        let (distance, angle) = ocp::pose::errors(&reference.start(), &task.start);
+        let (distance, angle) = task::pose::errors(&reference.start(), &task.start);
         if distance > SAME_POSE || angle > SAME_POSE {
             return Err(Failure::Input(format!(
                 "{}: the plan does not begin at start `{}` of {}; was it made from another scene?",

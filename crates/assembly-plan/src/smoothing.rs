@@ -1,6 +1,6 @@
 //! Whether a plan leans on smoothing: contact is soft while it is planned, real parts are not.
 
-use ocp::StageResult;
+use ocp::HomotopyIteration;
 
 use crate::problem::Problem;
 use crate::stage::Stage;
@@ -12,7 +12,7 @@ const STALLED: f64 = 0.9;
 
 /// What is wrong with a plan whose exact shapes overlap by more than a tenth of the clearance at the goal, in plain
 /// words with the setting that cures it.
-pub fn warning(problem: &Problem, stages: &[Stage], last: &StageResult) -> Option<String> {
+pub fn warning(problem: &Problem, stages: &[Stage], last: &HomotopyIteration) -> Option<String> {
     let scenarios = &last.trajectory.scenarios;
     let overlap = |scenario: usize| scenarios[scenario].quality.penetration.map_or(0.0, |peak| peak.value);
     let worst = (0..scenarios.len()).max_by(|&one, &other| overlap(one).total_cmp(&overlap(other)))?;
@@ -46,7 +46,7 @@ pub fn warning(problem: &Problem, stages: &[Stage], last: &StageResult) -> Optio
 
 /// The overlap shrinks in proportion to the last tau.
 fn less_smoothing(problem: &Problem, overlap: f64, clearance: f64) -> String {
-    let settings = &problem.homotopy.0;
+    let settings = &problem.homotopy;
     let excess = overlap / (HARD * clearance);
     let missing = (excess.ln() / -settings.tau_rate.ln()).ceil().max(1.0) as usize;
     let iterations = settings.iterations + missing;

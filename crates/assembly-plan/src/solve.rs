@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{Event, StageResult};
+use ocp::{Event, HomotopyIteration};
 use scene::{Scene, StartPose};
 use simulation::Success;
 
@@ -78,7 +78,7 @@ pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
 /// What is odd about a problem before it is solved.
 fn warnings(problem: &Problem) -> Vec<String> {
     let mut warnings = problem.scene.warnings.clone();
-    if problem.homotopy.0.linear_solver == ocp::STAGE && !nlp::TAKES_OWN_SOLVER {
+    if problem.homotopy.linear_solver == task::LinearSolver::Stage && !nlp::TAKES_OWN_SOLVER {
         let version = nlp::IPOPT_VERSION;
         warnings.push(format!("Ipopt {version} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower"));
     }
@@ -102,7 +102,7 @@ fn plan(
     checkpoint: Option<Checkpoint>,
     stopped: &AtomicBool,
 ) -> Result<Planned, Failure> {
-    let planned = problem.homotopy.0.iterations;
+    let planned = problem.homotopy.iterations;
     let progress = Progress::new();
     let observe = |event: Event| {
         progress.iteration(&event);
@@ -110,14 +110,14 @@ fn plan(
     };
     let mut stages = checkpoint.as_ref().map_or_else(Vec::new, |checkpoint| checkpoint.stages.clone());
     let mut written = Ok(());
-    let finished = |number: usize, stage: &StageResult| {
+    let finished = |number: usize, stage: &HomotopyIteration| {
         progress.stage(number, planned, stage);
         stages.push(Stage::from(stage));
         if written.is_ok() {
             written = write_stage(problem, folder, &stages, stage);
         }
     };
-    let mut homotopy = ocp::Homotopy::new(&problem.task, problem.homotopy.0.clone());
+    let mut homotopy = ocp::Homotopy::new(&problem.task, problem.homotopy.clone());
     let mut results = match checkpoint {
         None => homotopy.run(observe, finished)?,
         Some(checkpoint) => {
@@ -133,10 +133,10 @@ fn plan(
 }
 
 /// Writes the tables of a stage, then the checkpoint from which the next one can start.
-fn write_stage(problem: &Problem, folder: &Path, stages: &[Stage], last: &StageResult) -> Result<(), Failure> {
+fn write_stage(problem: &Problem, folder: &Path, stages: &[Stage], last: &HomotopyIteration) -> Result<(), Failure> {
     let stage_folder = folder.join("stages").join(stages.len().to_string());
     write_trajectory(&stage_folder, &last.trajectory, &problem.task.pairs)?;
-    let is_final = stages.len() == problem.homotopy.0.iterations;
+    let is_final = stages.len() == problem.homotopy.iterations;
     if is_final || last.status == SolveStatus::Interrupted {
         return Ok(());
     }

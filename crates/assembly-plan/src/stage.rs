@@ -1,6 +1,6 @@
 //! Homotopy iterations in `result.json` and in checkpoints.
 
-use ocp::{StageResult, StageTiming};
+use ocp::{HomotopyIteration, IterationTiming};
 use serde::{Deserialize, Serialize};
 
 /// One homotopy iteration, without its trajectory.
@@ -68,9 +68,9 @@ impl Fallbacks {
     }
 }
 
-impl From<&StageResult> for Stage {
-    fn from(result: &StageResult) -> Self {
-        let StageTiming { total, distances, model, linear_solver, rest } = result.timing;
+impl From<&HomotopyIteration> for Stage {
+    fn from(result: &HomotopyIteration) -> Self {
+        let IterationTiming { total, distances, model, linear_solver, rest } = result.timing;
         Self {
             tau: result.smoothing.tau,
             sigma: result.smoothing.sigma,

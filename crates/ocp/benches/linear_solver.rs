@@ -10,7 +10,8 @@ use std::path::Path;
 use cpu_time::ThreadTime;
 use feral::{CscMatrix, FactorStatus};
 use nlp::{Control, Factorisation, KktSolver, LinearSolver, Mumps, Options, Start};
-use ocp::{AssemblyTask, Complementarity, HessianKind, Transcription, TranscriptionSolver};
+use ocp::{Transcription, TranscriptionSolver};
+use task::{AssemblyTask, Complementarity, HessianKind};
 
 const SCENES: [&str; 4] = ["corner", "peg1", "peg5", "clamp1"];
 /// Largest number of matrices of a scene.

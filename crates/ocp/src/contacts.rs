@@ -3,13 +3,13 @@
 
 use autodiff::Batch;
 use nlp::EvaluationError;
+use task::{AssemblyTask, POSE, TWIST};
 
 use crate::distances::Distances;
 use crate::function::{PointFunction, Source, scatter};
-use crate::layout::{CONTACT, Layout, POSE, TWIST};
+use crate::layout::{CONTACT, Layout};
 use crate::model::{self, CONTACT_VARIABLES};
 use crate::pattern::{ABSENT, PatternBuilder, add};
-use crate::task::AssemblyTask;
 
 /// All pairs in all steps of all scenarios. Point `pair * poses + pose` of the tape belongs to pose
 /// `(stage - 1) n_s + scenario` of [`Distances`].

@@ -3,9 +3,9 @@
 use std::time::{Duration, Instant};
 
 use nlp::EvaluationError;
+use task::{ContactPair, POSE};
 
-use crate::layout::{CONTACT, Layout, POSE};
-use crate::task::ContactPair;
+use crate::layout::{CONTACT, Layout};
 
 /// What has been evaluated at the current poses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,20 +1,18 @@
 //! The homotopy (Sec. ocp:homotopy): solve with much smoothing, tighten, solve again from the last solution.
 
-use nlp::{Control, Iterate, LinearSolver, Options, Progress, SolveError, SolveStatus, Start};
+use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
+use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver, Smoothing, Trajectory};
 
-use crate::settings::{HessianKind, HomotopySettings, Smoothing};
-use crate::stage_solver::{STAGE, TranscriptionSolver};
-use crate::task::AssemblyTask;
-use crate::trajectory::Trajectory;
+use crate::stage_solver::TranscriptionSolver;
 use crate::transcription::Transcription;
 
 /// What the observer of a homotopy learns at every iteration of the solver.
 #[derive(Debug, Clone, Copy)]
 pub struct Event<'event> {
-    /// Homotopy iteration, from 1.
-    pub stage: usize,
-    /// Number of homotopy iterations.
-    pub stages: usize,
+    /// Number of the homotopy iteration, from 1.
+    pub number: usize,
+    /// How many there are.
+    pub count: usize,
     /// Smoothing of this one.
     pub smoothing: Smoothing,
     /// The solver's iteration.
@@ -23,7 +21,7 @@ pub struct Event<'event> {
 
 /// One homotopy iteration.
 #[derive(Debug, Clone)]
-pub struct StageResult {
+pub struct HomotopyIteration {
     /// Its smoothing.
     pub smoothing: Smoothing,
     /// How the solver ended.
@@ -37,7 +35,7 @@ pub struct StageResult {
     /// Largest violation of a constraint or bound.
     pub constraint_violation: f64,
     /// Where the time went.
-    pub timing: StageTiming,
+    pub timing: IterationTiming,
     /// The linear solver that ran.
     pub linear_solver: String,
     /// What the stage solver did, if it ran.
@@ -50,7 +48,7 @@ pub struct StageResult {
 
 /// Wall seconds of one homotopy iteration.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct StageTiming {
+pub struct IterationTiming {
     /// All of it.
     pub total: f64,
     /// Distances and their derivatives.
@@ -63,7 +61,7 @@ pub struct StageTiming {
     pub rest: f64,
 }
 
-/// A homotopy that is run stage by stage.
+/// A homotopy that is run iteration by iteration.
 pub struct Homotopy {
     transcription: Transcription,
     settings: HomotopySettings,
@@ -80,16 +78,16 @@ impl Homotopy {
         &self.transcription
     }
 
-    /// Runs all homotopy iterations, each from the primal-dual solution of the one before. Stages that stop short are
-    /// continued from where they stopped; an interrupted one is the last.
+    /// Runs all homotopy iterations, each from the primal-dual solution of the one before. One that stops short is
+    /// continued by the next from where it stopped; an interrupted one is the last.
     ///
     /// # Errors
     /// When an option or the linear solver is refused; numerical failure is a status.
     pub fn run(
         &mut self,
         observe: impl FnMut(Event) -> Control,
-        finished: impl FnMut(usize, &StageResult),
-    ) -> Result<Vec<StageResult>, SolveError> {
+        finished: impl FnMut(usize, &HomotopyIteration),
+    ) -> Result<Vec<HomotopyIteration>, SolveError> {
         self.run_from(0, Start::Cold(self.transcription.initial_guess()), observe, finished)
     }
 
@@ -102,37 +100,37 @@ impl Homotopy {
         done: usize,
         mut start: Start,
         mut observe: impl FnMut(Event) -> Control,
-        mut finished: impl FnMut(usize, &StageResult),
-    ) -> Result<Vec<StageResult>, SolveError> {
-        let mut stages = Vec::with_capacity(self.settings.iterations.saturating_sub(done));
+        mut finished: impl FnMut(usize, &HomotopyIteration),
+    ) -> Result<Vec<HomotopyIteration>, SolveError> {
+        let mut iterations = Vec::with_capacity(self.settings.iterations.saturating_sub(done));
         for (index, smoothing) in self.settings.schedule().enumerate().skip(done) {
             let mut observer = |progress: &Progress| {
-                observe(Event { stage: index + 1, stages: self.settings.iterations, smoothing, progress })
+                observe(Event { number: index + 1, count: self.settings.iterations, smoothing, progress })
             };
-            let options = stage_options(&self.settings, smoothing);
+            let options = iteration_options(&self.settings, smoothing);
             self.transcription.set_smoothing(smoothing.tau, smoothing.sigma);
-            let result = solve_stage(
+            let result = solve_iteration(
                 &mut self.transcription,
                 &start,
                 smoothing,
                 &options,
-                &self.settings.linear_solver,
+                self.settings.linear_solver,
                 &mut observer,
             )?;
             finished(index + 1, &result);
             start = Start::Warm(result.iterate.clone());
             let interrupted = result.status == SolveStatus::Interrupted;
-            stages.push(result);
+            iterations.push(result);
             if interrupted {
                 break;
             }
         }
-        Ok(stages)
+        Ok(iterations)
     }
 }
 
-/// Options that leave a warm start where it is: Ipopt's defaults push it so far from its bounds that the next stage may
-/// find another, worse optimum.
+/// Options that leave a warm start where it is: Ipopt's defaults push it so far from its bounds that the next
+/// iteration may find another, worse optimum.
 const WARM_START_PUSHES: [&str; 5] = [
     "warm_start_bound_push",
     "warm_start_bound_frac",
@@ -141,48 +139,57 @@ const WARM_START_PUSHES: [&str; 5] = [
     "warm_start_mult_bound_push",
 ];
 
-fn stage_options(settings: &HomotopySettings, smoothing: Smoothing) -> Options {
+fn iteration_options(settings: &HomotopySettings, smoothing: Smoothing) -> Options {
     let mut options = Options::default();
     options.set("mu_init", smoothing.mu_init);
     for push in WARM_START_PUSHES {
         options.set(push, 1e-9);
     }
-    if settings.linear_solver == STAGE && nlp::TAKES_OWN_SOLVER {
+    if settings.linear_solver == LinearSolver::Stage && nlp::TAKES_OWN_SOLVER {
         // It refines its solutions itself, where they need it.
         options.set("min_refinement_steps", 0);
     }
     if settings.hessian == HessianKind::LimitedMemory {
         options.set("hessian_approximation", "limited-memory");
     }
-    options.extend(&settings.options);
+    for option in &settings.ipopt {
+        options.set(
+            &option.name,
+            match &option.value {
+                IpoptValue::Integer(value) => (*value).into(),
+                IpoptValue::Number(value) => (*value).into(),
+                IpoptValue::Text(value) => nlp::OptionValue::from(value.as_str()),
+            },
+        );
+    }
     options
 }
 
-fn solve_stage(
+fn solve_iteration(
     transcription: &mut Transcription,
     start: &Start,
     smoothing: Smoothing,
     options: &Options,
-    linear_solver: &str,
+    linear_solver: LinearSolver,
     observer: &mut dyn FnMut(&Progress) -> Control,
-) -> Result<StageResult, SolveError> {
+) -> Result<HomotopyIteration, SolveError> {
     transcription.contacts().distances().reset_seconds();
     let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.complementarity());
     let chosen = match linear_solver {
-        STAGE if nlp::TAKES_OWN_SOLVER => LinearSolver::Own(&mut stage_solver),
-        STAGE => LinearSolver::Named(nlp::MUMPS),
-        name => LinearSolver::Named(name),
+        LinearSolver::Stage if nlp::TAKES_OWN_SOLVER => nlp::LinearSolver::Own(&mut stage_solver),
+        LinearSolver::Stage => nlp::LinearSolver::Named(LinearSolver::Mumps.name()),
+        other => nlp::LinearSolver::Named(other.name()),
     };
     let solution = nlp::solve(transcription, start, options, chosen, observer)?;
     let distances = transcription.contacts().distances().seconds();
-    let timing = StageTiming {
+    let timing = IterationTiming {
         total: solution.timing.total,
         distances,
         model: solution.timing.evaluation - distances,
         linear_solver: solution.timing.linear_solver,
         rest: solution.timing.total - solution.timing.evaluation - solution.timing.linear_solver,
     };
-    Ok(StageResult {
+    Ok(HomotopyIteration {
         smoothing,
         status: solution.status,
         message: solution.evaluation_error.map(|error| error.to_string()),
@@ -192,7 +199,7 @@ fn solve_stage(
         timing,
         linear_solver: solution.linear_solver,
         stage_solver: stage_solver.report().copied(),
-        trajectory: Trajectory::new(transcription, &solution.iterate.x, smoothing.tau),
+        trajectory: transcription.motion(&solution.iterate.x, smoothing.tau),
         iterate: solution.iterate,
     })
 }

@@ -5,14 +5,10 @@
 //! accelerations, then for every scenario pose dynamics (7), velocity dynamics (6), gaps (P), complementarity products
 //! (P), limited accelerations and limited wrenches. The initial states are data.
 
-/// Number of coordinates of a pose (position, quaternion).
-pub const POSE: usize = 7;
-/// Number of coordinates of a twist (translational, rotational velocity).
-pub const TWIST: usize = 6;
+use task::{POSE, STATE, TWIST};
+
 /// Number of components of the contact information `W = (Phi_tau, n~_tau)`.
 pub const CONTACT: usize = 1 + TWIST;
-/// Number of coordinates of a state (pose, twist).
-pub const STATE: usize = POSE + TWIST;
 
 /// Sizes of a transcription and the index of everything in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

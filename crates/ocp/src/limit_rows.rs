@@ -1,10 +1,12 @@
 //! The rows of limited accelerations and wrenches.
 
+use nlp::Bounds;
+use task::{AssemblyTask, Limits, POSE, STATE, TWIST};
+
 use crate::function::{ConstraintFunction, PointFunction, Source};
-use crate::layout::{Layout, POSE, STATE, TWIST};
+use crate::layout::Layout;
 use crate::model;
 use crate::pattern::PatternBuilder;
-use crate::task::AssemblyTask;
 
 /// The rows of limited accelerations and wrenches; nothing where nothing is limited.
 pub fn limit_rows(
@@ -54,4 +56,34 @@ fn wrench(task: &AssemblyTask, axes: &[usize], layout: Layout, steps: &[(usize, 
         }
     };
     PointFunction::new(model::wrench(&task.impedance, axes), 2 * STATE, steps.len(), source)
+}
+
+/// Sets the bounds of velocities and contact forces.
+pub fn bound_variables(limits: &Limits, layout: Layout, bounds: &mut Bounds) {
+    for (stage, trajectory) in layout.stages_and_trajectories() {
+        for (axis, limit) in limits.velocities() {
+            bound(bounds, layout.state(stage, trajectory) + POSE + axis, limit);
+        }
+    }
+    for (stage, scenario) in layout.stages_and_scenarios() {
+        bounds.upper[layout.contact_force(stage, scenario, 0)..][..layout.pairs].fill(limits.contact_force);
+    }
+}
+
+/// Sets the bounds of the rows of accelerations and wrenches.
+pub fn bound_rows(limits: &Limits, layout: Layout, bounds: &mut Bounds) {
+    for (stage, trajectory) in layout.stages_and_trajectories() {
+        for (row, (_, limit)) in limits.accelerations().into_iter().enumerate() {
+            bound(bounds, layout.acceleration(stage, trajectory) + row, limit);
+        }
+    }
+    for (stage, scenario) in layout.stages_and_scenarios() {
+        for (row, (_, limit)) in limits.wrenches().into_iter().enumerate() {
+            bound(bounds, layout.wrench(stage, scenario) + row, limit);
+        }
+    }
+}
+
+fn bound(bounds: &mut Bounds, index: usize, limit: f64) {
+    (bounds.lower[index], bounds.upper[index]) = (-limit, limit);
 }

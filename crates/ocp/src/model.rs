@@ -1,10 +1,10 @@
 //! The equations of the method, recorded as tapes: dynamics, impedance law, contact and cost.
 
 use autodiff::{Expression, Tape};
-use nalgebra::Matrix3;
+use task::algebra::{apply, dot, rotation};
+use task::{AssemblyTask, Impedance, Inertia, POSE, STATE, TWIST};
 
-use crate::layout::{CONTACT, POSE, STATE, TWIST};
-use crate::task::{AssemblyTask, Impedance, Inertia};
+use crate::layout::CONTACT;
 
 /// `q_r - q_r_prev - dt Q(q_r_prev) v_r` (Eq. discretizedOCP): inputs previous pose, pose, twist; 7 outputs.
 pub fn reference_kinematics(time_step: f64) -> Tape {
@@ -28,7 +28,7 @@ pub fn compliant_dynamics(task: &AssemblyTask) -> Tape {
         let (reference, offset) = rest.split_at(STATE);
         let (pose, twist) = state.split_at(POSE);
         let mut defects = kinematic_defect(&previous[..POSE], pose, pose, twist, time_step);
-        let wrench = impedance_wrench(&task.impedance, reference, state, offset);
+        let wrench = task.impedance.wrench(reference, state, offset);
         let acceleration = accelerate(&task.inertia, &wrench);
         for axis in 0..TWIST {
             defects.push(twist[axis] - previous[POSE + axis] - acceleration[axis] * time_step);
@@ -43,7 +43,7 @@ pub fn wrench(impedance: &Impedance, axes: &[usize]) -> Tape {
     Tape::record(2 * STATE + 3, |inputs| {
         let (reference, rest) = inputs.split_at(STATE);
         let (state, offset) = rest.split_at(STATE);
-        let wrench = impedance_wrench(impedance, reference, state, offset);
+        let wrench = impedance.wrench(reference, state, offset);
         axes.iter().map(|&axis| wrench[axis]).collect()
     })
 }
@@ -88,7 +88,7 @@ pub fn terminal_residuals(goal: &[f64; POSE]) -> Tape {
         let (pose, roots) = inputs.split_at(POSE);
         let mut residuals: Vec<Expression> = (0..3).map(|axis| (pose[axis] - goal[axis]) * roots[0]).collect();
         let actual = rotation(&normalised(&pose[3..]));
-        let target = crate::pose::rotation_matrix(&[goal[3], goal[4], goal[5], goal[6]]);
+        let target = task::pose::rotation_matrix(&[goal[3], goal[4], goal[5], goal[6]]);
         for (row, actual_row) in actual.iter().enumerate() {
             for (column, &entry) in actual_row.iter().enumerate() {
                 residuals.push((entry - target[(row, column)]) * roots[1]);
@@ -116,30 +116,6 @@ fn kinematic_defect<'tape>(
     defects
 }
 
-/// Eq. impedancewrench at the pose `P_q(q, offset)`, with the raw quaternions (conjugate as inverse).
-fn impedance_wrench<'tape>(
-    impedance: &Impedance,
-    reference: &[Expression<'tape>],
-    state: &[Expression<'tape>],
-    offset: &[Expression<'tape>],
-) -> [Expression<'tape>; TWIST] {
-    let rotation = rotation(&state[3..POSE]);
-    let force: [_; 3] = std::array::from_fn(|axis| {
-        let tracked = state[axis] + dot(&rotation[axis], offset);
-        (reference[axis] - tracked) * impedance.translational_stiffness
-            + (reference[POSE + axis] - state[POSE + axis]) * impedance.translational_damping
-    });
-    let [a, b, c, d] = [state[3], -state[4], -state[5], -state[6]];
-    let [e, f, g, h] = [reference[3], reference[4], reference[5], reference[6]];
-    let scalar = a * e - b * f - c * g - d * h;
-    let vector = [a * f + b * e + c * h - d * g, a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e];
-    let spin: [_; 3] = std::array::from_fn(|axis| reference[POSE + 3 + axis] - state[POSE + 3 + axis]);
-    let damping = apply(&impedance.rotational_damping, &spin);
-    let torque: [_; 3] =
-        std::array::from_fn(|axis| scalar * vector[axis] * (2.0 * impedance.rotational_stiffness) + damping[axis]);
-    [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
-}
-
 /// `M^-1` times a wrench.
 fn accelerate<'tape>(inertia: &Inertia, wrench: &[Expression<'tape>; TWIST]) -> [Expression<'tape>; TWIST] {
     let inverse = inertia.rotational.try_inverse().expect("a validated rotational inertia is positive definite");
@@ -147,28 +123,7 @@ fn accelerate<'tape>(inertia: &Inertia, wrench: &[Expression<'tape>; TWIST]) -> 
     std::array::from_fn(|axis| if axis < 3 { wrench[axis] * (1.0 / inertia.mass) } else { rotational[axis - 3] })
 }
 
-fn apply<'tape>(matrix: &Matrix3<f64>, vector: &[Expression<'tape>]) -> [Expression<'tape>; 3] {
-    std::array::from_fn(|row| {
-        vector[0] * matrix[(row, 0)] + vector[1] * matrix[(row, 1)] + vector[2] * matrix[(row, 2)]
-    })
-}
-
-fn dot<'tape>(left: &[Expression<'tape>], right: &[Expression<'tape>]) -> Expression<'tape> {
-    left.iter().zip(right).skip(1).fold(left[0] * right[0], |sum, (&a, &b)| sum + a * b)
-}
-
 fn normalised<'tape>(quaternion: &[Expression<'tape>]) -> [Expression<'tape>; 4] {
     let norm = dot(quaternion, quaternion).sqrt();
     std::array::from_fn(|component| quaternion[component] / norm)
-}
-
-/// `R(xi)`, the homogeneous quadratic form.
-fn rotation<'tape>(quaternion: &[Expression<'tape>]) -> [[Expression<'tape>; 3]; 3] {
-    let [w, x, y, z] = [quaternion[0], quaternion[1], quaternion[2], quaternion[3]];
-    let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
-    [
-        [ww + xx - yy - zz, (x * y - w * z) * 2.0, (x * z + w * y) * 2.0],
-        [(x * y + w * z) * 2.0, ww - xx + yy - zz, (y * z - w * x) * 2.0],
-        [(x * z - w * y) * 2.0, (y * z + w * x) * 2.0, ww - xx - yy + zz],
-    ]
 }

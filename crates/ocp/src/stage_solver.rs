@@ -4,12 +4,9 @@ use std::ops::Range;
 
 use kkt::{Class, Label, Owner, StageSolver};
 use nlp::{Factorisation, KktSolver};
+use task::{Complementarity, LinearSolver, POSE, STATE, TWIST};
 
-use crate::layout::{Layout, POSE, STATE, TWIST};
-use crate::settings::Complementarity;
-
-/// Name of this solver in settings and results.
-pub const STAGE: &str = "stage";
+use crate::layout::Layout;
 
 /// The linear solver of one solve.
 pub struct TranscriptionSolver {
@@ -31,7 +28,7 @@ impl TranscriptionSolver {
 
 impl KktSolver for TranscriptionSolver {
     fn name(&self) -> &str {
-        STAGE
+        LinearSolver::Stage.name()
     }
 
     fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {

@@ -1,18 +1,16 @@
 //! The multi-scenario optimal control problem (Eq. discretizedOCP) as a sparse nonlinear program.
 
 use nlp::{Bounds, EvaluationError, Pattern, Problem};
+use task::pose::without_offset;
+use task::{AssemblyTask, Complementarity, CostWeights, HessianKind, POSE, STATE, TWIST, at_rest, pose_of};
 
 use crate::contacts::Contacts;
 use crate::cost::LeastSquares;
 use crate::function::{ConstraintFunction, PointFunction, Source};
-use crate::layout::{Layout, POSE, STATE, TWIST};
-use crate::limit_rows::limit_rows;
+use crate::layout::Layout;
+use crate::limit_rows::{bound_rows, bound_variables, limit_rows};
 use crate::model::{self, COMPLIANT_VARIABLES};
 use crate::pattern::PatternBuilder;
-use crate::pose::without_offset;
-use crate::settings::{Complementarity, HessianKind};
-use crate::state::{at_rest, pose_of};
-use crate::task::{AssemblyTask, CostWeights};
 
 /// Contact forces of the initial guess (N).
 pub const INITIAL_CONTACT_FORCE: f64 = 1e-3;
@@ -124,7 +122,7 @@ impl Problem for Transcription {
             lower[self.layout.contact_force(stage, scenario, 0)..][..self.layout.pairs].fill(0.0);
         }
         let mut bounds = Bounds { lower, upper: vec![f64::INFINITY; count] };
-        self.task.limits.bound_variables(self.layout, &mut bounds);
+        bound_variables(&self.task.limits, self.layout, &mut bounds);
         bounds
     }
 
@@ -143,7 +141,7 @@ impl Problem for Transcription {
             upper[products..][..pairs].fill(self.sigma);
         }
         let mut bounds = Bounds { lower, upper };
-        self.task.limits.bound_rows(self.layout, &mut bounds);
+        bound_rows(&self.task.limits, self.layout, &mut bounds);
         bounds
     }
 

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use nlp::{Problem, check_derivatives};
-use ocp::{AssemblyTask, Complementarity, HessianKind, Limits, Transcription};
+use ocp::Transcription;
+use task::{AssemblyTask, Complementarity, HessianKind, Limits};
 
 /// A deterministic number in (-1, 1).
 fn noise(index: usize) -> f64 {

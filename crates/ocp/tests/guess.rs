@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use ocp::{Complementarity, HessianKind, Trajectory, Transcription};
+use ocp::Transcription;
+use task::{Complementarity, HessianKind};
 
 #[test]
 fn a_solve_may_begin_at_a_motion() {
@@ -24,7 +25,7 @@ fn a_solve_may_begin_at_a_motion() {
             x[layout.contact_force(stage, scenario, pair)] += (stage + scenario + pair) as f64;
         }
     }
-    let again = Trajectory::new(&transcription, &x, TAU).variables(layout);
+    let again = transcription.point_at(&transcription.motion(&x, TAU));
     let largest = x.iter().zip(&again).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
     assert!(largest < 1e-12, "{largest}");
 }

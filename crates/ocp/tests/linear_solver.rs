@@ -4,7 +4,8 @@ use std::path::Path;
 
 use kkt::Fallbacks;
 use nlp::{Control, Factorisation, KktSolver, LinearSolver, Mumps, Options, SolveStatus, Start};
-use ocp::{AssemblyTask, Complementarity, HessianKind, Limits, Transcription, TranscriptionSolver};
+use ocp::{Transcription, TranscriptionSolver};
+use task::{AssemblyTask, Complementarity, HessianKind, Limits};
 
 fn task(scene: &str, steps: usize) -> AssemblyTask {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{scene}.toml"));

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use nlp::Problem;
-use ocp::{Complementarity, HessianKind, Transcription};
+use ocp::Transcription;
 use serde_json::Value;
+use task::{Complementarity, HessianKind};
 
 const TOLERANCE: f64 = 1e-9;
 

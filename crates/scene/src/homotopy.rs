@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use nlp::{OptionValue, Options};
-use ocp::{Complementarity, HessianKind, HomotopySettings};
+use task::{Complementarity, HessianKind, HomotopySettings, IpoptOption, IpoptValue, LinearSolver};
 use toml::Spanned;
 
 use crate::document::{HomotopyDocument, HomotopyFileDocument};
@@ -13,69 +12,59 @@ use crate::pose::{positive, within};
 /// The homotopy that is used when neither the command line nor the scene names one.
 const DEFAULT: &str = include_str!("../../../configs/default.toml");
 
-/// Linear solvers by name.
-pub const LINEAR_SOLVERS: [&str; 5] = [ocp::STAGE, nlp::MUMPS, "ma27", "ma57", "ma97"];
 const COMPLEMENTARITIES: [(&str, Complementarity); 2] =
     [("relaxation", Complementarity::Relaxation), ("smoothing", Complementarity::Smoothing)];
 const HESSIANS: [(&str, HessianKind); 3] =
     [("exact", HessianKind::Exact), ("gauss-newton", HessianKind::GaussNewton), ("l-bfgs", HessianKind::LimitedMemory)];
 
-/// Homotopy settings as files give them.
-#[derive(Debug, Clone)]
-pub struct Homotopy(pub HomotopySettings);
-
-impl Default for Homotopy {
-    fn default() -> Self {
-        let source = Source { file: Path::new("configs/default.toml"), text: DEFAULT };
-        Self::parse(source).expect("the built-in homotopy is valid")
-    }
+/// The settings that are used when neither the user nor the scene gives any.
+pub fn default_homotopy() -> HomotopySettings {
+    let source = Source { file: Path::new("configs/default.toml"), text: DEFAULT };
+    parse_homotopy(source).expect("the built-in homotopy is valid")
 }
 
-impl Homotopy {
-    /// Reads a homotopy file.
-    ///
-    /// # Errors
-    /// The first thing that is wrong, with its place.
-    pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| SceneError::about(path, format!("the homotopy cannot be read: {error}")))?;
-        Self::parse(Source { file: path, text: &text })
-    }
+/// Reads a homotopy file.
+///
+/// # Errors
+/// The first thing that is wrong, with its place.
+pub fn load_homotopy(path: &Path) -> Result<HomotopySettings, SceneError> {
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| SceneError::about(path, format!("the homotopy cannot be read: {error}")))?;
+    parse_homotopy(Source { file: path, text: &text })
+}
 
-    /// Reads a homotopy from text. Keys that are not given have the values of the paper's peg experiments.
-    ///
-    /// # Errors
-    /// The first thing that is wrong, with its place.
-    pub fn parse(source: Source) -> Result<Self, SceneError> {
-        let document: HomotopyFileDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-        settings(source, &document.homotopy, &document.ipopt).map(Self)
-    }
+/// Reads a homotopy from text. Keys that are not given have the values of the paper's peg experiments.
+///
+/// # Errors
+/// The first thing that is wrong, with its place.
+pub fn parse_homotopy(source: Source) -> Result<HomotopySettings, SceneError> {
+    let document: HomotopyFileDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
+    settings(source, &document.homotopy, &document.ipopt)
+}
 
-    /// The two tables of a file that gives these settings.
-    pub fn to_tables(&self) -> (toml::Table, toml::Table) {
-        let settings = &self.0;
-        let mut homotopy = toml::Table::new();
-        let mut insert = |key: &str, value: toml::Value| homotopy.insert(key.to_owned(), value);
-        insert("iterations", toml::Value::Integer(settings.iterations as i64));
-        insert("tau", settings.tau.into());
-        insert("sigma", settings.sigma.into());
-        insert("mu_init", settings.mu_init.into());
-        insert("tau_rate", settings.tau_rate.into());
-        insert("sigma_rate", settings.sigma_rate.into());
-        insert("mu_rate", settings.mu_rate.into());
-        insert("complementarity", name_of(&COMPLEMENTARITIES, settings.complementarity).into());
-        insert("hessian", name_of(&HESSIANS, settings.hessian).into());
-        insert("linear_solver", settings.linear_solver.clone().into());
-        let ipopt = settings.options.iter().map(|(name, value)| {
-            let value = match value {
-                OptionValue::Integer(value) => toml::Value::Integer(i64::from(*value)),
-                OptionValue::Number(value) => toml::Value::Float(*value),
-                OptionValue::Text(value) => toml::Value::String(value.clone()),
-            };
-            (name.to_owned(), value)
-        });
-        (homotopy, ipopt.collect())
-    }
+/// The tables [homotopy] and [ipopt] of a file that gives these settings.
+pub fn tables(settings: &HomotopySettings) -> (toml::Table, toml::Table) {
+    let mut homotopy = toml::Table::new();
+    let mut insert = |key: &str, value: toml::Value| homotopy.insert(key.to_owned(), value);
+    insert("iterations", toml::Value::Integer(settings.iterations as i64));
+    insert("tau", settings.tau.into());
+    insert("sigma", settings.sigma.into());
+    insert("mu_init", settings.mu_init.into());
+    insert("tau_rate", settings.tau_rate.into());
+    insert("sigma_rate", settings.sigma_rate.into());
+    insert("mu_rate", settings.mu_rate.into());
+    insert("complementarity", name_of(&COMPLEMENTARITIES, settings.complementarity).into());
+    insert("hessian", name_of(&HESSIANS, settings.hessian).into());
+    insert("linear_solver", settings.linear_solver.name().into());
+    let ipopt = settings.ipopt.iter().map(|option| {
+        let value = match &option.value {
+            IpoptValue::Integer(value) => toml::Value::Integer(i64::from(*value)),
+            IpoptValue::Number(value) => toml::Value::Float(*value),
+            IpoptValue::Text(value) => toml::Value::String(value.clone()),
+        };
+        (option.name.clone(), value)
+    });
+    (homotopy, ipopt.collect())
 }
 
 /// The homotopy that a scene carries: the name of a file beside it, or the tables themselves.
@@ -83,7 +72,7 @@ pub fn of_scene(
     source: Source,
     entry: Option<&Spanned<toml::Value>>,
     ipopt: Option<&toml::Table>,
-) -> Result<Option<Homotopy>, SceneError> {
+) -> Result<Option<HomotopySettings>, SceneError> {
     let Some(entry) = entry else {
         if ipopt.is_some() {
             return Err(SceneError::about(source.file, "[ipopt] in a scene needs a [homotopy] table beside it"));
@@ -97,7 +86,7 @@ pub fn of_scene(
                 return Err(source.error(entry.span(), message));
             }
             let path = source.file.parent().unwrap_or(source.file).join(file);
-            Homotopy::load(&path).map(Some)
+            load_homotopy(&path).map(Some)
         }
         toml::Value::Table(_) => {
             #[derive(serde::Deserialize)]
@@ -107,7 +96,7 @@ pub fn of_scene(
                 ipopt: toml::Table,
             }
             let tables: Tables = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-            settings(source, &tables.homotopy, &tables.ipopt).map(|settings| Some(Homotopy(settings)))
+            settings(source, &tables.homotopy, &tables.ipopt).map(Some)
         }
         _ => Err(source.error(entry.span(), "homotopy is the name of a file or a table")),
     }
@@ -135,11 +124,8 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
         None => 5,
     };
     let linear_solver = match &document.linear_solver {
-        Some(name) => {
-            source.require_known(name, &LINEAR_SOLVERS)?;
-            name.get_ref().clone()
-        }
-        None => ocp::STAGE.to_owned(),
+        Some(name) => LinearSolver::ALL[source.require_known(name, &LinearSolver::ALL.map(LinearSolver::name))?],
+        None => LinearSolver::Stage,
     };
     Ok(HomotopySettings {
         iterations,
@@ -152,7 +138,7 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
         complementarity: choice(source, document.complementarity.as_ref(), &COMPLEMENTARITIES)?,
         hessian: choice(source, document.hessian.as_ref(), &HESSIANS)?,
         linear_solver,
-        options: options(source, ipopt)?,
+        ipopt: options(source, ipopt)?,
     })
 }
 
@@ -168,20 +154,20 @@ fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: T) -> &'static st
     choices.iter().find(|(_, choice)| *choice == value).map_or("", |(name, _)| name)
 }
 
-fn options(source: Source, table: &toml::Table) -> Result<Options, SceneError> {
-    let mut options = Options::default();
+fn options(source: Source, table: &toml::Table) -> Result<Vec<IpoptOption>, SceneError> {
+    let mut options = Vec::with_capacity(table.len());
     for (name, value) in table {
         let value = match value {
-            toml::Value::Integer(number) => i32::try_from(*number).ok().map(OptionValue::Integer),
-            toml::Value::Float(number) => Some(OptionValue::Number(*number)),
-            toml::Value::String(text) => Some(OptionValue::Text(text.clone())),
+            toml::Value::Integer(number) => i32::try_from(*number).ok().map(IpoptValue::Integer),
+            toml::Value::Float(number) => Some(IpoptValue::Number(*number)),
+            toml::Value::String(text) => Some(IpoptValue::Text(text.clone())),
             _ => None,
         };
         let Some(value) = value else {
             let message = format!("ipopt.{name} must be an integer, a number or a string");
             return Err(SceneError::about(source.file, message));
         };
-        options.set(name, value);
+        options.push(IpoptOption { name: name.clone(), value });
     }
     Ok(options)
 }

@@ -2,8 +2,8 @@
 //!
 //! [`Scene::load`] reads what an engineer writes: parts, poses, stiffnesses, offsets. Everything is checked before
 //! anything is computed, and an error names file, line, column, key and what would be right. [`Scene::task`] is the
-//! planning task of one start and offset magnitude; [`Homotopy`] holds the settings of its solution; [`resolved`]
-//! writes both as one file that reproduces the run.
+//! planning task of one start and offset magnitude; [`load_homotopy`] reads the settings of its solution;
+//! [`resolved`] writes both as one file that reproduces the run.
 
 mod document;
 mod error;
@@ -16,7 +16,7 @@ mod resolved;
 mod scene;
 
 pub use error::{SceneError, Source};
-pub use homotopy::{Homotopy, LINEAR_SOLVERS};
+pub use homotopy::{default_homotopy, load_homotopy, parse_homotopy};
 pub use part::Part;
 pub use resolved::resolved;
 pub use scene::{Scene, StartPose};

@@ -1,6 +1,6 @@
 //! Limits, and whether the goal can be reached within them.
 
-use ocp::{Horizon, Limits, pose};
+use task::{Horizon, Limits, pose};
 use toml::Spanned;
 
 use crate::document::LimitsDocument;

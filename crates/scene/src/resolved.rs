@@ -1,15 +1,15 @@
 //! A scene and a homotopy as one file that reproduces a run.
 
-use ocp::{CostWeights, Limits};
+use task::{CostWeights, HomotopySettings, Limits};
 use toml::{Table, Value};
 
-use crate::homotopy::Homotopy;
+use crate::homotopy;
 use crate::part::Part;
 use crate::scene::{Scene, StartPose};
 
 /// A scene file with everything resolved: defaults, flags, meshes (as halfspaces) and the homotopy's tables.
-pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotopy: &Homotopy) -> String {
-    let (homotopy, ipopt) = homotopy.to_tables();
+pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotopy: &HomotopySettings) -> String {
+    let (homotopy, ipopt) = homotopy::tables(homotopy);
     let rotational = &scene.inertia.rotational;
     let damping = scene.impedance.rotational_damping.diagonal();
     let mut body = table([

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use nalgebra::Matrix3;
-use ocp::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
+use task::{
+    AssemblyTask, ContactPair, CostWeights, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost,
+};
 use toml::Spanned;
 
 use crate::document::{
@@ -59,7 +61,7 @@ pub struct Scene {
     /// What no plan may exceed.
     pub limits: Limits,
     /// Homotopy of the scene's own, from its file entry or its tables.
-    pub homotopy: Option<homotopy::Homotopy>,
+    pub homotopy: Option<HomotopySettings>,
     /// Remarks that do not stop anything.
     pub warnings: Vec<String>,
 }
@@ -115,7 +117,7 @@ impl Scene {
         for start in &scene.starts {
             for direction in &scene.offset_directions {
                 let offset = direction.map(|component| scene.offset_magnitude * component);
-                let pose = ocp::pose::without_offset(&start.pose, &offset);
+                let pose = task::pose::without_offset(&start.pose, &offset);
                 check_reach(source, &document.limits, (&start.name, &pose), &scene.goal, scene.horizon)?;
             }
         }

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use ocp::{Complementarity, HessianKind, Limits};
-use scene::{Homotopy, Scene, SceneError, Source, resolved};
+use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, parse_homotopy, resolved};
+use task::{Complementarity, HessianKind, Limits};
 
 const SCENE: &str = r#"
 [[body.part]]
@@ -119,11 +119,11 @@ fn limits_are_read_and_resolved() {
         parse(&SCENE.replace("[horizon]", "[limits]\nforce = 5\nrotational_velocity = 0.5\n[horizon]")).unwrap();
     let limits = Limits { force: 5.0, rotational_velocity: 0.5, ..Limits::NONE };
     assert_eq!(scene.task(None, None).unwrap().limits, limits);
-    let text = resolved(&scene, &scene.starts[0], 0.01, &Homotopy::default());
+    let text = resolved(&scene, &scene.starts[0], 0.01, &default_homotopy());
     assert_eq!(parse(&text).unwrap().limits, limits);
     let unlimited = parse(SCENE).unwrap();
     assert_eq!(unlimited.limits, Limits::NONE);
-    assert!(!resolved(&unlimited, &unlimited.starts[0], 0.01, &Homotopy::default()).contains("[limits]"));
+    assert!(!resolved(&unlimited, &unlimited.starts[0], 0.01, &default_homotopy()).contains("[limits]"));
 }
 
 #[test]
@@ -174,20 +174,20 @@ fn every_scene_and_homotopy_of_the_project_loads() {
         assert!(scene.homotopy.is_some() && scene.warnings.is_empty(), "{}", path.display());
     }
     for entry in std::fs::read_dir(folder("configs")).unwrap() {
-        Homotopy::load(&entry.unwrap().path()).unwrap_or_else(|error| panic!("{error}"));
+        load_homotopy(&entry.unwrap().path()).unwrap_or_else(|error| panic!("{error}"));
     }
 }
 
 #[test]
 fn the_default_homotopy_is_that_of_the_pegs() {
-    let peg = Homotopy::load(&folder("configs/homotopy_peg.toml")).unwrap();
-    assert_eq!(Homotopy::default().to_tables(), peg.to_tables());
+    let peg = load_homotopy(&folder("configs/homotopy_peg.toml")).unwrap();
+    assert_eq!(default_homotopy(), peg);
 }
 
 #[test]
 fn homotopy_values_are_checked() {
-    let parse = |text: &str| Homotopy::parse(Source { file: Path::new("h.toml"), text });
-    let settings = parse("[homotopy]\ncomplementarity = \"smoothing\"\nhessian = \"l-bfgs\"").unwrap().0;
+    let parse = |text: &str| parse_homotopy(Source { file: Path::new("h.toml"), text });
+    let settings = parse("[homotopy]\ncomplementarity = \"smoothing\"\nhessian = \"l-bfgs\"").unwrap();
     assert_eq!(settings.complementarity, Complementarity::Smoothing);
     assert_eq!(settings.hessian, HessianKind::LimitedMemory);
     for (text, words) in [
@@ -210,7 +210,7 @@ fn a_resolved_scene_reproduces_the_task() {
     let start = scene.start(Some("3")).unwrap();
     let text = resolved(&scene, start, 0.003, &homotopy);
     let again = parse(&text).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(again.homotopy.clone().unwrap().to_tables(), homotopy.to_tables());
+    assert_eq!(again.homotopy, Some(homotopy));
     assert_eq!(again.starts.len(), 1);
     let (one, other) = (scene.task(Some("3"), Some(0.003)).unwrap(), again.task(None, None).unwrap());
     assert_eq!((one.start, one.goal, &one.offsets), (other.start, other.goal, &other.offsets));

@@ -1,7 +1,7 @@
 //! Contact points of a pair of parts, and which pairs can touch within a step.
 
 use nalgebra::{Isometry3, Vector3};
-use ocp::ContactPair;
+use task::ContactPair;
 
 use crate::axis::{Axis, Feature, separate};
 use crate::solid::Solid;

@@ -1,7 +1,7 @@
 //! One time step of the body: impedance, contacts, motion.
 
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use ocp::{Impedance, Inertia};
+use task::{Impedance, Inertia};
 
 use crate::contact::{Contact, ContactFinder};
 use crate::least_distance::{Halfspace, LeastDistance, Vector6};

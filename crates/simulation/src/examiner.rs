@@ -1,6 +1,6 @@
 //! References judged by rollouts.
 
-use ocp::{AssemblyTask, Limits};
+use task::{AssemblyTask, Limits};
 
 use crate::grasp::Grasp;
 use crate::parallel::in_parallel;

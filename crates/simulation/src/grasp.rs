@@ -1,7 +1,7 @@
 //! How a part sits in the gripper, compared with what the robot believes.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use ocp::Impedance;
+use task::Impedance;
 
 use crate::reference::Reference;
 
@@ -28,7 +28,7 @@ impl Grasp {
     /// Pose of the part (position m, unit quaternion w x y z) where the robot believes it at the reference's start: with
     /// an offset alone `P_q^-1` of it (Sec. ocp:ocp).
     pub fn start(&self, reference: &Reference) -> [f64; 7] {
-        ocp::pose::without_offset(&self.reference(reference).start(), &self.offset)
+        task::pose::without_offset(&self.reference(reference).start(), &self.offset)
     }
 
     /// The grasps without repetitions, in their order: a rollout is deterministic, and playing it twice says nothing.

@@ -9,7 +9,7 @@
 //! use simulation::{Reference, Rollout, Settings, Success, offsets};
 //!
 //! /// Successes of 100 rollouts with random offsets.
-//! fn successes(task: &ocp::AssemblyTask, plan: &ocp::Trajectory) -> usize {
+//! fn successes(task: &task::AssemblyTask, plan: &task::Trajectory) -> usize {
 //!     let reference = Reference::new(plan.time_step, &plan.reference);
 //!     let rollout = Rollout::new(task, Settings { friction: 0.1, ..Settings::default() });
 //!     let outcomes = rollout.simulate(&reference, &offsets::hull(&task.offsets, 100, 1), 2);

@@ -1,7 +1,7 @@
 //! The inertia of a time step, and coordinates in which it is the identity.
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
-use ocp::{Impedance, Inertia};
+use task::{Impedance, Inertia};
 
 use crate::least_distance::{Halfspace, Vector6};
 

@@ -1,6 +1,6 @@
 //! Rollouts as the planner's trajectories, so that both are written and read alike.
 
-use ocp::{Quality, ScenarioTrajectory, Trajectory};
+use task::{Quality, ScenarioTrajectory, Trajectory};
 
 use crate::reference::Reference;
 use crate::rollout::Rollout;
@@ -20,7 +20,7 @@ impl Rollout {
 
     fn scenario(&self, reference: &Reference, offset: &[f64; 3], tau: f64) -> ScenarioTrajectory {
         let (_, substeps) = self.settings.divide(reference.time_step());
-        let initial = ocp::pose::without_offset(&reference.start(), offset);
+        let initial = task::pose::without_offset(&reference.start(), offset);
         let mut states = vec![std::array::from_fn(|index| initial.get(index).copied().unwrap_or(0.0))];
         let mut forces: Vec<Vec<f64>> = Vec::with_capacity(reference.intervals());
         let mut moments = 0;

@@ -1,7 +1,7 @@
 //! Reference motions between their knots.
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use ocp::{Horizon, Limits};
+use task::{Horizon, Limits};
 
 use crate::bump::Bump;
 
@@ -39,7 +39,7 @@ impl Knot {
 
 impl Reference {
     /// From the states (pose, twist) of a plan, at least one, `time_step` seconds apart: those of `reference.csv` or of
-    /// [`ocp::Trajectory::reference`].
+    /// [`task::Trajectory::reference`].
     pub fn new(time_step: f64, states: &[[f64; 13]]) -> Self {
         Self { time_step, knots: states.iter().map(Knot::new).collect() }
     }

@@ -1,7 +1,7 @@
 //! Plans played closed loop under injected offsets.
 
 use nalgebra::Vector3;
-use ocp::AssemblyTask;
+use task::AssemblyTask;
 
 use crate::contact::ContactFinder;
 use crate::dynamics::{Body, Stepper};
@@ -116,7 +116,7 @@ impl Rollout {
             }
         }
         let pose = coordinates(&body.pose);
-        let (position_error, orientation_error) = ocp::pose::errors(&pose, &self.task.goal);
+        let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
         Outcome {
             pose,
             position_error,

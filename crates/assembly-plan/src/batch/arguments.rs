@@ -60,7 +60,7 @@ pub struct MatrixArguments {
     #[arg(long, value_name = "FILES", value_delimiter = ',')]
     pub homotopies: Vec<PathBuf>,
     /// Linear solver of all cells [default: the homotopy's]
-    #[arg(long, value_name = "NAME", value_parser = scene::LINEAR_SOLVERS, hide_possible_values = true)]
+    #[arg(long, value_name = "NAME", value_parser = task::LinearSolver::ALL.map(task::LinearSolver::name), hide_possible_values = true)]
     pub linear_solver: Option<String>,
     /// Folder of the batch [default: runs/NAME, after the matrix or the first scene]
     #[arg(long, value_name = "DIR")]

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use scene::{LINEAR_SOLVERS, SceneError, Source};
+use scene::{SceneError, Source};
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -95,7 +95,7 @@ impl Matrix {
         let source = Source { file: path, text: &text };
         let document: MatrixDocument = toml::from_str(&text).map_err(|error| source.parse_error(&error))?;
         if let Some(name) = &document.linear_solver {
-            source.require_known(name, &LINEAR_SOLVERS)?;
+            source.require_known(name, &task::LinearSolver::ALL.map(task::LinearSolver::name))?;
         }
         let beside = |files: &[PathBuf]| files.iter().map(|file| path.parent().unwrap_or(path).join(file)).collect();
         let names = match document.starts.as_ref().map(Spanned::get_ref) {

@@ -1,6 +1,6 @@
 //! Plans on the way to a robust one.
 
-use ocp::StageResult;
+use ocp::HomotopyIteration;
 use simulation::{Examiner, Reference, Refinement, Trial};
 
 use crate::robust::exam::Mark;
@@ -9,14 +9,14 @@ use crate::robust::report::Round;
 
 /// A solved problem and the reference of it that is refined.
 pub struct Candidate<'run> {
-    pub stages: Vec<StageResult>,
+    pub stages: Vec<HomotopyIteration>,
     pub refinement: Refinement<'run>,
     pub round: Round,
 }
 
 /// A plan with its exam.
 pub struct Kept {
-    pub stages: Vec<StageResult>,
+    pub stages: Vec<HomotopyIteration>,
     pub reference: Reference,
     pub marks: Vec<Mark>,
     /// Offsets (m) at which it fails there.
@@ -30,7 +30,7 @@ impl<'run> Candidate<'run> {
     /// must not be empty; `seed` is that of the refinement to come.
     pub fn new(
         variant: &Variant,
-        stages: Vec<StageResult>,
+        stages: Vec<HomotopyIteration>,
         examiner: &'run Examiner,
         training: &[Trial],
         (seed, jobs): (u64, usize),
@@ -46,6 +46,6 @@ impl<'run> Candidate<'run> {
 }
 
 /// The reference of a homotopy iteration.
-pub fn played(stage: &StageResult) -> Reference {
+pub fn played(stage: &HomotopyIteration) -> Reference {
     Reference::new(stage.trajectory.time_step, &stage.trajectory.reference)
 }

@@ -1,8 +1,8 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
-use ocp::AssemblyTask;
 use serde::Serialize;
 use simulation::{Grasp, Trial, Verdict, offsets};
+use task::AssemblyTask;
 
 /// Magnitudes of the random offsets, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller has no
 /// margin there but the planned offsets, which are played too.

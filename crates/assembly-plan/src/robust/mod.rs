@@ -15,8 +15,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use nlp::SolveStatus;
-use ocp::{AssemblyTask, HomotopySettings, StageResult};
+use ocp::HomotopyIteration;
 use simulation::{Examiner, Reference, Refinement, Trial, in_parallel};
+use task::{AssemblyTask, HomotopySettings, LinearSolver};
 
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -57,15 +58,15 @@ pub struct Wishes {
 /// The best plan.
 pub struct RobustPlan {
     /// The homotopy that it comes from.
-    pub stages: Vec<StageResult>,
+    pub stages: Vec<HomotopyIteration>,
     /// The refined reference.
     pub reference: Reference,
     pub report: Report,
 }
 
 /// Solves a variant, says so while it does if it runs alone, and gives up when its last argument says so.
-pub trait Solve: Fn(&Variant, bool, &dyn Fn() -> bool) -> Result<Vec<StageResult>, Failure> + Sync {}
-impl<F: Fn(&Variant, bool, &dyn Fn() -> bool) -> Result<Vec<StageResult>, Failure> + Sync> Solve for F {}
+pub trait Solve: Fn(&Variant, bool, &dyn Fn() -> bool) -> Result<Vec<HomotopyIteration>, Failure> + Sync {}
+impl<F: Fn(&Variant, bool, &dyn Fn() -> bool) -> Result<Vec<HomotopyIteration>, Failure> + Sync> Solve for F {}
 
 /// The loop's state.
 pub struct Robust<'run> {
@@ -139,7 +140,7 @@ impl<'run> Robust<'run> {
     }
 
     /// The plan of the scene, refined unless it is good enough: refinement knows nothing of margins.
-    fn first(&mut self, scene: &Variant, stages: Vec<StageResult>) -> Kept {
+    fn first(&mut self, scene: &Variant, stages: Vec<HomotopyIteration>) -> Kept {
         if !self.is_enough(&self.before) {
             return self.refine(self.candidate(scene, stages));
         }
@@ -162,11 +163,11 @@ impl<'run> Robust<'run> {
         let variants = portfolio(scene, &refined.reference, &refined.failing);
         self.progress.say(&format!("refinement is stuck; solving {} variants of the problem", variants.len()));
         // MUMPS cannot run twice in a process.
-        let solvers = if self.settings.linear_solver == ocp::STAGE { self.wishes.jobs } else { 1 };
+        let solvers = if self.settings.linear_solver == LinearSolver::Stage { self.wishes.jobs } else { 1 };
         // Half of the time left is for refining them.
         let (begin, budget) = (Instant::now(), self.wishes.time_limit.saturating_sub(self.begin.elapsed()) / 2);
         let is_over = || self.is_over() || begin.elapsed() > budget;
-        let solved = in_parallel(variants.len(), solvers, |index| -> Result<Vec<StageResult>, Failure> {
+        let solved = in_parallel(variants.len(), solvers, |index| -> Result<Vec<HomotopyIteration>, Failure> {
             if is_over() {
                 return Ok(Vec::new());
             }
@@ -191,7 +192,7 @@ impl<'run> Robust<'run> {
         Ok(candidates)
     }
 
-    fn candidate(&self, variant: &Variant, stages: Vec<StageResult>) -> Candidate<'run> {
+    fn candidate(&self, variant: &Variant, stages: Vec<HomotopyIteration>) -> Candidate<'run> {
         Candidate::new(variant, stages, self.examiner, &self.training, (SEED, self.wishes.jobs))
     }
 

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use nlp::{Control, Start};
-use ocp::{Event, StageResult};
+use ocp::{Event, HomotopyIteration};
 use simulation::{Examiner, Rollout, Settings, Success};
 
 use crate::arguments::{RobustArguments, threads};
@@ -38,7 +38,7 @@ pub fn plan_robustly(
     };
     let examiner = Examiner::new(&world, &wishes.frictions, success);
     let progress = Progress::new();
-    let settings = &problem.homotopy.0;
+    let settings = &problem.homotopy;
     let robust = Robust::new((&problem.task, settings), &examiner, problem.delta, wishes, &progress, stopped);
     let homotopy = |variant: &Variant, shown: bool, is_over: &dyn Fn() -> bool| {
         let observe = |event: Event| {
@@ -47,7 +47,7 @@ pub fn plan_robustly(
             }
             if stopped.load(Ordering::Relaxed) || is_over() { Control::Stop } else { Control::Continue }
         };
-        let finished = |number: usize, stage: &StageResult| {
+        let finished = |number: usize, stage: &HomotopyIteration| {
             if shown {
                 progress.stage(number, variant.settings.iterations, stage);
             }
@@ -56,7 +56,7 @@ pub fn plan_robustly(
         let transcription = homotopy.transcription();
         let start = match &variant.near {
             None => transcription.initial_guess(),
-            Some(motion) => motion.variables(transcription.layout()),
+            Some(motion) => transcription.point_at(motion),
         };
         Ok(homotopy.run_from(0, Start::Cold(start), observe, finished)?)
     };

@@ -1,8 +1,8 @@
 //! What is planned: the scene as it is and, where its plan cannot be refined, problems whose plans may have more margin.
 //! Which of them helps differs from scene to scene.
 
-use ocp::{AssemblyTask, CostWeights, HomotopySettings, Trajectory};
 use simulation::{Reference, Rollout, Settings, offsets};
+use task::{AssemblyTask, CostWeights, HomotopySettings, Trajectory};
 
 /// A planning problem and what makes it differ from the scene's own.
 #[derive(Clone)]

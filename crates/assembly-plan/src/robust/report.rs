@@ -1,6 +1,6 @@
 //! The section `robust` of `result.json`, and its summary.
 
-use ocp::StageResult;
+use ocp::HomotopyIteration;
 use serde::Serialize;
 use simulation::Refinement;
 
@@ -50,7 +50,7 @@ pub struct Round {
 
 impl Round {
     /// A round whose homotopy, of at least one iteration, has run and whose chosen reference is still to be refined.
-    pub fn new(variant: &Variant, stages: &[StageResult], chosen_stage: usize, refinement: &Refinement) -> Self {
+    pub fn new(variant: &Variant, stages: &[HomotopyIteration], chosen_stage: usize, refinement: &Refinement) -> Self {
         Self {
             planned: variant.name,
             scenarios_m: variant.task.offsets.clone(),

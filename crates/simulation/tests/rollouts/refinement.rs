@@ -99,7 +99,7 @@ fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
             let moved =
                 Vector3::from_column_slice(&from[..3]) + Vector3::from_column_slice(&to[7..10]) * bent.time_step();
             assert!((moved - Vector3::from_column_slice(&to[..3])).norm() < 1e-12);
-            let (_, angle) = ocp::pose::errors(&std::array::from_fn(|i| from[i]), &std::array::from_fn(|i| to[i]));
+            let (_, angle) = task::pose::errors(&std::array::from_fn(|i| from[i]), &std::array::from_fn(|i| to[i]));
             assert!((Vector3::from_column_slice(&to[10..]).norm() * bent.time_step() - angle).abs() < 1e-7);
         }
     }

@@ -2,8 +2,8 @@
 
 use collision::{Pair, Polytope};
 use nalgebra::{Matrix3, Vector3};
-use ocp::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
 use simulation::{Moment, Reference, Rollout};
+use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
 
 /// Translational stiffness (N/m) and mass (kg) of every body.
 pub const STIFFNESS: f64 = 50.0;

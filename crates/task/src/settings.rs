@@ -1,7 +1,5 @@
 //! Settings of the homotopy (Sec. ocp:homotopy) and of the solver underneath.
 
-use nlp::Options;
-
 /// How the complementarity conditions are relaxed (Sec. diffphys:dsctime).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Complementarity {
@@ -22,8 +20,70 @@ pub enum HessianKind {
     LimitedMemory,
 }
 
+/// Who solves the linear systems in Ipopt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LinearSolver {
+    /// The program's own, which knows the stages of the problem.
+    Stage,
+    /// MUMPS, which comes with Ipopt.
+    Mumps,
+    /// MA27 of the HSL library.
+    Ma27,
+    /// MA57 of the HSL library.
+    Ma57,
+    /// MA97 of the HSL library.
+    Ma97,
+}
+
+impl LinearSolver {
+    /// All of them, the default first.
+    pub const ALL: [Self; 5] = [Self::Stage, Self::Mumps, Self::Ma27, Self::Ma57, Self::Ma97];
+
+    /// Its name in files and flags; Ipopt knows all but the program's own by the same name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stage => "stage",
+            Self::Mumps => "mumps",
+            Self::Ma27 => "ma27",
+            Self::Ma57 => "ma57",
+            Self::Ma97 => "ma97",
+        }
+    }
+
+    /// The one of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|solver| solver.name() == name)
+    }
+}
+
+impl std::fmt::Display for LinearSolver {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter) -> std::fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+/// One of Ipopt's options.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IpoptOption {
+    /// Ipopt's name for it.
+    pub name: String,
+    /// Its value.
+    pub value: IpoptValue,
+}
+
+/// Value of one of Ipopt's options.
+#[derive(Debug, Clone, PartialEq)]
+pub enum IpoptValue {
+    /// An integer; also accepted by options that take a real number.
+    Integer(i32),
+    /// A real number.
+    Number(f64),
+    /// A word.
+    Text(String),
+}
+
 /// Homotopy parameters.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct HomotopySettings {
     /// Number of homotopy iterations `n_hom`.
     pub iterations: usize,
@@ -43,10 +103,10 @@ pub struct HomotopySettings {
     pub complementarity: Complementarity,
     /// Second derivatives.
     pub hessian: HessianKind,
-    /// Linear solver by name.
-    pub linear_solver: String,
-    /// Ipopt's options by their own names.
-    pub options: Options,
+    /// Who solves the linear systems.
+    pub linear_solver: LinearSolver,
+    /// Ipopt's options, in the order in which they are set.
+    pub ipopt: Vec<IpoptOption>,
 }
 
 /// The smoothing of one homotopy iteration.

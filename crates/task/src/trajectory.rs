@@ -1,15 +1,10 @@
 //! What a solution means: reference, compliant states, wrenches, contacts and final errors.
 
-use autodiff::{Batch, Workspace};
-
-use crate::layout::{Layout, POSE, STATE, TWIST};
 use crate::limits::Limits;
-use crate::model;
 use crate::pose;
 use crate::quality::{Contact, Quality};
-use crate::state::{at_rest, pose_of};
+use crate::state::{POSE, STATE, TWIST, pose_of};
 use crate::task::AssemblyTask;
-use crate::transcription::{INITIAL_CONTACT_FORCE, Transcription};
 
 /// A reference trajectory and the motion that every scenario makes when it tracks it. Quaternions are of unit norm.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,56 +39,16 @@ pub struct ScenarioTrajectory {
 }
 
 impl Trajectory {
-    /// Reads the point `x` of a transcription whose distances are smoothed by `tau`.
-    pub fn new(transcription: &Transcription, x: &[f64], tau: f64) -> Self {
-        let (task, layout) = (transcription.task(), transcription.layout());
-        let reference_raw = states(layout, x, &at_rest(&task.start), |stage| layout.reference(stage));
-        let scenarios_raw: Vec<Vec<[f64; STATE]>> = (0..layout.scenarios)
-            .map(|scenario| {
-                let initial = &transcription.initial_compliant()[scenario];
-                states(layout, x, initial, |stage| layout.compliant(stage, scenario))
-            })
-            .collect();
-        let drift = |states: &[[f64; STATE]]| {
-            let norm = |state: &[f64; STATE]| state[3..POSE].iter().map(|c| c * c).sum::<f64>().sqrt();
-            states.iter().map(|state| (norm(state) - 1.0).abs()).fold(0.0, f64::max)
-        };
-        let quaternion_drift = scenarios_raw.iter().map(|raw| drift(raw)).fold(drift(&reference_raw), f64::max);
-        let scenarios = scenarios_raw
-            .iter()
-            .enumerate()
-            .map(|(scenario, raw)| {
-                let forces = |stage: usize| &x[layout.contact_force(stage, scenario, 0)..][..layout.pairs];
-                ScenarioTrajectory::new(task, task.offsets[scenario], &reference_raw, raw, forces, tau)
-            })
-            .collect();
+    /// From raw states at k = 0..N, whose quaternions may have drifted from unit norm: those of the reference, and the
+    /// scenarios made of theirs.
+    pub fn new(time_step: f64, reference: &[[f64; STATE]], scenarios: Vec<ScenarioTrajectory>, drift: f64) -> Self {
         Self {
-            time_step: task.horizon.time_step,
-            reference_keeps: Limits::kept_by(&reference_raw, task.horizon.time_step, &[], 0.0),
-            reference: reference_raw.iter().map(normalised).collect(),
+            time_step,
+            reference_keeps: Limits::kept_by(reference, time_step, &[], 0.0),
+            reference: reference.iter().map(normalised).collect(),
             scenarios,
-            quaternion_drift,
+            quaternion_drift: drift,
         }
-    }
-
-    /// The variables of a transcription at this motion, where a solve may begin.
-    ///
-    /// # Panics
-    /// When the motion has fewer steps, scenarios or pairs than the layout.
-    pub fn variables(&self, layout: Layout) -> Vec<f64> {
-        let mut x = vec![INITIAL_CONTACT_FORCE; layout.variable_count()];
-        for stage in layout.stages() {
-            x[layout.reference(stage)..][..STATE].copy_from_slice(&self.reference[stage]);
-        }
-        for (stage, scenario) in layout.stages_and_scenarios() {
-            let motion = &self.scenarios[scenario];
-            x[layout.compliant(stage, scenario)..][..STATE].copy_from_slice(&motion.states[stage]);
-            for (pair, contact) in motion.contacts[stage - 1].iter().enumerate() {
-                let force = &mut x[layout.contact_force(stage, scenario, pair)];
-                *force = contact.force.max(INITIAL_CONTACT_FORCE);
-            }
-        }
-        x
     }
 
     /// Largest final position error (m) and orientation error (rad) of all scenarios.
@@ -131,9 +86,9 @@ impl ScenarioTrajectory {
         let poses: Vec<[f64; POSE]> = states.iter().map(pose_of).collect();
         let distances: Vec<Vec<f64>> = task.pairs.iter().map(|pair| smoothed(&pair.shapes, &poses[1..], tau)).collect();
         let contacts: Vec<Vec<Contact>> = (1..poses.len())
-            .map(|stage| {
-                let pairs = distances.iter().zip(forces(stage));
-                pairs.map(|(distances, &force)| Contact { distance: distances[stage - 1], force }).collect()
+            .map(|step| {
+                let pairs = distances.iter().zip(forces(step));
+                pairs.map(|(distances, &force)| Contact { distance: distances[step - 1], force }).collect()
             })
             .collect();
         let quality = Quality::new(task, &poses, &contacts);
@@ -154,23 +109,8 @@ fn wrenches(
     reference: &[[f64; STATE]],
     states: &[[f64; STATE]],
 ) -> Vec<[f64; TWIST]> {
-    let tape = model::wrench(&task.impedance, &[0, 1, 2, 3, 4, 5]);
-    let mut inputs = Batch::new(2 * STATE + offset.len(), states.len());
-    let mut outputs = Batch::new(TWIST, states.len());
-    for component in 0..STATE {
-        inputs.row_mut(component).iter_mut().zip(reference).for_each(|(input, state)| *input = state[component]);
-        inputs.row_mut(STATE + component).iter_mut().zip(states).for_each(|(input, state)| *input = state[component]);
-    }
-    for (axis, shift) in offset.into_iter().enumerate() {
-        inputs.row_mut(2 * STATE + axis).fill(shift);
-    }
-    tape.evaluate(&inputs, &mut outputs, &mut Workspace::default());
-    (0..states.len()).map(|point| std::array::from_fn(|axis| outputs.row(axis)[point])).collect()
-}
-
-fn states(layout: Layout, x: &[f64], initial: &[f64; STATE], start: impl Fn(usize) -> usize) -> Vec<[f64; STATE]> {
-    let later = layout.stages().map(|stage| std::array::from_fn(|component| x[start(stage) + component]));
-    std::iter::once(*initial).chain(later).collect()
+    let tracked = reference.iter().zip(states);
+    tracked.map(|(reference, state)| task.impedance.wrench(reference, state, &offset)).collect()
 }
 
 fn normalised(state: &[f64; STATE]) -> [f64; STATE] {

@@ -2,6 +2,7 @@
 
 use nalgebra::Matrix3;
 
+use crate::impedance::Impedance;
 use crate::limits::Limits;
 
 /// A moved body, its environment and everything the optimal control problem needs to know of them.
@@ -58,32 +59,6 @@ pub struct Inertia {
     pub mass: f64,
     /// Symmetric positive definite rotational inertia (kg m^2).
     pub rotational: Matrix3<f64>,
-}
-
-/// Isotropic stiffness and damping of the Cartesian impedance controller.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Impedance {
-    /// `k_t` (N/m).
-    pub translational_stiffness: f64,
-    /// `k_r` (Nm/rad).
-    pub rotational_stiffness: f64,
-    /// `D_t` (Ns/m), the same along every axis.
-    pub translational_damping: f64,
-    /// `D_r` (Nms/rad), in the body frame.
-    pub rotational_damping: Matrix3<f64>,
-}
-
-impl Impedance {
-    /// Critical damping for the given inertia: `D_t = 2 sqrt(k_t m)`, `D_r = 2 sqrt(k_r I_jj)` per axis.
-    pub fn critically_damped(translational_stiffness: f64, rotational_stiffness: f64, inertia: &Inertia) -> Self {
-        let rotational = inertia.rotational.diagonal().map(|axis| 2.0 * (rotational_stiffness * axis).sqrt());
-        Self {
-            translational_stiffness,
-            rotational_stiffness,
-            translational_damping: 2.0 * (translational_stiffness * inertia.mass).sqrt(),
-            rotational_damping: Matrix3::from_diagonal(&rotational),
-        }
-    }
 }
 
 /// `N` steps of `time_step` seconds.

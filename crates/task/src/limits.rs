@@ -1,11 +1,6 @@
 //! Limits of velocity, acceleration, force and wrench, which the reference and every scenario keep at every step.
-//!
-//! Limits of velocities and contact forces are bounds of variables. Accelerations and wrenches have rows of their own,
-//! two-sided inequalities, only for the axes that are limited.
 
-use nlp::Bounds;
-
-use crate::layout::{Layout, POSE, STATE, TWIST};
+use crate::state::{POSE, STATE, TWIST};
 
 /// Largest absolute value of every single component, infinite where there is no limit. Like a robot controller's own
 /// limits these are per axis: a speed along a diagonal may be larger by a factor of up to the root of 3.
@@ -91,6 +86,11 @@ impl Limits {
         }
     }
 
+    /// Limited axes of velocities, with their limits.
+    pub fn velocities(&self) -> Vec<(usize, f64)> {
+        limited_axes(self.translational_velocity, self.rotational_velocity)
+    }
+
     /// Limited axes of accelerations, with their limits.
     pub fn accelerations(&self) -> Vec<(usize, f64)> {
         limited_axes(self.translational_acceleration, self.rotational_acceleration)
@@ -100,44 +100,12 @@ impl Limits {
     pub fn wrenches(&self) -> Vec<(usize, f64)> {
         limited_axes(self.force, self.torque)
     }
-
-    /// Sets the bounds of velocities and contact forces.
-    pub fn bound_variables(&self, layout: Layout, bounds: &mut Bounds) {
-        let velocities = limited_axes(self.translational_velocity, self.rotational_velocity);
-        for (stage, trajectory) in layout.stages_and_trajectories() {
-            for &(axis, limit) in &velocities {
-                bound(bounds, layout.state(stage, trajectory) + POSE + axis, limit);
-            }
-        }
-        for (stage, scenario) in layout.stages_and_scenarios() {
-            bounds.upper[layout.contact_force(stage, scenario, 0)..][..layout.pairs].fill(self.contact_force);
-        }
-    }
-
-    /// Sets the bounds of the rows of accelerations and wrenches.
-    pub fn bound_rows(&self, layout: Layout, bounds: &mut Bounds) {
-        let (accelerations, wrenches) = (self.accelerations(), self.wrenches());
-        for (stage, trajectory) in layout.stages_and_trajectories() {
-            for (row, &(_, limit)) in accelerations.iter().enumerate() {
-                bound(bounds, layout.acceleration(stage, trajectory) + row, limit);
-            }
-        }
-        for (stage, scenario) in layout.stages_and_scenarios() {
-            for (row, &(_, limit)) in wrenches.iter().enumerate() {
-                bound(bounds, layout.wrench(stage, scenario) + row, limit);
-            }
-        }
-    }
 }
 
 /// Axes of a twist or wrench that have a limit, with it.
 fn limited_axes(translational: f64, rotational: f64) -> Vec<(usize, f64)> {
     let limits = (0..TWIST).map(|axis| (axis, if axis < 3 { translational } else { rotational }));
     limits.filter(|(_, limit)| limit.is_finite()).collect()
-}
-
-fn bound(bounds: &mut Bounds, index: usize, limit: f64) {
-    (bounds.lower[index], bounds.upper[index]) = (-limit, limit);
 }
 
 /// Largest absolute translational and rotational component of all twists or wrenches.

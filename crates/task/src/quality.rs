@@ -1,7 +1,7 @@
 //! How well a scenario ends, how hard it touches, and how far its contacts are from hard ones.
 
-use crate::layout::POSE;
 use crate::pose;
+use crate::state::POSE;
 use crate::task::AssemblyTask;
 
 /// One pair at one time.

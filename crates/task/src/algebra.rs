@@ -1,0 +1,39 @@
+//! Vectors and matrices of numbers or of recorded expressions, so that each equation is written once.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use nalgebra::Matrix3;
+
+/// What an equation is evaluated with: a plain number, or an expression that is recorded for its derivatives.
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Mul<f64, Output = Self> + Neg<Output = Self>
+{
+}
+
+impl<T> Number for T where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Mul<f64, Output = T> + Neg<Output = T>
+{
+}
+
+/// A matrix times a vector.
+pub fn apply<T: Number>(matrix: &Matrix3<f64>, vector: &[T]) -> [T; 3] {
+    std::array::from_fn(|row| {
+        vector[0] * matrix[(row, 0)] + vector[1] * matrix[(row, 1)] + vector[2] * matrix[(row, 2)]
+    })
+}
+
+/// Inner product of two vectors of the same length, at least one.
+pub fn dot<T: Number>(left: &[T], right: &[T]) -> T {
+    left.iter().zip(right).skip(1).fold(left[0] * right[0], |sum, (&a, &b)| sum + a * b)
+}
+
+/// `R(xi)` of a quaternion (w x y z), the homogeneous quadratic form: `|xi|^2` times a rotation.
+pub fn rotation<T: Number>(quaternion: &[T]) -> [[T; 3]; 3] {
+    let [w, x, y, z] = [quaternion[0], quaternion[1], quaternion[2], quaternion[3]];
+    let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
+    [
+        [ww + xx - yy - zz, (x * y - w * z) * 2.0, (x * z + w * y) * 2.0],
+        [(x * y + w * z) * 2.0, ww - xx + yy - zz, (y * z - w * x) * 2.0],
+        [(x * z - w * y) * 2.0, (y * z + w * x) * 2.0, ww - xx - yy + zz],
+    ]
+}
