@@ -1,0 +1,167 @@
+//! What a batch combines, from a TOML file or from flags.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use scene::{SceneError, Source};
+use serde::Deserialize;
+use task::LinearSolver;
+use toml::Spanned;
+
+use crate::error::PlannerError;
+use crate::files::read_text;
+
+/// Every scene with every start, offset magnitude and homotopy.
+#[derive(Debug)]
+pub struct Matrix {
+    /// Scene files.
+    pub scenes: Vec<PathBuf>,
+    /// Start poses.
+    pub starts: Starts,
+    /// Offset magnitudes (m); empty for each scene's own.
+    pub deltas: Vec<f64>,
+    /// Homotopy files; empty for each scene's own.
+    pub homotopies: Vec<PathBuf>,
+    /// Linear solver of all cells; none for the homotopy's.
+    pub linear_solver: Option<LinearSolver>,
+    places: Places,
+}
+
+/// Start poses of a matrix.
+#[derive(Debug)]
+pub enum Starts {
+    /// Each scene's first.
+    First,
+    /// All of each scene.
+    All,
+    /// Those of these names.
+    Named(Vec<String>),
+}
+
+/// Where the user has said what.
+#[derive(Debug, Default)]
+enum Places {
+    #[default]
+    Flags,
+    File { path: PathBuf, text: String, scenes: Range<usize>, starts: Range<usize>, deltas: Range<usize> },
+}
+
+/// A part of the matrix that can be wrong.
+#[derive(Debug, Clone, Copy)]
+pub enum Key {
+    /// Scene files.
+    Scenes,
+    /// Start poses.
+    Starts,
+    /// Offset magnitudes.
+    Deltas,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MatrixDocument {
+    scenes: Spanned<Vec<PathBuf>>,
+    starts: Option<Spanned<StartsDocument>>,
+    deltas: Option<Spanned<Vec<f64>>>,
+    #[serde(default)]
+    homotopies: Vec<PathBuf>,
+    linear_solver: Option<Spanned<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(untagged, expecting = "starts must be \"all\" or a list of names")]
+enum StartsDocument {
+    Word(String),
+    Names(Vec<String>),
+}
+
+/// The word for all starts.
+const ALL: &str = "all";
+
+impl Matrix {
+    /// Of scenes with their own offset magnitudes and homotopies and their first starts.
+    pub fn of_scenes(scenes: Vec<PathBuf>) -> Self {
+        Self {
+            scenes,
+            starts: Starts::First,
+            deltas: Vec::new(),
+            homotopies: Vec::new(),
+            linear_solver: None,
+            places: Places::Flags,
+        }
+    }
+
+    /// From a file; the files that it names are looked for beside it.
+    ///
+    /// # Errors
+    /// What is wrong with the file, and where.
+    pub fn load(path: &Path) -> Result<Self, PlannerError> {
+        Self::parse(path, read_text(path)?)
+    }
+
+    fn parse(path: &Path, text: String) -> Result<Self, PlannerError> {
+        let source = Source { file: path, text: &text };
+        let document: MatrixDocument = toml::from_str(&text).map_err(|error| source.parse_error(&error))?;
+        let solver = |name: &Spanned<String>| -> Result<LinearSolver, SceneError> {
+            Ok(LinearSolver::ALL[source.require_known(name, &LinearSolver::ALL.map(LinearSolver::name))?])
+        };
+        let linear_solver = document.linear_solver.as_ref().map(solver).transpose()?;
+        let beside = |files: &[PathBuf]| files.iter().map(|file| path.parent().unwrap_or(path).join(file)).collect();
+        let names = match document.starts.as_ref().map(Spanned::get_ref) {
+            None => Vec::new(),
+            Some(StartsDocument::Word(word)) => vec![word.clone()],
+            Some(StartsDocument::Names(names)) => names.clone(),
+        };
+        let places = Places::File {
+            path: path.to_owned(),
+            scenes: document.scenes.span(),
+            starts: document.starts.as_ref().map_or(0..0, Spanned::span),
+            deltas: document.deltas.as_ref().map_or(0..0, Spanned::span),
+            text,
+        };
+        Ok(Self {
+            scenes: beside(document.scenes.get_ref()),
+            starts: Starts::new(names),
+            deltas: document.deltas.map_or_else(Vec::new, Spanned::into_inner),
+            homotopies: beside(&document.homotopies),
+            linear_solver,
+            places,
+        })
+    }
+
+    /// An error that points at what the user has said.
+    pub fn refuse(&self, key: Key, message: &str) -> PlannerError {
+        match &self.places {
+            Places::Flags => PlannerError::Choice { name: key.name(), problem: message.to_owned() },
+            Places::File { path, text, scenes, starts, deltas } => {
+                let span = match key {
+                    Key::Scenes => scenes,
+                    Key::Starts => starts,
+                    Key::Deltas => deltas,
+                };
+                Source { file: path, text }.error(span.clone(), message).into()
+            }
+        }
+    }
+}
+
+impl Key {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Scenes => "scenes",
+            Self::Starts => "starts",
+            Self::Deltas => "deltas",
+        }
+    }
+}
+
+impl Starts {
+    /// All of them for the single word `all`, the first for none.
+    pub fn new(names: Vec<String>) -> Self {
+        match names.as_slice() {
+            [] => Self::First,
+            [word] if word == ALL => Self::All,
+            _ => Self::Named(names),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Why something could not be done.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use nlp::SolveError;
+use scene::SceneError;
+
+/// Why something could not be done. Every message names the file, key or flag concerned and what to do.
+#[derive(Debug, thiserror::Error)]
+pub enum PlannerError {
+    /// A scene or homotopy file is wrong.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A scene has no task for these choices.
+    #[error("{}: {source}", scene.display())]
+    Task {
+        /// The scene's file.
+        scene: PathBuf,
+        /// What is wrong with the choice.
+        source: TaskError,
+    },
+    /// Ipopt or a linear solver cannot run as asked.
+    #[error(transparent)]
+    Solver(#[from] SolveError),
+    /// A value is out of its range.
+    #[error("{name} = {value}: {rule}")]
+    Value {
+        /// What it is the value of, in the user's words.
+        name: &'static str,
+        /// The value.
+        value: String,
+        /// What would be right.
+        rule: String,
+    },
+    /// A distance could not be computed.
+    #[error("distance of {pair}: {source}")]
+    Distance {
+        /// Body and environment part.
+        pair: String,
+        /// Why not.
+        source: collision::DistanceError,
+    },
+    /// Settings of a simulation are out of range.
+    #[error(transparent)]
+    Settings(#[from] simulation::SettingsError),
+    /// A choice is not possible.
+    #[error("{name}: {problem}")]
+    Choice {
+        /// What was chosen, in the user's words.
+        name: &'static str,
+        /// What is wrong with it, and what to do.
+        problem: String,
+    },
+    /// A file is not what it should be.
+    #[error("{}{}: {problem}", file.display(), line.map(|line| format!(":{line}")).unwrap_or_default())]
+    File {
+        /// The file or folder.
+        file: PathBuf,
+        /// Line, from 1, where that is known.
+        line: Option<usize>,
+        /// What is wrong with it, and what to do.
+        problem: String,
+    },
+    /// A file or folder cannot be read or written.
+    #[error("{}: cannot be {action}: {source}", path.display())]
+    Io {
+        /// The file or folder.
+        path: PathBuf,
+        /// What was tried: `read` or `written`.
+        action: &'static str,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// Something that should be there is not: a mistake of the program.
+    #[error("internal error: {0}; please report it")]
+    Internal(&'static str),
+}
+
+/// Whose fault an error is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// The input is wrong; the message says what would be right.
+    Input,
+    /// The system or the program failed.
+    System,
+}
+
+impl PlannerError {
+    /// Whose fault it is.
+    pub fn fault(&self) -> Fault {
+        match self {
+            // What is read was named by the user.
+            Self::Io { action: "read", .. } => Fault::Input,
+            Self::Distance { .. } | Self::Solver(SolveError::Problem(_)) | Self::Io { .. } | Self::Internal(_) => Fault::System,
+            _ => Fault::Input,
+        }
+    }
+
+    /// A file that is not what it should be.
+    pub fn file(file: &Path, problem: impl Into<String>) -> Self {
+        Self::File { file: file.to_owned(), line: None, problem: problem.into() }
+    }
+
+    /// A line (from 1) of a file that is not what it should be.
+    pub fn line(file: &Path, line: usize, problem: impl Into<String>) -> Self {
+        Self::File { file: file.to_owned(), line: Some(line), problem: problem.into() }
+    }
+
+    /// A value that is out of its range.
+    pub fn value(name: &'static str, value: impl ToString, rule: &str) -> Self {
+        Self::Value { name, value: value.to_string(), rule: rule.to_owned() }
+    }
+
+    pub(crate) fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        |source| Self::Io { path: path.to_owned(), action: "read", source }
+    }
+
+    pub(crate) fn written(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        |source| Self::Io { path: path.to_owned(), action: "written", source }
+    }
+}

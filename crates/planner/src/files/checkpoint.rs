@@ -1,0 +1,62 @@
+//! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy iteration.
+
+use std::fs;
+use std::path::Path;
+
+use nlp::Iterate;
+use serde::{Deserialize, Serialize};
+
+use crate::error::PlannerError;
+use crate::files::atomic::write_file;
+use crate::files::iteration::IterationRecord;
+
+/// Name of the file in the folder of unfinished work.
+pub const CHECKPOINT: &str = "checkpoint.json";
+
+/// The finished homotopy iterations of a problem and the point where the next one starts.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Checkpoint {
+    /// [`crate::Problem::identity`] of the problem.
+    pub identity: String,
+    /// All finished iterations.
+    pub iterations: Vec<IterationRecord>,
+    x: Vec<f64>,
+    constraint_multipliers: Vec<f64>,
+    lower_multipliers: Vec<f64>,
+    upper_multipliers: Vec<f64>,
+}
+
+impl Checkpoint {
+    /// After the finished iterations of a problem, which ended at a primal-dual point.
+    pub fn new(identity: &str, iterations: Vec<IterationRecord>, iterate: &Iterate) -> Self {
+        let Iterate { x, constraint_multipliers, lower_multipliers, upper_multipliers } = iterate.clone();
+        Self { identity: identity.to_owned(), iterations, x, constraint_multipliers, lower_multipliers, upper_multipliers }
+    }
+
+    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it is unreadable or of
+    /// another problem, so that the solve has to start from the beginning.
+    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, &'static str> {
+        let Ok(text) = fs::read_to_string(folder.join(CHECKPOINT)) else { return Ok(None) };
+        let checkpoint: Self = serde_json::from_str(&text).map_err(|_| "its checkpoint is damaged")?;
+        match checkpoint.identity == identity {
+            true => Ok(Some(checkpoint)),
+            false => Err("it belongs to another problem"),
+        }
+    }
+
+    /// Writes the checkpoint into a folder. Values are written so that they are read back exactly.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
+        let json = serde_json::to_vec(self).map_err(|_| PlannerError::Internal("a checkpoint cannot be written"))?;
+        write_file(&folder.join(CHECKPOINT), &json)
+    }
+
+    /// The primal-dual point where the next iteration starts.
+    pub fn iterate(&self) -> Iterate {
+        let Self { x, constraint_multipliers, lower_multipliers, upper_multipliers, .. } = self.clone();
+        Iterate { x, constraint_multipliers, lower_multipliers, upper_multipliers }
+    }
+}

@@ -1,0 +1,351 @@
+//! The folder of a plan that is being made. All work is done in a hidden folder beside it, under a lock; only a whole
+//! plan is moved in. What a run may replace or delete is what an earlier run has written, nothing else.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File, TryLockError};
+use std::path::{Path, PathBuf};
+
+use task::{AssemblyTask, Trajectory};
+
+use crate::error::PlannerError;
+use crate::files::atomic::{hash, remove_file, write_file};
+use crate::files::checkpoint::Checkpoint;
+use crate::files::refinement::RefinementCheckpoint;
+use crate::files::result::{PlanResult, RESULT};
+use crate::files::stored_plan::{RESOLVED, STAGES, is_plan_file, read_result};
+use crate::files::trajectory::{TABLES, read_trajectory, write_trajectory};
+use crate::plan::Plan;
+
+/// Marks a hidden folder as ours; who works in it holds a lock on this file.
+const LOCK: &str = "lock";
+/// `result.json` of the plan that is being replaced, while its files are.
+const REPLACED: &str = "replaced.json";
+/// Folder of a whole plan that is still to be moved in.
+const WHOLE: &str = "whole";
+/// Homotopy iterations of the best refined plan, where they are not those of the scene itself.
+const REFINED: &str = "refined";
+
+/// A plan's folder that this process alone may write, and the hidden folder of unfinished work beside it.
+#[derive(Debug)]
+pub struct PlanFolder {
+    target: PathBuf,
+    work: PathBuf,
+    _lock: File,
+}
+
+impl PlanFolder {
+    /// Claims a folder for a plan, before anything is computed. Nothing in it changes until [`PlanFolder::finish`].
+    ///
+    /// # Errors
+    /// When another process writes a plan into it, when it holds a file that the plan would replace and that no earlier
+    /// run has written, or when one of the `inputs` is such a file.
+    pub fn claim(target: &Path, inputs: &[&Path]) -> Result<Self, PlannerError> {
+        let target = locate(target)?;
+        let name = target.file_name().unwrap_or_default().to_string_lossy();
+        let work = target.with_file_name(format!(".{name}.unfinished"));
+        let lock = lock(&work, &target)?;
+        let folder = Self { target, work, _lock: lock };
+        if folder.whole().join(RESULT).exists() {
+            // A run was killed while it moved a whole plan in.
+            folder.move_in()?;
+            return Self::claim(&folder.target, inputs);
+        }
+        folder.require_replaceable()?;
+        inputs.iter().try_for_each(|input| folder.require_kept(input))?;
+        Ok(folder)
+    }
+
+    /// Where the plan goes.
+    pub fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// Where unfinished work stands.
+    pub fn work(&self) -> &Path {
+        &self.work
+    }
+
+    /// Removes unfinished work.
+    ///
+    /// # Errors
+    /// When it cannot be removed.
+    pub fn discard(&self) -> Result<(), PlannerError> {
+        for entry in fs::read_dir(&self.work).map_err(PlannerError::read(&self.work))? {
+            let entry = entry.map_err(PlannerError::read(&self.work))?;
+            let path = entry.path();
+            if entry.file_name() == LOCK {
+                continue;
+            }
+            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+            let removed = if is_folder { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
+            removed.map_err(PlannerError::written(&path))?;
+        }
+        Ok(())
+    }
+
+    /// The finished homotopy iterations of a problem, if another run has left some; `Err` with the reason why they are
+    /// of no use.
+    pub(crate) fn checkpoint(&self, identity: &str) -> Result<Option<Checkpoint>, &'static str> {
+        Checkpoint::load(&self.work, identity)
+    }
+
+    /// The refinement that another run has left, likewise.
+    pub(crate) fn refinement(&self, identity: &str) -> Result<Option<RefinementCheckpoint>, &'static str> {
+        RefinementCheckpoint::load(&self.work, identity)
+    }
+
+    /// Keeps a finished homotopy iteration: first its tables, then the checkpoint from which the next one can start.
+    pub(crate) fn keep_iteration(
+        &self,
+        motion: &Trajectory,
+        task: &AssemblyTask,
+        checkpoint: &Checkpoint,
+    ) -> Result<(), PlannerError> {
+        let number = checkpoint.iterations.len().to_string();
+        write_trajectory(&self.work.join(STAGES).join(number), motion, task)?;
+        checkpoint.save(&self.work)
+    }
+
+    /// Keeps how far a refinement is.
+    pub(crate) fn keep_refinement(&self, checkpoint: &RefinementCheckpoint) -> Result<(), PlannerError> {
+        checkpoint.save(&self.work)
+    }
+
+    /// Keeps the homotopy iterations of the best refined plan, where they are not those of the scene itself.
+    pub(crate) fn keep_refined_iterations<'motion>(
+        &self,
+        motions: impl Iterator<Item = &'motion Trajectory>,
+        task: &AssemblyTask,
+    ) -> Result<(), PlannerError> {
+        write_iterations(&self.work.join(REFINED), motions, task)
+    }
+
+    /// The motion of a kept homotopy iteration, from 1.
+    pub(crate) fn read_iteration(&self, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
+        read_trajectory(&self.work.join(STAGES).join(number.to_string()), task)
+    }
+
+    /// The motion of a kept homotopy iteration, from 1, of the best refined plan.
+    pub(crate) fn read_refined_iteration(
+        &self,
+        number: usize,
+        task: &AssemblyTask,
+    ) -> Result<Trajectory, PlannerError> {
+        read_trajectory(&self.work.join(REFINED).join(number.to_string()), task)
+    }
+
+    /// Writes a whole plan and moves it in; the older plan is replaced only then.
+    ///
+    /// # Errors
+    /// When it cannot be written; the older plan then still stands, and the unfinished work too.
+    pub fn finish(self, plan: &Plan) -> Result<PlanResult, PlannerError> {
+        let whole = self.whole();
+        let motions = plan.iterations.iter().map(|iteration| &iteration.trajectory);
+        write_iterations(&whole.join(STAGES), motions, &plan.variant.task)?;
+        write_trajectory(&whole, &plan.trajectory, &plan.task)?;
+        write_file(&whole.join(RESOLVED), plan.problem.resolved().as_bytes())?;
+        let result = PlanResult::new(plan, hashes(&whole)?);
+        let json = serde_json::to_vec_pretty(&result).map_err(|_| PlannerError::Internal("result.json"))?;
+        write_file(&whole.join(RESULT), &json)?;
+        self.move_in()?;
+        Ok(result)
+    }
+
+    /// Where a whole plan stands until it is moved in.
+    fn whole(&self) -> PathBuf {
+        self.work.join(WHOLE)
+    }
+
+    /// Moves a whole plan from the working folder to its place, `result.json` first out and last in. A run that is killed
+    /// meanwhile has lost nothing: the next one that claims the folder goes on here.
+    fn move_in(&self) -> Result<(), PlannerError> {
+        let whole = self.whole();
+        let result = read_result(&whole)?;
+        let standing = self.target.join(RESULT);
+        if standing.exists() {
+            rename(&standing, &self.work.join(REPLACED))?;
+        }
+        let replaced = fs::read_to_string(self.work.join(REPLACED)).ok();
+        let replaced: Option<PlanResult> = replaced.and_then(|text| serde_json::from_str(&text).ok());
+        for name in replaced.iter().flat_map(|replaced| replaced.files.keys()) {
+            if is_plan_file(name) && !result.files.contains_key(name) {
+                remove_file(&self.target.join(name))?;
+                remove_empty_folders(&self.target, name);
+            }
+        }
+        for name in result.files.keys().map(String::as_str).chain([RESULT]) {
+            let (from, to) = (whole.join(name), self.target.join(name));
+            if from.exists() {
+                let parent = to.parent().unwrap_or(&self.target);
+                fs::create_dir_all(parent).map_err(PlannerError::written(parent))?;
+                rename(&from, &to)?;
+            }
+        }
+        fs::remove_dir_all(&self.work).map_err(PlannerError::written(&self.work))
+    }
+
+    /// Refuses to replace what no earlier run has written.
+    fn require_replaceable(&self) -> Result<(), PlannerError> {
+        let refuse = |name: &str, problem: &str| Err(PlannerError::file(&self.target.join(name), problem));
+        let standing = plan_files(&self.target)?;
+        let earlier = match standing.iter().any(|name| name == RESULT) {
+            true => match read_result(&self.target) {
+                Ok(result) => result.files,
+                Err(error) => {
+                    return Err(PlannerError::file(
+                        &self.target,
+                        format!("holds no plan that may be replaced ({error}); choose another --out, or remove it"),
+                    ));
+                }
+            },
+            false => BTreeMap::new(),
+        };
+        for name in standing.iter().filter(|name| *name != RESULT) {
+            let file = self.target.join(name);
+            match earlier.get(name) {
+                None => return refuse(name, "was not written by an earlier run; choose another --out, or move it away"),
+                Some(expected) if hash(&fs::read(&file).map_err(PlannerError::read(&file))?) != *expected => {
+                    return refuse(name, "was changed since the plan was written; choose another --out, or move it away");
+                }
+                Some(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses to replace an input.
+    fn require_kept(&self, input: &Path) -> Result<(), PlannerError> {
+        let Ok(path) = input.canonicalize() else { return Ok(()) };
+        let Ok(inside) = path.strip_prefix(&self.target) else { return Ok(()) };
+        let name = inside.to_string_lossy();
+        if is_plan_file(&name) || name == RESULT {
+            let problem = "is an input of this run, which would replace it; choose another --out";
+            return Err(PlannerError::file(input, problem));
+        }
+        Ok(())
+    }
+}
+
+/// Writes the tables of homotopy iterations anew, each into a folder named after its number.
+fn write_iterations<'motion>(
+    folder: &Path,
+    motions: impl Iterator<Item = &'motion Trajectory>,
+    task: &AssemblyTask,
+) -> Result<(), PlannerError> {
+    if folder.exists() {
+        fs::remove_dir_all(folder).map_err(PlannerError::written(folder))?;
+    }
+    (1..).zip(motions).try_for_each(|(number, motion): (usize, _)| {
+        write_trajectory(&folder.join(number.to_string()), motion, task)
+    })
+}
+
+/// The absolute path of a folder that may be missing; its parent is made.
+fn locate(target: &Path) -> Result<PathBuf, PlannerError> {
+    let target = match target.canonicalize() {
+        Ok(path) if path.is_dir() => path,
+        Ok(_) => return Err(PlannerError::file(target, "is a file; name a folder with --out")),
+        Err(_) => {
+            let name = target.file_name().ok_or_else(|| PlannerError::file(target, "is no name of a folder"))?;
+            let parent = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            fs::create_dir_all(parent).map_err(PlannerError::written(parent))?;
+            parent.canonicalize().map_err(PlannerError::written(parent))?.join(name)
+        }
+    };
+    match target.file_name() {
+        Some(_) => Ok(target),
+        None => Err(PlannerError::file(&target, "cannot be the folder of a plan; choose another --out")),
+    }
+}
+
+/// Makes the working folder and takes its lock.
+fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
+    let path = work.join(LOCK);
+    let busy = || PlannerError::file(target, "another run is writing a plan into it; choose another --out, or wait");
+    if work.exists() && !path.exists() && fs::read_dir(work).is_ok_and(|mut entries| entries.next().is_some()) {
+        return Err(PlannerError::file(work, "stands where unfinished work is kept; move it away"));
+    }
+    // A run that ends removes its lock. Who has opened it just before holds the lock of nothing and tries again.
+    for _ in 0..10 {
+        fs::create_dir_all(work).map_err(PlannerError::written(work))?;
+        let file = match File::options().append(true).create(true).open(&path) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => continue,
+            file => file.map_err(PlannerError::written(&path))?,
+        };
+        match file.try_lock() {
+            Ok(()) if is_at(&file, &path) => return Ok(file),
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(busy()),
+            Err(TryLockError::Error(error)) => return Err(PlannerError::written(&path)(error)),
+        }
+    }
+    Err(busy())
+}
+
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |metadata: fs::Metadata| (metadata.dev(), metadata.ino());
+    match (file.metadata(), fs::metadata(path)) {
+        (Ok(one), Ok(other)) => identity(one) == identity(other),
+        _ => false,
+    }
+}
+
+#[cfg(not(unix))]
+fn is_at(_file: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+/// Hashes of all files of the plan in a folder.
+fn hashes(folder: &Path) -> Result<BTreeMap<String, String>, PlannerError> {
+    let mut hashes = BTreeMap::new();
+    for name in plan_files(folder)? {
+        let file = folder.join(&name);
+        if name != RESULT {
+            hashes.insert(name, hash(&fs::read(&file).map_err(PlannerError::read(&file))?));
+        }
+    }
+    Ok(hashes)
+}
+
+/// Everything in a folder that has the name of a plan's file, and everything below `stages`; paths with slashes.
+fn plan_files(folder: &Path) -> Result<Vec<String>, PlannerError> {
+    let names = TABLES.into_iter().chain([RESOLVED, RESULT]);
+    let mut found: Vec<String> =
+        names.filter(|name| folder.join(name).symlink_metadata().is_ok()).map(str::to_owned).collect();
+    let stages = folder.join(STAGES);
+    match stages.symlink_metadata() {
+        Ok(metadata) if metadata.is_dir() => files_below(&stages, STAGES, &mut found)?,
+        Ok(_) => found.push(STAGES.to_owned()),
+        Err(_) => {}
+    }
+    Ok(found)
+}
+
+fn files_below(folder: &Path, prefix: &str, found: &mut Vec<String>) -> Result<(), PlannerError> {
+    for entry in fs::read_dir(folder).map_err(PlannerError::read(folder))? {
+        let entry = entry.map_err(PlannerError::read(folder))?;
+        let name = format!("{prefix}/{}", entry.file_name().to_string_lossy());
+        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            files_below(&entry.path(), &name, found)?;
+        } else {
+            found.push(name);
+        }
+    }
+    Ok(())
+}
+
+/// Removes the folders of a removed file, as far as nothing else is in them.
+fn remove_empty_folders(target: &Path, name: &str) {
+    let folders = Path::new(name).ancestors().skip(1).filter(|folder| !folder.as_os_str().is_empty());
+    for folder in folders {
+        if fs::remove_dir(target.join(folder)).is_err() {
+            return;
+        }
+    }
+}
+
+fn rename(from: &Path, to: &Path) -> Result<(), PlannerError> {
+    fs::rename(from, to).map_err(PlannerError::written(to))
+}

@@ -1,0 +1,38 @@
+//! Every file of a plan, a batch or a simulation: one type per record, with its writer and reader side by side.
+//!
+//! | file | type |
+//! |---|---|
+//! | `reference.csv`, traces | [`StateRow`] |
+//! | `scenarios.csv`, `wrench.csv`, `contacts.csv` | [`trajectory`] |
+//! | `result.json` | [`PlanResult`] |
+//! | unfinished work: `checkpoint.json`, `refinement.json` | [`Checkpoint`], [`RefinementCheckpoint`] |
+//! | `manifest.jsonl` of a batch | [`Manifest`] |
+//! | `cells.csv`, `cells.json` of a batch | [`cells`] |
+//! | `rollouts.csv`, `success.csv` of a simulation | [`RolloutRow`], [`SuccessRow`] |
+//!
+//! [`PlanFolder`] writes a plan, [`StoredPlan`] reads one and refuses it when a file was cut or changed.
+
+mod atomic;
+pub mod cells;
+mod checkpoint;
+mod folder;
+mod iteration;
+mod manifest;
+mod refinement;
+mod result;
+mod rollouts;
+mod stored_plan;
+mod table;
+pub mod trajectory;
+
+pub use atomic::{hash, read_text, remove_file, write_file};
+pub use checkpoint::Checkpoint;
+pub use folder::PlanFolder;
+pub use iteration::{Fallbacks, IterationRecord, Split, StageSolverRecord};
+pub use manifest::{Cell, Manifest};
+pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};
+pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
+pub use rollouts::{OffsetRow, RolloutRow, SuccessRow, read_offsets, replace_table, require_table};
+pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result};
+pub use table::{Value, read_csv, to_csv};
+pub use trajectory::StateRow;

@@ -1,0 +1,115 @@
+//! What an unfinished refinement leaves behind so that another one can go on with its best plan.
+
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use simulation::{GraspError, Trial};
+
+use crate::error::PlannerError;
+use crate::files::atomic::write_file;
+use crate::files::iteration::IterationRecord;
+use crate::refine::{Round, SuccessRates};
+
+/// Name of the file in the folder of unfinished work.
+pub const REFINEMENT: &str = "refinement.json";
+
+/// The best plan so far of a refinement, and what it has learnt.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RefinementCheckpoint {
+    /// [`crate::Problem::identity`] of the problem.
+    pub identity: String,
+    /// Coulomb coefficients that it must bear.
+    pub frictions: Vec<f64>,
+    /// Largest turn in the gripper that it must bear.
+    pub turn_rad: f64,
+    /// Tolerances of success: distance (m) and angle (rad).
+    pub tolerance: [f64; 2],
+    /// Wall time so far.
+    pub elapsed_s: f64,
+    /// Evaluations so far: the next ones need other seeds.
+    pub evaluations: u64,
+    /// Success rates of the plan without refinement.
+    pub before: SuccessRates,
+    /// Trials to refine in.
+    pub training: Vec<TrialRecord>,
+    /// Rounds so far, the one under way included.
+    pub rounds: Vec<Round>,
+    /// The best plan.
+    pub best: BestRecord,
+}
+
+/// The best plan so far.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BestRecord {
+    /// The problem it comes from, in words.
+    pub name: String,
+    /// Its scenarios.
+    pub offsets_m: Vec<[f64; 3]>,
+    /// Its horizon.
+    pub steps: usize,
+    /// Its horizon.
+    pub time_step_s: f64,
+    /// Number of its homotopy iterations, if all of them run.
+    pub homotopy_iterations: usize,
+    /// Whether its homotopy iterations are those of the scene itself.
+    pub is_scenes_own: bool,
+    /// Its homotopy iterations.
+    pub iterations: Vec<IterationRecord>,
+    /// States (pose, twist) of its reference.
+    pub reference: Vec<[f64; 13]>,
+    /// Its success rates.
+    pub rates: SuccessRates,
+    /// Offsets at which it fails.
+    pub failing_m: Vec<[f64; 3]>,
+    /// Number of its round.
+    pub round: usize,
+}
+
+/// A trial.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TrialRecord {
+    /// Index into the frictions.
+    pub friction: usize,
+    /// Offset of the part in the gripper.
+    pub offset_m: [f64; 3],
+    /// Its turn there.
+    pub turn_rad: [f64; 3],
+}
+
+impl From<&Trial> for TrialRecord {
+    fn from(trial: &Trial) -> Self {
+        Self { friction: trial.friction, offset_m: trial.grasp.offset, turn_rad: trial.grasp.turn }
+    }
+}
+
+impl From<&TrialRecord> for Trial {
+    fn from(record: &TrialRecord) -> Self {
+        Self { friction: record.friction, grasp: GraspError { offset: record.offset_m, turn: record.turn_rad } }
+    }
+}
+
+impl RefinementCheckpoint {
+    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it is unreadable or of
+    /// another problem.
+    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, &'static str> {
+        let Ok(text) = fs::read_to_string(folder.join(REFINEMENT)) else { return Ok(None) };
+        let checkpoint: Self = serde_json::from_str(&text).map_err(|_| "its refinement is damaged")?;
+        match checkpoint.identity == identity {
+            true => Ok(Some(checkpoint)),
+            false => Err("its refinement belongs to another problem"),
+        }
+    }
+
+    /// Writes the checkpoint into a folder.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
+        let json = serde_json::to_vec(self).map_err(|_| PlannerError::Internal("a refinement cannot be written"))?;
+        write_file(&folder.join(REFINEMENT), &json)
+    }
+}

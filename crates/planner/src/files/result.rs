@@ -1,0 +1,232 @@
+//! `result.json`: everything that is known of a plan besides its motions.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
+
+use crate::files::iteration::IterationRecord;
+use crate::files::table::or_null;
+use crate::plan::Plan;
+use crate::problem::Problem;
+use crate::refine::RobustnessReport;
+
+/// Name of the file, which is written last: where it stands, the plan is whole.
+pub const RESULT: &str = "result.json";
+
+/// Everything that is known of a plan besides its motions.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanResult {
+    /// What has become of the plan, in words.
+    pub status: String,
+    /// Whether the plan does what was asked for.
+    pub done: bool,
+    /// Whether the solver converged.
+    pub converged: bool,
+    /// Whether every planned offset reaches the goal; of a robust plan, at every friction.
+    pub goal_reached: bool,
+    /// Title of the scene.
+    pub scene: String,
+    /// Name of the start pose.
+    pub start: String,
+    /// Offset magnitude `delta-hat`.
+    pub delta_m: f64,
+    /// What the plan was made from.
+    pub made_from: MadeFrom,
+    /// The linear solver that ran.
+    pub linear_solver: String,
+    /// Linear systems that the stage solver left to a general solver.
+    pub linear_solver_fallbacks: usize,
+    /// Threads of a solve.
+    pub threads: usize,
+    /// Versions.
+    pub versions: Versions,
+    /// Iterations of the solver in all homotopy iterations.
+    pub iterations: usize,
+    /// Cost of the last homotopy iteration.
+    #[serde(with = "or_null")]
+    pub objective: f64,
+    /// Wall time of all homotopy iterations.
+    pub wall_s: f64,
+    /// Largest deviation of a quaternion's norm from 1 before normalisation.
+    #[serde(with = "or_null")]
+    pub quaternion_drift: f64,
+    /// Time between two rows of the reference.
+    pub time_step_s: f64,
+    /// What the user was warned of.
+    pub warnings: Vec<String>,
+    /// Largest components allowed, null where there is no limit.
+    pub limits: LimitsRecord,
+    /// Largest components of the reference and of all scenarios.
+    pub reached: LimitsRecord,
+    /// Homotopy iterations.
+    pub stages: Vec<IterationRecord>,
+    /// Every planned offset.
+    pub scenarios: Vec<ScenarioRecord>,
+    /// Of `solve --robust`; the scenarios are then rollouts with hard contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub robust: Option<RobustnessReport>,
+    /// Hash (SHA-256, hexadecimal) of every other file of the plan, by its path in the folder.
+    pub files: BTreeMap<String, String>,
+}
+
+/// What a plan was made from, as hashes (SHA-256, hexadecimal).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MadeFrom {
+    /// [`Problem::identity`].
+    pub problem: String,
+    /// [`Problem::shapes_hash`].
+    pub shapes: String,
+    /// [`Problem::settings_hash`].
+    pub settings: String,
+}
+
+impl From<&Problem> for MadeFrom {
+    fn from(problem: &Problem) -> Self {
+        let (shapes, settings) = (problem.shapes_hash(), problem.settings_hash());
+        Self { problem: problem.identity().to_owned(), shapes, settings }
+    }
+}
+
+/// Versions of the programs that made a plan.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Versions {
+    /// Of this program.
+    pub assembly_plan: String,
+    /// Of Ipopt.
+    pub ipopt: String,
+}
+
+/// How a scenario ends, how deep its shapes overlap and how hard they push.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ScenarioRecord {
+    /// The offset.
+    pub offset_m: [f64; 3],
+    /// Final distance from the goal.
+    #[serde(with = "or_null")]
+    pub position_error_m: f64,
+    /// Final angle to the goal.
+    #[serde(with = "or_null")]
+    pub orientation_error_rad: f64,
+    /// Deepest overlap of the exact shapes.
+    #[serde(with = "or_null")]
+    pub max_penetration_m: f64,
+    /// Where that is.
+    pub max_penetration_at: Option<Place>,
+    /// Largest product of a contact force and the exact distance at the end of its step.
+    #[serde(with = "or_null")]
+    pub max_complementarity_nm: f64,
+    /// Where that is.
+    pub max_complementarity_at: Option<Place>,
+    /// Largest contact force.
+    #[serde(with = "or_null")]
+    pub max_force_n: f64,
+    /// Largest components.
+    pub reached: LimitsRecord,
+}
+
+/// Where along a plan something is largest.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Place {
+    /// Time.
+    pub time_s: f64,
+    /// Step, 0 for the start.
+    pub step: usize,
+    /// Body and environment part.
+    pub pair: String,
+}
+
+/// [`Limits`]; infinity is null.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the names of [limits] with their units")]
+pub struct LimitsRecord {
+    #[serde(with = "or_null")]
+    pub translational_velocity_m_s: f64,
+    #[serde(with = "or_null")]
+    pub rotational_velocity_rad_s: f64,
+    #[serde(with = "or_null")]
+    pub translational_acceleration_m_s2: f64,
+    #[serde(with = "or_null")]
+    pub rotational_acceleration_rad_s2: f64,
+    #[serde(with = "or_null")]
+    pub contact_force_n: f64,
+    #[serde(with = "or_null")]
+    pub force_n: f64,
+    #[serde(with = "or_null")]
+    pub torque_nm: f64,
+}
+
+impl From<Limits> for LimitsRecord {
+    fn from(limits: Limits) -> Self {
+        Self {
+            translational_velocity_m_s: limits.translational_velocity,
+            rotational_velocity_rad_s: limits.rotational_velocity,
+            translational_acceleration_m_s2: limits.translational_acceleration,
+            rotational_acceleration_rad_s2: limits.rotational_acceleration,
+            contact_force_n: limits.contact_force,
+            force_n: limits.force,
+            torque_nm: limits.torque,
+        }
+    }
+}
+
+impl PlanResult {
+    /// Of a plan whose files have these hashes.
+    pub fn new(plan: &Plan, files: BTreeMap<String, String>) -> Self {
+        let status = plan.status();
+        let records = || plan.iterations.iter().map(|iteration| &iteration.record);
+        let last = &plan.last().record;
+        Self {
+            done: status == crate::PlanStatus::Done,
+            status: status.to_string(),
+            converged: plan.is_converged(),
+            goal_reached: plan.reaches_goal(),
+            scene: plan.problem.scene().title.clone(),
+            start: plan.problem.start().name.clone(),
+            delta_m: plan.problem.delta(),
+            made_from: MadeFrom::from(&plan.problem),
+            linear_solver: last.linear_solver.clone(),
+            linear_solver_fallbacks: records().map(IterationRecord::fallbacks).sum(),
+            threads: 1,
+            versions: Versions {
+                assembly_plan: env!("CARGO_PKG_VERSION").to_owned(),
+                ipopt: nlp::IPOPT_VERSION.to_owned(),
+            },
+            iterations: records().map(|record| record.iterations).sum(),
+            objective: last.objective,
+            wall_s: records().map(|record| record.wall_s).sum(),
+            quaternion_drift: plan.trajectory.quaternion_drift,
+            time_step_s: plan.trajectory.time_step,
+            warnings: plan.warnings(),
+            limits: plan.task.limits.into(),
+            reached: plan.trajectory.keeps().into(),
+            stages: records().cloned().collect(),
+            scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),
+            robust: plan.robustness.clone(),
+            files,
+        }
+    }
+}
+
+fn scenario(motion: &ScenarioTrajectory, task: &AssemblyTask) -> ScenarioRecord {
+    let quality = &motion.quality;
+    let value = |peak: Option<Peak>| peak.map_or(0.0, |peak| peak.value);
+    let place = |peak: Option<Peak>| {
+        peak.map(|Peak { step, pair, .. }| Place {
+            time_s: step as f64 * task.horizon.time_step,
+            step,
+            pair: task.pairs[pair].to_string(),
+        })
+    };
+    ScenarioRecord {
+        offset_m: motion.offset,
+        position_error_m: quality.position_error,
+        orientation_error_rad: quality.orientation_error,
+        max_penetration_m: value(quality.penetration),
+        max_penetration_at: place(quality.penetration),
+        max_complementarity_nm: value(quality.complementarity),
+        max_complementarity_at: place(quality.complementarity),
+        max_force_n: quality.max_force,
+        reached: motion.keeps.into(),
+    }
+}

@@ -1,0 +1,154 @@
+//! The tables of a simulation: `rollouts.csv`, `success.csv`, and lists of offsets.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use simulation::wilson_interval;
+
+use crate::error::PlannerError;
+use crate::files::atomic::write_file;
+use crate::files::table::{Value, has_header, read_csv, to_csv};
+use crate::simulate::PlayedRollout;
+use crate::success_table::SuccessGroup;
+
+/// A row of `rollouts.csv`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "named with their units")]
+pub struct RolloutRow {
+    /// Folder of the plan.
+    pub plan: String,
+    pub start: String,
+    pub delta_m: Value,
+    /// `plan`, `straight push`, or `stage` with the number of a homotopy iteration.
+    pub motion: String,
+    pub friction: Value,
+    pub magnitude_m: Value,
+    pub x_m: Value,
+    pub y_m: Value,
+    pub z_m: Value,
+    /// 1 or 0.
+    pub success: u8,
+    pub position_error_m: Value,
+    pub orientation_error_rad: Value,
+    pub max_penetration_m: Value,
+    pub max_force_n: Value,
+    pub turn_x_rad: Value,
+    pub turn_y_rad: Value,
+    pub turn_z_rad: Value,
+}
+
+impl RolloutRow {
+    /// Of a rollout of the plan in a folder.
+    pub fn new(plan: &Path, start: &str, rollout: &PlayedRollout) -> Self {
+        let [x_m, y_m, z_m] = rollout.grasp.offset.map(Value);
+        let [turn_x_rad, turn_y_rad, turn_z_rad] = rollout.grasp.turn.map(Value);
+        Self {
+            plan: plan.display().to_string(),
+            start: start.to_owned(),
+            delta_m: Value(rollout.delta),
+            motion: rollout.motion.to_string(),
+            friction: Value(rollout.friction),
+            magnitude_m: Value(rollout.magnitude),
+            x_m,
+            y_m,
+            z_m,
+            success: u8::from(rollout.success),
+            position_error_m: Value(rollout.outcome.position_error),
+            orientation_error_rad: Value(rollout.outcome.orientation_error),
+            max_penetration_m: Value(rollout.outcome.max_penetration),
+            max_force_n: Value(rollout.outcome.max_force),
+            turn_x_rad,
+            turn_y_rad,
+            turn_z_rad,
+        }
+    }
+}
+
+/// A row of `success.csv`: rollouts that differ by nothing but plan (of the same delta-hat) and grasp error.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "named with their units")]
+pub struct SuccessRow {
+    pub motion: String,
+    pub friction: Value,
+    pub delta_m: Value,
+    pub magnitude_m: Value,
+    pub rollouts: usize,
+    pub successes: usize,
+    pub rate: Value,
+    /// Wilson's interval of 95 %, here and below.
+    pub rate_low: Value,
+    pub rate_high: Value,
+    pub largest_position_error_m: Value,
+    pub largest_orientation_error_rad: Value,
+    pub max_penetration_m: Value,
+    pub max_force_n: Value,
+}
+
+impl From<&SuccessGroup> for SuccessRow {
+    fn from(group: &SuccessGroup) -> Self {
+        let [low, high] = wilson_interval(group.successes, group.rollouts);
+        Self {
+            motion: group.motion.to_string(),
+            friction: Value(group.friction),
+            delta_m: Value(group.delta),
+            magnitude_m: Value(group.magnitude),
+            rollouts: group.rollouts,
+            successes: group.successes,
+            rate: Value(group.successes as f64 / group.rollouts as f64),
+            rate_low: Value(low),
+            rate_high: Value(high),
+            largest_position_error_m: Value(group.position_error),
+            largest_orientation_error_rad: Value(group.orientation_error),
+            max_penetration_m: Value(group.max_penetration),
+            max_force_n: Value(group.max_force),
+        }
+    }
+}
+
+/// A row of a list of offsets (body frame).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "named with their units")]
+pub struct OffsetRow {
+    pub x_m: Value,
+    pub y_m: Value,
+    pub z_m: Value,
+}
+
+/// Offsets (m, body frame) of a list.
+///
+/// # Errors
+/// With the line that is wrong, or when there are none.
+pub fn read_offsets(file: &Path) -> Result<Vec<[f64; 3]>, PlannerError> {
+    /// More than anyone needs.
+    const MOST: usize = 1_000_000;
+    let rows: Vec<OffsetRow> = read_csv(file)?;
+    match rows.len() {
+        0 => Err(PlannerError::file(file, "no offsets: a row each below the header x_m,y_m,z_m")),
+        1..=MOST => Ok(rows.iter().map(|row| [row.x_m.0, row.y_m.0, row.z_m.0]).collect()),
+        count => Err(PlannerError::file(file, format!("{count} offsets, more than {MOST}"))),
+    }
+}
+
+/// Refuses to replace a file that is not an older table with the columns of `example`.
+///
+/// # Errors
+/// When another file stands there.
+pub fn require_table<T: Serialize>(file: &Path, example: T) -> Result<(), PlannerError> {
+    let table = to_csv([example])?;
+    let header = String::from_utf8_lossy(&table);
+    if file.symlink_metadata().is_err() || has_header(file, header.lines().next().unwrap_or_default()) {
+        return Ok(());
+    }
+    Err(PlannerError::file(file, "is no older table of this kind and would be replaced; choose another --out"))
+}
+
+/// Writes a table, in the place of an older one of the same columns.
+///
+/// # Errors
+/// When another file stands there, or it cannot be written.
+pub fn replace_table<T: Serialize + Clone>(file: &Path, rows: &[T]) -> Result<(), PlannerError> {
+    if let Some(first) = rows.first() {
+        require_table(file, first.clone())?;
+    }
+    write_file(file, &to_csv(rows)?)
+}

@@ -1,0 +1,245 @@
+//! The four tables of a motion: `reference.csv`, `scenarios.csv`, `wrench.csv`, `contacts.csv`.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use simulation::Reference;
+use task::{AssemblyTask, Contact, Limits, Quality, STATE, ScenarioTrajectory, TWIST, Trajectory, pose_of};
+
+use crate::error::PlannerError;
+use crate::files::atomic::write_file;
+use crate::files::table::{Value, read_csv, seconds, to_csv};
+
+/// Names of the tables in a plan's folder.
+pub const TABLES: [&str; 4] = [REFERENCE, SCENARIOS, WRENCH, CONTACTS];
+/// The motion to track.
+pub const REFERENCE: &str = "reference.csv";
+/// Where the body goes in every scenario.
+pub const SCENARIOS: &str = "scenarios.csv";
+/// What the impedance controller does in every scenario.
+pub const WRENCH: &str = "wrench.csv";
+/// Distance and force of every pair in every scenario.
+pub const CONTACTS: &str = "contacts.csv";
+
+/// A row of `reference.csv`, and of traces: time and state.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StateRow {
+    time_s: Value,
+    px_m: Value,
+    py_m: Value,
+    pz_m: Value,
+    qw: Value,
+    qx: Value,
+    qy: Value,
+    qz: Value,
+    vx_m_s: Value,
+    vy_m_s: Value,
+    vz_m_s: Value,
+    wx_rad_s: Value,
+    wy_rad_s: Value,
+    wz_rad_s: Value,
+}
+
+/// A row of `scenarios.csv`: time, scenario from 1, state of the body.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ScenarioRow {
+    time_s: Value,
+    scenario: usize,
+    px_m: Value,
+    py_m: Value,
+    pz_m: Value,
+    qw: Value,
+    qx: Value,
+    qy: Value,
+    qz: Value,
+    vx_m_s: Value,
+    vy_m_s: Value,
+    vz_m_s: Value,
+    wx_rad_s: Value,
+    wy_rad_s: Value,
+    wz_rad_s: Value,
+}
+
+/// A row of `wrench.csv`: time, scenario from 1, force (N, world frame) and torque (Nm, body frame).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct WrenchRow {
+    time_s: Value,
+    scenario: usize,
+    fx_n: Value,
+    fy_n: Value,
+    fz_n: Value,
+    tx_nm: Value,
+    ty_nm: Value,
+    tz_nm: Value,
+}
+
+/// A row of `contacts.csv`: time, scenario from 1, pair, smoothed distance and force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ContactRow {
+    time_s: Value,
+    scenario: usize,
+    pair: String,
+    /// Empty where it could not be computed.
+    distance_m: Option<Value>,
+    force_n: Value,
+}
+
+impl StateRow {
+    /// At a time (s).
+    pub fn new(time: f64, state: &[f64; STATE]) -> Self {
+        let [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s] = state.map(Value);
+        let time_s = seconds(time);
+        Self { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s }
+    }
+
+    /// Time (s).
+    pub fn time(&self) -> f64 {
+        self.time_s.0
+    }
+
+    /// Pose and twist.
+    pub fn state(&self) -> [f64; STATE] {
+        let Self { px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, .. } = *self;
+        [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s].map(|value| value.0)
+    }
+}
+
+impl ScenarioRow {
+    fn new(scenario: usize, row: &StateRow) -> Self {
+        let StateRow { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s } =
+            *row;
+        Self { time_s, scenario, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s }
+    }
+
+    fn row(&self) -> StateRow {
+        let Self { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, .. } =
+            *self;
+        StateRow { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s }
+    }
+}
+
+/// Writes the four tables of a motion into a folder; `task` has its pairs.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn write_trajectory(folder: &Path, motion: &Trajectory, task: &AssemblyTask) -> Result<(), PlannerError> {
+    let time = |step: usize| step as f64 * motion.time_step;
+    let state_rows = |states: &[[f64; STATE]]| -> Vec<StateRow> {
+        states.iter().enumerate().map(|(step, state)| StateRow::new(time(step), state)).collect()
+    };
+    let scenarios = || motion.scenarios.iter().zip(1..);
+    let states = scenarios().flat_map(|(scenario, number)| {
+        state_rows(&scenario.states).into_iter().map(move |row| ScenarioRow::new(number, &row))
+    });
+    let wrenches = scenarios().flat_map(|(scenario, number)| {
+        scenario.wrenches.iter().zip(1..).map(move |(wrench, step)| {
+            let [fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm] = wrench.map(Value);
+            WrenchRow { time_s: seconds(time(step)), scenario: number, fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm }
+        })
+    });
+    let contacts = scenarios().flat_map(|(scenario, number)| {
+        scenario.contacts.iter().zip(1..).flat_map(move |(contacts, step)| {
+            contacts.iter().zip(&task.pairs).map(move |(contact, pair)| ContactRow {
+                time_s: seconds(time(step)),
+                scenario: number,
+                pair: pair.to_string(),
+                distance_m: Some(contact.distance).filter(|distance| distance.is_finite()).map(Value),
+                force_n: Value(contact.force),
+            })
+        })
+    });
+    write_file(&folder.join(REFERENCE), &to_csv(state_rows(&motion.reference))?)?;
+    write_file(&folder.join(SCENARIOS), &to_csv(states)?)?;
+    write_file(&folder.join(WRENCH), &to_csv(wrenches)?)?;
+    write_file(&folder.join(CONTACTS), &to_csv(contacts)?)
+}
+
+/// Reads a reference.
+///
+/// # Errors
+/// With the line where it is not one: fewer than two rows, unequal steps, a quaternion that is not of unit norm.
+pub fn read_reference(file: &Path) -> Result<Reference, PlannerError> {
+    let (time_step, states) = read_states(file)?;
+    Ok(Reference::new(time_step, &states))
+}
+
+/// Time step (s) and states of a reference.
+fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
+    /// How far the norm of a quaternion may be from 1.
+    const NORM: f64 = 1e-6;
+    /// Largest value that means anything (m, m/s, rad/s).
+    const LARGEST: f64 = 1e6;
+    let rows: Vec<StateRow> = read_csv(file)?;
+    let wrong = |row: usize, problem: &str| Err(PlannerError::line(file, row + 2, problem));
+    let [first, .., last] = rows.as_slice() else {
+        return wrong(rows.len(), "a reference has at least two rows");
+    };
+    let time_step = (last.time() - first.time()) / (rows.len() - 1) as f64;
+    for (index, row) in rows.iter().enumerate() {
+        if !(time_step > 0.0 && (row.time() - first.time() - index as f64 * time_step).abs() < 1e-3 * time_step) {
+            return wrong(index, "times must increase in equal steps");
+        }
+        let state = row.state();
+        let norm = state[3..7].iter().map(|component| component * component).sum::<f64>().sqrt();
+        if (norm - 1.0).abs() > NORM {
+            return wrong(index, "qw, qx, qy, qz are not a unit quaternion");
+        }
+        if state.iter().any(|value| value.abs() > LARGEST) {
+            return wrong(index, "a value is out of any reasonable range");
+        }
+    }
+    Ok((time_step, rows.iter().map(StateRow::state).collect()))
+}
+
+/// Reads the four tables of a folder exactly as they were written; what they do not hold (final errors, overlap, limits)
+/// is computed again from the task. The drift of quaternions, which are written with unit norm, is not known.
+///
+/// # Errors
+/// When a table is missing, wrong, or does not fit the others or the task.
+pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
+    let (_, reference) = read_states(&folder.join(REFERENCE))?;
+    let (steps, time_step) = (reference.len() - 1, task.horizon.time_step);
+    let states: Vec<ScenarioRow> = read_csv(&folder.join(SCENARIOS))?;
+    let wrenches: Vec<WrenchRow> = read_csv(&folder.join(WRENCH))?;
+    let contacts: Vec<ContactRow> = read_csv(&folder.join(CONTACTS))?;
+    let (scenarios, pairs) = (task.offsets.len(), task.pairs.len());
+    for (file, rows, expected) in [
+        (REFERENCE, steps, task.horizon.steps),
+        (SCENARIOS, states.len(), scenarios * (steps + 1)),
+        (WRENCH, wrenches.len(), scenarios * steps),
+        (CONTACTS, contacts.len(), scenarios * steps * pairs),
+    ] {
+        if rows != expected {
+            let problem = format!("{rows} rows where {expected} are expected; solve again");
+            return Err(PlannerError::file(&folder.join(file), problem));
+        }
+    }
+    let scenario = |index: usize| {
+        let states: Vec<[f64; STATE]> =
+            states[index * (steps + 1)..][..steps + 1].iter().map(|row| row.row().state()).collect();
+        let wrenches: Vec<[f64; TWIST]> = wrenches[index * steps..][..steps].iter().map(wrench).collect();
+        let contacts: Vec<Vec<Contact>> = (0..steps)
+            .map(|step| contacts[(index * steps + step) * pairs..][..pairs].iter().map(contact).collect())
+            .collect();
+        let poses: Vec<_> = states.iter().map(pose_of).collect();
+        let quality = Quality::new(task, &poses, &contacts);
+        let keeps = Limits::kept_by(&states, time_step, &wrenches, quality.max_force);
+        ScenarioTrajectory { offset: task.offsets[index], states, wrenches, contacts, quality, keeps }
+    };
+    Ok(Trajectory {
+        time_step,
+        reference_keeps: Limits::kept_by(&reference, time_step, &[], 0.0),
+        reference,
+        scenarios: (0..scenarios).map(scenario).collect(),
+        quaternion_drift: 0.0,
+    })
+}
+
+fn wrench(row: &WrenchRow) -> [f64; TWIST] {
+    let WrenchRow { fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm, .. } = *row;
+    [fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm].map(|value| value.0)
+}
+
+fn contact(row: &ContactRow) -> Contact {
+    Contact { distance: row.distance_m.map_or(f64::NAN, |distance| distance.0), force: row.force_n.0 }
+}

@@ -1,0 +1,63 @@
+//! Plans of robotic assembly motions: load, check, solve, simulate, refine, batches, and the files of all that.
+//!
+//! Nothing here prints, reads arguments or handles signals: a [`Session`] says who watches a computation and how it is
+//! stopped, a [`PlannerError`] why something could not be done.
+//!
+//! ```
+//! use std::sync::atomic::AtomicBool;
+//!
+//! use planner::{Choices, Event, Motion, Problem, RobustnessTarget, Session, SimulationRequest};
+//!
+//! # fn main() -> Result<(), planner::PlannerError> {
+//! let scene = std::path::Path::new("../../scenes/corner.toml");
+//! let problem = Problem::load(scene, &Choices { delta: Some(0.01), ..Choices::default() })?;
+//! let session = Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None };
+//! let plan = planner::solve(&problem, &session)?;
+//! let request = SimulationRequest { frictions: vec![0.0, 0.1], ..SimulationRequest::default() };
+//! let rollouts = planner::simulate(&problem, &[(Motion::Plan, plan.reference())], &request)?;
+//! let lost = rollouts.iter().filter(|rollout| rollout.motion == Motion::Plan && !rollout.success).count();
+//! println!("{}: {lost} rollouts miss the goal", plan.status());
+//! let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
+//! let robust = planner::refine(plan, &target, &session)?;
+//! assert!(robust.reaches_goal());
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`Problem`] | one start and offset magnitude of a scene with its homotopy: the one gate for all input |
+//! | [`solve`], [`refine`](mod@refine) | from a problem to a [`Plan`], and to a robust one |
+//! | [`simulate`](mod@simulate) | rollouts of plans, success rates |
+//! | [`check`](mod@check) | what a scene says, without solving it |
+//! | [`batch`] | every start, offset magnitude and homotopy of some scenes |
+//! | [`files`] | every file that is written or read |
+//!
+//! | paper | here |
+//! |---|---|
+//! | Sec. ocp:homotopy | [`solve()`] |
+//! | `Fig. realworldresults` | [`SuccessTable`] |
+
+pub mod batch;
+pub mod check;
+mod error;
+pub mod files;
+mod plan;
+mod problem;
+pub mod refine;
+mod session;
+pub mod simulate;
+mod solve;
+mod success_table;
+mod variant;
+mod warnings;
+
+pub use error::{Fault, PlannerError};
+pub use plan::{Plan, PlanIteration, PlanStatus};
+pub use problem::{Choices, Problem, homotopy};
+pub use refine::{RobustnessReport, RobustnessTarget, refine};
+pub use session::{Event, Observer, Session};
+pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, SimulationRequest, simulate};
+pub use solve::solve;
+pub use success_table::{SuccessGroup, SuccessTable};
+pub use variant::Variant;

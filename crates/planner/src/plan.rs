@@ -1,0 +1,129 @@
+//! A plan and everything that it was made with.
+
+use std::fmt;
+
+use ocp::HomotopyIteration;
+use simulation::Reference;
+use task::{AssemblyTask, Trajectory};
+
+use crate::files::IterationRecord;
+use crate::problem::Problem;
+use crate::refine::RobustnessReport;
+use crate::variant::Variant;
+
+/// A plan of a problem. It says itself what it was made with: a robust plan may come from another horizon, other
+/// scenarios or other smoothing than the problem's own.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// What was asked for.
+    pub problem: Problem,
+    /// What the homotopy has really solved.
+    pub variant: Variant,
+    /// All homotopy iterations that ran.
+    pub iterations: Vec<PlanIteration>,
+    /// The plan: its reference and the motion of every scenario.
+    pub trajectory: Trajectory,
+    /// The task whose pairs, offsets and horizon the trajectory has.
+    pub task: AssemblyTask,
+    /// Of a refined plan, whose scenarios are rollouts with hard contact.
+    pub robustness: Option<RobustnessReport>,
+    /// Whether the user stopped it.
+    pub interrupted: bool,
+}
+
+/// A homotopy iteration of a plan.
+#[derive(Debug, Clone)]
+pub struct PlanIteration {
+    /// What the solver did.
+    pub record: IterationRecord,
+    /// The motion it found, for the task of the plan's [`Variant`].
+    pub trajectory: Trajectory,
+}
+
+impl From<HomotopyIteration> for PlanIteration {
+    fn from(iteration: HomotopyIteration) -> Self {
+        Self { record: IterationRecord::from(&iteration), trajectory: iteration.trajectory }
+    }
+}
+
+/// What has become of a plan.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum PlanStatus {
+    /// The solver converged and every planned offset reaches the goal; a refined plan reaches the wanted success rate.
+    Done,
+    /// The solver converged, but not every planned offset reaches the goal.
+    GoalMissed,
+    /// The solver did not converge.
+    NotConverged {
+        /// Number of the homotopy iteration, from 1.
+        iteration: usize,
+        /// How it ended, in words.
+        status: String,
+    },
+    /// Refinement did not reach the wanted success rate.
+    NotRobust,
+    /// The user stopped it.
+    Interrupted,
+}
+
+impl fmt::Display for PlanStatus {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Done => formatter.write_str("done"),
+            Self::GoalMissed => formatter.write_str("converged, but the goal is not reached"),
+            Self::NotConverged { iteration, status } => write!(formatter, "homotopy iteration {iteration}: {status}"),
+            Self::NotRobust => formatter.write_str("the wanted success rate is not reached"),
+            Self::Interrupted => formatter.write_str("interrupted"),
+        }
+    }
+}
+
+impl Plan {
+    /// Of a homotopy that has run at least one iteration; its last one is the plan.
+    pub(crate) fn new(problem: &Problem, variant: Variant, iterations: Vec<PlanIteration>, interrupted: bool) -> Self {
+        let trajectory = iterations[iterations.len() - 1].trajectory.clone();
+        let task = variant.task.clone();
+        Self { problem: problem.clone(), variant, iterations, trajectory, task, robustness: None, interrupted }
+    }
+
+    /// The last homotopy iteration.
+    pub fn last(&self) -> &PlanIteration {
+        &self.iterations[self.iterations.len() - 1]
+    }
+
+    /// The motion to track.
+    pub fn reference(&self) -> Reference {
+        Reference::new(self.trajectory.time_step, &self.trajectory.reference)
+    }
+
+    /// Whether all iterations of its own homotopy ran and the last one found a solution.
+    pub fn is_converged(&self) -> bool {
+        self.iterations.len() == self.variant.settings.iterations && self.last().record.converged
+    }
+
+    /// Whether every planned offset reaches the goal; for a refined plan at every friction.
+    pub fn reaches_goal(&self) -> bool {
+        let (position, orientation) = self.trajectory.worst_errors();
+        match &self.robustness {
+            Some(report) => report.planned_offsets_succeed(),
+            None => self.problem.success().reached(position, orientation),
+        }
+    }
+
+    /// What has become of it.
+    pub fn status(&self) -> PlanStatus {
+        if self.interrupted {
+            return PlanStatus::Interrupted;
+        }
+        match &self.robustness {
+            Some(report) if report.is_reached() => PlanStatus::Done,
+            Some(_) => PlanStatus::NotRobust,
+            None if !self.is_converged() => PlanStatus::NotConverged {
+                iteration: self.iterations.len(),
+                status: self.last().record.status.clone(),
+            },
+            None if self.reaches_goal() => PlanStatus::Done,
+            None => PlanStatus::GoalMissed,
+        }
+    }
+}

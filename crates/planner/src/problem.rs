@@ -1,0 +1,155 @@
+//! A planning problem after defaults and choices: the one gate that every command and the library go through.
+
+use std::path::{Path, PathBuf};
+
+use scene::{Scene, StartPose, resolved};
+use simulation::Success;
+use task::{AssemblyTask, HomotopySettings, LinearSolver};
+
+use crate::error::PlannerError;
+use crate::files::hash;
+
+/// What is chosen of a scene; the default is the scene's own.
+#[derive(Debug, Clone, Default)]
+pub struct Choices {
+    /// Name of the start pose; the scene's first where none is given.
+    pub start: Option<String>,
+    /// Offset magnitude `delta-hat` (m).
+    pub delta: Option<f64>,
+    /// Homotopy file; the scene's own homotopy, else the built-in one where none is given.
+    pub homotopy: Option<PathBuf>,
+    /// Linear solver instead of the homotopy's.
+    pub linear_solver: Option<LinearSolver>,
+    /// What counts as reaching the goal.
+    pub success: Success,
+}
+
+/// One start and one offset magnitude of a scene, with the homotopy that solves it. All of it is valid: whoever has a
+/// problem can solve it.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    scene: Scene,
+    start: StartPose,
+    delta: f64,
+    success: Success,
+    task: AssemblyTask,
+    homotopy: HomotopySettings,
+    resolved: String,
+    identity: String,
+}
+
+impl Problem {
+    /// Reads a scene file and the files it names.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with a file or a choice, with its place.
+    pub fn load(file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
+        let scene = Scene::load(file)?;
+        let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
+        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, choices.success)
+            .map_err(|error| error.in_scene(file))
+    }
+
+    /// Of a scene, by default with its first start and its own offset magnitude (m).
+    ///
+    /// # Errors
+    /// When the scene has no such start, the magnitude is not possible, or the installed Ipopt cannot run these settings.
+    pub fn new(
+        scene: Scene,
+        start: Option<&str>,
+        delta: Option<f64>,
+        homotopy: HomotopySettings,
+        success: Success,
+    ) -> Result<Self, PlannerError> {
+        for (name, value) in [("position tolerance", success.position), ("angle tolerance", success.orientation)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(PlannerError::value(name, value, "must be above zero"));
+            }
+        }
+        let start = scene.start(start)?.clone();
+        let delta = delta.unwrap_or(scene.offset_magnitude);
+        let task = scene.task(Some(&start.name), Some(delta))?;
+        ocp::check_solver(&homotopy)?;
+        let resolved = resolved(&scene, &start, delta, &homotopy);
+        let identity = hash(format!("{}\n{resolved}", env!("CARGO_PKG_VERSION")).as_bytes());
+        Ok(Self { scene, start, delta, success, task, homotopy, resolved, identity })
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The start pose.
+    pub fn start(&self) -> &StartPose {
+        &self.start
+    }
+
+    /// Offset magnitude `delta-hat` (m).
+    pub fn delta(&self) -> f64 {
+        self.delta
+    }
+
+    /// What counts as reaching the goal.
+    pub fn success(&self) -> Success {
+        self.success
+    }
+
+    /// What is planned.
+    pub fn task(&self) -> &AssemblyTask {
+        &self.task
+    }
+
+    /// The task as it is in reality, which does not know which pairs the plan leaves out.
+    pub fn world(&self) -> AssemblyTask {
+        AssemblyTask { pairs: self.scene.all_pairs(), ..self.task.clone() }
+    }
+
+    /// How it is solved.
+    pub fn homotopy(&self) -> &HomotopySettings {
+        &self.homotopy
+    }
+
+    /// `resolved.toml`: everything that the plan depends on, shapes included.
+    pub fn resolved(&self) -> &str {
+        &self.resolved
+    }
+
+    /// What makes two problems the same one: a hash (hexadecimal) of [`Self::resolved`] and of the program's version.
+    /// Comments and file names do not change it, a mesh's content does.
+    pub fn identity(&self) -> &str {
+        &self.identity
+    }
+
+    /// Hash (hexadecimal) of what stands in the world: shapes, start and goal.
+    pub fn shapes_hash(&self) -> String {
+        let mut text = format!("{:?} {:?}\n", self.start.pose, self.scene.goal);
+        for part in self.scene.body.iter().chain(&self.scene.environment) {
+            text += &format!("{} {:?} {:?}\n", part.name, part.shape.normals(), part.shape.offsets());
+        }
+        hash(text.as_bytes())
+    }
+
+    /// Hash (hexadecimal) of everything else: inertia, impedance, offsets, horizon, cost, limits, homotopy.
+    pub fn settings_hash(&self) -> String {
+        let AssemblyTask { inertia, impedance, offsets, horizon, cost, limits, .. } = &self.task;
+        hash(format!("{inertia:?} {impedance:?} {offsets:?} {horizon:?} {cost:?} {limits:?} {:?}", self.homotopy).as_bytes())
+    }
+}
+
+/// The homotopy of a file, else of the scene, else the built-in one.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn homotopy(
+    scene: &Scene,
+    file: Option<&Path>,
+    linear_solver: Option<LinearSolver>,
+) -> Result<HomotopySettings, PlannerError> {
+    let mut homotopy = match file {
+        Some(file) => scene::load_homotopy(file)?,
+        None => scene.homotopy.clone().unwrap_or_else(scene::default_homotopy),
+    };
+    homotopy.linear_solver = linear_solver.unwrap_or(homotopy.linear_solver);
+    Ok(homotopy)
+}

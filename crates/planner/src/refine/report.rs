@@ -1,0 +1,101 @@
+//! The section `robust` of `result.json`.
+
+use serde::{Deserialize, Serialize};
+use simulation::Refinement;
+
+use crate::plan::PlanIteration;
+use crate::refine::evaluation::SuccessRates;
+use crate::variant::Variant;
+
+/// What was wanted, what was done and what came of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RobustnessReport {
+    /// Wanted success rate at each friction.
+    pub wanted_rate: f64,
+    /// Whether it is reached at each friction, and every planned offset succeeds.
+    pub reached: bool,
+    /// Success rate of the plan without refinement, all rollouts together.
+    pub rate_before: f64,
+    /// Success rate of the refined plan.
+    pub rate_after: f64,
+    /// Wall time, that of the first solve included.
+    pub wall_s: f64,
+    /// Success rates of the plan without refinement.
+    pub before: SuccessRates,
+    /// Success rates of the refined plan.
+    pub after: SuccessRates,
+    /// The round whose plan was kept, counted from 1.
+    pub kept_round: usize,
+    /// All rounds.
+    pub rounds: Vec<Round>,
+}
+
+/// One planning problem, its solution and the refinement of that.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Round {
+    /// What was planned, in words.
+    pub planned: String,
+    /// Planned offsets.
+    pub scenarios_m: Vec<[f64; 3]>,
+    /// Steps of the horizon.
+    pub steps: usize,
+    /// Time step of the horizon.
+    pub time_step_s: f64,
+    /// How the last solve ended.
+    pub solve_status: String,
+    /// Wall time of all solves.
+    pub solve_s: f64,
+    /// Homotopy iteration whose reference passed most training trials, counted from 1.
+    pub chosen_stage: usize,
+    /// Training trials.
+    pub training_trials: usize,
+    /// Training trials that failed before refinement.
+    pub training_failures: usize,
+    /// Wall time of the refinement.
+    pub refinement_s: f64,
+    /// Changes of the reference that were kept.
+    pub changes: usize,
+    /// Failing trials of evaluations that became training trials.
+    pub added_trials: usize,
+    /// Success rate in the best evaluation; null without any.
+    pub rate: Option<f64>,
+}
+
+impl Round {
+    /// A round whose homotopy, of at least one iteration, has run and whose chosen reference is still to be refined.
+    pub(crate) fn new(variant: &Variant, iterations: &[PlanIteration], chosen: usize, refinement: &Refinement) -> Self {
+        let records = || iterations.iter().map(|iteration| &iteration.record);
+        Self {
+            planned: variant.name.clone(),
+            scenarios_m: variant.task.offsets.clone(),
+            steps: variant.task.horizon.steps,
+            time_step_s: variant.task.horizon.time_step,
+            solve_status: records().last().map_or_else(String::new, |record| record.status.clone()),
+            solve_s: records().map(|record| record.wall_s).sum(),
+            chosen_stage: chosen,
+            training_trials: refinement.trials().len(),
+            training_failures: refinement.score().0,
+            refinement_s: 0.0,
+            changes: 0,
+            added_trials: 0,
+            rate: None,
+        }
+    }
+}
+
+impl RobustnessReport {
+    /// Whether every planned offset succeeds and the wanted rate holds, at each friction.
+    pub fn is_reached(&self) -> bool {
+        self.reached
+    }
+
+    /// Whether every planned offset succeeds at every friction.
+    pub fn planned_offsets_succeed(&self) -> bool {
+        self.after.planned_succeed()
+    }
+
+    /// The round whose plan was kept.
+    pub fn kept(&self) -> Option<&Round> {
+        self.rounds.get(self.kept_round.checked_sub(1)?)
+    }
+}

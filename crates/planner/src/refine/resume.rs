@@ -1,0 +1,104 @@
+//! Refinements that go on where another run has stopped.
+
+use std::time::Duration;
+
+use simulation::{Reference, Trial};
+
+use crate::error::PlannerError;
+use crate::files::{BestRecord, RefinementCheckpoint, TrialRecord};
+use crate::plan::{Plan, PlanIteration};
+use crate::refine::candidate::Kept;
+use crate::refine::report::Round;
+use crate::refine::{Refiner, SEED};
+use crate::session::Event;
+use crate::variant::Variant;
+
+impl Refiner<'_> {
+    /// What is to be kept of the refinement.
+    pub(super) fn checkpoint(&self, kept: &Kept, rounds: Vec<Round>) -> RefinementCheckpoint {
+        let success = self.problem.success();
+        RefinementCheckpoint {
+            identity: self.problem.identity().to_owned(),
+            frictions: self.target.frictions.clone(),
+            turn_rad: self.target.turn,
+            tolerance: [success.position, success.orientation],
+            elapsed_s: self.elapsed().as_secs_f64(),
+            evaluations: self.evaluations,
+            before: self.before.clone(),
+            training: self.training.iter().map(TrialRecord::from).collect(),
+            best: BestRecord {
+                name: kept.variant.name.clone(),
+                offsets_m: kept.variant.task.offsets.clone(),
+                steps: kept.variant.task.horizon.steps,
+                time_step_s: kept.variant.task.horizon.time_step,
+                homotopy_iterations: kept.variant.settings.iterations,
+                is_scenes_own: kept.is_scenes_own,
+                iterations: kept.iterations.iter().map(|iteration| iteration.record.clone()).collect(),
+                reference: kept.reference.states(),
+                rates: kept.rates.clone(),
+                failing_m: kept.failing.clone(),
+                round: kept.round,
+            },
+            rounds,
+        }
+    }
+
+    /// What another run has left, if it was refined for the same target.
+    pub(super) fn earlier_work(&self) -> Result<Option<RefinementCheckpoint>, PlannerError> {
+        let Some(folder) = self.session.folder else { return Ok(None) };
+        let success = self.problem.success();
+        let reason = match folder.refinement(self.problem.identity()) {
+            Ok(None) => return Ok(None),
+            Ok(Some(checkpoint)) => {
+                let same = checkpoint.frictions == self.target.frictions
+                    && checkpoint.turn_rad == self.target.turn
+                    && checkpoint.tolerance == [success.position, success.orientation]
+                    && checkpoint.training.iter().all(|trial| trial.friction < checkpoint.frictions.len())
+                    && checkpoint.best.reference.len() == checkpoint.best.steps + 1
+                    && !checkpoint.best.iterations.is_empty();
+                if same {
+                    return Ok(Some(checkpoint));
+                }
+                "it was refined for other frictions, turns or tolerances"
+            }
+            Err(reason) => reason,
+        };
+        self.session.tell(Event::Discarded { reason });
+        Ok(None)
+    }
+
+    /// Takes over what another run has left; `plan` is that of the scene itself.
+    pub(super) fn restore(&mut self, checkpoint: RefinementCheckpoint, plan: &Plan) -> Result<Kept, PlannerError> {
+        let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
+        self.spent = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
+        self.evaluations = evaluations;
+        self.seed = SEED + evaluations;
+        self.before = before;
+        self.training = training.iter().map(Trial::from).collect();
+        self.rounds = rounds;
+        let mut variant = Variant { name: best.name, ..plan.variant.clone() };
+        variant.task.offsets = best.offsets_m;
+        variant.task.horizon.steps = best.steps;
+        variant.task.horizon.time_step = best.time_step_s;
+        variant.settings.iterations = best.homotopy_iterations;
+        let iterations = match (best.is_scenes_own, self.session.folder) {
+            (false, Some(folder)) => {
+                let read = |(number, record)| {
+                    let trajectory = folder.read_refined_iteration(number, &variant.task)?;
+                    Ok(PlanIteration { record, trajectory })
+                };
+                (1..).zip(best.iterations).map(read).collect::<Result<_, PlannerError>>()?
+            }
+            _ => plan.iterations.clone(),
+        };
+        Ok(Kept {
+            reference: Reference::new(best.time_step_s, &best.reference),
+            variant,
+            iterations,
+            rates: best.rates,
+            failing: best.failing_m,
+            round: best.round,
+            is_scenes_own: best.is_scenes_own,
+        })
+    }
+}

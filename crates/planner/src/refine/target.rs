@@ -1,0 +1,85 @@
+//! What a robust plan must bear, and how much time may be spent on it.
+
+use std::time::Duration;
+
+use crate::error::PlannerError;
+
+/// What a robust plan must bear, and how much time may be spent on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RobustnessTarget {
+    /// Success rate to reach at each friction, 0 to 1.
+    pub wanted_rate: f64,
+    /// Coulomb coefficients, each once.
+    pub frictions: Vec<f64>,
+    /// Largest turn of the part in the gripper besides its offset, about any axis (rad).
+    pub turn: f64,
+    /// When to stop refining, the time of the first solve included.
+    pub time_limit: Duration,
+    /// Changes in a row without improvement after which the refinement of a plan is stuck.
+    pub patience: usize,
+    /// Threads; they change nothing but the time it takes.
+    pub threads: usize,
+}
+
+impl Default for RobustnessTarget {
+    fn default() -> Self {
+        Self {
+            wanted_rate: 0.99,
+            frictions: vec![0.0, 0.1],
+            turn: 0.0,
+            time_limit: Duration::from_secs(300),
+            patience: 150,
+            threads: std::thread::available_parallelism().map_or(1, Into::into),
+        }
+    }
+}
+
+/// Largest friction coefficient that means anything.
+const LARGEST_FRICTION: f64 = 10.0;
+/// More frictions than anyone needs.
+const MOST_FRICTIONS: usize = 20;
+/// More threads than any machine has.
+const MOST_THREADS: usize = 1024;
+
+impl RobustnessTarget {
+    /// Checks all values.
+    ///
+    /// # Errors
+    /// With the first that is out of its range.
+    pub fn validate(&self) -> Result<(), PlannerError> {
+        require(0.0 <= self.wanted_rate && self.wanted_rate <= 1.0, "wanted rate", self.wanted_rate, "must lie between 0 and 1")?;
+        require_frictions(&self.frictions)?;
+        require_turn(self.turn)?;
+        require_threads(self.threads)
+    }
+
+    /// The smallest friction: that of the motions which the plan shows.
+    pub fn least_friction(&self) -> f64 {
+        self.frictions.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Checks friction coefficients: at least one, finite, each once.
+pub fn require_frictions(frictions: &[f64]) -> Result<(), PlannerError> {
+    require((1..=MOST_FRICTIONS).contains(&frictions.len()), "number of frictions", frictions.len(), "must be 1 to 20")?;
+    for (index, friction) in frictions.iter().enumerate() {
+        require((0.0..=LARGEST_FRICTION).contains(friction), "friction", friction, "must lie between 0 and 10")?;
+        require(!frictions[..index].contains(friction), "friction", friction, "is given twice")?;
+    }
+    Ok(())
+}
+
+/// Checks a turn of the part in the gripper.
+pub fn require_turn(turn: f64) -> Result<(), PlannerError> {
+    require((0.0..=std::f64::consts::FRAC_PI_2).contains(&turn), "turn", turn, "must lie between 0 and 1.57 rad")
+}
+
+/// Checks a number of threads.
+pub fn require_threads(threads: usize) -> Result<(), PlannerError> {
+    require((1..=MOST_THREADS).contains(&threads), "threads", threads, "must lie between 1 and 1024")
+}
+
+/// An error about a value unless a rule holds.
+pub fn require(holds: bool, name: &'static str, value: impl ToString, rule: &str) -> Result<(), PlannerError> {
+    if holds { Ok(()) } else { Err(PlannerError::value(name, value, rule)) }
+}

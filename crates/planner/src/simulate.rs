@@ -1,0 +1,242 @@
+//! Rollouts of a plan with hard contacts at injected grasp errors, beside an unplanned straight push.
+
+use std::fmt;
+
+use simulation::{GraspError, Outcome, Reference, Rollout, Settings, offsets};
+
+use crate::error::PlannerError;
+use crate::problem::Problem;
+use crate::refine::{require, require_frictions, require_threads, require_turn};
+
+/// What is played.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// The reference after a homotopy iteration (counted from 1).
+    HomotopyIteration(usize),
+    /// The plan's reference.
+    Plan,
+    /// Straight from start to goal, unplanned: what a plan has to beat.
+    StraightPush,
+}
+
+impl fmt::Display for Motion {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            // As the folder of its tables.
+            Self::HomotopyIteration(number) => formatter.pad(&format!("stage {number}")),
+            Self::Plan => formatter.pad("plan"),
+            Self::StraightPush => formatter.pad("straight push"),
+        }
+    }
+}
+
+/// Which offsets are injected.
+#[derive(Debug, Clone, PartialEq)]
+pub enum OffsetSource {
+    /// The planned ones.
+    Planned,
+    /// So many random convex combinations of the planned ones.
+    Hull(usize),
+    /// So many random ones, uniform in a ball.
+    Ball(usize),
+    /// A grid in the hull of the planned ones with so many intervals along each of its edges.
+    Grid(usize),
+    /// These (m, body frame); magnitudes do not scale them.
+    Listed(Vec<[f64; 3]>),
+}
+
+/// Which grasp errors are injected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GraspErrors {
+    /// Which offsets.
+    pub offsets: OffsetSource,
+    /// Magnitudes (m) to which the planned offsets are scaled; the problem's own where there are none.
+    pub magnitudes: Vec<f64>,
+    /// The part is also turned in the gripper at random, by up to this angle (rad) about any axis.
+    pub turn: f64,
+    /// Seed of random offsets and turns.
+    pub seed: u64,
+}
+
+impl Default for GraspErrors {
+    fn default() -> Self {
+        Self { offsets: OffsetSource::Planned, magnitudes: Vec::new(), turn: 0.0, seed: 1 }
+    }
+}
+
+/// What is simulated, and how.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SimulationRequest {
+    /// Injected errors.
+    pub errors: GraspErrors,
+    /// Coulomb coefficients, each once.
+    pub frictions: Vec<f64>,
+    /// Time step of the simulation (s).
+    pub time_step: f64,
+    /// How long the end of the reference is held before a rollout is judged (s).
+    pub settling_time: f64,
+    /// Threads; they change nothing but the time it takes.
+    pub threads: usize,
+}
+
+impl Default for SimulationRequest {
+    fn default() -> Self {
+        let Settings { time_step, settling_time, friction } = Settings::default();
+        let threads = std::thread::available_parallelism().map_or(1, Into::into);
+        Self { errors: GraspErrors::default(), frictions: vec![friction], time_step, settling_time, threads }
+    }
+}
+
+/// One rollout and what it was.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlayedRollout {
+    /// What was played.
+    pub motion: Motion,
+    /// Coulomb's coefficient.
+    pub friction: f64,
+    /// Modelled magnitude delta-hat (m).
+    pub delta: f64,
+    /// Injected magnitude (m): the largest length of listed offsets.
+    pub magnitude: f64,
+    /// Injected error.
+    pub grasp: GraspError,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Whether it reached the goal.
+    pub success: bool,
+}
+
+/// More rollouts than anyone waits for.
+const MOST_ROLLOUTS: usize = 10_000_000;
+/// More offsets of one magnitude than anyone needs.
+const MOST_OFFSETS: usize = 1_000_000;
+/// Largest magnitude of an offset (m).
+const LARGEST_MAGNITUDE: f64 = 10.0;
+
+impl SimulationRequest {
+    /// Checks all values.
+    ///
+    /// # Errors
+    /// With the first that is out of its range.
+    pub fn validate(&self) -> Result<(), PlannerError> {
+        require_frictions(&self.frictions)?;
+        require_turn(self.errors.turn)?;
+        require_threads(self.threads)?;
+        for friction in &self.frictions {
+            self.settings(*friction).validate()?;
+        }
+        for (index, magnitude) in self.errors.magnitudes.iter().enumerate() {
+            let in_range = (0.0..=LARGEST_MAGNITUDE).contains(magnitude);
+            require(in_range, "magnitude", magnitude, "must lie between 0 and 10 m")?;
+            require(!self.errors.magnitudes[..index].contains(magnitude), "magnitude", magnitude, "is given twice")?;
+        }
+        match &self.errors.offsets {
+            OffsetSource::Hull(count) | OffsetSource::Ball(count) => {
+                require((1..=MOST_OFFSETS).contains(count), "number of offsets", count, "must lie between 1 and 1000000")
+            }
+            OffsetSource::Grid(divisions) => {
+                require((1..=MOST_OFFSETS).contains(divisions), "grid", divisions, "must lie between 1 and 1000000")
+            }
+            OffsetSource::Planned | OffsetSource::Listed(_) => Ok(()),
+        }
+    }
+
+    /// How a rollout of a friction is computed.
+    pub fn settings(&self, friction: f64) -> Settings {
+        Settings { time_step: self.time_step, friction, settling_time: self.settling_time }
+    }
+}
+
+/// Plays motions, and the straight push, with all frictions and grasp errors, in this order. Reality does not know which
+/// pairs the plan has left out.
+///
+/// # Errors
+/// When the request is out of range.
+pub fn simulate(
+    problem: &Problem,
+    motions: &[(Motion, Reference)],
+    request: &SimulationRequest,
+) -> Result<Vec<PlayedRollout>, PlannerError> {
+    request.validate()?;
+    let world = problem.world();
+    let injections = injections(problem, &request.errors)?;
+    let push = (Motion::StraightPush, Reference::straight(&world.start, &world.goal, world.horizon));
+    let offsets: usize = injections.iter().map(|injection| injection.errors.len()).sum();
+    let count = offsets.saturating_mul(request.frictions.len()).saturating_mul(motions.len() + 1);
+    require(count <= MOST_ROLLOUTS, "number of rollouts", count, "must not be above 10000000; play fewer offsets")?;
+    let success = problem.success();
+    let mut played = Vec::with_capacity(count);
+    for &friction in &request.frictions {
+        let rollout = Rollout::new(&world, request.settings(friction));
+        for (motion, reference) in motions.iter().chain([&push]) {
+            for Injection { magnitude, errors } in &injections {
+                let outcomes = rollout.simulate(reference, errors, request.threads);
+                played.extend(errors.iter().zip(outcomes).map(|(&grasp, outcome)| PlayedRollout {
+                    motion: *motion,
+                    friction,
+                    delta: problem.delta(),
+                    magnitude: *magnitude,
+                    grasp,
+                    outcome,
+                    success: outcome.reaches_goal(&success),
+                }));
+            }
+        }
+    }
+    Ok(played)
+}
+
+/// Grasp errors that are counted together.
+struct Injection {
+    /// Magnitude, or the largest length in a list (m).
+    magnitude: f64,
+    errors: Vec<GraspError>,
+}
+
+fn injections(problem: &Problem, errors: &GraspErrors) -> Result<Vec<Injection>, PlannerError> {
+    if let OffsetSource::Listed(offsets) = &errors.offsets {
+        let length = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
+        let magnitude = offsets.iter().map(length).fold(0.0, f64::max);
+        require(magnitude <= LARGEST_MAGNITUDE, "offset", magnitude, "must not be longer than 10 m")?;
+        return Ok(vec![Injection { magnitude, errors: with_turns(offsets, errors) }]);
+    }
+    let mut magnitudes = errors.magnitudes.clone();
+    if magnitudes.is_empty() {
+        magnitudes.push(problem.delta());
+    }
+    magnitudes.sort_by(f64::total_cmp);
+    let of_magnitude = |&magnitude: &f64| {
+        let directions = &problem.scene().offset_directions;
+        let planned: Vec<[f64; 3]> = directions.iter().map(|axes| axes.map(|axis| magnitude * axis)).collect();
+        let offsets = match &errors.offsets {
+            OffsetSource::Hull(count) => offsets::hull(&planned, *count, errors.seed),
+            OffsetSource::Ball(count) => offsets::ball(magnitude, *count, errors.seed),
+            OffsetSource::Grid(divisions) => grid(&planned, *divisions)?,
+            _ => planned,
+        };
+        Ok(Injection { magnitude, errors: with_turns(&offsets, errors) })
+    };
+    magnitudes.iter().map(of_magnitude).collect()
+}
+
+fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, PlannerError> {
+    const LARGEST: f64 = 10_000.0;
+    let size = offsets::grid_size(planned.len(), divisions);
+    let rule = format!("has {size:.0} offsets, more than {LARGEST}; use fewer intervals, or random offsets");
+    require(size <= LARGEST, "grid", divisions, &rule)?;
+    Ok(offsets::grid(planned, divisions))
+}
+
+/// Every offset with a turn of its own.
+fn with_turns(offsets: &[[f64; 3]], errors: &GraspErrors) -> Vec<GraspError> {
+    let turns = offsets::ball(errors.turn, offsets.len(), errors.seed);
+    GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| GraspError { offset, turn }))
+}
+
+/// Rollouts in which parts overlap. Contacts are hard: what overlaps has done so from the beginning.
+pub fn overlapping(played: &[PlayedRollout]) -> usize {
+    /// More than time steps leave (m).
+    const OVERLAP: f64 = 1e-4;
+    played.iter().filter(|rollout| rollout.outcome.max_penetration > OVERLAP).count()
+}
+

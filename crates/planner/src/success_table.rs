@@ -1,0 +1,175 @@
+//! Rates of success by modelled and injected magnitude (Fig. realworldresults).
+
+use std::fmt;
+
+use simulation::wilson_interval;
+
+use crate::simulate::{Motion, PlayedRollout};
+
+/// Rollouts that differ by nothing but plan (of the same delta-hat) and grasp error (of the same magnitude).
+#[derive(Debug, Clone, PartialEq)]
+pub struct SuccessGroup {
+    /// What was played.
+    pub motion: Motion,
+    /// Coulomb's coefficient.
+    pub friction: f64,
+    /// Modelled magnitude delta-hat (m).
+    pub delta: f64,
+    /// Injected magnitude (m).
+    pub magnitude: f64,
+    /// Rollouts.
+    pub rollouts: usize,
+    /// Those that reach the goal.
+    pub successes: usize,
+    /// Largest final distance from the goal (m).
+    pub position_error: f64,
+    /// Largest final angle to the goal (rad).
+    pub orientation_error: f64,
+    /// Deepest overlap (m).
+    pub max_penetration: f64,
+    /// Largest contact force (N).
+    pub max_force: f64,
+}
+
+impl SuccessGroup {
+    fn new(played: &PlayedRollout) -> Self {
+        Self {
+            motion: played.motion,
+            friction: played.friction,
+            delta: played.delta,
+            magnitude: played.magnitude,
+            rollouts: 0,
+            successes: 0,
+            position_error: 0.0,
+            orientation_error: 0.0,
+            max_penetration: 0.0,
+            max_force: 0.0,
+        }
+    }
+
+    fn takes(&self, played: &PlayedRollout) -> bool {
+        let key = (played.motion, played.friction, played.delta, played.magnitude);
+        (self.motion, self.friction, self.delta, self.magnitude) == key
+    }
+
+    fn add(&mut self, played: &PlayedRollout) {
+        let outcome = &played.outcome;
+        self.rollouts += 1;
+        self.successes += usize::from(played.success);
+        self.position_error = self.position_error.max(outcome.position_error);
+        self.orientation_error = self.orientation_error.max(outcome.orientation_error);
+        self.max_penetration = self.max_penetration.max(outcome.max_penetration);
+        self.max_force = self.max_force.max(outcome.max_force);
+    }
+
+    /// `17/20 (64-95 %)`.
+    fn rate(&self) -> String {
+        let [low, high] = wilson_interval(self.successes, self.rollouts).map(|rate| 100.0 * rate);
+        format!("{}/{} ({low:.0}-{high:.0} %)", self.successes, self.rollouts)
+    }
+}
+
+/// All groups, in the order of motion, friction, modelled and injected magnitude.
+pub struct SuccessTable {
+    groups: Vec<SuccessGroup>,
+}
+
+impl SuccessTable {
+    /// Counts rollouts.
+    pub fn new(played: &[PlayedRollout]) -> Self {
+        let mut groups: Vec<SuccessGroup> = Vec::new();
+        for played in played {
+            let known = groups.iter().position(|group| group.takes(played));
+            let index = known.unwrap_or_else(|| {
+                groups.push(SuccessGroup::new(played));
+                groups.len() - 1
+            });
+            groups[index].add(played);
+        }
+        let order = |group: &SuccessGroup| match group.motion {
+            Motion::HomotopyIteration(number) => number,
+            Motion::Plan => usize::MAX - 1,
+            Motion::StraightPush => usize::MAX,
+        };
+        groups.sort_by(|one, other| {
+            let by_motion = order(one).cmp(&order(other)).then(one.friction.total_cmp(&other.friction));
+            by_motion.then(one.delta.total_cmp(&other.delta)).then(one.magnitude.total_cmp(&other.magnitude))
+        });
+        Self { groups }
+    }
+
+    /// All groups.
+    pub fn groups(&self) -> &[SuccessGroup] {
+        &self.groups
+    }
+
+    /// The straight push that a group is compared with.
+    fn baseline(&self, group: &SuccessGroup) -> Option<&SuccessGroup> {
+        let key = (Motion::StraightPush, group.friction, group.delta, group.magnitude);
+        self.groups.iter().find(|other| (other.motion, other.friction, other.delta, other.magnitude) == key)
+    }
+
+    /// Largest errors, overlap and force of every group, beside the straight push.
+    fn write_details(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(
+            formatter,
+            "{:<8} {:>8} {:>8} {:>8}  {:<20} {:>9} {:>9} {:>9} {:>7}  straight push",
+            "motion", "friction", "modelled", "injected", "success", "error", "angle", "overlap", "force"
+        )?;
+        for group in self.groups.iter().filter(|group| group.motion != Motion::StraightPush) {
+            writeln!(
+                formatter,
+                "{:<8} {:>8} {:>5.1} mm {:>5.1} mm  {:<20} {:>6.2} mm {:>5.3} rad {:>6.3} mm {:>5.1} N  {}",
+                group.motion,
+                group.friction,
+                1e3 * group.delta,
+                1e3 * group.magnitude,
+                group.rate(),
+                1e3 * group.position_error,
+                group.orientation_error,
+                1e3 * group.max_penetration,
+                group.max_force,
+                self.baseline(group).map(SuccessGroup::rate).unwrap_or_default()
+            )?;
+        }
+        Ok(())
+    }
+
+    /// Rates of success in %: one row per motion, friction and modelled magnitude, one column per injected magnitude.
+    fn write_matrix(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let mut magnitudes: Vec<f64> = self.groups.iter().map(|group| group.magnitude).collect();
+        magnitudes.sort_by(f64::total_cmp);
+        magnitudes.dedup();
+        let same_row = |one: &SuccessGroup, other: &SuccessGroup| {
+            (one.motion, one.friction, one.delta) == (other.motion, other.friction, other.delta)
+        };
+        write!(formatter, "{:<14} {:>8} {:>8}", "success in %", "friction", "modelled")?;
+        magnitudes.iter().try_for_each(|magnitude| write!(formatter, " {:>5.1} mm", 1e3 * magnitude))?;
+        writeln!(formatter)?;
+        for row in self.groups.chunk_by(same_row) {
+            write!(formatter, "{:<14} {:>8} {:>5.1} mm", row[0].motion, row[0].friction, 1e3 * row[0].delta)?;
+            for magnitude in &magnitudes {
+                match row.iter().find(|group| group.magnitude == *magnitude) {
+                    Some(group) => {
+                        write!(formatter, " {:>8.0}", 100.0 * group.successes as f64 / group.rollouts as f64)?;
+                    }
+                    None => write!(formatter, " {:>8}", "")?,
+                }
+            }
+            writeln!(formatter)?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for SuccessTable {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        self.write_details(formatter)?;
+        let first = self.groups.first().map(|group| group.magnitude);
+        if self.groups.iter().any(|group| Some(group.magnitude) != first) {
+            writeln!(formatter)?;
+            self.write_matrix(formatter)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,42 @@
+//! What is odd about a problem or a plan, in plain words with the setting that cures it.
+
+mod limits;
+mod smoothing;
+
+use nlp::{IPOPT_VERSION, TAKES_OWN_SOLVER};
+use task::LinearSolver;
+
+use crate::plan::Plan;
+use crate::problem::Problem;
+
+impl Problem {
+    /// What is odd about the problem before it is solved.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = self.scene().warnings.clone();
+        if self.homotopy().linear_solver == LinearSolver::Stage && !TAKES_OWN_SOLVER {
+            warnings.push(format!(
+                "Ipopt {IPOPT_VERSION} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower"
+            ));
+        }
+        warnings
+    }
+}
+
+impl Plan {
+    /// What is odd about the problem and the plan.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = self.problem.warnings();
+        warnings.extend(self.own_warnings());
+        warnings
+    }
+
+    /// What is wrong with the plan. A refined one does not lean on smoothing: its scenarios are rollouts with hard
+    /// contact.
+    pub fn own_warnings(&self) -> Vec<String> {
+        let mut warnings = limits::warnings(&self.task.limits, &self.trajectory.keeps());
+        if self.robustness.is_none() && self.last().record.converged {
+            warnings.extend(smoothing::warning(self));
+        }
+        warnings
+    }
+}
