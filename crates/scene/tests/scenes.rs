@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ocp::{Complementarity, HessianKind, Limits};
+use ocp::Limits;
 use scene::{Homotopy, Scene, SceneError, Source, resolved};
 
 const SCENE: &str = r#"
@@ -175,31 +175,6 @@ fn every_scene_and_homotopy_of_the_project_loads() {
     }
     for entry in std::fs::read_dir(folder("configs")).unwrap() {
         Homotopy::load(&entry.unwrap().path()).unwrap_or_else(|error| panic!("{error}"));
-    }
-}
-
-#[test]
-fn the_default_homotopy_is_that_of_the_pegs() {
-    let peg = Homotopy::load(&folder("configs/homotopy_peg.toml")).unwrap();
-    assert_eq!(Homotopy::default().to_tables(), peg.to_tables());
-}
-
-#[test]
-fn homotopy_values_are_checked() {
-    let parse = |text: &str| Homotopy::parse(Source { file: Path::new("h.toml"), text });
-    let settings = parse("[homotopy]\ncomplementarity = \"smoothing\"\nhessian = \"l-bfgs\"").unwrap().0;
-    assert_eq!(settings.complementarity, Complementarity::Smoothing);
-    assert_eq!(settings.hessian, HessianKind::LimitedMemory);
-    for (text, words) in [
-        ("[homotopy]\ntau_rate = 1.2", "homotopy.tau_rate = 1.2: must lie in (0, 1)"),
-        ("[homotopy]\niterations = 0", "must be at least 1"),
-        ("[homotopy]\nhessian = \"exakt\"", "did you mean `exact`?"),
-        ("[homotopy]\nlinear_solver = \"mumsp\"", "did you mean `mumps`?"),
-        ("[homotopi]", "did you mean `homotopy`?"),
-        ("[ipopt]\ntol = [1]", "ipopt.tol must be"),
-    ] {
-        let error = parse(text).unwrap_err();
-        assert!(error.message().contains(words), "{error}");
     }
 }
 
