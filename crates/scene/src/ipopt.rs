@@ -42,7 +42,7 @@ fn row(line: &'static str) -> Option<(&'static str, Kind)> {
 }
 
 /// Options that a file may not set, with the reason and what to do instead. `*` stands for any text.
-const REFUSED: [(&str, &str); 19] = [
+const REFUSED: [(&str, &str); 21] = [
     ("mu_init", "it changes from one homotopy iteration to the next; use homotopy.mu_init and homotopy.mu_rate"),
     ("linear_solver", "the program has to prepare it; use homotopy.linear_solver or --linear-solver"),
     ("hessian_approximation", "the program has to compute what Ipopt expects; use homotopy.hessian"),
@@ -91,12 +91,24 @@ const REFUSED: [(&str, &str); 19] = [
     ),
     ("skip_finalize_solution_call", "the solution would get lost; use Ipopt's default"),
     ("obj_scaling_factor", "a negative factor would maximise the cost; use nlp_scaling_obj_target_gradient"),
+    ("mehrotra_algorithm", "it is made for linear programs, and Ipopt may crash; use mu_strategy = \"adaptive\""),
+    ("warm_start_target_mu", "Ipopt may crash; use homotopy.mu_init and homotopy.mu_rate"),
     ("hsllib", "libraries are not loaded by path; install HSL as libhsl.so and use homotopy.linear_solver"),
     ("pardisolib", "libraries are not loaded by path; use homotopy.linear_solver"),
     (
         "ma28_* ma77_* ma86_* pardiso_* spral_* wsmp_*",
         "this linear solver cannot be chosen; use homotopy.linear_solver and the options of the one that it names",
     ),
+];
+
+/// Choices of an option that a file may not make, with the reason and what to do instead.
+const REFUSED_CHOICES: [(&str, &str, &str); 2] = [
+    (
+        "nlp_scaling_method",
+        "equilibration-based",
+        "Ipopt ends the program where HSL is not installed; use gradient-based or none",
+    ),
+    ("nlp_scaling_method", "user-scaling", "the program gives no scaling factors; use gradient-based or none"),
 ];
 
 /// Why an option may not be set.
@@ -106,6 +118,11 @@ fn refusal(name: &str) -> Option<&'static str> {
         None => name == pattern,
     };
     REFUSED.iter().find(|(patterns, _)| patterns.split(' ').any(fits)).map(|(_, reason)| *reason)
+}
+
+/// Why an option may not be set to this.
+fn refusal_of_choice(name: &str, text: &str) -> Option<&'static str> {
+    REFUSED_CHOICES.iter().find(|(option, choice, _)| (*option, *choice) == (name, text)).map(|(_, _, reason)| *reason)
 }
 
 /// The options that a file gives, by name.
@@ -152,8 +169,11 @@ fn option(source: Source, name: &Spanned<String>, value: &Spanned<Value>) -> Res
             range.check(source, &key, span, *number).map(OptionValue::Number)
         }
         (Kind::Text(choices), Value::String(text)) if is_word(text) => {
-            source.require_known(&Spanned::new(span, text.clone()), choices)?;
-            Ok(OptionValue::Text(text.clone()))
+            source.require_known(&Spanned::new(span.clone(), text.clone()), choices)?;
+            match refusal_of_choice(name.get_ref(), text) {
+                Some(reason) => Err(source.error(span, format!("{key} cannot be `{text}`: {reason}"))),
+                None => Ok(OptionValue::Text(text.clone())),
+            }
         }
         (Kind::Integer(_), _) => must_be("an integer"),
         (Kind::Number(_), _) => must_be("a number"),

@@ -83,7 +83,7 @@ fn wrong_options_are_refused_where_they_stand() {
         ("bound_relax_factor = -1", "ipopt.bound_relax_factor = -1: must be at least 0", 22),
         ("bound_frac = 0.51", "ipopt.bound_frac = 0.51: must lie in (0, 0.5]", 14),
         ("mu_superlinear_decrease_power = 2", "ipopt.mu_superlinear_decrease_power = 2: must lie in (1, 2)", 33),
-        ("warm_start_target_mu = -inf", "ipopt.warm_start_target_mu = -inf: must be finite", 24),
+        ("mumps_dep_tol = -inf", "ipopt.mumps_dep_tol = -inf: must be finite", 17),
         ("max_iter = 5.0", "ipopt.max_iter must be an integer", 12),
         ("max_iter = 2000-01-01", "ipopt.max_iter must be an integer", 12),
         ("max_iter = -1", "ipopt.max_iter = -1: must be at least 0", 12),
@@ -91,6 +91,13 @@ fn wrong_options_are_refused_where_they_stand() {
         ("mumps_scaling = 78", "ipopt.mumps_scaling = 78: must lie in [-2, 77]", 17),
         ("mu_strategy = \"adaptiv\"", "unknown value `adaptiv`, did you mean `adaptive`?", 15),
         ("mu_strategy = \"a\\u0000\"", "ipopt.mu_strategy must be a string; valid are: monotone, adaptive", 15),
+        (
+            "nlp_scaling_method = \"equilibration-based\"",
+            "ipopt.nlp_scaling_method cannot be `equilibration-based`: Ipopt ends the program where HSL is not installed; \
+             use gradient-based or none",
+            22,
+        ),
+        ("nlp_scaling_method = \"user-scaling\"", "gives no scaling factors; use gradient-based or none", 22),
         ("recalc_y = true", "ipopt.recalc_y must be a string; valid are: no, yes", 12),
     ] {
         assert_place(&parse(&format!("[homotopy]\n[ipopt]\n{entry}")).unwrap_err(), words, (3, column));
@@ -132,7 +139,7 @@ fn there_are_fifty_options_at_most() {
 fn value(line: &str) -> String {
     let (kind, values) = line.split_once(' ').unwrap().1.split_once(' ').unwrap();
     if kind == "string" {
-        return format!("\"{}\"", values.split(' ').next_back().unwrap());
+        return format!("\"{}\"", values.split(' ').next().unwrap());
     }
     let (lower, upper) = values.trim_matches(['(', '[', ']', ')']).split_once(", ").unwrap();
     let (lower, upper) = (lower.parse::<f64>().unwrap(), upper.parse::<f64>().unwrap());
@@ -162,12 +169,12 @@ fn every_option_of_the_table_can_be_set_or_names_its_replacement() {
         findiff_perturbation fixed_variable_treatment grad_f_constant gradient_approximation hessian_approximation \
         hessian_constant hsllib inf_pr_output jac_c_constant jac_d_constant jacobian_approximation \
         limited_memory_aug_solver linear_scaling_on_demand linear_solver linear_system_scaling ma27_print_level \
-        ma57_print_level ma97_print_level mu_init mumps_print_level nlp_lower_bound_inf nlp_upper_bound_inf \
+        ma57_print_level ma97_print_level mehrotra_algorithm mu_init mumps_print_level nlp_lower_bound_inf nlp_upper_bound_inf \
         num_linear_variables obj_scaling_factor option_file_name output_file pardisolib point_perturbation_radius \
         print_advanced_options print_frequency_iter print_frequency_time print_info_string print_level \
         print_options_documentation print_options_latex_mode print_options_mode print_timing_statistics \
         print_user_options replace_bounds sb skip_finalize_solution_call suppress_all_output timing_statistics \
-        warm_start_entire_iterate warm_start_init_point warm_start_same_structure";
+        warm_start_entire_iterate warm_start_init_point warm_start_same_structure warm_start_target_mu";
     assert_eq!(others.collect::<Vec<_>>(), expected.split_whitespace().collect::<Vec<_>>());
 }
 
