@@ -1,5 +1,7 @@
 //! The TOML documents as they are written, with the places of what is checked later.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 use toml::Spanned;
 
@@ -10,7 +12,7 @@ pub struct SceneDocument {
     pub title: Option<String>,
     /// Name of a homotopy file, or its table.
     pub homotopy: Option<Spanned<toml::Value>>,
-    pub ipopt: Option<toml::Table>,
+    pub ipopt: Option<Spanned<IpoptDocument>>,
     pub body: Spanned<BodyDocument>,
     pub environment: Spanned<EnvironmentDocument>,
     pub contact: Option<ContactDocument>,
@@ -143,8 +145,11 @@ pub struct HomotopyFileDocument {
     #[serde(default)]
     pub homotopy: HomotopyDocument,
     #[serde(default)]
-    pub ipopt: toml::Table,
+    pub ipopt: IpoptDocument,
 }
+
+/// Ipopt's options by their own names.
+pub type IpoptDocument = BTreeMap<Spanned<String>, Spanned<toml::Value>>;
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]

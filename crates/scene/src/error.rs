@@ -122,10 +122,16 @@ fn explain(message: &str) -> String {
 
 /// The nearest valid name, or all of them when none is near.
 pub fn suggest(unknown: &str, valid: &[&str]) -> String {
-    const NEAR: f64 = 0.6;
-    let similarity = |name: &&&str| strsim::jaro_winkler(unknown, name);
-    match valid.iter().max_by(|one, other| similarity(one).total_cmp(&similarity(other))) {
-        Some(nearest) if strsim::jaro_winkler(unknown, nearest) >= NEAR => format!(", did you mean `{nearest}`?"),
-        _ => format!("; valid are: {}", valid.join(", ")),
+    match nearest(unknown, valid) {
+        Some(nearest) => format!(", did you mean `{nearest}`?"),
+        None => format!("; valid are: {}", valid.join(", ")),
     }
+}
+
+/// The nearest valid name, if one is near.
+pub fn nearest<'name>(unknown: &str, valid: &[&'name str]) -> Option<&'name str> {
+    const NEAR: f64 = 0.6;
+    let similarities = valid.iter().map(|name| (strsim::jaro_winkler(unknown, name), *name));
+    let (similarity, name) = similarities.max_by(|(one, _), (other, _)| one.total_cmp(other))?;
+    (similarity >= NEAR).then_some(name)
 }

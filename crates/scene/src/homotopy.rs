@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
-use task::{Complementarity, HessianKind, HomotopySettings, IpoptOption, IpoptValue, LinearSolver};
+use task::{Complementarity, HessianKind, HomotopySettings, IpoptValue, LinearSolver};
 use toml::Spanned;
 
-use crate::document::{HomotopyDocument, HomotopyFileDocument};
+use crate::document::{HomotopyDocument, HomotopyFileDocument, IpoptDocument};
 use crate::error::{SceneError, Source};
-use crate::pose::{positive, within};
+use crate::ipopt;
+use crate::range::Range;
 
 /// The homotopy that is used when neither the command line nor the scene names one.
 const DEFAULT: &str = include_str!("../../../configs/default.toml");
@@ -71,13 +72,13 @@ pub fn tables(settings: &HomotopySettings) -> (toml::Table, toml::Table) {
 pub fn of_scene(
     source: Source,
     entry: Option<&Spanned<toml::Value>>,
-    ipopt: Option<&toml::Table>,
+    ipopt: Option<&Spanned<IpoptDocument>>,
 ) -> Result<Option<HomotopySettings>, SceneError> {
     let Some(entry) = entry else {
-        if ipopt.is_some() {
-            return Err(SceneError::about(source.file, "[ipopt] in a scene needs a [homotopy] table beside it"));
-        }
-        return Ok(None);
+        return match ipopt {
+            Some(ipopt) => Err(source.error(ipopt.span(), "[ipopt] in a scene needs a [homotopy] table beside it")),
+            None => Ok(None),
+        };
     };
     match entry.get_ref() {
         toml::Value::String(file) => {
@@ -86,14 +87,18 @@ pub fn of_scene(
                 return Err(source.error(entry.span(), message));
             }
             let path = source.file.parent().unwrap_or(source.file).join(file);
-            load_homotopy(&path).map(Some)
+            let text = std::fs::read_to_string(&path).map_err(|error| {
+                let message = format!("the homotopy {} cannot be read: {error}", path.display());
+                source.error(entry.span(), message)
+            })?;
+            parse_homotopy(Source { file: &path, text: &text }).map(Some)
         }
         toml::Value::Table(_) => {
             #[derive(serde::Deserialize)]
             struct Tables {
                 homotopy: HomotopyDocument,
                 #[serde(default)]
-                ipopt: toml::Table,
+                ipopt: IpoptDocument,
             }
             let tables: Tables = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
             settings(source, &tables.homotopy, &tables.ipopt).map(Some)
@@ -102,25 +107,20 @@ pub fn of_scene(
     }
 }
 
-fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) -> Result<HomotopySettings, SceneError> {
-    let number = |key: &str, value: &Option<Spanned<f64>>, default: f64| match value {
-        Some(value) => positive(source, &format!("homotopy.{key}"), value),
+fn settings(
+    source: Source,
+    document: &HomotopyDocument,
+    ipopt: &IpoptDocument,
+) -> Result<HomotopySettings, SceneError> {
+    let number = |key: &str, value: &Option<Spanned<f64>>, range: &'static str, default: f64| match value {
+        Some(value) => Range::new(range).check(source, &format!("homotopy.{key}"), value.span(), *value.get_ref()),
         None => Ok(default),
-    };
-    let rate = |key: &str, value: &Option<Spanned<f64>>, default: f64| match value {
-        Some(value) => {
-            within(source, &format!("homotopy.{key}"), value, |rate| 0.0 < rate && rate < 1.0, "must lie in (0, 1)")
-        }
-        None => Ok(default),
-    };
-    let mu_rate = match &document.mu_rate {
-        Some(value) => {
-            within(source, "homotopy.mu_rate", value, |rate| 0.0 < rate && rate <= 1.0, "must lie in (0, 1]")?
-        }
-        None => 0.1,
     };
     let iterations = match &document.iterations {
-        Some(value) => within(source, "homotopy.iterations", value, |count| count >= 1, "must be at least 1")? as usize,
+        Some(value) => {
+            let count = *value.get_ref() as f64;
+            Range::new("[1, 100]").check(source, "homotopy.iterations", value.span(), count)? as usize
+        }
         None => 5,
     };
     let linear_solver = match &document.linear_solver {
@@ -129,16 +129,16 @@ fn settings(source: Source, document: &HomotopyDocument, ipopt: &toml::Table) ->
     };
     Ok(HomotopySettings {
         iterations,
-        tau: number("tau", &document.tau, 0.0025)?,
-        sigma: number("sigma", &document.sigma, 0.00125)?,
-        mu_init: number("mu_init", &document.mu_init, 1.0)?,
-        tau_rate: rate("tau_rate", &document.tau_rate, 0.5)?,
-        sigma_rate: rate("sigma_rate", &document.sigma_rate, 0.5)?,
-        mu_rate,
+        tau: number("tau", &document.tau, "[1e-9, 1]", 0.0025)?,
+        sigma: number("sigma", &document.sigma, "[1e-12, 1]", 0.00125)?,
+        mu_init: number("mu_init", &document.mu_init, "(1e-12, 1e6]", 1.0)?,
+        tau_rate: number("tau_rate", &document.tau_rate, "(0, 1)", 0.5)?,
+        sigma_rate: number("sigma_rate", &document.sigma_rate, "(0, 1)", 0.5)?,
+        mu_rate: number("mu_rate", &document.mu_rate, "(0, 1]", 0.1)?,
         complementarity: choice(source, document.complementarity.as_ref(), &COMPLEMENTARITIES)?,
         hessian: choice(source, document.hessian.as_ref(), &HESSIANS)?,
         linear_solver,
-        ipopt: options(source, ipopt)?,
+        ipopt: ipopt::options(source, ipopt)?,
     })
 }
 
@@ -152,22 +152,4 @@ fn choice<T: Copy>(source: Source, name: Option<&Spanned<String>>, choices: &[(&
 
 fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: T) -> &'static str {
     choices.iter().find(|(_, choice)| *choice == value).map_or("", |(name, _)| name)
-}
-
-fn options(source: Source, table: &toml::Table) -> Result<Vec<IpoptOption>, SceneError> {
-    let mut options = Vec::with_capacity(table.len());
-    for (name, value) in table {
-        let value = match value {
-            toml::Value::Integer(number) => i32::try_from(*number).ok().map(IpoptValue::Integer),
-            toml::Value::Float(number) => Some(IpoptValue::Number(*number)),
-            toml::Value::String(text) => Some(IpoptValue::Text(text.clone())),
-            _ => None,
-        };
-        let Some(value) = value else {
-            let message = format!("ipopt.{name} must be an integer, a number or a string");
-            return Err(SceneError::about(source.file, message));
-        };
-        options.push(IpoptOption { name: name.clone(), value });
-    }
-    Ok(options)
 }

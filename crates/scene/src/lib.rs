@@ -8,10 +8,12 @@
 mod document;
 mod error;
 mod homotopy;
+mod ipopt;
 mod limits;
 mod mesh;
 mod part;
 mod pose;
+mod range;
 mod resolved;
 mod scene;
 

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, parse_homotopy, resolved};
-use task::{Complementarity, HessianKind, Limits};
+use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, resolved};
+use task::Limits;
 
 const SCENE: &str = r#"
 [[body.part]]
@@ -175,31 +175,6 @@ fn every_scene_and_homotopy_of_the_project_loads() {
     }
     for entry in std::fs::read_dir(folder("configs")).unwrap() {
         load_homotopy(&entry.unwrap().path()).unwrap_or_else(|error| panic!("{error}"));
-    }
-}
-
-#[test]
-fn the_default_homotopy_is_that_of_the_pegs() {
-    let peg = load_homotopy(&folder("configs/homotopy_peg.toml")).unwrap();
-    assert_eq!(default_homotopy(), peg);
-}
-
-#[test]
-fn homotopy_values_are_checked() {
-    let parse = |text: &str| parse_homotopy(Source { file: Path::new("h.toml"), text });
-    let settings = parse("[homotopy]\ncomplementarity = \"smoothing\"\nhessian = \"l-bfgs\"").unwrap();
-    assert_eq!(settings.complementarity, Complementarity::Smoothing);
-    assert_eq!(settings.hessian, HessianKind::LimitedMemory);
-    for (text, words) in [
-        ("[homotopy]\ntau_rate = 1.2", "homotopy.tau_rate = 1.2: must lie in (0, 1)"),
-        ("[homotopy]\niterations = 0", "must be at least 1"),
-        ("[homotopy]\nhessian = \"exakt\"", "did you mean `exact`?"),
-        ("[homotopy]\nlinear_solver = \"mumsp\"", "did you mean `mumps`?"),
-        ("[homotopi]", "did you mean `homotopy`?"),
-        ("[ipopt]\ntol = [1]", "ipopt.tol must be"),
-    ] {
-        let error = parse(text).unwrap_err();
-        assert!(error.message().contains(words), "{error}");
     }
 }
 

@@ -1,0 +1,184 @@
+//! Entries of `[ipopt]`: which options Ipopt has, which of them a file may set, and to what.
+
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use task::{IpoptOption, IpoptValue};
+use toml::{Spanned, Value};
+
+use crate::document::IpoptDocument;
+use crate::error::{SceneError, Source, nearest};
+use crate::range::Range;
+
+/// Most entries of a table.
+const MOST_ENTRIES: usize = 50;
+/// Integers that Ipopt can represent.
+const INTEGERS: &str = "[-2147483648, 2147483647]";
+/// Longest text that a message repeats.
+const LONGEST_TEXT: usize = 200;
+
+/// Values that an option takes.
+enum Kind {
+    Integer(Range),
+    Number(Range),
+    Text(Vec<&'static str>),
+}
+
+/// All options of Ipopt, also those that only some versions have.
+static OPTIONS: LazyLock<BTreeMap<&str, Kind>> = LazyLock::new(|| {
+    let lines = include_str!("ipopt_options.txt").lines().filter(|line| !line.starts_with('#'));
+    lines.map(|line| row(line).expect("the table is written by a script")).collect()
+});
+
+fn row(line: &'static str) -> Option<(&'static str, Kind)> {
+    let (name, rest) = line.split_once(' ')?;
+    let (kind, values) = rest.split_once(' ')?;
+    let kind = match kind {
+        "integer" => Kind::Integer(Range::new(values)),
+        "number" => Kind::Number(Range::new(values)),
+        _ => Kind::Text(values.split(' ').collect()),
+    };
+    Some((name, kind))
+}
+
+/// Options that a file may not set, with the reason and what to do instead. `*` stands for any text.
+const REFUSED: [(&str, &str); 21] = [
+    ("mu_init", "it changes from one homotopy iteration to the next; use homotopy.mu_init and homotopy.mu_rate"),
+    ("linear_solver", "the program has to prepare it; use homotopy.linear_solver or --linear-solver"),
+    ("hessian_approximation", "the program has to compute what Ipopt expects; use homotopy.hessian"),
+    (
+        "jacobian_approximation gradient_approximation findiff_perturbation",
+        "first derivatives are always exact; to approximate second derivatives, use homotopy.hessian",
+    ),
+    (
+        "hessian_constant jac_c_constant jac_d_constant grad_f_constant num_linear_variables",
+        "the problem is nonlinear, and Ipopt would use outdated derivatives; to save time, use homotopy.hessian",
+    ),
+    (
+        "derivative_test derivative_test_* point_perturbation_radius",
+        "Ipopt would print the result, which is not shown; use `cargo test -p ocp`, which tests all derivatives",
+    ),
+    (
+        "print_timing_statistics timing_statistics",
+        "the program needs these times for its own statistics; use the times in result.json",
+    ),
+    (
+        "output_file file_print_level file_append",
+        "the program reads Ipopt's log itself and deletes it; use the progress that solve prints, and result.json",
+    ),
+    (
+        "print_* *_print_level pardiso_msglvl sb suppress_all_output inf_pr_output",
+        "Ipopt's log is not shown; use the progress that solve prints, and result.json",
+    ),
+    ("option_file_name", "results must not depend on a second file; use [ipopt] for its options"),
+    (
+        "warm_start_init_point warm_start_same_structure warm_start_entire_iterate",
+        "each homotopy iteration starts from the solution of the one before; use warm_start_bound_push and the other \
+         warm_start_*_push and warm_start_*_frac to say how close",
+    ),
+    (
+        "linear_system_scaling linear_scaling_on_demand",
+        "results must not depend on whether HSL is installed; use nlp_scaling_method",
+    ),
+    (
+        "dependency_detector dependency_detection_with_rhs fixed_variable_treatment replace_bounds \
+         limited_memory_aug_solver",
+        "it would change the rows of the linear systems, which the linear solver `stage` knows; use Ipopt's default",
+    ),
+    (
+        "nlp_lower_bound_inf nlp_upper_bound_inf",
+        "bounds could get lost; to do without a limit, use a scene that does not give it in [limits]",
+    ),
+    ("skip_finalize_solution_call", "the solution would get lost; use Ipopt's default"),
+    ("obj_scaling_factor", "a negative factor would maximise the cost; use nlp_scaling_obj_target_gradient"),
+    ("mehrotra_algorithm", "it is made for linear programs, and Ipopt may crash; use mu_strategy = \"adaptive\""),
+    ("warm_start_target_mu", "Ipopt may crash; use homotopy.mu_init and homotopy.mu_rate"),
+    ("hsllib", "libraries are not loaded by path; install HSL as libhsl.so and use homotopy.linear_solver"),
+    ("pardisolib", "libraries are not loaded by path; use homotopy.linear_solver"),
+    (
+        "ma28_* ma77_* ma86_* pardiso_* spral_* wsmp_*",
+        "this linear solver cannot be chosen; use homotopy.linear_solver and the options of the one that it names",
+    ),
+];
+
+/// Choices of an option that a file may not make, with the reason and what to do instead.
+const REFUSED_CHOICES: [(&str, &str, &str); 2] = [
+    (
+        "nlp_scaling_method",
+        "equilibration-based",
+        "Ipopt ends the program where HSL is not installed; use gradient-based or none",
+    ),
+    ("nlp_scaling_method", "user-scaling", "the program gives no scaling factors; use gradient-based or none"),
+];
+
+/// Why an option may not be set.
+fn refusal(name: &str) -> Option<&'static str> {
+    let fits = |pattern: &str| match pattern.split_once('*') {
+        Some((start, end)) => name.starts_with(start) && name.ends_with(end),
+        None => name == pattern,
+    };
+    REFUSED.iter().find(|(patterns, _)| patterns.split(' ').any(fits)).map(|(_, reason)| *reason)
+}
+
+/// Why an option may not be set to this.
+fn refusal_of_choice(name: &str, text: &str) -> Option<&'static str> {
+    REFUSED_CHOICES.iter().find(|(option, choice, _)| (*option, *choice) == (name, text)).map(|(_, _, reason)| *reason)
+}
+
+/// The options that a file gives, by name.
+///
+/// # Errors
+/// The first entry that is wrong, with its place.
+pub fn options(source: Source, document: &IpoptDocument) -> Result<Vec<IpoptOption>, SceneError> {
+    let mut entries: Vec<_> = document.iter().collect();
+    // As they stand in the file, so that its first wrong entry is the one that is shown.
+    entries.sort_by_key(|(name, _)| name.span().start);
+    if let Some((name, _)) = entries.get(MOST_ENTRIES) {
+        return Err(source.error(name.span(), format!("[ipopt] has more than {MOST_ENTRIES} entries")));
+    }
+    let values = entries.into_iter().map(|(name, value)| Ok((name.get_ref(), option(source, name, value)?)));
+    let values = values.collect::<Result<BTreeMap<_, _>, SceneError>>()?;
+    Ok(values.into_iter().map(|(name, value)| IpoptOption { name: name.clone(), value }).collect())
+}
+
+/// The value of an option.
+fn option(source: Source, name: &Spanned<String>, value: &Spanned<Value>) -> Result<IpoptValue, SceneError> {
+    let Some(kind) = OPTIONS.get(name.get_ref().as_str()) else {
+        let names: Vec<&str> = OPTIONS.keys().copied().collect();
+        let near = nearest(name.get_ref(), &names).map_or(String::new(), |near| format!(", did you mean `{near}`?"));
+        return Err(source.error(name.span(), format!("unknown Ipopt option `{name}`{near}")));
+    };
+    if let Some(reason) = refusal(name.get_ref()) {
+        return Err(source.error(name.span(), format!("ipopt.{name} cannot be set: {reason}")));
+    }
+    let (key, span) = (format!("ipopt.{name}"), value.span());
+    let must_be = |words: &str| Err(source.error(value.span(), format!("{key} must be {words}")));
+    match (kind, value.get_ref()) {
+        (Kind::Integer(range), Value::Integer(number)) => {
+            range.check(source, &key, span.clone(), *number as f64)?;
+            let number = Range::new(INTEGERS).check(source, &key, span, *number as f64)?;
+            Ok(IpoptValue::Integer(number as i32))
+        }
+        (Kind::Number(range), Value::Integer(number)) => {
+            range.check(source, &key, span, *number as f64).map(IpoptValue::Number)
+        }
+        (Kind::Number(range), Value::Float(number)) => {
+            range.check(source, &key, span, *number).map(IpoptValue::Number)
+        }
+        (Kind::Text(choices), Value::String(text)) if is_word(text) => {
+            source.require_known(&Spanned::new(span.clone(), text.clone()), choices)?;
+            match refusal_of_choice(name.get_ref(), text) {
+                Some(reason) => Err(source.error(span, format!("{key} cannot be `{text}`: {reason}"))),
+                None => Ok(IpoptValue::Text(text.clone())),
+            }
+        }
+        (Kind::Integer(_), _) => must_be("an integer"),
+        (Kind::Number(_), _) => must_be("a number"),
+        (Kind::Text(choices), _) => must_be(&format!("a string; valid are: {}", choices.join(", "))),
+    }
+}
+
+/// Whether text may be repeated in a message.
+fn is_word(text: &str) -> bool {
+    text.len() <= LONGEST_TEXT && !text.contains(char::is_control)
+}
