@@ -1,11 +1,15 @@
 //! What the user can say.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
+use planner::{Choices, GraspErrors, OffsetSource, PlannerError, RobustnessTarget, SimulationRequest, files};
 use simulation::{Settings, Success};
+use task::LinearSolver;
 
 use crate::batch::BatchArguments;
+use crate::values::{self, Pose, fraction, not_negative, positive, seconds};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///
@@ -61,15 +65,14 @@ pub struct SolveArguments {
     /// Homotopy file (TOML) [default: the scene's, else the built-in configs/default.toml]
     #[arg(long, value_name = "FILE")]
     pub homotopy: Option<PathBuf>,
-    /// Folder for the results; an older plan in it is replaced [default: out/TITLE-START]
+    /// Folder for the results; an older plan in it is replaced once the new one is whole [default: out/TITLE-START]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Linear solver: stage, mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's,
     /// else stage]
-    #[arg(long, value_name = "NAME", value_parser = task::LinearSolver::ALL.map(task::LinearSolver::name), hide_possible_values = true)]
-    pub linear_solver: Option<String>,
-    /// Go on after the last homotopy stage that an interrupted solve of the same problem finished in --out; when
-    /// interrupted, leave its stages and no result
+    #[arg(long, value_name = "NAME", value_parser = values::linear_solver)]
+    pub linear_solver: Option<LinearSolver>,
+    /// Go on where an interrupted or killed solve of the same problem into --out has stopped
     #[arg(long, requires = "out")]
     pub resume: bool,
     /// Solve a cell of a batch: refuse any problem but the one of this identity, which stands in the manifest, and stop
@@ -103,13 +106,13 @@ impl From<&ToleranceArguments> for Success {
 #[derive(Debug, Args)]
 pub struct RobustArguments {
     /// Play the plan with hard contacts at offsets that were not planned for, and change it until they succeed
-    #[arg(long, conflicts_with = "resume")]
+    #[arg(long)]
     pub robust: bool,
-    /// With --robust: rate of success to reach, from 0 to 1
+    /// With --robust: success rate to reach at each friction, from 0 to 1
     #[arg(long, value_name = "RATE", default_value_t = 0.99, value_parser = fraction, requires = "robust")]
     pub wanted_rate: f64,
     /// With --robust: after this time (s) the best plan so far is kept
-    #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = positive, requires = "robust")]
+    #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = seconds, requires = "robust")]
     pub time_limit: f64,
     /// With --robust: changes tried in vain after which the refinement of a plan is given up
     #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
@@ -161,7 +164,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0", value_parser = not_negative)]
     #[arg(allow_negative_numbers = true)]
     pub friction: Vec<f64>,
-    /// Also play the reference of every homotopy iteration
+    /// Also play the reference of every homotopy iteration, as they are in stages/
     #[arg(long)]
     pub stages: bool,
     #[command(flatten)]
@@ -175,8 +178,8 @@ pub struct SimulateArguments {
     /// Threads [default: one per processor]; they change nothing but the time it takes
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Also write the course of one rollout to a CSV file with the columns of reference.csv: the first plan's at the first
-    /// friction and offset
+    /// Also write the course of one rollout to a new CSV file with the columns of reference.csv: the first plan's at the
+    /// first friction and offset
     #[arg(long, value_name = "FILE")]
     pub trace: Option<PathBuf>,
     /// Folder for rollouts.csv and success.csv [default: DIR]
@@ -189,7 +192,7 @@ pub struct CheckArguments {
     #[command(flatten)]
     pub task: TaskArguments,
     /// Report every pair's distances at this pose: position (m) and quaternion
-    #[arg(long, value_name = "\"x y z qw qx qy qz\"", allow_hyphen_values = true, value_parser = parse_pose)]
+    #[arg(long, value_name = "\"x y z qw qx qy qz\"", allow_hyphen_values = true, value_parser = values::pose)]
     pub pose: Option<Pose>,
     /// Smoothing of the distances [default: the first of the scene's homotopy]
     #[arg(long, value_name = "T")]
@@ -199,42 +202,61 @@ pub struct CheckArguments {
     pub json: bool,
 }
 
-/// A pose from the command line, its quaternion scaled to unit norm.
-#[derive(Debug, Clone, Copy)]
-pub struct Pose(pub [f64; 7]);
-
-fn parse_pose(text: &str) -> Result<Pose, String> {
-    let words = text.split([' ', ',']).filter(|word| !word.is_empty());
-    let numbers: Result<Vec<f64>, String> =
-        words.map(|word| word.parse().map_err(|_| format!("`{word}` is not a number"))).collect();
-    let numbers = numbers?;
-    let pose: [f64; 7] = numbers
-        .try_into()
-        .map_err(|numbers: Vec<f64>| format!("a pose has 7 numbers, x y z qw qx qy qz; got {}", numbers.len()))?;
-    let norm = pose[3..].iter().map(|component| component * component).sum::<f64>().sqrt();
-    if !(norm > 0.0 && pose.iter().all(|number| number.is_finite())) {
-        return Err("a pose needs finite numbers and a quaternion that is not zero".to_owned());
+impl SolveArguments {
+    /// What is chosen of the scene.
+    pub fn choices(&self) -> Choices {
+        Choices {
+            homotopy: self.homotopy.clone(),
+            linear_solver: self.linear_solver,
+            success: Success::from(&self.tolerance),
+            ..self.task.choices()
+        }
     }
-    Ok(Pose(task::pose::normalised(&pose)))
 }
 
-fn positive(text: &str) -> Result<f64, String> {
-    number(text, |number| number > 0.0, "must be above zero")
+impl TaskArguments {
+    /// What is chosen of the scene.
+    pub fn choices(&self) -> Choices {
+        Choices { start: self.start.clone(), delta: self.delta, ..Choices::default() }
+    }
 }
 
-fn fraction(text: &str) -> Result<f64, String> {
-    number(text, |number| (0.0..=1.0).contains(&number), "must lie between 0 and 1")
+impl From<&RobustArguments> for RobustnessTarget {
+    fn from(arguments: &RobustArguments) -> Self {
+        Self {
+            wanted_rate: arguments.wanted_rate,
+            frictions: arguments.friction.clone(),
+            turn: arguments.turn,
+            time_limit: Duration::from_secs_f64(arguments.time_limit),
+            patience: arguments.patience as usize,
+            threads: threads(arguments.jobs),
+        }
+    }
 }
 
-fn not_negative(text: &str) -> Result<f64, String> {
-    number(text, |number| number >= 0.0, "must not be negative")
-}
-
-fn number(text: &str, is_right: impl Fn(f64) -> bool, rule: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(number) if number.is_finite() && is_right(number) => Ok(number),
-        Ok(_) => Err(rule.to_owned()),
-        Err(_) => Err("not a number".to_owned()),
+impl SimulateArguments {
+    /// What is to be simulated.
+    ///
+    /// # Errors
+    /// When the list of offsets cannot be read, or a value is out of its range.
+    pub fn request(&self) -> Result<SimulationRequest, PlannerError> {
+        let offsets = match (self.random, self.grid, &self.offsets) {
+            (Some(count), ..) if self.ball => OffsetSource::Ball(count as usize),
+            (Some(count), ..) => OffsetSource::Hull(count as usize),
+            (_, Some(divisions), _) => OffsetSource::Grid(divisions as usize),
+            (_, _, Some(file)) => OffsetSource::Listed(files::read_offsets(file)?),
+            (None, None, None) => OffsetSource::Planned,
+        };
+        let errors = GraspErrors { offsets, magnitudes: self.magnitude.clone(), turn: self.turn, seed: self.seed };
+        let request = SimulationRequest {
+            errors,
+            frictions: self.friction.clone(),
+            time_step: self.time_step,
+            settling_time: self.settling_time,
+            threads: threads(self.jobs),
+        };
+        request.validate()?;
+        Ok(request)
     }
 }
 

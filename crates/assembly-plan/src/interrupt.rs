@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::failure::Failure;
+use crate::exit::{CommandError, Exit};
 
 /// A flag that Ctrl-C and a request to terminate set: the solve then ends with its last iterate.
-pub fn stop_flag() -> Result<Arc<AtomicBool>, Failure> {
+pub fn stop_flag() -> Result<Arc<AtomicBool>, CommandError> {
     let stopped = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&stopped);
     handle(move || flag.store(true, Ordering::Relaxed))?;
@@ -24,10 +24,10 @@ pub fn stop_with_parent(stopped: Arc<AtomicBool>) {
 }
 
 /// Ends the program at once, for what writes nothing before all is done.
-pub fn exit_at_once() -> Result<(), Failure> {
-    handle(|| std::process::exit(i32::from(crate::INTERRUPTED)))
+pub fn exit_at_once() -> Result<(), CommandError> {
+    handle(|| std::process::exit(Exit::Interrupted as i32))
 }
 
-fn handle(handler: impl FnMut() + Send + 'static) -> Result<(), Failure> {
-    ctrlc::set_handler(handler).map_err(|error| Failure::Internal(format!("interrupts cannot be handled: {error}")))
+fn handle(handler: impl FnMut() + Send + 'static) -> Result<(), CommandError> {
+    ctrlc::set_handler(handler).map_err(|error| CommandError::System(format!("interrupts cannot be handled: {error}")))
 }

@@ -1,27 +1,16 @@
-//! The command line of assembly-plan.
+//! The command line of assembly-plan: parse, call the planner, show.
 
 mod arguments;
 mod batch;
 mod check;
-mod checkpoint;
 mod console;
-mod failure;
+mod exit;
 mod interrupt;
-mod limits;
-mod output;
-mod plan;
-mod planned;
-mod played;
-mod problem;
 mod progress;
-mod result;
-mod robust;
 mod simulate;
-mod smoothing;
 mod solve;
-mod stage;
-mod success_table;
-mod trace;
+mod summary;
+mod values;
 
 use std::process::ExitCode;
 
@@ -29,13 +18,7 @@ use clap::Parser;
 
 use crate::arguments::{Arguments, Command};
 use crate::console::tell;
-
-/// The goal is reached and everything is written.
-const DONE: u8 = 0;
-/// The plan did not converge or does not reach the goal.
-const NO_PLAN: u8 = 1;
-/// The user stopped the program.
-const INTERRUPTED: u8 = 130;
+use crate::exit::Exit;
 
 fn main() -> ExitCode {
     // Clap prints usage errors itself and exits with 2.
@@ -46,9 +29,9 @@ fn main() -> ExitCode {
         Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(arguments),
     };
-    let code = outcome.unwrap_or_else(|failure| {
-        tell!("error: {failure}");
-        failure.exit_code()
+    let exit = outcome.unwrap_or_else(|error| {
+        tell!("error: {error}");
+        Exit::from(&error)
     });
-    ExitCode::from(code)
+    ExitCode::from(exit as u8)
 }

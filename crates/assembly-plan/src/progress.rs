@@ -1,9 +1,12 @@
-//! What the user sees while a problem is solved: one line that is rewritten on a terminal, one line per homotopy
-//! iteration otherwise.
+//! What the user sees while a problem is solved and refined: one line that is rewritten on a terminal, one line per event
+//! otherwise.
 
 use std::io::{IsTerminal, Write, stderr};
 
-use ocp::{Event, HomotopyIteration};
+use planner::{Event, Observer};
+
+/// Clears the line that is rewritten.
+const CLEAR: &str = "\r\x1b[K";
 
 /// Progress on standard error.
 pub struct Progress {
@@ -16,56 +19,75 @@ impl Progress {
         Self { rewrites: stderr().is_terminal() }
     }
 
-    /// Shows an iteration of the solver.
-    pub fn iteration(&self, event: &Event) {
-        if !self.rewrites {
-            return;
-        }
-        let progress = event.progress;
+    /// Says something that stays.
+    fn say(&self, line: &str) {
+        let clear = if self.rewrites { CLEAR } else { "" };
         // A terminal that cannot be written to is no reason to stop.
-        let _ = write!(
-            stderr(),
-            "\r\x1b[Kstage {}/{} (tau {:.2e}): iteration {}, objective {:.5}, infeasibility {:.1e}{}",
-            event.number,
-            event.count,
-            event.smoothing.tau,
-            progress.iteration,
-            progress.objective,
-            progress.primal_infeasibility,
-            if progress.restoration { ", restoring feasibility" } else { "" }
-        );
+        let _ = writeln!(stderr(), "{clear}{line}");
     }
 
-    /// Shows the end of a homotopy iteration.
-    pub fn stage(&self, number: usize, stages: usize, result: &HomotopyIteration) {
-        let (position, _) = result.trajectory.worst_errors();
-        let clear = if self.rewrites { "\r\x1b[K" } else { "" };
-        let _ = writeln!(
-            stderr(),
-            "{clear}stage {number}/{stages} (tau {:.2e}): {}, {} iterations, {:.1} s, objective {:.5}, goal error {:.2} mm",
-            result.smoothing.tau,
-            result.status,
-            result.iterations,
-            result.timing.total,
-            result.objective,
-            1e3 * position
-        );
-    }
-
-    /// Shows how far a refinement is.
-    pub fn refinement(&self, failing: usize, trials: usize, changes: usize) {
+    /// Says something until something else is said.
+    fn flash(&self, line: &str) {
         if self.rewrites {
-            // A terminal that cannot be written to is no reason to stop.
-            let _ = write!(
-                stderr(),
-                "\r\x1b[Krefining the reference: {failing} of {trials} rollouts fail, {changes} changes kept"
-            );
+            let _ = write!(stderr(), "{CLEAR}{line}");
         }
     }
+}
 
-    /// Says something.
-    pub fn say(&self, line: &str) {
-        let clear = if self.rewrites { "\r\x1b[K" } else { "" };
-        let _ = writeln!(stderr(), "{clear}{line}");
+impl Observer for Progress {
+    fn observe(&self, event: &Event) {
+        match event {
+            Event::Iteration(event) => self.flash(&solver_iteration(event)),
+            Event::Change { failing, trials, changes } => {
+                self.flash(&format!(
+                    "refining the reference: {failing} of {trials} rollouts fail, {changes} changes kept"
+                ));
+            }
+            other => self.say(&line(other)),
+        }
+    }
+}
+
+fn solver_iteration(event: &planner::SolverEvent) -> String {
+    let progress = event.progress;
+    format!(
+        "homotopy iteration {}/{} (tau {:.2e}): iteration {}, objective {:.5}, infeasibility {:.1e}{}",
+        event.number,
+        event.count,
+        event.smoothing.tau,
+        progress.iteration,
+        progress.objective,
+        progress.primal_infeasibility,
+        if progress.restoration { ", restoring feasibility" } else { "" }
+    )
+}
+
+/// An event in words.
+fn line(event: &Event) -> String {
+    match event {
+        Event::HomotopyIteration { number, count, record, position_error } => format!(
+            "homotopy iteration {number}/{count} (tau {:.2e}): {}, {} iterations, {:.1} s, objective {:.5}, goal error \
+             {:.2} mm",
+            record.tau,
+            record.status,
+            record.iterations,
+            record.wall_s,
+            record.objective,
+            1e3 * position_error
+        ),
+        Event::Resumed { refining: true, .. } => "going on with the refinement of an earlier run".to_owned(),
+        Event::Resumed { done, count, .. } => {
+            format!("going on after homotopy iteration {done}/{count} of an earlier run")
+        }
+        Event::Discarded { reason } => format!("the unfinished work of an earlier run is not used: {reason}"),
+        Event::Evaluated { rate } => format!("{:.1} % of rollouts succeed", 100.0 * rate),
+        Event::Refining { planned } => format!("refining: {planned}"),
+        Event::Refined { rate } => format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate),
+        Event::Variants { count } => format!("refinement is stuck; solving {count} variants of the problem"),
+        Event::VariantSolved { name, status } => format!("  {name}: {status}"),
+        Event::VariantTried { name, failing, trials } => {
+            format!("  {name}: {failing} of {trials} training rollouts fail")
+        }
+        Event::Iteration(_) | Event::Change { .. } => String::new(),
     }
 }

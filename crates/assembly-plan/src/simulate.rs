@@ -1,269 +1,143 @@
-//! `simulate`: play plans closed loop under injected offsets and count how often they succeed.
+//! `simulate`: play plans under injected grasp errors and count how often they succeed.
 
 use std::path::Path;
 use std::time::Instant;
 
-use scene::Scene;
-use simulation::{GraspError, Reference, Rollout, Settings, Success, offsets};
-use task::AssemblyTask;
+use planner::files::{
+    RolloutRow, StateRow, StoredPlan, SuccessRow, require_rollout_tables, to_csv, write_file, write_rollout_tables,
+};
+use planner::{Choices, Motion, PlannerError, Problem, SimulationRequest, SuccessTable, simulate};
+use simulation::{Reference, Rollout, Success, TimedState};
 
-use crate::DONE;
-use crate::arguments::{SimulateArguments, threads};
+use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
-use crate::failure::Failure;
+use crate::exit::{CommandError, Exit};
 use crate::interrupt::exit_at_once;
-use crate::output::{table, write_file};
-use crate::plan::{Plan, read_numbers};
-use crate::played::{Motion, Played};
-use crate::success_table::SuccessTable;
-use crate::trace::trace;
-
-/// Poses closer than this (m, rad) are the same: files keep all digits.
-const SAME_POSE: f64 = 1e-6;
-
-/// Offsets that are counted together.
-struct Injection {
-    /// Magnitude, or the largest length in a list (m).
-    magnitude: f64,
-    /// Errors of the grasp.
-    grasps: Vec<GraspError>,
-}
 
 /// Plays everything, writes both tables and prints the one of successes.
-pub fn run(arguments: &SimulateArguments) -> Result<u8, Failure> {
-    let scene = Scene::load(&arguments.scene)?;
-    let plans = Plan::find(&arguments.folder)?;
+pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
+    let mut request = arguments.request()?;
+    let plans = StoredPlan::find(&arguments.folder)?;
+    let played: Vec<(StoredPlan, Problem)> =
+        plans.into_iter().map(|plan| problem_of(arguments, plan)).collect::<Result<_, _>>()?;
+    if request.errors.magnitudes.is_empty() {
+        request.errors.magnitudes = magnitudes(&played);
+    }
+    let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
+    require_free(arguments, folder)?;
     exit_at_once()?;
+
     let begin = Instant::now();
-    let jobs = threads(arguments.jobs);
-    let magnitudes = magnitudes(arguments, &plans);
-    let mut played = Vec::new();
-    for plan in &plans {
-        if !plan.converged {
-            tell!("warning: {}: the plan did not converge", plan.folder.display());
+    let (mut rollouts, mut rows, mut trace) = (Vec::new(), Vec::new(), None);
+    for (plan, problem) in &played {
+        let motions = motions(arguments, plan)?;
+        let of_plan = simulate(problem, &motions, &request)?;
+        rows.extend(of_plan.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)));
+        if let (true, None, Some((_, reference))) = (arguments.trace.is_some(), &trace, motions.last()) {
+            let first = of_plan.iter().find(|rollout| rollout.motion == Motion::Plan);
+            trace = first.map(|first| course(problem, reference, &request, first.friction, first.grasp));
         }
-        played.extend(play(arguments, &scene, plan, &magnitudes, jobs)?);
+        rollouts.extend(of_plan);
     }
     let seconds = begin.elapsed().as_secs_f64();
-    warn_about_overlap(&played);
-    let successes = SuccessTable::new(&played);
-    let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
-    write_file(&folder.join("rollouts.csv"), &rollouts(&played)?)?;
-    write_file(&folder.join("success.csv"), &successes.to_csv()?)?;
-    if let Some(file) = &arguments.trace {
-        write_trace(file, arguments, &scene, &played)?;
+    warn_about_overlap(&rollouts);
+    let table = SuccessTable::new(&rollouts);
+    let successes: Vec<SuccessRow> = table.groups().iter().map(SuccessRow::from).collect();
+    write_rollout_tables(folder, &rows, &successes)?;
+    if let (Some(file), Some(rows)) = (&arguments.trace, trace) {
+        write_file(file, &to_csv(rows)?)?;
     }
+    let title = played.first().map_or("", |(_, problem)| &problem.scene().title);
     say!(
-        "{}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, overlap \
-         and force are the largest of all rollouts\n\n{successes}",
-        scene.title,
+        "{title}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, \
+         overlap and force are the largest of all rollouts\n\n{table}",
         1e3 * arguments.tolerance.position_tolerance,
         arguments.tolerance.angle_tolerance
     );
-    let rate = 60.0 * played.len() as f64 / seconds;
-    say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {jobs} {}", played.len(), in_words(jobs));
+    let (rate, threads) = (60.0 * rollouts.len() as f64 / seconds, request.threads);
+    let in_words = if threads == 1 { "thread" } else { "threads" };
+    say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}", rollouts.len());
     say!("written to {}", folder.display());
-    Ok(DONE)
+    Ok(Exit::Done)
 }
 
-/// Plays all motions of one plan with all frictions and offsets.
-fn play<'plan>(
-    arguments: &SimulateArguments,
-    scene: &Scene,
-    plan: &'plan Plan,
-    magnitudes: &[f64],
-    jobs: usize,
-) -> Result<Vec<Played<'plan>>, Failure> {
-    let task = world(scene, plan)?;
-    let motions = motions(arguments, plan, &task)?;
-    let injections = injections(arguments, scene, plan, magnitudes)?;
-    let success = Success::from(&arguments.tolerance);
-    let mut played = Vec::new();
-    for &friction in &arguments.friction {
-        let rollout = Rollout::new(&task, settings(arguments, friction));
-        for (motion, reference) in &motions {
-            for Injection { magnitude, grasps } in &injections {
-                let outcomes = rollout.simulate(reference, grasps, jobs);
-                played.extend(grasps.iter().zip(outcomes).map(|(&grasp, outcome)| Played {
-                    plan,
-                    motion: *motion,
-                    friction,
-                    magnitude: *magnitude,
-                    grasp,
-                    outcome,
-                    success: outcome.reaches_goal(&success),
-                }));
-            }
-        }
+/// The problem of a plan in the given scene, which must have the plan's shapes, start and goal.
+fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(StoredPlan, Problem), PlannerError> {
+    let choices = Choices {
+        start: Some(plan.result.start.clone()),
+        delta: Some(plan.result.delta_m),
+        success: Success::from(&arguments.tolerance),
+        ..Choices::default()
+    };
+    let problem = Problem::load(&arguments.scene, &choices)
+        .map_err(|error| PlannerError::file(&plan.folder, format!("the plan does not fit the scene: {error}")))?;
+    let folder = plan.folder.display();
+    if !plan.require_made_for(&problem)? {
+        tell!("warning: {folder}: the plan was made with other settings than {} has", arguments.scene.display());
     }
-    Ok(played)
-}
-
-/// The task of a plan as it is in reality, which does not know which pairs the plan has left out.
-fn world(scene: &Scene, plan: &Plan) -> Result<AssemblyTask, Failure> {
-    let about_plan = |problem| Failure::Input(format!("{}: {problem}", plan.folder.display()));
-    let task = scene.task(Some(&plan.start), Some(plan.delta)).map_err(about_plan)?;
-    Ok(AssemblyTask { pairs: scene.all_pairs(), ..task })
-}
-
-fn settings(arguments: &SimulateArguments, friction: f64) -> Settings {
-    Settings { time_step: arguments.time_step, friction, settling_time: arguments.settling_time }
-}
-
-/// `--trace`: plays the plan's first rollout again and writes its course.
-fn write_trace(file: &Path, arguments: &SimulateArguments, scene: &Scene, played: &[Played]) -> Result<(), Failure> {
-    let first = played.iter().find(|played| played.motion == Motion::Plan);
-    let first = first.ok_or_else(|| Failure::Internal("no plan was played".to_owned()))?;
-    let rollout = Rollout::new(&world(scene, first.plan)?, settings(arguments, first.friction));
-    write_file(file, &trace(&rollout, &first.plan.reference()?, &first.grasp)?)
-}
-
-fn motions(
-    arguments: &SimulateArguments,
-    plan: &Plan,
-    task: &AssemblyTask,
-) -> Result<Vec<(Motion, Reference)>, Failure> {
-    let mut motions = Vec::new();
-    if arguments.stages {
-        let stages = plan.stage_references()?.into_iter().enumerate();
-        motions.extend(stages.map(|(index, reference)| (Motion::Stage(index + 1), reference)));
+    if !plan.result.converged {
+        tell!("warning: {folder}: the plan did not converge");
     }
-    motions.push((Motion::Plan, plan.reference()?));
-    for (_, reference) in &motions {
-        let (distance, angle) = task::pose::errors(&reference.start(), &task.start);
-        if distance > SAME_POSE || angle > SAME_POSE {
-            return Err(Failure::Input(format!(
-                "{}: the plan does not begin at start `{}` of {}; was it made from another scene?",
-                plan.folder.display(),
-                plan.start,
-                arguments.scene.display()
-            )));
-        }
-    }
-    motions.push((Motion::StraightPush, Reference::straight(&task.start, &task.goal, task.horizon)));
-    Ok(motions)
+    Ok((plan, problem))
 }
 
-/// What the user asks for, else delta-hat of every plan; increasing.
-fn magnitudes(arguments: &SimulateArguments, plans: &[Plan]) -> Vec<f64> {
-    let mut magnitudes = arguments.magnitude.clone();
-    if magnitudes.is_empty() {
-        magnitudes = plans.iter().map(|plan| plan.delta).collect();
-    }
+/// Delta-hat of every plan.
+fn magnitudes(played: &[(StoredPlan, Problem)]) -> Vec<f64> {
+    let mut magnitudes: Vec<f64> = played.iter().map(|(_, problem)| problem.delta()).collect();
     magnitudes.sort_by(f64::total_cmp);
     magnitudes.dedup();
     magnitudes
 }
 
-fn injections(
-    arguments: &SimulateArguments,
-    scene: &Scene,
-    plan: &Plan,
-    magnitudes: &[f64],
-) -> Result<Vec<Injection>, Failure> {
-    if let Some(file) = &arguments.offsets {
-        return Ok(vec![listed(file, arguments)?]);
+/// The references to play, that of the plan last.
+fn motions(arguments: &SimulateArguments, plan: &StoredPlan) -> Result<Vec<(Motion, Reference)>, PlannerError> {
+    let mut motions = Vec::new();
+    if arguments.stages {
+        motions.extend((1..).map(Motion::HomotopyIteration).zip(plan.iteration_references()?));
     }
-    let of_magnitude = |&magnitude: &f64| {
-        let planned = scene.task(Some(&plan.start), Some(magnitude)).map_err(Failure::Input)?.offsets;
-        let offsets = match (arguments.random, arguments.grid) {
-            (Some(count), _) if arguments.ball => offsets::ball(magnitude, count as usize, arguments.seed),
-            (Some(count), _) => offsets::hull(&planned, count as usize, arguments.seed),
-            (_, Some(divisions)) => grid(&planned, divisions as usize)?,
-            (None, None) => planned,
-        };
-        Ok(Injection { magnitude, grasps: grasps(&offsets, arguments) })
-    };
-    magnitudes.iter().map(of_magnitude).collect()
+    motions.push((Motion::Plan, plan.reference()?));
+    Ok(motions)
 }
 
-fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, Failure> {
-    const LARGEST: f64 = 10_000.0;
-    let size = offsets::grid_size(planned.len(), divisions);
-    if size > LARGEST {
-        let problem = format!("a grid of {size:.0} offsets, more than {LARGEST}; use a smaller N, or --random");
-        return Err(Failure::Input(format!("--grid {divisions}: {problem}")));
-    }
-    Ok(offsets::grid(planned, divisions))
+/// The course of a rollout: the start and every time step.
+fn course(
+    problem: &Problem,
+    reference: &Reference,
+    request: &SimulationRequest,
+    friction: f64,
+    grasp: simulation::GraspError,
+) -> Vec<StateRow> {
+    let start = grasp.start(reference);
+    let at_rest = TimedState { time: 0.0, pose: start, velocity: [0.0; 3], angular_velocity: [0.0; 3] };
+    let row = |state: &TimedState| StateRow::new(state.time, &state.state());
+    let mut rows = vec![row(&at_rest)];
+    let rollout = Rollout::new(&problem.world(), request.settings(friction));
+    rollout.play(reference, grasp, |state, _| rows.push(row(state)));
+    rows
 }
 
-fn listed(file: &Path, arguments: &SimulateArguments) -> Result<Injection, Failure> {
-    let rows = read_numbers(file, &["x_m", "y_m", "z_m"])?;
-    if rows.is_empty() {
-        return Err(Failure::Input(format!("{}: no offsets", file.display())));
+/// Refuses to write where something else stands, before anything is computed.
+fn require_free(arguments: &SimulateArguments, folder: &Path) -> Result<(), PlannerError> {
+    if folder.exists() && !folder.is_dir() {
+        return Err(PlannerError::file(folder, "is a file; name a folder with --out"));
     }
-    let offsets: Vec<[f64; 3]> = rows.iter().map(|row| [row[0], row[1], row[2]]).collect();
-    let length = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
-    Ok(Injection { magnitude: offsets.iter().map(length).fold(0.0, f64::max), grasps: grasps(&offsets, arguments) })
-}
-
-/// Every offset with a turn of its own.
-fn grasps(offsets: &[[f64; 3]], arguments: &SimulateArguments) -> Vec<GraspError> {
-    let turns = offsets::ball(arguments.turn, offsets.len(), arguments.seed);
-    GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| GraspError { offset, turn }))
+    require_rollout_tables(folder)?;
+    match &arguments.trace {
+        Some(file) if file.symlink_metadata().is_ok() => {
+            Err(PlannerError::file(file, "exists, and a trace replaces nothing; choose another name for --trace"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Contacts are hard: what overlaps has done so from the beginning.
-fn warn_about_overlap(played: &[Played]) {
-    /// More than time steps leave (m).
-    const OVERLAP: f64 = 1e-4;
-    let count = played.iter().filter(|played| played.outcome.max_penetration > OVERLAP).count();
+fn warn_about_overlap(rollouts: &[planner::PlayedRollout]) {
+    let count = planner::simulate::overlapping(rollouts);
     if count > 0 {
         tell!(
             "warning: in {count} of {} rollouts parts overlap; is the offset so large that the body starts inside the \
              environment?",
-            played.len()
+            rollouts.len()
         );
     }
-}
-
-fn rollouts(played: &[Played]) -> Result<Vec<u8>, Failure> {
-    let header = [
-        "plan",
-        "start",
-        "delta_m",
-        "motion",
-        "friction",
-        "magnitude_m",
-        "x_m",
-        "y_m",
-        "z_m",
-        "success",
-        "position_error_m",
-        "orientation_error_rad",
-        "max_penetration_m",
-        "max_force_n",
-        "turn_x_rad",
-        "turn_y_rad",
-        "turn_z_rad",
-    ];
-    let rows = played.iter().map(|played| {
-        let outcome = &played.outcome;
-        let [x, y, z] = played.grasp.offset.map(|component| component.to_string());
-        let [turn_x, turn_y, turn_z] = played.grasp.turn.map(|component| component.to_string());
-        vec![
-            played.plan.folder.display().to_string(),
-            played.plan.start.clone(),
-            played.plan.delta.to_string(),
-            played.motion.to_string(),
-            played.friction.to_string(),
-            played.magnitude.to_string(),
-            x,
-            y,
-            z,
-            u8::from(played.success).to_string(),
-            outcome.position_error.to_string(),
-            outcome.orientation_error.to_string(),
-            outcome.max_penetration.to_string(),
-            outcome.max_force.to_string(),
-            turn_x,
-            turn_y,
-            turn_z,
-        ]
-    });
-    table(header.into_iter(), rows)
-}
-
-fn in_words(jobs: usize) -> &'static str {
-    if jobs == 1 { "thread" } else { "threads" }
 }

@@ -62,7 +62,7 @@
 //! ```
 
 mod callbacks;
-mod check;
+mod derivative_check;
 mod error;
 mod kkt_solver;
 mod linear_solver;
@@ -80,7 +80,7 @@ mod solve;
 mod statistics;
 mod status;
 
-pub use check::{DerivativeReport, Entry, Kind, check_derivatives};
+pub use derivative_check::{DerivativeReport, Entry, Kind, check_derivatives};
 pub use error::SolveError;
 pub use kkt_solver::{Factorisation, KktSolver, LinearSolver};
 pub use linear_solver::{MUMPS, TAKES_OWN_SOLVER};
@@ -89,7 +89,7 @@ pub use mumps::Mumps;
 pub use options::{OptionValue, Options};
 pub use problem::{Bounds, EvaluationError, Pattern, Problem};
 pub use solution::{Control, Iterate, Progress, Solution, Start, Timing};
-pub use solve::solve;
+pub use solve::{check, solve};
 pub use status::SolveStatus;
 
 /// Version of the Ipopt that this program was built with.

@@ -98,6 +98,17 @@ pub fn solve(
     })
 }
 
+/// Checks that Ipopt takes some options and can run a linear solver of its own, before anything is solved.
+///
+/// # Errors
+/// When it refuses an option, or the linear solver cannot run.
+pub fn check(options: &Options, linear_solver: Option<&str>) -> Result<(), SolveError> {
+    if let Some(name) = linear_solver {
+        let _solver = SolverInUse::new(LinearSolver::Named(name))?;
+    }
+    Handle::probe()?.set_options(options)
+}
+
 /// The linear solver of a running solve.
 struct SolverInUse<'solver> {
     name: String,
@@ -208,7 +219,7 @@ struct Outcome {
 
 impl Handle {
     fn create(problem: &dyn Problem) -> Result<Self, SolveError> {
-        let (mut variables, mut constraints) = (problem.variable_bounds(), problem.constraint_bounds());
+        let (variables, constraints) = (problem.variable_bounds(), problem.constraint_bounds());
         let (jacobian, hessian) = (problem.jacobian_pattern(), problem.hessian_pattern());
         let (n, m) = (variables.lower.len(), constraints.lower.len());
         let inside = |indices: &[usize], limit| indices.iter().all(|&index| index < limit);
@@ -225,6 +236,22 @@ impl Handle {
                 "bounds or patterns do not fit the numbers of variables and constraints".into(),
             ));
         }
+        Self::allocate(variables, constraints, jacobian.rows.len(), hessian.rows.len())
+    }
+
+    /// For the smallest problem there is.
+    fn probe() -> Result<Self, SolveError> {
+        Self::allocate(Bounds { lower: vec![0.0], upper: vec![1.0] }, Bounds::default(), 0, 0)
+    }
+
+    /// For a problem with these bounds, each with as many lower as upper ones, and numbers of nonzeros.
+    fn allocate(
+        mut variables: Bounds,
+        mut constraints: Bounds,
+        jacobian_nonzeros: usize,
+        hessian_nonzeros: usize,
+    ) -> Result<Self, SolveError> {
+        let (n, m) = (variables.lower.len(), constraints.lower.len());
         // SAFETY: the bounds have n and m numbers, which Ipopt copies; the callbacks fit their types.
         let handle = unsafe {
             ipopt::CreateIpoptProblem(
@@ -234,8 +261,8 @@ impl Handle {
                 m as ipopt::Index,
                 constraints.lower.as_mut_ptr(),
                 constraints.upper.as_mut_ptr(),
-                jacobian.rows.len() as ipopt::Index,
-                hessian.rows.len() as ipopt::Index,
+                jacobian_nonzeros as ipopt::Index,
+                hessian_nonzeros as ipopt::Index,
                 0,
                 Some(callbacks::objective),
                 Some(callbacks::constraints),

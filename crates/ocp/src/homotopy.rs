@@ -139,6 +139,15 @@ const WARM_START_PUSHES: [&str; 5] = [
     "warm_start_mult_bound_push",
 ];
 
+/// Checks that the installed Ipopt can run these settings, before anything is solved.
+///
+/// # Errors
+/// When it refuses an option, or the linear solver cannot run.
+pub fn check_settings(settings: &HomotopySettings) -> Result<(), SolveError> {
+    let named = (settings.linear_solver != LinearSolver::Stage).then(|| settings.linear_solver.name());
+    settings.schedule().take(1).try_for_each(|first| nlp::check(&iteration_options(settings, first), named))
+}
+
 fn iteration_options(settings: &HomotopySettings, smoothing: Smoothing) -> Options {
     let mut options = Options::default();
     options.set("mu_init", smoothing.mu_init);

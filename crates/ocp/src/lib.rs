@@ -31,7 +31,7 @@ mod pattern;
 mod stage_solver;
 mod transcription;
 
-pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationTiming};
+pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationTiming, check_settings};
 pub use layout::Layout;
 pub use stage_solver::TranscriptionSolver;
 pub use transcription::Transcription;

@@ -12,14 +12,6 @@ pub enum PlannerError {
     /// A scene or homotopy file is wrong.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// A scene has no task for these choices.
-    #[error("{}: {source}", scene.display())]
-    Task {
-        /// The scene's file.
-        scene: PathBuf,
-        /// What is wrong with the choice.
-        source: TaskError,
-    },
     /// Ipopt or a linear solver cannot run as asked.
     #[error(transparent)]
     Solver(#[from] SolveError),
@@ -92,7 +84,9 @@ impl PlannerError {
         match self {
             // What is read was named by the user.
             Self::Io { action: "read", .. } => Fault::Input,
-            Self::Distance { .. } | Self::Solver(SolveError::Problem(_)) | Self::Io { .. } | Self::Internal(_) => Fault::System,
+            Self::Distance { .. } | Self::Solver(SolveError::Problem(_)) | Self::Io { .. } | Self::Internal(_) => {
+                Fault::System
+            }
             _ => Fault::Input,
         }
     }

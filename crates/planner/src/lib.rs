@@ -53,6 +53,7 @@ mod variant;
 mod warnings;
 
 pub use error::{Fault, PlannerError};
+pub use ocp::Event as SolverEvent;
 pub use plan::{Plan, PlanIteration, PlanStatus};
 pub use problem::{Choices, Problem, homotopy};
 pub use refine::{RobustnessReport, RobustnessTarget, refine};

@@ -118,10 +118,9 @@ impl Plan {
         match &self.robustness {
             Some(report) if report.is_reached() => PlanStatus::Done,
             Some(_) => PlanStatus::NotRobust,
-            None if !self.is_converged() => PlanStatus::NotConverged {
-                iteration: self.iterations.len(),
-                status: self.last().record.status.clone(),
-            },
+            None if !self.is_converged() => {
+                PlanStatus::NotConverged { iteration: self.iterations.len(), status: self.last().record.status.clone() }
+            }
             None if self.reaches_goal() => PlanStatus::Done,
             None => PlanStatus::GoalMissed,
         }

@@ -47,7 +47,6 @@ impl Problem {
         let scene = Scene::load(file)?;
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
         Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, choices.success)
-            .map_err(|error| error.in_scene(file))
     }
 
     /// Of a scene, by default with its first start and its own offset magnitude (m).
@@ -61,15 +60,13 @@ impl Problem {
         homotopy: HomotopySettings,
         success: Success,
     ) -> Result<Self, PlannerError> {
-        for (name, value) in [("position tolerance", success.position), ("angle tolerance", success.orientation)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(PlannerError::value(name, value, "must be above zero"));
-            }
-        }
-        let start = scene.start(start)?.clone();
+        success.validate()?;
+        let start = scene.start(start).map_err(|problem| PlannerError::Choice { name: "scene", problem })?.clone();
         let delta = delta.unwrap_or(scene.offset_magnitude);
-        let task = scene.task(Some(&start.name), Some(delta))?;
-        ocp::check_solver(&homotopy)?;
+        let task = scene
+            .task(Some(&start.name), Some(delta))
+            .map_err(|problem| PlannerError::Choice { name: "scene", problem })?;
+        ocp::check_settings(&homotopy)?;
         let resolved = resolved(&scene, &start, delta, &homotopy);
         let identity = hash(format!("{}\n{resolved}", env!("CARGO_PKG_VERSION")).as_bytes());
         Ok(Self { scene, start, delta, success, task, homotopy, resolved, identity })
@@ -133,7 +130,10 @@ impl Problem {
     /// Hash (hexadecimal) of everything else: inertia, impedance, offsets, horizon, cost, limits, homotopy.
     pub fn settings_hash(&self) -> String {
         let AssemblyTask { inertia, impedance, offsets, horizon, cost, limits, .. } = &self.task;
-        hash(format!("{inertia:?} {impedance:?} {offsets:?} {horizon:?} {cost:?} {limits:?} {:?}", self.homotopy).as_bytes())
+        hash(
+            format!("{inertia:?} {impedance:?} {offsets:?} {horizon:?} {cost:?} {limits:?} {:?}", self.homotopy)
+                .as_bytes(),
+        )
     }
 }
 

@@ -131,9 +131,12 @@ impl SimulationRequest {
             require(!self.errors.magnitudes[..index].contains(magnitude), "magnitude", magnitude, "is given twice")?;
         }
         match &self.errors.offsets {
-            OffsetSource::Hull(count) | OffsetSource::Ball(count) => {
-                require((1..=MOST_OFFSETS).contains(count), "number of offsets", count, "must lie between 1 and 1000000")
-            }
+            OffsetSource::Hull(count) | OffsetSource::Ball(count) => require(
+                (1..=MOST_OFFSETS).contains(count),
+                "number of offsets",
+                count,
+                "must lie between 1 and 1000000",
+            ),
             OffsetSource::Grid(divisions) => {
                 require((1..=MOST_OFFSETS).contains(divisions), "grid", divisions, "must lie between 1 and 1000000")
             }
@@ -239,4 +242,3 @@ pub fn overlapping(played: &[PlayedRollout]) -> usize {
     const OVERLAP: f64 = 1e-4;
     played.iter().filter(|rollout| rollout.outcome.max_penetration > OVERLAP).count()
 }
-

@@ -162,9 +162,7 @@ fn option(source: Source, name: &Spanned<String>, value: &Spanned<Value>) -> Res
         (Kind::Number(range), Value::Integer(number)) => {
             range.check(source, &key, span, *number as f64).map(IpoptValue::Number)
         }
-        (Kind::Number(range), Value::Float(number)) => {
-            range.check(source, &key, span, *number).map(IpoptValue::Number)
-        }
+        (Kind::Number(range), Value::Float(number)) => range.check(source, &key, span, *number).map(IpoptValue::Number),
         (Kind::Text(choices), Value::String(text)) if is_word(text) => {
             source.require_known(&Spanned::new(span.clone(), text.clone()), choices)?;
             match refusal_of_choice(name.get_ref(), text) {

@@ -5,7 +5,11 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
-use crate::failure::Failure;
+use planner::batch::{Matrix, Starts};
+use task::LinearSolver;
+
+use crate::exit::CommandError;
+use crate::values;
 
 #[derive(Debug, Args)]
 #[command(args_conflicts_with_subcommands = true, after_help = BATCH_HELP)]
@@ -60,22 +64,38 @@ pub struct MatrixArguments {
     #[arg(long, value_name = "FILES", value_delimiter = ',')]
     pub homotopies: Vec<PathBuf>,
     /// Linear solver of all cells [default: the homotopy's]
-    #[arg(long, value_name = "NAME", value_parser = task::LinearSolver::ALL.map(task::LinearSolver::name), hide_possible_values = true)]
-    pub linear_solver: Option<String>,
+    #[arg(long, value_name = "NAME", value_parser = values::linear_solver)]
+    pub linear_solver: Option<LinearSolver>,
     /// Folder of the batch [default: runs/NAME, after the matrix or the first scene]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
 
 impl MatrixArguments {
+    /// The matrix of the flags, or of the file that they name.
+    ///
+    /// # Errors
+    /// What is wrong with the file.
+    pub fn matrix(&self) -> Result<Matrix, CommandError> {
+        if let Some(file) = &self.matrix {
+            return Ok(Matrix::load(file)?);
+        }
+        let mut matrix = Matrix::of_scenes(self.scenes.clone());
+        matrix.starts = Starts::new(self.starts.clone());
+        matrix.deltas.clone_from(&self.deltas);
+        matrix.homotopies.clone_from(&self.homotopies);
+        matrix.linear_solver = self.linear_solver;
+        Ok(matrix)
+    }
+
     /// Folder of the batch.
-    pub fn folder(&self) -> Result<PathBuf, Failure> {
+    pub fn folder(&self) -> Result<PathBuf, CommandError> {
         if let Some(out) = &self.out {
             return Ok(out.clone());
         }
         let name = self.matrix.as_ref().or(self.scenes.first()).and_then(|file| file.file_stem());
         name.map(|name| Path::new("runs").join(name))
-            .ok_or_else(|| Failure::Input("name scenes, or a matrix file with --matrix".to_owned()))
+            .ok_or_else(|| CommandError::Usage("name scenes, or a matrix file with --matrix".to_owned()))
     }
 }
 

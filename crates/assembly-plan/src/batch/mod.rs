@@ -1,61 +1,61 @@
-//! `batch`: every start, offset magnitude and homotopy of some scenes, on one machine or as a job array.
-//!
-//! [`mod@expand`] turns a [`matrix`] into the cells of an immutable [`manifest`]; [`mod@run`] solves them, each by a
-//! `solve` of its own in a folder named after what it solves. The files are the truth: a cell is finished when its
-//! `result.json` stands, and being solved while a process holds the lock on its log. So any number of runs, on one
-//! machine or many, share one folder, and each can be killed at any moment and started again.
+//! `batch`: every start, offset magnitude and homotopy of some scenes, on one machine or as a job array. Each cell is
+//! solved by a `solve` of its own, in a process of its own.
 
 mod arguments;
-mod collect;
-mod expand;
-mod manifest;
-mod matrix;
-mod outcome;
 mod process;
 mod progress;
 mod run;
 mod status;
 mod submit;
 
+use planner::batch::{Manifest, collect, expand};
+
 pub use arguments::BatchArguments;
 
-use crate::console::tell;
-use crate::failure::Failure;
-use crate::{DONE, INTERRUPTED};
+use crate::console::{say, tell};
+use crate::exit::{CommandError, Exit};
 use arguments::{BatchCommand, MatrixArguments};
-use manifest::Manifest;
 
 /// Runs one of the steps or, when none is named, all that a batch on this machine needs.
-pub fn run(arguments: &BatchArguments) -> Result<u8, Failure> {
+pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {
     match &arguments.step {
         None => {
-            let manifest = expand(&arguments.matrix)?;
-            let code = run::run(&manifest, &manifest.cells, arguments.jobs)?;
-            if code != INTERRUPTED {
-                collect::collect(&manifest)?;
+            let manifest = write_manifest(&arguments.matrix)?;
+            let exit = run::run(&manifest, &manifest.cells, arguments.jobs)?;
+            if exit != Exit::Interrupted {
+                write_tables(&manifest)?;
             }
-            Ok(code)
+            Ok(exit)
         }
-        Some(BatchCommand::Expand(matrix)) => expand(matrix).map(|_| DONE),
+        Some(BatchCommand::Expand(matrix)) => write_manifest(matrix).map(|_| Exit::Done),
         Some(BatchCommand::Run(arguments)) => {
             let manifest = Manifest::load(&arguments.folder)?;
             let cells = run::select(&manifest, arguments.index, arguments.count)?;
             run::run(&manifest, cells, arguments.jobs)
         }
-        Some(BatchCommand::Status(arguments)) => status::status(&Manifest::load(&arguments.folder)?),
-        Some(BatchCommand::Collect(arguments)) => collect::collect(&Manifest::load(&arguments.folder)?).map(|()| DONE),
+        Some(BatchCommand::Status(arguments)) => Ok(status::status(&Manifest::load(&arguments.folder)?)),
+        Some(BatchCommand::Collect(arguments)) => write_tables(&Manifest::load(&arguments.folder)?),
         Some(BatchCommand::Submit(arguments)) => submit::submit(&Manifest::load(&arguments.folder)?, arguments),
     }
 }
 
 /// Writes the manifest, unless it stands there already.
-fn expand(arguments: &MatrixArguments) -> Result<Manifest, Failure> {
-    let manifest = Manifest::new(&arguments.folder()?, expand::cells(arguments)?)?;
-    let cells = manifest.cells.len();
-    let file = manifest.file();
+fn write_manifest(arguments: &MatrixArguments) -> Result<Manifest, CommandError> {
+    let folder = arguments.folder()?;
+    let (cells, warnings) = expand(&arguments.matrix()?)?;
+    warnings.iter().for_each(|warning| tell!("warning: {warning}"));
+    let manifest = Manifest::new(&folder, cells)?;
+    let (count, file) = (manifest.cells.len(), manifest.file());
     match manifest.write()? {
-        true => tell!("{cells} cells written to {}", file.display()),
-        false => tell!("{cells} cells, as {} already says", file.display()),
+        true => tell!("{count} cells written to {}", file.display()),
+        false => tell!("{count} cells, as {} already says", file.display()),
     }
     Ok(manifest)
+}
+
+fn write_tables(manifest: &Manifest) -> Result<Exit, CommandError> {
+    for file in collect(manifest)? {
+        say!("written {}", file.display());
+    }
+    Ok(Exit::Done)
 }

@@ -4,11 +4,10 @@ use std::fs::{self, File, TryLockError};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 
-use super::manifest::{Cell, Manifest};
-use super::outcome::{Outcome, Places};
-use crate::INTERRUPTED;
-use crate::failure::Failure;
-use crate::output::{remove_file, write_file};
+use planner::batch::{Cell, CellFiles, Manifest};
+use planner::files::{PlanResult, remove_file, write_file};
+
+use crate::exit::{CommandError, Exit};
 
 /// What limits the threads of the libraries that a solve may use; a cell has one.
 const THREAD_LIMITS: [&str; 4] = ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "RAYON_NUM_THREADS"];
@@ -18,7 +17,7 @@ pub enum Begun {
     /// A process solves it now.
     Process(Process),
     /// It was finished before.
-    Finished(Box<Outcome>),
+    Finished(Box<PlanResult>),
     /// Another run solves it.
     Busy,
 }
@@ -26,7 +25,7 @@ pub enum Begun {
 /// How a process has ended.
 pub enum Ended {
     /// With a whole plan, good or bad.
-    Finished(Box<Outcome>),
+    Finished(Box<PlanResult>),
     /// It was asked to stop; the next one goes on after its last finished homotopy iteration.
     Interrupted,
     /// Without a plan, for this reason.
@@ -37,7 +36,7 @@ pub enum Ended {
 pub struct Process {
     /// Index of the cell.
     pub cell: usize,
-    places: Places,
+    files: CellFiles,
     child: Child,
 }
 
@@ -46,32 +45,32 @@ impl Process {
     ///
     /// # Errors
     /// When its files cannot be written or the program cannot be started.
-    pub fn begin(manifest: &Manifest, cell: &Cell) -> Result<Begun, Failure> {
-        let places = Places::new(manifest, cell);
-        fs::create_dir_all(places.folder()).map_err(|error| Failure::io(places.folder(), &error))?;
-        let path = places.log();
-        let log = File::options().append(true).create(true).open(&path).map_err(|error| Failure::io(&path, &error))?;
+    pub fn begin(manifest: &Manifest, cell: &Cell) -> Result<Begun, CommandError> {
+        let files = CellFiles::new(manifest, cell);
+        fs::create_dir_all(files.folder()).map_err(in_system(files.folder()))?;
+        let path = files.log();
+        let log = File::options().append(true).create(true).open(&path).map_err(in_system(&path))?;
         match log.try_lock() {
             Err(TryLockError::WouldBlock) => return Ok(Begun::Busy),
-            Err(TryLockError::Error(error)) => return Err(Failure::io(&path, &error)),
+            Err(TryLockError::Error(error)) => return Err(in_system(&path)(error)),
             Ok(()) => {}
         }
         // Only now, for the run that held the lock may just have finished it.
-        if let Some((outcome, _)) = places.result() {
-            return Ok(Begun::Finished(outcome));
+        if let Some(result) = files.result().map_err(CommandError::Usage)? {
+            return Ok(Begun::Finished(Box::new(result)));
         }
-        remove_file(&places.failure())?;
-        log.set_len(0).map_err(|error| Failure::io(&path, &error))?;
-        let program = std::env::current_exe().map_err(|error| Failure::Internal(error.to_string()))?;
-        let errors = log.try_clone().map_err(|error| Failure::io(&path, &error))?;
+        remove_file(&files.failure())?;
+        log.set_len(0).map_err(in_system(&path))?;
+        let program = std::env::current_exe().map_err(|error| CommandError::System(error.to_string()))?;
+        let errors = log.try_clone().map_err(in_system(&path))?;
         // The process inherits the lock with the log and holds it even when this one is killed.
         let child = solve(program.as_path(), manifest, cell)
             .stdin(Stdio::piped())
             .stdout(log)
             .stderr(errors)
             .spawn()
-            .map_err(|error| Failure::io(&program, &error))?;
-        Ok(Begun::Process(Self { cell: cell.index, places, child }))
+            .map_err(in_system(&program))?;
+        Ok(Begun::Process(Self { cell: cell.index, files, child }))
     }
 
     /// Asks the process to stop. It does so at its next iteration.
@@ -83,19 +82,19 @@ impl Process {
     ///
     /// # Errors
     /// When this is not known, or the reason of its failure cannot be written.
-    pub fn ended(&mut self) -> Result<Option<Ended>, Failure> {
-        let status = self.child.try_wait().map_err(|error| Failure::Internal(error.to_string()))?;
+    pub fn ended(&mut self) -> Result<Option<Ended>, CommandError> {
+        let status = self.child.try_wait().map_err(|error| CommandError::System(error.to_string()))?;
         let Some(status) = status else { return Ok(None) };
-        if let Some((outcome, _)) = self.places.result() {
-            return Ok(Some(Ended::Finished(outcome)));
+        if let Some(result) = self.files.result().map_err(CommandError::Usage)? {
+            return Ok(Some(Ended::Finished(Box::new(result))));
         }
         // One that is stopped before it can handle that has not failed either.
         let is_stopped = self.child.stdin.is_none();
-        if is_stopped || status.code() == Some(INTERRUPTED.into()) {
+        if is_stopped || status.code() == Some(Exit::Interrupted as i32) {
             return Ok(Some(Ended::Interrupted));
         }
-        let reason = reason(status, &self.places.log());
-        write_file(&self.places.failure(), reason.as_bytes())?;
+        let reason = reason(status, &self.files.log());
+        write_file(&self.files.failure(), reason.as_bytes())?;
         Ok(Some(Ended::Crashed(reason)))
     }
 }
@@ -125,4 +124,9 @@ fn reason(status: ExitStatus, log: &Path) -> String {
         (Some(_), Some(error)) => error.to_owned(),
         _ => status.to_string(),
     }
+}
+
+/// A file that the system cannot read or write.
+pub fn in_system(path: &Path) -> impl FnOnce(std::io::Error) -> CommandError {
+    |error| CommandError::System(format!("{}: {error}", path.display()))
 }

@@ -6,14 +6,14 @@ use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::Duration;
 
-use super::manifest::{Cell, Manifest};
-use super::outcome::Outcome;
+use planner::batch::{Cell, Manifest};
+use planner::files::PlanResult;
+
 use super::process::{Begun, Ended, Process};
 use super::progress::Progress;
 use crate::console::tell;
-use crate::failure::Failure;
+use crate::exit::{CommandError, Exit};
 use crate::interrupt::stop_flag;
-use crate::{DONE, INTERRUPTED, NO_PLAN};
 
 /// Between two looks at the processes; short beside any solve.
 const PAUSE: Duration = Duration::from_millis(10);
@@ -25,28 +25,28 @@ const INDEX_VARIABLES: [&str; 2] = ["HQ_TASK_ID", "SLURM_ARRAY_TASK_ID"];
 ///
 /// # Errors
 /// When there are no such cells.
-pub fn select(manifest: &Manifest, index: Option<usize>, count: Option<NonZeroUsize>) -> Result<&[Cell], Failure> {
+pub fn select(manifest: &Manifest, index: Option<usize>, count: Option<NonZeroUsize>) -> Result<&[Cell], CommandError> {
     let from_flag = index.map(|index| ("--index", index));
     let Some((name, index)) = from_flag.map_or_else(index_of_task, |index| Ok(Some(index)))? else {
         return match count {
             None => Ok(&manifest.cells),
-            Some(_) => Err(Failure::Input("--count needs --index, the first cell".to_owned())),
+            Some(_) => Err(CommandError::Usage("--count needs --index, the first cell".to_owned())),
         };
     };
     let last = manifest.cells.len().saturating_sub(1);
     let end = index.saturating_add(count.map_or(1, NonZeroUsize::get)).min(manifest.cells.len());
     manifest.cells.get(index..end).filter(|cells| !cells.is_empty()).ok_or_else(|| {
-        Failure::Input(format!("{name} {index}: the cells of {} are 0 to {last}", manifest.file().display()))
+        CommandError::Usage(format!("{name} {index}: the cells of {} are 0 to {last}", manifest.file().display()))
     })
 }
 
-fn index_of_task() -> Result<Option<(&'static str, usize)>, Failure> {
+fn index_of_task() -> Result<Option<(&'static str, usize)>, CommandError> {
     let set = INDEX_VARIABLES.into_iter().find_map(|name| std::env::var(name).ok().map(|value| (name, value)));
     let Some((name, value)) = set else { return Ok(None) };
     match value.parse() {
         Ok(index) => Ok(Some((name, index))),
         Err(_) => {
-            Err(Failure::Input(format!("{name}={value}: must be the number of a cell; unset it or give --index")))
+            Err(CommandError::Usage(format!("{name}={value}: must be the number of a cell; unset it or give --index")))
         }
     }
 }
@@ -55,7 +55,7 @@ fn index_of_task() -> Result<Option<(&'static str, usize)>, Failure> {
 ///
 /// # Errors
 /// When interrupts cannot be handled.
-pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<NonZeroUsize>) -> Result<u8, Failure> {
+pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<NonZeroUsize>) -> Result<Exit, CommandError> {
     let stopped = stop_flag()?;
     let jobs = jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
     let mut pool = Pool::new(manifest, cells, jobs);
@@ -70,9 +70,9 @@ pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<NonZeroUsize>) -> R
     }
     pool.report();
     Ok(match (pool.interrupted.is_empty(), pool.failed.is_empty()) {
-        (true, true) => DONE,
-        (false, _) if pool.stopped => INTERRUPTED,
-        _ => NO_PLAN,
+        (true, true) => Exit::Done,
+        (false, _) if pool.stopped => Exit::Interrupted,
+        _ => Exit::NoPlan,
     })
 }
 
@@ -119,13 +119,13 @@ impl<'manifest> Pool<'manifest> {
             let cell = &self.manifest.cells[process.cell];
             match process.ended() {
                 Ok(None) => self.processes.push(process),
-                Ok(Some(Ended::Finished(outcome))) => {
+                Ok(Some(Ended::Finished(result))) => {
                     self.progress.solved();
-                    self.finished(cell, &outcome);
+                    self.finished(cell, &result);
                 }
                 Ok(Some(Ended::Interrupted)) => self.interrupted.push(cell),
                 Ok(Some(Ended::Crashed(reason))) => self.crashed(cell, reason),
-                Err(failure) => self.crashed(cell, failure.to_string()),
+                Err(error) => self.crashed(cell, error.to_string()),
             }
         }
     }
@@ -139,18 +139,18 @@ impl<'manifest> Pool<'manifest> {
             let Some(cell) = self.waiting.pop_front() else { return };
             match Process::begin(self.manifest, cell) {
                 Ok(Begun::Process(process)) => self.processes.push(process),
-                Ok(Begun::Finished(outcome)) => self.finished(cell, &outcome),
+                Ok(Begun::Finished(result)) => self.finished(cell, &result),
                 Ok(Begun::Busy) => self.waiting.push_back(cell),
-                Err(failure) => self.crashed(cell, failure.to_string()),
+                Err(error) => self.crashed(cell, error.to_string()),
             }
         }
     }
 
-    fn finished(&mut self, cell: &'manifest Cell, outcome: &Outcome) {
-        if outcome.is_done() {
+    fn finished(&mut self, cell: &'manifest Cell, result: &PlanResult) {
+        if result.done {
             self.progress.done += 1;
         } else {
-            self.fail(cell, outcome.status.clone());
+            self.fail(cell, result.status.clone());
         }
     }
 

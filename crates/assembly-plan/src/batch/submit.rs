@@ -4,42 +4,56 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use planner::PlannerError;
+use planner::batch::Manifest;
+use planner::files::write_file;
+
 use super::arguments::SubmitArguments;
-use super::manifest::Manifest;
-use crate::DONE;
+use super::process::in_system;
 use crate::console::say;
-use crate::failure::Failure;
-use crate::output::write_file;
+use crate::exit::{CommandError, Exit};
+
+/// Tells a script of ours from another one.
+const MARK: &str = "# Written by `assembly-plan batch submit`.";
 
 /// Writes `submit.sh` and, if asked to, submits it.
 ///
 /// # Errors
 /// When the script cannot be written, or Slurm refuses it.
-pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<u8, Failure> {
-    let folder = manifest.folder.canonicalize().map_err(|error| Failure::io(&manifest.folder, &error))?;
+pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, CommandError> {
+    let folder = manifest.folder.canonicalize().map_err(in_system(&manifest.folder))?;
+    require_plain(&folder, &arguments.options)?;
     let logs = folder.join("slurm");
-    fs::create_dir_all(&logs).map_err(|error| Failure::io(&logs, &error))?;
+    fs::create_dir_all(&logs).map_err(in_system(&logs))?;
     let file = manifest.folder.join("submit.sh");
+    if file.exists() && !fs::read_to_string(&file).is_ok_and(|text| text.contains(MARK)) {
+        let problem = "was not written by `batch submit` and would be replaced; move it away";
+        return Err(PlannerError::file(&file, problem).into());
+    }
     let tasks = manifest.cells.len().div_ceil(arguments.count.get());
     write_file(&file, script(&folder, tasks, arguments)?.as_bytes())?;
     if !arguments.now {
         say!("{} written; sbatch {0} submits its {tasks} tasks", file.display());
-        return Ok(DONE);
+        return Ok(Exit::Done);
     }
     let status = Command::new("sbatch")
         .arg(&file)
         .status()
-        .map_err(|error| Failure::Internal(format!("sbatch cannot be started: {error}")))?;
-    if status.success() { Ok(DONE) } else { Err(Failure::Internal(format!("sbatch {}: {status}", file.display()))) }
+        .map_err(|error| CommandError::System(format!("sbatch cannot be started: {error}")))?;
+    match status.success() {
+        true => Ok(Exit::Done),
+        false => Err(CommandError::System(format!("sbatch {}: {status}", file.display()))),
+    }
 }
 
 /// A task finds its cells by its number. It replaces the shell, so that it hears Slurm's request to terminate.
-fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<String, Failure> {
-    let program = std::env::current_exe().map_err(|error| Failure::Internal(error.to_string()))?;
+fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<String, CommandError> {
+    let program = std::env::current_exe().map_err(|error| CommandError::System(error.to_string()))?;
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let options: String = arguments.options.iter().map(|option| format!("#SBATCH {option}\n")).collect();
     Ok(format!(
         "#!/bin/sh\n\
+         {MARK}\n\
          #SBATCH --job-name=\"{name}\"\n\
          #SBATCH --array=0-{last}\n\
          #SBATCH --ntasks=1\n\
@@ -48,11 +62,29 @@ fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<St
          {options}\
          exec {program} batch run {quoted} --index $((SLURM_ARRAY_TASK_ID * {count})) --count {count} --jobs 1\n",
         last = tasks.saturating_sub(1),
-        folder = folder.display(),
+        folder = folder.display().to_string().replace('%', "%%"),
         program = quote(&program),
         quoted = quote(folder),
         count = arguments.count,
     ))
+}
+
+/// Refuses names that a comment of the script cannot hold: they would end it, and the rest would be run.
+fn require_plain(folder: &Path, options: &[String]) -> Result<(), CommandError> {
+    let Some(name) = folder.to_str() else {
+        return Err(CommandError::Usage(format!(
+            "{}: the name is not UTF-8 text; rename the folder",
+            folder.display()
+        )));
+    };
+    if name.chars().any(|letter| letter.is_control() || letter == '"' || letter == '\\') {
+        let problem = "the name has a quotation mark, a backslash or a line break, which Slurm cannot take";
+        return Err(CommandError::Usage(format!("{name:?}: {problem}; rename the folder")));
+    }
+    match options.iter().find(|option| option.chars().any(char::is_control) || !option.starts_with('-')) {
+        Some(option) => Err(CommandError::Usage(format!("{option:?}: no option of sbatch, such as --time=1:00:00"))),
+        None => Ok(()),
+    }
 }
 
 /// A path as one word of a shell.

@@ -43,7 +43,13 @@ pub enum Starts {
 enum Places {
     #[default]
     Flags,
-    File { path: PathBuf, text: String, scenes: Range<usize>, starts: Range<usize>, deltas: Range<usize> },
+    File {
+        path: PathBuf,
+        text: String,
+        scenes: Range<usize>,
+        starts: Range<usize>,
+        deltas: Range<usize>,
+    },
 }
 
 /// A part of the matrix that can be wrong.

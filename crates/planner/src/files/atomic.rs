@@ -54,7 +54,8 @@ pub fn remove_file(path: &Path) -> Result<(), PlannerError> {
 pub fn read_text(path: &Path) -> Result<String, PlannerError> {
     let bytes = fs::read(path).map_err(PlannerError::read(path))?;
     String::from_utf8(bytes).map_err(|error| {
-        let line = 1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        let line =
+            1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
         PlannerError::line(path, line, "not UTF-8 text")
     })
 }

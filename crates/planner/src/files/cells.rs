@@ -121,8 +121,10 @@ impl CellRow {
 
 /// Largest value of all scenarios; none when one of them is not finite.
 fn worst(result: &PlanResult, value: fn(&ScenarioRecord) -> f64) -> Option<f64> {
-    let largest = result.scenarios.iter().map(value).fold(0.0, |largest: f64, value| {
-        if value.is_finite() { largest.max(value) } else { f64::INFINITY }
-    });
+    let largest = result
+        .scenarios
+        .iter()
+        .map(value)
+        .fold(0.0, |largest: f64, value| if value.is_finite() { largest.max(value) } else { f64::INFINITY });
     largest.is_finite().then_some(largest)
 }

@@ -31,7 +31,14 @@ impl Checkpoint {
     /// After the finished iterations of a problem, which ended at a primal-dual point.
     pub fn new(identity: &str, iterations: Vec<IterationRecord>, iterate: &Iterate) -> Self {
         let Iterate { x, constraint_multipliers, lower_multipliers, upper_multipliers } = iterate.clone();
-        Self { identity: identity.to_owned(), iterations, x, constraint_multipliers, lower_multipliers, upper_multipliers }
+        Self {
+            identity: identity.to_owned(),
+            iterations,
+            x,
+            constraint_multipliers,
+            lower_multipliers,
+            upper_multipliers,
+        }
     }
 
     /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it is unreadable or of

@@ -203,9 +203,14 @@ impl PlanFolder {
         for name in standing.iter().filter(|name| *name != RESULT) {
             let file = self.target.join(name);
             match earlier.get(name) {
-                None => return refuse(name, "was not written by an earlier run; choose another --out, or move it away"),
+                None => {
+                    return refuse(name, "was not written by an earlier run; choose another --out, or move it away");
+                }
                 Some(expected) if hash(&fs::read(&file).map_err(PlannerError::read(&file))?) != *expected => {
-                    return refuse(name, "was changed since the plan was written; choose another --out, or move it away");
+                    return refuse(
+                        name,
+                        "was changed since the plan was written; choose another --out, or move it away",
+                    );
                 }
                 Some(_) => {}
             }
@@ -235,9 +240,9 @@ fn write_iterations<'motion>(
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(PlannerError::written(folder))?;
     }
-    (1..).zip(motions).try_for_each(|(number, motion): (usize, _)| {
-        write_trajectory(&folder.join(number.to_string()), motion, task)
-    })
+    (1..)
+        .zip(motions)
+        .try_for_each(|(number, motion): (usize, _)| write_trajectory(&folder.join(number.to_string()), motion, task))
 }
 
 /// The absolute path of a folder that may be missing; its parent is made.

@@ -170,6 +170,27 @@ impl From<Limits> for LimitsRecord {
     }
 }
 
+impl LimitsRecord {
+    /// Every limit with its name in scene files and its unit.
+    pub fn named(&self) -> [(&'static str, &'static str, f64); 7] {
+        Limits::from(*self).named()
+    }
+}
+
+impl From<LimitsRecord> for Limits {
+    fn from(record: LimitsRecord) -> Self {
+        Self {
+            translational_velocity: record.translational_velocity_m_s,
+            rotational_velocity: record.rotational_velocity_rad_s,
+            translational_acceleration: record.translational_acceleration_m_s2,
+            rotational_acceleration: record.rotational_acceleration_rad_s2,
+            contact_force: record.contact_force_n,
+            force: record.force_n,
+            torque: record.torque_nm,
+        }
+    }
+}
+
 impl PlanResult {
     /// Of a plan whose files have these hashes.
     pub fn new(plan: &Plan, files: BTreeMap<String, String>) -> Self {

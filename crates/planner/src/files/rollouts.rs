@@ -11,8 +11,13 @@ use crate::files::table::{Value, has_header, read_csv, to_csv};
 use crate::simulate::PlayedRollout;
 use crate::success_table::SuccessGroup;
 
+/// Every rollout.
+const ROLLOUTS: &str = "rollouts.csv";
+/// Success rates.
+const SUCCESS: &str = "success.csv";
+
 /// A row of `rollouts.csv`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "named with their units")]
 pub struct RolloutRow {
     /// Folder of the plan.
@@ -65,7 +70,7 @@ impl RolloutRow {
 }
 
 /// A row of `success.csv`: rollouts that differ by nothing but plan (of the same delta-hat) and grasp error.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "named with their units")]
 pub struct SuccessRow {
     pub motion: String,
@@ -129,26 +134,35 @@ pub fn read_offsets(file: &Path) -> Result<Vec<[f64; 3]>, PlannerError> {
     }
 }
 
-/// Refuses to replace a file that is not an older table with the columns of `example`.
+/// Refuses a folder in which something else than older tables of a simulation would be replaced.
 ///
 /// # Errors
-/// When another file stands there.
-pub fn require_table<T: Serialize>(file: &Path, example: T) -> Result<(), PlannerError> {
-    let table = to_csv([example])?;
+/// With the file that would be.
+pub fn require_rollout_tables(folder: &Path) -> Result<(), PlannerError> {
+    require_table::<RolloutRow>(&folder.join(ROLLOUTS))?;
+    require_table::<SuccessRow>(&folder.join(SUCCESS))
+}
+
+/// Writes the tables of a simulation into a folder, in the place of older ones.
+///
+/// # Errors
+/// When something else stands there, or they cannot be written.
+pub fn write_rollout_tables(
+    folder: &Path,
+    rollouts: &[RolloutRow],
+    successes: &[SuccessRow],
+) -> Result<(), PlannerError> {
+    require_rollout_tables(folder)?;
+    write_file(&folder.join(ROLLOUTS), &to_csv(rollouts)?)?;
+    write_file(&folder.join(SUCCESS), &to_csv(successes)?)
+}
+
+/// Refuses a file that is not an older table of these rows.
+fn require_table<T: Serialize + Default>(file: &Path) -> Result<(), PlannerError> {
+    let table = to_csv([T::default()])?;
     let header = String::from_utf8_lossy(&table);
     if file.symlink_metadata().is_err() || has_header(file, header.lines().next().unwrap_or_default()) {
         return Ok(());
     }
     Err(PlannerError::file(file, "is no older table of this kind and would be replaced; choose another --out"))
-}
-
-/// Writes a table, in the place of an older one of the same columns.
-///
-/// # Errors
-/// When another file stands there, or it cannot be written.
-pub fn replace_table<T: Serialize + Clone>(file: &Path, rows: &[T]) -> Result<(), PlannerError> {
-    if let Some(first) = rows.first() {
-        require_table(file, first.clone())?;
-    }
-    write_file(file, &to_csv(rows)?)
 }

@@ -126,7 +126,7 @@ fn difference(plan: &Scene, problem: &Problem) -> Option<String> {
         for (one, other) in planned.iter().zip(given) {
             let is_same = one.name == other.name
                 && one.shape.offsets().len() == other.shape.offsets().len()
-                && same(one.shape.offsets().as_ref(), other.shape.offsets())
+                && same(one.shape.offsets(), other.shape.offsets())
                 && same(one.shape.normals().as_flattened(), other.shape.normals().as_flattened());
             if !is_same {
                 return Some(format!("part `{}` of its {parent} is not part `{}` of this one", one.name, other.name));
@@ -172,8 +172,7 @@ fn collect(folder: &Path, plans: &mut Vec<StoredPlan>) -> Result<(), PlannerErro
         plans.push(StoredPlan::open(folder)?);
         return Ok(());
     }
-    let entries: Vec<_> =
-        fs::read_dir(folder).and_then(Iterator::collect).map_err(PlannerError::read(folder))?;
+    let entries: Vec<_> = fs::read_dir(folder).and_then(Iterator::collect).map_err(PlannerError::read(folder))?;
     // Links are not followed: they may lead in a circle. Hidden folders hold unfinished work.
     let is_folder = |entry: &fs::DirEntry| {
         entry.file_type().is_ok_and(|kind| kind.is_dir()) && !entry.file_name().to_string_lossy().starts_with('.')

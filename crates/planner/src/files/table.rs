@@ -1,6 +1,5 @@
 //! Tables as CSV: one type per row, for writing and reading.
 
-use std::fmt::Display;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -11,7 +10,7 @@ use crate::error::PlannerError;
 use crate::files::atomic::read_text;
 
 /// A value of a table, written in full and without an exponent, so that it is read back exactly.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Value(pub f64);
 
 impl Serialize for Value {
@@ -92,6 +91,6 @@ pub mod or_null {
 }
 
 /// Whether a file is a table of this header, so that it may be replaced by another one.
-pub fn has_header(file: &Path, header: impl Display) -> bool {
-    read_text(file).is_ok_and(|text| text.lines().next() == Some(header.to_string().as_str()))
+pub fn has_header(file: &Path, header: &str) -> bool {
+    read_text(file).is_ok_and(|text| text.lines().next() == Some(header))
 }

@@ -108,12 +108,29 @@ impl ScenarioRow {
     fn new(scenario: usize, row: &StateRow) -> Self {
         let StateRow { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s } =
             *row;
-        Self { time_s, scenario, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s }
+        Self {
+            time_s,
+            scenario,
+            px_m,
+            py_m,
+            pz_m,
+            qw,
+            qx,
+            qy,
+            qz,
+            vx_m_s,
+            vy_m_s,
+            vz_m_s,
+            wx_rad_s,
+            wy_rad_s,
+            wz_rad_s,
+        }
     }
 
     fn row(&self) -> StateRow {
-        let Self { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, .. } =
-            *self;
+        let Self {
+            time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, ..
+        } = *self;
         StateRow { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s }
     }
 }

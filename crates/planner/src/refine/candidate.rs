@@ -58,7 +58,8 @@ impl<'run> Candidate<'run> {
         trials: &[Trial],
         is_scenes_own: bool,
     ) -> Self {
-        let refinements = iterations.iter().map(|iteration| training.refinement(reference(&iteration.trajectory), trials));
+        let refinements =
+            iterations.iter().map(|iteration| training.refinement(reference(&iteration.trajectory), trials));
         let best = refinements.enumerate().min_by(|(one_index, one), (other_index, other)| {
             one.score().0.cmp(&other.score().0).then(other_index.cmp(one_index))
         });

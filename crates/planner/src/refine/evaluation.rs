@@ -131,7 +131,8 @@ mod tests {
 
     #[test]
     fn a_rate_that_holds_on_the_average_only_is_not_robust() {
-        let rates = SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 10), group(0.1, true, 10), group(0.1, false, 7)]);
+        let rates =
+            SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 10), group(0.1, true, 10), group(0.1, false, 7)]);
         assert!(rates.overall() > 0.9);
         assert!(!rates.satisfy(0.9), "at friction 0.1 only 85 % succeed");
         assert!(rates.satisfy(0.85));

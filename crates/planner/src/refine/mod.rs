@@ -22,7 +22,7 @@ use task::LinearSolver;
 use crate::error::PlannerError;
 use crate::plan::{Plan, PlanIteration};
 use crate::problem::Problem;
-use crate::refine::candidate::{Candidate, Kept, Training, reference};
+use crate::refine::candidate::{Candidate, Kept, Training};
 use crate::refine::evaluation::{Evaluation, GraspTolerance};
 use crate::refine::portfolio::portfolio;
 use crate::session::{Event, Session};
@@ -136,7 +136,11 @@ impl<'run> Refiner<'run> {
     fn begin(&mut self, plan: Plan) -> Result<(), PlannerError> {
         if let Some(checkpoint) = self.earlier_work()? {
             let kept = self.restore(checkpoint, &plan)?;
-            self.session.tell(Event::Resumed { done: plan.iterations.len(), count: plan.iterations.len(), refining: true });
+            self.session.tell(Event::Resumed {
+                done: plan.iterations.len(),
+                count: plan.iterations.len(),
+                refining: true,
+            });
             self.best = Some(kept.clone());
             return if self.goes_on() {
                 self.refine(Candidate::resumed(kept, self.training(), &self.training))
@@ -271,7 +275,8 @@ impl<'run> Refiner<'run> {
         let mut candidates = Vec::with_capacity(variants.len());
         for (variant, iterations) in variants.into_iter().zip(solved) {
             // What an interrupted homotopy has finished may do.
-            let finished = iterations?.into_iter().filter(|iteration| iteration.status != nlp::SolveStatus::Interrupted);
+            let finished =
+                iterations?.into_iter().filter(|iteration| iteration.status != nlp::SolveStatus::Interrupted);
             let iterations: Vec<PlanIteration> = finished.map(PlanIteration::from).collect();
             if iterations.is_empty() {
                 continue;

@@ -70,7 +70,7 @@ impl Round {
             scenarios_m: variant.task.offsets.clone(),
             steps: variant.task.horizon.steps,
             time_step_s: variant.task.horizon.time_step,
-            solve_status: records().last().map_or_else(String::new, |record| record.status.clone()),
+            solve_status: records().next_back().map_or_else(String::new, |record| record.status.clone()),
             solve_s: records().map(|record| record.wall_s).sum(),
             chosen_stage: chosen,
             training_trials: refinement.trials().len(),

@@ -47,7 +47,12 @@ impl RobustnessTarget {
     /// # Errors
     /// With the first that is out of its range.
     pub fn validate(&self) -> Result<(), PlannerError> {
-        require(0.0 <= self.wanted_rate && self.wanted_rate <= 1.0, "wanted rate", self.wanted_rate, "must lie between 0 and 1")?;
+        require(
+            0.0 <= self.wanted_rate && self.wanted_rate <= 1.0,
+            "wanted rate",
+            self.wanted_rate,
+            "must lie between 0 and 1",
+        )?;
         require_frictions(&self.frictions)?;
         require_turn(self.turn)?;
         require_threads(self.threads)
@@ -61,7 +66,12 @@ impl RobustnessTarget {
 
 /// Checks friction coefficients: at least one, finite, each once.
 pub fn require_frictions(frictions: &[f64]) -> Result<(), PlannerError> {
-    require((1..=MOST_FRICTIONS).contains(&frictions.len()), "number of frictions", frictions.len(), "must be 1 to 20")?;
+    require(
+        (1..=MOST_FRICTIONS).contains(&frictions.len()),
+        "number of frictions",
+        frictions.len(),
+        "must be 1 to 20",
+    )?;
     for (index, friction) in frictions.iter().enumerate() {
         require((0.0..=LARGEST_FRICTION).contains(friction), "friction", friction, "must lie between 0 and 10")?;
         require(!frictions[..index].contains(friction), "friction", friction, "is given twice")?;

@@ -1,0 +1,90 @@
+//! What came of a plan, in a few lines.
+
+use planner::files::{LimitsRecord, PlanResult};
+use planner::refine::{RobustnessReport, SuccessRate, rate};
+
+/// What came of a plan, in a few lines.
+pub fn summary(result: &PlanResult) -> String {
+    let mut lines = vec![format!(
+        "{}: {}; objective {:.4}, {} iterations, {:.1} s, linear solver {}{}",
+        result.scene,
+        result.status,
+        result.objective,
+        result.iterations,
+        result.wall_s,
+        result.linear_solver,
+        match result.linear_solver_fallbacks {
+            0 => String::new(),
+            count => format!(" ({count} systems left to the general solver)"),
+        }
+    )];
+    for (number, scenario) in (1..).zip(&result.scenarios) {
+        let [x, y, z] = scenario.offset_m.map(|component| 1e3 * component);
+        lines.push(format!(
+            "  scenario {number} (offset {x:.1} {y:.1} {z:.1} mm): ends {:.2} mm and {:.4} rad from the goal, overlaps at \
+             most {:.2} mm, pushes at most {:.1} N",
+            1e3 * scenario.position_error_m,
+            scenario.orientation_error_rad,
+            1e3 * scenario.max_penetration_m,
+            scenario.max_force_n
+        ));
+    }
+    lines.extend(limits(&result.limits, &result.reached));
+    lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.stages.len())));
+    lines.join("\n")
+}
+
+/// How much of every limit a plan uses; nothing where there are no limits.
+fn limits(limits: &LimitsRecord, reached: &LimitsRecord) -> Option<String> {
+    let both = limits.named().into_iter().zip(reached.named());
+    let used: Vec<String> = both
+        .filter(|((_, _, limit), _)| limit.is_finite())
+        .map(|((name, unit, limit), (_, _, value))| format!("{name} {value:.4} of {limit} {unit}"))
+        .collect();
+    (!used.is_empty()).then(|| format!("  limits: {}", used.join(", ")))
+}
+
+fn robustness(report: &RobustnessReport, iterations: usize) -> Vec<String> {
+    let mut lines = vec![format!(
+        "success in rollouts with hard contact: {:.1} % before, {:.1} % after ({:.1} % wanted at each friction), {:.0} s; {}",
+        100.0 * report.rate_before,
+        100.0 * report.rate_after,
+        100.0 * report.wanted_rate,
+        report.wall_s,
+        changes(report, iterations)
+    )];
+    lines.extend(report.before.by_friction().zip(report.after.by_friction()).map(|(before, after)| {
+        let groups: Vec<String> = before.iter().zip(after).map(|(before, after)| group(before, after)).collect();
+        let percent = |groups: &[SuccessRate]| 100.0 * rate(groups);
+        format!(
+            "  friction {}: {:.1} -> {:.1} %: {}",
+            after[0].friction,
+            percent(before),
+            percent(after),
+            groups.join(", ")
+        )
+    }));
+    if !report.planned_offsets_succeed() {
+        lines.push("  not every planned offset reaches the goal".to_owned());
+    }
+    lines
+}
+
+fn group(before: &SuccessRate, after: &SuccessRate) -> String {
+    let percent = |group: &SuccessRate| 100.0 * group.successes as f64 / group.rollouts as f64;
+    let name = if after.planned { " planned" } else { "" };
+    format!("{:.1} mm{name} {:.0} -> {:.0} %", 1e3 * after.magnitude_m, percent(before), percent(after))
+}
+
+/// Where the kept reference comes from, in words.
+fn changes(report: &RobustnessReport, iterations: usize) -> String {
+    let Some(kept) = report.kept() else { return "the plan was left as it was".to_owned() };
+    match (kept.changes, report.rounds.len()) {
+        (0, 1) if kept.chosen_stage == iterations => "the plan was left as it was".to_owned(),
+        (0, 1) => format!("the reference of homotopy iteration {}", kept.chosen_stage),
+        (changes, 1) => format!("{changes} changes of the reference"),
+        (changes, count) => {
+            format!("{changes} changes of the reference, the best of {count} problems: {}", kept.planned)
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Numbers on the command line, each with its range.
+
+use task::LinearSolver;
+
+/// A pose from the command line, its quaternion scaled to unit norm.
+#[derive(Debug, Clone, Copy)]
+pub struct Pose(pub [f64; 7]);
+
+/// A pose: position (m) and quaternion (w x y z) of any norm but zero.
+pub fn pose(text: &str) -> Result<Pose, String> {
+    const LARGEST: f64 = 1e6;
+    let words = text.split([' ', ',']).filter(|word| !word.is_empty());
+    let values: Result<Vec<f64>, String> =
+        words.map(|word| word.parse().map_err(|_| format!("`{word}` is not a number"))).collect();
+    let values = values?;
+    let pose: [f64; 7] = values
+        .try_into()
+        .map_err(|values: Vec<f64>| format!("a pose has 7 numbers, x y z qw qx qy qz; got {}", values.len()))?;
+    let norm = pose[3..].iter().map(|component| component * component).sum::<f64>().sqrt();
+    if !(norm > 0.0 && pose.iter().all(|value| value.abs() <= LARGEST)) {
+        return Err("a pose needs finite numbers and a quaternion that is not zero".to_owned());
+    }
+    Ok(Pose(task::pose::normalised(&pose)))
+}
+
+/// A linear solver by its name.
+pub fn linear_solver(text: &str) -> Result<LinearSolver, String> {
+    let names = LinearSolver::ALL.map(LinearSolver::name).join(", ");
+    LinearSolver::from_name(text).ok_or_else(|| format!("unknown; choose one of {names}"))
+}
+
+/// A finite number above zero.
+pub fn positive(text: &str) -> Result<f64, String> {
+    number(text, |number| number > 0.0, "must be above zero")
+}
+
+/// A number from 0 to 1.
+pub fn fraction(text: &str) -> Result<f64, String> {
+    number(text, |number| (0.0..=1.0).contains(&number), "must lie between 0 and 1")
+}
+
+/// A finite number that is not negative.
+pub fn not_negative(text: &str) -> Result<f64, String> {
+    number(text, |number| number >= 0.0, "must not be negative")
+}
+
+/// A time in seconds, above zero.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    const MOST: f64 = 1e7;
+    number(text, |number| number > 0.0 && number <= MOST, "must lie between 0 and 10000000 s")
+}
+
+fn number(text: &str, is_right: impl Fn(f64) -> bool, rule: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if !number.is_finite() => Err(format!("must be a finite number, got {number}")),
+        Ok(number) if is_right(number) => Ok(number),
+        Ok(_) => Err(rule.to_owned()),
+        Err(_) => Err("not a number".to_owned()),
+    }
+}
