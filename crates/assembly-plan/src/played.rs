@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use simulation::{Grasp, Outcome};
+use simulation::{GraspError, Outcome};
 
 use crate::plan::Plan;
 
@@ -35,7 +35,7 @@ pub struct Played<'plan> {
     /// Injected magnitude (m).
     pub magnitude: f64,
     /// Injected error of the grasp.
-    pub grasp: Grasp,
+    pub grasp: GraspError,
     pub outcome: Outcome,
     pub success: bool,
 }

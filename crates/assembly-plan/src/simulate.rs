@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use scene::Scene;
-use simulation::{Grasp, Reference, Rollout, Settings, Success, offsets};
+use simulation::{GraspError, Reference, Rollout, Settings, Success, offsets};
 use task::AssemblyTask;
 
 use crate::DONE;
@@ -26,7 +26,7 @@ struct Injection {
     /// Magnitude, or the largest length in a list (m).
     magnitude: f64,
     /// Errors of the grasp.
-    grasps: Vec<Grasp>,
+    grasps: Vec<GraspError>,
 }
 
 /// Plays everything, writes both tables and prints the one of successes.
@@ -91,7 +91,7 @@ fn play<'plan>(
                     magnitude: *magnitude,
                     grasp,
                     outcome,
-                    success: outcome.is(&success),
+                    success: outcome.reaches_goal(&success),
                 }));
             }
         }
@@ -198,9 +198,9 @@ fn listed(file: &Path, arguments: &SimulateArguments) -> Result<Injection, Failu
 }
 
 /// Every offset with a turn of its own.
-fn grasps(offsets: &[[f64; 3]], arguments: &SimulateArguments) -> Vec<Grasp> {
+fn grasps(offsets: &[[f64; 3]], arguments: &SimulateArguments) -> Vec<GraspError> {
     let turns = offsets::ball(arguments.turn, offsets.len(), arguments.seed);
-    Grasp::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| Grasp { offset, turn }))
+    GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| GraspError { offset, turn }))
 }
 
 /// Contacts are hard: what overlaps has done so from the beginning.

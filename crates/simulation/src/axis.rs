@@ -1,9 +1,9 @@
-//! The direction that separates two convex parts best, or along which they overlap least.
+//! The best separating axis of two convex parts: the direction of the widest gap, or of the smallest overlap.
 //!
-//! Two polytopes are apart exactly if a facet of one of them, or the plane along an edge of each, has them on different
-//! sides. Where they touch this is the zero level of the growth distance (Eq. sdfopt), found without smoothing and with
-//! the features that touch. Edge pairs are few: only those whose arcs cross on the Gauss map bound the difference of
-//! the parts.
+//! Two polytopes are disjoint if and only if a separating plane is parallel to a facet of one of them or to an edge of
+//! each. The zero level of the separation is that of the growth distance (Eq. sdfopt), found without smoothing and
+//! together with the features that touch. Few pairs of edges matter: only those whose arcs cross on the Gauss map form
+//! a facet of the Minkowski difference.
 
 use nalgebra::Vector3;
 
@@ -16,11 +16,11 @@ pub struct Axis {
     pub separation: f64,
     /// Unit vector from the environment to the body.
     pub normal: Vector3<f64>,
-    /// What the direction belongs to.
+    /// The features that define the direction.
     pub feature: Feature,
 }
 
-/// What touches.
+/// The features that touch, or would touch first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feature {
     /// A facet of the environment.
@@ -31,11 +31,11 @@ pub enum Feature {
     Edges(usize, usize),
 }
 
-/// By how much (m) another feature must be better than a facet of the environment: flat contacts keep their facet, and
-/// with it all their points, in the noise of integration.
+/// By how much (m) the separation of another feature must exceed that of a facet of the environment. It keeps rounding
+/// from replacing the facet of a flat contact, and thereby from changing the number of contact points.
 const PREFERENCE: f64 = 1e-6;
 
-/// The best axis; edges are left out when a facet alone separates the parts by more than `reach`.
+/// The best axis. Edges are not examined when a facet alone separates the parts by more than `reach` (m).
 pub fn separate(body: &Solid, environment: &Solid, reach: f64) -> Axis {
     let (facet, separation) = best_facet(environment, body);
     let normal = environment.facets[facet].normal;
@@ -53,7 +53,7 @@ pub fn separate(body: &Solid, environment: &Solid, reach: f64) -> Axis {
     }
 }
 
-/// The facet of `first` that has `second` furthest outside.
+/// The facet of `first` with the widest gap to `second`, and the width of that gap (m).
 fn best_facet(first: &Solid, second: &Solid) -> (usize, f64) {
     let mut best = (0, f64::NEG_INFINITY);
     for (index, facet) in first.facets.iter().enumerate() {
@@ -108,12 +108,12 @@ impl Arc {
             return false;
         }
         let [c, d] = self.ends.map(|end| end.dot(&other.pole));
-        // The last product tells the crossing from its antipode.
+        // The last product distinguishes the crossing from its antipode.
         c * d < 0.0 && a * d > 0.0
     }
 }
 
-/// Direction normal to both edges, against the body's outward normals; none for edges that are parallel.
+/// Unit vector normal to both edges and against the body's outward normals; `None` for parallel edges.
 fn common_normal(body: &Arc, environment: &Arc) -> Option<Vector3<f64>> {
     const PARALLEL: f64 = 1e-6;
     let cross = body.pole.cross(&environment.pole);
@@ -140,7 +140,7 @@ mod tests {
     }
 
     proptest! {
-        /// Two oracles: shapes are apart here exactly if they are apart for the planner's distances.
+        /// The planner's distance is an independent oracle: its sign is that of the separation.
         #[test]
         fn separation_has_the_sign_of_the_exact_distance(
             (body, environment) in (shape(), shape()),

@@ -5,14 +5,14 @@ use nalgebra::Vector3;
 
 use crate::success::Success;
 
-/// Shifts and turns a reference around one moment, or from one moment on. Its start stays where it is.
+/// Shifts and turns a reference around one time, or from one time on. The start of the reference does not change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bump {
-    /// Middle of the change, as a fraction of the duration.
+    /// Time of the change, as a fraction of the duration.
     center: f64,
-    /// How long it takes, as a fraction of the duration.
+    /// Width of the change in time, as a fraction of the duration.
     width: f64,
-    /// Whether the change stays until the end.
+    /// Whether the change lasts until the end.
     lasting: bool,
     /// Largest shift (m, world frame).
     pub shift: Vector3<f64>,
@@ -20,19 +20,19 @@ pub struct Bump {
     pub turn: Vector3<f64>,
 }
 
-/// Shortest and longest width, as fractions of the duration.
+/// Smallest and largest width, as fractions of the duration.
 const WIDTHS: [f64; 2] = [0.04, 0.34];
 /// Fraction of changes that last.
 const LASTING: f64 = 0.2;
-/// Standard deviation of the logarithm of sizes.
+/// Standard deviation of the logarithm of the size.
 const SPREAD: f64 = 0.8;
-/// The typical turn in tolerances of a success: turns act through levers.
+/// Typical turn as a multiple of the orientation tolerance. It is small because turns act through levers.
 const TURN: f64 = 0.3;
-/// Fraction of the duration within which a change fades in, so that the start is kept.
+/// Fraction of the duration over which a change fades in, so that the start does not change.
 const FADE: f64 = 0.05;
 
 impl Bump {
-    /// A shift, a turn or both, with sizes around those that decide on success.
+    /// A random shift, turn or both, of about the size of the tolerances of success.
     pub fn random(random: &mut Rng, success: &Success) -> Self {
         let [least, most] = WIDTHS;
         let (center, width) = (1.1 * random.f64(), least + (most - least) * random.f64() * random.f64());
@@ -48,7 +48,7 @@ impl Bump {
         Self { center, width, lasting, shift, turn }
     }
 
-    /// How much of the change applies at a fraction of the duration.
+    /// Fraction of the change that applies at a fraction of the duration.
     pub fn weight(&self, fraction: f64) -> f64 {
         let distance = (fraction - self.center) / self.width;
         let shape =
@@ -57,7 +57,7 @@ impl Bump {
     }
 }
 
-/// Standard normal number (Box and Muller).
+/// Standard normal value (Box and Muller).
 fn normal(random: &mut Rng) -> f64 {
     (-2.0 * (1.0 - random.f64()).ln()).sqrt() * (std::f64::consts::TAU * random.f64()).cos()
 }

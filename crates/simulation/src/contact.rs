@@ -1,4 +1,4 @@
-//! Contact points of a pair of parts, and which pairs can touch within a step.
+//! Contact points of the pairs that can touch within a step.
 
 use nalgebra::{Isometry3, Vector3};
 use task::ContactPair;
@@ -11,7 +11,7 @@ use crate::solid::Solid;
 pub struct Contact {
     /// Index of the pair.
     pub pair: usize,
-    /// Place (m, world frame).
+    /// Position (m, world frame).
     pub point: Vector3<f64>,
     /// Unit vector from the environment to the body (world frame).
     pub normal: Vector3<f64>,
@@ -19,8 +19,8 @@ pub struct Contact {
     pub gap: f64,
 }
 
-/// Finds the contacts of a body as it moves. A pair is looked at only when the body may have crossed the gap that the
-/// pair had when it was looked at last.
+/// Finds the contacts of a body as it moves. A pair is examined only when the body may have crossed the gap that the
+/// pair had when it was last examined.
 #[derive(Debug, Clone)]
 pub struct ContactFinder {
     pairs: Vec<Pair>,
@@ -63,8 +63,8 @@ impl ContactFinder {
         self.pairs.iter().map(|pair| pair.radius).fold(0.0, f64::max)
     }
 
-    /// Finds all contacts with gaps up to `reach` (m) at a pose; returns the smallest separation of any pair that was
-    /// looked at (m).
+    /// Finds all contacts with gaps up to `reach` (m) at a pose. Returns the smallest separation (m) of the pairs that
+    /// were examined.
     pub fn find(&mut self, pose: &Isometry3<f64>, reach: f64) -> f64 {
         let shift = (pose.translation.vector - self.last.translation.vector).norm();
         let turn = pose.rotation.angle_to(&self.last.rotation);
@@ -108,14 +108,15 @@ impl ContactFinder {
             }
         }
         if contacts.len() == before && axis.separation < 0.0 {
-            // Overlapping features that do not face each other: the corner that is deepest.
+            // The touching features overlap without facing each other: the deepest vertex is the contact.
             let deepest = body.vertices[body.lowest(&axis.normal).0];
             contacts.push(Contact { pair: index, point: deepest, normal: axis.normal, gap: axis.separation });
         }
     }
 }
 
-/// The part of the facing facet of `other` that lies above or below a facet: its corners and their gaps.
+/// Clips the facing facet of `other` to the prism over a facet of `solid`, and reports the remaining corners and their
+/// gaps.
 fn facet_contacts(
     solid: &Solid,
     facet: usize,
@@ -137,7 +138,7 @@ fn facet_contacts(
     }
 }
 
-/// Corners of the facet that turns most against a normal, of those that meet in the lowest vertex.
+/// Corners of the facet whose normal is most opposed to `normal`, of the facets that meet in the lowest vertex.
 fn facing_facet<'solid>(solid: &'solid Solid, normal: &Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> + 'solid {
     let (lowest, _) = solid.lowest(normal);
     let touching = solid.facets.iter().filter(|facet| facet.corners.contains(&lowest));
@@ -145,7 +146,7 @@ fn facing_facet<'solid>(solid: &'solid Solid, normal: &Vector3<f64>) -> impl Ite
     facing.into_iter().flat_map(|facet| facet.corners.iter().map(|&corner| solid.vertices[corner]))
 }
 
-/// The part of a polygon where `height` is not positive (Sutherland and Hodgman).
+/// The region of a polygon where `height` is not positive (Sutherland and Hodgman).
 fn clip(polygon: &[Vector3<f64>], kept: &mut Vec<Vector3<f64>>, height: impl Fn(&Vector3<f64>) -> f64) {
     kept.clear();
     for (from, to) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
@@ -159,8 +160,8 @@ fn clip(polygon: &[Vector3<f64>], kept: &mut Vec<Vector3<f64>>, height: impl Fn(
     }
 }
 
-/// The point of the first edge that is closest to the line of the second; none when the edges pass each other beyond
-/// their ends.
+/// The point of the first edge that is closest to the second edge; `None` when the closest points of the two lines lie
+/// beyond the ends of an edge.
 fn edge_point(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> Option<Vector3<f64>> {
     let (along, across) = (first[1] - first[0], second[1] - second[0]);
     let between = first[0] - second[0];

@@ -1,9 +1,12 @@
-//! The nearest point of a polyhedron in velocity space: what a contact problem without restitution comes down to.
+//! The nearest point of a polyhedron in velocity space. A contact problem without restitution is such a problem.
 
 use nalgebra::{SMatrix, SVector};
 
 /// Velocities in coordinates in which the kinetic energy is half the squared norm.
-pub type Vector6 = SVector<f64, 6>;
+pub type Vector6 = SVector<f64, DIMENSIONS>;
+
+/// Dimensions of velocity space.
+const DIMENSIONS: usize = 6;
 
 /// The halfspace `normal u >= bound`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,31 +15,33 @@ pub struct Halfspace {
     pub bound: f64,
 }
 
-/// The point of the halfspaces' intersection that is nearest to `target`, with the multipliers of those that hold it:
-/// `u = target + sum multiplier normal`.
+/// Solver for the point `u` of an intersection of halfspaces that is nearest to `target`:
+/// `u = target + sum multiplier normal`, over the active halfspaces.
 #[derive(Debug, Clone, Default)]
 pub struct LeastDistance {
-    /// Index of a halfspace and its positive multiplier.
+    /// Index and multiplier (not negative) of every active halfspace.
     pub active: Vec<(usize, f64)>,
     excluded: Vec<bool>,
 }
 
-/// Violations below this are rounding (m/s times the square root of mass).
+/// Smaller violations are rounding errors (m/s times the square root of kg).
 const TOLERANCE: f64 = 1e-12;
-/// A normal closer than this to the span of the active ones, relative to its length, depends on them.
+/// A normal counts as linearly dependent on the active ones if its distance from their span is a smaller fraction of
+/// its length.
 const DEPENDENT: f64 = 1e-7;
 
 impl LeastDistance {
-    /// Solves by the dual active-set method (Goldfarb and Idnani): starts outside, at the target, and takes in the
-    /// halfspace that is violated most until none is. At most six hold at once, however many points touch. A halfspace
-    /// that contradicts those already active is left out.
+    /// The nearest point, by the dual active-set method (Goldfarb and Idnani, 1983): starts at the target and adds the
+    /// most violated halfspace until none is violated. At most six are active at once, however many points touch. A
+    /// halfspace that contradicts the active ones is ignored.
     pub fn solve(&mut self, target: &Vector6, halfspaces: &[Halfspace]) -> Vector6 {
         self.active.clear();
         self.excluded.clear();
         self.excluded.resize(halfspaces.len(), false);
         let mut point = *target;
-        // Each addition increases the distance from the target, so that no active set comes twice; rounding may differ.
-        for _ in 0..10 * (halfspaces.len() + 6) {
+        // Every addition increases the distance from the target, so that no active set recurs. The limit is for
+        // rounding.
+        for _ in 0..10 * (halfspaces.len() + DIMENSIONS) {
             let Some(entering) = self.most_violated(&point, halfspaces) else { break };
             self.enter(entering, &mut point, halfspaces);
         }
@@ -54,13 +59,13 @@ impl LeastDistance {
         worst.0
     }
 
-    /// Moves the point until the entering halfspace holds, dropping those whose multiplier would turn negative.
+    /// Moves the point into the entering halfspace, and drops active ones whose multiplier would become negative.
     fn enter(&mut self, entering: usize, point: &mut Vector6, halfspaces: &[Halfspace]) {
         let Halfspace { normal, bound } = halfspaces[entering];
         let mut multiplier = 0.0;
         loop {
             let (coefficients, rest) = self.decompose(&normal, halfspaces);
-            let independent = rest.norm() > DEPENDENT * normal.norm();
+            let independent = self.active.len() < DIMENSIONS && rest.norm() > DEPENDENT * normal.norm();
             let full = if independent { (bound - normal.dot(point)) / rest.norm_squared() } else { f64::INFINITY };
             let blocking = self.blocking(&coefficients);
             let step = blocking.map_or(full, |(_, step)| step.min(full));
@@ -85,21 +90,23 @@ impl LeastDistance {
         }
     }
 
-    /// The active halfspace whose multiplier reaches zero first as the entering one's grows, and where.
+    /// Position of the active halfspace whose multiplier reaches zero first as the entering one's grows, and the step
+    /// at which it does.
     fn blocking(&self, coefficients: &Vector6) -> Option<(usize, f64)> {
         let falling = self.active.iter().enumerate().filter(|(position, _)| coefficients[*position] > 0.0);
         let steps = falling.map(|(position, (_, multiplier))| (position, multiplier / coefficients[position]));
         steps.min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
-    /// `normal = sum coefficient active + rest` with the rest orthogonal to the active normals.
+    /// Coefficients and rest of `normal = sum coefficient active + rest`, with the rest orthogonal to the active
+    /// normals.
     fn decompose(&self, normal: &Vector6, halfspaces: &[Halfspace]) -> (Vector6, Vector6) {
         let count = self.active.len();
-        let mut basis = [Vector6::zeros(); 6];
-        let mut triangle = SMatrix::<f64, 6, 6>::zeros();
+        let mut basis = [Vector6::zeros(); DIMENSIONS];
+        let mut triangle = SMatrix::<f64, DIMENSIONS, DIMENSIONS>::zeros();
         for (column, (index, _)) in self.active.iter().enumerate() {
-            let (shares, rest) = orthogonalise(&halfspaces[*index].normal, &basis[..column]);
-            triangle.set_column(column, &shares);
+            let (coefficients, rest) = orthogonalise(&halfspaces[*index].normal, &basis[..column]);
+            triangle.set_column(column, &coefficients);
             triangle[(column, column)] = rest.norm();
             basis[column] = rest / rest.norm();
         }
@@ -112,17 +119,18 @@ impl LeastDistance {
     }
 }
 
-/// Gram and Schmidt, twice: once is not enough for normals that nearly depend on each other.
+/// Coefficients of a vector in an orthonormal basis, and the rest orthogonal to it. Gram-Schmidt twice: once is not
+/// accurate for vectors that nearly depend on each other.
 fn orthogonalise(vector: &Vector6, basis: &[Vector6]) -> (Vector6, Vector6) {
-    let (mut shares, mut rest) = (Vector6::zeros(), *vector);
+    let (mut coefficients, mut rest) = (Vector6::zeros(), *vector);
     for _ in 0..2 {
         for (index, direction) in basis.iter().enumerate() {
-            let share = direction.dot(&rest);
-            shares[index] += share;
-            rest -= direction * share;
+            let coefficient = direction.dot(&rest);
+            coefficients[index] += coefficient;
+            rest -= direction * coefficient;
         }
     }
-    (shares, rest)
+    (coefficients, rest)
 }
 
 #[cfg(test)]
@@ -140,10 +148,10 @@ mod tests {
     }
 
     proptest! {
-        /// The conditions of Karush, Kuhn and Tucker, which only the nearest point fulfils.
+        /// Only the nearest point fulfils the Karush-Kuhn-Tucker conditions.
         #[test]
         fn the_nearest_point_is_optimal(target in proptest::array::uniform6(-3.0..3.0_f64), mut set in halfspaces()) {
-            // Many points of one facet: equal and dependent normals.
+            // Equal and dependent normals, as the contact points of one facet have them.
             set.extend(set.clone());
             let mut solver = LeastDistance::default();
             let target = Vector6::from(target);
@@ -160,7 +168,7 @@ mod tests {
     }
 
     #[test]
-    fn a_contradiction_is_left_out() {
+    fn a_contradiction_is_ignored() {
         let normal = Vector6::from([1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
         let set = [Halfspace { normal, bound: 1.0 }, Halfspace { normal: -normal, bound: 0.0 }];
         let point = LeastDistance::default().solve(&Vector6::zeros(), &set);

@@ -1,43 +1,54 @@
-//! Rollouts of a plan under injected offsets with hard contacts, success statistics, and refinement by them.
+//! Rollouts of a plan under injected errors with hard contacts, success statistics, and refinement by rollouts.
 //!
-//! A plan is converged when Ipopt says so; it is good when a body that tracks it under the impedance law, with offsets
-//! that were not planned for, ends at the goal. The body is that of the plan: constant inertia, no gravity, no gyroscopic
-//! term. It starts displaced by the offset, the controller never learns of it, and after the last knot the reference
-//! rests until the outcome is judged.
+//! A plan has converged when Ipopt says so. It is good when a body that tracks it under the impedance law reaches the
+//! goal, also with errors that the plan does not model. The body is that of the plan: constant inertia, no gravity, no
+//! gyroscopic term. It starts displaced by the injected offset, of which the controller never learns. After the last
+//! knot the reference rests for the settling time; then the outcome is evaluated.
 //!
 //! ```
-//! use simulation::{Reference, Rollout, Settings, Success, offsets};
+//! use simulation::{Reference, Rollout, Settings, SettingsError, Success, offsets};
 //!
-//! /// Successes of 100 rollouts with random offsets.
-//! fn successes(task: &task::AssemblyTask, plan: &task::Trajectory) -> usize {
+//! /// Number of successes in 100 rollouts with random offsets.
+//! fn successes(task: &task::AssemblyTask, plan: &task::Trajectory) -> Result<usize, SettingsError> {
 //!     let reference = Reference::new(plan.time_step, &plan.reference);
-//!     let rollout = Rollout::new(task, Settings { friction: 0.1, ..Settings::default() });
+//!     let settings = Settings { friction: 0.1, ..Settings::default() };
+//!     settings.validate_for(&reference)?;
+//!     let rollout = Rollout::new(task, settings);
 //!     let outcomes = rollout.simulate(&reference, &offsets::hull(&task.offsets, 100, 1), 2);
-//!     outcomes.iter().filter(|outcome| outcome.is(&Success::default())).count()
+//!     Ok(outcomes.iter().filter(|outcome| outcome.reaches_goal(&Success::default())).count())
 //! }
 //! ```
 //!
-//! A [`Refinement`] changes a reference until it passes all trials of an [`Examiner`].
+//! An [`Evaluator`] simulates a reference in several [`Trial`]s. A [`Refinement`] changes the reference until it passes
+//! all of them.
 //!
-//! Contacts are neither smoothed nor relaxed, and nothing of the planner's collision kernel is used, so that a mistake
-//! there shows here: contact points come from the facets and edges that touch, all of a flat contact, and the velocity
-//! after a step is the nearest in kinetic energy that does not overlap, exactly. Everything is of first order in the time
-//! step, and deterministic on any number of threads.
+//! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
+//! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its
+//! points. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
+//! first order in the time step. Results are deterministic and do not depend on the number of threads.
 //!
-//! | paper | here |
-//! |---|---|
-//! | `Eq. ts` (Moreau's time stepping), `Eq. ts3` | [`Rollout::play`], `dynamics::Stepper` |
-//! | `Eq. impedancewrench` | `dynamics::Stepper` |
-//! | zero level of `Eq. sdfopt` | `axis::separate` |
-//! | `P_q^-1` of the start (Sec. ocp:ocp) | [`Rollout::play`] |
-//! | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
+//! Settings, tolerances and numbers of offsets have ranges: callers check them with [`Settings::validate_for`],
+//! [`Success::validate`] and [`offsets::validate_count`]. A rollout with settings out of range is not computed and
+//! counts as diverged.
+//!
+//! The paper is *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order Derivatives*
+//! by Dietz et al., numbers as in the preprint:
+//!
+//! | paper | label | here |
+//! |---|---|---|
+//! | Eq. (17), Moreau's time stepping | `Eq. ts` | [`Rollout::play`], `dynamics::Stepper::step` |
+//! | Eq. (17c), contacts without overlap | `Eq. ts3` | `dynamics::Stepper::resolve` |
+//! | Eq. (18), impedance law | `Eq. impedancewrench` | `dynamics::Stepper::free_velocity` |
+//! | zero level of Eq. (1), signed distance | `Eq. sdfopt` | `axis::separate` |
+//! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`GraspError::start`] |
+//! | Fig. 12, success rates under injected offsets | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
 
 mod axis;
 mod bump;
 mod contact;
 mod dynamics;
-mod examiner;
-mod grasp;
+mod evaluator;
+mod grasp_error;
 mod least_distance;
 mod metric;
 mod motion;
@@ -47,15 +58,17 @@ mod reference;
 mod refinement;
 mod rollout;
 mod settings;
+mod settings_error;
 mod solid;
 mod success;
 
 pub use bump::Bump;
-pub use examiner::{Examiner, Trial, Verdict};
-pub use grasp::Grasp;
+pub use evaluator::{Evaluator, Trial, TrialResult};
+pub use grasp_error::GraspError;
 pub use parallel::in_parallel;
 pub use reference::{Knot, Reference};
 pub use refinement::Refinement;
-pub use rollout::{Moment, Outcome, Rollout};
+pub use rollout::{Outcome, Rollout, TimedState};
 pub use settings::Settings;
+pub use settings_error::SettingsError;
 pub use success::{Success, wilson_interval};

@@ -5,7 +5,7 @@ use task::{Impedance, Inertia};
 
 use crate::least_distance::{Halfspace, Vector6};
 
-/// What an impulse accelerates within a step that is implicit in stiffness and damping.
+/// Effective inertia of a step of `h` seconds that is implicit in stiffness and damping: `M + h D + h^2 K`.
 #[derive(Debug, Clone)]
 pub struct Metric {
     /// Square root of `m + h d_t + h^2 k_t`.
@@ -17,37 +17,40 @@ pub struct Metric {
 }
 
 impl Metric {
-    /// For steps of `time_step` seconds.
-    pub fn new(time_step: f64, inertia: &Inertia, impedance: &Impedance) -> Self {
+    /// For steps of `time_step` seconds; `None` unless the effective inertia is positive definite and finite.
+    pub fn new(time_step: f64, inertia: &Inertia, impedance: &Impedance) -> Option<Self> {
         let h = time_step;
         let mass = inertia.mass + h * impedance.translational_damping + h * h * impedance.translational_stiffness;
         let stiffness = Matrix3::identity() * impedance.rotational_stiffness;
         let rotational = inertia.rotational + impedance.rotational_damping * h + stiffness * (h * h);
-        let factor = rotational.cholesky().expect("a validated inertia is positive definite");
-        Self { linear: mass.sqrt(), angular: factor.l(), lightest: rotational.symmetric_eigenvalues().min() }
+        let is_valid = mass > 0.0 && mass.is_finite() && rotational.iter().all(|entry| entry.is_finite());
+        let angular = rotational.cholesky().filter(|_| is_valid)?.l();
+        Some(Self { linear: mass.sqrt(), angular, lightest: rotational.symmetric_eigenvalues().min() })
     }
 
-    /// From momentum (world frame) and angular momentum (body frame), or a force and a torque, to velocity in
-    /// coordinates whose squared norm is twice the kinetic energy.
+    /// Velocity from momentum (world frame) and angular momentum (body frame), or acceleration from force and torque,
+    /// in scaled coordinates: those whose squared norm is twice the kinetic energy.
     pub fn scale(&self, momentum: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6 {
         let linear = momentum / self.linear;
         let angular = self.angular.solve_lower_triangular_unchecked(angular);
         Vector6::from([linear.x, linear.y, linear.z, angular.x, angular.y, angular.z])
     }
 
-    /// Velocity (world frame) and spin (body frame) from scaled coordinates.
+    /// Velocity (world frame) and angular velocity (body frame) from scaled coordinates.
     pub fn unscale(&self, scaled: &Vector6) -> (Vector3<f64>, Vector3<f64>) {
         let linear = Vector3::new(scaled[0], scaled[1], scaled[2]) / self.linear;
         let angular = Vector3::new(scaled[3], scaled[4], scaled[5]);
         (linear, self.angular.tr_solve_lower_triangular_unchecked(&angular))
     }
 
-    /// The fastest that a point at a distance `radius` (m) from the origin can be with a scaled velocity (m/s).
+    /// Upper bound on the speed (m/s) of a point at most `radius` (m) away from the body's origin, with a scaled
+    /// velocity.
     pub fn fastest(&self, scaled: &Vector6, radius: f64) -> f64 {
         scaled.norm() * (1.0 / self.linear + radius / self.lightest.sqrt())
     }
 
-    /// Scaled velocities with which a point of the body (m, world frame) moves along `direction` by at least `bound`.
+    /// The scaled velocities with which a point of the body (m, world frame) moves along `direction` at a speed of at
+    /// least `bound` (m/s).
     pub fn halfspace(
         &self,
         pose: &Isometry3<f64>,

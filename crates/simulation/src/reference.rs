@@ -1,19 +1,19 @@
-//! Reference motions between their knots.
+//! Reference motions, given at knots.
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use task::{Horizon, Limits};
 
 use crate::bump::Bump;
 
-/// A reference motion given at equidistant knots. Between them positions are interpolated linearly and orientations
-/// by slerp; on `[k, k + 1]` the twist of knot `k + 1` holds.
+/// A reference motion given at equidistant knots. Between the knots, positions are interpolated linearly and
+/// orientations by slerp; on the interval `[k, k + 1]` the twist of knot `k + 1` holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     time_step: f64,
     knots: Vec<Knot>,
 }
 
-/// What the controller is to track at one time.
+/// What the controller tracks at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Knot {
     /// Position (m) and orientation.
@@ -21,39 +21,48 @@ pub struct Knot {
     /// Velocity in the world frame (m/s).
     pub velocity: Vector3<f64>,
     /// Angular velocity in the body frame (rad/s).
-    pub spin: Vector3<f64>,
+    pub angular_velocity: Vector3<f64>,
 }
 
 impl Knot {
     /// From a state: position, quaternion w x y z, velocity (world frame), angular velocity (body frame).
     fn new(state: &[f64; 13]) -> Self {
         let [x, y, z, w, i, j, k, vx, vy, vz, p, q, r] = *state;
-        Self { pose: isometry(&[x, y, z, w, i, j, k]), velocity: [vx, vy, vz].into(), spin: [p, q, r].into() }
+        Self {
+            pose: isometry(&[x, y, z, w, i, j, k]),
+            velocity: [vx, vy, vz].into(),
+            angular_velocity: [p, q, r].into(),
+        }
     }
 
     fn state(&self) -> [f64; 13] {
-        let ([x, y, z, w, i, j, k], v, s) = (coordinates(&self.pose), self.velocity, self.spin);
-        [x, y, z, w, i, j, k, v.x, v.y, v.z, s.x, s.y, s.z]
+        let ([x, y, z, w, i, j, k], v, omega) = (coordinates(&self.pose), self.velocity, self.angular_velocity);
+        [x, y, z, w, i, j, k, v.x, v.y, v.z, omega.x, omega.y, omega.z]
     }
 }
 
 impl Reference {
-    /// From the states (pose, twist) of a plan, at least one, `time_step` seconds apart: those of `reference.csv` or of
-    /// [`task::Trajectory::reference`].
+    /// From the states (pose, twist) of a plan, `time_step` seconds apart: those of `reference.csv` or of
+    /// [`task::Trajectory::reference`]. Quaternions may be of any norm.
+    ///
+    /// # Panics
+    /// When there are no states.
     pub fn new(time_step: f64, states: &[[f64; 13]]) -> Self {
+        assert!(!states.is_empty(), "a reference has at least one state");
         Self { time_step, knots: states.iter().map(Knot::new).collect() }
     }
 
-    /// What one would do without a plan: straight from start to goal, turning about one axis, at constant velocity.
+    /// The motion without a plan: straight from start to goal, turning about one axis, at constant velocity. The
+    /// horizon has at least one step.
     pub fn straight(start: &[f64; 7], goal: &[f64; 7], horizon: Horizon) -> Self {
         let (start, goal) = (isometry(start), isometry(goal));
         let duration = horizon.steps as f64 * horizon.time_step;
         let velocity = (goal.translation.vector - start.translation.vector) / duration;
-        let spin = start.rotation.rotation_to(&goal.rotation).scaled_axis();
-        let spin = start.rotation.inverse() * spin / duration;
+        let turn = start.rotation.rotation_to(&goal.rotation).scaled_axis();
+        let angular_velocity = start.rotation.inverse() * turn / duration;
         let knot = |step: usize| {
             let fraction = step as f64 / horizon.steps as f64;
-            Knot { pose: interpolate(&start, &goal, fraction), velocity, spin }
+            Knot { pose: interpolate(&start, &goal, fraction), velocity, angular_velocity }
         };
         Self { time_step: horizon.time_step, knots: (0..=horizon.steps).map(knot).collect() }
     }
@@ -62,24 +71,24 @@ impl Reference {
     pub fn bent(&self, bump: &Bump) -> Self {
         let mut knots = self.knots.clone();
         for (index, knot) in knots.iter_mut().enumerate() {
-            let weight = bump.weight(index as f64 / self.intervals() as f64);
+            let weight = bump.weight(index as f64 / self.intervals().max(1) as f64);
             knot.pose.translation.vector += bump.shift * weight;
             knot.pose.rotation *= UnitQuaternion::from_scaled_axis(bump.turn * weight);
         }
         for index in 1..knots.len() {
             let (from, to) = (knots[index - 1].pose, knots[index].pose);
             knots[index].velocity = (to.translation.vector - from.translation.vector) / self.time_step;
-            knots[index].spin = from.rotation.rotation_to(&to.rotation).scaled_axis();
-            knots[index].spin = from.rotation.inverse() * knots[index].spin / self.time_step;
+            let turn = from.rotation.rotation_to(&to.rotation).scaled_axis();
+            knots[index].angular_velocity = from.rotation.inverse() * turn / self.time_step;
         }
         Self { time_step: self.time_step, knots }
     }
 
-    /// Turned in the body frame: the same motion of a body whose frame is turned.
+    /// The same motion, described with a body frame that is turned by `turn`.
     pub fn turned(&self, turn: &UnitQuaternion<f64>) -> Self {
         let turned = |knot: &Knot| Knot {
             pose: Isometry3::from_parts(knot.pose.translation, knot.pose.rotation * turn),
-            spin: turn.inverse() * knot.spin,
+            angular_velocity: turn.inverse() * knot.angular_velocity,
             ..*knot
         };
         Self { time_step: self.time_step, knots: self.knots.iter().map(turned).collect() }
@@ -91,7 +100,7 @@ impl Reference {
     }
 
     /// The tightest limits that the reference keeps; it has velocities and accelerations only.
-    pub fn needs(&self) -> Limits {
+    pub fn limits_kept(&self) -> Limits {
         Limits::kept_by(&self.states(), self.time_step, &[], 0.0)
     }
 
@@ -112,21 +121,25 @@ impl Reference {
 
     /// At a fraction (0 to 1) of an interval; after the last interval the last pose is held at rest.
     pub fn at(&self, interval: usize, fraction: f64) -> Knot {
-        match self.knots.get(interval..interval + 2) {
-            Some([from, to]) => Knot { pose: interpolate(&from.pose, &to.pose, fraction), ..*to },
-            _ => Knot { pose: self.knots[self.intervals()].pose, velocity: Vector3::zeros(), spin: Vector3::zeros() },
+        match self.knots.get(interval..) {
+            Some([from, to, ..]) => Knot { pose: interpolate(&from.pose, &to.pose, fraction), ..*to },
+            _ => Knot {
+                pose: self.knots[self.intervals()].pose,
+                velocity: Vector3::zeros(),
+                angular_velocity: Vector3::zeros(),
+            },
         }
     }
 }
 
 fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) -> Isometry3<f64> {
     let position = from.translation.vector.lerp(&to.translation.vector, fraction);
-    // The shorter way also where the signs of the quaternions differ.
+    // The scaled axis is that of the shorter way, also where the signs of the quaternions differ.
     let turn = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;
     Isometry3::from_parts(position.into(), from.rotation * UnitQuaternion::from_scaled_axis(turn))
 }
 
-/// A pose as nalgebra has it; the quaternion may be of any norm.
+/// A pose as an isometry, from position and quaternion w x y z of any norm.
 pub fn isometry([x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
     let rotation = UnitQuaternion::new_normalize(Quaternion::new(*w, *i, *j, *k));
     Isometry3::from_parts(Translation3::new(*x, *y, *z), rotation)

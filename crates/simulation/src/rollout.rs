@@ -1,17 +1,17 @@
-//! Plans played closed loop under injected offsets.
+//! Closed-loop rollouts of plans under injected errors.
 
 use nalgebra::Vector3;
 use task::AssemblyTask;
 
 use crate::contact::ContactFinder;
 use crate::dynamics::{Body, Stepper};
-use crate::grasp::Grasp;
+use crate::grasp_error::GraspError;
 use crate::parallel::in_parallel;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
 use crate::success::Success;
 
-/// A task that is ready to be played.
+/// A task that is ready to be simulated.
 #[derive(Debug, Clone)]
 pub struct Rollout {
     pub(crate) task: AssemblyTask,
@@ -33,28 +33,21 @@ pub struct Outcome {
     /// Largest normal force of a pair (N), the mean over an interval between two knots: an impact has no largest force,
     /// only an impulse.
     pub max_force: f64,
-    /// Whether the motion left the range of numbers; nothing else then means anything.
+    /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields then mean
+    /// nothing.
     pub diverged: bool,
 }
 
-impl Moment {
-    /// Pose and twist in the order of tables and transcriptions.
-    pub fn state(&self) -> [f64; 13] {
-        let ([x, y, z, w, i, j, k], [vx, vy, vz], [p, q, r]) = (self.pose, self.velocity, self.spin);
-        [x, y, z, w, i, j, k, vx, vy, vz, p, q, r]
-    }
-}
-
 impl Outcome {
-    /// Whether it ends at the goal.
-    pub fn is(&self, success: &Success) -> bool {
+    /// Whether the rollout ends at the goal.
+    pub fn reaches_goal(&self, success: &Success) -> bool {
         !self.diverged && success.reached(self.position_error, self.orientation_error)
     }
 }
 
-/// A moment of a rollout.
+/// State of the body at one time of a rollout.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moment {
+pub struct TimedState {
     /// Time since the start (s).
     pub time: f64,
     /// Pose of the body (position m, unit quaternion w x y z).
@@ -62,18 +55,31 @@ pub struct Moment {
     /// Velocity in the world frame (m/s).
     pub velocity: [f64; 3],
     /// Angular velocity in the body frame (rad/s).
-    pub spin: [f64; 3],
+    pub angular_velocity: [f64; 3],
+}
+
+impl TimedState {
+    fn new(time: f64, body: &Body) -> Self {
+        let (velocity, angular_velocity) = (body.velocity.into(), body.angular_velocity.into());
+        Self { time, pose: coordinates(&body.pose), velocity, angular_velocity }
+    }
+
+    /// Pose and twist in the order of tables and transcriptions.
+    pub fn state(&self) -> [f64; 13] {
+        let ([x, y, z, w, i, j, k], [vx, vy, vz], [p, q, r]) = (self.pose, self.velocity, self.angular_velocity);
+        [x, y, z, w, i, j, k, vx, vy, vz, p, q, r]
+    }
 }
 
 impl Rollout {
-    /// Prepares the shapes of a task.
+    /// Prepares the shapes of a task. Callers validate the settings ([`Settings::validate_for`]).
     pub fn new(task: &AssemblyTask, settings: Settings) -> Self {
         Self { task: task.clone(), settings, finder: ContactFinder::new(&task.pairs) }
     }
 
-    /// Plays a reference once per grasp or offset (m, body frame) on `jobs` threads; outcomes are in their order and do
-    /// not depend on the number of threads.
-    pub fn simulate<G: Copy + Into<Grasp> + Sync>(
+    /// One rollout of a reference per grasp error or offset (m, body frame), on `jobs` threads. Outcomes are in the
+    /// order of the errors and do not depend on the number of threads.
+    pub fn simulate<G: Copy + Into<GraspError> + Sync>(
         &self,
         reference: &Reference,
         grasps: &[G],
@@ -82,22 +88,33 @@ impl Rollout {
         in_parallel(grasps.len(), jobs, |index| self.play(reference, grasps[index], |_, _| {}))
     }
 
-    /// Plays a reference with one grasp or offset (m, body frame) and shows every moment of it: the body starts at rest where the
-    /// robot believes to hold it at the reference's start, and the reference is held at its end for the settling time.
-    /// With every moment comes the normal impulse (Ns) of every pair since the last knot.
+    /// One rollout of a reference with a grasp error or offset (m, body frame). The body starts at rest where it really
+    /// is when the robot believes it to be at the reference's start; at its end the reference is held for the settling
+    /// time. `observe` gets the state after every time step, and the normal impulse (Ns) of every pair since the last
+    /// knot.
+    ///
+    /// A reference that [`Settings::validate_for`] refuses, or an inertia that is not positive definite, cannot be
+    /// simulated: the outcome has diverged at its start.
     pub fn play(
         &self,
         reference: &Reference,
-        grasp: impl Into<Grasp>,
-        mut observe: impl FnMut(&Moment, &[f64]),
+        grasp: impl Into<GraspError>,
+        mut observe: impl FnMut(&TimedState, &[f64]),
     ) -> Outcome {
         let grasp = grasp.into();
-        let mut body =
-            Body { pose: isometry(&grasp.start(reference)), velocity: Vector3::zeros(), spin: Vector3::zeros() };
+        let mut body = Body {
+            pose: isometry(&grasp.start(reference)),
+            velocity: Vector3::zeros(),
+            angular_velocity: Vector3::zeros(),
+        };
         let (reference, impedance) = (&grasp.reference(reference), grasp.impedance(&self.task.impedance));
-        let mut finder = self.finder.clone();
         let (time_step, substeps) = self.settings.divide(reference.time_step());
-        let mut stepper = Stepper::new(time_step, &self.task.inertia, &impedance, self.settings.friction);
+        let valid = self.settings.validate_for(reference).is_ok();
+        let stepper = Stepper::new(time_step, &self.task.inertia, &impedance, self.settings.friction);
+        let Some(mut stepper) = stepper.filter(|_| valid) else {
+            return Outcome { diverged: true, ..self.outcome(&body, 0.0, 0.0) };
+        };
+        let mut finder = self.finder.clone();
         let offset = Vector3::from(grasp.offset);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
         let mut max_impulse = 0.0_f64;
@@ -108,30 +125,26 @@ impl Rollout {
                 let target = reference.at(interval, substep as f64 / substeps as f64);
                 let overlap = stepper.step(&mut body, &target, &offset, &mut finder, &mut impulses);
                 max_penetration = max_penetration.max(overlap);
-                observe(&moment((interval * substeps + substep) as f64 * time_step, &body), &impulses);
+                let time = (interval * substeps + substep) as f64 * time_step;
+                observe(&TimedState::new(time, &body), &impulses);
             }
             max_impulse = impulses.iter().copied().fold(max_impulse, f64::max);
             if !is_finite(&body) {
                 break;
             }
         }
+        self.outcome(&body, max_penetration, max_impulse / reference.time_step())
+    }
+
+    fn outcome(&self, body: &Body, max_penetration: f64, max_force: f64) -> Outcome {
         let pose = coordinates(&body.pose);
         let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
-        Outcome {
-            pose,
-            position_error,
-            orientation_error,
-            max_penetration,
-            max_force: max_impulse / reference.time_step(),
-            diverged: !is_finite(&body),
-        }
+        let diverged = !is_finite(body);
+        Outcome { pose, position_error, orientation_error, max_penetration, max_force, diverged }
     }
 }
 
-fn moment(time: f64, body: &Body) -> Moment {
-    Moment { time, pose: coordinates(&body.pose), velocity: body.velocity.into(), spin: body.spin.into() }
-}
-
 fn is_finite(body: &Body) -> bool {
-    coordinates(&body.pose).iter().chain(&body.velocity).chain(&body.spin).all(|number| number.is_finite())
+    let pose = coordinates(&body.pose);
+    pose.iter().chain(&body.velocity).chain(&body.angular_velocity).all(|component| component.is_finite())
 }

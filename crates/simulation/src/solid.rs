@@ -1,11 +1,11 @@
-//! Polytopes with the facets, edges and corners that touch.
+//! Polytopes with their facets, edges and corners, the features that can touch.
 
 use std::collections::BTreeMap;
 
 use collision::Polytope;
 use nalgebra::{Rotation3, Vector3};
 
-/// A convex polytope, placed somewhere.
+/// A convex polytope at some pose.
 #[derive(Debug, Clone)]
 pub struct Solid {
     pub vertices: Vec<Vector3<f64>>,
@@ -28,7 +28,7 @@ pub struct Edge {
     pub facets: [usize; 2],
 }
 
-/// A vertex closer to a facet's plane than this fraction of the part's size is one of its corners.
+/// A vertex is a corner of a facet if its distance from the facet's plane is a smaller fraction of the part's size.
 const CORNER_TOLERANCE: f64 = 1e-6;
 
 impl Solid {
@@ -54,7 +54,7 @@ impl Solid {
         self.vertices.iter().map(Vector3::norm).fold(0.0, f64::max)
     }
 
-    /// Becomes `other` rotated and then moved; both must be placements of the same polytope.
+    /// Places this polytope where `other`, rotated and then shifted, lies; both must be of the same shape.
     pub fn place(&mut self, other: &Self, rotation: &Rotation3<f64>, position: &Vector3<f64>) {
         for (placed, vertex) in self.vertices.iter_mut().zip(&other.vertices) {
             *placed = rotation * vertex + position;
@@ -65,7 +65,7 @@ impl Solid {
         }
     }
 
-    /// The vertex that lies furthest against a direction, and how far along the direction it lies.
+    /// The lowest vertex along a direction (the support of the opposite one), and its height along the direction.
     pub fn lowest(&self, direction: &Vector3<f64>) -> (usize, f64) {
         let heights = self.vertices.iter().map(|vertex| direction.dot(vertex)).enumerate();
         heights.fold((0, f64::INFINITY), |lowest, next| if next.1 < lowest.1 { next } else { lowest })
@@ -77,12 +77,13 @@ impl Solid {
     }
 }
 
-/// Vertices in a plane, counter-clockwise about its normal.
+/// The vertices in a plane, counter-clockwise about its normal.
 fn corners(vertices: &[Vector3<f64>], normal: &Vector3<f64>, offset: f64, tolerance: f64) -> Vec<usize> {
     let mut corners: Vec<usize> =
         (0..vertices.len()).filter(|&index| (normal.dot(&vertices[index]) - offset).abs() <= tolerance).collect();
     let center = corners.iter().map(|&index| vertices[index]).sum::<Vector3<f64>>() / corners.len() as f64;
-    let first = vertices[corners[0]] - center;
+    let Some(&corner) = corners.first() else { return corners };
+    let first = vertices[corner] - center;
     let second = normal.cross(&first);
     let angle = |&index: &usize| {
         let arm = vertices[index] - center;
@@ -92,6 +93,7 @@ fn corners(vertices: &[Vector3<f64>], normal: &Vector3<f64>, offset: f64, tolera
     corners
 }
 
+/// The edges in which two facets meet.
 fn edges(facets: &[Facet]) -> Vec<Edge> {
     let mut sides: BTreeMap<[usize; 2], Vec<usize>> = BTreeMap::new();
     for (index, facet) in facets.iter().enumerate() {

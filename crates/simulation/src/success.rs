@@ -1,11 +1,15 @@
-//! What counts as success, and how sure a rate of success is.
+//! What counts as success, and how certain a success rate is.
+
+use std::ops::RangeInclusive;
+
+use crate::settings_error::{SettingsError, check};
 
 /// Largest final errors of a successful rollout.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Success {
-    /// Distance from the goal (m).
+    /// Distance from the goal (m), 1e-9 to 1000.
     pub position: f64,
-    /// Angle to the goal (rad).
+    /// Angle to the goal (rad), 1e-9 to 10.
     pub orientation: f64,
 }
 
@@ -16,13 +20,27 @@ impl Default for Success {
 }
 
 impl Success {
-    /// Whether final errors (m, rad) are small enough.
+    /// Allowed distances from the goal (m).
+    pub const POSITIONS: RangeInclusive<f64> = 1e-9..=1e3;
+    /// Allowed angles to the goal (rad). No orientation is further away than pi.
+    pub const ORIENTATIONS: RangeInclusive<f64> = 1e-9..=10.0;
+
+    /// Whether both tolerances lie in their ranges.
+    ///
+    /// # Errors
+    /// The first tolerance that does not, with its value and its range.
+    pub fn validate(&self) -> Result<(), SettingsError> {
+        check("position", self.position, &Self::POSITIONS, "m")?;
+        check("orientation", self.orientation, &Self::ORIENTATIONS, "rad")
+    }
+
+    /// Whether final errors (m, rad) are within the tolerances.
     pub fn reached(&self, position_error: f64, orientation_error: f64) -> bool {
         position_error <= self.position && orientation_error <= self.orientation
     }
 }
 
-/// Wilson's interval in which the probability of success lies with 95 % confidence, after `successes` of `trials`.
+/// Wilson's 95 % confidence interval of the probability of success, after `successes` in `trials`.
 pub fn wilson_interval(successes: usize, trials: usize) -> [f64; 2] {
     // Quantile of the normal distribution at 97.5 %.
     const Z: f64 = 1.959_963_984_540_054;
@@ -39,6 +57,15 @@ pub fn wilson_interval(successes: usize, trials: usize) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn tolerances_out_of_range_are_named() {
+        let default = Success::default();
+        assert_eq!(default.validate(), Ok(()));
+        let error = Success { position: 0.0, ..default }.validate().unwrap_err().to_string();
+        assert_eq!(error, "position = 0 m: must lie in [1e-9, 1000] m");
+        assert!(Success { orientation: f64::NAN, ..default }.validate().is_err());
+    }
 
     #[test]
     fn wilson_intervals_are_those_of_the_literature() {

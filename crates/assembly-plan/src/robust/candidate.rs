@@ -1,7 +1,7 @@
 //! Plans on the way to a robust one.
 
 use ocp::HomotopyIteration;
-use simulation::{Examiner, Reference, Refinement, Trial};
+use simulation::{Evaluator, Reference, Refinement, Trial};
 
 use crate::robust::exam::Mark;
 use crate::robust::portfolio::Variant;
@@ -31,7 +31,7 @@ impl<'run> Candidate<'run> {
     pub fn new(
         variant: &Variant,
         stages: Vec<HomotopyIteration>,
-        examiner: &'run Examiner,
+        examiner: &'run Evaluator,
         training: &[Trial],
         (seed, jobs): (u64, usize),
     ) -> Self {

@@ -1,7 +1,7 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
 use serde::Serialize;
-use simulation::{Grasp, Trial, Verdict, offsets};
+use simulation::{GraspError, Trial, TrialResult, offsets};
 use task::AssemblyTask;
 
 /// Magnitudes of the random offsets, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller has no
@@ -38,8 +38,8 @@ impl Exam {
     pub fn new(task: &AssemblyTask, (delta, turn): (f64, f64), frictions: &[f64], count: usize, seed: u64) -> Self {
         let (mut cells, mut trials) = (Vec::new(), Vec::new());
         for (friction, &coefficient) in frictions.iter().enumerate() {
-            let mut add = |magnitude_m: f64, planned: bool, grasps: &mut dyn Iterator<Item = Grasp>| {
-                let grasps = Grasp::distinct(grasps);
+            let mut add = |magnitude_m: f64, planned: bool, grasps: &mut dyn Iterator<Item = GraspError>| {
+                let grasps = GraspError::distinct(grasps);
                 cells.push(Mark { friction: coefficient, magnitude_m, planned, rollouts: grasps.len(), successes: 0 });
                 trials.extend(grasps.into_iter().map(|grasp| Trial { friction, grasp }));
             };
@@ -49,19 +49,19 @@ impl Exam {
                 let errors = offsets::ball(SPREAD * delta, count, seed);
                 let planned = offsets::hull(&scaled, count, seed);
                 let turns = offsets::ball(turn, count, seed + TURN_SEED);
-                let grasp = |((offset, error), turn): (([f64; 3], &[f64; 3]), [f64; 3])| Grasp {
+                let grasp = |((offset, error), turn): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
                     offset: std::array::from_fn(|axis| offset[axis] + error[axis]),
                     turn,
                 };
                 add(fraction * delta, false, &mut planned.into_iter().zip(&errors).zip(turns).map(grasp));
             }
-            add(delta, true, &mut task.offsets.iter().copied().map(Grasp::from));
+            add(delta, true, &mut task.offsets.iter().copied().map(GraspError::from));
         }
         Self { cells, trials }
     }
 
     /// The cells with their successes, from the verdicts in the order of the trials.
-    pub fn marks(&self, verdicts: &[Verdict]) -> Vec<Mark> {
+    pub fn marks(&self, verdicts: &[TrialResult]) -> Vec<Mark> {
         let mut verdicts = verdicts.iter();
         let count = |cell: &Mark| {
             let successes = verdicts.by_ref().take(cell.rollouts).filter(|verdict| verdict.passed).count();

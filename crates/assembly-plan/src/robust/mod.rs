@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 use nlp::SolveStatus;
 use ocp::HomotopyIteration;
-use simulation::{Examiner, Reference, Refinement, Trial, in_parallel};
+use simulation::{Evaluator, Reference, Refinement, Trial, in_parallel};
 use task::{AssemblyTask, HomotopySettings, LinearSolver};
 
 use crate::failure::Failure;
@@ -74,7 +74,7 @@ pub struct Robust<'run> {
     settings: &'run HomotopySettings,
     delta: f64,
     wishes: Wishes,
-    examiner: &'run Examiner,
+    examiner: &'run Evaluator,
     progress: &'run Progress,
     interrupted: &'run AtomicBool,
     begin: Instant,
@@ -89,7 +89,7 @@ impl<'run> Robust<'run> {
     /// For a task to plan, its homotopy, and an examiner with the wished frictions, whose world may have more pairs.
     pub fn new(
         (task, settings): (&'run AssemblyTask, &'run HomotopySettings),
-        examiner: &'run Examiner,
+        examiner: &'run Evaluator,
         delta: f64,
         wishes: Wishes,
         progress: &'run Progress,
@@ -246,7 +246,7 @@ impl<'run> Robust<'run> {
         self.exams += 1;
         let seed = SEED + SEED_STRIDE * self.exams;
         let exam = Exam::new(self.task, (self.delta, self.wishes.turn), &self.wishes.frictions, EXAM, seed);
-        let verdicts = self.examiner.judge_all(reference, &exam.trials, self.wishes.jobs);
+        let verdicts = self.examiner.evaluate_all(reference, &exam.trials, self.wishes.jobs);
         let failures =
             exam.trials.iter().zip(&verdicts).filter(|(_, verdict)| !verdict.passed).map(|(trial, _)| *trial);
         (failures.collect(), exam.marks(&verdicts))

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use nlp::{Control, Start};
 use ocp::{Event, HomotopyIteration};
-use simulation::{Examiner, Rollout, Settings, Success};
+use simulation::{Evaluator, Rollout, Settings, Success};
 
 use crate::arguments::{RobustArguments, threads};
 use crate::failure::Failure;
@@ -36,7 +36,7 @@ pub fn plan_robustly(
         frictions: arguments.friction.clone(),
         jobs: threads(arguments.jobs),
     };
-    let examiner = Examiner::new(&world, &wishes.frictions, success);
+    let examiner = Evaluator::new(&world, &wishes.frictions, success);
     let progress = Progress::new();
     let settings = &problem.homotopy;
     let robust = Robust::new((&problem.task, settings), &examiner, problem.delta, wishes, &progress, stopped);

@@ -1,14 +1,14 @@
-//! Rollouts against what mechanics says.
+//! Rollouts compared with closed-form mechanics.
 
 use collision::Polytope;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use simulation::{Grasp, Moment, Reference, Rollout, Settings};
+use simulation::{GraspError, Reference, Rollout, Settings, TimedState};
 
 use crate::world::{
-    INERTIA, MASS, ROTATIONAL_STIFFNESS, STIFFNESS, at_rest, block, floor, hole, moments, task, through,
+    INERTIA, MASS, ROTATIONAL_STIFFNESS, STIFFNESS, at_rest, block, floor, hole, states, task, through,
 };
 
-/// What is left of a deviation of a critically damped body after a time (s).
+/// Fraction of its initial deviation that a critically damped body has after a time (s).
 fn critically_damped(frequency: f64, time: f64) -> f64 {
     (1.0 + frequency * time) * (-frequency * time).exp()
 }
@@ -22,11 +22,11 @@ fn deviations_in_free_motion(time_step: f64) -> (f64, f64) {
     let mut target = at_rest([JUMP, 0.0, 0.0]);
     (target[3], target[5]) = ((0.5 * TURN).cos(), (0.5 * TURN).sin());
     let mut largest = (0.0_f64, 0.0_f64);
-    for moment in moments(&rollout, &Reference::new(time_step, &[at_rest([0.0; 3]), target])) {
-        let position = JUMP * (1.0 - critically_damped((STIFFNESS / MASS).sqrt(), moment.time));
-        let angle = TURN * (1.0 - critically_damped((ROTATIONAL_STIFFNESS / INERTIA).sqrt(), moment.time));
-        largest.0 = largest.0.max((moment.pose[0] - position).abs());
-        largest.1 = largest.1.max((2.0 * moment.pose[5].asin() - angle).abs());
+    for state in states(&rollout, &Reference::new(time_step, &[at_rest([0.0; 3]), target])) {
+        let position = JUMP * (1.0 - critically_damped((STIFFNESS / MASS).sqrt(), state.time));
+        let angle = TURN * (1.0 - critically_damped((ROTATIONAL_STIFFNESS / INERTIA).sqrt(), state.time));
+        largest.0 = largest.0.max((state.pose[0] - position).abs());
+        largest.1 = largest.1.max((2.0 * state.pose[5].asin() - angle).abs());
     }
     largest
 }
@@ -62,15 +62,15 @@ fn a_turned_grasp_is_a_turned_shape() {
     let reference = through(&[[0.0, 0.0, 0.06], [0.0005, 0.0, -0.005]], 1.5);
     for friction in [0.0, 0.2] {
         let settings = Settings { friction, ..Settings::default() };
-        let play = |peg: &Polytope, grasp: Grasp| {
+        let play = |peg: &Polytope, grasp: GraspError| {
             let mut poses = Vec::new();
             let rollout = Rollout::new(&task(peg, &hole(0.0415)), settings);
-            let outcome = rollout.play(&reference, grasp, |moment, _| poses.push(moment.pose));
+            let outcome = rollout.play(&reference, grasp, |state, _| poses.push(state.pose));
             assert!(outcome.max_force > 0.1, "it touches: {outcome:?}");
             poses
         };
-        let held = play(&peg, Grasp { offset: [0.0; 3], turn });
-        let shaped = play(&peg.placed([0.0; 3], [w, i, j, k]), Grasp::default());
+        let held = play(&peg, GraspError { offset: [0.0; 3], turn });
+        let shaped = play(&peg.placed([0.0; 3], [w, i, j, k]), GraspError::default());
         for (held, shaped) in held.iter().zip(&shaped) {
             let orientation =
                 |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
@@ -91,13 +91,13 @@ fn bumpy_motion(time_step: f64, friction: f64) -> Vec<Vector3<f64>> {
         &task(&block([0.1, 0.08, 0.06], [0.0; 3]), &[floor(), wall]),
         Settings { time_step, friction, ..Settings::default() },
     );
-    let moments = moments(&rollout, &Reference::new(0.4, &[start, target]));
+    let states = states(&rollout, &Reference::new(0.4, &[start, target]));
     let every = (8e-3 / time_step).round() as usize;
-    moments.iter().skip(every - 1).step_by(every).map(position).collect()
+    states.iter().skip(every - 1).step_by(every).map(position).collect()
 }
 
-fn position(moment: &Moment) -> Vector3<f64> {
-    Vector3::new(moment.pose[0], moment.pose[1], moment.pose[2])
+fn position(state: &TimedState) -> Vector3<f64> {
+    Vector3::new(state.pose[0], state.pose[1], state.pose[2])
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What holds in every rollout.
+//! Properties of every rollout.
 
 use collision::Polytope;
 use proptest::prelude::*;
@@ -21,7 +21,7 @@ fn shape() -> impl Strategy<Value = Polytope> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
-    /// Contacts are hard; the planner's own exact distance is the judge.
+    /// Contacts are hard; the planner's exact distance is the oracle.
     #[test]
     fn nothing_overlaps(places in proptest::collection::vec(place(), 3), friction in prop_oneof![Just(0.0), 0.0..0.6_f64]) {
         const OVERLAP: f64 = 1e-5;
@@ -30,10 +30,10 @@ proptest! {
         let mut way = vec![[0.0, 0.0, 0.06]];
         way.extend(places);
         let (mut smallest, mut count) = (f64::INFINITY, 0);
-        let outcome = rollout.play(&through(&way, 0.5), [0.0; 3], |moment, _| {
+        let outcome = rollout.play(&through(&way, 0.5), [0.0; 3], |state, _| {
             count += 1;
             if count % 10 == 0 {
-                let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
+                let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&state.pose));
                 smallest = distances.fold(smallest, f64::min);
             }
         });
@@ -49,7 +49,8 @@ proptest! {
         orientation in proptest::array::uniform4(-1.0..1.0_f64),
         friction in prop_oneof![Just(0.0), 0.0..0.6_f64],
     ) {
-        // A corner that passes a facet may meet the one behind it within a step: less than what a body at 0.7 m/s moves.
+        // A corner that passes a facet may meet the one behind it within a step: less than what a body at 0.7 m/s
+        // moves.
         const OVERLAP: f64 = 7e-4;
         let place = |shape: &Polytope, x| shape.placed([x, 0.0, 0.0], [1.0, 0.2, -0.3, 0.1]);
         let task = task(&body, &[place(&first, 0.03), place(&second, -0.03), floor()]);
@@ -58,10 +59,10 @@ proptest! {
         target[3..7].copy_from_slice(&orientation);
         let (mut smallest, mut count) = (f64::INFINITY, 0);
         let reference = Reference::new(0.3, &[at_rest([0.0, 0.0, 0.2]), target]);
-        let outcome = rollout.play(&reference, [0.0; 3], |moment, _| {
+        let outcome = rollout.play(&reference, [0.0; 3], |state, _| {
             count += 1;
             if count % 5 == 0 {
-                let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&moment.pose));
+                let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distance(&state.pose));
                 smallest = distances.fold(smallest, f64::min);
             }
         });

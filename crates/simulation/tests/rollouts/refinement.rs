@@ -1,15 +1,15 @@
-//! References judged and refined.
+//! References evaluated and refined.
 
 use nalgebra::Vector3;
-use simulation::{Bump, Examiner, Grasp, Reference, Refinement, Success, Trial};
+use simulation::{Bump, Evaluator, GraspError, Reference, Refinement, Success, Trial};
 
 use crate::world::{STIFFNESS, block, floor, hole, task, through};
 
 const WIDTH: f64 = 0.04;
 
-fn examiner() -> Examiner {
+fn evaluator() -> Evaluator {
     let world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
-    Examiner::new(&world, &[0.0, 0.1], Success::default())
+    Evaluator::new(&world, &[0.0, 0.1], Success::default())
 }
 
 /// Straight down beside the hole: the body comes to rest on the rim.
@@ -24,8 +24,8 @@ fn trials() -> Vec<Trial> {
 
 #[test]
 fn what_fails_is_refined_until_it_passes() {
-    let examiner = examiner();
-    let mut refinement = Refinement::new(&examiner, beside(), trials(), 1, 2);
+    let evaluator = evaluator();
+    let mut refinement = Refinement::new(&evaluator, beside(), trials(), 1, 2);
     assert!(refinement.score().0 > 0, "the plain reference fails");
     for _ in 0..300 {
         if refinement.score().0 == 0 {
@@ -37,15 +37,15 @@ fn what_fails_is_refined_until_it_passes() {
         assert_eq!(improved, after.0 < before.0 || after.0 == before.0 && after.1 < before.1);
     }
     assert_eq!(refinement.score().0, 0);
-    let verdicts = examiner.judge_all(refinement.reference(), &trials(), 1);
-    assert!(verdicts.iter().all(|verdict| verdict.passed && verdict.miss == 0.0));
+    let results = evaluator.evaluate_all(refinement.reference(), &trials(), 1);
+    assert!(results.iter().all(|result| result.passed && result.miss == 0.0));
 }
 
 #[test]
 fn refinement_does_not_depend_on_threads_and_can_be_stopped() {
-    let examiner = examiner();
+    let evaluator = evaluator();
     let refine = |jobs: usize, stop: bool| {
-        let mut refinement = Refinement::new(&examiner, beside(), trials(), 3, jobs);
+        let mut refinement = Refinement::new(&evaluator, beside(), trials(), 3, jobs);
         (0..10).for_each(|_| {
             refinement.improve(jobs, &|| stop);
         });
@@ -58,8 +58,8 @@ fn refinement_does_not_depend_on_threads_and_can_be_stopped() {
 #[test]
 fn changes_that_break_a_limit_are_refused() {
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
-    world.limits.translational_velocity = beside().needs().translational_velocity;
-    let limited = Examiner::new(&world, &[0.0, 0.1], Success::default());
+    world.limits.translational_velocity = beside().limits_kept().translational_velocity;
+    let limited = Evaluator::new(&world, &[0.0, 0.1], Success::default());
     let mut refinement = Refinement::new(&limited, beside(), trials(), 1, 2);
     (0..100).for_each(|_| {
         refinement.improve(2, &|| false);
@@ -71,19 +71,19 @@ fn changes_that_break_a_limit_are_refused() {
 
 #[test]
 fn a_push_beyond_the_limit_is_no_success() {
-    let trial = Trial { friction: 0, grasp: Grasp::default() };
+    let trial = Trial { friction: 0, grasp: GraspError::default() };
     const DEPTH: f64 = 1e-3;
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
     world.goal[2] = 0.04;
     let pressing = through(&[[0.0, 0.0, 0.04], [0.0, 0.0, 0.04 - DEPTH]], 1.0);
-    let mut judge = |limit: f64| {
+    let mut evaluate = |limit: f64| {
         world.limits.contact_force = limit;
-        Examiner::new(&world, &[0.0], Success::default()).judge(&pressing, &trial)
+        Evaluator::new(&world, &[0.0], Success::default()).evaluate(&pressing, &trial)
     };
-    assert!(judge(f64::INFINITY).passed);
+    assert!(evaluate(f64::INFINITY).passed);
     let force = STIFFNESS * DEPTH;
-    assert!(judge(1.2 * force).passed);
-    let gentle = judge(0.5 * force);
+    assert!(evaluate(1.2 * force).passed);
+    let gentle = evaluate(0.5 * force);
     assert!(!gentle.passed && (gentle.miss - 1.0).abs() < 0.01, "{gentle:?}");
 }
 
@@ -103,19 +103,4 @@ fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
             assert!((Vector3::from_column_slice(&to[10..]).norm() * bent.time_step() - angle).abs() < 1e-7);
         }
     }
-}
-
-/// The planner's files of a rollout say what the rollout says.
-#[test]
-fn a_rollout_is_a_trajectory() {
-    let world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
-    let rollout = simulation::Rollout::new(&world, simulation::Settings::default());
-    let offset = [0.001, 0.0, 0.0];
-    let trajectory = rollout.trajectory(&beside(), &[offset], 1e-5);
-    let scenario = &trajectory.scenarios[0];
-    assert_eq!((scenario.states.len(), scenario.contacts.len(), scenario.wrenches.len()), (26, 25, 25));
-    assert!((scenario.states[0][0] - 0.0005).abs() < 1e-12);
-    let outcome = rollout.play(&beside(), offset, |_, _| {});
-    assert_eq!(scenario.quality.position_error, outcome.position_error);
-    assert_eq!(scenario.quality.max_force, outcome.max_force);
 }

@@ -2,7 +2,7 @@
 
 use collision::{Pair, Polytope};
 use nalgebra::{Matrix3, Vector3};
-use simulation::{Moment, Reference, Rollout};
+use simulation::{Reference, Rollout, TimedState};
 use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
 
 /// Translational stiffness (N/m) and mass (kg) of every body.
@@ -35,7 +35,7 @@ pub fn hole(width: f64) -> Vec<Polytope> {
     ]
 }
 
-/// A body among obstacles, with its goal at the origin; what rollouts do not use is zero.
+/// A body among obstacles, with its goal at the origin. Fields that rollouts do not use are zero.
 pub fn task(body: &Polytope, obstacles: &[Polytope]) -> AssemblyTask {
     let inertia = Inertia { mass: MASS, rotational: Matrix3::identity() * INERTIA };
     let pair = |obstacle: &Polytope| ContactPair {
@@ -67,8 +67,7 @@ pub fn at_rest([x, y, z]: [f64; 3]) -> [f64; 13] {
     [x, y, z, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
 
-/// A reference through upright poses, `seconds` from each to the next, that commands no velocity: what damping then does
-/// is to brake.
+/// A reference through upright poses, `seconds` from each to the next. It commands no velocity, so that damping brakes.
 pub fn through(positions: &[[f64; 3]], seconds: f64) -> Reference {
     const KNOTS: usize = 25;
     let mut states = vec![at_rest(positions[0])];
@@ -79,9 +78,9 @@ pub fn through(positions: &[[f64; 3]], seconds: f64) -> Reference {
     Reference::new(seconds / KNOTS as f64, &states)
 }
 
-/// Every moment of a rollout without offset.
-pub fn moments(rollout: &Rollout, reference: &Reference) -> Vec<Moment> {
-    let mut moments = Vec::new();
-    rollout.play(reference, [0.0; 3], |moment, _| moments.push(*moment));
-    moments
+/// All states of a rollout without grasp error.
+pub fn states(rollout: &Rollout, reference: &Reference) -> Vec<TimedState> {
+    let mut states = Vec::new();
+    rollout.play(reference, [0.0; 3], |state, _| states.push(*state));
+    states
 }

@@ -1,0 +1,87 @@
+//! Evaluation of references by rollouts.
+
+use task::{AssemblyTask, Limits};
+
+use crate::grasp_error::GraspError;
+use crate::parallel::in_parallel;
+use crate::reference::Reference;
+use crate::rollout::Rollout;
+use crate::settings::Settings;
+use crate::success::Success;
+
+/// One rollout that a reference has to pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// Index into the friction coefficients of the [`Evaluator`].
+    pub friction: usize,
+    /// Injected grasp error.
+    pub grasp: GraspError,
+}
+
+/// How a reference does in a trial.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrialResult {
+    /// Whether the rollout ends at the goal and no contact force exceeds the task's limit.
+    pub passed: bool,
+    /// How far the trial is from passing, 0 when passed: the final position error and orientation error, each as a
+    /// multiple of its tolerance, plus the excess of the largest contact force as a fraction of its limit. At most 60.
+    pub miss: f64,
+}
+
+/// Evaluates references in trials.
+#[derive(Debug, Clone)]
+pub struct Evaluator {
+    rollouts: Vec<Rollout>,
+    success: Success,
+    limits: Limits,
+}
+
+/// Larger misses count as this one: how far away a lost part comes to rest says nothing.
+const LARGEST_MISS: f64 = 60.0;
+
+/// Fraction of a limit by which a motion may exceed it.
+const LIMIT_SLACK: f64 = 1e-3;
+
+impl Evaluator {
+    /// For a task and several friction coefficients, with the default time step and settling time. Callers validate
+    /// coefficients ([`Settings::validate`]) and tolerances ([`Success::validate`]).
+    pub fn new(task: &AssemblyTask, frictions: &[f64], success: Success) -> Self {
+        let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
+        Self { rollouts: frictions.iter().map(rollout).collect(), success, limits: task.limits }
+    }
+
+    /// What counts as success.
+    pub fn success(&self) -> &Success {
+        &self.success
+    }
+
+    /// Whether the reference keeps the task's limits of velocity and acceleration, within a solver's tolerance.
+    pub fn allows(&self, reference: &Reference) -> bool {
+        self.limits.allow(&reference.limits_kept(), LIMIT_SLACK)
+    }
+
+    /// Simulates one trial.
+    ///
+    /// # Panics
+    /// When the evaluator has no friction coefficient of the trial's index.
+    pub fn evaluate(&self, reference: &Reference, trial: &Trial) -> TrialResult {
+        let outcome = self.rollouts[trial.friction].play(reference, trial.grasp, |_, _| {});
+        let excess = (outcome.max_force / self.limits.contact_force - 1.0).max(0.0);
+        if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
+            return TrialResult { passed: true, miss: 0.0 };
+        }
+        let errors =
+            outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
+        let miss = errors + excess;
+        // The comparison is false for NaN, which becomes the largest miss.
+        TrialResult { passed: false, miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS } }
+    }
+
+    /// Simulates all trials on `jobs` threads; results are in the order of the trials.
+    ///
+    /// # Panics
+    /// When the evaluator has no friction coefficient of a trial's index.
+    pub fn evaluate_all(&self, reference: &Reference, trials: &[Trial], jobs: usize) -> Vec<TrialResult> {
+        in_parallel(trials.len(), jobs, |index| self.evaluate(reference, &trials[index]))
+    }
+}

@@ -1,0 +1,129 @@
+//! How the part in the gripper differs from what the robot believes.
+
+use std::collections::HashMap;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use task::Impedance;
+
+use crate::reference::Reference;
+
+/// Where the part really sits in the gripper, relative to where the robot believes it to be.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GraspError {
+    /// Offset `q` of `P_q` (m, body frame).
+    pub offset: [f64; 3],
+    /// Rotation vector (rad, body frame) from the part's orientation to the believed one. Plans do not model it.
+    pub turn: [f64; 3],
+}
+
+impl From<[f64; 3]> for GraspError {
+    fn from(offset: [f64; 3]) -> Self {
+        Self { offset, turn: [0.0; 3] }
+    }
+}
+
+/// Grasp errors closer than this (m, rad) are the same.
+const SAME: f64 = 1e-9;
+
+impl GraspError {
+    fn rotation(&self) -> UnitQuaternion<f64> {
+        UnitQuaternion::from_scaled_axis(Vector3::from(self.turn))
+    }
+
+    /// Pose of the part (position m, unit quaternion w x y z) when the robot believes it to be at the reference's
+    /// start. For an offset alone this is `P_q^-1` of the start (Sec. ocp:ocp).
+    pub fn start(&self, reference: &Reference) -> [f64; 7] {
+        task::pose::without_offset(&self.reference(reference).start(), &self.offset)
+    }
+
+    /// The grasp errors without repetitions, in their order: rollouts are deterministic, and simulating one twice says
+    /// nothing new. The effort grows linearly with their number.
+    pub fn distinct(grasps: impl IntoIterator<Item = Self>) -> Vec<Self> {
+        let mut found: Vec<Self> = Vec::new();
+        // Grasp errors that are the same lie in the same cell along a direction, or in neighbouring ones.
+        let mut cells: HashMap<u64, Vec<usize>> = HashMap::new();
+        for grasp in grasps {
+            let cell = grasp.cell();
+            if !cell.is_finite() {
+                // Nothing is close to a value that is not finite.
+                found.push(grasp);
+                continue;
+            }
+            let mut near = [cell - 1.0, cell, cell + 1.0].into_iter().filter_map(|cell| cells.get(&cell.to_bits()));
+            if !near.any(|indices| indices.iter().any(|&index| grasp.is_same(&found[index]))) {
+                cells.entry(cell.to_bits()).or_default().push(found.len());
+                found.push(grasp);
+            }
+        }
+        found
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        let distance = |one: [f64; 3], other: [f64; 3]| (Vector3::from(one) - Vector3::from(other)).norm();
+        distance(self.offset, other.offset) < SAME && distance(self.turn, other.turn) < SAME
+    }
+
+    /// Place along a direction in which regular patterns do not coincide, in cells so wide that the places of grasp
+    /// errors that are the same differ by less than one.
+    fn cell(&self) -> f64 {
+        /// Square roots of the first primes, scaled to unit length.
+        const DIRECTION: [f64; 6] = [0.22086305, 0.27050089, 0.34921515, 0.41319690, 0.51797040, 0.56309254];
+        const WIDTH: f64 = 2.0 * SAME;
+        let terms = self.offset.iter().chain(&self.turn).zip(DIRECTION);
+        let place: f64 = terms.map(|(component, weight)| component * weight).sum();
+        // Without negative zeros, whose bits differ.
+        (place / WIDTH).floor() + 0.0
+    }
+
+    /// What the part is to do while the robot follows a reference.
+    pub(crate) fn reference(&self, reference: &Reference) -> Reference {
+        reference.turned(&self.rotation().inverse())
+    }
+
+    /// The impedance law in the part's body frame.
+    pub(crate) fn impedance(&self, impedance: &Impedance) -> Impedance {
+        let rotation = self.rotation().to_rotation_matrix();
+        let rotational_damping = rotation * impedance.rotational_damping * rotation.inverse();
+        Impedance { rotational_damping, ..impedance.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Comparing each with all others is the definition.
+    #[test]
+    fn repetitions_are_found_wherever_cells_end() {
+        let mut random = fastrand::Rng::with_seed(1);
+        let mut step = |size: f64| std::array::from_fn(|_| size * (random.f64() - 0.5));
+        let mut grasps = Vec::new();
+        for _ in 0..300 {
+            let (offset, turn) = (step(0.02), step(0.1));
+            for size in [0.0, 1e-10, 1e-9, 2e-9] {
+                let moved = |from: [f64; 3], by: [f64; 3]| std::array::from_fn(|axis| from[axis] + by[axis]);
+                grasps.push(GraspError { offset: moved(offset, step(size)), turn: moved(turn, step(size)) });
+            }
+        }
+        let mut expected: Vec<GraspError> = Vec::new();
+        for grasp in &grasps {
+            if !expected.iter().any(|other| grasp.is_same(other)) {
+                expected.push(*grasp);
+            }
+        }
+        assert!((301..1200).contains(&expected.len()), "{}", expected.len());
+        assert_eq!(GraspError::distinct(grasps), expected);
+    }
+
+    #[test]
+    fn many_grasp_errors_in_a_plane_are_compared_in_no_time() {
+        let grasps = (0..1_000_000).map(|index| [0.0, 1e-5 * (index % 1000) as f64, 1e-5 * (index / 1000) as f64]);
+        assert_eq!(GraspError::distinct(grasps.map(GraspError::from)).len(), 1_000_000);
+    }
+
+    #[test]
+    fn absurd_grasp_errors_are_compared_too() {
+        let offsets = [[f64::NAN; 3], [f64::INFINITY; 3], [1e200; 3], [1e200; 3], [0.0; 3], [-0.0; 3]];
+        assert_eq!(GraspError::distinct(offsets.map(GraspError::from)).len(), 4);
+    }
+}

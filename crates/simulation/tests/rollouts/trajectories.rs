@@ -1,0 +1,23 @@
+//! Rollouts as trajectories of the planner.
+
+use simulation::{Rollout, Settings};
+
+use crate::world::{block, hole, task, through};
+
+const PATH: [[f64; 3]; 2] = [[0.0015, 0.0, 0.06], [0.0015, 0.0, 0.0]];
+
+fn rollout() -> Rollout {
+    Rollout::new(&task(&block([0.04, 0.04, 0.08], [0.0; 3]), &hole(0.042)), Settings::default())
+}
+
+#[test]
+fn a_trajectory_has_the_states_and_the_outcome_of_its_rollout() {
+    let (rollout, reference, offset) = (rollout(), through(&PATH, 1.0), [0.001, 0.0, 0.0]);
+    let trajectory = rollout.trajectory(&reference, &[offset], 1e-5);
+    let scenario = &trajectory.scenarios[0];
+    assert_eq!((scenario.states.len(), scenario.contacts.len(), scenario.wrenches.len()), (26, 25, 25));
+    assert!((scenario.states[0][0] - 0.0005).abs() < 1e-12);
+    let outcome = rollout.play(&reference, offset, |_, _| {});
+    assert_eq!(scenario.quality.position_error, outcome.position_error);
+    assert_eq!(scenario.quality.max_force, outcome.max_force);
+}
