@@ -1,7 +1,7 @@
-//! Mean time per pose of values, Jacobians and Hessians, for parts of few and many facets and all instruction sets.
+//! Mean time per pose for values, Jacobians and Hessians, with few and many facets and all instruction sets.
 //!
-//! `cargo bench -p collision`. Where the system tells it (Linux), processor time counts and not wall time: on a busy machine
-//! a batch that is longer than a slice of the scheduler would otherwise include the wait for the next slice.
+//! `cargo bench -p collision`. Times are processor times where the system reports them (Linux), else wall times. On a
+//! busy machine, wall times include waits for the scheduler.
 
 use std::time::Instant;
 
@@ -9,10 +9,10 @@ use collision::{Instructions, Pair, Polytope, Request};
 
 const POSES: usize = 1000;
 const SMOOTHINGS: [f64; 3] = [2.5e-3, 1e-4, 1e-6];
-/// Seconds per figure.
+/// Duration of a measurement (s).
 const DURATION: f64 = 0.1;
 
-/// Numbers in -1..1 (xorshift64*), reproducible.
+/// Reproducible random values in -1..1 (xorshift64*).
 struct Random(u64);
 
 impl Random {
@@ -24,7 +24,7 @@ impl Random {
     }
 }
 
-/// A cube, or as many planes around a sphere.
+/// A cube, or a polytope of random planes that touch a sphere.
 fn part(facets: usize, random: &mut Random) -> Polytope {
     if facets == 6 {
         return Polytope::from_box([0.1; 3]).expect("a cube");
@@ -40,14 +40,14 @@ fn part(facets: usize, random: &mut Random) -> Polytope {
     }
 }
 
-/// Seconds on the processor since the program began, or on the clock where the system does not say.
+/// Processor time since the program began (s), or wall time where the system does not report it.
 fn seconds(begin: Instant) -> f64 {
     let statistics = std::fs::read_to_string("/proc/self/schedstat").ok();
     let running = statistics.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
     running.map_or_else(|| begin.elapsed().as_secs_f64(), |nanoseconds| 1e-9 * nanoseconds)
 }
 
-/// Mean microseconds per pose over an interval that is long beside the ticks in which the system counts.
+/// Mean microseconds per pose, over a duration much longer than the resolution of the system's clock.
 fn mean(mut evaluate: impl FnMut()) -> f64 {
     let begin = Instant::now();
     evaluate();

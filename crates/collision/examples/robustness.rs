@@ -1,4 +1,4 @@
-//! Solves many poses of hard families at several smoothings and counts failures and iterations.
+//! Solves many poses of hard families with several smoothings, and counts failures and iterations.
 //!
 //! `cargo run --release -p collision --example robustness [poses per family]` (default 1 000 000)
 
@@ -10,7 +10,7 @@ const SMOOTHINGS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
 /// Poses per call.
 const BATCH: usize = 1000;
 
-/// SplitMix64: reproducible numbers without a dependency.
+/// SplitMix64: reproducible random values without a dependency.
 struct Random(u64);
 
 impl Random {
@@ -59,7 +59,7 @@ fn pose([x, y, z]: [f64; 3], [w, i, j, k]: [f64; 4]) -> [f64; 7] {
     [x, y, z, w, i, j, k]
 }
 
-/// A family of problems: pairs and how poses are drawn for them.
+/// A family of problems: random pairs and poses.
 struct Family {
     name: &'static str,
     pair: fn(&mut Random) -> Pair,
@@ -127,7 +127,7 @@ fn tiny_pose(random: &mut Random) -> [f64; 7] {
     pose(random.vector(0.002), random.quaternion())
 }
 
-/// Aligned with the same centre, in one axis not even that.
+/// Aligned axes and the same centre, or centres that differ a little along one axis.
 fn coincident_pose(random: &mut Random) -> [f64; 7] {
     let mut position = [0.0; 3];
     position[random.index(3)] = random.choose(&[0.0, 0.0, 1e-12, 1e-6]);
@@ -145,7 +145,7 @@ fn face_to_face_pose(random: &mut Random) -> [f64; 7] {
 }
 
 fn edge_to_edge_pose(random: &mut Random) -> [f64; 7] {
-    // Turned by 45 degrees about an axis of the edge: edges parallel or crossed, touching exactly.
+    // Turned by 45 degrees about an axis: parallel or crossed edges that touch exactly.
     let (cosine, sine) = (TAU / 16.0).sin_cos();
     let quaternion = random.choose(&[[sine, cosine, 0.0, 0.0], [sine, 0.0, cosine, 0.0], [sine, 0.0, 0.0, cosine]]);
     let reach = 0.05 + 0.05 * std::f64::consts::SQRT_2;

@@ -1,17 +1,17 @@
-//! One pair at many poses: poses in lanes, the instruction set chosen at run time.
+//! One pair at many poses. Every lane holds a pose; the instruction set is chosen at run time.
 
 use pulp::{Simd, WithSimd};
 
-use crate::contact::{CONTACT, Map, POSE, Placement};
 use crate::derivatives::{self, DIRECTIONS};
 use crate::error::DistanceError;
 use crate::frame;
 use crate::interior_point::{self, Row, Solution};
 use crate::lane::{Lane, Vector, array, column, cross, dot, gather, rotate, scatter};
 use crate::polytope::Polytope;
+use crate::pose_chart::{CONTACT, Map, POSE, Placement};
 use crate::rows;
 
-/// Which vector instructions are used; every choice gives the same bits.
+/// The vector instructions to use. Every choice gives the same bits.
 #[derive(Clone, Copy)]
 pub struct Instructions(pub(crate) pulp::Arch);
 
@@ -29,12 +29,12 @@ impl std::fmt::Debug for Instructions {
 }
 
 impl Instructions {
-    /// The widest that this processor has.
+    /// The widest vector instructions of this processor.
     pub fn best() -> Self {
         Self(pulp::Arch::new())
     }
 
-    /// None.
+    /// No vector instructions.
     pub fn scalar() -> Self {
         Self(pulp::Arch::Scalar)
     }
@@ -48,11 +48,11 @@ impl Instructions {
     }
 }
 
-/// What is wanted at every pose, and where it goes.
+/// What to compute at every pose, and where to store it.
 pub enum Request<'output> {
     /// `Phi` and the contact normal `n` in R^7.
     Normals(&'output mut [[f64; 1 + POSE]]),
-    /// Upper bounds on the exact distance that are tight to the barrier parameter.
+    /// Upper bounds on the exact distance, tight up to the order of the barrier parameter.
     Bounds(&'output mut [f64]),
     /// `W`
     Values(&'output mut [[f64; CONTACT]]),
@@ -71,7 +71,7 @@ pub enum Request<'output> {
     },
 }
 
-/// A pair at many poses.
+/// A request for a pair at many poses.
 pub struct Evaluation<'evaluation> {
     pub body: &'evaluation Polytope,
     pub environment: &'evaluation Polytope,
@@ -85,7 +85,7 @@ pub struct Evaluation<'evaluation> {
 impl WithSimd for Evaluation<'_> {
     type Output = Result<usize, DistanceError>;
 
-    /// Evaluates everything; returns the largest number of iterations.
+    /// Evaluates all poses and returns the largest number of iterations.
     #[inline(always)]
     fn with_simd<S: Simd>(mut self, simd: S) -> Self::Output {
         let mut rows: Vec<Row<S>> = Vec::new();
@@ -102,7 +102,7 @@ impl WithSimd for Evaluation<'_> {
 }
 
 impl Evaluation<'_> {
-    /// Solves for one group of poses; when a lane does not converge, once more in the frame of its contact.
+    /// Solves one group of poses. When a lane does not converge, the group is solved again in its contact frames.
     #[inline(always)]
     fn solve<S: Simd>(
         &self,
@@ -117,7 +117,7 @@ impl Evaluation<'_> {
         let failed = |solution: &Solution<S>| {
             let (residuals, growths) = (solution.residual.to_array(), solution.growth.to_array());
             (0..count).find_map(|lane| {
-                // The maximum over rows drops what is not a number; the growth does not.
+                // The maximum over rows ignores NaN; the growth does not.
                 let residual = if growths[lane].is_finite() { residuals[lane] } else { f64::NAN };
                 let solved = residual <= self.tolerance;
                 (!solved).then_some((lane, residual))
@@ -131,7 +131,7 @@ impl Evaluation<'_> {
             }
             midpoint = rotate(&axes, &midpoint);
             solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
-            // Back to world axes: the frame's inverse is its transpose.
+            // Back to world axes: the inverse of a rotation is its transpose.
             let inverse: [Vector<S>; 3] = array!(|axis| column(&axes, axis));
             solution.point = rotate(&inverse, &solution.point);
             for row in rows.iter_mut() {
@@ -237,7 +237,7 @@ impl<S: Simd> ContactGroup<S> {
     }
 }
 
-/// Contact force on the common point: `sum dual normal` over the body's rows.
+/// Contact force at the common point: `sum dual normal` over the body's rows.
 #[inline(always)]
 fn force<S: Simd>(simd: S, body_rows: &[Row<S>]) -> Vector<S> {
     let mut force = [Lane::splat(simd, 0.0); 3];
@@ -247,7 +247,7 @@ fn force<S: Simd>(simd: S, body_rows: &[Row<S>]) -> Vector<S> {
     force
 }
 
-/// Twice the smallest growth for which the point lies in both parts.
+/// Twice the smallest growth with which both parts contain the point.
 #[inline(always)]
 fn tightest<S: Simd>(rows: &[Row<S>], point: &Vector<S>) -> Lane<S> {
     let growth = rows.iter().map(|row| dot(&row.normal, point) - row.offset);

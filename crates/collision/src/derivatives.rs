@@ -2,10 +2,10 @@
 //!
 //! The barrier value function `V(u) = min_z B(z, u)` has the contact normal as its gradient (Eq. contactvectordef and
 //! the remark on Eq. barrierprob), so that `V'' = D n` and `V''' = D2 n`. Here `u = (translation, rotation vector)`
-//! moves the body away from its pose. Body rows depend on `(z, u)` only through the point in the moved frame,
-//! `y' = exp(-[theta]) (p - rho - translation)`, and linearly on that: everything comes down to derivatives of `y'`,
-//! to `M = sum d a a'` per part, and to the same sum with the weights of the third derivative. Their cost does not
-//! depend on the number of rows.
+//! moves the body away from its pose. Body rows depend on `(z, u)` only through the point in the moved frame, `y' =
+//! exp(-[theta]) (p - rho - translation)`, and linearly on that. Three quantities therefore suffice: derivatives of
+//! `y'`, the sum `M = sum d a a'` per part, and the same sum with the weights of the third derivative. Only these sums
+//! take an effort that grows with the number of rows.
 
 use pulp::Simd;
 
@@ -15,7 +15,7 @@ use crate::newton::{Factors, Moments};
 
 /// Number of directions `u`.
 pub const DIRECTIONS: usize = 6;
-/// Symmetric or general matrix over directions.
+/// Matrix whose rows and columns are directions.
 pub type DirectionMatrix<S> = [[Lane<S>; DIRECTIONS]; DIRECTIONS];
 
 /// Value and first derivatives along `u`, in the frame of the rows.
@@ -150,7 +150,7 @@ pub fn second<S: Simd>(
     let First { force, lever, solution, body, .. } = first;
     let shift: Vector<S> = [seed[0], seed[1], seed[2]];
     let spin: Vector<S> = [seed[3], seed[4], seed[5]];
-    // Direction of z along which the third derivative is taken (Eq. secondderadjeq).
+    // Direction in z of the third derivative (Eq. secondderadjeq).
     let adjoint: [Lane<S>; 4] = array!(|row| {
         let mut sum = -(distance_seed * first.cost_response[row]);
         for column in 0..DIRECTIONS {
@@ -166,7 +166,7 @@ pub fn second<S: Simd>(
     let reaction = body.times(&body_direction);
     let reaction = [reaction[0], reaction[1], reaction[2]];
 
-    // w = p' - translation and y' along every direction.
+    // Change w of the point p relative to the translation, along every direction.
     let moves: [Vector<S>; DIRECTIONS] = array!(|column| {
         let mut point = [solution[0][column], solution[1][column], solution[2][column]];
         if column < 3 {
@@ -210,13 +210,14 @@ pub fn second<S: Simd>(
     hessian
 }
 
-/// What one direction contributes to products with the others.
+/// Contribution of one direction to the products with all others.
 #[derive(Clone, Copy)]
 struct Column<S: Simd> {
     /// Change of `(y', alpha)`.
     hat: [Lane<S>; 4],
-    /// Half the third moments' response plus the second moments' response to the bending of `y'`.
+    /// Half of the third moments' response, plus the second moments' response to the second derivative of `y'`.
     half_response: [Lane<S>; 4],
+    /// Response of the environment's third moments.
     fixed: [Lane<S>; 4],
 }
 
@@ -267,7 +268,7 @@ fn bending<S: Simd>(
     array!(|axis| half.mul_add(outer[axis] + inner[axis], -(turned[axis] + swept[axis])))
 }
 
-/// Terms linear in one rotation and in the other direction's `w`:
+/// Terms linear in a rotation and in the `w` of another direction:
 /// `[reaction] + (f spin' - 2 spin f' + (f spin) I) / 2`.
 #[inline(always)]
 fn rotating_terms<S: Simd>(simd: S, force: &Vector<S>, spin: &Vector<S>, reaction: &Vector<S>) -> [Vector<S>; 3] {
@@ -283,7 +284,7 @@ fn rotating_terms<S: Simd>(simd: S, force: &Vector<S>, spin: &Vector<S>, reactio
     terms
 }
 
-/// Terms in two rotations only.
+/// Terms of two rotations.
 #[inline(always)]
 fn rotational_terms<S: Simd>(
     force: &Vector<S>,

@@ -1,8 +1,8 @@
 //! Distances that cannot be computed.
 
-use crate::contact::POSE;
+use crate::pose_chart::POSE;
 
-/// A distance that could not be computed. This has not been seen for `tau >= 1e-8`.
+/// A distance that could not be computed. At valid poses this has not been observed for `tau >= 1e-8`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("no convergence at pose {pose:?} with tau = {tau:e}: residual {residual:e}")]
 pub struct DistanceError {
@@ -10,8 +10,8 @@ pub struct DistanceError {
     pub index: usize,
     /// The pose.
     pub pose: [f64; POSE],
-    /// Smoothing.
+    /// Smoothing parameter.
     pub tau: f64,
-    /// Largest relative error of `dual slack / tau` that remained.
+    /// Largest remaining relative error of `dual slack / tau`.
     pub residual: f64,
 }

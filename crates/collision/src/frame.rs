@@ -1,13 +1,15 @@
-//! The contact frame: axes along the rows that determine the solution. In exact face-face contact the Newton matrix has
-//! entries of very different size; in this frame they do not mix, and derivatives keep their accuracy.
+//! The contact frame, with axes along the rows that determine the solution. In exact face-to-face contact the entries
+//! of the Newton matrix differ by many orders of magnitude. In this frame they do not mix, and derivatives stay
+//! accurate.
 
 use pulp::Simd;
 
 use crate::interior_point::Row;
 use crate::lane::{Lane, Vector, array, cross, dot, rotate};
 
-/// Rotates all normals into the frame whose z axis is the normal of the row with the largest curvature and whose x axis
-/// points along the tangential part of the row with the largest tangential curvature. Returns the frame's axes.
+/// Rotates all normals into the contact frame and returns its axes. The z axis is the normal of the row with the
+/// largest curvature; the x axis points along the tangential component of the row with the largest tangential
+/// curvature.
 #[inline(always)]
 pub fn enter<S: Simd>(simd: S, rows: &mut [Row<S>]) -> [Vector<S>; 3] {
     let zero = Lane::splat(simd, 0.0);

@@ -1,5 +1,5 @@
-//! The distance problem solved to a fixed barrier parameter (Eq. KKTsystem): Mehrotra's predictor-corrector aimed at
-//! the point `tau` of the central path, always from the same cold start, for several poses in lanes.
+//! The distance problem, solved to a fixed barrier parameter (Eq. KKTsystem) by Mehrotra's predictor-corrector method.
+//! It aims at the point `tau` of the central path and always begins at the same cold start. Every lane solves one pose.
 
 use pulp::Simd;
 
@@ -8,15 +8,22 @@ use crate::newton::Moments;
 
 /// Relative error of `dual slack / tau` at which a problem counts as solved.
 pub const TOLERANCE: f64 = 1e-9;
-/// More than ten times what any problem has needed.
+/// Largest number of iterations, far more than any problem has needed.
 const ITERATIONS: usize = 60;
-/// Largest relative change of slack and dual that the second-order correction takes at face value. Without this limit
-/// a product `dual slack` collapses in about one problem of a thousand, and the method jams.
+/// The second-order correction clamps relative changes of slack and dual to this. Otherwise a product `dual slack`
+/// collapses in about one problem of a thousand, and the method jams.
 const CORRECTION_LIMIT: f64 = 2.0;
-/// How far above the tightest row the cold start lies, in units of the mean distance from it.
+/// Smallest slack of the cold start, up to a term with `tau`, as a fraction of the mean excess over the smallest slack.
 const START_MARGIN: f64 = 0.2;
+/// Smallest and largest fraction of the way to the boundary of the feasible set that a step may take.
+const BOUNDARY_FRACTIONS: [f64; 2] = [0.9, 0.995];
+/// That fraction is 1 minus this multiple of `tau` over the mean product `dual slack`: the closer the iterate is to its
+/// target, the further its steps stay away from the boundary.
+const BOUNDARY_SLOPE: f64 = 0.3;
+/// Ratios are at least this where they divide the boundary fraction. A step with a smaller ratio is a full one anyway.
+const SMALLEST_RATIO: f64 = 1e-3;
 
-/// One halfspace `normal p - alpha <= offset` and what the method keeps for it.
+/// One halfspace `normal p - alpha <= offset`, with its iterates.
 #[derive(Clone, Copy)]
 pub struct Row<S: Simd> {
     /// Unit normal in the frame of the problem.
@@ -36,7 +43,7 @@ pub struct Row<S: Simd> {
 }
 
 impl<S: Simd> Row<S> {
-    /// A row before the first iteration; `dual` is part of a dual feasible start.
+    /// A row before the first iteration. The duals of all rows are a dual feasible start.
     #[inline(always)]
     pub fn new(normal: Vector<S>, offset: Lane<S>, dual: Lane<S>) -> Self {
         let zero = offset.constant(0.0);
@@ -60,28 +67,31 @@ impl<S: Simd> Row<S> {
     }
 }
 
-/// Primal solution `z = (p, alpha)` and how it was reached.
+/// Primal solution `z = (p, alpha)`, its error and the number of iterations.
 pub struct Solution<S: Simd> {
     /// Common point (m).
     pub point: Vector<S>,
     /// Growth `alpha` (m).
     pub growth: Lane<S>,
-    /// Largest relative error of `dual slack / tau`.
+    /// Largest relative error of `dual slack / tau` of all rows.
     pub residual: Lane<S>,
     /// Iterations of the slowest lane.
     pub iterations: usize,
 }
 
+/// The Newton system at an iterate.
 struct Assembly<S: Simd> {
     matrix: Moments<S>,
     /// `sum a / slack`
     barrier: [Lane<S>; 4],
+    /// Largest relative error of `dual slack / tau` of all rows.
     residual: Lane<S>,
+    /// `sum dual slack`
     complementarity: Lane<S>,
 }
 
-/// Solves to `tau` from the point midway between the parts' centres. Rows hold the start's duals, and slacks and duals
-/// of the solution afterwards.
+/// Solves to `tau`, starting at the point midway between the parts' centres. Rows hold the duals of the start before,
+/// and the slacks and duals of the solution afterwards.
 #[inline(always)]
 pub fn solve<S: Simd>(simd: S, rows: &mut [Row<S>], midpoint: Vector<S>, tau: f64, tolerance: f64) -> Solution<S> {
     let count = rows.len() as f64;
@@ -115,7 +125,8 @@ pub fn solve<S: Simd>(simd: S, rows: &mut [Row<S>], midpoint: Vector<S>, tau: f6
             -centring.mul_add(barrier[3], correction[3] + splat(2.0)),
         ]);
         let (primal_ratio, dual_ratio) = correct(simd, rows, &step, centring);
-        let boundary = (one - splat(0.3) * target * mean.recip()).min(splat(0.995)).max(splat(0.9));
+        let [least, most] = BOUNDARY_FRACTIONS.map(splat);
+        let boundary = (one - splat(BOUNDARY_SLOPE) * target * mean.recip()).min(most).max(least);
         primal_step = step_length(primal_ratio, boundary, done);
         dual_step = step_length(dual_ratio, boundary, done);
         for axis in 0..3 {
@@ -126,8 +137,8 @@ pub fn solve<S: Simd>(simd: S, rows: &mut [Row<S>], midpoint: Vector<S>, tau: f6
     unreachable!("the loop ends at its last iteration")
 }
 
-/// Growth of a strictly feasible start. Its last term keeps the products `dual slack` from vanishing when the parts
-/// coincide.
+/// Growth of a strictly feasible start. The term with `tau` keeps the products `dual slack` from vanishing when the
+/// parts coincide.
 #[inline(always)]
 fn start<S: Simd>(simd: S, rows: &mut [Row<S>], point: &Vector<S>, tau: f64) -> Lane<S> {
     let count = rows.len() as f64;
@@ -145,8 +156,8 @@ fn start<S: Simd>(simd: S, rows: &mut [Row<S>], point: &Vector<S>, tau: f64) -> 
     growth
 }
 
-/// Takes the last step and assembles the Newton system. Slacks are updated, not recomputed: recomputing adds rounding
-/// of the size of `eps / tau`.
+/// Takes the previous step and assembles the Newton system. Slacks are updated, not recomputed: recomputation would add
+/// rounding errors of the order of `eps / tau`.
 #[inline(always)]
 fn advance<S: Simd>(simd: S, rows: &mut [Row<S>], primal_step: Lane<S>, dual_step: Lane<S>, tau: f64) -> Assembly<S> {
     let zero = Lane::splat(simd, 0.0);
@@ -159,7 +170,7 @@ fn advance<S: Simd>(simd: S, rows: &mut [Row<S>], primal_step: Lane<S>, dual_ste
         let product = row.dual * row.slack;
         complementarity += product;
         residual = residual.max((product.mul_add(inverse_tau, -one)).abs());
-        // One division per row gives all reciprocals.
+        // One division per row yields all reciprocals.
         row.reciprocal_product = product.recip();
         row.inverse_slack = row.dual * row.reciprocal_product;
         matrix.add(row.curvature(), &row.normal);
@@ -171,9 +182,11 @@ fn advance<S: Simd>(simd: S, rows: &mut [Row<S>], primal_step: Lane<S>, dual_ste
     Assembly { matrix, barrier, residual, complementarity }
 }
 
-/// What the predictor step would do.
+/// Effect of the predictor step.
 struct Prediction<S: Simd> {
+    /// Largest relative decrease of a slack, at least 1.
     primal_ratio: Lane<S>,
+    /// Largest relative decrease of a dual, at least 1.
     dual_ratio: Lane<S>,
     /// Changes of `sum dual slack` by the primal step, the dual step and both.
     changes: [Lane<S>; 3],
@@ -182,7 +195,7 @@ struct Prediction<S: Simd> {
 }
 
 impl<S: Simd> Prediction<S> {
-    /// Mehrotra's barrier parameter for the corrector, between the target and the current mean.
+    /// Mehrotra's barrier parameter for the corrector, between the target `tau` and the current mean.
     #[inline(always)]
     fn target(&self, complementarity: Lane<S>, mean: Lane<S>, tau: Lane<S>, count: f64) -> Lane<S> {
         let (zero, one) = (tau.constant(0.0), tau.constant(1.0));
@@ -195,6 +208,7 @@ impl<S: Simd> Prediction<S> {
     }
 }
 
+/// Evaluates the predictor step, which aims directly at `tau`, and the second-order correction.
 #[inline(always)]
 fn predict<S: Simd>(simd: S, rows: &mut [Row<S>], step: &[Lane<S>; 4], tau: Lane<S>) -> Prediction<S> {
     let (zero, one) = (Lane::splat(simd, 0.0), Lane::splat(simd, 1.0));
@@ -239,16 +253,16 @@ fn correct<S: Simd>(simd: S, rows: &mut [Row<S>], step: &[Lane<S>; 4], centring:
     (primal_ratio, dual_ratio)
 }
 
-/// `a dz`: how fast the slack shrinks.
+/// `a dz`, the decrease of the slack.
 #[inline(always)]
 fn slope<S: Simd>(normal: &Vector<S>, step: &[Lane<S>; 4]) -> Lane<S> {
     normal[0].mul_add(step[0], normal[1].mul_add(step[1], normal[2].mul_add(step[2], -step[3])))
 }
 
-/// The full step unless it comes too close to the boundary; none in lanes that are done.
+/// Length of a step: 1 unless that comes too close to the boundary, and 0 in lanes that are done.
 #[inline(always)]
 fn step_length<S: Simd>(ratio: Lane<S>, boundary: Lane<S>, done: Mask<S>) -> Lane<S> {
     let (zero, one) = (ratio.constant(0.0), ratio.constant(1.0));
-    let limited = boundary * ratio.max(ratio.constant(1e-3)).recip();
+    let limited = boundary * ratio.max(ratio.constant(SMALLEST_RATIO)).recip();
     zero.select(done, one.select(ratio.less_than(boundary), limited))
 }

@@ -1,11 +1,11 @@
-//! Several numbers side by side: one per pose, in one vector register.
+//! Vector lanes: several values in one register, one per pose.
 
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use pulp::Simd;
 
-/// An array by index: `array!(|index| entry)`. Unlike `std::array::from_fn` it is inlined with certainty. Outside of the
-/// dispatched function vector operations are calls that pass their operands through memory, ten times slower.
+/// An array by index: `array!(|index| entry)`. Unlike `std::array::from_fn` it is always inlined. Vector operations
+/// that are not inlined into the dispatched function pass their operands through memory and take ten times as long.
 macro_rules! array {
     (|$index:ident| $entry:expr) => {
         $crate::lane::by_index(
@@ -25,7 +25,7 @@ pub fn by_index<T: Copy, const N: usize>(entry: impl Fn(usize) -> T) -> [T; N] {
     entries
 }
 
-/// As many numbers as the instruction set's registers hold. All operations are the same IEEE operations in every
+/// As many values as a register of the instruction set holds. Operations are the same IEEE operations in every
 /// instruction set, so that results do not depend on it.
 #[derive(Clone, Copy)]
 pub struct Lane<S: Simd> {
@@ -33,40 +33,40 @@ pub struct Lane<S: Simd> {
     value: S::f64s,
 }
 
-/// A truth value per number.
+/// A truth value per lane.
 #[derive(Clone, Copy)]
 pub struct Mask<S: Simd>(S::m64s);
 
-/// Widest register of all instruction sets.
+/// Number of lanes of the widest register of all instruction sets.
 pub const MAX_LANES: usize = 8;
 
 impl<S: Simd> Lane<S> {
-    /// The same number everywhere.
+    /// The same value in every lane.
     #[inline(always)]
     pub fn splat(simd: S, value: f64) -> Self {
         Self { simd, value: simd.splat_f64s(value) }
     }
 
-    /// The same number everywhere, by the instruction set of another lane.
+    /// The same value in every lane, with the instruction set of `self`.
     #[inline(always)]
     pub fn constant(self, value: f64) -> Self {
         Self::splat(self.simd, value)
     }
 
-    /// One number per lane, the first of them.
+    /// The first values of an array, one per lane.
     #[inline(always)]
-    fn load(simd: S, numbers: &[f64; MAX_LANES]) -> Self {
-        let (registers, _) = S::as_simd_f64s(&numbers[..S::F64_LANES]);
+    fn load(simd: S, values: &[f64; MAX_LANES]) -> Self {
+        let (registers, _) = S::as_simd_f64s(&values[..S::F64_LANES]);
         Self { simd, value: registers[0] }
     }
 
-    /// The numbers; entries beyond the register are zero.
+    /// The values as an array; entries beyond the register are zero.
     #[inline(always)]
     pub fn to_array(self) -> [f64; MAX_LANES] {
-        let mut numbers = [0.0; MAX_LANES];
-        let (registers, _) = S::as_mut_simd_f64s(&mut numbers[..S::F64_LANES]);
+        let mut values = [0.0; MAX_LANES];
+        let (registers, _) = S::as_mut_simd_f64s(&mut values[..S::F64_LANES]);
         registers[0] = self.value;
-        numbers
+        values
     }
 
     /// `self factor + term`, rounded once.
@@ -81,13 +81,13 @@ impl<S: Simd> Lane<S> {
         Self { value: self.simd.negate_mul_add_f64s(self.value, factor.value, term.value), ..self }
     }
 
-    /// The smaller number.
+    /// The smaller value.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         Self { value: self.simd.min_f64s(self.value, other.value), ..self }
     }
 
-    /// The larger number.
+    /// The larger value.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         Self { value: self.simd.max_f64s(self.value, other.value), ..self }
@@ -111,19 +111,19 @@ impl<S: Simd> Lane<S> {
         Self { value: self.simd.sqrt_f64s(self.value), ..self }
     }
 
-    /// Where this number is smaller.
+    /// The lanes in which this value is smaller.
     #[inline(always)]
     pub fn less_than(self, other: Self) -> Mask<S> {
         Mask(self.simd.less_than_f64s(self.value, other.value))
     }
 
-    /// This number where the mask holds, else the other.
+    /// This value where the mask holds, the other one elsewhere.
     #[inline(always)]
     pub fn select(self, mask: Mask<S>, other: Self) -> Self {
         Self { value: self.simd.select_f64s(mask.0, self.value, other.value), ..self }
     }
 
-    /// Whether the mask holds everywhere.
+    /// Whether the mask holds in every lane.
     #[inline(always)]
     pub fn all(self, mask: Mask<S>) -> bool {
         let holds = self.constant(1.0).select(mask, self.constant(0.0));
@@ -177,7 +177,7 @@ impl<S: Simd> SubAssign for Lane<S> {
     }
 }
 
-/// One record per lane, the last one repeated where there are fewer.
+/// One record per lane; the last one is repeated when there are fewer records than lanes.
 #[inline(always)]
 pub fn gather<S: Simd, const N: usize>(simd: S, records: &[[f64; N]]) -> [Lane<S>; N] {
     let mut columns = [[0.0; MAX_LANES]; N];
@@ -191,13 +191,13 @@ pub fn gather<S: Simd, const N: usize>(simd: S, records: &[[f64; N]]) -> [Lane<S
     array!(|index| Lane::load(simd, &columns[index]))
 }
 
-/// Writes one record per lane, as many as there are.
+/// Writes one record per lane, as far as there are records.
 #[inline(always)]
 pub fn scatter<'records, S: Simd, const N: usize>(
-    numbers: &[Lane<S>; N],
+    values: &[Lane<S>; N],
     records: impl Iterator<Item = &'records mut [f64; N]>,
 ) {
-    let columns: [[f64; MAX_LANES]; N] = array!(|index| numbers[index].to_array());
+    let columns: [[f64; MAX_LANES]; N] = array!(|index| values[index].to_array());
     for (lane, record) in records.take(S::F64_LANES).enumerate() {
         for index in 0..N {
             record[index] = columns[index][lane];
@@ -205,7 +205,7 @@ pub fn scatter<'records, S: Simd, const N: usize>(
     }
 }
 
-/// Three numbers per lane.
+/// A vector in R^3 per lane.
 pub type Vector<S> = [Lane<S>; 3];
 
 /// `a b`

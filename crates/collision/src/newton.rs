@@ -4,12 +4,12 @@ use pulp::Simd;
 
 use crate::lane::{Lane, Vector, array};
 
-/// Symmetric 4 x 4 matrix `sum weight a a'` with `a = (normal, -1)`: the nine entries that differ and the corner, as
-/// xx, xy, xz, yy, yz, zz, xa, ya, za, aa.
+/// Symmetric 4 x 4 matrix `sum weight a a'` with `a = (normal, -1)`, as its ten distinct entries xx, xy, xz, yy, yz,
+/// zz, xa, ya, za, aa.
 #[derive(Clone, Copy)]
 pub struct Moments<S: Simd>(pub [Lane<S>; 10]);
 
-/// Places of (row, column) in [`Moments`].
+/// Index of the entry (row, column) in [`Moments`].
 const PLACES: [[usize; 4]; 4] = [[0, 1, 2, 6], [1, 3, 4, 7], [2, 4, 5, 8], [6, 7, 8, 9]];
 
 impl<S: Simd> Moments<S> {
@@ -37,7 +37,7 @@ impl<S: Simd> Moments<S> {
         m[9] += weight;
     }
 
-    /// Sum of two.
+    /// The sum of two matrices.
     #[inline(always)]
     pub fn plus(&self, other: &Self) -> Self {
         let mut sum = *self;
@@ -53,7 +53,7 @@ impl<S: Simd> Moments<S> {
         self.0[PLACES[row][column]]
     }
 
-    /// Product with a vector of 4.
+    /// Product with a vector in R^4.
     #[inline(always)]
     pub fn times(&self, vector: &[Lane<S>; 4]) -> [Lane<S>; 4] {
         array!(|row| {
@@ -62,7 +62,7 @@ impl<S: Simd> Moments<S> {
         })
     }
 
-    /// Product with a vector of 3, its fourth component being zero.
+    /// Product with a vector in R^3, extended by a zero.
     #[inline(always)]
     pub fn times_point(&self, vector: &Vector<S>) -> [Lane<S>; 4] {
         array!(|row| {
@@ -70,7 +70,7 @@ impl<S: Simd> Moments<S> {
         })
     }
 
-    /// `L D L'`, without pivoting: the matrix is positive definite.
+    /// The factors of `L D L'`, without pivoting because the matrix is positive definite.
     #[inline(always)]
     pub fn factorise(&self) -> Factors<S> {
         let m = &self.0;
@@ -94,7 +94,7 @@ impl<S: Simd> Moments<S> {
     }
 }
 
-/// Factors of [`Moments`].
+/// The factors of `L D L'` of [`Moments`].
 pub struct Factors<S: Simd> {
     l10: Lane<S>,
     l20: Lane<S>,

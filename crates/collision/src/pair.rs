@@ -1,10 +1,10 @@
-//! A part of the body and a part of the environment, and their distances.
+//! Pairs of a body part and an environment part, and their distances.
 
 use crate::batch::{Evaluation, Instructions, Request};
-use crate::contact::{CONTACT, POSE};
 use crate::error::DistanceError;
 use crate::interior_point::TOLERANCE;
 use crate::polytope::Polytope;
+use crate::pose_chart::{CONTACT, POSE};
 
 /// Smoothed distance and contact normal at one pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,9 +22,9 @@ pub struct Pair {
     environment: Polytope,
 }
 
-/// Smoothing for exact distances: what it adds to a distance is of the size of rounding.
+/// Smoothing for exact distances. It changes a distance by about as much as rounding does.
 const EXACT_TAU: f64 = 1e-13;
-/// The products `dual slack` need not be equal for an exact distance, only small.
+/// Tolerance for exact distances: the products `dual slack` need only be small, not equal.
 const EXACT_TOLERANCE: f64 = 0.5;
 
 impl Pair {
@@ -48,11 +48,11 @@ impl Pair {
         self.body.normals().len() + self.environment.normals().len()
     }
 
-    /// Exact distance `Phi_0` (m, Eq. sdfopt), negative where the parts overlap, at a pose (position, quaternion of any
-    /// norm); right to about 1e-11 m.
+    /// Exact distance `Phi_0` (m, Eq. sdfopt) at a pose (position, quaternion of any norm), negative where the parts
+    /// overlap. Accurate to about 1e-11 m.
     pub fn exact_distance(&self, pose: &[f64; POSE]) -> f64 {
         let mut bound = [f64::NAN];
-        // Larger smoothing gives a bound that is less tight, but one.
+        // Where the smallest smoothing fails, a larger one still gives an upper bound, though a looser one.
         for tau in [EXACT_TAU, 1e-11, 1e-9] {
             let request = Request::Bounds(&mut bound);
             if self.run(Instructions::best(), std::slice::from_ref(pose), tau, EXACT_TOLERANCE, request).is_ok() {
@@ -65,7 +65,7 @@ impl Pair {
     /// `(Phi_tau, n_tau)` at the normalised pose.
     ///
     /// # Errors
-    /// When the problem cannot be solved, with the residual that remained.
+    /// When the problem cannot be solved, with the remaining residual.
     pub fn distance(&self, pose: &[f64; POSE], tau: f64) -> Result<Distance, DistanceError> {
         let mut normal = [[0.0; 1 + POSE]];
         let poses = std::slice::from_ref(pose);
@@ -119,7 +119,7 @@ impl Pair {
         self.evaluate(Instructions::best(), poses, tau, request).map(drop)
     }
 
-    /// Any request with a given instruction set; returns the largest number of iterations that a pose needed.
+    /// Evaluates any request with a given instruction set. Returns the largest number of iterations of any pose.
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.

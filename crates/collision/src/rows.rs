@@ -2,13 +2,13 @@
 
 use pulp::Simd;
 
-use crate::contact::Placement;
 use crate::interior_point::Row;
 use crate::lane::{Lane, Vector, array, dot, rotate};
 use crate::polytope::Polytope;
+use crate::pose_chart::Placement;
 
-/// Halfspaces of both parts in world axes, body rows first, with the duals of the cold start. Returns the point midway
-/// between the parts' centres.
+/// Fills `rows` with the halfspaces of both parts in world axes, the body's first, and the duals of the cold start.
+/// Returns the point midway between the parts' centres.
 #[inline(always)]
 pub fn fill<S: Simd>(
     simd: S,

@@ -1,4 +1,4 @@
-//! Degenerate contacts, poses that are none, and exact distances against enumeration.
+//! Degenerate contacts, invalid poses, and exact distances compared with enumeration.
 
 use collision::{Instructions, Pair, Polytope, Request};
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
@@ -79,7 +79,7 @@ fn crossed_edges_converge() {
 }
 
 #[test]
-fn a_pose_that_is_no_number_is_an_error_in_every_coordinate() {
+fn an_invalid_pose_is_an_error_in_every_coordinate() {
     let good = [0.13, 0.02, -0.01, 0.9, 0.1, 0.2, -0.3];
     let zero_quaternion = [0.13, 0.02, -0.01, 0.0, 0.0, 0.0, 0.0];
     for instructions in [Some(Instructions::best()), Instructions::avx2(), Some(Instructions::scalar())] {
@@ -104,7 +104,7 @@ fn no_poses_are_no_work() {
     cubes().contacts(&[], 1e-4, &mut []).unwrap();
 }
 
-/// A small version of `examples/robustness.rs`: irregular parts lying exactly in each other.
+/// A small version of `examples/robustness.rs`: irregular parts that coincide.
 #[test]
 fn twins_in_the_same_place_converge() {
     let corners: [[f64; 3]; 7] = [

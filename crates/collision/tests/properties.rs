@@ -1,4 +1,4 @@
-//! What holds for every pair and pose.
+//! Properties of every pair and pose.
 
 use collision::{Instructions, Pair, Polytope, Request};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -40,7 +40,7 @@ proptest! {
         let exact = pair.exact_distance(&pose);
         let smoothed = pair.distance(&pose, tau).unwrap().smoothed_distance;
         let tighter = pair.distance(&pose, 0.5 * tau).unwrap().smoothed_distance;
-        // The duality gap of the central path's point is n_g tau.
+        // The duality gap on the central path is n_g tau.
         prop_assert!(smoothed >= tighter - 1e-10);
         prop_assert!(smoothed - exact >= -1e-10, "{smoothed} {exact}");
         prop_assert!(smoothed - exact <= pair.row_count() as f64 * tau + 1e-10);

@@ -1,4 +1,4 @@
-//! Distances, normals and derivatives against values from 60-digit arithmetic.
+//! Distances, normals and derivatives compared with values from 60-digit arithmetic.
 
 use std::path::Path;
 
@@ -30,7 +30,7 @@ fn check(file: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(file);
     let reference: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let pair = Pair::new(part(&reference["body"]), part(&reference["environment"]));
-    // With a part offset, the radial part of n depends on how the rotation is extended off the unit sphere.
+    // With a part offset, the radial component of n depends on how the rotation is extended off the unit sphere.
     let has_offset = numbers::<3>(&reference["body"]["position"]) != [0.0; 3];
     for case in reference["cases"].as_array().unwrap() {
         let tau = case["tau"].as_f64().unwrap();

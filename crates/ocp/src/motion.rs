@@ -8,6 +8,7 @@ impl Transcription {
     /// The motion at a point `x` whose distances are smoothed by `tau`.
     pub fn motion(&self, x: &[f64], tau: f64) -> Trajectory {
         let (task, layout) = (self.task(), self.layout());
+        let time_step = task.horizon.time_step;
         let reference = self.states(x, &at_rest(&task.start), |stage| layout.reference(stage));
         let compliant: Vec<Vec<[f64; STATE]>> = (0..layout.scenarios)
             .map(|scenario| {
@@ -21,10 +22,10 @@ impl Transcription {
             .enumerate()
             .map(|(scenario, states)| {
                 let forces = |stage: usize| &x[layout.contact_force(stage, scenario, 0)..][..layout.pairs];
-                ScenarioTrajectory::new(task, task.offsets[scenario], &reference, states, forces, tau)
+                ScenarioTrajectory::new(task, task.offsets[scenario], time_step, &reference, states, forces, tau)
             })
             .collect();
-        Trajectory::new(task.horizon.time_step, &reference, scenarios, drift)
+        Trajectory::new(time_step, &reference, scenarios, drift)
     }
 
     /// The variables at a motion, where a solve may begin.

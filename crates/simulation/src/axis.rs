@@ -2,8 +2,8 @@
 //!
 //! Two polytopes are disjoint if and only if a separating plane is parallel to a facet of one of them or to an edge of
 //! each. The zero level of the separation is that of the growth distance (Eq. sdfopt), found without smoothing and
-//! together with the features that touch. Few pairs of edges matter: only those whose arcs cross on the Gauss map form a
-//! facet of the Minkowski difference.
+//! together with the features that touch. Few pairs of edges matter: only those whose arcs cross on the Gauss map form
+//! a facet of the Minkowski difference.
 
 use nalgebra::Vector3;
 

@@ -19,8 +19,8 @@ pub struct Contact {
     pub gap: f64,
 }
 
-/// Finds the contacts of a body as it moves. A pair is examined only when the body may have crossed the gap that the pair
-/// had when it was last examined.
+/// Finds the contacts of a body as it moves. A pair is examined only when the body may have crossed the gap that the
+/// pair had when it was last examined.
 #[derive(Debug, Clone)]
 pub struct ContactFinder {
     pairs: Vec<Pair>,
@@ -63,8 +63,8 @@ impl ContactFinder {
         self.pairs.iter().map(|pair| pair.radius).fold(0.0, f64::max)
     }
 
-    /// Finds all contacts with gaps up to `reach` (m) at a pose. Returns the smallest separation (m) of the pairs that were
-    /// examined.
+    /// Finds all contacts with gaps up to `reach` (m) at a pose. Returns the smallest separation (m) of the pairs that
+    /// were examined.
     pub fn find(&mut self, pose: &Isometry3<f64>, reach: f64) -> f64 {
         let shift = (pose.translation.vector - self.last.translation.vector).norm();
         let turn = pose.rotation.angle_to(&self.last.rotation);

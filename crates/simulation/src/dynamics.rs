@@ -19,8 +19,9 @@ pub struct Body {
     pub angular_velocity: Vector3<f64>,
 }
 
-/// The time step of a body under the impedance law (Eq. ts with Eq. impedancewrench). It is linearly implicit in stiffness
-/// and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without restitution.
+/// The time step of a body under the impedance law (Eq. ts with Eq. impedancewrench). It is linearly implicit in
+/// stiffness and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without
+/// restitution.
 #[derive(Debug, Clone)]
 pub struct Stepper {
     time_step: f64,
@@ -54,8 +55,8 @@ impl Stepper {
         })
     }
 
-    /// Moves the body by one step towards `target`, the reference at the end of the step. Adds the normal impulse (Ns) of
-    /// every pair to `impulses`. Returns the overlap (m) that the previous step has left.
+    /// Moves the body by one step towards `target`, the reference at the end of the step. Adds the normal impulse (Ns)
+    /// of every pair to `impulses`. Returns the overlap (m) that the previous step has left.
     pub fn step(
         &mut self,
         body: &mut Body,
@@ -90,8 +91,8 @@ impl Stepper {
         self.metric.scale(&momentum, &angular)
     }
 
-    /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by the
-    /// shortest way and without changing its velocity. Returns the overlap before (m).
+    /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by
+    /// the shortest way and without changing its velocity. Returns the overlap before (m).
     fn correct(&mut self, body: &mut Body, finder: &mut ContactFinder, reach: f64) -> f64 {
         let before = -finder.find(&body.pose, reach);
         let mut overlap = before;
@@ -111,8 +112,8 @@ impl Stepper {
         before.max(0.0)
     }
 
-    /// Eq. ts3 for all contacts at once: of all velocities with `gap + time_step normal' v >= 0` at every contact, the one
-    /// nearest to the free velocity in kinetic energy.
+    /// Eq. ts3 for all contacts at once: of all velocities with `gap + time_step normal' v >= 0` at every contact, the
+    /// one nearest to the free velocity in kinetic energy.
     fn resolve(
         &mut self,
         free: &Vector6,

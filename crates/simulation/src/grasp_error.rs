@@ -30,8 +30,8 @@ impl GraspError {
         UnitQuaternion::from_scaled_axis(Vector3::from(self.turn))
     }
 
-    /// Pose of the part (position m, unit quaternion w x y z) when the robot believes it to be at the reference's start.
-    /// For an offset alone this is `P_q^-1` of the start (Sec. ocp:ocp).
+    /// Pose of the part (position m, unit quaternion w x y z) when the robot believes it to be at the reference's
+    /// start. For an offset alone this is `P_q^-1` of the start (Sec. ocp:ocp).
     pub fn start(&self, reference: &Reference) -> [f64; 7] {
         task::pose::without_offset(&self.reference(reference).start(), &self.offset)
     }

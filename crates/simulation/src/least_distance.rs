@@ -26,20 +26,21 @@ pub struct LeastDistance {
 
 /// Smaller violations are rounding errors (m/s times the square root of kg).
 const TOLERANCE: f64 = 1e-12;
-/// A normal counts as linearly dependent on the active ones if its distance from their span is a smaller fraction of its
-/// length.
+/// A normal counts as linearly dependent on the active ones if its distance from their span is a smaller fraction of
+/// its length.
 const DEPENDENT: f64 = 1e-7;
 
 impl LeastDistance {
-    /// The nearest point, by the dual active-set method (Goldfarb and Idnani, 1983): starts at the target and adds the most
-    /// violated halfspace until none is violated. At most six are active at once, however many points touch. A halfspace
-    /// that contradicts the active ones is ignored.
+    /// The nearest point, by the dual active-set method (Goldfarb and Idnani, 1983): starts at the target and adds the
+    /// most violated halfspace until none is violated. At most six are active at once, however many points touch. A
+    /// halfspace that contradicts the active ones is ignored.
     pub fn solve(&mut self, target: &Vector6, halfspaces: &[Halfspace]) -> Vector6 {
         self.active.clear();
         self.excluded.clear();
         self.excluded.resize(halfspaces.len(), false);
         let mut point = *target;
-        // Every addition increases the distance from the target, so that no active set recurs. The limit is for rounding.
+        // Every addition increases the distance from the target, so that no active set recurs. The limit is for
+        // rounding.
         for _ in 0..10 * (halfspaces.len() + DIMENSIONS) {
             let Some(entering) = self.most_violated(&point, halfspaces) else { break };
             self.enter(entering, &mut point, halfspaces);
@@ -89,15 +90,16 @@ impl LeastDistance {
         }
     }
 
-    /// Position of the active halfspace whose multiplier reaches zero first as the entering one's grows, and the step at
-    /// which it does.
+    /// Position of the active halfspace whose multiplier reaches zero first as the entering one's grows, and the step
+    /// at which it does.
     fn blocking(&self, coefficients: &Vector6) -> Option<(usize, f64)> {
         let falling = self.active.iter().enumerate().filter(|(position, _)| coefficients[*position] > 0.0);
         let steps = falling.map(|(position, (_, multiplier))| (position, multiplier / coefficients[position]));
         steps.min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
-    /// Coefficients and rest of `normal = sum coefficient active + rest`, with the rest orthogonal to the active normals.
+    /// Coefficients and rest of `normal = sum coefficient active + rest`, with the rest orthogonal to the active
+    /// normals.
     fn decompose(&self, normal: &Vector6, halfspaces: &[Halfspace]) -> (Vector6, Vector6) {
         let count = self.active.len();
         let mut basis = [Vector6::zeros(); DIMENSIONS];

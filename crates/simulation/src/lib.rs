@@ -2,8 +2,8 @@
 //!
 //! A plan has converged when Ipopt says so. It is good when a body that tracks it under the impedance law reaches the
 //! goal, also with errors that the plan does not model. The body is that of the plan: constant inertia, no gravity, no
-//! gyroscopic term. It starts displaced by the injected offset, of which the controller never learns. After the last knot
-//! the reference rests for the settling time; then the outcome is evaluated.
+//! gyroscopic term. It starts displaced by the injected offset, of which the controller never learns. After the last
+//! knot the reference rests for the settling time; then the outcome is evaluated.
 //!
 //! ```
 //! use simulation::{Reference, Rollout, Settings, SettingsError, Success, offsets};
@@ -23,16 +23,16 @@
 //! all of them.
 //!
 //! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
-//! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its points. The
-//! velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of first order
-//! in the time step. Results are deterministic and do not depend on the number of threads.
+//! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its
+//! points. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
+//! first order in the time step. Results are deterministic and do not depend on the number of threads.
 //!
 //! Settings, tolerances and numbers of offsets have ranges: callers check them with [`Settings::validate_for`],
-//! [`Success::validate`] and [`offsets::validate_count`]. A rollout with settings out of range is not computed and counts
-//! as diverged.
+//! [`Success::validate`] and [`offsets::validate_count`]. A rollout with settings out of range is not computed and
+//! counts as diverged.
 //!
-//! The paper is *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order Derivatives* by
-//! Dietz et al., numbers as in the preprint:
+//! The paper is *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order Derivatives*
+//! by Dietz et al., numbers as in the preprint:
 //!
 //! | paper | label | here |
 //! |---|---|---|

@@ -28,8 +28,8 @@ impl Metric {
         Some(Self { linear: mass.sqrt(), angular, lightest: rotational.symmetric_eigenvalues().min() })
     }
 
-    /// Velocity from momentum (world frame) and angular momentum (body frame), or acceleration from force and torque, in
-    /// scaled coordinates: those whose squared norm is twice the kinetic energy.
+    /// Velocity from momentum (world frame) and angular momentum (body frame), or acceleration from force and torque,
+    /// in scaled coordinates: those whose squared norm is twice the kinetic energy.
     pub fn scale(&self, momentum: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6 {
         let linear = momentum / self.linear;
         let angular = self.angular.solve_lower_triangular_unchecked(angular);
@@ -43,7 +43,8 @@ impl Metric {
         (linear, self.angular.tr_solve_lower_triangular_unchecked(&angular))
     }
 
-    /// Upper bound on the speed (m/s) of a point at most `radius` (m) away from the body's origin, with a scaled velocity.
+    /// Upper bound on the speed (m/s) of a point at most `radius` (m) away from the body's origin, with a scaled
+    /// velocity.
     pub fn fastest(&self, scaled: &Vector6, radius: f64) -> f64 {
         scaled.norm() * (1.0 / self.linear + radius / self.lightest.sqrt())
     }

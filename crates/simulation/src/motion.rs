@@ -32,8 +32,15 @@ impl Rollout {
                 forces.push(impulses.iter().map(|impulse| impulse / reference.time_step()).collect());
             }
         });
-        let motion =
-            ScenarioTrajectory::new(&self.task, *offset, &reference.states(), &states, |step| &forces[step - 1], tau);
+        let motion = ScenarioTrajectory::new(
+            &self.task,
+            *offset,
+            reference.time_step(),
+            &reference.states(),
+            &states,
+            |step| &forces[step - 1],
+            tau,
+        );
         let quality = Quality {
             position_error: outcome.position_error,
             orientation_error: outcome.orientation_error,

@@ -20,8 +20,8 @@ pub fn validate_count(field: &'static str, count: f64) -> Result<(), SettingsErr
 }
 
 /// All convex combinations of the planned offsets with weights that are multiples of `1 / divisions`, each offset once:
-/// a grid in their hull with the planned offsets as its corners. There is at least one division; no planned offsets have
-/// no grid. Go ahead only if [`grid_size`] is valid.
+/// a grid in their hull with the planned offsets as its corners. There is at least one division; no planned offsets
+/// have no grid. Go ahead only if [`grid_size`] is valid.
 pub fn grid(planned: &[[f64; 3]], divisions: usize) -> Vec<[f64; 3]> {
     let divisions = divisions.max(1);
     let mut found = Vec::new();

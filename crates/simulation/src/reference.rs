@@ -5,8 +5,8 @@ use task::{Horizon, Limits};
 
 use crate::bump::Bump;
 
-/// A reference motion given at equidistant knots. Between the knots, positions are interpolated linearly and orientations
-/// by slerp; on the interval `[k, k + 1]` the twist of knot `k + 1` holds.
+/// A reference motion given at equidistant knots. Between the knots, positions are interpolated linearly and
+/// orientations by slerp; on the interval `[k, k + 1]` the twist of knot `k + 1` holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     time_step: f64,
@@ -52,8 +52,8 @@ impl Reference {
         Self { time_step, knots: states.iter().map(Knot::new).collect() }
     }
 
-    /// The motion without a plan: straight from start to goal, turning about one axis, at constant velocity. The horizon
-    /// has at least one step.
+    /// The motion without a plan: straight from start to goal, turning about one axis, at constant velocity. The
+    /// horizon has at least one step.
     pub fn straight(start: &[f64; 7], goal: &[f64; 7], horizon: Horizon) -> Self {
         let (start, goal) = (isometry(start), isometry(goal));
         let duration = horizon.steps as f64 * horizon.time_step;

@@ -1,7 +1,8 @@
-//! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more trials pass are kept.
+//! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more trials pass are
+//! kept.
 //!
-//! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of the
-//! planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
+//! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
+//! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
 
 use fastrand::Rng;
 
@@ -59,8 +60,8 @@ impl<'evaluator> Refinement<'evaluator> {
 
     /// Tries a random change on `jobs` threads, keeps it if it improves the [`score`](Self::score), and returns whether
     /// it does. Failing trials are simulated first, then the passing ones, each in random order, and no further than it
-    /// takes to see that the change is no improvement. A change that breaks a limit is dropped, and so is the current one
-    /// when `stop` returns true.
+    /// takes to see that the change is no improvement. A change that breaks a limit is dropped, and so is the current
+    /// one when `stop` returns true.
     pub fn improve(&mut self, jobs: usize, stop: &dyn Fn() -> bool) -> bool {
         let reference = self.reference.bent(&Bump::random(&mut self.random, self.evaluator.success()));
         if !self.evaluator.allows(&reference) {

@@ -12,8 +12,9 @@ pub struct Settings {
     /// longer.
     pub time_step: f64,
     /// Coulomb's coefficient, 0 to 10; 0 is the frictionless contact of the paper. Friction is Anitescu's convex
-    /// approximation (Optimization-based simulation of nonsmooth rigid multibody dynamics, 2006): sticking and the force
-    /// of sliding are Coulomb's, but a body that slides at a speed `v` hovers `friction v time_step` above the surface.
+    /// approximation (Optimization-based simulation of nonsmooth rigid multibody dynamics, 2006): sticking and the
+    /// force of sliding are Coulomb's, but a body that slides at a speed `v` hovers `friction v time_step` above the
+    /// surface.
     pub friction: f64,
     /// How long the last reference pose is held (s), 0 to 600, rounded up to whole intervals between knots.
     pub settling_time: f64,
@@ -75,12 +76,12 @@ impl Settings {
         self.settling_count(interval).min(Self::MAX_STEPS as f64) as usize
     }
 
-    /// At least one, also when the quotient is not a number.
+    /// At least one, also when the quotient is NaN.
     fn step_count(&self, interval: f64) -> f64 {
         (interval / self.time_step - ROUNDING).ceil().max(1.0)
     }
 
-    /// At least zero, also when the quotient is not a number.
+    /// At least zero, also when the quotient is NaN.
     fn settling_count(&self, interval: f64) -> f64 {
         (self.settling_time / interval - ROUNDING).ceil().max(0.0)
     }

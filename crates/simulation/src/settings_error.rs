@@ -16,7 +16,7 @@ pub struct SettingsError {
     pub unit: &'static str,
 }
 
-/// Refuses a value outside of a range, also one that is not a number.
+/// Refuses a value outside of a range; NaN is outside of every range.
 pub fn check(
     field: &'static str,
     value: f64,

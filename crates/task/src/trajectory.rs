@@ -72,11 +72,12 @@ impl Trajectory {
 }
 
 impl ScenarioTrajectory {
-    /// From the states of reference and body at k = 0..N and the contact forces (N) of every pair in the step that leads
-    /// to k = 1..N; distances are smoothed by `tau`.
+    /// From the states of reference and body at k = 0..N, `time_step` seconds apart, and the contact forces (N) of every
+    /// pair in the step that leads to k = 1..N; distances are smoothed by `tau`.
     pub fn new<'x>(
         task: &AssemblyTask,
         offset: [f64; 3],
+        time_step: f64,
         reference: &[[f64; STATE]],
         raw: &[[f64; STATE]],
         forces: impl Fn(usize) -> &'x [f64],
@@ -93,7 +94,7 @@ impl ScenarioTrajectory {
             .collect();
         let quality = Quality::new(task, &poses, &contacts);
         let wrenches = wrenches(task, offset, &reference[1..], &raw[1..]);
-        let keeps = Limits::kept_by(&states, task.horizon.time_step, &wrenches, quality.max_force);
+        let keeps = Limits::kept_by(&states, time_step, &wrenches, quality.max_force);
         Self { offset, states, wrenches, contacts, quality, keeps }
     }
 }

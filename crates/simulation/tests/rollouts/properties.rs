@@ -49,7 +49,8 @@ proptest! {
         orientation in proptest::array::uniform4(-1.0..1.0_f64),
         friction in prop_oneof![Just(0.0), 0.0..0.6_f64],
     ) {
-        // A corner that passes a facet may meet the one behind it within a step: less than what a body at 0.7 m/s moves.
+        // A corner that passes a facet may meet the one behind it within a step: less than what a body at 0.7 m/s
+        // moves.
         const OVERLAP: f64 = 7e-4;
         let place = |shape: &Polytope, x| shape.placed([x, 0.0, 0.0], [1.0, 0.2, -0.3, 0.1]);
         let task = task(&body, &[place(&first, 0.03), place(&second, -0.03), floor()]);

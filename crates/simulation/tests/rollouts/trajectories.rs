@@ -1,6 +1,7 @@
 //! Rollouts as trajectories of the planner.
 
 use simulation::{Rollout, Settings};
+use task::Limits;
 
 use crate::world::{block, hole, task, through};
 
@@ -20,4 +21,24 @@ fn a_trajectory_has_the_states_and_the_outcome_of_its_rollout() {
     let outcome = rollout.play(&reference, offset, |_, _| {});
     assert_eq!(scenario.quality.position_error, outcome.position_error);
     assert_eq!(scenario.quality.max_force, outcome.max_force);
+}
+
+/// The task's own time step is 0.04 s.
+#[test]
+fn accelerations_are_those_of_the_reference_time_step() {
+    for seconds in [1.0, 0.5] {
+        let reference = through(&PATH, seconds);
+        let trajectory = rollout().trajectory(&reference, &[[0.0; 3], [0.001, 0.0, 0.0]], 1e-5);
+        for scenario in &trajectory.scenarios {
+            let largest = |axes: std::ops::Range<usize>| {
+                let pairs =
+                    scenario.states.windows(2).flat_map(|pair| axes.clone().map(|axis| pair[1][axis] - pair[0][axis]));
+                pairs.map(|change| change.abs() / (seconds / 25.0)).fold(0.0, f64::max)
+            };
+            let Limits { translational_acceleration, rotational_acceleration, .. } = scenario.keeps;
+            assert!(largest(7..10) > 0.1, "the body accelerates");
+            assert!((translational_acceleration / largest(7..10) - 1.0).abs() < 1e-12);
+            assert!((rotational_acceleration - largest(10..13)).abs() < 1e-12);
+        }
+    }
 }

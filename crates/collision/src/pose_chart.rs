@@ -1,25 +1,26 @@
-//! From derivatives along `u` to the contact information of the optimal control problem, `W(q) = (Phi, Q' n)` at the
-//! normalised pose, and its derivatives by the raw pose coordinates.
+//! The chart of poses by raw coordinates. It takes derivatives along `u = (translation, rotation vector)` in the
+//! contact frame to the contact information `W(q) = (Phi, Q' n)` at the normalised pose and its derivatives by raw
+//! coordinates.
 
 use pulp::Simd;
 
 use crate::derivatives::{DIRECTIONS, DirectionMatrix, First, skew};
 use crate::lane::{Lane, Vector, array, column, cross, dot, rotate};
 
-/// Coordinates of a pose (position, quaternion).
+/// Number of coordinates of a pose (position, quaternion).
 pub const POSE: usize = 7;
-/// Components of the contact information.
+/// Number of components of the contact information.
 pub const CONTACT: usize = 7;
 
-/// A pose in lanes, with everything that its quaternion stands for.
+/// A pose per lane, with the rotation of its quaternion and the derivatives of that rotation.
 pub struct Placement<S: Simd> {
     /// Position (m).
     pub position: Vector<S>,
     /// Rotation matrix of the normalised quaternion.
     pub rotation: [Vector<S>; 3],
-    /// Rotation vector per change of the raw quaternion: `2 vec(d xi (x) xi^-1)`.
+    /// Derivative of the rotation vector by the raw quaternion: `2 vec(d xi (x) xi^-1)`.
     turn: [[Lane<S>; 4]; 3],
-    /// Relative growth per change of the raw quaternion.
+    /// Derivative of the logarithm of the quaternion's norm by the raw quaternion.
     growth: [Lane<S>; 4],
 }
 
@@ -44,7 +45,8 @@ impl<S: Simd> Placement<S> {
         Self { position, rotation, turn, growth }
     }
 
-    /// Contact normal `n_tau` in R^7 at the normalised pose; its radial part is that of the homogeneous rotation matrix.
+    /// Contact normal `n_tau` in R^7 at the normalised pose. Its radial component is that of the homogeneous rotation
+    /// matrix.
     #[inline(always)]
     pub fn pose_normal(&self, force: &Vector<S>, lever: &Vector<S>) -> [Lane<S>; POSE] {
         let torque = cross(force, lever);
@@ -76,12 +78,13 @@ fn rotation_matrix<S: Simd>(w: Lane<S>, [x, y, z]: Vector<S>) -> [Vector<S>; 3] 
 
 /// Maps between the contact frame and the pose coordinates.
 pub struct Map<S: Simd> {
-    /// Contact frame from world.
+    /// Rotation from world to contact frame.
     frame: [Vector<S>; 3],
-    /// Contact frame from body.
+    /// Rotation from body to contact frame.
     body_frame: [Vector<S>; 3],
-    /// Rotation vector in the contact frame per change of the raw quaternion.
+    /// Derivative of the rotation vector, in the contact frame, by the raw quaternion.
     turn: [[Lane<S>; 4]; 3],
+    /// Derivative of the logarithm of the quaternion's norm by the raw quaternion.
     growth: [Lane<S>; 4],
 }
 
@@ -151,7 +154,7 @@ impl<S: Simd> Map<S> {
         });
         let half: [[Lane<S>; POSE]; DIRECTIONS] = array!(|row| self.to_pose(&along[row]));
         let columns: [[Lane<S>; POSE]; POSE] = array!(|column| { self.to_pose(&array!(|row| half[row][column])) });
-        // Second derivative of the rotation vector: growing and turning at once turns less.
+        // Second derivative of the rotation vector: the longer the quaternion, the less a change of it turns.
         let turned = self.turned(&gradient);
         let mut hessian = columns;
         for row in 0..4 {
@@ -163,8 +166,8 @@ impl<S: Simd> Map<S> {
         hessian
     }
 
-    /// Derivative along `u` of the normal as force and torque in the contact frame: `V'' + [torque] / 2` in rotations,
-    /// since the gradient by a rotation vector is not yet the torque where that vector is not zero.
+    /// Derivative along `u` of the normal as force and torque in the contact frame: `V''`, plus `[torque] / 2` in the
+    /// rotations, because the gradient by a rotation vector equals the torque only where that vector is zero.
     #[inline(always)]
     fn normal_derivative(&self, simd: S, first: &First<S>) -> DirectionMatrix<S> {
         let half = Lane::splat(simd, 0.5);
@@ -178,7 +181,7 @@ impl<S: Simd> Map<S> {
         along
     }
 
-    /// From the contact frame to world (force) and body (torque) axes.
+    /// A wrench in the contact frame as force in world axes and torque in body axes.
     #[inline(always)]
     fn to_twist(&self, wrench: &[Lane<S>; DIRECTIONS]) -> [Lane<S>; DIRECTIONS] {
         array!(|index| {
@@ -204,13 +207,14 @@ impl<S: Simd> Map<S> {
         })
     }
 
+    /// A gradient by the rotation vector as a gradient by the raw quaternion.
     #[inline(always)]
     fn turned(&self, gradient: &Vector<S>) -> [Lane<S>; 4] {
         array!(|component| { dot(&column(&self.turn, component), gradient) })
     }
 }
 
-/// Second-order difference between the gradient by a rotation vector and the torque in body axes:
+/// Adds the second-order difference between the gradient by a rotation vector `theta` and the torque in body axes:
 /// `(I - [theta] / 2 + [theta]^2 / 12) V_theta`.
 #[inline(always)]
 fn add_chart_terms<S: Simd>(
