@@ -25,7 +25,7 @@ struct PairReport {
 pub fn run(arguments: &CheckArguments) -> Result<u8, Failure> {
     let scene = Scene::load(&arguments.task.scene)?;
     let start = arguments.task.start.as_deref();
-    let task = scene.task(start, arguments.task.delta).map_err(Failure::Input)?;
+    let task = scene.task(start, arguments.task.delta)?;
     let homotopy = scene.homotopy.clone().unwrap_or_else(scene::default_homotopy);
     let tau = arguments.tau.unwrap_or(homotopy.tau);
     if !(tau > 0.0 && tau.is_finite()) {

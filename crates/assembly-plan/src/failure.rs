@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use nlp::SolveError;
-use scene::SceneError;
+use scene::{SceneError, TaskError};
 
 /// What went wrong, by whose fault.
 #[derive(Debug)]
@@ -40,6 +40,12 @@ impl fmt::Display for Failure {
 
 impl From<SceneError> for Failure {
     fn from(error: SceneError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
+impl From<TaskError> for Failure {
+    fn from(error: TaskError) -> Self {
         Self::Input(error.to_string())
     }
 }

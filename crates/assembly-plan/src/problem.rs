@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use scene::{Scene, StartPose, resolved};
+use scene::{Scene, StartPose, TaskError, resolved};
 use sha2::{Digest, Sha256};
 use task::{AssemblyTask, HomotopySettings, LinearSolver};
 
@@ -31,13 +31,13 @@ impl<'scene> Problem<'scene> {
     /// By default with the scene's first start and its offset magnitude (m).
     ///
     /// # Errors
-    /// When the scene has no such start, or for a negative magnitude.
+    /// When the scene has no task for this start and magnitude.
     pub fn new(
         scene: &'scene Scene,
         start: Option<&str>,
         delta: Option<f64>,
         homotopy: HomotopySettings,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, TaskError> {
         let start = scene.start(start)?;
         let delta = delta.unwrap_or(scene.offset_magnitude);
         let task = scene.task(Some(&start.name), Some(delta))?;

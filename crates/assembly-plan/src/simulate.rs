@@ -76,7 +76,7 @@ fn play<'plan>(
 ) -> Result<Vec<Played<'plan>>, Failure> {
     let task = world(scene, plan)?;
     let motions = motions(arguments, plan, &task)?;
-    let injections = injections(arguments, scene, plan, magnitudes)?;
+    let injections = injections(arguments, scene, magnitudes)?;
     let success = Success::from(&arguments.tolerance);
     let mut played = Vec::new();
     for &friction in &arguments.friction {
@@ -101,7 +101,7 @@ fn play<'plan>(
 
 /// The task of a plan as it is in reality, which does not know which pairs the plan has left out.
 fn world(scene: &Scene, plan: &Plan) -> Result<AssemblyTask, Failure> {
-    let about_plan = |problem| Failure::Input(format!("{}: {problem}", plan.folder.display()));
+    let about_plan = |problem: scene::TaskError| Failure::Input(format!("{}: {problem}", plan.folder.display()));
     let task = scene.task(Some(&plan.start), Some(plan.delta)).map_err(about_plan)?;
     Ok(AssemblyTask { pairs: scene.all_pairs(), ..task })
 }
@@ -155,17 +155,12 @@ fn magnitudes(arguments: &SimulateArguments, plans: &[Plan]) -> Vec<f64> {
     magnitudes
 }
 
-fn injections(
-    arguments: &SimulateArguments,
-    scene: &Scene,
-    plan: &Plan,
-    magnitudes: &[f64],
-) -> Result<Vec<Injection>, Failure> {
+fn injections(arguments: &SimulateArguments, scene: &Scene, magnitudes: &[f64]) -> Result<Vec<Injection>, Failure> {
     if let Some(file) = &arguments.offsets {
         return Ok(vec![listed(file, arguments)?]);
     }
     let of_magnitude = |&magnitude: &f64| {
-        let planned = scene.task(Some(&plan.start), Some(magnitude)).map_err(Failure::Input)?.offsets;
+        let planned = scene.offsets(magnitude)?;
         let offsets = match (arguments.random, arguments.grid) {
             (Some(count), _) if arguments.ball => offsets::ball(magnitude, count as usize, arguments.seed),
             (Some(count), _) => offsets::hull(&planned, count as usize, arguments.seed),

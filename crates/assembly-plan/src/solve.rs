@@ -31,8 +31,7 @@ use crate::{DONE, INTERRUPTED, NO_PLAN};
 pub fn run(arguments: &SolveArguments) -> Result<u8, Failure> {
     let scene = Scene::load(&arguments.task.scene)?;
     let settings = homotopy(&scene, arguments.homotopy.as_deref(), arguments.linear_solver.as_deref())?;
-    let problem = Problem::new(&scene, arguments.task.start.as_deref(), arguments.task.delta, settings)
-        .map_err(Failure::Input)?;
+    let problem = Problem::new(&scene, arguments.task.start.as_deref(), arguments.task.delta, settings)?;
     if arguments.cell.as_ref().is_some_and(|identity| *identity != problem.identity) {
         let message = "the scene, a mesh, the homotopy or the version of assembly-plan is not the one of the manifest; \
                        expand the batch into another folder";

@@ -58,7 +58,7 @@ fn scene_cells(matrix: &Matrix, file: &Path, cells: &mut Vec<Cell>) -> Result<()
         for &delta_m in deltas {
             for (homotopy_file, homotopy) in &homotopies {
                 let problem = Problem::new(&scene, Some(start), Some(delta_m), homotopy.clone())
-                    .map_err(|message| matrix.refuse(Key::Deltas, &message))?;
+                    .map_err(|error| matrix.refuse(Key::Deltas, &error.to_string()))?;
                 cells.push(Cell {
                     index: 0,
                     scene: absolute(file)?,
