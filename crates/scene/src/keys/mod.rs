@@ -184,12 +184,12 @@ impl Range {
 impl fmt::Display for Range {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let (low, high) = (short(self.low), short(self.high));
-        match (self.includes_low, self.includes_high) {
-            (true, true) => write!(formatter, "between {low} and {high}"),
-            (true, false) => write!(formatter, "between {low} and {high}, below {high}"),
-            (false, true) => write!(formatter, "above {low}, up to {high}"),
-            (false, false) => write!(formatter, "above {low} and below {high}"),
+        if self.includes_low && self.includes_high {
+            return write!(formatter, "between {low} and {high}");
         }
+        let from = if self.includes_low { "at or above" } else { "above" };
+        let to = if self.includes_high { "at or below" } else { "below" };
+        write!(formatter, "{from} {low} and {to} {high}")
     }
 }
 
