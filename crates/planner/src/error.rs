@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use nlp::SolveError;
-use scene::SceneError;
+use scene::{SceneError, TaskError};
 
 /// Why something could not be done. Every message names the file, key or flag concerned and what to do.
 #[derive(Debug, thiserror::Error)]
@@ -12,6 +12,9 @@ pub enum PlannerError {
     /// A scene or homotopy file is wrong.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// A scene has no task for a choice.
+    #[error(transparent)]
+    Task(#[from] TaskError),
     /// Ipopt or a linear solver cannot run as asked.
     #[error(transparent)]
     Solver(#[from] SolveError),

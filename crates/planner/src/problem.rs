@@ -46,7 +46,12 @@ impl Problem {
     pub fn load(file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
         let scene = Scene::load(file)?;
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
-        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, choices.success)
+        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, choices.success).map_err(
+            |error| match error {
+                PlannerError::Task(source) => PlannerError::file(file, source.to_string()),
+                other => other,
+            },
+        )
     }
 
     /// Of a scene, by default with its first start and its own offset magnitude (m).
@@ -61,11 +66,9 @@ impl Problem {
         success: Success,
     ) -> Result<Self, PlannerError> {
         success.validate()?;
-        let start = scene.start(start).map_err(|problem| PlannerError::Choice { name: "scene", problem })?.clone();
+        let start = scene.start(start)?.clone();
         let delta = delta.unwrap_or(scene.offset_magnitude);
-        let task = scene
-            .task(Some(&start.name), Some(delta))
-            .map_err(|problem| PlannerError::Choice { name: "scene", problem })?;
+        let task = scene.task(Some(&start.name), Some(delta))?;
         ocp::check_settings(&homotopy)?;
         let resolved = resolved(&scene, &start, delta, &homotopy);
         let identity = hash(format!("{}\n{resolved}", env!("CARGO_PKG_VERSION")).as_bytes());

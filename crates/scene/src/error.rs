@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
+use crate::plain_words::plain_words;
+
 /// What is wrong with a file, where, and what would be right.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneError {
@@ -14,13 +16,22 @@ pub struct SceneError {
     place: Option<Place>,
 }
 
-/// A place in a file, counted from 1, with the line it stands in.
+/// A place in a file, counted from 1.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Place {
     line: usize,
     column: usize,
-    width: usize,
+    excerpt: Excerpt,
+}
+
+/// The line of a place, or the part of a long line that is around it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Excerpt {
     text: String,
+    /// Characters before the place.
+    indent: usize,
+    /// Characters of the place in this line.
+    width: usize,
 }
 
 impl SceneError {
@@ -43,23 +54,45 @@ impl SceneError {
     pub fn message(&self) -> &str {
         &self.message
     }
+
+    /// File, place and message in one line.
+    pub fn headline(&self) -> String {
+        let file = self.file.display();
+        match &self.place {
+            Some(Place { line, column, .. }) => format!("{file}:{line}:{column}: {}", self.message),
+            None => format!("{file}: {}", self.message),
+        }
+    }
 }
 
 impl fmt::Display for SceneError {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        let file = self.file.display();
-        let Some(Place { line, column, width, text }) = &self.place else {
-            return write!(formatter, "{file}: {}", self.message);
-        };
+        formatter.write_str(&self.headline())?;
+        let Some(Place { line, excerpt: Excerpt { text, indent, width }, .. }) = &self.place else { return Ok(()) };
         let margin = " ".repeat(line.to_string().len());
-        writeln!(formatter, "{file}:{line}:{column}: {}", self.message)?;
-        writeln!(formatter, "{margin} |")?;
-        writeln!(formatter, "{line} | {text}")?;
-        write!(formatter, "{margin} | {}{}", " ".repeat(column - 1), "^".repeat((*width).max(1)))
+        write!(formatter, "\n{margin} |\n{line} | {text}\n")?;
+        write!(formatter, "{margin} | {}{}", " ".repeat(*indent), "^".repeat((*width).max(1)))
     }
 }
 
 impl std::error::Error for SceneError {}
+
+impl Excerpt {
+    /// Longest excerpt, and what is shown of a longer line before the place (characters).
+    const LENGTH: usize = 160;
+    const BEFORE: usize = 40;
+
+    /// Of a line with a place `width` characters wide after the first `indent` characters.
+    fn new(line: &str, indent: usize, width: usize) -> Self {
+        let skipped = if line.chars().count() > Self::LENGTH { indent.saturating_sub(Self::BEFORE) } else { 0 };
+        let shown = line.chars().skip(skipped).take(Self::LENGTH);
+        // Tabs would shift the marks below the line, and other control characters would act on the terminal.
+        let text: String = shown.map(|shown| if shown.is_control() { ' ' } else { shown }).collect();
+        let indent = indent - skipped;
+        let width = width.min(text.chars().count().saturating_sub(indent));
+        Self { text, indent, width }
+    }
+}
 
 /// A file's name and text, to point into.
 #[derive(Debug, Clone, Copy)]
@@ -73,19 +106,23 @@ pub struct Source<'text> {
 impl Source<'_> {
     /// An error about a range of bytes.
     pub fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
-        let start = span.start.min(self.text.len());
+        let (start, end) = (self.boundary(span.start), self.boundary(span.end.max(span.start)));
         let before = &self.text[..start];
         let line_start = before.rfind('\n').map_or(0, |end| end + 1);
-        let text = self.text[line_start..].lines().next().unwrap_or_default();
-        let column = before[line_start..].chars().count() + 1;
-        let rest = text.chars().count().saturating_sub(column - 1);
+        let line = self.text[line_start..].lines().next().unwrap_or_default();
+        let indent = before[line_start..].chars().count();
         let place = Place {
             line: before.matches('\n').count() + 1,
-            column,
-            width: span.len().min(rest),
-            text: text.to_owned(),
+            column: indent + 1,
+            excerpt: Excerpt::new(line, indent, self.text[start..end].chars().count()),
         };
         SceneError { file: self.file.to_owned(), message: message.into(), place: Some(place) }
+    }
+
+    /// The beginning of the character at an index of the text, or its end.
+    fn boundary(&self, index: usize) -> usize {
+        let index = index.min(self.text.len());
+        (0..=index).rev().find(|&index| self.text.is_char_boundary(index)).unwrap_or(0)
     }
 
     /// Index of a value among the known ones.
@@ -93,31 +130,34 @@ impl Source<'_> {
     /// # Errors
     /// When it is none of them, with the nearest.
     pub fn require_known(&self, value: &Spanned<String>, known: &[&str]) -> Result<usize, SceneError> {
-        let name = value.get_ref();
+        let name = clipped(value.get_ref());
         known
             .iter()
-            .position(|known| known == name)
-            .ok_or_else(|| self.error(value.span(), format!("unknown value `{name}`{}", suggest(name, known))))
+            .position(|known| *known == name)
+            .ok_or_else(|| self.error(value.span(), format!("unknown value `{name}`{}", suggest(&name, known))))
     }
 
-    /// An error of the TOML parser, with the nearest valid key for one that is unknown.
+    /// An error of the TOML parser in plain words, with the nearest valid key for one that is unknown.
     pub fn parse_error(&self, error: &toml::de::Error) -> SceneError {
-        let message = explain(error.message());
-        match error.span() {
+        let span = error.span();
+        let written = span.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
+        let message = plain_words(error.message(), written);
+        match span {
             Some(span) => self.error(span, message),
             None => SceneError::about(self.file, message),
         }
     }
 }
 
-/// Rewords serde's messages: the nearest key for one that is unknown, kinds of numbers in plain words.
-fn explain(message: &str) -> String {
-    let message = &message.replace("expected i64", "expected an integer").replace("expected f64", "expected a number");
-    let mut names = message.split('`').skip(1).step_by(2);
-    let is_unknown = message.starts_with("unknown field") || message.starts_with("unknown variant");
-    let Some(unknown) = names.next().filter(|_| is_unknown) else { return message.trim_end().to_owned() };
-    let valid: Vec<&str> = names.collect();
-    format!("unknown key `{unknown}`{}", suggest(unknown, &valid))
+/// The beginning of what a user wrote in a line, short enough for a message.
+pub fn clipped(written: &str) -> String {
+    clipped_to(written.lines().next().unwrap_or_default(), 60)
+}
+
+/// The first characters of a text, without control characters.
+pub fn clipped_to(text: &str, length: usize) -> String {
+    let shown: String = text.chars().take(length).map(|shown| if shown.is_control() { ' ' } else { shown }).collect();
+    if text.chars().nth(length).is_some() { shown + "..." } else { shown }
 }
 
 /// The nearest valid name, or all of them when none is near.

@@ -7,18 +7,29 @@
 
 mod document;
 mod error;
+mod file;
 mod homotopy;
 mod ipopt;
+mod keys;
 mod limits;
 mod mesh;
 mod part;
+mod plain_words;
 mod pose;
 mod range;
+mod reader;
 mod resolved;
 mod scene;
+mod sections;
+mod task_error;
+mod warnings;
 
 pub use error::{SceneError, Source};
+pub use file::read_text;
 pub use homotopy::{default_homotopy, load_homotopy, parse_homotopy};
+pub use keys::{Absent, Key, MAX_CONTACT_FORCES, MAX_NAME_LENGTH, Range, Values, keys};
+pub use limits::OutOfReach;
 pub use part::Part;
 pub use resolved::resolved;
 pub use scene::{Scene, StartPose};
+pub use task_error::TaskError;

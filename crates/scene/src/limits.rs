@@ -1,93 +1,122 @@
 //! Limits, and whether the goal can be reached within them.
 
 use task::{Horizon, Limits, pose};
-use toml::Spanned;
 
-use crate::document::LimitsDocument;
-use crate::error::{SceneError, Source};
-use crate::pose::positive;
+use crate::error::SceneError;
+use crate::reader::Table;
 
 /// The limits that a scene gives.
-pub fn limits(source: Source, document: &LimitsDocument) -> Result<Limits, SceneError> {
-    let limit = |key: &str, value: &Option<Spanned<f64>>| match value {
-        Some(value) => positive(source, &format!("limits.{key}"), value),
-        None => Ok(f64::INFINITY),
-    };
+pub fn limits(table: Option<&Table>) -> Result<Limits, SceneError> {
+    let Some(table) = table else { return Ok(Limits::NONE) };
+    let limit = |key: &str| table.find(key).map_or(Ok(f64::INFINITY), |entry| entry.number());
     Ok(Limits {
-        translational_velocity: limit("translational_velocity", &document.translational_velocity)?,
-        rotational_velocity: limit("rotational_velocity", &document.rotational_velocity)?,
-        translational_acceleration: limit("translational_acceleration", &document.translational_acceleration)?,
-        rotational_acceleration: limit("rotational_acceleration", &document.rotational_acceleration)?,
-        contact_force: limit("contact_force", &document.contact_force)?,
-        force: limit("force", &document.force)?,
-        torque: limit("torque", &document.torque)?,
+        translational_velocity: limit("translational_velocity")?,
+        rotational_velocity: limit("rotational_velocity")?,
+        translational_acceleration: limit("translational_acceleration")?,
+        rotational_acceleration: limit("rotational_acceleration")?,
+        contact_force: limit("contact_force")?,
+        force: limit("force")?,
+        torque: limit("torque")?,
     })
 }
 
-/// One kind of motion: how far it has to go, and the limits on its way.
-struct Way<'document> {
-    kind: &'static str,
-    unit: &'static str,
-    distance: f64,
-    velocity: &'document Option<Spanned<f64>>,
-    acceleration: &'document Option<Spanned<f64>>,
+/// A limit within which the goal is too far from a start.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "limits.{key} = {value}: the goal is {distance:.3} {unit} from start `{start}` along an axis, and {steps} steps of \
+     {time_step} s within the limits cover {covered:.3} {unit}; allow more than {enough} {unit}/{per}, or more steps in \
+     [horizon]",
+    steps = horizon.steps,
+    time_step = horizon.time_step
+)]
+pub struct OutOfReach {
+    /// Key of the limit in `[limits]`.
+    pub key: &'static str,
+    /// The limit, in `unit` by `per`.
+    pub value: f64,
+    /// Name of the start.
+    pub start: String,
+    /// How far the goal is along the worst axis, in `unit`.
+    pub distance: f64,
+    /// How far the body gets along an axis, in `unit`.
+    pub covered: f64,
+    /// A limit that suffices, in `unit` by `per`.
+    pub enough: f64,
+    /// `m` or `rad`.
+    pub unit: &'static str,
+    /// `s` or `s^2`.
+    pub per: &'static str,
+    /// Time grid.
+    pub horizon: Horizon,
 }
 
-/// Refuses limits of velocity and acceleration within which the goal is too far from a pose of the body at a start, which
-/// has a name.
+/// One kind of motion: how far it has to go, and the limits on its way.
+struct Way {
+    velocity_key: &'static str,
+    acceleration_key: &'static str,
+    unit: &'static str,
+    distance: f64,
+    velocity: f64,
+    acceleration: f64,
+}
+
+/// Whether limits of velocity and acceleration let the body get from a pose at a start, which has a name, to the goal.
+///
+/// # Errors
+/// With the limit that is too small.
 pub fn check_reach(
-    source: Source,
-    document: &LimitsDocument,
+    limits: &Limits,
     (start, pose): (&str, &[f64; 7]),
     goal: &[f64; 7],
     horizon: Horizon,
-) -> Result<(), SceneError> {
+) -> Result<(), OutOfReach> {
     let farthest = (0..3).map(|axis| (pose[axis] - goal[axis]).abs()).fold(0.0, f64::max);
     let (_, angle) = pose::errors(pose, goal);
     let translational = Way {
-        kind: "translational",
+        velocity_key: "translational_velocity",
+        acceleration_key: "translational_acceleration",
         unit: "m",
         distance: farthest,
-        velocity: &document.translational_velocity,
-        acceleration: &document.translational_acceleration,
+        velocity: limits.translational_velocity,
+        acceleration: limits.translational_acceleration,
     };
     let rotational = Way {
-        kind: "rotational",
+        velocity_key: "rotational_velocity",
+        acceleration_key: "rotational_acceleration",
         unit: "rad",
         // Limits are per axis, so that a turn about a diagonal is the fastest.
         distance: angle / 3f64.sqrt(),
-        velocity: &document.rotational_velocity,
-        acceleration: &document.rotational_acceleration,
+        velocity: limits.rotational_velocity,
+        acceleration: limits.rotational_acceleration,
     };
-    translational.check(source, start, horizon)?;
-    rotational.check(source, start, horizon)
+    translational.check(start, horizon)?;
+    rotational.check(start, horizon)
 }
 
-impl Way<'_> {
+impl Way {
     /// Blames the velocity where it is too small for any acceleration.
-    fn check(&self, source: Source, start: &str, horizon: Horizon) -> Result<(), SceneError> {
-        let value = |limit: &Option<Spanned<f64>>| limit.as_ref().map_or(f64::INFINITY, |limit| *limit.get_ref());
-        let (velocity, acceleration) = (value(self.velocity), value(self.acceleration));
+    fn check(&self, start: &str, horizon: Horizon) -> Result<(), OutOfReach> {
         let slowest = self.distance / (horizon.steps as f64 * horizon.time_step);
-        let (name, limit, least) = match (self.velocity, self.acceleration) {
-            (Some(limit), _) if velocity < slowest => ("velocity", limit, slowest),
-            (_, Some(limit)) if reach(horizon, velocity, acceleration) < self.distance => {
-                ("acceleration", limit, gentlest(horizon, velocity, self.distance))
-            }
-            _ => return Ok(()),
+        let covered = reach(horizon, self.velocity, self.acceleration);
+        let (key, value, least, per) = if self.velocity < slowest {
+            (self.velocity_key, self.velocity, slowest, "s")
+        } else if self.acceleration.is_finite() && covered < self.distance {
+            let least = gentlest(horizon, self.velocity, self.distance);
+            (self.acceleration_key, self.acceleration, least, "s^2")
+        } else {
+            return Ok(());
         };
-        let Self { kind, unit, distance, .. } = self;
-        let enough = (1e3 * least).ceil() / 1e3;
-        let (power, covered) = (if name == "velocity" { "" } else { "^2" }, reach(horizon, velocity, acceleration));
-        let message = format!(
-            "limits.{kind}_{name} = {}: the goal is {distance:.3} {unit} from start `{start}` along an axis, and {} steps \
-             of {} s within the limits cover {covered:.3} {unit}; allow more than {enough} {unit}/s{power}, or \
-             more steps in [horizon]",
-            limit.get_ref(),
-            horizon.steps,
-            horizon.time_step
-        );
-        Err(source.error(limit.span(), message))
+        Err(OutOfReach {
+            key,
+            value,
+            start: start.to_owned(),
+            distance: self.distance,
+            covered,
+            enough: (1e3 * least).ceil() / 1e3,
+            unit: self.unit,
+            per,
+            horizon,
+        })
     }
 }
 
@@ -108,6 +137,10 @@ fn gentlest(horizon: Horizon, velocity: f64, distance: f64) -> f64 {
 
 /// How far an axis gets from rest: it gains speed in every step until it is at the limit.
 fn reach(horizon: Horizon, velocity: f64, acceleration: f64) -> f64 {
-    let speeds = (1..=horizon.steps).map(|step| velocity.min(step as f64 * horizon.time_step * acceleration));
-    speeds.sum::<f64>() * horizon.time_step
+    let (steps, gain) = (horizon.steps as f64, horizon.time_step * acceleration);
+    // `min` ignores NaN, the quotient of two limits that are not given.
+    let gaining = (velocity / gain).floor().min(steps);
+    let gained = if gaining > 0.0 { 0.5 * gain * gaining * (gaining + 1.0) } else { 0.0 };
+    let kept = if gaining < steps { velocity * (steps - gaining) } else { 0.0 };
+    (gained + kept) * horizon.time_step
 }

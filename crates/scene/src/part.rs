@@ -1,14 +1,12 @@
 //! Shapes of parts.
 
-use std::ops::Range;
-use std::path::Path;
-
 use collision::{Polytope, PolytopeError};
 use toml::Spanned;
 
-use crate::document::PartDocument;
-use crate::error::{SceneError, Source, suggest};
-use crate::pose;
+use crate::error::SceneError;
+use crate::keys::UNITS;
+use crate::pose::{norm, orientation};
+use crate::reader::{Entry, Table};
 
 /// A named convex part, placed in its parent's frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,99 +17,144 @@ pub struct Part {
     pub shape: Polytope,
 }
 
-/// Lengths that a mesh file may be in (m).
-const UNITS: [(&str, f64); 4] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001), ("inch", 0.0254)];
+/// The units of mesh files (m), in the order of their names.
+const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
+const _: () = assert!(SCALES.len() == UNITS.len());
 
-/// Builds the parts of one parent.
-pub fn parts(source: Source, documents: &[Spanned<PartDocument>]) -> Result<Vec<Part>, SceneError> {
+/// Smallest length of a part, and largest coordinate of one that is placed (m).
+const SMALLEST: f64 = 1e-5;
+const FARTHEST: f64 = 1e4;
+/// A box with a shorter edge than this fraction of its longest one cannot be told from a plane.
+const FLATTEST: f64 = 1e-6;
+/// Shortest normal of a halfspace.
+const SHORTEST_NORMAL: f64 = 1e-6;
+
+/// Keys that give a part its shape.
+const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
+
+/// Builds the parts of a body or environment.
+pub fn parts(parent: &Table) -> Result<Vec<Part>, SceneError> {
     let mut parts: Vec<Part> = Vec::new();
-    for document in documents {
-        let part = part(source, document.span(), document.get_ref())?;
+    for table in parent.tables("part", "part")? {
+        let part = part(&table)?;
         if parts.iter().any(|other| other.name == part.name) {
-            let span = document.get_ref().name.span();
-            return Err(source.error(span, format!("part name `{}` is used twice", part.name)));
+            let message = format!("part name `{}` is used twice", part.name);
+            return Err(table.require("name")?.refuse(message));
         }
         parts.push(part);
     }
     Ok(parts)
 }
 
-fn part(source: Source, span: Range<usize>, document: &PartDocument) -> Result<Part, SceneError> {
-    let name = document.name.get_ref().clone();
-    if name.is_empty() {
-        return Err(source.error(document.name.span(), "a part needs a name"));
+fn part(table: &Table) -> Result<Part, SceneError> {
+    let name = table.require("name")?.name()?;
+    let (place, shape) = shape(table, &name)?;
+    let refuse = |message: String| place.refuse(format!("part `{name}`: {message}"));
+    let shape = shape.map_err(|error| refuse(error.to_string()))?;
+    if shape.size() < SMALLEST {
+        return Err(refuse(format!("it is {:.1e} m long; parts must be longer than {SMALLEST:.0e} m", shape.size())));
     }
-    let (place, shape) = shape(source, span, document)?;
-    let refuse = |error: PolytopeError| source.error(place.clone(), format!("part `{name}`: {error}"));
-    let shape = shape.map_err(refuse)?;
-    let position = match &document.position {
-        Some(position) => pose::position(source, position)?,
-        None => [0.0; 3],
-    };
-    let orientation = match &document.orientation {
-        Some(orientation) => pose::orientation(source, orientation)?,
-        None => [1.0, 0.0, 0.0, 0.0],
-    };
-    Ok(Part { shape: shape.placed(position, orientation), name })
+    let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
+    let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
+    let shape = shape.placed(position, orientation);
+    if !shape.vertices().iter().flatten().all(|coordinate| (-FARTHEST..=FARTHEST).contains(coordinate)) {
+        return Err(refuse(format!("a corner is more than {FARTHEST} m from the origin along an axis")));
+    }
+    Ok(Part { shape, name })
 }
 
 /// The one shape that a part gives, with its place in the file.
-fn shape(
-    source: Source,
-    span: Range<usize>,
-    document: &PartDocument,
-) -> Result<(Range<usize>, Result<Polytope, PolytopeError>), SceneError> {
-    let PartDocument { name, vertices, edge_lengths, normals, offsets, mesh, unit, .. } = document;
-    let given = [vertices.is_some(), edge_lengths.is_some(), normals.is_some() || offsets.is_some(), mesh.is_some()];
-    if given.iter().filter(|given| **given).count() != 1 {
-        let name = name.get_ref();
-        return Err(source.error(
-            span,
-            format!("part `{name}` needs exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`"),
-        ));
+fn shape<'text>(
+    table: &Table<'text>,
+    name: &str,
+) -> Result<(Entry<'text>, Result<Polytope, PolytopeError>), SceneError> {
+    if let (Some(offsets), None) = (table.find("offsets"), table.find("normals")) {
+        return Err(offsets.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
     }
-    if let (Some(unit), None) = (unit, mesh) {
-        return Err(source.error(unit.span(), "`unit` belongs to `mesh`; everything else is in metres"));
+    if let (Some(unit), None) = (table.find("unit"), table.find("mesh")) {
+        return Err(unit.refuse("`unit` belongs to `mesh`; everything else is in metres"));
     }
-    if let Some(vertices) = vertices {
-        return Ok((vertices.span(), Polytope::from_vertices(vertices.get_ref())));
-    }
-    if let Some(edge_lengths) = edge_lengths {
-        return Ok((edge_lengths.span(), Polytope::from_box(*edge_lengths.get_ref())));
-    }
-    if let Some(mesh) = mesh {
-        let vertices = crate::mesh::vertices(source, mesh, scale(source, mesh, unit.as_ref())?)?;
-        return Ok((mesh.span(), Polytope::from_vertices(&vertices)));
-    }
-    match (normals, offsets) {
-        (Some(normals), Some(offsets)) => {
-            Ok((normals.span(), Polytope::from_halfspaces(normals.get_ref(), offsets.get_ref())))
-        }
-        _ => Err(source.error(span, format!("part `{}` needs both `normals` and `offsets`", name.get_ref()))),
-    }
-}
-
-fn scale(source: Source, mesh: &Spanned<String>, unit: Option<&Spanned<String>>) -> Result<f64, SceneError> {
-    let names: Vec<&str> = UNITS.iter().map(|(name, _)| *name).collect();
-    let Some(unit) = unit else {
-        let choices = names.join("\", \"");
-        return Err(source.error(mesh.span(), format!("a mesh needs its `unit`: one of \"{choices}\"")));
+    let mut given = SHAPES.into_iter().filter_map(|key| Some((key, table.find(key)?)));
+    let (Some((key, entry)), None) = (given.next(), given.next()) else {
+        let choices = "exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`";
+        return Err(table.refuse(format!("part `{name}` needs {choices}")));
     };
-    match UNITS.iter().find(|(name, _)| name == unit.get_ref()) {
-        Some((_, scale)) => Ok(*scale),
-        None => {
-            let hint = suggest(unit.get_ref(), &names);
-            Err(source.error(unit.span(), format!("unknown unit `{}`{hint}", unit.get_ref())))
+    let shape = match key {
+        "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
+        "box" => Polytope::from_box(edge_lengths(&entry)?),
+        "mesh" => Polytope::from_vertices(&mesh(table, &entry)?),
+        _ => {
+            let Some(offsets) = table.find("offsets") else {
+                return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
+            };
+            Polytope::from_halfspaces(&normals(&entry)?, &offsets.numbers()?)
+        }
+    };
+    Ok((entry, shape))
+}
+
+fn edge_lengths(entry: &Entry) -> Result<[f64; 3], SceneError> {
+    let edges: [f64; 3] = entry.vector()?;
+    let (shortest, longest) = edges.iter().fold((f64::INFINITY, 0.0f64), |(low, high), &e| (low.min(e), high.max(e)));
+    if shortest < FLATTEST * longest {
+        return Err(entry.refuse(format!("{}: the longest edge is more than 1e6 times the shortest", entry.path())));
+    }
+    Ok(edges)
+}
+
+fn normals(entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
+    let normals = entry.vectors()?;
+    match normals.iter().find(|normal| norm(normal.get_ref()) < SHORTEST_NORMAL) {
+        None => Ok(values(normals)),
+        Some(normal) => {
+            let message = format!("{}: the normal is shorter than {SHORTEST_NORMAL:.0e}", entry.path());
+            Err(entry.source().error(normal.span(), message))
         }
     }
 }
 
-/// Remarks on sizes that look like a mistaken unit.
-pub fn size_warnings(file: &Path, parts: &[Part]) -> Vec<String> {
-    const RANGE: std::ops::Range<f64> = 1e-4..10.0;
-    let odd = parts.iter().filter(|part| !RANGE.contains(&part.shape.size()));
-    odd.map(|part| {
-        format!("{}: part `{}` is {} m long; lengths are in metres", file.display(), part.name, part.shape.size())
-    })
-    .collect()
+/// Vertices of a mesh (m).
+fn mesh(table: &Table, entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
+    let file = Spanned::new(entry.span(), entry.text()?.to_owned());
+    if file.get_ref().is_empty() {
+        return Err(entry.refuse(format!("{} is empty", entry.path())));
+    }
+    let Some(unit) = table.find("unit") else {
+        return Err(entry.refuse(format!("a mesh needs its `unit`: one of \"{}\"", UNITS.join("\", \""))));
+    };
+    crate::mesh::vertices(entry.source(), &file, SCALES[unit.choice()?])
+}
+
+fn values<T>(entries: Vec<Spanned<T>>) -> Vec<T> {
+    entries.into_iter().map(Spanned::into_inner).collect()
+}
+
+/// Smallest box along the axes that holds some parts (m).
+#[derive(Debug, Clone, Copy)]
+pub struct Extent {
+    axes: [(f64, f64); 3],
+}
+
+impl Extent {
+    /// Of one or more parts.
+    pub fn of(parts: &[Part]) -> Self {
+        let mut axes = [(f64::INFINITY, f64::NEG_INFINITY); 3];
+        for vertex in parts.iter().flat_map(|part| part.shape.vertices()) {
+            for (axis, coordinate) in axes.iter_mut().zip(vertex) {
+                *axis = (axis.0.min(*coordinate), axis.1.max(*coordinate));
+            }
+        }
+        Self { axes }
+    }
+
+    /// Longest edge.
+    pub fn size(&self) -> f64 {
+        self.axes.iter().map(|(low, high)| high - low).fold(0.0, f64::max)
+    }
+
+    /// Distance of a point from the box, zero inside.
+    pub fn distance(&self, point: &[f64]) -> f64 {
+        let gaps = self.axes.iter().zip(point).map(|((low, high), &x)| (low - x).max(x - high).max(0.0));
+        norm(&gaps.collect::<Vec<_>>())
+    }
 }

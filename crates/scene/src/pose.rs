@@ -1,74 +1,50 @@
 //! Positions, orientations and numbers with a range.
 
-use std::fmt::Display;
-
 use toml::Spanned;
 
 use crate::error::{SceneError, Source};
+use crate::reader::{Entry, Table};
 
 /// How far the norm of a quaternion or direction may be from 1: files are written with few digits.
 const NORM_TOLERANCE: f64 = 1e-3;
 
-/// A finite position (m).
-pub fn position(source: Source, position: &Spanned<[f64; 3]>) -> Result<[f64; 3], SceneError> {
-    let value = *position.get_ref();
-    if value.iter().any(|coordinate| !coordinate.is_finite()) {
-        return Err(source.error(position.span(), "a position has three finite numbers (m)"));
-    }
-    Ok(value)
+/// Position (m) and unit quaternion of a start or goal.
+pub fn pose(table: &Table) -> Result<[f64; 7], SceneError> {
+    let [x, y, z] = table.require("position")?.vector()?;
+    let [w, i, j, k] = orientation(&table.require("orientation")?)?;
+    Ok([x, y, z, w, i, j, k])
 }
 
 /// A unit quaternion (w x y z), scaled to exact norm.
-pub fn orientation(source: Source, orientation: &Spanned<[f64; 4]>) -> Result<[f64; 4], SceneError> {
-    let value = *orientation.get_ref();
+pub fn orientation(entry: &Entry) -> Result<[f64; 4], SceneError> {
+    let value = entry.quaternion()?;
     let norm = norm(&value);
     if !is_unit(norm) {
-        let message = format!("an orientation is a unit quaternion [w, x, y, z]; this one has norm {norm:.4}");
-        return Err(source.error(orientation.span(), message));
+        let path = entry.path();
+        return Err(entry.refuse(format!("{path}: a quaternion [w, x, y, z] has norm 1, this one has norm {norm:.4}")));
     }
     Ok(value.map(|component| component / norm))
 }
 
-/// A unit direction, or zero for the nominal scenario; kept as written.
-pub fn direction(source: Source, direction: &Spanned<[f64; 3]>) -> Result<[f64; 3], SceneError> {
-    let value = *direction.get_ref();
-    let norm = norm(&value);
-    if norm != 0.0 && !is_unit(norm) {
-        let message = format!("an offset direction has norm 1, or is [0, 0, 0]; this one has norm {norm:.4}");
-        return Err(source.error(direction.span(), message));
-    }
-    Ok(value)
+/// Unit directions, or zeros for no offset; kept as written.
+pub fn directions(entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
+    let direction = |direction: Spanned<[f64; 3]>| {
+        let norm = norm(direction.get_ref());
+        if is_unit(norm) || *direction.get_ref() == [0.0; 3] {
+            return Ok(direction.into_inner());
+        }
+        let path = entry.path();
+        let message = format!("{path}: a direction has norm 1, or is [0, 0, 0]; this one has norm {norm:.4}");
+        Err(entry.source().error(direction.span(), message))
+    };
+    entry.vectors()?.into_iter().map(direction).collect()
 }
 
-fn norm(vector: &[f64]) -> f64 {
+/// Euclidean norm.
+pub fn norm(vector: &[f64]) -> f64 {
     vector.iter().map(|component| component * component).sum::<f64>().sqrt()
 }
 
 fn is_unit(norm: f64) -> bool {
     (norm - 1.0).abs() <= NORM_TOLERANCE
-}
-
-/// A value that satisfies a condition, said in words.
-pub fn within<T: Copy + Display>(
-    source: Source,
-    key: &str,
-    value: &Spanned<T>,
-    condition: impl Fn(T) -> bool,
-    words: &str,
-) -> Result<T, SceneError> {
-    let number = *value.get_ref();
-    if condition(number) {
-        return Ok(number);
-    }
-    Err(source.error(value.span(), format!("{key} = {number}: {words}")))
-}
-
-/// A finite number above zero.
-pub fn positive(source: Source, key: &str, value: &Spanned<f64>) -> Result<f64, SceneError> {
-    within(source, key, value, |number| number > 0.0 && number.is_finite(), "must be positive")
-}
-
-/// A finite number that is not negative.
-pub fn not_negative(source: Source, key: &str, value: &Spanned<f64>) -> Result<f64, SceneError> {
-    within(source, key, value, |number| number >= 0.0 && number.is_finite(), "must not be negative")
 }

@@ -2,25 +2,21 @@
 
 use std::path::Path;
 
-use nalgebra::Matrix3;
-use task::{
-    AssemblyTask, ContactPair, CostWeights, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost,
-};
-use toml::Spanned;
+use task::{AssemblyTask, ContactPair, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
+use toml::de::DeTable;
 
-use crate::document::{
-    ContactDocument, CostDocument, HorizonDocument, ImpedanceDocument, InertiaDocument, PoseDocument,
-    RobustnessDocument, SceneDocument, StartDocument, WeightsDocument,
-};
-use crate::error::{SceneError, Source, suggest};
+use crate::document::SceneDocument;
+use crate::error::{SceneError, Source, nearest};
+use crate::file::read_text;
 use crate::homotopy;
-use crate::limits::{check_reach, limits};
-use crate::part::{Part, parts, size_warnings};
-use crate::pose::{direction, not_negative, orientation, position, positive, within};
-
-/// Mass of a body that gives none (kg), and its rotational inertia (kg m^2): apparent values under impedance control.
-const DEFAULT_MASS: f64 = 1.0;
-const DEFAULT_INERTIA: f64 = 0.1;
+use crate::keys::{MAX_CONTACT_FORCES, MAX_NAME_LENGTH, key};
+use crate::limits::{OutOfReach, check_reach, limits};
+use crate::part::{Part, parts};
+use crate::pose::{directions, pose};
+use crate::reader::{Table, is_control};
+use crate::sections;
+use crate::task_error::TaskError;
+use crate::warnings::warnings;
 
 /// A start pose with its name.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,8 +68,7 @@ impl Scene {
     /// # Errors
     /// The first thing that is wrong, with its place.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| SceneError::about(path, format!("the scene cannot be read: {error}")))?;
+        let text = read_text(path, "scene")?;
         Self::parse(Source { file: path, text: &text })
     }
 
@@ -82,76 +77,126 @@ impl Scene {
     /// # Errors
     /// The first thing that is wrong, with its place.
     pub fn parse(source: Source) -> Result<Self, SceneError> {
-        let document: SceneDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-        let body = parts(source, &document.body.get_ref().part)?;
-        let environment = parts(source, &document.environment.get_ref().part)?;
-        for (parts, parent, span) in
-            [(&body, "body", document.body.span()), (&environment, "environment", document.environment.span())]
-        {
-            if parts.is_empty() {
-                return Err(source.error(span, format!("[{parent}] has no part: add a [[{parent}.part]]")));
-            }
+        let source = Source { text: source.text.strip_prefix('\u{feff}').unwrap_or(source.text), ..source };
+        if source.text.trim().is_empty() {
+            return Err(SceneError::about(source.file, "the scene is empty"));
         }
-        let mut warnings = size_warnings(source.file, &body);
-        warnings.extend(size_warnings(source.file, &environment));
-        let inertia = inertia(source, &document)?;
-        let (offset_magnitude, offset_directions) = offsets(source, &document.robustness)?;
-        let title = source.file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        let entries = DeTable::parse(source.text).map_err(|error| source.parse_error(&error))?;
+        let table = Table::top(source, entries.get_ref())?;
+        let mut scene = Self::read(source, &table)?;
+        scene.warnings = warnings(&table, &scene)?;
+        Ok(scene)
+    }
+
+    fn read(source: Source, table: &Table) -> Result<Self, SceneError> {
+        let body_table = table.require_table("body")?;
+        let body = parts(&body_table)?;
+        let environment = parts(&table.require_table("environment")?)?;
+        let inertia = sections::inertia(&body_table)?;
+        let robustness = table.require_table("robustness")?;
+        let homotopies: SceneDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
         let scene = Self {
-            title: document.title.clone().unwrap_or(title),
-            pairs: pairs(source, document.contact.as_ref(), &body, &environment)?,
-            starts: starts(source, &document.start)?,
-            goal: goal(source, &document.goal)?,
-            impedance: impedance(source, &document.impedance, &inertia)?,
-            horizon: horizon(source, &document.horizon)?,
-            cost: cost(source, &document.cost)?,
-            limits: limits(source, &document.limits)?,
-            homotopy: homotopy::of_scene(source, document.homotopy.as_ref(), document.ipopt.as_ref())?,
+            title: match table.find("title") {
+                Some(title) => title.name()?,
+                None => title_of(source.file),
+            },
+            pairs: sections::pairs(table, &body, &environment)?,
+            starts: sections::starts(table)?,
+            goal: pose(&table.require_table("goal")?)?,
+            impedance: sections::impedance(&table.require_table("impedance")?, &inertia)?,
+            offset_magnitude: robustness.number("offset_magnitude")?,
+            offset_directions: directions(&robustness.require("offset_directions")?)?,
+            horizon: sections::horizon(&table.require_table("horizon")?)?,
+            cost: sections::cost(table)?,
+            limits: limits(table.find_table("limits")?.as_ref())?,
+            homotopy: homotopy::of_scene(source, homotopies.homotopy.as_ref(), homotopies.ipopt.as_ref())?,
             body,
             environment,
             inertia,
-            offset_magnitude,
-            offset_directions,
-            warnings,
+            warnings: Vec::new(),
         };
-        for start in &scene.starts {
-            for direction in &scene.offset_directions {
-                let offset = direction.map(|component| scene.offset_magnitude * component);
-                let pose = task::pose::without_offset(&start.pose, &offset);
-                check_reach(source, &document.limits, (&start.name, &pose), &scene.goal, scene.horizon)?;
+        scene.check_size(table)?;
+        scene.check_limits(table)?;
+        Ok(scene)
+    }
+
+    /// Refuses a problem that is too large to be solved.
+    fn check_size(&self, table: &Table) -> Result<(), SceneError> {
+        let (steps, offsets, pairs) = (self.horizon.steps, self.offset_directions.len(), self.pairs.len());
+        let forces = steps * offsets * pairs;
+        if forces <= MAX_CONTACT_FORCES {
+            return Ok(());
+        }
+        Err(table.require_table("horizon")?.require("steps")?.refuse(format!(
+            "{steps} steps x {offsets} offset directions x {pairs} contact pairs make {forces} contact forces, more than \
+             {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
+        )))
+    }
+
+    /// Refuses limits within which the goal cannot be reached from a start.
+    fn check_limits(&self, table: &Table) -> Result<(), SceneError> {
+        let Some(limits) = table.find_table("limits")? else { return Ok(()) };
+        for start in &self.starts {
+            if let Err(error) = self.check_reach(start, self.offset_magnitude) {
+                return Err(limits.require(error.key)?.refuse(error.to_string()));
             }
         }
-        Ok(scene)
+        Ok(())
+    }
+
+    /// Whether the limits let the body reach the goal from a start with every offset of a magnitude (m).
+    fn check_reach(&self, start: &StartPose, magnitude: f64) -> Result<(), OutOfReach> {
+        self.offset_directions.iter().try_for_each(|direction| {
+            let pose = task::pose::without_offset(&start.pose, &direction.map(|component| magnitude * component));
+            check_reach(&self.limits, (&start.name, &pose), &self.goal, self.horizon)
+        })
+    }
+
+    /// The offsets of a magnitude, one per direction (m).
+    ///
+    /// # Errors
+    /// When the magnitude is out of range.
+    pub fn offsets(&self, magnitude: f64) -> Result<Vec<[f64; 3]>, TaskError> {
+        let range = key("robustness", "offset_magnitude").bounds();
+        if !range.contains(magnitude) {
+            return Err(TaskError::OffsetMagnitude { value: magnitude, most: range.high });
+        }
+        Ok(self.offset_directions.iter().map(|direction| direction.map(|component| magnitude * component)).collect())
     }
 
     /// The start of a given name, or the first.
     ///
     /// # Errors
     /// With all names, when there is none of this name.
-    pub fn start(&self, name: Option<&str>) -> Result<&StartPose, String> {
+    pub fn start(&self, name: Option<&str>) -> Result<&StartPose, TaskError> {
         let Some(name) = name else { return Ok(&self.starts[0]) };
         self.starts.iter().find(|start| start.name == name).ok_or_else(|| {
-            let names: Vec<&str> = self.starts.iter().map(|start| start.name.as_str()).collect();
-            format!("there is no start `{name}`; the scene has {}", names.join(", "))
+            let known: Vec<&str> = self.starts.iter().map(|start| start.name.as_str()).collect();
+            TaskError::UnknownStart {
+                name: name.to_owned(),
+                suggestion: nearest(name, &known).map(str::to_owned),
+                known: known.into_iter().map(str::to_owned).collect(),
+            }
         })
     }
 
-    /// The planning task of a start and an offset magnitude (m), by default the scene's own.
+    /// The planning task of a start and an offset magnitude (m), by default the first start and the scene's magnitude.
     ///
     /// # Errors
-    /// When the start is unknown or the magnitude negative.
-    pub fn task(&self, start: Option<&str>, offset_magnitude: Option<f64>) -> Result<AssemblyTask, String> {
+    /// When the start is unknown, the magnitude is out of range, or the limits are too tight for it.
+    pub fn task(&self, start: Option<&str>, offset_magnitude: Option<f64>) -> Result<AssemblyTask, TaskError> {
+        let start = self.start(start)?;
         let magnitude = offset_magnitude.unwrap_or(self.offset_magnitude);
-        if !(magnitude >= 0.0 && magnitude.is_finite()) {
-            return Err(format!("the offset magnitude must not be negative, got {magnitude}"));
-        }
+        let offsets = self.offsets(magnitude)?;
+        self.check_reach(start, magnitude)
+            .map_err(|reason| TaskError::OutOfReach { magnitude, reason: Box::new(reason) })?;
         Ok(AssemblyTask {
             inertia: self.inertia.clone(),
             pairs: self.pairs.iter().map(|&(part, other)| self.pair(part, other)).collect(),
-            start: self.start(start)?.pose,
+            start: start.pose,
             goal: self.goal,
             impedance: self.impedance.clone(),
-            offsets: self.offset_directions.iter().map(|d| d.map(|component| magnitude * component)).collect(),
+            offsets,
             horizon: self.horizon,
             cost: self.cost,
             limits: self.limits,
@@ -174,149 +219,9 @@ impl Scene {
     }
 }
 
-fn pose(source: Source, at: &Spanned<[f64; 3]>, turned: &Spanned<[f64; 4]>) -> Result<[f64; 7], SceneError> {
-    let ([x, y, z], [w, i, j, k]) = (position(source, at)?, orientation(source, turned)?);
-    Ok([x, y, z, w, i, j, k])
-}
-
-fn goal(source: Source, document: &Spanned<PoseDocument>) -> Result<[f64; 7], SceneError> {
-    pose(source, &document.get_ref().position, &document.get_ref().orientation)
-}
-
-fn starts(source: Source, documents: &Spanned<Vec<Spanned<StartDocument>>>) -> Result<Vec<StartPose>, SceneError> {
-    let mut starts: Vec<StartPose> = Vec::new();
-    for document in documents.get_ref() {
-        let StartDocument { name, position, orientation } = document.get_ref();
-        if starts.iter().any(|other| other.name == *name.get_ref()) {
-            return Err(source.error(name.span(), format!("start name `{}` is used twice", name.get_ref())));
-        }
-        starts.push(StartPose { name: name.get_ref().clone(), pose: pose(source, position, orientation)? });
-    }
-    if starts.is_empty() {
-        return Err(source.error(documents.span(), "a scene needs at least one [[start]]"));
-    }
-    Ok(starts)
-}
-
-fn inertia(source: Source, document: &SceneDocument) -> Result<Inertia, SceneError> {
-    let body = document.body.get_ref();
-    let mass = match &body.mass {
-        Some(mass) => positive(source, "body.mass", mass)?,
-        None => DEFAULT_MASS,
-    };
-    let Some(entry) = &body.inertia else {
-        return Ok(Inertia { mass, rotational: Matrix3::identity() * DEFAULT_INERTIA });
-    };
-    let rotational = match entry.get_ref() {
-        InertiaDocument::Diagonal(diagonal) => Matrix3::from_diagonal(&(*diagonal).into()),
-        InertiaDocument::Full(rows) => Matrix3::from_fn(|row, column| rows[row][column]),
-    };
-    let symmetric = (rotational - rotational.transpose()).amax() <= 1e-9 * rotational.amax();
-    if !symmetric || rotational.cholesky().is_none() {
-        return Err(source.error(entry.span(), "body.inertia must be symmetric and positive definite (kg m^2)"));
-    }
-    Ok(Inertia { mass, rotational })
-}
-
-fn impedance(source: Source, document: &ImpedanceDocument, inertia: &Inertia) -> Result<Impedance, SceneError> {
-    let mut impedance = Impedance::critically_damped(
-        positive(source, "impedance.translational_stiffness", &document.translational_stiffness)?,
-        positive(source, "impedance.rotational_stiffness", &document.rotational_stiffness)?,
-        inertia,
-    );
-    if let Some(damping) = &document.translational_damping {
-        impedance.translational_damping = not_negative(source, "impedance.translational_damping", damping)?;
-    }
-    if let Some(damping) = &document.rotational_damping {
-        let diagonal = *damping.get_ref();
-        if diagonal.iter().any(|&axis| !(axis >= 0.0 && axis.is_finite())) {
-            return Err(source.error(damping.span(), "impedance.rotational_damping must not be negative"));
-        }
-        impedance.rotational_damping = Matrix3::from_diagonal(&diagonal.into());
-    }
-    Ok(impedance)
-}
-
-fn offsets(source: Source, document: &RobustnessDocument) -> Result<(f64, Vec<[f64; 3]>), SceneError> {
-    let magnitude = not_negative(source, "robustness.offset_magnitude", &document.offset_magnitude)?;
-    let entries = &document.offset_directions;
-    if entries.get_ref().is_empty() {
-        return Err(source.error(entries.span(), "at least one offset direction is needed; [0, 0, 0] is no offset"));
-    }
-    let directions: Result<_, _> = entries.get_ref().iter().map(|entry| direction(source, entry)).collect();
-    Ok((magnitude, directions?))
-}
-
-fn horizon(source: Source, document: &HorizonDocument) -> Result<Horizon, SceneError> {
-    let steps = within(source, "horizon.steps", &document.steps, |steps| steps >= 1, "must be at least 1")?;
-    Ok(Horizon { steps: steps as usize, time_step: positive(source, "horizon.time_step", &document.time_step)? })
-}
-
-fn cost(source: Source, document: &CostDocument) -> Result<TrajectoryCost, SceneError> {
-    let paper = |terminal_position, terminal_orientation| CostWeights {
-        translational_velocity: 1.0,
-        rotational_velocity: 0.1,
-        terminal_position,
-        terminal_orientation,
-    };
-    Ok(TrajectoryCost {
-        reference: weights(source, "cost.reference", document.reference.as_ref(), paper(100.0, 10.0))?,
-        compliant: weights(source, "cost.compliant", document.compliant.as_ref(), paper(10_000.0, 1000.0))?,
-    })
-}
-
-fn weights(
-    source: Source,
-    table: &str,
-    document: Option<&WeightsDocument>,
-    default: CostWeights,
-) -> Result<CostWeights, SceneError> {
-    let Some(document) = document else { return Ok(default) };
-    let weight = |key: &str, value: &Option<Spanned<f64>>, default: f64| match value {
-        Some(value) => not_negative(source, &format!("{table}.{key}"), value),
-        None => Ok(default),
-    };
-    Ok(CostWeights {
-        translational_velocity: weight(
-            "translational_velocity",
-            &document.translational_velocity,
-            default.translational_velocity,
-        )?,
-        rotational_velocity: weight("rotational_velocity", &document.rotational_velocity, default.rotational_velocity)?,
-        terminal_position: weight("terminal_position", &document.terminal_position, default.terminal_position)?,
-        terminal_orientation: weight(
-            "terminal_orientation",
-            &document.terminal_orientation,
-            default.terminal_orientation,
-        )?,
-    })
-}
-
-/// The named pairs, by default every body part with every environment part.
-fn pairs(
-    source: Source,
-    document: Option<&ContactDocument>,
-    body: &[Part],
-    environment: &[Part],
-) -> Result<Vec<(usize, usize)>, SceneError> {
-    let Some(named) = document.and_then(|contact| contact.pairs.as_ref()) else {
-        let all = (0..body.len()).flat_map(|part| (0..environment.len()).map(move |other| (part, other)));
-        return Ok(all.collect());
-    };
-    let mut pairs = Vec::new();
-    for entry in named {
-        let find = |parts: &[Part], parent: &str, name: &str| {
-            parts.iter().position(|part| part.name == name).ok_or_else(|| {
-                let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
-                source.error(entry.span(), format!("[{parent}] has no part `{name}`{}", suggest(name, &names)))
-            })
-        };
-        let [first, second] = entry.get_ref();
-        let pair = (find(body, "body", first)?, find(environment, "environment", second)?);
-        if pairs.contains(&pair) {
-            return Err(source.error(entry.span(), format!("the pair `{first}`, `{second}` is listed twice")));
-        }
-        pairs.push(pair);
-    }
-    Ok(pairs)
+/// The name of a file without its ending, where it can be a title.
+fn title_of(file: &Path) -> String {
+    let stem = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let title: String = stem.chars().filter(|character| !is_control(*character)).take(MAX_NAME_LENGTH).collect();
+    if title.trim().is_empty() { "scene".to_owned() } else { title }
 }

@@ -1,0 +1,120 @@
+//! The declarations.
+
+use super::Absent::{Means, Number as Default, Refused};
+use super::Values::{
+    Choice, Directions, File, FileOrTable, Inertia, Integer, Name, Number, Numbers, Pairs, Quaternion, Table, Tables,
+    Vector, Vectors,
+};
+use super::{Absent, Key, Range, Values};
+
+/// Units of mesh files.
+pub const UNITS: &[&str] = &["m", "cm", "mm", "inch"];
+
+const COORDINATE: Range = Range::closed(-1e3, 1e3);
+const LENGTH: Range = Range::closed(1e-5, 1e3);
+const NORMAL: Range = Range::closed(-1e6, 1e6);
+const OFFSET: Range = Range::closed(-1e9, 1e9);
+const STIFFNESS: Range = Range::closed(1e-3, 1e7);
+const DAMPING: Range = Range::closed(0.0, 1e7);
+const WEIGHT: Range = Range::closed(0.0, 1e12);
+const LIMIT: Range = Range::closed(1e-9, 1e9);
+const RATE: Range = Range::open(0.0, 1.0);
+
+const fn key(
+    table: &'static str,
+    name: &'static str,
+    values: Values,
+    unit: &'static str,
+    absent: Absent,
+    meaning: &'static str,
+) -> Key {
+    Key { table, name, values, unit, absent, meaning }
+}
+
+const UNLIMITED: Absent = Means("no limit");
+
+/// Every key, in the order of the documentation.
+#[rustfmt::skip]
+pub const KEYS: &[Key] = &[
+    key("", "title", Name, "", Means("the file's name without `.toml`"), "name of the scene in results"),
+    key("", "homotopy", FileOrTable, "", Means("built-in homotopy"), "how the scene is solved: a homotopy file, or the table itself"),
+    key("", "ipopt", Table, "", Means("Ipopt's defaults"), "options of Ipopt, only beside a `[homotopy]` table"),
+    key("", "body", Table, "", Refused, "the moved object"),
+    key("", "environment", Table, "", Refused, "what does not move"),
+    key("", "contact", Table, "", Means("all pairs"), "which parts may touch"),
+    key("", "start", Tables(1..=1000), "", Refused, "poses to start from; the first is the default"),
+    key("", "goal", Table, "", Refused, "pose of the body at the end"),
+    key("", "impedance", Table, "", Refused, "the robot's Cartesian impedance controller"),
+    key("", "robustness", Table, "", Refused, "errors of position to be borne"),
+    key("", "horizon", Table, "", Refused, "time grid of the plan"),
+    key("", "cost", Table, "", Means("default weights"), "weights of the cost"),
+    key("", "limits", Table, "", Means("no limits"), "what the plan must not exceed"),
+
+    key("body", "mass", Number(Range::closed(1e-6, 1e6)), "kg", Default(1.0), "mass that the controller makes the robot feel like"),
+    key("body", "inertia", Inertia(Range::closed(1e-12, 1e6)), "kg m^2", Default(0.1), "rotational inertia about the centre of mass: diagonal, or 3x3 matrix; by default the same about every axis"),
+    key("body", "part", Tables(1..=1000), "", Refused, "convex parts of the body, in its frame; the frame's origin is the centre of mass"),
+
+    key("environment", "part", Tables(1..=1000), "", Refused, "convex parts of the environment, in the world frame"),
+
+    key("part", "name", Name, "", Refused, "name of the part, unique in its body or environment"),
+    key("part", "vertices", Vectors(COORDINATE, 4..=10_000), "m", Means("another shape"), "points whose convex hull is the part"),
+    key("part", "box", Vector(LENGTH), "m", Means("another shape"), "edge lengths of a box with its centre at the part's origin"),
+    key("part", "normals", Vectors(NORMAL, 4..=10_000), "", Means("another shape"), "outward normals of the halfspaces whose intersection is the part, of any length"),
+    key("part", "offsets", Numbers(OFFSET, 4..=10_000), "m", Means("another shape"), "one per normal: all points p with `normal . p <= offset`; metres for unit normals"),
+    key("part", "mesh", File, "", Means("another shape"), "an STL file with a convex mesh"),
+    key("part", "unit", Choice(UNITS), "", Means("no mesh"), "unit of the mesh file; needed with `mesh`, refused without"),
+    key("part", "position", Vector(COORDINATE), "m", Means("`[0, 0, 0]`"), "moves the part, after it was turned"),
+    key("part", "orientation", Quaternion, "", Means("`[1, 0, 0, 0]`"), "turns the part about its origin"),
+
+    key("contact", "pairs", Pairs(1..=10_000), "", Means("every body part with every environment part"), "pairs that may touch: a body part and an environment part, each pair once"),
+
+    key("start", "name", Name, "", Refused, "unique name of the start, for `--start`"),
+    key("start", "position", Vector(COORDINATE), "m", Refused, "position of the body's frame in the world"),
+    key("start", "orientation", Quaternion, "", Refused, "orientation of the body's frame in the world"),
+
+    key("goal", "position", Vector(COORDINATE), "m", Refused, "position of the body's frame in the world"),
+    key("goal", "orientation", Quaternion, "", Refused, "orientation of the body's frame in the world"),
+
+    key("impedance", "translational_stiffness", Number(STIFFNESS), "N/m", Refused, "stiffness along every axis"),
+    key("impedance", "rotational_stiffness", Number(STIFFNESS), "Nm/rad", Refused, "stiffness about every axis"),
+    key("impedance", "translational_damping", Number(DAMPING), "Ns/m", Means("critical damping"), "damping along every axis"),
+    key("impedance", "rotational_damping", Vector(DAMPING), "Nms/rad", Means("critical damping"), "damping about each axis of the body frame"),
+
+    key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be"),
+    key("robustness", "offset_directions", Directions(1..=1000), "", Refused, "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
+
+    key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Refused, "number of time steps"),
+    key("horizon", "time_step", Number(Range::closed(1e-5, 10.0)), "s", Refused, "length of a step"),
+
+    key("cost", "reference", Table, "", Means("default weights"), "weights of the reference trajectory"),
+    key("cost", "compliant", Table, "", Means("default weights"), "weights of the motion with each offset"),
+
+    key("cost.reference", "translational_velocity", Number(WEIGHT), "", Default(1.0), "weight of the squared velocity in every step"),
+    key("cost.reference", "rotational_velocity", Number(WEIGHT), "", Default(0.1), "weight of the squared angular velocity in every step"),
+    key("cost.reference", "terminal_position", Number(WEIGHT), "", Default(100.0), "weight of the squared final position error"),
+    key("cost.reference", "terminal_orientation", Number(WEIGHT), "", Default(10.0), "weight of the squared final error of the rotation matrix"),
+
+    key("cost.compliant", "translational_velocity", Number(WEIGHT), "", Default(1.0), "weight of the squared velocity in every step"),
+    key("cost.compliant", "rotational_velocity", Number(WEIGHT), "", Default(0.1), "weight of the squared angular velocity in every step"),
+    key("cost.compliant", "terminal_position", Number(WEIGHT), "", Default(10_000.0), "weight of the squared final position error"),
+    key("cost.compliant", "terminal_orientation", Number(WEIGHT), "", Default(1000.0), "weight of the squared final error of the rotation matrix"),
+
+    key("limits", "translational_velocity", Number(LIMIT), "m/s", UNLIMITED, "velocity, in the world frame"),
+    key("limits", "rotational_velocity", Number(LIMIT), "rad/s", UNLIMITED, "angular velocity, in the body frame"),
+    key("limits", "translational_acceleration", Number(LIMIT), "m/s^2", UNLIMITED, "change of the velocity from step to step"),
+    key("limits", "rotational_acceleration", Number(LIMIT), "rad/s^2", UNLIMITED, "change of the angular velocity from step to step"),
+    key("limits", "contact_force", Number(LIMIT), "N", UNLIMITED, "normal force of each pair of parts"),
+    key("limits", "force", Number(LIMIT), "N", UNLIMITED, "force of the impedance controller, in the world frame"),
+    key("limits", "torque", Number(LIMIT), "Nm", UNLIMITED, "torque of the impedance controller, in the body frame"),
+
+    key("homotopy", "iterations", Integer(Range::closed(1.0, 100.0)), "", Default(5.0), "how often the problem is solved, each time with less smoothing"),
+    key("homotopy", "tau", Number(Range::closed(1e-9, 1.0)), "N m", Default(0.0025), "smoothing of the distances in the first iteration"),
+    key("homotopy", "sigma", Number(Range::closed(1e-12, 1.0)), "N m", Default(0.00125), "how far force x gap may be from zero in the first iteration"),
+    key("homotopy", "mu_init", Number(Range::closed(1e-12, 1e6)), "", Default(1.0), "initial barrier parameter of Ipopt in the first iteration"),
+    key("homotopy", "tau_rate", Number(RATE), "", Default(0.5), "factor of `tau` from one iteration to the next"),
+    key("homotopy", "sigma_rate", Number(RATE), "", Default(0.5), "factor of `sigma` from one iteration to the next"),
+    key("homotopy", "mu_rate", Number(Range::above(0.0, 1.0)), "", Default(0.1), "factor of `mu_init` from one iteration to the next"),
+    key("homotopy", "complementarity", Choice(&["relaxation", "smoothing"]), "", Means("`relaxation`"), "whether force x gap is at most `sigma` (relaxation) or equal to it (smoothing)"),
+    key("homotopy", "hessian", Choice(&["exact", "gauss-newton", "l-bfgs"]), "", Means("`exact`"), "second derivatives that the solver gets"),
+    key("homotopy", "linear_solver", Choice(&["stage", "mumps", "ma27", "ma57", "ma97"]), "", Means("`stage`"), "solver of the linear systems in Ipopt"),
+];

@@ -1,0 +1,139 @@
+//! The tables of a scene that are not shapes.
+
+use nalgebra::{Matrix3, SymmetricEigen};
+use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
+
+use crate::error::{SceneError, clipped, suggest};
+use crate::keys::key;
+use crate::part::Part;
+use crate::pose::pose;
+use crate::reader::Table;
+use crate::scene::StartPose;
+
+/// Relative difference of two numbers of a matrix that counts as rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The start poses.
+pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
+    let mut starts: Vec<StartPose> = Vec::new();
+    for table in scene.tables("start", "start")? {
+        let entry = table.require("name")?;
+        let name = entry.name()?;
+        if starts.iter().any(|other| other.name == name) {
+            return Err(entry.refuse(format!("start name `{name}` is used twice")));
+        }
+        starts.push(StartPose { name, pose: pose(&table)? });
+    }
+    Ok(starts)
+}
+
+/// Mass and rotational inertia.
+pub fn inertia(body: &Table) -> Result<Inertia, SceneError> {
+    let mass = body.number("mass")?;
+    let Some(entry) = body.find("inertia") else {
+        return Ok(Inertia { mass, rotational: Matrix3::identity() * body.number("inertia")? });
+    };
+    let rows = entry.matrix()?;
+    let rotational = Matrix3::from_fn(|row, column| rows[row][column]);
+    if (rotational - rotational.transpose()).amax() > ROUNDING * rotational.amax() {
+        return Err(entry.refuse("body.inertia must be symmetric (kg m^2)"));
+    }
+    let range = key("body", "inertia").bounds();
+    let principal = principal_values(rotational);
+    let is_definite = rotational.cholesky().is_some();
+    match principal.iter().find(|value| !range.contains(**value)) {
+        None if is_definite => Ok(Inertia { mass, rotational }),
+        outside => {
+            let value = outside.map_or(String::new(), |value| format!("; one is {value:.1e}"));
+            let message =
+                format!("body.inertia must be positive definite, with principal values {range} kg m^2{value}");
+            Err(entry.refuse(message))
+        }
+    }
+}
+
+/// Principal values of a symmetric matrix; those of a diagonal one are exact.
+fn principal_values(matrix: Matrix3<f64>) -> [f64; 3] {
+    const ITERATIONS: usize = 1000;
+    if matrix == Matrix3::from_diagonal(&matrix.diagonal()) {
+        return matrix.diagonal().into();
+    }
+    let values = SymmetricEigen::try_new(matrix, f64::EPSILON, ITERATIONS).map(|eigen| eigen.eigenvalues.into());
+    values.unwrap_or([f64::NAN; 3])
+}
+
+/// The controller, critically damped where the scene does not say otherwise.
+pub fn impedance(table: &Table, inertia: &Inertia) -> Result<Impedance, SceneError> {
+    let (translational, rotational) = (table.number("translational_stiffness")?, table.number("rotational_stiffness")?);
+    let mut impedance = Impedance::critically_damped(translational, rotational, inertia);
+    if let Some(damping) = table.find("translational_damping") {
+        impedance.translational_damping = damping.number()?;
+    }
+    if let Some(damping) = table.find("rotational_damping") {
+        impedance.rotational_damping = Matrix3::from_diagonal(&damping.vector::<3>()?.into());
+    }
+    Ok(impedance)
+}
+
+/// The time grid.
+pub fn horizon(table: &Table) -> Result<Horizon, SceneError> {
+    Ok(Horizon { steps: table.require("steps")?.integer()?, time_step: table.number("time_step")? })
+}
+
+/// The weights.
+pub fn cost(scene: &Table) -> Result<TrajectoryCost, SceneError> {
+    let cost = scene.find_table("cost")?;
+    let table = |name: &str| cost.as_ref().map_or(Ok(None), |cost| cost.find_table(name));
+    let reference = weights(table("reference")?.as_ref(), "cost.reference")?;
+    let compliant = weights(table("compliant")?.as_ref(), "cost.compliant")?;
+    Ok(TrajectoryCost { reference, compliant })
+}
+
+fn weights(table: Option<&Table>, path: &str) -> Result<CostWeights, SceneError> {
+    let weight = |name: &str| match table {
+        Some(table) => table.number(name),
+        None => Ok(key(path, name).default_number()),
+    };
+    Ok(CostWeights {
+        translational_velocity: weight("translational_velocity")?,
+        rotational_velocity: weight("rotational_velocity")?,
+        terminal_position: weight("terminal_position")?,
+        terminal_orientation: weight("terminal_orientation")?,
+    })
+}
+
+/// The pairs that are listed, else every body part with every environment part.
+pub fn pairs(scene: &Table, body: &[Part], environment: &[Part]) -> Result<Vec<(usize, usize)>, SceneError> {
+    let listed = scene.find_table("contact")?.and_then(|contact| contact.find("pairs"));
+    let Some(entry) = listed else {
+        let most = *key("contact", "pairs").count().map_or(&usize::MAX, |count| count.end());
+        if body.len() * environment.len() > most {
+            return Err(scene.require("environment")?.refuse(format!(
+                "{} body parts and {} environment parts make more than {most} pairs: list those that may touch as pairs \
+                 in [contact]",
+                body.len(),
+                environment.len()
+            )));
+        }
+        let all = (0..body.len()).flat_map(|part| (0..environment.len()).map(move |other| (part, other)));
+        return Ok(all.collect());
+    };
+    let mut pairs = Vec::new();
+    for pair in entry.pairs()? {
+        let refuse = |message: String| entry.source().error(pair.span(), message);
+        let find = |parts: &[Part], parent: &str, name: &str| {
+            parts.iter().position(|part| part.name == name).ok_or_else(|| {
+                let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+                let name = clipped(name);
+                refuse(format!("[{parent}] has no part `{name}`{}", suggest(&name, &names)))
+            })
+        };
+        let [first, second] = *pair.get_ref();
+        let indices = (find(body, "body", first)?, find(environment, "environment", second)?);
+        if pairs.contains(&indices) {
+            return Err(refuse(format!("the pair `{first}`, `{second}` is listed twice")));
+        }
+        pairs.push(indices);
+    }
+    Ok(pairs)
+}

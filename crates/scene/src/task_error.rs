@@ -1,0 +1,54 @@
+//! Why a scene has no task for what is asked.
+
+use crate::keys::short;
+use crate::limits::OutOfReach;
+
+/// Why there is no planning task for a start and an offset magnitude.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TaskError {
+    /// No start has this name.
+    #[error("{}", unknown_start(name, known, suggestion.as_deref()))]
+    UnknownStart {
+        /// The name that was asked for.
+        name: String,
+        /// Names of all starts.
+        known: Vec<String>,
+        /// The nearest of them, if one is near.
+        suggestion: Option<String>,
+    },
+    /// The offset magnitude is outside the range of `robustness.offset_magnitude`.
+    #[error("{}", offset_magnitude(*value, *most))]
+    OffsetMagnitude {
+        /// The magnitude that was asked for (m).
+        value: f64,
+        /// The largest one possible (m).
+        most: f64,
+    },
+    /// With this offset magnitude the goal cannot be reached within the limits.
+    #[error("with an offset magnitude of {magnitude} m, {reason}")]
+    OutOfReach {
+        /// The magnitude that was asked for (m).
+        magnitude: f64,
+        /// The limit that is too small.
+        reason: Box<OutOfReach>,
+    },
+}
+
+fn unknown_start(name: &str, known: &[String], suggestion: Option<&str>) -> String {
+    const SHOWN: usize = 20;
+    let names = known[..known.len().min(SHOWN)].join(", ");
+    let rest = if known.len() > SHOWN { format!(" and {} more", known.len() - SHOWN) } else { String::new() };
+    let hint = suggestion.map_or(String::new(), |nearest| format!("; did you mean `{nearest}`?"));
+    format!("there is no start `{name}`; the scene has {names}{rest}{hint}")
+}
+
+fn offset_magnitude(value: f64, most: f64) -> String {
+    let words = if !value.is_finite() {
+        "be a finite number".to_owned()
+    } else if value < 0.0 {
+        "not be negative".to_owned()
+    } else {
+        format!("be at most {most} m")
+    };
+    format!("the offset magnitude must {words}, got {}", short(value))
+}

@@ -1,0 +1,64 @@
+//! Remarks on what looks like a mistaken unit.
+
+use crate::error::SceneError;
+use crate::part::{Extent, Part};
+use crate::pose::norm;
+use crate::reader::Table;
+use crate::scene::Scene;
+
+/// Sizes of parts that need no remark (m).
+const USUAL_SIZES: std::ops::Range<f64> = 1e-4..10.0;
+/// Distances that need a remark: in metres, and in sizes of the scene.
+const FAR: f64 = 10.0;
+const FAR_IN_SIZES: f64 = 10.0;
+
+/// All remarks, each with file, line and column.
+pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> {
+    let mut warnings = Vec::new();
+    for (name, parts) in [("body", &scene.body), ("environment", &scene.environment)] {
+        sizes(&table.require_table(name)?, parts, &mut warnings)?;
+    }
+    let (body, environment) = (Extent::of(&scene.body), Extent::of(&scene.environment));
+    let far = FAR.min(FAR_IN_SIZES * body.size().max(environment.size()));
+    if body.distance(&[0.0; 3]) > far {
+        let distance = body.distance(&[0.0; 3]);
+        let message =
+            format!("the body is {distance:.3} m away from its origin, the centre of mass: are its parts in metres?");
+        warnings.push(table.require("body")?.refuse(message).headline());
+    }
+    let radius = scene.body.iter().flat_map(|part| part.shape.vertices()).map(|v| norm(v)).fold(0.0, f64::max);
+    let mut check = |table: &Table, name: &str, pose: &[f64; 7]| {
+        let distance = environment.distance(&pose[..3]) - radius;
+        if distance > far {
+            let message = format!("{name} is {distance:.3} m away from the environment: are these metres?");
+            warnings.push(table.require("position")?.refuse(message).headline());
+        }
+        Ok(())
+    };
+    for (table, start) in table.tables("start", "start")?.iter().zip(&scene.starts) {
+        check(table, &format!("start `{}`", start.name), &start.pose)?;
+    }
+    check(&table.require_table("goal")?, "the goal", &scene.goal)?;
+    if scene.offset_magnitude > body.size() {
+        let message = format!(
+            "an offset of {} m is larger than the body, {:.3} m: is it in metres?",
+            scene.offset_magnitude,
+            body.size()
+        );
+        let entry = table.require_table("robustness")?.require("offset_magnitude")?;
+        warnings.push(entry.refuse(message).headline());
+    }
+    Ok(warnings)
+}
+
+/// Remarks on parts that are very large or very small.
+fn sizes(parent: &Table, parts: &[Part], warnings: &mut Vec<String>) -> Result<(), SceneError> {
+    for (table, part) in parent.tables("part", "part")?.iter().zip(parts) {
+        let size = part.shape.size();
+        if !USUAL_SIZES.contains(&size) {
+            let message = format!("part `{}` is {size} m long: are these metres?", part.name);
+            warnings.push(table.require("name")?.refuse(message).headline());
+        }
+    }
+    Ok(())
+}
