@@ -1,7 +1,7 @@
 //! What came of a plan, in a few lines.
 
 use planner::files::{LimitsRecord, PlanResult};
-use planner::refine::{RobustnessReport, SuccessRate, rate};
+use planner::{RobustnessReport, SuccessRate, rate};
 
 /// What came of a plan, in a few lines.
 pub fn summary(result: &PlanResult) -> String {

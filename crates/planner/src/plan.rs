@@ -2,13 +2,12 @@
 
 use std::fmt;
 
-use ocp::HomotopyIteration;
 use simulation::Reference;
 use task::{AssemblyTask, Trajectory};
 
-use crate::files::IterationRecord;
+use crate::iteration::PlanIteration;
 use crate::problem::Problem;
-use crate::refine::RobustnessReport;
+use crate::robustness::RobustnessReport;
 use crate::variant::Variant;
 
 /// A plan of a problem. It says itself what it was made with: a robust plan may come from another horizon, other
@@ -29,21 +28,6 @@ pub struct Plan {
     pub robustness: Option<RobustnessReport>,
     /// Whether the user stopped it.
     pub interrupted: bool,
-}
-
-/// A homotopy iteration of a plan.
-#[derive(Debug, Clone)]
-pub struct PlanIteration {
-    /// What the solver did.
-    pub record: IterationRecord,
-    /// The motion it found, for the task of the plan's [`Variant`].
-    pub trajectory: Trajectory,
-}
-
-impl From<HomotopyIteration> for PlanIteration {
-    fn from(iteration: HomotopyIteration) -> Self {
-        Self { record: IterationRecord::from(&iteration), trajectory: iteration.trajectory }
-    }
 }
 
 /// What has become of a plan.

@@ -2,7 +2,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::files::{IterationRecord, PlanFolder};
+use crate::files::PlanFolder;
+use crate::iteration::IterationRecord;
 
 /// What accompanies a long computation.
 pub struct Session<'run> {

@@ -4,8 +4,10 @@ use nlp::{Control, SolveStatus, Start};
 use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration};
 
 use crate::error::PlannerError;
-use crate::files::{Checkpoint, IterationRecord, PlanFolder};
-use crate::plan::{Plan, PlanIteration};
+use crate::files::{Checkpoint, PlanFolder};
+use crate::iteration::IterationRecord;
+use crate::iteration::PlanIteration;
+use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::session::{Event, Session};
 use crate::variant::Variant;

@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 
-use crate::error::{SceneError, Source};
+use crate::error::SceneError;
 use crate::reader::{Entry, Table};
 
 /// How far the norm of a quaternion or direction may be from 1: files are written with few digits.

@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use crate::batch::CellState;
 use crate::error::PlannerError;
 use crate::files::atomic::write_file;
-use crate::files::iteration::Split;
 use crate::files::manifest::{Cell, Manifest};
 use crate::files::result::{PlanResult, ScenarioRecord};
 use crate::files::table::to_csv;
+use crate::iteration::Split;
 
 /// A row of `cells.csv`. What is not known of an unfinished cell is empty.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

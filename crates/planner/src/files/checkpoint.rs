@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::PlannerError;
 use crate::files::atomic::write_file;
-use crate::files::iteration::IterationRecord;
+use crate::iteration::IterationRecord;
 
 /// Name of the file in the folder of unfinished work.
 pub const CHECKPOINT: &str = "checkpoint.json";

@@ -8,8 +8,9 @@ use simulation::{GraspError, Trial};
 
 use crate::error::PlannerError;
 use crate::files::atomic::write_file;
-use crate::files::iteration::IterationRecord;
-use crate::refine::{Round, SuccessRates};
+use crate::iteration::IterationRecord;
+use crate::robustness::Round;
+use crate::success_rates::SuccessRates;
 
 /// Name of the file in the folder of unfinished work.
 pub const REFINEMENT: &str = "refinement.json";

@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
-use crate::files::iteration::IterationRecord;
-use crate::files::table::or_null;
+use crate::iteration::IterationRecord;
+use crate::or_null;
 use crate::plan::Plan;
 use crate::problem::Problem;
-use crate::refine::RobustnessReport;
+use crate::robustness::RobustnessReport;
 
 /// Name of the file, which is written last: where it stands, the plan is whole.
 pub const RESULT: &str = "result.json";

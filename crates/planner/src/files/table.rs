@@ -75,21 +75,6 @@ fn describe(error: &csv::Error) -> String {
     }
 }
 
-/// A float that JSON cannot hold, infinite or not a number, is written as null and read as infinite.
-pub mod or_null {
-    use serde::{Deserialize, Deserializer, Serializer};
-
-    /// Writes the value, or null.
-    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-        if value.is_finite() { serializer.serialize_f64(*value) } else { serializer.serialize_none() }
-    }
-
-    /// Reads the value, infinite for null.
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-        Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
-    }
-}
-
 /// Whether a file is a table of this header, so that it may be replaced by another one.
 pub fn has_header(file: &Path, header: &str) -> bool {
     read_text(file).is_ok_and(|text| text.lines().next() == Some(header))

@@ -3,9 +3,9 @@
 use simulation::{Evaluator, Reference, Refinement, Trial};
 use task::Trajectory;
 
-use crate::plan::PlanIteration;
-use crate::refine::evaluation::SuccessRates;
-use crate::refine::report::Round;
+use crate::iteration::PlanIteration;
+use crate::robustness::Round;
+use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
 /// A solved problem and the reference of it that is refined.

@@ -1,8 +1,9 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
-use serde::{Deserialize, Serialize};
 use simulation::{GraspError, Trial, TrialResult, offsets};
 use task::AssemblyTask;
+
+use crate::success_rates::{SuccessRate, SuccessRates};
 
 /// Magnitudes of the random offsets, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller has no
 /// margin there but the planned offsets, which are played too.
@@ -27,21 +28,6 @@ pub struct Evaluation {
     groups: Vec<SuccessRate>,
     /// Group by group.
     pub trials: Vec<Trial>,
-}
-
-/// Successes at one friction and magnitude.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SuccessRate {
-    /// Coulomb's coefficient.
-    pub friction: f64,
-    /// Length of the offsets.
-    pub magnitude_m: f64,
-    /// Whether the offsets are the planned ones, not random ones in their hull.
-    pub planned: bool,
-    /// Rollouts that were made.
-    pub rollouts: usize,
-    /// Rollouts that succeeded.
-    pub successes: usize,
 }
 
 impl Evaluation {
@@ -79,69 +65,5 @@ impl Evaluation {
             SuccessRate { successes, ..group.clone() }
         };
         SuccessRates(self.groups.iter().map(count).collect())
-    }
-}
-
-/// All groups of an evaluation, in the order of friction, then magnitude.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(transparent)]
-pub struct SuccessRates(pub Vec<SuccessRate>);
-
-impl SuccessRates {
-    /// Success rate of all rollouts together.
-    pub fn overall(&self) -> f64 {
-        rate(&self.0)
-    }
-
-    /// Whether every planned offset succeeds at every friction.
-    pub fn planned_succeed(&self) -> bool {
-        self.0.iter().filter(|group| group.planned).all(|group| group.successes == group.rollouts)
-    }
-
-    /// Whether a plan is robust: every planned offset succeeds at every friction, and the wanted rate holds at each.
-    pub fn satisfy(&self, wanted: f64) -> bool {
-        self.planned_succeed() && self.by_friction().all(|groups| rate(groups) >= wanted)
-    }
-
-    /// Whether these are better than others: robust before not, then by the rate of all rollouts.
-    pub fn are_better_than(&self, other: &Self, wanted: f64) -> bool {
-        (self.satisfy(wanted), self.overall()) > (other.satisfy(wanted), other.overall())
-    }
-
-    /// The groups of each friction.
-    pub fn by_friction(&self) -> impl Iterator<Item = &[SuccessRate]> {
-        self.0.chunk_by(|one, other| one.friction == other.friction)
-    }
-}
-
-/// Success rate of some groups together.
-pub fn rate(groups: &[SuccessRate]) -> f64 {
-    let rollouts: usize = groups.iter().map(|group| group.rollouts).sum();
-    let successes: usize = groups.iter().map(|group| group.successes).sum();
-    successes as f64 / rollouts as f64
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn group(friction: f64, planned: bool, successes: usize) -> SuccessRate {
-        SuccessRate { friction, magnitude_m: 0.01, planned, rollouts: 10, successes }
-    }
-
-    #[test]
-    fn a_rate_that_holds_on_the_average_only_is_not_robust() {
-        let rates =
-            SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 10), group(0.1, true, 10), group(0.1, false, 7)]);
-        assert!(rates.overall() > 0.9);
-        assert!(!rates.satisfy(0.9), "at friction 0.1 only 85 % succeed");
-        assert!(rates.satisfy(0.85));
-    }
-
-    #[test]
-    fn a_planned_offset_that_fails_is_not_robust() {
-        let rates = SuccessRates(vec![group(0.0, true, 9), group(0.0, false, 10)]);
-        assert!(!rates.satisfy(0.5));
-        assert!(SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 5)]).are_better_than(&rates, 0.5));
     }
 }

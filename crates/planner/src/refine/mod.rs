@@ -9,7 +9,6 @@
 mod candidate;
 mod evaluation;
 mod portfolio;
-mod report;
 mod resume;
 mod target;
 
@@ -20,17 +19,18 @@ use simulation::{Evaluator, Reference, Refinement, Rollout, Settings, Trial, in_
 use task::LinearSolver;
 
 use crate::error::PlannerError;
-use crate::plan::{Plan, PlanIteration};
+use crate::iteration::PlanIteration;
+use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::refine::candidate::{Candidate, Kept, Training};
 use crate::refine::evaluation::{Evaluation, GraspTolerance};
 use crate::refine::portfolio::portfolio;
+use crate::robustness::{RobustnessReport, Round};
 use crate::session::{Event, Session};
 use crate::solve::run_homotopy;
+use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
-pub use evaluation::{SuccessRate, SuccessRates, rate};
-pub use report::{RobustnessReport, Round};
 pub use target::RobustnessTarget;
 pub(crate) use target::{require, require_frictions, require_threads, require_turn};
 

@@ -6,10 +6,11 @@ use simulation::{Reference, Trial};
 
 use crate::error::PlannerError;
 use crate::files::{BestRecord, RefinementCheckpoint, TrialRecord};
-use crate::plan::{Plan, PlanIteration};
+use crate::iteration::PlanIteration;
+use crate::plan::Plan;
 use crate::refine::candidate::Kept;
-use crate::refine::report::Round;
 use crate::refine::{Refiner, SEED};
+use crate::robustness::Round;
 use crate::session::Event;
 use crate::variant::Variant;
 

@@ -1,9 +1,25 @@
-//! Homotopy iterations in `result.json` and in checkpoints.
+//! Homotopy iterations as plans, `result.json` and checkpoints have them.
 
 use ocp::{HomotopyIteration, IterationTiming};
 use serde::{Deserialize, Serialize};
+use task::Trajectory;
 
-use crate::files::table::or_null;
+use crate::or_null;
+
+/// A homotopy iteration of a plan.
+#[derive(Debug, Clone)]
+pub struct PlanIteration {
+    /// What the solver did.
+    pub record: IterationRecord,
+    /// The motion it found, for the task of the plan's [`Variant`].
+    pub trajectory: Trajectory,
+}
+
+impl From<HomotopyIteration> for PlanIteration {
+    fn from(iteration: HomotopyIteration) -> Self {
+        Self { record: IterationRecord::from(&iteration), trajectory: iteration.trajectory }
+    }
+}
 
 /// One homotopy iteration, without its trajectory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

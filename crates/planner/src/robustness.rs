@@ -1,10 +1,10 @@
-//! The section `robust` of `result.json`.
+//! How robust a refined plan is and how it became so: the section `robust` of `result.json`.
 
 use serde::{Deserialize, Serialize};
 use simulation::Refinement;
 
-use crate::plan::PlanIteration;
-use crate::refine::evaluation::SuccessRates;
+use crate::iteration::PlanIteration;
+use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
 /// What was wanted, what was done and what came of it.
