@@ -3,8 +3,8 @@
 use nalgebra::Matrix3;
 
 use crate::algebra::{Number, apply, dot, rotation};
+use crate::inertia::Inertia;
 use crate::state::{POSE, TWIST};
-use crate::task::Inertia;
 
 /// Isotropic stiffness and damping of the Cartesian impedance controller.
 #[derive(Debug, Clone, PartialEq)]

@@ -15,6 +15,7 @@
 
 pub mod algebra;
 mod impedance;
+mod inertia;
 mod limits;
 pub mod pose;
 mod quality;
@@ -24,9 +25,10 @@ mod task;
 mod trajectory;
 
 pub use impedance::Impedance;
+pub use inertia::Inertia;
 pub use limits::Limits;
 pub use quality::{Contact, Peak, Quality};
 pub use settings::{Complementarity, HessianKind, HomotopySettings, IpoptOption, IpoptValue, LinearSolver, Smoothing};
 pub use state::{POSE, STATE, TWIST, at_rest, pose_of};
-pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Inertia, TrajectoryCost};
+pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, TrajectoryCost};
 pub use trajectory::{ScenarioTrajectory, Trajectory};

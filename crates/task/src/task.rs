@@ -1,8 +1,7 @@
 //! What is to be planned: one body, one environment, one start, one goal, several offsets.
 
-use nalgebra::Matrix3;
-
 use crate::impedance::Impedance;
+use crate::inertia::Inertia;
 use crate::limits::Limits;
 
 /// A moved body, its environment and everything the optimal control problem needs to know of them.
@@ -50,15 +49,6 @@ impl std::fmt::Display for ContactPair {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(formatter, "{}/{}", self.body, self.environment)
     }
-}
-
-/// Mass (kg) and rotational inertia about the centre of mass in the body frame (kg m^2).
-#[derive(Debug, Clone, PartialEq)]
-pub struct Inertia {
-    /// Mass (kg).
-    pub mass: f64,
-    /// Symmetric positive definite rotational inertia (kg m^2).
-    pub rotational: Matrix3<f64>,
 }
 
 /// `N` steps of `time_step` seconds.

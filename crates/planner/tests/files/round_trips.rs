@@ -1,0 +1,133 @@
+//! Every record is read back as it was written.
+
+use planner::batch::{Manifest, Matrix, collect, expand};
+use planner::files::cells::{CellElement, CellRow};
+use planner::files::trajectory::{read_reference, read_trajectory, write_trajectory};
+use planner::files::{Checkpoint, PlanResult, RolloutRow, StoredPlan, SuccessRow, read_csv, write_rollout_tables};
+use planner::{Motion, SimulationRequest, SuccessTable, simulate};
+
+use crate::support::{claim, plan, problem, scene};
+
+#[test]
+fn the_tables_of_a_motion_are_read_back_exactly() {
+    let folder = tempfile::tempdir().unwrap();
+    for iteration in &plan().iterations {
+        write_trajectory(folder.path(), &iteration.trajectory, &plan().task).unwrap();
+        let again = read_trajectory(folder.path(), &plan().task).unwrap();
+        assert_eq!(again.reference, iteration.trajectory.reference);
+        assert_eq!(again.scenarios, iteration.trajectory.scenarios);
+        assert_eq!(again.reference_keeps, iteration.trajectory.reference_keeps);
+    }
+}
+
+#[test]
+fn a_plan_is_read_back_with_its_result() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let result = claim(&out).finish(plan()).unwrap();
+    let stored = StoredPlan::open(&out).unwrap();
+    assert_eq!(stored.result, result);
+    assert!(stored.require_made_for(&problem(0.01)).unwrap());
+    assert_eq!(stored.iteration_references().unwrap().len(), plan().iterations.len());
+    let again: PlanResult = serde_json::from_str(&serde_json::to_string(&result).unwrap()).unwrap();
+    assert_eq!(again, result);
+}
+
+#[test]
+fn a_plan_fits_the_scene_that_it_writes() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    claim(&out).finish(plan()).unwrap();
+    let stored = StoredPlan::open(&out).unwrap();
+    let resolved = planner::Problem::load(&out.join("resolved.toml"), &planner::Choices::default()).unwrap();
+    stored.require_made_for(&resolved).unwrap();
+    assert!(!stored.require_made_for(&problem(0.02)).unwrap(), "another offset is another setting");
+}
+
+#[test]
+fn a_checkpoint_is_read_back_exactly_and_only_for_its_own_problem() {
+    let folder = tempfile::tempdir().unwrap();
+    let iterate = nlp::Iterate {
+        x: vec![0.1, 1.0 / 3.0, -0.0],
+        constraint_multipliers: vec![1e-300],
+        lower_multipliers: vec![f64::MAX],
+        upper_multipliers: vec![],
+    };
+    let records = plan().iterations.iter().map(|iteration| iteration.record.clone()).collect();
+    let checkpoint = Checkpoint::new("identity", records, &iterate);
+    checkpoint.save(folder.path()).unwrap();
+    let again = Checkpoint::load(folder.path(), "identity").unwrap().unwrap();
+    assert_eq!(again, checkpoint);
+    assert_eq!(again.iterate(), iterate);
+    assert!(Checkpoint::load(folder.path(), "another").unwrap_err().contains("another problem"));
+}
+
+#[test]
+fn manifest_and_cells_are_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut matrix = Matrix::of_scenes(vec![scene()]);
+    matrix.deltas = vec![0.005, 0.01];
+    let (cells, warnings) = expand(&matrix).unwrap();
+    assert_eq!((cells.len(), warnings.len()), (2, 0));
+    let manifest = Manifest::new(folder.path(), cells).unwrap();
+    assert!(manifest.write().unwrap());
+    assert!(!Manifest::new(folder.path(), expand(&matrix).unwrap().0).unwrap().write().unwrap(), "it stands already");
+    let again = Manifest::load(folder.path()).unwrap();
+    assert_eq!(again.cells, manifest.cells);
+
+    claim(&folder.path().join(&manifest.cells[1].folder)).finish(plan()).unwrap();
+    assert_eq!(collect(&manifest).unwrap().len(), 2);
+    assert_eq!(collect(&manifest).unwrap().len(), 0, "nothing has changed");
+    let rows: Vec<CellRow> = read_csv(&folder.path().join("cells.csv")).unwrap();
+    assert_eq!(rows.iter().map(|row| row.state.as_str()).collect::<Vec<_>>(), ["to do", "done"]);
+    let json = std::fs::read_to_string(folder.path().join("cells.json")).unwrap();
+    let elements: Vec<CellElement> = serde_json::from_str(&json).unwrap();
+    assert_eq!(elements[1].result.as_ref().unwrap().scenarios.len(), plan().task.offsets.len());
+    assert_eq!(elements[0].cell, manifest.cells[0]);
+}
+
+#[test]
+fn the_tables_of_a_simulation_are_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let motions = [(Motion::Plan, plan().reference())];
+    let rollouts = simulate(&problem(0.01), &motions, &SimulationRequest::default()).unwrap();
+    let rows: Vec<RolloutRow> = rollouts.iter().map(|rollout| RolloutRow::new(folder.path(), "1", rollout)).collect();
+    let successes: Vec<SuccessRow> = SuccessTable::new(&rollouts).groups().iter().map(SuccessRow::from).collect();
+    write_rollout_tables(folder.path(), &rows, &successes).unwrap();
+    assert_eq!(read_csv::<RolloutRow>(&folder.path().join("rollouts.csv")).unwrap(), rows);
+    assert_eq!(read_csv::<SuccessRow>(&folder.path().join("success.csv")).unwrap(), successes);
+    std::fs::write(folder.path().join("success.csv"), "my,own,table\n").unwrap();
+    assert!(write_rollout_tables(folder.path(), &rows, &successes).is_err());
+}
+
+#[test]
+fn a_reference_that_is_none_is_refused_with_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("reference.csv");
+    write_trajectory(folder.path(), &plan().trajectory, &plan().task).unwrap();
+    let good = std::fs::read_to_string(&file).unwrap();
+    let lines: Vec<&str> = good.lines().collect();
+    let with_line = |line: usize, text: String| {
+        let mut lines: Vec<String> = lines.iter().map(|&line| line.to_owned()).collect();
+        lines[line] = text;
+        lines.join("\n")
+    };
+    let column = |line: usize, column: usize, value: &str| {
+        let mut cells: Vec<&str> = lines[line].split(',').collect();
+        cells[column] = value;
+        with_line(line, cells.join(","))
+    };
+    for (text, words) in [
+        (lines[..2].join("\n"), "at least two rows"),
+        (column(3, 4, "5"), "reference.csv:4: qw, qx, qy, qz are not a unit quaternion"),
+        (column(3, 1, "1e300"), "out of any reasonable range"),
+        (column(3, 1, "nan"), "`nan` is not a finite number"),
+        (column(3, 0, "7"), "equal steps"),
+        (with_line(3, "1,2".to_owned()), "2 columns where the header has 14"),
+        (with_line(0, "a,b".to_owned()), "columns"),
+    ] {
+        std::fs::write(&file, text).unwrap();
+        let error = read_reference(&file).unwrap_err().to_string();
+        assert!(error.contains(words) && error.contains("reference.csv:"), "{error}");
+    }
+}
