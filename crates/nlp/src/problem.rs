@@ -18,6 +18,19 @@ pub struct Bounds {
     pub upper: Vec<f64>,
 }
 
+impl Bounds {
+    /// The same bounds for `count` values.
+    pub fn uniform(count: usize, lower: f64, upper: f64) -> Self {
+        Self { lower: vec![lower; count], upper: vec![upper; count] }
+    }
+
+    /// One value between `-limit` and `limit` for every limit.
+    pub fn symmetric(limits: impl IntoIterator<Item = f64>) -> Self {
+        let upper: Vec<f64> = limits.into_iter().collect();
+        Self { lower: upper.iter().map(|limit| -limit).collect(), upper }
+    }
+}
+
 /// A function that has no value at the current point. Ipopt then tries a shorter step.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]

@@ -41,9 +41,9 @@ struct Compared {
 }
 
 impl Compared {
-    fn new(transcription: &Transcription, complementarity: Complementarity) -> Self {
+    fn new(transcription: &Transcription) -> Self {
         Self {
-            stage: TranscriptionSolver::new(transcription.layout(), complementarity),
+            stage: TranscriptionSolver::new(transcription.layout()),
             mumps: Mumps::new(),
             rows: Vec::new(),
             columns: Vec::new(),
@@ -139,7 +139,7 @@ const PLAIN: Case = Case {
 fn compare(case: Case) -> (Compared, kkt::Report) {
     let task = AssemblyTask { limits: case.limits, ..task(case.scene, case.steps) };
     let mut transcription = transcribe(&task, case.complementarity, case.hessian);
-    let mut solver = Compared::new(&transcription, case.complementarity);
+    let mut solver = Compared::new(&transcription);
     let mut options = options();
     for &(name, value) in case.options {
         options.set(name, value);
@@ -218,7 +218,7 @@ fn gauss_newton_and_quasi_newton_agree_with_mumps() {
 fn solve_corner() -> (SolveStatus, Vec<u64>) {
     let complementarity = Complementarity::Relaxation;
     let mut transcription = transcribe(&task("corner", 20), complementarity, HessianKind::Exact);
-    let mut solver = TranscriptionSolver::new(transcription.layout(), complementarity);
+    let mut solver = TranscriptionSolver::new(transcription.layout());
     let start = Start::Cold(transcription.initial_guess());
     let chosen = LinearSolver::Own(&mut solver);
     let solution = nlp::solve(&mut transcription, &start, &options(), chosen, &mut |_| Control::Continue).unwrap();
