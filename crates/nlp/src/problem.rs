@@ -1,5 +1,8 @@
 //! What a nonlinear program has to provide.
 
+use std::error::Error;
+use std::sync::Arc;
+
 /// Coordinates of a sparse matrix, from 0. A coordinate may appear more than once; its values are summed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Pattern {
@@ -31,10 +34,22 @@ impl Bounds {
     }
 }
 
-/// A function that has no value at the current point. Ipopt then tries a shorter step.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub struct EvaluationError(pub String);
+/// A function that has no value at the current point, with the reason. Ipopt then tries a shorter step.
+#[derive(Debug, Clone, thiserror::Error)]
+#[error(transparent)]
+pub struct EvaluationError(Arc<dyn Error + Send + Sync>);
+
+impl EvaluationError {
+    /// With an error or a text as the reason.
+    pub fn new(reason: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self(Arc::from(reason.into()))
+    }
+
+    /// The reason, which callers can downcast.
+    pub fn reason(&self) -> &(dyn Error + Send + Sync + 'static) {
+        &*self.0
+    }
+}
 
 /// `min f(x)` subject to bounds on `x` and on `g(x)`, with sparse first and second derivatives.
 ///

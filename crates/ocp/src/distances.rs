@@ -9,6 +9,22 @@ use crate::layout::{CONTACT, Layout};
 use crate::pattern::{ABSENT, PatternBuilder, add};
 use crate::term::Owners;
 
+/// A distance that could not be computed: the reason of an [`EvaluationError`] of a transcription.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("no distance between {body} and {environment} in scenario {} at step {step}: {source}", scenario + 1)]
+pub struct MissingDistance {
+    /// Name of the part of the moved body.
+    pub body: String,
+    /// Name of the part of the environment.
+    pub environment: String,
+    /// Scenario, from 0.
+    pub scenario: usize,
+    /// Step that begins at the pose, from 0.
+    pub step: usize,
+    /// What the kernel says.
+    pub source: collision::DistanceError,
+}
+
 /// What has been evaluated at the current poses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Evaluated {
@@ -103,7 +119,7 @@ impl Distances {
         for (index, pair) in self.pairs.iter().enumerate() {
             pair.shapes
                 .contacts(&self.poses, self.tau, &mut self.values[index])
-                .map_err(|error| self.describe(index, &error))?;
+                .map_err(|error| self.describe(index, error))?;
         }
         self.evaluated = Evaluated::Values;
         self.elapsed += begin.elapsed();
@@ -119,7 +135,7 @@ impl Distances {
         for (index, pair) in self.pairs.iter().enumerate() {
             pair.shapes
                 .contact_jacobians(&self.poses, self.tau, &mut self.values[index], &mut self.jacobians[index])
-                .map_err(|error| self.describe(index, &error))?;
+                .map_err(|error| self.describe(index, error))?;
         }
         self.evaluated = Evaluated::Jacobians;
         self.elapsed += begin.elapsed();
@@ -139,7 +155,7 @@ impl Distances {
                     &mut self.jacobians[index],
                     &mut self.hessians[index],
                 )
-                .map_err(|error| self.describe(index, &error))?;
+                .map_err(|error| self.describe(index, error))?;
         }
         self.evaluated = Evaluated::Jacobians;
         self.elapsed += begin.elapsed();
@@ -209,12 +225,9 @@ impl Distances {
         self.elapsed = Duration::ZERO;
     }
 
-    fn describe(&self, pair: usize, error: &collision::DistanceError) -> EvaluationError {
-        let (step, scenario) = (error.index / self.scenarios, error.index % self.scenarios);
-        let ContactPair { body, environment, .. } = &self.pairs[pair];
-        EvaluationError(format!(
-            "distance of {body} and {environment}, scenario {}, step {step}, did not converge: {error}",
-            scenario + 1
-        ))
+    fn describe(&self, pair: usize, source: collision::DistanceError) -> EvaluationError {
+        let (step, scenario) = (source.index / self.scenarios, source.index % self.scenarios);
+        let (body, environment) = (self.pairs[pair].body.clone(), self.pairs[pair].environment.clone());
+        EvaluationError::new(MissingDistance { body, environment, scenario, step, source })
     }
 }

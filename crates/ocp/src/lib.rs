@@ -47,6 +47,7 @@ mod term_function;
 mod terms;
 mod transcription;
 
+pub use distances::MissingDistance;
 pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationTiming};
 pub use layout::{CONTACT, Layout};
 pub use stage_solver::TranscriptionSolver;

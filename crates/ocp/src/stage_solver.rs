@@ -1,7 +1,7 @@
 //! The stage-structured linear solver for a transcription: says what every row of its linear systems is.
 
-use kkt::{Class, Label, StageSolver};
-use nlp::{Factorisation, KktSolver};
+use kkt::{Class, Label, StageSolver, StructureError};
+use nlp::{AnalysisError, Factorisation, KktSolver};
 use task::LinearSolver;
 
 use crate::layout::Layout;
@@ -29,12 +29,11 @@ impl KktSolver for TranscriptionSolver {
         LinearSolver::Stage.name()
     }
 
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
         if dimension != self.labels.len() {
-            return Err(format!("Ipopt's linear systems have {dimension} rows, {} were expected", self.labels.len()));
+            return Err(StructureError::Dimension { labels: self.labels.len(), dimension }.into());
         }
-        let solver = StageSolver::new(&self.labels, rows, columns).map_err(|error| error.to_string())?;
-        self.solver = Some(solver);
+        self.solver = Some(StageSolver::new(&self.labels, rows, columns)?);
         Ok(())
     }
 

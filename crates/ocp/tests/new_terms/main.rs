@@ -8,7 +8,7 @@ mod tilted;
 use std::path::Path;
 
 use kkt::Fallbacks;
-use nlp::{Control, LinearSolver, Options, Problem, SolveStatus, Start, check_derivatives};
+use nlp::{Control, LinearSystemSolver, Options, Problem, SolveStatus, Start, check_derivatives};
 use ocp::{Owners, StepTerm, Transcription, TranscriptionSolver, VELOCITY_DYNAMICS, standard_terms};
 use task::{AssemblyTask, Complementarity, HessianKind, POSE, TWIST};
 
@@ -51,7 +51,7 @@ fn solve(mut problem: Transcription) -> f64 {
     options.set("mu_init", 1.0);
     let mut solver = TranscriptionSolver::new(problem.layout());
     let start = Start::Cold(problem.initial_guess());
-    let own = LinearSolver::Own(&mut solver);
+    let own = LinearSystemSolver::Own(&mut solver);
     let solution = nlp::solve(&mut problem, &start, &options, own, &mut |_| Control::Continue).unwrap();
     assert_eq!(solution.status, SolveStatus::Solved);
     assert_eq!(solver.report().unwrap().fallbacks, Fallbacks::default());
