@@ -67,9 +67,9 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
     }
     say!(
         "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} homotopy iterations",
-        explanation.layout.steps,
+        explanation.steps,
         task.horizon.time_step,
-        explanation.layout.scenarios,
+        explanation.scenarios,
         explanation.variables,
         explanation.constraints,
         problem.homotopy().iterations

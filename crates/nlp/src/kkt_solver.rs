@@ -15,6 +15,9 @@ pub enum Factorisation {
     Failed,
 }
 
+/// Why a linear solver cannot take matrices of a pattern.
+pub type AnalysisError = Box<dyn std::error::Error + Send + Sync>;
+
 /// A solver for the symmetric indefinite linear systems of Ipopt's iterations.
 ///
 /// Their rows are, in this order: the variables, the slacks of the inequality constraints, the multipliers of the
@@ -28,7 +31,7 @@ pub trait KktSolver {
     ///
     /// # Errors
     /// Why it cannot solve systems of this pattern.
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String>;
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError>;
 
     /// Factorises the matrix with these numbers.
     fn factorise(&mut self, values: &[f64]) -> Factorisation;
@@ -41,7 +44,7 @@ pub trait KktSolver {
 }
 
 /// The linear solver of a solve.
-pub enum LinearSolver<'solver> {
+pub enum LinearSystemSolver<'solver> {
     /// One of Ipopt's own: `mumps` or, where the user has the HSL library, `ma27`, `ma57` or `ma97`.
     Named(&'solver str),
     /// The program's, where [`crate::TAKES_OWN_SOLVER`].

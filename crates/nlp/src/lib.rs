@@ -6,13 +6,13 @@
 //! the C code: Ipopt is stopped and the panic goes on after it has returned. [`check_derivatives`] compares a problem's
 //! derivatives with central differences.
 //!
-//! The linear systems are solved by one of Ipopt's own solvers or by the program's: see [`LinearSolver`].
+//! The linear systems are solved by one of Ipopt's own solvers or by the program's: see [`LinearSystemSolver`].
 //!
 //! Numerical failure is a [`SolveStatus`], not an error. Ipopt's own time in its linear solver is read from the
 //! statistics that it writes to a temporary file.
 //!
 //! ```
-//! use nlp::{Bounds, Control, EvaluationError, LinearSolver, Options, Pattern, Problem, Start, solve};
+//! use nlp::{Bounds, Control, EvaluationError, LinearSystemSolver, Options, Pattern, Problem, Start, solve};
 //!
 //! /// `min (x - 3)^2` for `x <= 2`
 //! struct Parabola(f64);
@@ -54,7 +54,7 @@
 //! }
 //!
 //! let start = Start::Cold(vec![0.0]);
-//! let solver = LinearSolver::Named(nlp::MUMPS);
+//! let solver = LinearSystemSolver::Named(nlp::MUMPS);
 //! let solution = solve(&mut Parabola(0.0), &start, &Options::default(), solver, &mut |_| Control::Continue)?;
 //! assert!(solution.status.is_success());
 //! assert!((solution.iterate.x[0] - 2.0).abs() < 1e-6);
@@ -82,7 +82,7 @@ mod status;
 
 pub use derivative_check::{DerivativeReport, Entry, Kind, check_derivatives};
 pub use error::SolveError;
-pub use kkt_solver::{Factorisation, KktSolver, LinearSolver};
+pub use kkt_solver::{AnalysisError, Factorisation, KktSolver, LinearSystemSolver};
 pub use linear_solver::{MUMPS, TAKES_OWN_SOLVER};
 #[cfg(feature = "mumps")]
 pub use mumps::Mumps;

@@ -8,7 +8,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use ipopt_sys::{DMUMPS_STRUC_C, dmumps_c};
 
-use crate::kkt_solver::{Factorisation, KktSolver};
+use crate::kkt_solver::{AnalysisError, Factorisation, KktSolver};
 
 /// Sequential MUMPS keeps global state: its calls must not overlap.
 static CALLS: Mutex<()> = Mutex::new(());
@@ -87,7 +87,7 @@ impl KktSolver for Mumps {
         crate::MUMPS
     }
 
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
         let from_one = |indices: &[usize]| indices.iter().map(|&index| index as c_int + 1).collect();
         (self.rows, self.columns, self.values) = (from_one(rows), from_one(columns), vec![0.0; rows.len()]);
         self.structure.n = dimension as c_int;

@@ -1,5 +1,8 @@
 //! What a nonlinear program has to provide.
 
+use std::error::Error;
+use std::sync::Arc;
+
 /// Coordinates of a sparse matrix, from 0. A coordinate may appear more than once; its values are summed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Pattern {
@@ -18,10 +21,35 @@ pub struct Bounds {
     pub upper: Vec<f64>,
 }
 
-/// A function that has no value at the current point. Ipopt then tries a shorter step.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub struct EvaluationError(pub String);
+impl Bounds {
+    /// The same bounds for `count` values.
+    pub fn uniform(count: usize, lower: f64, upper: f64) -> Self {
+        Self { lower: vec![lower; count], upper: vec![upper; count] }
+    }
+
+    /// One value between `-limit` and `limit` for every limit.
+    pub fn symmetric(limits: impl IntoIterator<Item = f64>) -> Self {
+        let upper: Vec<f64> = limits.into_iter().collect();
+        Self { lower: upper.iter().map(|limit| -limit).collect(), upper }
+    }
+}
+
+/// A function that has no value at the current point, with the reason. Ipopt then tries a shorter step.
+#[derive(Debug, Clone, thiserror::Error)]
+#[error(transparent)]
+pub struct EvaluationError(Arc<dyn Error + Send + Sync>);
+
+impl EvaluationError {
+    /// With an error or a text as the reason.
+    pub fn new(reason: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self(Arc::from(reason.into()))
+    }
+
+    /// The reason, which callers can downcast.
+    pub fn reason(&self) -> &(dyn Error + Send + Sync + 'static) {
+        &*self.0
+    }
+}
 
 /// `min f(x)` subject to bounds on `x` and on `g(x)`, with sparse first and second derivatives.
 ///

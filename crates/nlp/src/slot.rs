@@ -151,7 +151,7 @@ unsafe extern "C" fn analyse(
         slot.call(|slot| {
             slot.dimension = dimension;
             slot.solver.analyse(dimension, &from_zero(rows), &from_zero(columns)).map_err(|reason| {
-                slot.refusal = Some(reason);
+                slot.refusal = Some(reason.to_string());
             })
         })
     });

@@ -12,7 +12,7 @@ use ipopt_sys as ipopt;
 
 use crate::callbacks::{self, Session, Truth};
 use crate::error::SolveError;
-use crate::kkt_solver::LinearSolver;
+use crate::kkt_solver::LinearSystemSolver;
 use crate::linear_solver;
 use crate::options::{OptionValue, Options};
 use crate::problem::{Bounds, Problem};
@@ -49,7 +49,7 @@ pub fn solve(
     problem: &mut dyn Problem,
     start: &Start,
     options: &Options,
-    linear_solver: LinearSolver,
+    linear_solver: LinearSystemSolver,
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<Solution, SolveError> {
     let begin = Instant::now();
@@ -104,7 +104,7 @@ pub fn solve(
 /// When it refuses an option, or the linear solver cannot run.
 pub fn check(options: &Options, linear_solver: Option<&str>) -> Result<(), SolveError> {
     if let Some(name) = linear_solver {
-        let _solver = SolverInUse::new(LinearSolver::Named(name))?;
+        let _solver = SolverInUse::new(LinearSystemSolver::Named(name))?;
     }
     Handle::probe()?.set_options(options)
 }
@@ -118,9 +118,9 @@ struct SolverInUse<'solver> {
 
 impl<'solver> SolverInUse<'solver> {
     /// Waits until the solver may run and checks that it can.
-    fn new(linear_solver: LinearSolver<'solver>) -> Result<Self, SolveError> {
+    fn new(linear_solver: LinearSystemSolver<'solver>) -> Result<Self, SolveError> {
         match linear_solver {
-            LinearSolver::Named(name) => {
+            LinearSystemSolver::Named(name) => {
                 let turn = Turn::Alone {
                     _guard: LINEAR_SOLVERS.write().unwrap_or_else(PoisonError::into_inner),
                     #[cfg(feature = "mumps")]
@@ -129,7 +129,7 @@ impl<'solver> SolverInUse<'solver> {
                 linear_solver::require(name)?;
                 Ok(Self { name: name.to_owned(), own: None, _turn: turn })
             }
-            LinearSolver::Own(solver) => {
+            LinearSystemSolver::Own(solver) => {
                 let turn = Turn::Shared { _guard: LINEAR_SOLVERS.read().unwrap_or_else(PoisonError::into_inner) };
                 linear_solver::require_slot(solver.name())?;
                 Ok(Self { name: solver.name().to_owned(), own: Some(Slot::new(solver)), _turn: turn })

@@ -5,7 +5,10 @@
 mod support;
 
 use nalgebra::{DMatrix, DVector};
-use nlp::{Control, Factorisation, KktSolver, LinearSolver, Options, Solution, SolveError, SolveStatus, solve};
+use nlp::{
+    AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Options, Solution, SolveError, SolveStatus,
+    solve,
+};
 use support::{Product, cold};
 
 /// Dense linear algebra, and what may go wrong with it.
@@ -27,10 +30,10 @@ impl KktSolver for Dense {
         "dense"
     }
 
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
         self.matrix = DMatrix::zeros(dimension, dimension);
         self.places = rows.iter().copied().zip(columns.iter().copied()).collect();
-        if self.refuses { Err("it is not in the mood".to_owned()) } else { Ok(()) }
+        if self.refuses { Err("the pattern is not supported".into()) } else { Ok(()) }
     }
 
     fn factorise(&mut self, values: &[f64]) -> Factorisation {
@@ -68,14 +71,14 @@ impl KktSolver for Dense {
 }
 
 fn run(solver: &mut Dense) -> Result<Solution, SolveError> {
-    let solver = LinearSolver::Own(solver);
+    let solver = LinearSystemSolver::Own(solver);
     solve(&mut Product::default(), &cold(), &Options::default(), solver, &mut |_| Control::Continue)
 }
 
 #[test]
 fn it_takes_the_same_iterations_as_mumps() {
     let own = run(&mut Dense::default()).unwrap();
-    let mumps = LinearSolver::Named(nlp::MUMPS);
+    let mumps = LinearSystemSolver::Named(nlp::MUMPS);
     let mumps =
         solve(&mut Product::default(), &cold(), &Options::default(), mumps, &mut |_| Control::Continue).unwrap();
     assert_eq!((own.status, own.iterations), (SolveStatus::Solved, mumps.iterations));
@@ -87,7 +90,7 @@ fn it_takes_the_same_iterations_as_mumps() {
 #[test]
 fn its_refusal_is_an_error_in_its_own_words() {
     let error = run(&mut Dense { refuses: true, ..Dense::default() }).unwrap_err();
-    assert_eq!(error.to_string(), "linear solver \"dense\": it is not in the mood");
+    assert_eq!(error.to_string(), "linear solver \"dense\": the pattern is not supported");
 }
 
 #[test]

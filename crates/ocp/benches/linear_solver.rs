@@ -9,7 +9,7 @@ use std::path::Path;
 
 use cpu_time::ThreadTime;
 use feral::{CscMatrix, FactorStatus};
-use nlp::{Control, Factorisation, KktSolver, LinearSolver, Mumps, Options, Start};
+use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Mumps, Options, Start};
 use ocp::{Transcription, TranscriptionSolver};
 use task::{AssemblyTask, Complementarity, HessianKind};
 
@@ -59,7 +59,7 @@ impl KktSolver for Capture {
         self.solver.name()
     }
 
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
         self.systems = Systems { dimension, rows: rows.to_vec(), columns: columns.to_vec(), samples: Vec::new() };
         self.solver.analyse(dimension, rows, columns)
     }
@@ -90,14 +90,14 @@ fn task(scene: &str) -> AssemblyTask {
 
 /// Systems of the first homotopy iteration, spread evenly over it.
 fn capture(transcription: &mut Transcription) -> Systems {
-    let solver = TranscriptionSolver::new(transcription.layout(), transcription.complementarity());
+    let solver = TranscriptionSolver::new(transcription.layout());
     let mut capture = Capture { solver, values: Vec::new(), systems: Systems::default() };
     let mut options = Options::default();
     options.set("tol", 1e-2);
     options.set("mu_init", 1.0);
     options.set("max_iter", 80);
     let start = Start::Cold(transcription.initial_guess());
-    let own = LinearSolver::Own(&mut capture);
+    let own = LinearSystemSolver::Own(&mut capture);
     nlp::solve(transcription, &start, &options, own, &mut |_| Control::Continue).unwrap();
     let mut systems = capture.systems;
     let step = systems.samples.len().div_ceil(SAMPLES);
@@ -119,7 +119,7 @@ impl KktSolver for Feral {
         "feral"
     }
 
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
         self.dimension = dimension;
         let lower = rows.iter().zip(columns).map(|(&row, &column)| (row.max(column), row.min(column)));
         (self.rows, self.columns) = lower.unzip();
@@ -210,7 +210,7 @@ fn main() {
         let mut transcription = Transcription::new(&task(&scene), Complementarity::Relaxation, HessianKind::Exact);
         transcription.set_smoothing(0.0025, 0.00125);
         let systems = capture(&mut transcription);
-        let mut stage = TranscriptionSolver::new(transcription.layout(), transcription.complementarity());
+        let mut stage = TranscriptionSolver::new(transcription.layout());
         let (mut mumps, mut feral) = (Mumps::new(), Feral::default());
         let figures = measure(&systems, &mut [&mut stage, &mut mumps, &mut feral]);
         report(&scene, &systems, &figures);

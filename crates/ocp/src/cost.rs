@@ -1,93 +1,75 @@
-//! Sums of squared residuals (Sec. ocp:cost) with exact or Gauss-Newton second derivatives.
+//! The cost (Sec. ocp:cost): velocities at every stage, errors at the last one.
 
-use crate::function::{PointFunction, hessian_slots, scatter};
-use crate::pattern::{PatternBuilder, add};
+use autodiff::{Expression, Tape};
+use kkt::Owner;
+use task::algebra::{dot, rotation};
+use task::{AssemblyTask, CostWeights, POSE, TWIST};
 
-/// `sum |r|^2` over all points of a residual function.
-pub struct LeastSquares {
-    function: PointFunction,
-    /// Pairs of Jacobian nonzeros in one row, each pair once as in the lower triangle of `J'J`.
-    products: Vec<Product>,
-    curvature_slots: Vec<u32>,
+use crate::function::PointFunction;
+use crate::layout::Layout;
+use crate::least_squares::LeastSquares;
+use crate::pattern::PatternBuilder;
+use crate::term::{Owners, Point, Points, Source};
+
+/// Cost of the velocities of all trajectories at all stages.
+pub fn running_cost(task: &AssemblyTask, layout: &Layout, hessian: &mut PatternBuilder) -> LeastSquares {
+    let source = |input: usize, point: &Point| {
+        let weights = weights(task, point.owner);
+        match input {
+            0..TWIST => Source::Variable(layout.state(point.stage, point.owner) + POSE + input),
+            TWIST => Source::Constant(weights.translational_velocity.sqrt()),
+            _ => Source::Constant(weights.rotational_velocity.sqrt()),
+        }
+    };
+    let points = layout.points(Points::Stages(Owners::All));
+    LeastSquares::new(PointFunction::new(running_residuals(), &points, source), hessian)
 }
 
-struct Product {
-    left: usize,
-    right: usize,
-    slots: Vec<u32>,
+/// Cost of the distance of all trajectories from the goal at the last stage.
+pub fn terminal_cost(task: &AssemblyTask, layout: &Layout, hessian: &mut PatternBuilder) -> LeastSquares {
+    let source = |input: usize, point: &Point| {
+        let weights = weights(task, point.owner);
+        match input {
+            0..POSE => Source::Variable(layout.state(point.stage, point.owner) + input),
+            POSE => Source::Constant(weights.terminal_position.sqrt()),
+            _ => Source::Constant(weights.terminal_orientation.sqrt()),
+        }
+    };
+    let mut points = layout.points(Points::Stages(Owners::All));
+    points.retain(|point| point.stage == layout.steps);
+    LeastSquares::new(PointFunction::new(terminal_residuals(&task.goal), &points, source), hessian)
 }
 
-impl LeastSquares {
-    /// Adds the Hessian's entries to `hessian`.
-    pub fn new(function: PointFunction, hessian: &mut PatternBuilder) -> Self {
-        let pattern = &function.jacobian;
-        let mut products = Vec::new();
-        for left in 0..pattern.rows.len() {
-            for right in 0..=left {
-                if pattern.rows[left] != pattern.rows[right] {
-                    continue;
-                }
-                let slot = |point| {
-                    let one = function.variable(pattern.columns[left], point);
-                    let other = function.variable(pattern.columns[right], point);
-                    hessian.symmetric_slot(one, other)
-                };
-                products.push(Product { left, right, slots: (0..function.points()).map(slot).collect() });
+fn weights(task: &AssemblyTask, owner: Owner) -> CostWeights {
+    match owner {
+        Owner::Reference => task.cost.reference,
+        Owner::Scenario(_) => task.cost.compliant,
+    }
+}
+
+/// Residuals of the running cost: inputs twist (6) and the square roots of two weights; 6 outputs.
+fn running_residuals() -> Tape {
+    Tape::record(TWIST + 2, |inputs| (0..TWIST).map(|axis| inputs[axis] * inputs[TWIST + axis / 3]).collect())
+}
+
+/// Residuals of the terminal cost: inputs pose (7) and the square roots of two weights; outputs the weighted position
+/// error (3) and rotation matrix error (9).
+fn terminal_residuals(goal: &[f64; POSE]) -> Tape {
+    Tape::record(POSE + 2, |inputs| {
+        let (pose, roots) = inputs.split_at(POSE);
+        let mut residuals: Vec<Expression> = (0..3).map(|axis| (pose[axis] - goal[axis]) * roots[0]).collect();
+        let actual = rotation(&normalised(&pose[3..]));
+        let target = task::pose::rotation_matrix(&[goal[3], goal[4], goal[5], goal[6]]);
+        for (row, actual_row) in actual.iter().enumerate() {
+            for (column, &entry) in actual_row.iter().enumerate() {
+                residuals.push((entry - target[(row, column)]) * roots[1]);
             }
         }
-        let curvature_slots = hessian_slots(&function, hessian);
-        Self { function, products, curvature_slots }
-    }
+        residuals
+    })
+}
 
-    /// Takes the decision variables from `x`.
-    pub fn set_point(&mut self, x: &[f64]) {
-        self.function.set_point(x);
-    }
-
-    /// The cost.
-    pub fn value(&mut self) -> f64 {
-        let outputs = self.function.outputs();
-        let values = self.function.values();
-        (0..outputs).flat_map(|output| values.row(output)).map(|residual| residual * residual).sum()
-    }
-
-    /// Adds the gradient `2 J' r`.
-    pub fn add_gradient(&mut self, gradient: &mut [f64]) {
-        let residuals = self.function.values().clone();
-        let derivatives = self.function.jacobian_values().clone();
-        let pattern = &self.function.jacobian;
-        for (entry, (&row, &column)) in pattern.rows.iter().zip(&pattern.columns).enumerate() {
-            for (point, (residual, derivative)) in residuals.row(row).iter().zip(derivatives.row(entry)).enumerate() {
-                add(gradient, self.function.variable(column, point), 2.0 * residual * derivative);
-            }
-        }
-    }
-
-    /// Adds `factor (2 J' J + 2 sum r D2r)`, the second term only when `exact`.
-    pub fn add_hessian(&mut self, factor: f64, exact: bool, slots: &mut [f64]) {
-        let derivatives = self.function.jacobian_values();
-        for product in &self.products {
-            let (left, right) = (derivatives.row(product.left), derivatives.row(product.right));
-            for ((one, other), &slot) in left.iter().zip(right).zip(&product.slots) {
-                add(slots, slot, 2.0 * factor * one * other);
-            }
-        }
-        if exact && !self.curvature_slots.is_empty() {
-            self.add_curvature(factor, slots);
-        }
-    }
-
-    fn add_curvature(&mut self, factor: f64, slots: &mut [f64]) {
-        let points = self.function.points();
-        let residuals = self.function.values().clone();
-        for output in 0..self.function.outputs() {
-            for (multiplier, residual) in self.function.multiplier_mut(output).iter_mut().zip(residuals.row(output)) {
-                *multiplier = 2.0 * factor * residual;
-            }
-        }
-        let values = self.function.hessian_values();
-        for (entry, targets) in self.curvature_slots.chunks_exact(points).enumerate() {
-            scatter(values.row(entry), targets, slots);
-        }
-    }
+fn normalised<'tape>(quaternion: &[Expression<'tape>]) -> [Expression<'tape>; 4] {
+    let norm = dot(quaternion, quaternion).sqrt();
+    std::array::from_fn(|component| quaternion[component] / norm)
 }

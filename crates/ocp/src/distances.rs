@@ -3,9 +3,27 @@
 use std::time::{Duration, Instant};
 
 use nlp::EvaluationError;
-use task::{ContactPair, POSE};
+use task::{AssemblyTask, ContactPair, POSE};
 
 use crate::layout::{CONTACT, Layout};
+use crate::pattern::{ABSENT, PatternBuilder, add};
+use crate::term::Owners;
+
+/// A distance that could not be computed: the reason of an [`EvaluationError`] of a transcription.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("no distance between {body} and {environment} in scenario {} at step {step}: {source}", scenario + 1)]
+pub struct MissingDistance {
+    /// Name of the part of the moved body.
+    pub body: String,
+    /// Name of the part of the environment.
+    pub environment: String,
+    /// Scenario, from 0.
+    pub scenario: usize,
+    /// Step that begins at the pose, from 0.
+    pub step: usize,
+    /// What the kernel says.
+    pub source: collision::DistanceError,
+}
 
 /// What has been evaluated at the current poses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -16,36 +34,65 @@ enum Evaluated {
 }
 
 /// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose; poses are those before each step, so that pose
-/// `index = (stage - 1) n_s + scenario` belongs to the step that leads to `stage`.
+/// `index = (stage - 1) n_s + scenario` belongs to the step that leads to `stage`. Point `pair * poses + index` of a
+/// tape over [`Points::Pairs`](crate::Points::Pairs) takes them.
 pub struct Distances {
     pairs: Vec<ContactPair>,
-    layout: Layout,
+    scenarios: usize,
     tau: f64,
     poses: Vec<[f64; POSE]>,
+    /// Variables of every pose, absent where it is the initial pose.
+    variables: Vec<[u32; POSE]>,
     evaluated: Evaluated,
     values: Vec<Vec<[f64; CONTACT]>>,
     jacobians: Vec<Vec<[[f64; POSE]; CONTACT]>>,
     hessians: Vec<Vec<[[f64; POSE]; POSE]>>,
+    /// Adjoints of `W`.
+    seeds: Vec<Vec<[f64; CONTACT]>>,
+    /// Hessian entries (coordinate, coordinate) per point.
+    curvature_slots: Vec<[[u32; POSE]; POSE]>,
     elapsed: Duration,
 }
 
 impl Distances {
     /// `initial_poses` are the compliant start poses, one per scenario.
-    pub fn new(pairs: &[ContactPair], layout: Layout, initial_poses: &[[f64; POSE]]) -> Self {
-        let count = layout.steps * layout.scenarios;
+    pub fn new(task: &AssemblyTask, layout: &Layout, initial_poses: &[[f64; POSE]]) -> Self {
+        let scenarios = layout.scenarios;
+        let earlier = layout.stages_of(Owners::Scenarios).take((layout.steps - 1) * scenarios);
+        let poses_of_stages = earlier.map(|(stage, owner)| {
+            let start = layout.state(stage, owner);
+            std::array::from_fn(|coordinate| (start + coordinate) as u32)
+        });
+        let mut variables = vec![[ABSENT; POSE]; scenarios];
+        variables.extend(poses_of_stages);
+        let (count, pairs) = (variables.len(), task.pairs.len());
         let mut poses = vec![[0.0; POSE]; count];
-        poses[..layout.scenarios].copy_from_slice(initial_poses);
+        poses[..scenarios].copy_from_slice(initial_poses);
         Self {
-            pairs: pairs.to_vec(),
-            layout,
+            pairs: task.pairs.clone(),
+            scenarios,
             tau: f64::NAN,
             poses,
+            variables,
             evaluated: Evaluated::Nothing,
-            values: vec![vec![[0.0; CONTACT]; count]; pairs.len()],
-            jacobians: vec![vec![[[0.0; POSE]; CONTACT]; count]; pairs.len()],
-            hessians: vec![vec![[[0.0; POSE]; POSE]; count]; pairs.len()],
+            values: vec![vec![[0.0; CONTACT]; count]; pairs],
+            jacobians: vec![vec![[[0.0; POSE]; CONTACT]; count]; pairs],
+            hessians: vec![vec![[[0.0; POSE]; POSE]; count]; pairs],
+            seeds: vec![vec![[0.0; CONTACT]; count]; pairs],
+            curvature_slots: vec![[[ABSENT; POSE]; POSE]; count * pairs],
             elapsed: Duration::ZERO,
         }
+    }
+
+    /// Variables of the pose before the step of a point, absent when it is the initial pose.
+    pub fn pose_variables(&self, point: usize) -> [u32; POSE] {
+        self.variables[point % self.variables.len()]
+    }
+
+    /// Adds the entries of `<s, D2W>` at a point to the pattern, as every term does that takes contact information there.
+    pub fn reserve_curvature(&mut self, point: usize, hessian: &mut PatternBuilder) {
+        let pose = self.pose_variables(point);
+        self.curvature_slots[point] = pose.map(|row| pose.map(|column| hessian.symmetric_slot(row, column)));
     }
 
     /// Smoothing parameter of all distances (Eq. KKTsystem).
@@ -56,62 +103,116 @@ impl Distances {
 
     /// Takes the compliant poses from `x`.
     pub fn set_point(&mut self, x: &[f64]) {
-        for (stage, scenario) in self.layout.stages_and_scenarios().skip(self.layout.scenarios) {
-            let start = self.layout.compliant(stage - 1, scenario);
-            let index = (stage - 1) * self.layout.scenarios + scenario;
-            self.poses[index].copy_from_slice(&x[start..start + POSE]);
+        for (pose, variables) in self.poses.iter_mut().zip(&self.variables).skip(self.scenarios) {
+            let start = variables[0] as usize;
+            pose.copy_from_slice(&x[start..start + POSE]);
         }
         self.evaluated = Evaluated::Nothing;
     }
 
-    /// Contact information per (pair, pose).
-    pub fn values(&mut self) -> Result<&[Vec<[f64; CONTACT]>], EvaluationError> {
-        if self.evaluated < Evaluated::Values {
-            let begin = Instant::now();
-            for (index, pair) in self.pairs.iter().enumerate() {
-                pair.shapes
-                    .contacts(&self.poses, self.tau, &mut self.values[index])
-                    .map_err(|error| self.describe(index, &error))?;
-            }
-            self.evaluated = Evaluated::Values;
-            self.elapsed += begin.elapsed();
+    /// Evaluates `W` unless that has been done.
+    pub fn evaluate(&mut self) -> Result<(), EvaluationError> {
+        if self.evaluated >= Evaluated::Values {
+            return Ok(());
         }
-        Ok(&self.values)
+        let begin = Instant::now();
+        for (index, pair) in self.pairs.iter().enumerate() {
+            pair.shapes
+                .contacts(&self.poses, self.tau, &mut self.values[index])
+                .map_err(|error| self.describe(index, error))?;
+        }
+        self.evaluated = Evaluated::Values;
+        self.elapsed += begin.elapsed();
+        Ok(())
     }
 
-    /// `DW` per (pair, pose); afterwards [`Distances::values`] costs nothing.
-    pub fn jacobians(&mut self) -> Result<&[Vec<[[f64; POSE]; CONTACT]>], EvaluationError> {
-        if self.evaluated < Evaluated::Jacobians {
-            let begin = Instant::now();
-            for (index, pair) in self.pairs.iter().enumerate() {
-                pair.shapes
-                    .contact_jacobians(&self.poses, self.tau, &mut self.values[index], &mut self.jacobians[index])
-                    .map_err(|error| self.describe(index, &error))?;
-            }
-            self.evaluated = Evaluated::Jacobians;
-            self.elapsed += begin.elapsed();
+    /// Evaluates `W` and `DW` unless that has been done.
+    pub fn evaluate_jacobians(&mut self) -> Result<(), EvaluationError> {
+        if self.evaluated >= Evaluated::Jacobians {
+            return Ok(());
         }
-        Ok(&self.jacobians)
+        let begin = Instant::now();
+        for (index, pair) in self.pairs.iter().enumerate() {
+            pair.shapes
+                .contact_jacobians(&self.poses, self.tau, &mut self.values[index], &mut self.jacobians[index])
+                .map_err(|error| self.describe(index, error))?;
+        }
+        self.evaluated = Evaluated::Jacobians;
+        self.elapsed += begin.elapsed();
+        Ok(())
     }
 
-    /// `<s, D2W>` per (pair, pose) for seeds per (pair, pose); values and Jacobians are evaluated on the way.
-    pub fn hessians(&mut self, seeds: &[Vec<[f64; CONTACT]>]) -> Result<&[Vec<[[f64; POSE]; POSE]>], EvaluationError> {
+    /// Evaluates `<s, D2W>` for the seeds `s`, with `W` and `DW`.
+    pub fn evaluate_hessians(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
         for (index, pair) in self.pairs.iter().enumerate() {
             pair.shapes
                 .contact_hessians(
                     &self.poses,
                     self.tau,
-                    &seeds[index],
+                    &self.seeds[index],
                     &mut self.values[index],
                     &mut self.jacobians[index],
                     &mut self.hessians[index],
                 )
-                .map_err(|error| self.describe(index, &error))?;
+                .map_err(|error| self.describe(index, error))?;
         }
         self.evaluated = Evaluated::Jacobians;
         self.elapsed += begin.elapsed();
-        Ok(&self.hessians)
+        Ok(())
+    }
+
+    /// `W` per (pair, pose) as last evaluated.
+    pub fn last_values(&self) -> &[Vec<[f64; CONTACT]>] {
+        &self.values
+    }
+
+    /// `DW` per (pair, pose) as last evaluated.
+    pub fn last_jacobians(&self) -> &[Vec<[[f64; POSE]; CONTACT]>] {
+        &self.jacobians
+    }
+
+    /// Sets all seeds to zero.
+    pub fn clear_seeds(&mut self) {
+        self.seeds.iter_mut().flatten().for_each(|seed| *seed = [0.0; CONTACT]);
+    }
+
+    /// Adds to a component of all seeds, one value per point.
+    pub fn add_seeds(&mut self, component: usize, adjoint: &[f64]) {
+        for (seed, &value) in self.seeds.iter_mut().flatten().zip(adjoint) {
+            seed[component] += value;
+        }
+    }
+
+    /// Adds `<s, D2W>` as last evaluated to the slots of the Hessian (Eq. secondderw).
+    pub fn add_curvature(&self, slots: &mut [f64]) {
+        for (hessian, targets) in self.hessians.iter().flatten().zip(&self.curvature_slots) {
+            if targets[0][0] == ABSENT {
+                continue;
+            }
+            for row in 0..POSE {
+                for column in 0..=row {
+                    add(slots, targets[row][column], hessian[row][column]);
+                }
+            }
+        }
+    }
+
+    /// Adds second derivatives by two components of `W`, one value per point, times the gradients of both.
+    pub fn add_products(&self, values: &[f64], one: usize, other: usize, slots: &mut [f64]) {
+        let derivatives = self.jacobians.iter().flatten();
+        for ((&value, derivative), targets) in values.iter().zip(derivatives).zip(&self.curvature_slots) {
+            let (left, right) = (&derivative[one], &derivative[other]);
+            for row in 0..POSE {
+                for column in 0..=row {
+                    let mut product = left[row] * right[column];
+                    if one != other {
+                        product += left[column] * right[row];
+                    }
+                    add(slots, targets[row][column], value * product);
+                }
+            }
+        }
     }
 
     /// Wall seconds spent here since the last reset.
@@ -124,17 +225,9 @@ impl Distances {
         self.elapsed = Duration::ZERO;
     }
 
-    /// `DW` as last evaluated by [`Distances::jacobians`] or [`Distances::hessians`].
-    pub fn last_jacobians(&self) -> &[Vec<[[f64; POSE]; CONTACT]>] {
-        &self.jacobians
-    }
-
-    fn describe(&self, pair: usize, error: &collision::DistanceError) -> EvaluationError {
-        let (step, scenario) = (error.index / self.layout.scenarios, error.index % self.layout.scenarios);
-        let ContactPair { body, environment, .. } = &self.pairs[pair];
-        EvaluationError(format!(
-            "distance of {body} and {environment}, scenario {}, step {step}, did not converge: {error}",
-            scenario + 1
-        ))
+    fn describe(&self, pair: usize, source: collision::DistanceError) -> EvaluationError {
+        let (step, scenario) = (source.index / self.scenarios, source.index % self.scenarios);
+        let (body, environment) = (self.pairs[pair].body.clone(), self.pairs[pair].environment.clone());
+        EvaluationError::new(MissingDistance { body, environment, scenario, step, source })
     }
 }

@@ -1,20 +1,22 @@
-//! One tape at many points: every input is a decision variable or a constant, every output a constraint row or a
-//! residual.
+//! One tape at many points: every input is a decision variable, a constant or contact information.
 
 use autodiff::{Batch, Jacobian, LagrangianHessian, Tape, Workspace};
 
 use crate::pattern::{ABSENT, PatternBuilder, add};
+use crate::term::{Point, Source};
 
-/// A tape with derivatives at `points` points, with the decision variable behind every input of every point.
+/// A tape with derivatives at many points, with the decision variable behind every input of every point.
 pub struct PointFunction {
     tape: Tape,
-    /// Derivatives by the tape's first inputs.
+    /// Derivatives by the tape's first inputs, those that are not constants.
     pub jacobian: Jacobian,
     /// Second derivatives, its multipliers being the last inputs.
     pub hessian: LagrangianHessian,
     points: usize,
-    /// Decision variable per (input, point), [`ABSENT`] where the input is a constant or filled from outside.
+    /// Decision variable per (input, point), [`ABSENT`] where the input is a constant or contact information.
     variables: Vec<u32>,
+    /// Component of the contact information per input, if it is that.
+    contact: Vec<Option<usize>>,
     inputs: Batch,
     values: Batch,
     jacobian_values: Batch,
@@ -23,32 +25,39 @@ pub struct PointFunction {
 }
 
 impl PointFunction {
-    /// Differentiates `tape` by its first `differentiated` inputs. `source` names what stands behind input `i` of
-    /// point `p`.
-    pub fn new(tape: Tape, differentiated: usize, points: usize, source: impl Fn(usize, usize) -> Source) -> Self {
-        let jacobian = tape.jacobian(differentiated);
-        let hessian = tape.lagrangian_hessian(differentiated);
+    /// `source` names what stands behind an input at a point.
+    pub fn new(tape: Tape, points: &[Point], source: impl Fn(usize, &Point) -> Source) -> Self {
         let (input_count, output_count) = (tape.input_count(), tape.output_count());
-        let mut inputs = Batch::new(input_count + output_count, points);
-        let mut variables = vec![ABSENT; input_count * points];
+        let mut inputs = Batch::new(input_count + output_count, points.len());
+        let mut variables = vec![ABSENT; input_count * points.len()];
+        let mut contact = vec![None; input_count];
+        let mut differentiated = 0;
         for input in 0..input_count {
-            for point in 0..points {
+            for (index, point) in points.iter().enumerate() {
                 match source(input, point) {
-                    Source::Variable(index) => variables[input * points + point] = index as u32,
-                    Source::Constant(value) => inputs.row_mut(input)[point] = value,
+                    Source::Constant(value) => {
+                        inputs.row_mut(input)[index] = value;
+                        continue;
+                    }
+                    Source::Variable(variable) => variables[input * points.len() + index] = variable as u32,
+                    Source::Contact(component) => contact[input] = Some(component),
                 }
+                differentiated = input + 1;
             }
         }
+        let jacobian = tape.jacobian(differentiated);
+        let hessian = tape.lagrangian_hessian(differentiated);
         Self {
-            values: Batch::new(output_count, points),
-            jacobian_values: Batch::new(jacobian.rows.len(), points),
-            hessian_values: Batch::new(hessian.rows.len(), points),
+            values: Batch::new(output_count, points.len()),
+            jacobian_values: Batch::new(jacobian.rows.len(), points.len()),
+            hessian_values: Batch::new(hessian.rows.len(), points.len()),
             workspace: Workspace::default(),
             tape,
             jacobian,
             hessian,
-            points,
+            points: points.len(),
             variables,
+            contact,
             inputs,
         }
     }
@@ -56,6 +65,11 @@ impl PointFunction {
     /// Number of points.
     pub fn points(&self) -> usize {
         self.points
+    }
+
+    /// Number of inputs at every point.
+    pub fn inputs(&self) -> usize {
+        self.tape.input_count()
     }
 
     /// Number of outputs at every point.
@@ -66,6 +80,11 @@ impl PointFunction {
     /// Decision variable behind an input, [`ABSENT`] when there is none.
     pub fn variable(&self, input: usize, point: usize) -> u32 {
         self.variables[input * self.points + point]
+    }
+
+    /// Component of the contact information that an input is, if it is that.
+    pub fn contact(&self, input: usize) -> Option<usize> {
+        self.contact[input]
     }
 
     /// Takes the decision variables from `x`.
@@ -122,95 +141,30 @@ impl PointFunction {
     pub fn adjoint(&mut self, gradient: &mut Batch) {
         self.hessian.adjoint().evaluate(&self.inputs, gradient, &mut self.workspace);
     }
-}
 
-/// What stands behind an input of a tape.
-pub enum Source {
-    /// A decision variable.
-    Variable(usize),
-    /// A number that does not change, or that [`PointFunction::input_mut`] fills.
-    Constant(f64),
-}
-
-/// A [`PointFunction`] whose outputs are added to constraint rows.
-pub struct ConstraintFunction {
-    function: PointFunction,
-    /// Constraint row per (output, point).
-    rows: Vec<u32>,
-    jacobian_slots: Vec<u32>,
-    hessian_slots: Vec<u32>,
-}
-
-impl ConstraintFunction {
-    /// `row` names the constraint that output `i` of point `p` adds to.
-    pub fn new(
-        function: PointFunction,
-        row: impl Fn(usize, usize) -> usize,
-        jacobian: &mut PatternBuilder,
-        hessian: &mut PatternBuilder,
-    ) -> Self {
-        let points = function.points;
-        let each = |count: usize| (0..count).flat_map(move |entry| (0..points).map(move |point| (entry, point)));
-        let rows: Vec<u32> = each(function.outputs()).map(|(output, point)| row(output, point) as u32).collect();
-        let pattern = &function.jacobian;
-        let jacobian_slots = each(pattern.rows.len())
-            .map(|(entry, point)| {
-                let row = rows[pattern.rows[entry] * points + point];
-                jacobian.slot(row, function.variable(pattern.columns[entry], point))
-            })
-            .collect();
-        let hessian_slots = hessian_slots(&function, hessian);
-        Self { function, rows, jacobian_slots, hessian_slots }
-    }
-
-    /// Takes the decision variables from `x`.
-    pub fn set_point(&mut self, x: &[f64]) {
-        self.function.set_point(x);
-    }
-
-    /// Adds the outputs to their rows.
-    pub fn add_values(&mut self, constraints: &mut [f64]) {
-        let points = self.function.points;
-        let values = self.function.values();
-        for (output, rows) in self.rows.chunks_exact(points.max(1)).enumerate() {
-            scatter(values.row(output), rows, constraints);
-        }
-    }
-
-    /// Adds the Jacobian's nonzeros to their slots.
-    pub fn add_jacobian(&mut self, slots: &mut [f64]) {
-        let points = self.function.points;
-        let values = self.function.jacobian_values();
-        for (entry, targets) in self.jacobian_slots.chunks_exact(points.max(1)).enumerate() {
-            scatter(values.row(entry), targets, slots);
-        }
-    }
-
-    /// Adds the Hessian weighted by the constraints' multipliers to its slots.
-    pub fn add_hessian(&mut self, multipliers: &[f64], slots: &mut [f64]) {
-        let points = self.function.points;
-        for (output, rows) in self.rows.chunks_exact(points.max(1)).enumerate() {
-            for (value, &row) in self.function.multiplier_mut(output).iter_mut().zip(rows) {
-                *value = multipliers[row as usize];
+    /// Slots of the Jacobian's nonzeros, per (nonzero, point), for a constraint row per (output, point).
+    pub fn jacobian_slots(&self, rows: &[u32], jacobian: &mut PatternBuilder) -> Vec<u32> {
+        let pattern = &self.jacobian;
+        let mut slots = Vec::with_capacity(pattern.rows.len() * self.points);
+        for (&output, &input) in pattern.rows.iter().zip(&pattern.columns) {
+            for point in 0..self.points {
+                slots.push(jacobian.slot(rows[output * self.points + point], self.variable(input, point)));
             }
         }
-        let values = self.function.hessian_values();
-        for (entry, targets) in self.hessian_slots.chunks_exact(points.max(1)).enumerate() {
-            scatter(values.row(entry), targets, slots);
-        }
+        slots
     }
-}
 
-/// Slots of a function's Hessian nonzeros, per (nonzero, point).
-pub fn hessian_slots(function: &PointFunction, hessian: &mut PatternBuilder) -> Vec<u32> {
-    let pattern = &function.hessian;
-    let mut slots = Vec::with_capacity(pattern.rows.len() * function.points);
-    for (&row, &column) in pattern.rows.iter().zip(&pattern.columns) {
-        for point in 0..function.points {
-            slots.push(hessian.symmetric_slot(function.variable(row, point), function.variable(column, point)));
+    /// Slots of the Hessian's nonzeros, per (nonzero, point).
+    pub fn hessian_slots(&self, hessian: &mut PatternBuilder) -> Vec<u32> {
+        let pattern = &self.hessian;
+        let mut slots = Vec::with_capacity(pattern.rows.len() * self.points);
+        for (&row, &column) in pattern.rows.iter().zip(&pattern.columns) {
+            for point in 0..self.points {
+                slots.push(hessian.symmetric_slot(self.variable(row, point), self.variable(column, point)));
+            }
         }
+        slots
     }
-    slots
 }
 
 /// Adds one value per point to its slot.

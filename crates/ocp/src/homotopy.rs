@@ -182,15 +182,15 @@ fn solve_iteration(
     linear_solver: LinearSolver,
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<HomotopyIteration, SolveError> {
-    transcription.contacts().distances().reset_seconds();
-    let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.complementarity());
+    transcription.distances().reset_seconds();
+    let mut stage_solver = TranscriptionSolver::new(transcription.layout());
     let chosen = match linear_solver {
-        LinearSolver::Stage if nlp::TAKES_OWN_SOLVER => nlp::LinearSolver::Own(&mut stage_solver),
-        LinearSolver::Stage => nlp::LinearSolver::Named(LinearSolver::Mumps.name()),
-        other => nlp::LinearSolver::Named(other.name()),
+        LinearSolver::Stage if nlp::TAKES_OWN_SOLVER => nlp::LinearSystemSolver::Own(&mut stage_solver),
+        LinearSolver::Stage => nlp::LinearSystemSolver::Named(LinearSolver::Mumps.name()),
+        other => nlp::LinearSystemSolver::Named(other.name()),
     };
     let solution = nlp::solve(transcription, start, options, chosen, observer)?;
-    let distances = transcription.contacts().distances().seconds();
+    let distances = transcription.distances().seconds();
     let timing = IterationTiming {
         total: solution.timing.total,
         distances,

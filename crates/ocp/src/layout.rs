@@ -1,17 +1,22 @@
 //! Where every variable and constraint of the transcription stands (Eq. discretizedOCP).
 //!
-//! Stages are numbered 1 to N. A stage's variables are the reference state, then for every scenario the compliant
-//! state and one force per pair. Its constraints are the step that leads to it: reference kinematics (7) and limited
-//! accelerations, then for every scenario pose dynamics (7), velocity dynamics (6), gaps (P), complementarity products
-//! (P), limited accelerations and limited wrenches. The initial states are data.
+//! Stages are numbered 1 to N; the initial states are data. The constraints of the step that leads to a stage are that
+//! stage's. A stage's variables are those of the reference, then those of every scenario, and so are its rows. A
+//! trajectory's [`Block`]s have the order of their declaration, but those of fronts (states and their dynamics) come
+//! first, those of contact pairs second, all others last.
 
-use task::{POSE, STATE, TWIST};
+use kkt::{Class, Label, Owner};
+use nlp::Bounds;
+use task::{AssemblyTask, TWIST};
+
+use crate::term::{Block, Owners, Point, Points, StepTerm};
+use crate::terms::POSE_VARIABLES;
 
 /// Number of components of the contact information `W = (Phi_tau, n~_tau)`.
 pub const CONTACT: usize = 1 + TWIST;
 
 /// Sizes of a transcription and the index of everything in it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Layout {
     /// Number of steps `N`.
     pub steps: usize,
@@ -19,114 +24,203 @@ pub struct Layout {
     pub scenarios: usize,
     /// Number of contact pairs `|Pi|`.
     pub pairs: usize,
-    /// Number of axes whose acceleration is limited.
-    pub accelerations: usize,
-    /// Number of axes whose wrench is limited.
-    pub wrenches: usize,
+    variables: StageOrder,
+    rows: StageOrder,
+}
+
+/// Order of a stage's variables or rows.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct StageOrder {
+    reference: TrajectoryOrder,
+    /// The same for every scenario.
+    scenario: TrajectoryOrder,
+}
+
+/// Order of the variables or rows that a stage has of one trajectory.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+struct TrajectoryOrder {
+    /// Names of the blocks, each with its first position.
+    starts: Vec<(&'static str, usize)>,
+    /// Class and index of the label of every position.
+    labels: Vec<(Class, usize)>,
 }
 
 impl Layout {
+    /// Assigns indices to all that the terms declare.
+    ///
+    /// # Panics
+    /// When a trajectory has two blocks of the same name.
+    pub fn new(task: &AssemblyTask, terms: &[Box<dyn StepTerm>]) -> Self {
+        let (scenarios, pairs) = (task.offsets.len(), task.pairs.len());
+        let variables: Vec<Block> = terms.iter().flat_map(|term| term.variables()).collect();
+        let rows: Vec<Block> = terms.iter().flat_map(|term| term.rows()).collect();
+        Self {
+            steps: task.horizon.steps,
+            scenarios,
+            pairs,
+            variables: StageOrder::new(&variables, pairs),
+            rows: StageOrder::new(&rows, pairs),
+        }
+    }
+
     /// Number of decision variables.
     pub fn variable_count(&self) -> usize {
-        self.steps * self.stage_variables()
+        self.steps * self.variables.length(self.scenarios)
     }
 
     /// Number of constraints.
     pub fn constraint_count(&self) -> usize {
-        self.steps * self.stage_constraints()
+        self.steps * self.rows.length(self.scenarios)
     }
 
-    /// Index of the first of 13 coordinates of the reference state of a stage.
-    pub fn reference(&self, stage: usize) -> usize {
-        (stage - 1) * self.stage_variables()
+    /// Index of the first variable of a block.
+    ///
+    /// # Panics
+    /// When no term declares the block for this trajectory.
+    pub fn variable(&self, name: &str, stage: usize, owner: Owner) -> usize {
+        self.variables.index(name, stage, owner, self.scenarios)
     }
 
-    /// Index of the first of 13 coordinates of a scenario's compliant state.
-    pub fn compliant(&self, stage: usize, scenario: usize) -> usize {
-        self.reference(stage) + STATE + scenario * self.scenario_variables()
+    /// Index of the first row of a block.
+    ///
+    /// # Panics
+    /// When no term declares the block for this trajectory.
+    pub fn row(&self, name: &str, stage: usize, owner: Owner) -> usize {
+        self.rows.index(name, stage, owner, self.scenarios)
     }
 
-    /// Index of the first of 13 coordinates of the state of trajectory 0, the reference, or 1 + scenario.
-    pub fn state(&self, stage: usize, trajectory: usize) -> usize {
-        match trajectory {
-            0 => self.reference(stage),
-            _ => self.compliant(stage, trajectory - 1),
+    /// Index of the first of 13 coordinates of a trajectory's state: pose (7), then twist (6).
+    pub fn state(&self, stage: usize, owner: Owner) -> usize {
+        self.variable(POSE_VARIABLES, stage, owner)
+    }
+
+    /// Every stage of some trajectories, the trajectories running fastest, the reference first.
+    pub fn stages_of(&self, owners: Owners) -> impl Iterator<Item = (usize, Owner)> + use<> {
+        let all = std::iter::once(Owner::Reference).chain((0..self.scenarios).map(Owner::Scenario));
+        let wanted: Vec<Owner> = all.filter(|&owner| owners.include(owner)).collect();
+        (1..=self.steps).flat_map(move |stage| wanted.clone().into_iter().map(move |owner| (stage, owner)))
+    }
+
+    /// All points of a kind, in the order of evaluation; pairs run slowest.
+    pub fn points(&self, points: Points) -> Vec<Point> {
+        let (owners, pairs) = match points {
+            Points::Stages(owners) => (owners, 1),
+            Points::Pairs => (Owners::Scenarios, self.pairs),
+        };
+        let stages = |pair| self.stages_of(owners).map(move |(stage, owner)| Point { stage, owner, pair });
+        (0..pairs).flat_map(stages).collect()
+    }
+
+    /// Bounds of all variables.
+    pub fn variable_bounds(&self, terms: &[Box<dyn StepTerm>]) -> Bounds {
+        self.bounds(&self.variables, terms.iter().flat_map(|term| term.variables()))
+    }
+
+    /// Bounds of all constraints.
+    pub fn constraint_bounds(&self, terms: &[Box<dyn StepTerm>]) -> Bounds {
+        self.bounds(&self.rows, terms.iter().flat_map(|term| term.rows()))
+    }
+
+    /// Labels of all variables.
+    pub fn variable_labels(&self) -> Vec<Label> {
+        self.labels(&self.variables)
+    }
+
+    /// Labels of the multipliers of all constraints.
+    pub fn multiplier_labels(&self) -> Vec<Label> {
+        self.labels(&self.rows)
+    }
+
+    fn bounds(&self, order: &StageOrder, blocks: impl Iterator<Item = Block>) -> Bounds {
+        let count = self.steps * order.length(self.scenarios);
+        let mut bounds = Bounds { lower: vec![f64::NAN; count], upper: vec![f64::NAN; count] };
+        for Block { name, owners, bounds: declared, .. } in blocks {
+            for (stage, owner) in self.stages_of(owners) {
+                let start = order.index(name, stage, owner, self.scenarios);
+                bounds.lower[start..][..declared.lower.len()].copy_from_slice(&declared.lower);
+                bounds.upper[start..][..declared.upper.len()].copy_from_slice(&declared.upper);
+            }
+        }
+        bounds
+    }
+
+    fn labels(&self, order: &StageOrder) -> Vec<Label> {
+        let trajectories = self.stages_of(Owners::All);
+        let label = |(stage, owner)| {
+            let labels = order.of(owner).labels.iter();
+            labels.map(move |&(class, index)| Label { stage, owner, class, index })
+        };
+        trajectories.flat_map(label).collect()
+    }
+}
+
+impl StageOrder {
+    fn new(blocks: &[Block], pairs: usize) -> Self {
+        Self {
+            reference: TrajectoryOrder::new(blocks, Owner::Reference, pairs),
+            scenario: TrajectoryOrder::new(blocks, Owner::Scenario(0), pairs),
         }
     }
 
-    /// Index of the contact force of a pair in the step that leads to a stage.
-    pub fn contact_force(&self, stage: usize, scenario: usize, pair: usize) -> usize {
-        self.compliant(stage, scenario) + STATE + pair
-    }
-
-    /// First of 7 rows of the reference kinematics.
-    pub fn reference_kinematics(&self, stage: usize) -> usize {
-        (stage - 1) * self.stage_constraints()
-    }
-
-    /// First of 7 rows of a scenario's pose dynamics (Eq. ts1).
-    pub fn pose_dynamics(&self, stage: usize, scenario: usize) -> usize {
-        self.reference_kinematics(stage) + POSE + self.accelerations + scenario * self.scenario_constraints()
-    }
-
-    /// First of 6 rows of a scenario's velocity dynamics (Eq. ts).
-    pub fn velocity_dynamics(&self, stage: usize, scenario: usize) -> usize {
-        self.pose_dynamics(stage, scenario) + POSE
-    }
-
-    /// Row of a pair's linearised gap `a >= 0` (Eq. ts3).
-    pub fn gap(&self, stage: usize, scenario: usize, pair: usize) -> usize {
-        self.velocity_dynamics(stage, scenario) + TWIST + pair
-    }
-
-    /// Row of a pair's complementarity product `a lambda_n` (Eq. ts3).
-    pub fn complementarity(&self, stage: usize, scenario: usize, pair: usize) -> usize {
-        self.gap(stage, scenario, pair) + self.pairs
-    }
-
-    /// First row of the limited accelerations of trajectory 0, the reference, or 1 + scenario.
-    pub fn acceleration(&self, stage: usize, trajectory: usize) -> usize {
-        match trajectory {
-            0 => self.reference_kinematics(stage) + POSE,
-            _ => self.complementarity(stage, trajectory - 1, 0) + self.pairs,
+    fn of(&self, owner: Owner) -> &TrajectoryOrder {
+        match owner {
+            Owner::Reference => &self.reference,
+            Owner::Scenario(_) => &self.scenario,
         }
     }
 
-    /// First row of a scenario's limited wrenches.
-    pub fn wrench(&self, stage: usize, scenario: usize) -> usize {
-        self.acceleration(stage, 1 + scenario) + self.accelerations
+    /// Number of variables or rows of a stage.
+    fn length(&self, scenarios: usize) -> usize {
+        self.reference.labels.len() + scenarios * self.scenario.labels.len()
     }
 
-    /// Every stage, 1 to N.
-    pub fn stages(&self) -> std::ops::RangeInclusive<usize> {
-        1..=self.steps
+    fn index(&self, name: &str, stage: usize, owner: Owner, scenarios: usize) -> usize {
+        let trajectory = match owner {
+            Owner::Reference => 0,
+            Owner::Scenario(number) => self.reference.labels.len() + number * self.scenario.labels.len(),
+        };
+        (stage - 1) * self.length(scenarios) + trajectory + self.of(owner).start(name)
+    }
+}
+
+impl TrajectoryOrder {
+    fn new(blocks: &[Block], owner: Owner, pairs: usize) -> Self {
+        let mut blocks: Vec<&Block> = blocks.iter().filter(|block| block.owners.include(owner)).collect();
+        blocks.sort_by_key(|block| (block.class.is_leaf(), !block.per_pair));
+        let mut order = Self::default();
+        // A leaf's rows are eliminated in the order of their indices: pairs first.
+        let mut next = pairs;
+        for block in blocks {
+            let known = order.starts.iter().any(|&(name, _)| name == block.name);
+            assert!(!known, "two terms declare the block \"{}\"", block.name);
+            order.starts.push((block.name, order.labels.len()));
+            let count = block.bounds.lower.len();
+            let index = |member: usize| match (block.class.is_leaf(), block.per_pair) {
+                (true, true) => member * pairs / count,
+                (true, false) => next + member,
+                (false, _) => member,
+            };
+            order.labels.extend((0..count).map(|member| (block.class, index(member))));
+            if block.class.is_leaf() && !block.per_pair {
+                next += count;
+            }
+        }
+        order
     }
 
-    /// Every stage with every scenario, scenarios running fastest.
-    pub fn stages_and_scenarios(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
-        let scenarios = self.scenarios;
-        self.stages().flat_map(move |stage| (0..scenarios).map(move |scenario| (stage, scenario)))
+    fn start(&self, name: &str) -> usize {
+        let found = self.starts.iter().find(|(known, _)| *known == name);
+        found.unwrap_or_else(|| panic!("no term declares the block \"{name}\"")).1
     }
+}
 
-    /// Every stage with every trajectory, the reference first.
-    pub fn stages_and_trajectories(&self) -> impl Iterator<Item = (usize, usize)> + use<> {
-        let trajectories = self.scenarios + 1;
-        self.stages().flat_map(move |stage| (0..trajectories).map(move |trajectory| (stage, trajectory)))
-    }
-
-    fn scenario_variables(&self) -> usize {
-        STATE + self.pairs
-    }
-
-    fn stage_variables(&self) -> usize {
-        STATE + self.scenarios * self.scenario_variables()
-    }
-
-    fn scenario_constraints(&self) -> usize {
-        STATE + 2 * self.pairs + self.accelerations + self.wrenches
-    }
-
-    fn stage_constraints(&self) -> usize {
-        POSE + self.accelerations + self.scenarios * self.scenario_constraints()
+impl Owners {
+    /// Whether a trajectory is one of them.
+    pub fn include(self, owner: Owner) -> bool {
+        match self {
+            Self::All => true,
+            Self::Reference => owner == Owner::Reference,
+            Self::Scenarios => owner != Owner::Reference,
+        }
     }
 }

@@ -1,37 +1,59 @@
-//! Robust contact-implicit optimal control: one reference trajectory for many offsets (paper, Sec. diffphys and ocp).
+//! Robust contact-implicit optimal control: one reference trajectory for many offsets.
 //!
-//! A [`task::AssemblyTask`] is transcribed into a sparse nonlinear program ([`Transcription`]) whose smoothing a
-//! [`Homotopy`] tightens step by step; each iteration ends in a [`task::Trajectory`].
+//! A [`task::AssemblyTask`] is transcribed into a sparse nonlinear program ([`Transcription`]), whose smoothing a
+//! [`Homotopy`] reduces from one homotopy iteration to the next; each ends in a [`task::Trajectory`].
 //!
-//! The equations are recorded as tapes in `model` and evaluated at all stages and scenarios at once. Distances stay
-//! off the tapes: the contact tape takes the contact information `W = (Phi_tau, n~_tau)` as an input, and the adjoint
-//! of that input is the seed with which the collision kernel returns `<s, D2W>`.
+//! # Terms
 //!
-//! | paper | here |
-//! |---|---|
-//! | `Eq. ts1`, `Eq. ts` | `model::compliant_dynamics`, `model::contact` |
-//! | `Eq. ts3` and Scholtes' relaxation or smoothing | `model::contact`, [`task::Complementarity`] |
-//! | `Eq. impedancewrench` | [`task::Impedance::wrench`] |
-//! | `P_q^-1` (Sec. ocp:ocp) | [`task::pose::without_offset`] |
-//! | `Eq. discretizedOCP` | [`Transcription`] |
-//! | Sec. ocp:cost | `model::running_residuals`, `model::terminal_residuals` |
-//! | bounds on velocities, accelerations and forces (Sec. intro) | [`task::Limits`], `limit_rows` |
-//! | Sec. ocp:homotopy | [`Homotopy`], [`task::HomotopySettings::schedule`] |
+//! The constraints are a sum of terms ([`StepTerm`]): kinematics, dynamics, limits, contact. A term declares the
+//! variables and rows that it brings to a stage ([`Block`]) and records its equations as a tape, which is evaluated at all
+//! stages and scenarios at once. Indices, bounds, derivatives and the labels for the linear solver follow from that. A
+//! term may add to the rows of another one. To add a term, write its file and add it to [`standard_terms`]; a caller can
+//! also pass terms to [`Transcription::with_terms`].
+//!
+//! Distances stay off the tapes: a tape takes components of the contact information `W = (Phi_tau, n~_tau)` as inputs. The
+//! adjoints of these inputs, summed over all terms, are the seed `s` with which the collision kernel returns `<s, D2W>`.
+//!
+//! # Source
+//!
+//! C. Dietz et al., *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order
+//! Derivatives*. Numbers are those of the preprint, labels those of its LaTeX source; comments in this crate cite labels.
+//!
+//! | number | label | content | here |
+//! |---|---|---|---|
+//! | (17a) | `Eq. ts1` | `q+ = q + dt Q(q+) v+` | [`POSE_DYNAMICS`] |
+//! | (17b) | `Eq. ts` | `v+ = v + dt M^-1 (U + sum n~ lambda_n+)` | [`VELOCITY_DYNAMICS`] |
+//! | (17c) | `Eq. ts3` | `0 <= Phi + dt n~' v+  perp  lambda_n+ >= 0` | [`GAP`], [`PRODUCT`] |
+//! | Section IV-B | `Sec. diffphys:dsctime` | Scholtes' relaxation and smoothing | [`task::Complementarity`] |
+//! | (18) | `Eq. impedancewrench` | wrench of the impedance controller | [`task::Impedance::wrench`] |
+//! | (19) | `Eq. discretizedOCP` | the optimal control problem | [`Transcription`] |
+//! | Section V-B | `Sec. ocp:ocp` | `P_q^-1`, the start pose of a scenario | [`task::pose::without_offset`] |
+//! | Section V-C | `Sec. ocp:cost` | running and terminal cost | `cost` |
+//! | Section V-D | `Sec. ocp:homotopy` | homotopy | [`Homotopy`], [`task::HomotopySettings::schedule`] |
+//!
+//! Limits of velocities, accelerations, forces and wrenches ([`task::Limits`]) are an addition.
 
-mod contacts;
 mod cost;
 mod distances;
 mod function;
 mod homotopy;
 mod layout;
-mod limit_rows;
-mod model;
+mod least_squares;
 mod motion;
 mod pattern;
 mod stage_solver;
+mod term;
+mod term_function;
+mod terms;
 mod transcription;
 
+pub use distances::MissingDistance;
 pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationTiming, check_settings};
-pub use layout::Layout;
+pub use layout::{CONTACT, Layout};
 pub use stage_solver::TranscriptionSolver;
+pub use term::{Block, Owners, Point, Points, Source, StepTerm};
+pub use terms::{
+    CONTACT_FORCE, GAP, POSE_DYNAMICS, POSE_VARIABLES, PRODUCT, REFERENCE_KINEMATICS, TWIST_VARIABLES,
+    VELOCITY_DYNAMICS, standard_terms,
+};
 pub use transcription::Transcription;

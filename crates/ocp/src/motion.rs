@@ -1,7 +1,10 @@
 //! Points of the transcription as motions, and motions as points where a solve may begin.
 
+use kkt::Owner;
 use task::{POSE, STATE, ScenarioTrajectory, Trajectory, at_rest};
 
+use crate::term::Owners;
+use crate::terms::CONTACT_FORCE;
 use crate::transcription::{INITIAL_CONTACT_FORCE, Transcription};
 
 impl Transcription {
@@ -9,19 +12,17 @@ impl Transcription {
     pub fn motion(&self, x: &[f64], tau: f64) -> Trajectory {
         let (task, layout) = (self.task(), self.layout());
         let time_step = task.horizon.time_step;
-        let reference = self.states(x, &at_rest(&task.start), |stage| layout.reference(stage));
+        let reference = self.states(x, &at_rest(&task.start), Owner::Reference);
         let compliant: Vec<Vec<[f64; STATE]>> = (0..layout.scenarios)
-            .map(|scenario| {
-                let initial = &self.initial_compliant()[scenario];
-                self.states(x, initial, |stage| layout.compliant(stage, scenario))
-            })
+            .map(|scenario| self.states(x, &self.initial_compliant()[scenario], Owner::Scenario(scenario)))
             .collect();
         let drift = compliant.iter().map(|states| norm_drift(states)).fold(norm_drift(&reference), f64::max);
         let scenarios = compliant
             .iter()
             .enumerate()
             .map(|(scenario, states)| {
-                let forces = |stage: usize| &x[layout.contact_force(stage, scenario, 0)..][..layout.pairs];
+                let first = |stage: usize| layout.variable(CONTACT_FORCE, stage, Owner::Scenario(scenario));
+                let forces = |stage: usize| &x[first(stage)..][..layout.pairs];
                 ScenarioTrajectory::new(task, task.offsets[scenario], time_step, &reference, states, forces, tau)
             })
             .collect();
@@ -31,27 +32,30 @@ impl Transcription {
     /// The variables at a motion, where a solve may begin.
     ///
     /// # Panics
-    /// When the motion has fewer steps, scenarios or pairs than the transcription.
+    /// When the motion has fewer steps or scenarios than the transcription.
     pub fn point_at(&self, motion: &Trajectory) -> Vec<f64> {
         let layout = self.layout();
         let mut x = vec![INITIAL_CONTACT_FORCE; layout.variable_count()];
-        for stage in layout.stages() {
-            x[layout.reference(stage)..][..STATE].copy_from_slice(&motion.reference[stage]);
-        }
-        for (stage, scenario) in layout.stages_and_scenarios() {
+        for (stage, owner) in layout.stages_of(Owners::All) {
+            let state = &mut x[layout.state(stage, owner)..][..STATE];
+            let Owner::Scenario(scenario) = owner else {
+                state.copy_from_slice(&motion.reference[stage]);
+                continue;
+            };
             let scenario_motion = &motion.scenarios[scenario];
-            x[layout.compliant(stage, scenario)..][..STATE].copy_from_slice(&scenario_motion.states[stage]);
-            for (pair, contact) in scenario_motion.contacts[stage - 1].iter().enumerate() {
-                let force = &mut x[layout.contact_force(stage, scenario, pair)];
+            state.copy_from_slice(&scenario_motion.states[stage]);
+            let forces = &mut x[layout.variable(CONTACT_FORCE, stage, owner)..][..layout.pairs];
+            for (force, contact) in forces.iter_mut().zip(&scenario_motion.contacts[stage - 1]) {
                 *force = contact.force.max(INITIAL_CONTACT_FORCE);
             }
         }
         x
     }
 
-    /// States at k = 0..N; `start` is where a stage's state stands in `x`.
-    fn states(&self, x: &[f64], initial: &[f64; STATE], start: impl Fn(usize) -> usize) -> Vec<[f64; STATE]> {
-        let later = self.layout().stages().map(|stage| std::array::from_fn(|component| x[start(stage) + component]));
+    /// States of a trajectory at k = 0..N.
+    fn states(&self, x: &[f64], initial: &[f64; STATE], owner: Owner) -> Vec<[f64; STATE]> {
+        let start = |stage| self.layout().state(stage, owner);
+        let later = (1..=self.layout().steps).map(|stage| std::array::from_fn(|component| x[start(stage) + component]));
         std::iter::once(*initial).chain(later).collect()
     }
 }

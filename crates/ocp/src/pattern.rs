@@ -42,6 +42,15 @@ impl PatternBuilder {
     }
 }
 
+/// The patterns of a problem under construction.
+#[derive(Debug, Default)]
+pub struct Patterns {
+    /// Jacobian of the constraints.
+    pub jacobian: PatternBuilder,
+    /// Lower triangle of the Hessian of the Lagrangian.
+    pub hessian: PatternBuilder,
+}
+
 /// Adds a value to a slot unless the slot is absent.
 #[inline]
 pub fn add(values: &mut [f64], slot: u32, value: f64) {

@@ -1,10 +1,8 @@
 //! The stage-structured linear solver for a transcription: says what every row of its linear systems is.
 
-use std::ops::Range;
-
-use kkt::{Class, Label, Owner, StageSolver};
-use nlp::{Factorisation, KktSolver};
-use task::{Complementarity, LinearSolver, POSE, STATE, TWIST};
+use kkt::{Class, Label, StageSolver, StructureError};
+use nlp::{AnalysisError, Factorisation, KktSolver};
+use task::LinearSolver;
 
 use crate::layout::Layout;
 
@@ -16,8 +14,8 @@ pub struct TranscriptionSolver {
 
 impl TranscriptionSolver {
     /// For a transcription with this layout.
-    pub fn new(layout: Layout, complementarity: Complementarity) -> Self {
-        Self { labels: labels(layout, complementarity), solver: None }
+    pub fn new(layout: &Layout) -> Self {
+        Self { labels: labels(layout), solver: None }
     }
 
     /// What the solver has done.
@@ -31,12 +29,11 @@ impl KktSolver for TranscriptionSolver {
         LinearSolver::Stage.name()
     }
 
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
         if dimension != self.labels.len() {
-            return Err(format!("Ipopt's linear systems have {dimension} rows, {} were expected", self.labels.len()));
+            return Err(StructureError::Dimension { labels: self.labels.len(), dimension }.into());
         }
-        let solver = StageSolver::new(&self.labels, rows, columns).map_err(|error| error.to_string())?;
-        self.solver = Some(solver);
+        self.solver = Some(StageSolver::new(&self.labels, rows, columns)?);
         Ok(())
     }
 
@@ -60,65 +57,12 @@ impl KktSolver for TranscriptionSolver {
 }
 
 /// Labels in Ipopt's order of rows: variables, slacks of inequalities, multipliers of equalities, of inequalities.
-fn labels(layout: Layout, complementarity: Complementarity) -> Vec<Label> {
-    let mut labels = variables(layout);
-    let constraints = constraints(layout, complementarity);
-    let inequalities = constraints.iter().filter(|label| label.class == Class::InequalityMultiplier);
+fn labels(layout: &Layout) -> Vec<Label> {
+    let mut labels = layout.variable_labels();
+    let multipliers = layout.multiplier_labels();
+    let inequalities = multipliers.iter().filter(|label| label.class == Class::InequalityMultiplier);
     labels.extend(inequalities.clone().map(|&label| Label { class: Class::InequalitySlack, ..label }));
-    labels.extend(constraints.iter().filter(|label| label.class != Class::InequalityMultiplier));
+    labels.extend(multipliers.iter().filter(|label| label.class != Class::InequalityMultiplier));
     labels.extend(inequalities);
-    labels
-}
-
-fn variables(layout: Layout) -> Vec<Label> {
-    let blank = Label { stage: 0, owner: Owner::Reference, class: Class::Pose, index: 0 };
-    let mut labels = vec![blank; layout.variable_count()];
-    for stage in layout.stages() {
-        label_state(&mut labels[layout.reference(stage)..], stage, Owner::Reference);
-        for scenario in 0..layout.scenarios {
-            let owner = Owner::Scenario(scenario);
-            let start = layout.compliant(stage, scenario);
-            label_state(&mut labels[start..], stage, owner);
-            for index in 0..layout.pairs {
-                labels[start + STATE + index] = Label { stage, owner, class: Class::ContactForce, index };
-            }
-        }
-    }
-    labels
-}
-
-fn label_state(labels: &mut [Label], stage: usize, owner: Owner) {
-    for (index, label) in labels[..POSE].iter_mut().enumerate() {
-        *label = Label { stage, owner, class: Class::Pose, index };
-    }
-    for (index, label) in labels[POSE..STATE].iter_mut().enumerate() {
-        *label = Label { stage, owner, class: Class::Velocity, index };
-    }
-}
-
-/// Multipliers of all constraints, in the order of the constraints.
-fn constraints(layout: Layout, complementarity: Complementarity) -> Vec<Label> {
-    let product = match complementarity {
-        Complementarity::Relaxation => Class::InequalityMultiplier,
-        Complementarity::Smoothing => Class::ComplementarityMultiplier,
-    };
-    let mut labels = Vec::with_capacity(layout.constraint_count());
-    for stage in layout.stages() {
-        let mut add = |owner: Owner, class: Class, indices: Range<usize>| {
-            labels.extend(indices.map(|index| Label { stage, owner, class, index }));
-        };
-        add(Owner::Reference, Class::PoseMultiplier, 0..POSE);
-        add(Owner::Reference, Class::InequalityMultiplier, 0..layout.accelerations);
-        for scenario in 0..layout.scenarios {
-            let owner = Owner::Scenario(scenario);
-            add(owner, Class::PoseMultiplier, 0..POSE);
-            add(owner, Class::VelocityMultiplier, 0..TWIST);
-            add(owner, Class::InequalityMultiplier, 0..layout.pairs);
-            add(owner, product, 0..layout.pairs);
-            // Limits are numbered behind the pairs.
-            let limits = layout.accelerations + layout.wrenches;
-            add(owner, Class::InequalityMultiplier, layout.pairs..layout.pairs + limits);
-        }
-    }
     labels
 }

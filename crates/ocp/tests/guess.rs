@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ocp::Transcription;
+use ocp::{CONTACT_FORCE, Owners, Points, Transcription};
 use task::{Complementarity, HessianKind};
 
 #[test]
@@ -15,15 +15,14 @@ fn a_solve_may_begin_at_a_motion() {
     let layout = transcription.layout();
     let mut x = transcription.initial_guess();
     // Everything but quaternions, which a motion normalises: 13 coordinates of a state, of which 3 to 6 are one.
-    for (stage, trajectory) in layout.stages_and_trajectories() {
+    for (index, (stage, owner)) in layout.stages_of(Owners::All).enumerate() {
         for coordinate in [0, 1, 2, 7, 8, 9, 10, 11, 12] {
-            x[layout.state(stage, trajectory) + coordinate] += 0.01 * (stage * 10 + trajectory + coordinate) as f64;
+            x[layout.state(stage, owner) + coordinate] += 0.01 * (index * 10 + coordinate) as f64;
         }
     }
-    for (stage, scenario) in layout.stages_and_scenarios() {
-        for pair in 0..layout.pairs {
-            x[layout.contact_force(stage, scenario, pair)] += (stage + scenario + pair) as f64;
-        }
+    for point in layout.points(Points::Pairs) {
+        let forces = layout.variable(CONTACT_FORCE, point.stage, point.owner);
+        x[forces + point.pair] += (point.stage + point.scenario() + point.pair) as f64;
     }
     let again = transcription.point_at(&transcription.motion(&x, TAU));
     let largest = x.iter().zip(&again).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);

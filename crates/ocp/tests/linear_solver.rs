@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use kkt::Fallbacks;
-use nlp::{Control, Factorisation, KktSolver, LinearSolver, Mumps, Options, SolveStatus, Start};
+use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Mumps, Options, SolveStatus, Start};
 use ocp::{Transcription, TranscriptionSolver};
 use task::{AssemblyTask, Complementarity, HessianKind, Limits};
 
@@ -41,9 +41,9 @@ struct Compared {
 }
 
 impl Compared {
-    fn new(transcription: &Transcription, complementarity: Complementarity) -> Self {
+    fn new(transcription: &Transcription) -> Self {
         Self {
-            stage: TranscriptionSolver::new(transcription.layout(), complementarity),
+            stage: TranscriptionSolver::new(transcription.layout()),
             mumps: Mumps::new(),
             rows: Vec::new(),
             columns: Vec::new(),
@@ -78,7 +78,7 @@ impl KktSolver for Compared {
         "stage beside MUMPS"
     }
 
-    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), String> {
+    fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
         (self.rows, self.columns) = (rows.to_vec(), columns.to_vec());
         self.mumps.analyse(dimension, rows, columns)?;
         self.stage.analyse(dimension, rows, columns)
@@ -139,13 +139,13 @@ const PLAIN: Case = Case {
 fn compare(case: Case) -> (Compared, kkt::Report) {
     let task = AssemblyTask { limits: case.limits, ..task(case.scene, case.steps) };
     let mut transcription = transcribe(&task, case.complementarity, case.hessian);
-    let mut solver = Compared::new(&transcription, case.complementarity);
+    let mut solver = Compared::new(&transcription);
     let mut options = options();
     for &(name, value) in case.options {
         options.set(name, value);
     }
     let start = Start::Cold(transcription.initial_guess());
-    let chosen = LinearSolver::Own(&mut solver);
+    let chosen = LinearSystemSolver::Own(&mut solver);
     nlp::solve(&mut transcription, &start, &options, chosen, &mut |_| Control::Continue).unwrap();
     let report = *solver.stage.report().unwrap();
     assert!(report.factorisations > 20, "{report:?}");
@@ -218,9 +218,9 @@ fn gauss_newton_and_quasi_newton_agree_with_mumps() {
 fn solve_corner() -> (SolveStatus, Vec<u64>) {
     let complementarity = Complementarity::Relaxation;
     let mut transcription = transcribe(&task("corner", 20), complementarity, HessianKind::Exact);
-    let mut solver = TranscriptionSolver::new(transcription.layout(), complementarity);
+    let mut solver = TranscriptionSolver::new(transcription.layout());
     let start = Start::Cold(transcription.initial_guess());
-    let chosen = LinearSolver::Own(&mut solver);
+    let chosen = LinearSystemSolver::Own(&mut solver);
     let solution = nlp::solve(&mut transcription, &start, &options(), chosen, &mut |_| Control::Continue).unwrap();
     (solution.status, solution.iterate.x.iter().map(|value| value.to_bits()).collect())
 }

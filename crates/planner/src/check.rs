@@ -1,6 +1,6 @@
 //! What a scene says, and what is odd about it, without solving it.
 
-use ocp::{Layout, Transcription};
+use ocp::Transcription;
 use serde::Serialize;
 use task::pose::without_offset;
 use task::{AssemblyTask, ContactPair};
@@ -33,8 +33,10 @@ pub struct Explanation {
     pub start_clearance: f64,
     /// Every offset (m), and the smallest exact distance at the start with it (m).
     pub offset_clearances: Vec<([f64; 3], f64)>,
-    /// Size of the optimal control problem.
-    pub layout: Layout,
+    /// Steps of the optimal control problem.
+    pub steps: usize,
+    /// Its scenarios.
+    pub scenarios: usize,
     /// Its variables.
     pub variables: usize,
     /// Its constraints.
@@ -75,7 +77,8 @@ pub fn explain(problem: &Problem) -> Explanation {
         goal_clearance: task.clearance(&task.goal),
         start_clearance: task.clearance(&task.start),
         offset_clearances: task.offsets.iter().map(clearance).collect(),
-        layout,
+        steps: layout.steps,
+        scenarios: layout.scenarios,
         variables: layout.variable_count(),
         constraints: layout.constraint_count(),
         warnings: problem.warnings(),

@@ -47,7 +47,7 @@ impl Problem for Product {
     fn objective(&mut self) -> Result<f64, EvaluationError> {
         assert!(!self.panics || self.points < 3, "the third point is one too many");
         if self.wall.is_some_and(|wall| self.x[0] > wall) {
-            return Err(EvaluationError("behind the wall".to_owned()));
+            return Err(EvaluationError::new("behind the wall"));
         }
         let [a, b, c, d] = self.x;
         Ok(a * d * (a + b + c) + c)

@@ -1,0 +1,197 @@
+//! States, the kinematics of the reference and the dynamics of every scenario without contact.
+
+use autodiff::{Expression, Tape};
+use kkt::{Class, Owner};
+use nlp::Bounds;
+use task::algebra::apply;
+use task::{AssemblyTask, Impedance, Inertia, Limits, POSE, STATE, TWIST, at_rest};
+
+use crate::layout::Layout;
+use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
+
+/// Variables: pose (7).
+pub const POSE_VARIABLES: &str = "pose";
+/// Variables: twist (6), directly behind the pose.
+pub const TWIST_VARIABLES: &str = "twist";
+/// Rows: defect of the reference's kinematics (7, Eq. discretizedOCP).
+pub const REFERENCE_KINEMATICS: &str = "reference kinematics";
+/// Rows: defect of a scenario's pose (7, Eq. ts1).
+pub const POSE_DYNAMICS: &str = "pose dynamics";
+/// Rows: defect of a scenario's twist (6, Eq. ts), `v - v_prev - dt M^-1 w` with the sum `w` of all wrenches.
+pub const VELOCITY_DYNAMICS: &str = "velocity dynamics";
+
+/// The reference: its states and kinematics.
+pub struct ReferenceKinematics {
+    time_step: f64,
+    start: [f64; STATE],
+    limits: Limits,
+}
+
+impl ReferenceKinematics {
+    /// Of a task.
+    pub fn new(task: &AssemblyTask) -> Self {
+        Self { time_step: task.horizon.time_step, start: at_rest(&task.start), limits: task.limits }
+    }
+}
+
+impl StepTerm for ReferenceKinematics {
+    fn variables(&self) -> Vec<Block> {
+        state_variables(Owners::Reference, &self.limits)
+    }
+
+    fn rows(&self) -> Vec<Block> {
+        vec![defects(REFERENCE_KINEMATICS, Owners::Reference, Class::PoseMultiplier, POSE)]
+    }
+
+    fn points(&self) -> Points {
+        Points::Stages(Owners::Reference)
+    }
+
+    /// Inputs previous pose (7), pose (7) and twist (6); outputs `q - q_prev - dt Q(q_prev) v` (7, Eq. discretizedOCP).
+    fn tape(&self) -> Tape {
+        Tape::record(POSE + STATE, |inputs| {
+            let (previous, rest) = inputs.split_at(POSE);
+            let (pose, twist) = rest.split_at(POSE);
+            kinematic_defect(previous, pose, previous, twist, self.time_step)
+        })
+    }
+
+    fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source {
+        match input {
+            0..POSE if point.stage == 1 => Source::Constant(self.start[input]),
+            0..POSE => Source::Variable(layout.state(point.stage - 1, point.owner) + input),
+            _ => Source::Variable(layout.state(point.stage, point.owner) + input - POSE),
+        }
+    }
+
+    fn row(&self, output: usize, point: &Point, layout: &Layout) -> usize {
+        layout.row(REFERENCE_KINEMATICS, point.stage, point.owner) + output
+    }
+}
+
+/// The scenarios: their states and their dynamics without contact.
+pub struct CompliantDynamics {
+    time_step: f64,
+    inertia: Inertia,
+    impedance: Impedance,
+    offsets: Vec<[f64; 3]>,
+    /// Compliant states at the start.
+    initial: Vec<[f64; STATE]>,
+    limits: Limits,
+}
+
+impl CompliantDynamics {
+    /// Of a task.
+    pub fn new(task: &AssemblyTask) -> Self {
+        Self {
+            time_step: task.horizon.time_step,
+            inertia: task.inertia.clone(),
+            impedance: task.impedance.clone(),
+            offsets: task.offsets.clone(),
+            initial: initial_states(task),
+            limits: task.limits,
+        }
+    }
+}
+
+impl StepTerm for CompliantDynamics {
+    fn variables(&self) -> Vec<Block> {
+        state_variables(Owners::Scenarios, &self.limits)
+    }
+
+    fn rows(&self) -> Vec<Block> {
+        vec![
+            defects(POSE_DYNAMICS, Owners::Scenarios, Class::PoseMultiplier, POSE),
+            defects(VELOCITY_DYNAMICS, Owners::Scenarios, Class::VelocityMultiplier, TWIST),
+        ]
+    }
+
+    fn points(&self) -> Points {
+        Points::Stages(Owners::Scenarios)
+    }
+
+    /// Inputs previous state, state and reference state (13 each) and offset (3). Outputs the pose defect
+    /// `q - q_prev - dt Q(q) v` (7, Eq. ts1) and the velocity defect `v - v_prev - dt M^-1 w` (6, Eq. ts) with the
+    /// impedance wrench `w` (Eq. impedancewrench).
+    fn tape(&self) -> Tape {
+        Tape::record(3 * STATE + 3, |inputs| {
+            let (previous, rest) = inputs.split_at(STATE);
+            let (state, rest) = rest.split_at(STATE);
+            let (reference, offset) = rest.split_at(STATE);
+            let (pose, twist) = state.split_at(POSE);
+            let mut defects = kinematic_defect(&previous[..POSE], pose, pose, twist, self.time_step);
+            let wrench = self.impedance.wrench(reference, state, offset);
+            let acceleration = accelerate(&self.inertia, &wrench);
+            for axis in 0..TWIST {
+                defects.push(twist[axis] - previous[POSE + axis] - acceleration[axis] * self.time_step);
+            }
+            defects
+        })
+    }
+
+    fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source {
+        let &Point { stage, owner, .. } = point;
+        match (input / STATE, input % STATE) {
+            (0, component) if stage == 1 => Source::Constant(self.initial[point.scenario()][component]),
+            (0, component) => Source::Variable(layout.state(stage - 1, owner) + component),
+            (1, component) => Source::Variable(layout.state(stage, owner) + component),
+            (2, component) => Source::Variable(layout.state(stage, Owner::Reference) + component),
+            (_, axis) => Source::Constant(self.offsets[point.scenario()][axis]),
+        }
+    }
+
+    fn row(&self, output: usize, point: &Point, layout: &Layout) -> usize {
+        match output {
+            0..POSE => layout.row(POSE_DYNAMICS, point.stage, point.owner) + output,
+            _ => layout.row(VELOCITY_DYNAMICS, point.stage, point.owner) + output - POSE,
+        }
+    }
+}
+
+/// Compliant states at the start, one per scenario: the body rests where the offset puts it.
+pub fn initial_states(task: &AssemblyTask) -> Vec<[f64; STATE]> {
+    task.offsets.iter().map(|offset| at_rest(&task::pose::without_offset(&task.start, offset))).collect()
+}
+
+/// `M^-1` times a wrench.
+pub fn accelerate<'tape>(inertia: &Inertia, wrench: &[Expression<'tape>; TWIST]) -> [Expression<'tape>; TWIST] {
+    let inverse = inertia.rotational.try_inverse().expect("a validated rotational inertia is positive definite");
+    let rotational = apply(&inverse, &wrench[3..]);
+    std::array::from_fn(|axis| if axis < 3 { wrench[axis] * (1.0 / inertia.mass) } else { rotational[axis - 3] })
+}
+
+/// `q - q_prev - dt Q(q_at) v` with `Q = blkdiag(I, E(xi) / 2)`: 7 expressions.
+fn kinematic_defect<'tape>(
+    previous: &[Expression<'tape>],
+    pose: &[Expression<'tape>],
+    kinematics_at: &[Expression<'tape>],
+    twist: &[Expression<'tape>],
+    time_step: f64,
+) -> Vec<Expression<'tape>> {
+    let mut defects: Vec<_> = (0..3).map(|axis| pose[axis] - previous[axis] - twist[axis] * time_step).collect();
+    let [w, x, y, z] = [kinematics_at[3], kinematics_at[4], kinematics_at[5], kinematics_at[6]];
+    let [p, q, r] = [twist[3], twist[4], twist[5]];
+    let rates = [-(x * p) - y * q - z * r, w * p + y * r - z * q, w * q + z * p - x * r, w * r + x * q - y * p];
+    for (component, rate) in rates.into_iter().enumerate() {
+        defects.push(pose[3 + component] - previous[3 + component] - rate * (0.5 * time_step));
+    }
+    defects
+}
+
+/// Pose and twist; limited velocities are bounds.
+fn state_variables(owners: Owners, limits: &Limits) -> Vec<Block> {
+    let mut largest = [f64::INFINITY; TWIST];
+    for (axis, limit) in limits.velocities() {
+        largest[axis] = limit;
+    }
+    let block = |name, class, bounds| Block { name, owners, class, per_pair: false, bounds };
+    vec![
+        block(POSE_VARIABLES, Class::Pose, Bounds::symmetric([f64::INFINITY; POSE])),
+        block(TWIST_VARIABLES, Class::Velocity, Bounds::symmetric(largest)),
+    ]
+}
+
+/// Rows of equalities that are zero.
+fn defects(name: &'static str, owners: Owners, class: Class, count: usize) -> Block {
+    Block { name, owners, class, per_pair: false, bounds: Bounds::uniform(count, 0.0, 0.0) }
+}

@@ -1,0 +1,27 @@
+//! The terms of the transcription.
+
+mod contacts;
+mod dynamics;
+mod limits;
+
+pub use contacts::{CONTACT_FORCE, GAP, PRODUCT};
+pub(crate) use dynamics::initial_states;
+pub use dynamics::{POSE_DYNAMICS, POSE_VARIABLES, REFERENCE_KINEMATICS, TWIST_VARIABLES, VELOCITY_DYNAMICS};
+
+use task::{AssemblyTask, Complementarity};
+
+use crate::term::StepTerm;
+use contacts::Contacts;
+use dynamics::{CompliantDynamics, ReferenceKinematics};
+use limits::{AccelerationLimits, WrenchLimits};
+
+/// The terms of a task. A new one is a file and a line here; the order is that of declaration and accumulation.
+pub fn standard_terms(task: &AssemblyTask, complementarity: Complementarity) -> Vec<Box<dyn StepTerm>> {
+    vec![
+        Box::new(ReferenceKinematics::new(task)),
+        Box::new(CompliantDynamics::new(task)),
+        Box::new(AccelerationLimits::new(task)),
+        Box::new(WrenchLimits::new(task)),
+        Box::new(Contacts::new(task, complementarity)),
+    ]
+}
