@@ -1,4 +1,4 @@
-//! What serde reads: homotopies, with the places of what is checked later.
+//! Homotopies as they are deserialised, with the places of the values that are checked later.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -11,7 +11,7 @@ pub struct SceneDocument {
     pub ipopt: Option<toml::Table>,
 }
 
-/// A homotopy file, or the two tables of it within a scene.
+/// A homotopy file, or the same two tables in a scene.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HomotopyFileDocument {

@@ -1,14 +1,14 @@
-//! What is to be planned: one body, one environment, one start, one goal, several offsets.
+//! The planning task: one body, one environment, one start, one goal, several offsets.
 
 use nalgebra::Matrix3;
 
 use crate::impedance::Impedance;
 use crate::limits::Limits;
 
-/// A moved body, its environment and everything the optimal control problem needs to know of them.
+/// The moved body, its environment, and everything else that defines the optimal control problem.
 #[derive(Debug, Clone)]
 pub struct AssemblyTask {
-    /// Inertia `M` of the body as the impedance controller shapes it.
+    /// Apparent inertia `M` of the body under impedance control.
     pub inertia: Inertia,
     /// Pairs `Pi` of body and environment parts that may touch.
     pub pairs: Vec<ContactPair>,
@@ -24,7 +24,7 @@ pub struct AssemblyTask {
     pub horizon: Horizon,
     /// Weights of the cost (Sec. ocp:cost).
     pub cost: TrajectoryCost,
-    /// What reference and scenarios must not exceed.
+    /// Limits that the reference and all scenarios must satisfy.
     pub limits: Limits,
 }
 
@@ -66,7 +66,7 @@ pub struct Inertia {
 pub struct Horizon {
     /// Number of steps `N`, at least one.
     pub steps: usize,
-    /// Step `Delta t` (s).
+    /// Length of a step, `Delta t` (s).
     pub time_step: f64,
 }
 
