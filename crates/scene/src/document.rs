@@ -1,4 +1,4 @@
-//! What serde reads: homotopies, with the places of what is checked later.
+//! Homotopies as they are deserialised, with the places of the values that are checked later.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub struct SceneDocument {
     pub ipopt: Option<Spanned<IpoptDocument>>,
 }
 
-/// A homotopy file, or the two tables of it within a scene.
+/// A homotopy file, or the same two tables in a scene.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HomotopyFileDocument {

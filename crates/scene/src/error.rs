@@ -8,7 +8,7 @@ use toml::Spanned;
 
 use crate::plain_words::plain_words;
 
-/// What is wrong with a file, where, and what would be right.
+/// An error in a file: its place, and what would be valid instead.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SceneError {
     file: PathBuf,
@@ -50,7 +50,7 @@ impl SceneError {
         self.place.as_ref().map(|place| place.column)
     }
 
-    /// What is wrong, without the place.
+    /// The message without the place.
     pub fn message(&self) -> &str {
         &self.message
     }
@@ -94,7 +94,7 @@ impl Excerpt {
     }
 }
 
-/// A file's name and text, to point into.
+/// Name and text of a file that errors point into.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'text> {
     /// Name of the file.
@@ -104,7 +104,7 @@ pub struct Source<'text> {
 }
 
 impl Source<'_> {
-    /// An error about a range of bytes.
+    /// An error at a range of bytes.
     pub fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
         let (start, end) = (self.boundary(span.start), self.boundary(span.end.max(span.start)));
         let before = &self.text[..start];
@@ -128,7 +128,7 @@ impl Source<'_> {
     /// Index of a value among the known ones.
     ///
     /// # Errors
-    /// When it is none of them, with the nearest.
+    /// When it is not among them. The message suggests the nearest.
     pub fn require_known(&self, value: &Spanned<String>, known: &[&str]) -> Result<usize, SceneError> {
         let name = clipped(value.get_ref());
         known
@@ -137,7 +137,7 @@ impl Source<'_> {
             .ok_or_else(|| self.error(value.span(), format!("unknown value `{name}`{}", suggest(&name, known))))
     }
 
-    /// An error of the TOML parser in plain words, with the nearest valid key for one that is unknown.
+    /// An error of the TOML parser in plain words. For an unknown key it suggests the nearest valid one.
     pub fn parse_error(&self, error: &toml::de::Error) -> SceneError {
         let span = error.span();
         let written = span.clone().and_then(|span| self.text.get(span)).unwrap_or_default();
@@ -164,8 +164,15 @@ pub fn clipped_to(text: &str, length: usize) -> String {
 pub fn suggest(unknown: &str, valid: &[&str]) -> String {
     match nearest(unknown, valid) {
         Some(nearest) => format!(", did you mean `{nearest}`?"),
-        None => format!("; valid are: {}", valid.join(", ")),
+        None => format!("; valid are: {}", listed(valid)),
     }
+}
+
+/// The names, or the first ones of many.
+pub fn listed(names: &[&str]) -> String {
+    const SHOWN: usize = 20;
+    let shown = names[..names.len().min(SHOWN)].join(", ");
+    if names.len() > SHOWN { format!("{shown} and {} more", names.len() - SHOWN) } else { shown }
 }
 
 /// The nearest valid name, if one is near.

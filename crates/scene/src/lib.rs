@@ -1,9 +1,9 @@
-//! Scene and homotopy files to a validated assembly problem.
+//! Reads scene and homotopy files into a validated assembly problem.
 //!
-//! [`Scene::load`] reads what an engineer writes: parts, poses, stiffnesses, offsets. Everything is checked before
-//! anything is computed, and an error names file, line, column, key and what would be right. [`Scene::task`] is the
-//! planning task of one start and offset magnitude; [`load_homotopy`] reads the settings of its solution;
-//! [`resolved`] writes both as one file that reproduces the run.
+//! [`Scene::load`] reads what an engineer writes: parts, poses, stiffness, offsets. A scene that is returned is valid:
+//! every number lies in the range that [`keys`] declares. An error names file, line, column and key, and says what
+//! would be valid. [`Scene::task`] returns the planning task of one start and offset magnitude, [`load_homotopy`] reads
+//! how to solve it, and [`resolved`] writes both into one file that reproduces the run.
 
 mod document;
 mod error;

@@ -24,8 +24,8 @@ pub fn limits(table: Option<&Table>) -> Result<Limits, SceneError> {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
     "limits.{key} = {value}: the goal is {distance:.3} {unit} from start `{start}` along an axis, and {steps} steps of \
-     {time_step} s within the limits cover {covered:.3} {unit}; allow more than {enough} {unit}/{per}, or more steps in \
-     [horizon]",
+     {time_step} s within the limits cover {covered:.3} {unit}; allow more than {enough} {unit}/{per}, or more steps \
+     in [horizon]",
     steps = horizon.steps,
     time_step = horizon.time_step
 )]
@@ -50,7 +50,7 @@ pub struct OutOfReach {
     pub horizon: Horizon,
 }
 
-/// One kind of motion: how far it has to go, and the limits on its way.
+/// Translation or rotation from start to goal: its length along the worst axis, and its limits.
 struct Way {
     velocity_key: &'static str,
     acceleration_key: &'static str,
@@ -60,10 +60,11 @@ struct Way {
     acceleration: f64,
 }
 
-/// Whether limits of velocity and acceleration let the body get from a pose at a start, which has a name, to the goal.
+/// Checks that the limits of velocity and acceleration let the body get from `pose`, its pose at the named start, to
+/// the goal.
 ///
 /// # Errors
-/// With the limit that is too small.
+/// The limit that is too small.
 pub fn check_reach(
     limits: &Limits,
     (start, pose): (&str, &[f64; 7]),
@@ -94,7 +95,7 @@ pub fn check_reach(
 }
 
 impl Way {
-    /// Blames the velocity where it is too small for any acceleration.
+    /// Reports the velocity limit where it is too small for any acceleration, else the acceleration limit.
     fn check(&self, start: &str, horizon: Horizon) -> Result<(), OutOfReach> {
         let slowest = self.distance / (horizon.steps as f64 * horizon.time_step);
         let covered = reach(horizon, self.velocity, self.acceleration);
@@ -120,7 +121,7 @@ impl Way {
     }
 }
 
-/// Least acceleration with which an axis gets that far from rest. Its velocity limit suffices when it is reached at once.
+/// Least acceleration with which an axis covers a distance from rest; at the velocity limit alone it covers it.
 fn gentlest(horizon: Horizon, velocity: f64, distance: f64) -> f64 {
     let steps = horizon.steps as f64;
     let mut least = 2.0 * distance / (horizon.time_step.powi(2) * steps * (steps + 1.0));
@@ -135,7 +136,7 @@ fn gentlest(horizon: Horizon, velocity: f64, distance: f64) -> f64 {
     least
 }
 
-/// How far an axis gets from rest: it gains speed in every step until it is at the limit.
+/// Distance that an axis covers from rest: it accelerates in every step until it is at the velocity limit.
 fn reach(horizon: Horizon, velocity: f64, acceleration: f64) -> f64 {
     let (steps, gain) = (horizon.steps as f64, horizon.time_step * acceleration);
     // `min` ignores NaN, the quotient of two limits that are not given.

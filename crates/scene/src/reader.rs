@@ -38,15 +38,16 @@ impl<'text> Table<'text> {
 
     /// Refuses unknown keys, the first one in the file.
     fn checked(self) -> Result<Self, SceneError> {
-        let valid = || keys::keys().iter().filter(|key| key.table == self.declared).map(|key| key.name);
-        let unknown = self.entries.keys().filter(|key| !valid().any(|valid| valid == key.get_ref().as_ref()));
+        let declared = keys::keys().iter().filter(|key| key.table == self.declared);
+        let valid: Vec<&str> = declared.map(|key| key.name).collect();
+        let unknown = self.entries.keys().filter(|key| !valid.contains(&key.get_ref().as_ref()));
         match unknown.min_by_key(|key| key.span().start) {
             None => Ok(self),
             Some(key) => {
                 let name = clipped(key.get_ref());
                 let hint = match owner(&name) {
                     Some(table) => format!(" here: it belongs to [{table}]"),
-                    None => suggest(&name, &valid().collect::<Vec<_>>()),
+                    None => suggest(&name, &valid),
                 };
                 Err(self.source.error(key.span(), format!("unknown key `{name}`{hint}")))
             }

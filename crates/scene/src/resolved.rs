@@ -1,4 +1,4 @@
-//! A scene and a homotopy as one file that reproduces a run.
+//! Writes a scene and a homotopy into one file that reproduces a run.
 
 use task::{CostWeights, HomotopySettings, Limits};
 use toml::{Table, Value};
@@ -7,7 +7,8 @@ use crate::homotopy;
 use crate::part::Part;
 use crate::scene::{Scene, StartPose};
 
-/// A scene file with everything resolved: defaults, flags, meshes (as halfspaces) and the homotopy's tables.
+/// Text of a scene file that contains all defaults, the given start and offset magnitude (m), meshes as halfspaces, and
+/// the tables of the homotopy.
 pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotopy: &HomotopySettings) -> String {
     let (homotopy, ipopt) = homotopy::tables(homotopy);
     let rotational = &scene.inertia.rotational;

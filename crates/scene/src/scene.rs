@@ -27,7 +27,7 @@ pub struct StartPose {
     pub pose: [f64; 7],
 }
 
-/// Everything that a scene file says, checked.
+/// A validated scene.
 #[derive(Debug, Clone)]
 pub struct Scene {
     /// Title, by default the file's name.
@@ -54,11 +54,11 @@ pub struct Scene {
     pub horizon: Horizon,
     /// Weights.
     pub cost: TrajectoryCost,
-    /// What no plan may exceed.
+    /// Limits that every plan must satisfy.
     pub limits: Limits,
-    /// Homotopy of the scene's own, from its file entry or its tables.
+    /// The homotopy that the scene names or contains, if any.
     pub homotopy: Option<HomotopySettings>,
-    /// Remarks that do not stop anything.
+    /// Remarks on what looks like a mistake, each with file, line and column.
     pub warnings: Vec<String>,
 }
 
@@ -66,16 +66,16 @@ impl Scene {
     /// Reads a scene file and the files it names.
     ///
     /// # Errors
-    /// The first thing that is wrong, with its place.
+    /// The first error, with its place.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let text = read_text(path, "scene")?;
         Self::parse(Source { file: path, text: &text })
     }
 
-    /// Reads a scene from text; other files are looked for beside the source's file.
+    /// Reads a scene from text. Names of other files are relative to the source's file.
     ///
     /// # Errors
-    /// The first thing that is wrong, with its place.
+    /// The first error, with its place.
     pub fn parse(source: Source) -> Result<Self, SceneError> {
         let source = Source { text: source.text.strip_prefix('\u{feff}').unwrap_or(source.text), ..source };
         if source.text.trim().is_empty() {
@@ -128,8 +128,8 @@ impl Scene {
             return Ok(());
         }
         Err(table.require_table("horizon")?.require("steps")?.refuse(format!(
-            "{steps} steps x {offsets} offset directions x {pairs} contact pairs make {forces} contact forces, more than \
-             {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
+            "{steps} steps x {offsets} offset directions x {pairs} contact pairs make {forces} contact forces, more \
+             than {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
         )))
     }
 
@@ -167,7 +167,7 @@ impl Scene {
     /// The start of a given name, or the first.
     ///
     /// # Errors
-    /// With all names, when there is none of this name.
+    /// When there is no start of this name. The error lists all names.
     pub fn start(&self, name: Option<&str>) -> Result<&StartPose, TaskError> {
         let Some(name) = name else { return Ok(&self.starts[0]) };
         self.starts.iter().find(|start| start.name == name).ok_or_else(|| {
@@ -203,7 +203,7 @@ impl Scene {
         })
     }
 
-    /// Every body part with every environment part, also those that a plan leaves out.
+    /// All pairs of a body part and an environment part, including those that the scene leaves out.
     pub fn all_pairs(&self) -> Vec<ContactPair> {
         let others = 0..self.environment.len();
         (0..self.body.len()).flat_map(|part| others.clone().map(move |other| self.pair(part, other))).collect()

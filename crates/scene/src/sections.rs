@@ -109,8 +109,8 @@ pub fn pairs(scene: &Table, body: &[Part], environment: &[Part]) -> Result<Vec<(
         let most = *key("contact", "pairs").count().map_or(&usize::MAX, |count| count.end());
         if body.len() * environment.len() > most {
             return Err(scene.require("environment")?.refuse(format!(
-                "{} body parts and {} environment parts make more than {most} pairs: list those that may touch as pairs \
-                 in [contact]",
+                "{} body parts and {} environment parts make more than {most} pairs: list those that may touch as \
+                 pairs in [contact]",
                 body.len(),
                 environment.len()
             )));

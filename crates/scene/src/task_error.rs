@@ -1,5 +1,6 @@
 //! Why a scene has no task for what is asked.
 
+use crate::error::listed;
 use crate::keys::short;
 use crate::limits::OutOfReach;
 
@@ -35,11 +36,9 @@ pub enum TaskError {
 }
 
 fn unknown_start(name: &str, known: &[String], suggestion: Option<&str>) -> String {
-    const SHOWN: usize = 20;
-    let names = known[..known.len().min(SHOWN)].join(", ");
-    let rest = if known.len() > SHOWN { format!(" and {} more", known.len() - SHOWN) } else { String::new() };
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
     let hint = suggestion.map_or(String::new(), |nearest| format!("; did you mean `{nearest}`?"));
-    format!("there is no start `{name}`; the scene has {names}{rest}{hint}")
+    format!("there is no start `{name}`; the scene has {}{hint}", listed(&known))
 }
 
 fn offset_magnitude(value: f64, most: f64) -> String {

@@ -1,4 +1,5 @@
-//! Mutated scenes: whatever the text is, reading it ends soon, in a scene with sound numbers or in an error with a place.
+//! Mutated scenes: whatever the text is, reading it ends soon, in a scene with sound numbers or in an error with a
+//! place.
 
 use std::cell::Cell;
 use std::path::{Path, PathBuf};

@@ -36,7 +36,8 @@ fn a_thousand_parts_starts_and_directions_are_possible_and_no_more() {
     assert!(parse(&with_walls(1000)).is_ok() && parse(&with_directions(1000)).is_ok());
     assert!(message(&with_walls(1001)).contains("environment.part has 1001 entries: it must have at most 1000"));
     assert!(message(&with_directions(1001)).contains("offset_directions has 1001 entries: it must have at most 1000"));
-    assert!(parse(&with_starts(1000)).is_ok());
+    let error = parse(&with_starts(1000)).unwrap().start(Some("zzz")).unwrap_err().to_string();
+    assert!(error.ends_with("17, 18, 19 and 980 more"), "{error}");
     assert!(message(&with_starts(1001)).contains("start has 1001 entries: it must have at most 1000"));
 }
 
@@ -84,8 +85,8 @@ fn parts_from_a_tenth_of_a_millimetre_to_ten_metres_need_no_remark() {
 #[test]
 fn millimetres_for_metres_are_noticed() {
     for (from, to, words) in [
-        ("position = [0, 0, 0.09]", "position = [0, 0, 51]", "test.toml:11:12: start `a` is 50.9"),
-        ("position = [0, 0, 0]\n", "position = [0, 40, 0]\n", "test.toml:14:12: the goal is 39.9"),
+        ("position = [0, 0, 0.09]", "position = [0, 0, 51]", "test.toml:11:12: start `a` is 50.898"),
+        ("position = [0, 0, 0]\n", "position = [0, 40, 0]\n", "test.toml:14:12: the goal is 39.898"),
         (
             "position = [0, 0, 0.09]",
             "position = [0, 0, 2]",

@@ -1,10 +1,10 @@
-//! Vectors and matrices of numbers or of recorded expressions, so that each equation is written once.
+//! Small linear algebra that is generic over the number type, so that each equation is written once.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::Matrix3;
 
-/// What an equation is evaluated with: a plain number, or an expression that is recorded for its derivatives.
+/// The number type of an equation: `f64`, or an expression that is recorded for its derivatives.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Mul<f64, Output = Self> + Neg<Output = Self>
 {
@@ -27,7 +27,7 @@ pub fn dot<T: Number>(left: &[T], right: &[T]) -> T {
     left.iter().zip(right).skip(1).fold(left[0] * right[0], |sum, (&a, &b)| sum + a * b)
 }
 
-/// `R(xi)` of a quaternion (w x y z), the homogeneous quadratic form: `|xi|^2` times a rotation.
+/// The matrix `R(xi)` of a quaternion (w x y z) of any norm: `|xi|^2` times a rotation matrix.
 pub fn rotation<T: Number>(quaternion: &[T]) -> [[T; 3]; 3] {
     let [w, x, y, z] = [quaternion[0], quaternion[1], quaternion[2], quaternion[3]];
     let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);

@@ -31,9 +31,10 @@ impl Impedance {
         }
     }
 
-    /// The wrench (Eq. impedancewrench) of a controller that tracks the state `reference` (13) with a body in `state`
-    /// (13), which it believes to be at `P_q(q, offset)` (offset: 3, m, body frame): force (N, world frame) and torque
-    /// (Nm, body frame). Quaternions may be of any norm; the conjugate stands for the inverse.
+    /// Force (N, world frame) and torque (Nm, body frame) of the controller (Eq. impedancewrench) while it tracks the
+    /// state `reference` (13 numbers) with a body in `state` (13 numbers). The controller believes the body to be at
+    /// `P_q(q, offset)` (offset: 3 numbers, m, body frame). Quaternions may have any norm; the conjugate is used as the
+    /// inverse.
     pub fn wrench<T: Number>(&self, reference: &[T], state: &[T], offset: &[T]) -> [T; TWIST] {
         let rotation = rotation(&state[3..POSE]);
         let force: [T; 3] = std::array::from_fn(|axis| {

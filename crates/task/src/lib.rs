@@ -1,9 +1,9 @@
-//! What is to be planned and what a plan is, in plain numbers: everything that scenes, the optimal control problem and
-//! rollouts share. Needs neither Ipopt nor files.
+//! The planning task and the plan, as plain numbers. Scenes, the optimal control problem and rollouts share these
+//! types. The crate needs neither Ipopt nor files.
 //!
-//! An [`AssemblyTask`] is one body, one environment, one start and goal and the offsets to be borne.
-//! [`HomotopySettings`] say how it is solved. A [`Trajectory`] is the outcome: a reference and the motion of the body in
-//! every scenario, with its [`Quality`] and the [`Limits`] that it keeps.
+//! An [`AssemblyTask`] has one body, one environment, one start, one goal, and the position offsets that the plan must
+//! tolerate. [`HomotopySettings`] say how the task is solved. The result is a [`Trajectory`]: a reference, and the
+//! motion of the body in every scenario, with its [`Quality`] and the tightest [`Limits`] that it satisfies.
 //!
 //! | paper | here |
 //! |---|---|

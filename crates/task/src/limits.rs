@@ -1,18 +1,19 @@
-//! Limits of velocity, acceleration, force and wrench, which the reference and every scenario keep at every step.
+//! Limits of velocity, acceleration, contact force and wrench.
 
 use crate::state::{POSE, STATE, TWIST};
 
-/// Largest absolute value of every single component, infinite where there is no limit. Like a robot controller's own
-/// limits these are per axis: a speed along a diagonal may be larger by a factor of up to the root of 3.
+/// Largest absolute value of each component, infinite where there is no limit. The reference and every scenario satisfy
+/// the limits at every step. As in robot controllers, limits are per axis: the speed along a diagonal may be larger by
+/// a factor of up to `sqrt(3)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Velocity of the reference and of every scenario, in the world frame (m/s).
     pub translational_velocity: f64,
     /// Angular velocity of both, in the body frame (rad/s).
     pub rotational_velocity: f64,
-    /// Change of the velocity in a step by the step's length, of both (m/s^2).
+    /// Change of the velocity per step, divided by the time step, of both (m/s^2).
     pub translational_acceleration: f64,
-    /// Change of the angular velocity in a step by the step's length, of both (rad/s^2).
+    /// Change of the angular velocity per step, divided by the time step, of both (rad/s^2).
     pub rotational_acceleration: f64,
     /// Normal force of every pair in every scenario (N).
     pub contact_force: f64,
@@ -23,7 +24,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// No limits at all.
+    /// No limits.
     pub const NONE: Self = Self {
         translational_velocity: f64::INFINITY,
         rotational_velocity: f64::INFINITY,
@@ -34,12 +35,13 @@ impl Limits {
         torque: f64::INFINITY,
     };
 
-    /// Whether something that needs `reached` stays within these limits, up to a part `slack` of each.
+    /// Whether the values `reached` satisfy these limits. Each limit may be exceeded by the fraction `slack` of itself.
     pub fn allow(&self, reached: &Self, slack: f64) -> bool {
         self.named().iter().zip(reached.named()).all(|((_, _, limit), (_, _, value))| value <= limit * (1.0 + slack))
     }
 
-    /// The tightest limits that a motion keeps: states at k = 0..N, wrenches and largest contact force (N) of its steps.
+    /// The tightest limits that a motion satisfies, from its states at k = 0..N, the wrenches of its steps, and its
+    /// largest contact force (N).
     pub fn kept_by(states: &[[f64; STATE]], time_step: f64, wrenches: &[[f64; TWIST]], contact_force: f64) -> Self {
         let velocity = |state: &[f64; STATE], axis: usize| state[POSE + axis];
         let velocities = states.iter().map(|state| std::array::from_fn(|axis| velocity(state, axis)));
@@ -60,7 +62,7 @@ impl Limits {
         }
     }
 
-    /// Every limit with its name in scene files and its unit.
+    /// Name in scene files, unit and value of every limit.
     pub fn named(&self) -> [(&'static str, &'static str, f64); 7] {
         [
             ("translational_velocity", "m/s", self.translational_velocity),
@@ -73,7 +75,7 @@ impl Limits {
         ]
     }
 
-    /// The larger one of each.
+    /// The larger value of each limit.
     pub fn max(&self, other: &Self) -> Self {
         Self {
             translational_velocity: self.translational_velocity.max(other.translational_velocity),
@@ -86,29 +88,29 @@ impl Limits {
         }
     }
 
-    /// Limited axes of velocities, with their limits.
+    /// Index and limit of every velocity component that is limited.
     pub fn velocities(&self) -> Vec<(usize, f64)> {
         limited_axes(self.translational_velocity, self.rotational_velocity)
     }
 
-    /// Limited axes of accelerations, with their limits.
+    /// Index and limit of every acceleration component that is limited.
     pub fn accelerations(&self) -> Vec<(usize, f64)> {
         limited_axes(self.translational_acceleration, self.rotational_acceleration)
     }
 
-    /// Limited axes of wrenches, with their limits.
+    /// Index and limit of every wrench component that is limited.
     pub fn wrenches(&self) -> Vec<(usize, f64)> {
         limited_axes(self.force, self.torque)
     }
 }
 
-/// Axes of a twist or wrench that have a limit, with it.
+/// Index and limit of every limited component of a twist or wrench.
 fn limited_axes(translational: f64, rotational: f64) -> Vec<(usize, f64)> {
     let limits = (0..TWIST).map(|axis| (axis, if axis < 3 { translational } else { rotational }));
     limits.filter(|(_, limit)| limit.is_finite()).collect()
 }
 
-/// Largest absolute translational and rotational component of all twists or wrenches.
+/// Largest absolute translational component and largest absolute rotational component of all twists or wrenches.
 fn largest(twists: impl Iterator<Item = [f64; TWIST]>) -> [f64; 2] {
     twists.fold([0.0; 2], |largest, twist| {
         std::array::from_fn(|part| twist[3 * part..][..3].iter().fold(largest[part], |value, c| value.max(c.abs())))

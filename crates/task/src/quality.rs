@@ -1,15 +1,15 @@
-//! How well a scenario ends, how hard it touches, and how far its contacts are from hard ones.
+//! Measures of a scenario: final errors, contact forces, overlap, and deviation from hard contact.
 
 use crate::pose;
 use crate::state::POSE;
 use crate::task::AssemblyTask;
 
-/// One pair at one time.
+/// Contact of one pair at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Smoothed distance `Phi_tau` (m).
     pub distance: f64,
-    /// Normal force in the step that led here (N).
+    /// Normal force in the step that ends here (N).
     pub force: f64,
 }
 
@@ -22,17 +22,17 @@ pub struct Quality {
     pub orientation_error: f64,
     /// Deepest overlap of the exact shapes (m), `None` when they never overlap.
     pub penetration: Option<Peak>,
-    /// Largest product of a contact force and the exact distance, positive or negative, at the end of its step (N m):
-    /// zero for hard contacts, which push only where the shapes touch. `None` when nothing pushes.
+    /// Largest absolute product of a contact force and the exact distance at the end of its step (N m). It is zero for
+    /// hard contact, where only shapes that touch exert forces. `None` when there is no force.
     pub complementarity: Option<Peak>,
     /// Largest contact force (N).
     pub max_force: f64,
 }
 
-/// Where along a plan something is largest.
+/// A largest value, with the step and the pair where it occurs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
-    /// Its value, above zero.
+    /// The value, above zero.
     pub value: f64,
     /// Number of the step, 0 for the start.
     pub step: usize,
@@ -41,7 +41,7 @@ pub struct Peak {
 }
 
 impl Quality {
-    /// Of poses at k = 0..N and contacts at k = 1..N.
+    /// Measures of a motion with poses at k = 0..N and contacts at k = 1..N.
     pub fn new(task: &AssemblyTask, poses: &[[f64; POSE]], contacts: &[Vec<Contact>]) -> Self {
         let distances: Vec<Vec<f64>> =
             task.pairs.iter().map(|pair| poses.iter().map(|pose| pair.shapes.exact_distance(pose)).collect()).collect();
@@ -67,7 +67,7 @@ impl Quality {
 }
 
 impl Peak {
-    /// The largest of those above zero.
+    /// The largest of all positive values.
     pub fn largest(peaks: impl Iterator<Item = Self>) -> Option<Self> {
         peaks.filter(|peak| peak.value > 0.0).max_by(|one, other| one.value.total_cmp(&other.value))
     }

@@ -1,4 +1,4 @@
-//! Settings of the homotopy (Sec. ocp:homotopy) and of the solver underneath.
+//! Settings of the homotopy (Sec. ocp:homotopy) and of Ipopt.
 
 /// How the complementarity conditions are relaxed (Sec. diffphys:dsctime).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,21 +9,21 @@ pub enum Complementarity {
     Smoothing,
 }
 
-/// Second derivatives that the solver gets.
+/// Second derivatives that Ipopt uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HessianKind {
     /// Exact Hessian of the Lagrangian.
     Exact,
-    /// Gauss-Newton Hessian of the cost; constraints count as linear.
+    /// Gauss-Newton Hessian of the cost; constraints are treated as linear.
     GaussNewton,
     /// Ipopt's limited-memory BFGS.
     LimitedMemory,
 }
 
-/// Who solves the linear systems in Ipopt.
+/// Solver of the linear systems in Ipopt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinearSolver {
-    /// The program's own, which knows the stages of the problem.
+    /// The built-in solver, which exploits the stage structure of the problem.
     Stage,
     /// MUMPS, which comes with Ipopt.
     Mumps,
@@ -36,10 +36,10 @@ pub enum LinearSolver {
 }
 
 impl LinearSolver {
-    /// All of them, the default first.
+    /// All solvers, the default first.
     pub const ALL: [Self; 5] = [Self::Stage, Self::Mumps, Self::Ma27, Self::Ma57, Self::Ma97];
 
-    /// Its name in files and flags; Ipopt knows all but the program's own by the same name.
+    /// Name in files and flags. Ipopt uses the same names, except for the built-in solver.
     pub fn name(self) -> &'static str {
         match self {
             Self::Stage => "stage",
@@ -50,7 +50,7 @@ impl LinearSolver {
         }
     }
 
-    /// The one of a name.
+    /// The solver with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|solver| solver.name() == name)
     }
@@ -62,23 +62,23 @@ impl std::fmt::Display for LinearSolver {
     }
 }
 
-/// One of Ipopt's options.
+/// An Ipopt option.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IpoptOption {
-    /// Ipopt's name for it.
+    /// Name in Ipopt.
     pub name: String,
-    /// Its value.
+    /// Value.
     pub value: IpoptValue,
 }
 
-/// Value of one of Ipopt's options.
+/// Value of an Ipopt option.
 #[derive(Debug, Clone, PartialEq)]
 pub enum IpoptValue {
-    /// An integer; also accepted by options that take a real number.
+    /// An integer. Options that take a real number accept it too.
     Integer(i32),
     /// A real number.
     Number(f64),
-    /// A word.
+    /// A string.
     Text(String),
 }
 
@@ -103,9 +103,9 @@ pub struct HomotopySettings {
     pub complementarity: Complementarity,
     /// Second derivatives.
     pub hessian: HessianKind,
-    /// Who solves the linear systems.
+    /// Solver of the linear systems.
     pub linear_solver: LinearSolver,
-    /// Ipopt's options, in the order in which they are set.
+    /// Ipopt options, in the order in which they are set.
     pub ipopt: Vec<IpoptOption>,
 }
 

@@ -1,13 +1,13 @@
-//! What is to be planned: one body, one environment, one start, one goal, several offsets.
+//! The planning task: one body, one environment, one start, one goal, several offsets.
 
 use crate::impedance::Impedance;
 use crate::inertia::Inertia;
 use crate::limits::Limits;
 
-/// A moved body, its environment and everything the optimal control problem needs to know of them.
+/// The moved body, its environment, and everything else that defines the optimal control problem.
 #[derive(Debug, Clone)]
 pub struct AssemblyTask {
-    /// Inertia `M` of the body as the impedance controller shapes it.
+    /// Apparent inertia `M` of the body under impedance control.
     pub inertia: Inertia,
     /// Pairs `Pi` of body and environment parts that may touch.
     pub pairs: Vec<ContactPair>,
@@ -23,7 +23,7 @@ pub struct AssemblyTask {
     pub horizon: Horizon,
     /// Weights of the cost (Sec. ocp:cost).
     pub cost: TrajectoryCost,
-    /// What reference and scenarios must not exceed.
+    /// Limits that the reference and all scenarios must satisfy.
     pub limits: Limits,
 }
 
@@ -56,7 +56,7 @@ impl std::fmt::Display for ContactPair {
 pub struct Horizon {
     /// Number of steps `N`, at least one.
     pub steps: usize,
-    /// Step `Delta t` (s).
+    /// Length of a step, `Delta t` (s).
     pub time_step: f64,
 }
 

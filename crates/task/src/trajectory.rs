@@ -1,4 +1,4 @@
-//! What a solution means: reference, compliant states, wrenches, contacts and final errors.
+//! The plan: reference, compliant states, wrenches, contacts and final errors.
 
 use crate::limits::Limits;
 use crate::pose;
@@ -6,10 +6,11 @@ use crate::quality::{Contact, Quality};
 use crate::state::{POSE, STATE, TWIST, pose_of};
 use crate::task::AssemblyTask;
 
-/// A reference trajectory and the motion that every scenario makes when it tracks it. Quaternions are of unit norm.
+/// A reference trajectory, and the motion of the body in every scenario while the robot tracks it. Quaternions have
+/// unit norm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
-    /// Step (s).
+    /// Length of a step (s).
     pub time_step: f64,
     /// Reference states (pose, twist) at k = 0..N.
     pub reference: Vec<[f64; STATE]>,
@@ -17,7 +18,7 @@ pub struct Trajectory {
     pub scenarios: Vec<ScenarioTrajectory>,
     /// Largest `| |xi| - 1 |` before normalisation: the drift of Euler's method.
     pub quaternion_drift: f64,
-    /// The tightest limits that the reference keeps; it has no forces.
+    /// The tightest limits that the reference satisfies. Those of forces are zero: a reference has none.
     pub reference_keeps: Limits,
 }
 
@@ -28,19 +29,20 @@ pub struct ScenarioTrajectory {
     pub offset: [f64; 3],
     /// Compliant states at k = 0..N.
     pub states: Vec<[f64; STATE]>,
-    /// Impedance wrenches at k = 1..N (Eq. impedancewrench): force in the world frame (N), torque in the body frame (Nm).
+    /// Impedance wrenches at k = 1..N (Eq. impedancewrench): force in the world frame (N), torque in the body frame
+    /// (Nm).
     pub wrenches: Vec<[f64; TWIST]>,
     /// Contacts at k = 1..N, one per pair.
     pub contacts: Vec<Vec<Contact>>,
-    /// How well the scenario ends and how hard it touches.
+    /// Final errors, and extremes of force and overlap.
     pub quality: Quality,
-    /// The tightest limits that the scenario keeps.
+    /// The tightest limits that the scenario satisfies.
     pub keeps: Limits,
 }
 
 impl Trajectory {
-    /// From raw states at k = 0..N, whose quaternions may have drifted from unit norm: those of the reference, and the
-    /// scenarios made of theirs.
+    /// A trajectory from the raw states of the reference at k = 0..N, whose quaternions may have drifted from unit
+    /// norm, and from the scenarios. `drift` is the largest deviation from unit norm.
     pub fn new(time_step: f64, reference: &[[f64; STATE]], scenarios: Vec<ScenarioTrajectory>, drift: f64) -> Self {
         Self {
             time_step,
@@ -59,7 +61,7 @@ impl Trajectory {
         })
     }
 
-    /// The tightest limits that the reference and all scenarios keep.
+    /// The tightest limits that the reference and all scenarios satisfy.
     pub fn keeps(&self) -> Limits {
         self.scenarios.iter().fold(self.reference_keeps, |limits, scenario| limits.max(&scenario.keeps))
     }
@@ -72,8 +74,8 @@ impl Trajectory {
 }
 
 impl ScenarioTrajectory {
-    /// From the states of reference and body at k = 0..N, `time_step` seconds apart, and the contact forces (N) of every
-    /// pair in the step that leads to k = 1..N; distances are smoothed by `tau`.
+    /// A scenario from the raw states of reference and body at k = 0..N, `time_step` seconds apart. `forces(k)` are the
+    /// contact forces (N) of all pairs in the step that ends at k = 1..N. Distances are smoothed by `tau`.
     pub fn new<'x>(
         task: &AssemblyTask,
         offset: [f64; 3],

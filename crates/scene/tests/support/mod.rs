@@ -1,4 +1,5 @@
 //! What several tests share.
+#![allow(dead_code, reason = "not every test uses all of it")]
 
 use std::path::{Path, PathBuf};
 
@@ -43,7 +44,6 @@ pub fn replaced(from: &str, to: &str) -> String {
 }
 
 /// A folder of the project.
-#[allow(dead_code, reason = "not every test reads files of the project")]
 pub fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
 }
