@@ -2,303 +2,213 @@
 
 #![cfg(unix)]
 
-use std::fs;
+mod support;
+
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
+use std::time::SystemTime;
 
 use serde_json::Value;
-use tempfile::TempDir;
 
-fn project(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap().join(name)
+use support::{Dir, Run, Running, TestCommand};
+
+/// A folder with the corner scene, with a scene of so many steps that a homotopy iteration takes a moment, and with a
+/// homotopy that ends too early.
+fn folder() -> Dir {
+    let dir = Dir::new();
+    dir.add_variant("slow.toml", &[("steps = 20\ntime_step = 0.08", "steps = 40\ntime_step = 0.04")]);
+    dir.add_homotopy("hasty.toml", "", "max_iter = 1");
+    dir
 }
 
-/// A folder with the corner scene and its homotopy, and one with so many steps that a stage takes a moment.
-fn folder() -> TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    let text = fs::read_to_string(project("scenes/corner.toml")).unwrap();
-    let text = text.replace("../configs/homotopy_peg.toml", "homotopy.toml");
-    fs::write(folder.path().join("corner.toml"), &text).unwrap();
-    let slow = text.replace("steps = 20\ntime_step = 0.08", "steps = 40\ntime_step = 0.04");
-    fs::write(folder.path().join("slow.toml"), slow).unwrap();
-    fs::copy(project("configs/homotopy_peg.toml"), folder.path().join("homotopy.toml")).unwrap();
-    let hasty = "[homotopy]\n[ipopt]\nmax_iter = 1\n";
-    fs::write(folder.path().join("hasty.toml"), hasty).unwrap();
-    folder
+fn command(dir: &Dir, arguments: &str) -> TestCommand {
+    dir.program(&format!("batch {arguments}"))
 }
 
-fn command(folder: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_assembly-plan"));
-    command.current_dir(folder).arg("batch").args(arguments.split(' '));
-    command.env_remove("SLURM_ARRAY_TASK_ID").env_remove("HQ_TASK_ID");
-    command
-}
-
-/// Runs `batch` and returns what it says on both streams.
+/// Runs `batch` and expects an exit code.
 #[track_caller]
-fn batch(folder: &Path, arguments: &str, code: i32) -> String {
-    said(command(folder, arguments).output().unwrap(), code)
+fn batch(dir: &Dir, arguments: &str, code: i32) -> Run {
+    command(dir, arguments).run().code(code)
 }
 
-#[track_caller]
-fn said(output: Output, code: i32) -> String {
-    let text = [output.stdout, output.stderr].concat();
-    let text = String::from_utf8(text).unwrap();
-    assert_eq!(output.status.code(), Some(code), "{text}");
-    text
+fn begin(dir: &Dir, arguments: &str) -> Running {
+    command(dir, arguments).spawn()
 }
 
-fn begin(folder: &Path, arguments: &str) -> Child {
-    command(folder, arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
-}
-
-fn manifest(batch: &Path) -> Vec<Value> {
-    let text = fs::read_to_string(batch.join("manifest.jsonl")).unwrap();
-    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+fn manifest(dir: &Dir, folder: &str) -> Vec<Value> {
+    dir.read(format!("{folder}/manifest.jsonl")).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
 
 /// Folders of all cells.
-fn cells(batch: &Path) -> Vec<PathBuf> {
-    manifest(batch).iter().map(|cell| batch.join(cell["folder"].as_str().unwrap())).collect()
+fn cells(dir: &Dir, folder: &str) -> Vec<PathBuf> {
+    manifest(dir, folder).iter().map(|cell| dir.path(folder).join(cell["folder"].as_str().unwrap())).collect()
+}
+
+/// The checkpoint of a cell, while it is solved.
+fn checkpoint(cell: &Path) -> PathBuf {
+    let name = format!(".{}.unfinished", cell.file_name().unwrap().to_str().unwrap());
+    cell.with_file_name(name).join("checkpoint.json")
 }
 
 /// When the result of each cell was written; none for an unfinished cell.
-fn finished(batch: &Path) -> Vec<Option<std::time::SystemTime>> {
-    let written = |cell: &PathBuf| fs::metadata(cell.join("result.json")).ok().map(|file| file.modified().unwrap());
-    cells(batch).iter().map(written).collect()
+fn finished(dir: &Dir, folder: &str) -> Vec<Option<SystemTime>> {
+    let written = |cell: &PathBuf| cell.join("result.json").metadata().ok().map(|file| file.modified().unwrap());
+    cells(dir, folder).iter().map(written).collect()
 }
 
 /// `cells.csv` without what depends on time.
-fn table(batch: &Path) -> Vec<Vec<String>> {
-    let mut reader = csv::Reader::from_path(batch.join("cells.csv")).unwrap();
-    let header = reader.headers().unwrap().clone();
-    let kept =
-        |column: &usize| !["wall_s", "distances_s", "model_s", "linear_solver_s", "rest_s"].contains(&&header[*column]);
-    let kept: Vec<usize> = (0..header.len()).filter(kept).collect();
-    reader
-        .records()
-        .map(Result::unwrap)
-        .map(|row| kept.iter().map(|&column| row[column].to_owned()).collect())
-        .collect()
-}
-
-#[track_caller]
-fn wait_for(what: &str, is_so: impl Fn() -> bool) {
-    let begun = Instant::now();
-    while !is_so() {
-        assert!(begun.elapsed() < Duration::from_secs(60), "waited in vain for {what}");
-        std::thread::sleep(Duration::from_millis(2));
-    }
-}
-
-fn send(signal: &str, process: &Child) {
-    assert!(Command::new("kill").args([signal, &process.id().to_string()]).status().unwrap().success());
+fn table(dir: &Dir, folder: &str) -> Vec<Vec<String>> {
+    let times = ["wall_s", "distances_s", "model_s", "linear_solver_s", "rest_s"];
+    dir.table(format!("{folder}/cells.csv")).without(&times)
 }
 
 #[test]
 fn a_manifest_comes_from_flags_or_a_file_and_never_changes() {
-    let folder = folder();
-    let folder = folder.path();
+    let dir = folder();
     let flags = "expand corner.toml slow.toml --starts all --deltas 0,0.01 --homotopies homotopy.toml,hasty.toml";
-    batch(folder, &format!("{flags} --out flags"), 0);
-    let written = fs::read(folder.join("flags/manifest.jsonl")).unwrap();
-    let lines = manifest(&folder.join("flags"));
+    batch(&dir, &format!("{flags} --out flags"), 0);
+    let written = dir.bytes("flags/manifest.jsonl");
+    let lines = manifest(&dir, "flags");
     assert_eq!(lines.len(), 2 * 3 * 2 * 2);
     assert_eq!((&lines[2]["start"], &lines[2]["delta_m"]), (&"1".into(), &0.01.into()));
 
     let matrix = "scenes = [\"corner.toml\", \"slow.toml\"]\nstarts = \"all\"\ndeltas = [0, 0.01]\n\
                   homotopies = [\"homotopy.toml\", \"hasty.toml\"]\n";
-    fs::write(folder.join("matrix.toml"), matrix).unwrap();
-    batch(folder, "expand --matrix matrix.toml --out file", 0);
-    assert_eq!(fs::read(folder.join("file/manifest.jsonl")).unwrap(), written);
+    dir.write("matrix.toml", matrix);
+    batch(&dir, "expand --matrix matrix.toml --out file", 0);
+    assert_eq!(dir.bytes("file/manifest.jsonl"), written);
 
-    let text = batch(folder, &format!("{flags} --out flags"), 0);
-    assert!(text.contains("24 cells, as flags/manifest.jsonl already says"), "{text}");
-    let text = batch(folder, "expand corner.toml --deltas 0 --out flags", 2);
-    assert!(text.contains("flags/manifest.jsonl:1: this folder belongs to another batch"), "{text}");
-    assert_eq!(fs::read(folder.join("flags/manifest.jsonl")).unwrap(), written);
+    batch(&dir, &format!("{flags} --out flags"), 0).says("24 cells, as flags/manifest.jsonl already says");
+    batch(&dir, "expand corner.toml --deltas 0 --out flags", 2)
+        .says("flags/manifest.jsonl:1: this folder belongs to another batch");
+    assert_eq!(dir.bytes("flags/manifest.jsonl"), written);
 }
 
 #[test]
 fn a_finished_batch_is_collected_and_not_solved_again() {
-    let folder = folder();
-    let folder = folder.path();
+    let dir = folder();
     let line = "corner.toml --starts 1,3 --deltas 0,0.01 --jobs 2 --out runs/corner";
-    let text = batch(folder, line, 0);
-    assert!(text.contains("4/4 cells done, 0 failed"), "{text}");
-    let runs = folder.join("runs/corner");
-    let solved = finished(&runs);
-    let table = fs::read_to_string(runs.join("cells.csv")).unwrap();
-    assert_eq!(table.lines().count(), 5);
-    let collected: Value = serde_json::from_slice(&fs::read(runs.join("cells.json")).unwrap()).unwrap();
+    batch(&dir, line, 0).says("4/4 cells done, 0 failed");
+    let solved = finished(&dir, "runs/corner");
+    assert_eq!(dir.read("runs/corner/cells.csv").lines().count(), 5);
+    let collected = dir.json("runs/corner/cells.json");
     assert_eq!(collected[3]["result"]["start"], "3");
     assert_eq!(collected[3]["state"], "done");
 
-    let text = batch(folder, line, 0);
-    assert!(text.contains("nothing to do: all 4 cells are finished, 4 done, 0 failed"), "{text}");
-    assert!(!text.contains("written"), "{text}");
-    assert_eq!(finished(&runs), solved);
-    assert!(batch(folder, "status runs/corner", 0).contains("4 cells: 4 done, 0 running, 0 failed, 0 to do"));
+    batch(&dir, line, 0)
+        .says("nothing to do: all 4 cells are finished, 4 done, 0 failed")
+        .keeps_silent_about("written");
+    assert_eq!(finished(&dir, "runs/corner"), solved);
+    batch(&dir, "status runs/corner", 0).says("4 cells: 4 done, 0 running, 0 failed, 0 to do");
 
     // A batch that has moved with its scenes is the same one.
-    let moved = folder.join("moved");
-    fs::create_dir(&moved).unwrap();
+    dir.make_folder("moved");
     for name in ["runs", "corner.toml", "homotopy.toml"] {
-        fs::rename(folder.join(name), moved.join(name)).unwrap();
+        dir.rename(name, &format!("moved/{name}"));
     }
-    assert!(batch(&moved, line, 0).contains("nothing to do"));
+    let moved = TestCommand::new(&dir.path("moved"), &format!("batch {line}"));
+    moved.run().code(0).says("nothing to do");
 }
 
 #[test]
 fn a_killed_batch_is_completed_by_a_rerun() {
-    let folder = folder();
-    let folder = folder.path();
+    let dir = folder();
     let line = "slow.toml --starts all --deltas 0.01,0.02 --jobs 2 --out";
-    batch(folder, &format!("{line} whole"), 0);
-    let killed = folder.join("killed");
-    batch(folder, "expand slow.toml --starts all --deltas 0.01,0.02 --out killed", 0);
-    let mut run = begin(folder, &format!("{line} killed"));
-    let third = cells(&killed)[2].join("checkpoint.json");
-    wait_for("a stage of the third cell", || third.exists());
-    send("-KILL", &run);
-    run.wait().unwrap();
-    let before = finished(&killed);
+    batch(&dir, &format!("{line} whole"), 0);
+    batch(&dir, "expand slow.toml --starts all --deltas 0.01,0.02 --out killed", 0);
+    let mut run = begin(&dir, &format!("{line} killed"));
+    let third = checkpoint(&cells(&dir, "killed")[2]);
+    run.wait_until("a homotopy iteration of the third cell", || third.exists());
+    run.signal("KILL");
+    assert_eq!(run.finish().code, None);
+    let before = finished(&dir, "killed");
     assert!(before.iter().any(Option::is_some) && before.iter().any(Option::is_none), "{before:?}");
 
     // At once: the orphans of the killed run may still be busy.
-    batch(folder, &format!("{line} killed"), 0);
-    assert_eq!(table(&killed), table(&folder.join("whole")));
-    for (before, after) in before.iter().zip(finished(&killed)) {
+    batch(&dir, &format!("{line} killed"), 0);
+    assert_eq!(table(&dir, "killed"), table(&dir, "whole"));
+    for (before, after) in before.iter().zip(finished(&dir, "killed")) {
         assert!(before.is_none() || *before == after, "a finished cell was solved again");
     }
 }
 
 #[test]
-fn a_terminated_batch_goes_on_with_the_stage_it_had_reached() {
-    let folder = folder();
-    let folder = folder.path();
-    batch(folder, "expand slow.toml --starts 1,2 --out runs", 0);
-    let runs = folder.join("runs");
-    let run = begin(folder, "run runs --jobs 1");
-    wait_for("a stage of the first cell", || cells(&runs)[0].join("checkpoint.json").exists());
-    assert!(batch(folder, "status runs", 0).contains("1 running"));
-    send("-TERM", &run);
-    let text = said(run.wait_with_output().unwrap(), 130);
-    assert!(text.contains("interrupted with 2 cells to do"), "{text}");
-    assert_eq!(finished(&runs), [None, None]);
-    assert!(batch(folder, "status runs", 0).contains("2 cells: 0 done, 0 running, 0 failed, 2 to do"));
+fn a_terminated_batch_goes_on_with_the_homotopy_iteration_it_had_reached() {
+    let dir = folder();
+    batch(&dir, "expand slow.toml --starts 1,2 --out runs", 0);
+    let cell = cells(&dir, "runs")[0].clone();
+    let mut run = begin(&dir, "run runs --jobs 1");
+    run.wait_until("a homotopy iteration of the first cell", || checkpoint(&cell).exists());
+    batch(&dir, "status runs", 0).says("1 running");
+    run.signal("TERM");
+    run.finish().code(130).says("interrupted with 2 cells to do");
+    assert_eq!(finished(&dir, "runs"), [None, None]);
+    batch(&dir, "status runs", 0).says("2 cells: 0 done, 0 running, 0 failed, 2 to do");
 
-    batch(folder, "run runs --jobs 1", 0);
-    let log = fs::read_to_string(cells(&runs)[0].join("log.txt")).unwrap();
-    assert!(log.contains("going on after stage"), "{log}");
+    batch(&dir, "run runs --jobs 1", 0);
+    let log = dir.read(cell.join("log.txt"));
+    assert!(log.contains("going on after homotopy iteration"), "{log}");
 }
 
 #[test]
 fn two_runs_share_a_batch() {
-    let folder = folder();
-    let folder = folder.path();
-    batch(folder, "expand corner.toml --starts all --deltas 0,0.01 --out runs", 0);
-    let other = begin(folder, "run runs --jobs 1");
-    let text = batch(folder, "run runs --jobs 1", 0) + &said(other.wait_with_output().unwrap(), 0);
+    let dir = folder();
+    batch(&dir, "expand corner.toml --starts all --deltas 0,0.01 --out runs", 0);
+    let other = begin(&dir, "run runs --jobs 1");
+    let texts = [batch(&dir, "run runs --jobs 1", 0), other.finish().code(0)].map(|run| run.stderr);
     let solves = |line: &str| line.split("; ").nth(1)?.split(' ').next()?.parse::<usize>().ok();
-    let solved: usize = text.lines().filter(|line| line.contains(" solves in ")).filter_map(solves).sum();
-    assert_eq!(solved, 6, "{text}");
+    let lines = texts.iter().flat_map(|text| text.lines());
+    let solved: usize = lines.filter(|line| line.contains(" solves in ")).filter_map(solves).sum();
+    assert_eq!(solved, 6, "{texts:?}");
 }
 
 #[test]
 fn failing_cells_are_named_and_stop_no_other() {
-    let folder = folder();
-    let folder = folder.path();
+    let dir = folder();
     let line = "corner.toml --starts 1,2 --homotopies hasty.toml,homotopy.toml --out runs";
-    let text = batch(folder, line, 1);
-    assert!(text.contains("2/4 cells done, 2 failed"), "{text}");
-    assert!(text.contains("failed: cell 0 (corner, start 1, delta 0.02, hasty): stage 5: "), "{text}");
-    assert!(text.contains("failed: cell 2 (corner, start 2, delta 0.02, hasty)"), "{text}");
-    let text = batch(folder, line, 1);
-    assert!(text.contains("nothing to do: all 4 cells are finished, 2 done, 2 failed"), "{text}");
-    assert!(text.contains("failed: cell 2"), "{text}");
+    batch(&dir, line, 1)
+        .says("2/4 cells done, 2 failed")
+        .says("failed: cell 0 (corner, start 1, delta 0.02, hasty): homotopy iteration 5: iteration limit reached")
+        .says("failed: cell 2 (corner, start 2, delta 0.02, hasty)");
+    batch(&dir, line, 1).says("nothing to do: all 4 cells are finished, 2 done, 2 failed").says("failed: cell 2");
 
     // Cells whose scene is gone or another one since crash; those that are finished do not care.
-    batch(folder, "expand corner.toml slow.toml --out changed", 0);
-    batch(folder, "run changed --index 0", 0);
-    fs::remove_file(folder.join("corner.toml")).unwrap();
-    let scene = fs::read_to_string(folder.join("slow.toml")).unwrap();
-    fs::write(folder.join("slow.toml"), scene.replace("mass = 1.0", "mass = 2.0")).unwrap();
-    let text = batch(folder, "run changed", 1);
-    assert!(text.contains("failed: cell 1 (slow, start 1, delta 0.02)"), "{text}");
-    assert!(text.contains("is not the one of the manifest"), "{text}");
-    assert!(batch(folder, "status changed", 0).contains("2 cells: 1 done, 0 running, 1 failed, 0 to do"));
-    batch(folder, "collect changed", 0);
-    fs::write(folder.join("slow.toml"), scene).unwrap();
-    batch(folder, "run changed", 0);
+    batch(&dir, "expand corner.toml slow.toml --out changed", 0);
+    batch(&dir, "run changed --index 0", 0);
+    dir.remove("corner.toml");
+    let scene = dir.read("slow.toml");
+    dir.write("slow.toml", scene.replace("mass = 1.0", "mass = 2.0"));
+    batch(&dir, "run changed", 1)
+        .says("failed: cell 1 (slow, start 1, delta 0.02)")
+        .says("is not the one of the manifest");
+    batch(&dir, "status changed", 0).says("2 cells: 1 done, 0 running, 1 failed, 0 to do");
+    batch(&dir, "collect changed", 0);
+    dir.write("slow.toml", scene);
+    batch(&dir, "run changed", 0);
 }
 
 #[test]
 fn a_task_of_an_array_solves_its_own_cells() {
-    let folder = folder();
-    let folder = folder.path();
-    batch(folder, "expand corner.toml --starts all --deltas 0,0.01 --out runs", 0);
-    let runs = folder.join("runs");
-    let done = || finished(&runs).iter().map(|time| u8::from(time.is_some())).collect::<Vec<u8>>();
-    batch(folder, "run runs --index 1 --count 2", 0);
+    let dir = folder();
+    batch(&dir, "expand corner.toml --starts all --deltas 0,0.01 --out runs", 0);
+    let done = || finished(&dir, "runs").iter().map(|time| u8::from(time.is_some())).collect::<Vec<u8>>();
+    batch(&dir, "run runs --index 1 --count 2", 0);
     assert_eq!(done(), [0, 1, 1, 0, 0, 0]);
-    said(command(folder, "run runs").env("SLURM_ARRAY_TASK_ID", "4").output().unwrap(), 0);
+    command(&dir, "run runs").env("SLURM_ARRAY_TASK_ID", "4").run().code(0);
     assert_eq!(done(), [0, 1, 1, 0, 1, 0]);
-    said(command(folder, "run runs").env("HQ_TASK_ID", "0").output().unwrap(), 0);
+    command(&dir, "run runs").env("HQ_TASK_ID", "0").run().code(0);
     assert_eq!(done(), [1, 1, 1, 0, 1, 0]);
     // The last chunk may be shorter.
-    said(command(folder, "run runs --count 4").env("SLURM_ARRAY_TASK_ID", "5").output().unwrap(), 0);
+    command(&dir, "run runs --count 4").env("SLURM_ARRAY_TASK_ID", "5").run().code(0);
     assert_eq!(done(), [1, 1, 1, 0, 1, 1]);
 
-    let text = said(command(folder, "run runs").env("SLURM_ARRAY_TASK_ID", "x").output().unwrap(), 2);
-    assert!(text.contains("SLURM_ARRAY_TASK_ID=x: must be the number of a cell"), "{text}");
-    let text = batch(folder, "run runs --index 6", 2);
-    assert!(text.contains("--index 6: the cells of runs/manifest.jsonl are 0 to 5"), "{text}");
+    command(&dir, "run runs")
+        .env("SLURM_ARRAY_TASK_ID", "x")
+        .run()
+        .code(2)
+        .says("SLURM_ARRAY_TASK_ID=x: must be the number of a cell");
+    batch(&dir, "run runs --index 6", 2).says("--index 6: the cells of runs/manifest.jsonl are 0 to 5");
 
-    batch(folder, "submit runs --slurm --count 4 -- --time=10:00", 0);
-    let script = fs::read_to_string(runs.join("submit.sh")).unwrap();
+    batch(&dir, "submit runs --slurm --count 4 -- --time=10:00", 0);
+    let script = dir.read("runs/submit.sh");
     assert!(script.contains("#SBATCH --array=0-1\n") && script.contains("#SBATCH --time=10:00\n"), "{script}");
-}
-
-#[test]
-fn wrong_input_exits_with_2_and_says_what_is_right() {
-    let folder = folder();
-    let folder = folder.path();
-    let matrices = [
-        (
-            "scenes = [\"corner.toml\"]\nstart = [\"1\"]\n",
-            "matrix.toml:2:1: unknown key `start`, did you mean `starts`?",
-        ),
-        ("scenes = [\"corner.toml\"]\nstarts = [\"9\"]\n", "matrix.toml:2:10: corner.toml: there is no start `9`"),
-        ("scenes = [\"corner.toml\"]\ndeltas = [-1]\n", "matrix.toml:2:10: the offset magnitude must not be negative"),
-        ("scenes = []\n", "matrix.toml:1:10: at least one scene is needed"),
-        ("scenes = [\"none.toml\"]\n", "none.toml: the scene cannot be read"),
-        ("scenes = [\"corner.toml\"]\nstarts = 1\n", "matrix.toml:2:10: starts must be \"all\" or a list of names"),
-        (
-            "scenes = [\"corner.toml\"]\nlinear_solver = \"mump\"\n",
-            "matrix.toml:2:17: unknown value `mump`, did you mean",
-        ),
-        ("scenes = [\"corner.toml\", \"corner.toml\"]\n", "are the same problem; name it once"),
-    ];
-    for (matrix, message) in matrices {
-        fs::write(folder.join("matrix.toml"), matrix).unwrap();
-        let text = batch(folder, "--matrix matrix.toml --out runs", 2);
-        assert!(text.contains(message), "{text}");
-        assert!(!folder.join("runs").exists(), "{matrix}");
-    }
-    let flags = [
-        ("expand", "name scenes, or a matrix file with --matrix"),
-        ("corner.toml --starts 9", "--starts: corner.toml: there is no start `9`; the scene has 1, 2, 3"),
-        ("corner.toml --linear-solver mump", "'mump'"),
-        ("run runs", "runs/manifest.jsonl: there is none; `assembly-plan batch expand` writes it"),
-        ("run runs --count 2 --jobs 0", "--jobs"),
-    ];
-    for (arguments, message) in flags {
-        let text = batch(folder, arguments, 2);
-        assert!(text.contains(message), "{text}");
-    }
-    fs::create_dir(folder.join("runs")).unwrap();
-    fs::write(folder.join("runs/manifest.jsonl"), "{\"index\":0}\n").unwrap();
-    assert!(batch(folder, "run runs", 2).contains("runs/manifest.jsonl:1: missing field `scene`"));
 }

@@ -1,39 +1,29 @@
 //! `simulate` against motions that MuJoCo made from the same plans; `scripts/record-mujoco` records them.
 
-use std::path::{Path, PathBuf};
-use std::process::Command;
+mod support;
+
+use support::{Dir, Table, project};
 
 /// A moment of a motion: time (s), position (m), quaternion, velocity (m/s), angular velocity (rad/s).
 type Moment = [f64; 14];
 
-fn moments(file: &Path) -> Vec<Moment> {
-    let text = std::fs::read_to_string(file).unwrap();
-    let numbers = |line: &str| line.split(',').map(|number| number.parse().unwrap()).collect::<Vec<f64>>();
-    text.lines().skip(1).map(|line| numbers(line).try_into().unwrap()).collect()
+fn moments(table: &Table) -> Vec<Moment> {
+    table.numbers_from("time_s").into_iter().map(|row| row.try_into().unwrap()).collect()
 }
 
 /// The motion of a plan at its planned offset, as `simulate` makes it.
-fn simulated(plan: &Path, friction: &str) -> Vec<Moment> {
-    let out = tempfile::tempdir().unwrap();
-    let trace = out.path().join("trace.csv");
-    let run = Command::new(env!("CARGO_BIN_EXE_assembly-plan"))
-        .args(["simulate".as_ref(), plan.join("resolved.toml").as_os_str(), plan.as_os_str()])
-        .args(["--friction", friction, "--out", out.path().to_str().unwrap()])
-        .args(["--trace".as_ref(), trace.as_os_str()])
-        .output()
-        .unwrap();
-    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
-    moments(&trace)
-}
-
-fn plan(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/mujoco").join(name)
+fn simulated(plan: &str, friction: &str) -> Vec<Moment> {
+    let (dir, plan) = (Dir::new(), project("tests/mujoco").join(plan));
+    let flags = format!("--friction {friction} --out . --trace trace.csv");
+    dir.program("simulate").arg(plan.join("resolved.toml")).arg(plan).args(&flags).run().code(0);
+    moments(&dir.table("trace.csv"))
 }
 
 /// Largest differences between both motions of a plan: in position (m) and in the quaternion.
 fn differences(name: &str, friction: &str) -> (f64, f64) {
-    let ours = simulated(&plan(name), friction);
-    let theirs = moments(&plan(name).join(format!("friction_{friction}.csv")));
+    let ours = simulated(name, friction);
+    let record = project("tests/mujoco").join(name).join(format!("friction_{friction}.csv"));
+    let theirs = moments(&Table::parse(&std::fs::read_to_string(record).unwrap()));
     assert!(theirs.len() > 100);
     let mut largest = (0.0_f64, 0.0_f64);
     for their in &theirs {
@@ -64,7 +54,7 @@ fn sliding_is_that_of_mujoco() {
         );
     }
     // Friction matters, or the comparison would say nothing about it.
-    let [free, held] = ["0", "0.3"].map(|friction| simulated(&plan("sliding"), friction));
+    let [free, held] = ["0", "0.3"].map(|friction| simulated("sliding", friction));
     let lags = free.iter().zip(&held).map(|(free, held)| (free[1] - held[1]).abs());
     assert!(lags.fold(0.0, f64::max) > 2e-3);
 }

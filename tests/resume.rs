@@ -2,101 +2,171 @@
 
 #![cfg(unix)]
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+mod support;
+
 use std::time::Duration;
 
-use serde_json::Value;
+use serde_json::json;
 
-fn project(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap().join(name)
+use support::{Dir, Run, Running, list};
+
+/// The folder of unfinished work beside `out`.
+const UNFINISHED: &str = ".out.unfinished";
+
+/// A folder with the corner scene, with so many steps that each of its homotopy iterations takes a moment.
+fn folder() -> Dir {
+    let dir = Dir::new();
+    dir.add_variant("slow.toml", &[("steps = 20\ntime_step = 0.08", "steps = 30\ntime_step = 0.053")]);
+    dir
 }
 
-/// The corner scene with so many steps that each of its stages takes a moment.
-fn scene(folder: &Path) -> PathBuf {
-    let homotopy = project("configs/homotopy_peg.toml");
-    let text = fs::read_to_string(project("scenes/corner.toml")).unwrap();
-    let text = text.replace("../configs/homotopy_peg.toml", homotopy.to_str().unwrap());
-    let scene = folder.join("corner.toml");
-    fs::write(&scene, text.replace("steps = 20\ntime_step = 0.08", "steps = 30\ntime_step = 0.053")).unwrap();
-    scene
+/// Begins a solve and sends it a signal when the first homotopy iteration is finished.
+fn stop(dir: &Dir, line: &str, signal: &str) -> Run {
+    let mut running = dir.program(line).spawn();
+    running.wait_until("a checkpoint", || dir.exists(format!("{UNFINISHED}/checkpoint.json")));
+    running.signal(signal);
+    running.finish()
 }
 
-fn solve(scene: &Path, out: &Path, flags: &[&str]) -> Child {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_assembly-plan"));
-    command.arg("solve").arg(scene).arg("--out").arg(out).args(flags);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
-}
-
-fn finish(child: Child, code: Option<i32>) -> String {
-    let Output { status, stderr, .. } = child.wait_with_output().unwrap();
-    let stderr = String::from_utf8(stderr).unwrap();
-    assert_eq!(status.code(), code, "{stderr}");
-    stderr
-}
-
-/// Sends a signal when the first stage is finished.
-fn signal_after_first_stage(child: &Child, out: &Path, signal: &str) {
-    while !out.join("checkpoint.json").exists() {
-        std::thread::sleep(Duration::from_millis(2));
-    }
-    assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
-}
-
-fn result(out: &Path) -> Value {
-    serde_json::from_str(&fs::read_to_string(out.join("result.json")).unwrap()).unwrap()
-}
-
-fn stage_iterations(out: &Path) -> Vec<u64> {
-    let result = result(out);
-    result["stages"].as_array().unwrap().iter().map(|stage| stage["iterations"].as_u64().unwrap()).collect()
+fn iterations(dir: &Dir, folder: &str) -> Vec<u64> {
+    list(&dir.result(folder), "stages").iter().map(|stage| stage["iterations"].as_u64().unwrap()).collect()
 }
 
 #[test]
 fn a_resumed_plan_is_the_uninterrupted_one() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = scene(folder.path());
-    let whole = folder.path().join("whole");
-    finish(solve(&scene, &whole, &["--resume"]), Some(0));
-    assert!(!whole.join("checkpoint.json").exists(), "a whole plan needs no checkpoint");
+    let dir = folder();
+    dir.run("solve slow.toml --out whole --resume").code(0);
+    assert!(!dir.exists(".whole.unfinished"), "a whole plan needs no checkpoint");
 
-    for (signal, code) in [("-TERM", Some(130)), ("-KILL", None)] {
-        let out = folder.path().join(signal);
-        let child = solve(&scene, &out, &["--resume"]);
-        signal_after_first_stage(&child, &out, signal);
-        finish(child, code);
-        assert!(!out.join("result.json").exists(), "{signal}: looks finished");
-        assert!(out.join("stages/1/reference.csv").exists());
-
-        let stderr = finish(solve(&scene, &out, &["--resume"]), Some(0));
-        assert!(stderr.contains("going on after stage"), "{stderr}");
-        assert!(!stderr.contains("stage 1/5 (tau"), "the first stage ran again: {stderr}");
-        assert!(!out.join("checkpoint.json").exists());
-        assert_eq!(stage_iterations(&out), stage_iterations(&whole));
-        for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv", "resolved.toml"] {
-            assert_eq!(fs::read(out.join(file)).unwrap(), fs::read(whole.join(file)).unwrap(), "{signal}: {file}");
+    for (signal, code) in [("TERM", Some(130)), ("INT", Some(130)), ("KILL", None)] {
+        let run = stop(&dir, "solve slow.toml --out out --resume", signal);
+        assert_eq!(run.code, code, "{run:?}");
+        assert!(!dir.exists("out"), "{signal}: looks finished");
+        assert!(dir.exists(format!("{UNFINISHED}/stages/1/reference.csv")));
+        if code.is_some() {
+            assert!(run.has("interrupted in homotopy iteration ") && run.has("the same command goes on with it"));
         }
+
+        dir.run("solve slow.toml --out out --resume")
+            .code(0)
+            .says("going on after homotopy iteration ")
+            .keeps_silent_about("homotopy iteration 1/5 (tau");
+        assert!(!dir.exists(UNFINISHED));
+        assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
+        for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv", "resolved.toml"] {
+            let of = |folder: &str| dir.bytes(format!("{folder}/{file}"));
+            assert!(of("out") == of("whole"), "{signal}: {file}");
+        }
+        dir.remove("out");
     }
 }
 
 #[test]
-fn a_checkpoint_is_used_only_for_its_own_problem_and_when_asked() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = scene(folder.path());
-    let out = folder.path().join("out");
-    let child = solve(&scene, &out, &[]);
-    signal_after_first_stage(&child, &out, "-INT");
-    finish(child, Some(130));
-    assert!(result(&out)["status"].as_str().unwrap().ends_with("interrupted"), "a plain solve keeps its last iterate");
+fn a_solve_that_is_interrupted_at_once_leaves_nothing_in_its_folder() {
+    let dir = Dir::new();
+    dir.add_scene("peg2");
+    let mut running = dir.program("solve peg2.toml --out out").spawn();
+    running.wait_until("a lock", || dir.exists(format!("{UNFINISHED}/lock")));
+    std::thread::sleep(Duration::from_millis(500));
+    running.signal("INT");
+    running.finish().code(130).says("interrupted in homotopy iteration 1; the same command with --resume goes on");
+    assert!(!dir.exists("out"));
+}
 
-    let checkpoint = fs::read(out.join("checkpoint.json")).unwrap();
-    let stderr = finish(solve(&scene, &out, &["--resume", "--delta", "0.01"]), Some(0));
-    assert!(!stderr.contains("going on"), "{stderr}");
-    fs::write(out.join("checkpoint.json"), &checkpoint[..checkpoint.len() / 2]).unwrap();
-    let stderr = finish(solve(&scene, &out, &["--resume"]), Some(0));
-    assert!(!stderr.contains("going on"), "{stderr}");
-    fs::write(out.join("checkpoint.json"), &checkpoint).unwrap();
-    let stderr = finish(solve(&scene, &out, &["--resume"]), Some(0));
-    assert!(stderr.contains("going on after stage"), "{stderr}");
+#[test]
+fn unfinished_work_is_used_only_when_asked() {
+    let dir = folder();
+    stop(&dir, "solve slow.toml --out out", "INT").code(130).says("the same command with --resume goes on with it");
+    dir.copy(UNFINISHED, "kept");
+    dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration");
+
+    dir.copy("kept", UNFINISHED);
+    dir.run("solve slow.toml --out out").code(0).keeps_silent_about("going on").says("homotopy iteration 1/5 (tau");
+    assert!(!dir.exists(UNFINISHED));
+}
+
+#[test]
+fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
+    let dir = folder();
+    stop(&dir, "solve slow.toml --out out", "INT").code(130);
+    dir.copy(UNFINISHED, "kept");
+    let checkpoint = dir.bytes("kept/checkpoint.json");
+    let begins_anew = |flags: &str, reason: &str| {
+        dir.run(&format!("solve slow.toml --out out --resume {flags}"))
+            .code(0)
+            .says(&format!("the unfinished work of an earlier run is not used: {reason}"))
+            .keeps_silent_about("going on")
+            .says("homotopy iteration 1/5 (tau");
+        assert!(!dir.exists(UNFINISHED));
+        dir.copy("kept", UNFINISHED);
+    };
+    begins_anew("--delta 0.01", "it belongs to another problem");
+    dir.write(format!("{UNFINISHED}/checkpoint.json"), &checkpoint[..checkpoint.len() / 2]);
+    begins_anew("", "its checkpoint is damaged");
+    let table = format!("{UNFINISHED}/stages/1/scenarios.csv");
+    for (from, to) in [("\n0.053,1,", "\n0.053,1,nan"), ("qw", "norm")] {
+        dir.write(&table, dir.read(&table).replacen(from, to, 1));
+        begins_anew("", "its tables are damaged");
+    }
+    dir.remove(format!("{UNFINISHED}/stages/1/wrench.csv"));
+    begins_anew("", "its tables are damaged");
+    // A point of another length or without numbers would end in the solver.
+    let mut short = dir.json("kept/checkpoint.json");
+    short["x"].as_array_mut().unwrap().pop();
+    dir.write(format!("{UNFINISHED}/checkpoint.json"), short.to_string());
+    begins_anew("", "");
+    let mut changed = dir.json("kept/checkpoint.json");
+    changed["iterations"] = json!([]);
+    dir.write(format!("{UNFINISHED}/checkpoint.json"), changed.to_string());
+    begins_anew("", "");
+    dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration");
+}
+
+/// A refinement that never ends by itself: nothing ends a hundredth of a millimetre from the goal.
+const HOPELESS: &str = "solve corner.toml --robust --friction 0 --position-tolerance 1e-5 --patience 3 --out out";
+
+#[test]
+fn a_refinement_goes_on_where_it_stopped() {
+    for (signal, code) in [("INT", Some(130)), ("KILL", None)] {
+        let dir = Dir::new();
+        let mut running: Running = dir.program(HOPELESS).spawn();
+        running.wait_until("a refinement", || dir.exists(format!("{UNFINISHED}/refinement.json")));
+        running.signal(signal);
+        let run = running.finish();
+        assert_eq!(run.code, code, "{run:?}");
+        assert!(!dir.exists("out"), "an interrupted refinement leaves the folder as it was");
+        if code.is_some() {
+            assert!(run.has("interrupted while refining, at a success rate of "), "{run:?}");
+            assert!(run.has("the same command with --resume goes on with it"), "{run:?}");
+        }
+        let again = format!("{HOPELESS} --resume --time-limit 0.1");
+        dir.run(&again)
+            .code(1)
+            .says("going on after homotopy iteration 5/5 of an earlier run")
+            .says("going on with the refinement of an earlier run");
+        assert_eq!(dir.result("out")["status"], "the wanted success rate is not reached");
+        assert!(!dir.exists(UNFINISHED));
+    }
+}
+
+#[test]
+fn a_refinement_for_another_target_is_not_used() {
+    let dir = Dir::new();
+    let mut running = dir.program(HOPELESS).spawn();
+    running.wait_until("a refinement", || dir.exists(format!("{UNFINISHED}/refinement.json")));
+    running.signal("KILL");
+    running.finish();
+    dir.copy(UNFINISHED, "kept");
+    let end = "--resume --time-limit 0.1";
+    for (from, to) in [("--friction 0", "--friction 0.2"), ("1e-5", "1e-4"), ("--robust", "--robust --turn 0.01")] {
+        dir.run(&format!("{} {end}", HOPELESS.replace(from, to)))
+            .says("going on after homotopy iteration 5/5 of an earlier run")
+            .says("not used: it was refined for other frictions, turns or tolerances")
+            .keeps_silent_about("going on with the refinement");
+        dir.copy("kept", UNFINISHED);
+    }
+    let file = format!("{UNFINISHED}/refinement.json");
+    let whole = dir.bytes(&file);
+    dir.write(&file, &whole[..whole.len() / 2]);
+    dir.run(&format!("{HOPELESS} {end}")).code(1).says("not used: its refinement is damaged");
 }

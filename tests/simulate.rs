@@ -1,117 +1,73 @@
 //! `simulate` as a user runs it.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod support;
 
-fn program(arguments: &[&str]) -> Output {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    Command::new(env!("CARGO_BIN_EXE_assembly-plan")).current_dir(root).args(arguments).output().unwrap()
-}
-
-fn code(output: &Output) -> i32 {
-    output.status.code().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-const SCENE: &str = "scenes/corner.toml";
+use support::Dir;
+use support::table::norm;
 
 /// Plans of the smallest scene for two magnitudes, in one folder.
-fn plans() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
+fn plans() -> Dir {
+    let dir = Dir::new();
     for delta in ["0.01", "0.02"] {
-        let out = folder.path().join(delta);
-        let run = program(&["solve", SCENE, "--delta", delta, "--out", out.to_str().unwrap()]);
-        assert_eq!(code(&run), 0, "{}", text(&run.stderr));
+        dir.run(&format!("solve corner.toml --delta {delta} --out plans/{delta}")).code(0);
     }
-    folder
-}
-
-fn simulate(folder: &Path, arguments: &[&str]) -> Output {
-    program(&[&["simulate", SCENE, folder.to_str().unwrap()], arguments].concat())
-}
-
-/// Header and rows of a table.
-fn table(path: &Path) -> (String, Vec<Vec<String>>) {
-    let text = std::fs::read_to_string(path).unwrap();
-    let mut lines = text.lines();
-    let header = lines.next().unwrap().to_owned();
-    (header, lines.map(|line| line.split(',').map(str::to_owned).collect()).collect())
+    dir
 }
 
 #[test]
 fn plans_are_played_counted_and_compared() {
-    let folder = plans();
-    let plan = folder.path().join("0.02");
+    let dir = plans();
 
     // The last steps of this coarse plan end with a velocity: at rest the body is 3.7 mm away.
-    let run = simulate(&plan, &["--position-tolerance", "0.005"]);
-    assert_eq!(code(&run), 0, "{}", text(&run.stderr));
-    assert!(text(&run.stdout).contains("2/2 (34-100 %)"), "{}", text(&run.stdout));
-    let (header, rows) = table(&plan.join("rollouts.csv"));
+    dir.run("simulate corner.toml plans/0.02 --position-tolerance 0.005").code(0).says("2/2 (34-100 %)");
+    let rollouts = dir.table("plans/0.02/rollouts.csv");
     assert_eq!(
-        header,
+        rollouts.header,
         "plan,start,delta_m,motion,friction,magnitude_m,x_m,y_m,z_m,success,position_error_m,orientation_error_rad,\
          max_penetration_m,max_force_n,turn_x_rad,turn_y_rad,turn_z_rad"
     );
-    assert_eq!(rows.len(), 4, "two scenarios, and the straight push for each");
-    for row in rows.iter().filter(|row| row[3] == "plan") {
+    assert_eq!(rollouts.rows.len(), 4, "two scenarios, and the straight push for each");
+    for row in rollouts.rows.iter().filter(|row| row[3] == "plan") {
         assert_eq!(row[9], "1");
         assert!(row[12].parse::<f64>().unwrap() < 1e-5, "contacts are hard: {row:?}");
     }
-    let (header, rows) = table(&plan.join("success.csv"));
-    assert!(header.starts_with("motion,friction,delta_m,magnitude_m,rollouts,successes,rate,rate_low,rate_high,"));
-    assert_eq!(rows.len(), 2);
+    let success = dir.table("plans/0.02/success.csv");
+    assert!(success.header.starts_with("motion,friction,delta_m,magnitude_m,rollouts,successes,rate,rate_low,"));
+    assert_eq!(success.rows.len(), 2);
 
     // All plans of a folder: modelled by injected magnitude, for every homotopy iteration and friction.
-    let out = folder.path().join("out");
-    let out_text = out.to_str().unwrap();
-    let list = ["--stages", "--random", "3", "--magnitude", "0,0.01", "--friction", "0,0.3", "--out", out_text];
-    let run = simulate(folder.path(), &list);
-    assert_eq!(code(&run), 0, "{}", text(&run.stderr));
+    let line = "simulate corner.toml plans --stages --random 3 --magnitude 0,0.01 --friction 0,0.3 --out out";
+    dir.run(line).code(0).says("success in %");
     let motions = 5 + 1 + 1;
-    assert_eq!(table(&out.join("success.csv")).1.len(), motions * 2 * 2 * 2);
+    assert_eq!(dir.table("out/success.csv").rows.len(), motions * 2 * 2 * 2);
     // Without magnitude there is one offset, however many are asked for.
-    let (_, rows) = table(&out.join("rollouts.csv"));
-    assert_eq!(rows.len(), motions * 2 * 2 * (1 + 3));
-    assert!(text(&run.stdout).contains("success in %"));
+    let rollouts = dir.table("out/rollouts.csv");
+    assert_eq!(rollouts.rows.len(), motions * 2 * 2 * (1 + 3));
 
     // The same again, on any number of threads.
-    let run = simulate(folder.path(), &[&list[..], &["--jobs", "1"]].concat());
-    assert_eq!(code(&run), 0);
-    assert_eq!(table(&out.join("rollouts.csv")).1, rows);
+    dir.run(&format!("{line} --jobs 1")).code(0);
+    assert_eq!(dir.table("out/rollouts.csv"), rollouts);
 }
 
 #[test]
 fn offsets_come_from_a_grid_a_ball_or_a_list() {
-    let folder = plans();
-    let plan = folder.path().join("0.02");
-    let file: PathBuf = folder.path().join("offsets.csv");
-    std::fs::write(&file, "x_m,y_m,z_m\n0,0,0\n0.01,0,0\n0,0.005,0\n").unwrap();
-    for (arguments, count) in [
-        (vec!["--grid", "4"], 5),
-        (vec!["--random", "7", "--ball", "--seed", "2"], 7),
-        (vec!["--offsets", file.to_str().unwrap()], 3),
-    ] {
-        let run = simulate(&plan, &arguments);
-        assert_eq!(code(&run), 0, "{}", text(&run.stderr));
-        assert_eq!(table(&plan.join("rollouts.csv")).1.len(), 2 * count, "{arguments:?}");
+    let dir = plans();
+    dir.write("offsets.csv", "x_m,y_m,z_m\n0,0,0\n0.01,0,0\n0,0.005,0\n");
+    for (flags, count) in [("--grid 4", 5), ("--random 7 --ball --seed 2", 7), ("--offsets offsets.csv", 3)] {
+        dir.run(&format!("simulate corner.toml plans/0.02 {flags}")).code(0);
+        assert_eq!(dir.table("plans/0.02/rollouts.csv").rows.len(), 2 * count, "{flags}");
     }
 }
 
 #[test]
 fn the_part_may_be_turned_in_the_gripper() {
-    let folder = plans();
-    let plan = folder.path().join("0.02");
+    let dir = plans();
     // Without offset, only turned: every rollout is another one.
-    let run = simulate(&plan, &["--random", "5", "--magnitude", "0", "--turn", "0.02"]);
-    assert_eq!(code(&run), 0, "{}", text(&run.stderr));
-    let (_, rows) = table(&plan.join("rollouts.csv"));
+    dir.run("simulate corner.toml plans/0.02 --random 5 --magnitude 0 --turn 0.02").code(0);
+    let rows = dir.table("plans/0.02/rollouts.csv").rows;
     assert_eq!(rows.len(), 2 * 5);
     for row in &rows {
-        let turn: f64 = row[14..].iter().map(|angle| angle.parse::<f64>().unwrap().powi(2)).sum::<f64>().sqrt();
+        let turn = norm(&row[14..]);
         assert!(turn > 0.0 && turn <= 0.02, "{row:?}");
     }
     let errors: Vec<&str> = rows.iter().filter(|row| row[3] == "plan").map(|row| row[11].as_str()).collect();
@@ -119,32 +75,30 @@ fn the_part_may_be_turned_in_the_gripper() {
 }
 
 #[test]
-fn wrong_input_exits_with_2_and_says_what_is_right() {
-    let folder = plans();
-    let plan = folder.path().join("0.02");
-    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let (plan_text, empty, broken, offsets) = (path("0.02"), path("empty"), path("broken"), path("offsets.csv"));
-    std::fs::create_dir(&empty).unwrap();
-    std::fs::write(&offsets, "x_m,y_m\n0,0\n").unwrap();
-    std::fs::create_dir(&broken).unwrap();
-    std::fs::copy(plan.join("result.json"), Path::new(&broken).join("result.json")).unwrap();
-    let reference = std::fs::read_to_string(plan.join("reference.csv")).unwrap();
-    std::fs::write(Path::new(&broken).join("reference.csv"), reference.replacen("\n0.08,", "\nsoon,", 1)).unwrap();
-    for (arguments, words) in [
-        (vec![SCENE, "no/such"], "cannot be read"),
-        (vec![SCENE, &empty], "`assembly-plan solve SCENE --out DIR` writes a plan"),
-        (vec![SCENE, &broken], "reference.csv:3: column `time_s`: `soon` is not a finite number"),
-        (vec![SCENE, &plan_text, "--offsets", &offsets], "there is no column `z_m`"),
-        (vec![SCENE, &plan_text, "--friction", "-1"], "must not be negative"),
-        (vec![SCENE, &plan_text, "--time-step", "0"], "must be above zero"),
-        (vec![SCENE, &plan_text, "--turn", "-0.1"], "must not be negative"),
-        (vec![SCENE, &plan_text, "--random", "0"], "--random"),
-        (vec![SCENE, &plan_text, "--grid", "20000"], "more than 10000"),
-        (vec![SCENE, &plan_text, "--random", "3", "--grid", "3"], "cannot be used with"),
-        (vec!["scenes/peg1.toml", &plan_text], "was it made from another scene?"),
-    ] {
-        let run = program(&[&["simulate"], &arguments[..]].concat());
-        assert_eq!(code(&run), 2, "{arguments:?}: {}", text(&run.stderr));
-        assert!(text(&run.stderr).contains(words), "{arguments:?}: {}", text(&run.stderr));
+fn a_plan_is_played_only_with_its_own_shapes_start_and_goal() {
+    let dir = plans();
+    dir.add_scene("peg1");
+    let variants = [
+        ("box = [0.1, 0.08, 0.06]", "box = [0.1, 0.08, 0.05]", "part `box` of its body is not part `box` of this one"),
+        ("name = \"box\"", "name = \"lid\"", "part `box` of its body is not part `lid` of this one"),
+        ("position = [0.051, 0.0, 0.031]", "position = [0.052, 0.0, 0.031]", "its goal is another pose"),
+        ("position = [0.1, 0.0, 0.08]", "position = [0.1, 0.001, 0.08]", "its start `1` is another pose"),
+        ("[goal]", "[[environment.part]]\nname = 'lid'\nbox = [1, 1, 1]\nposition = [0, 0, 9]\n[goal]", "has 2 parts"),
+        ("name = \"1\"", "name = \"one\"", "there is no start `1`"),
+    ];
+    for (from, to, words) in variants {
+        dir.add_variant("other.toml", &[(from, to)]);
+        dir.run("simulate other.toml plans/0.02").code(2).says(words);
     }
+    dir.run("simulate peg1.toml plans/0.02").code(2).says("plans/0.02: the plan was made for another scene");
+
+    // Other settings are a warning: the plan may well be played with them.
+    for (from, to) in [("mass = 1.0", "mass = 2.0"), ("steps = 20", "steps = 30"), ("stiffness = 50", "stiffness = 60")]
+    {
+        dir.add_variant("other.toml", &[(from, to)]);
+        let words = "warning: plans/0.02: the plan was made with other settings than other.toml has";
+        dir.run("simulate other.toml plans/0.02").code(0).says(words);
+    }
+    dir.run("simulate corner.toml plans/0.02").code(0).keeps_silent_about("warning");
+    dir.run("simulate plans/0.02/resolved.toml plans/0.02").code(0).keeps_silent_about("another scene");
 }
