@@ -18,6 +18,12 @@ fn shape() -> impl Strategy<Value = Polytope> {
     proptest::collection::vec(vertex, 6..14).prop_filter_map("flat", hull)
 }
 
+/// Any quaternion but zero.
+fn orientation() -> impl Strategy<Value = [f64; 4]> {
+    let is_quaternion = |components: &[f64; 4]| components.iter().any(|component| component.abs() > 0.1);
+    proptest::array::uniform4(-1.0..1.0_f64).prop_filter("zero quaternion", is_quaternion)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
@@ -46,7 +52,7 @@ proptest! {
     #[test]
     fn odd_shapes_do_not_overlap(
         (body, first, second) in (shape(), shape(), shape()),
-        orientation in proptest::array::uniform4(-1.0..1.0_f64),
+        orientation in orientation(),
         friction in prop_oneof![Just(0.0), 0.0..0.6_f64],
     ) {
         // A corner that passes a facet may meet the one behind it within a step: less than what a body at 0.7 m/s
