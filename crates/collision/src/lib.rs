@@ -31,12 +31,14 @@ mod derivatives;
 mod error;
 mod frame;
 mod hull;
+mod interior;
 mod interior_point;
 mod lane;
 mod newton;
 mod pair;
 mod polytope;
 mod rows;
+mod triangulation;
 
 pub use batch::{Instructions, Request};
 pub use error::DistanceError;
