@@ -36,6 +36,7 @@ mod derivatives;
 mod error;
 mod frame;
 mod hull;
+mod interior;
 mod interior_point;
 mod lane;
 mod newton;
@@ -43,6 +44,7 @@ mod pair;
 mod polytope;
 mod pose_chart;
 mod rows;
+mod triangulation;
 
 pub use batch::{Instructions, Request};
 pub use error::DistanceError;

@@ -1,8 +1,18 @@
 //! Bounded convex polytopes in halfspace form (assumption_1) with their vertices.
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::hull::{self, Facet};
+use crate::interior::analytic_center;
+
+/// More distinct vertices are refused.
+const MOST_VERTICES: usize = 10_000;
+/// More halfspaces are refused.
+const MOST_HALFSPACES: usize = 2_000;
+/// Larger coordinates and offsets (m) are a mistake.
+const LARGEST: f64 = 1e6;
+/// The squares of the components of a shorter normal underflow.
+const SHORTEST_NORMAL: f64 = 1e-150;
 
 /// Why a description is not a convex polytope that can be used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -12,6 +22,24 @@ pub enum PolytopeError {
     NotFinite {
         /// Index of the vertex or halfspace.
         index: usize,
+    },
+    /// A coordinate, normal or offset that no part in metres has.
+    #[error("entry {index} is larger than {LARGEST:.0e}: lengths are in metres")]
+    TooLarge {
+        /// Index of the vertex or halfspace.
+        index: usize,
+    },
+    /// More points than are handled in reasonable time.
+    #[error("{count} distinct vertices are too many: at most {MOST_VERTICES} are allowed")]
+    TooManyVertices {
+        /// Number of distinct points.
+        count: usize,
+    },
+    /// More halfspaces than are handled in reasonable time.
+    #[error("{count} halfspaces are too many: at most {MOST_HALFSPACES} are allowed")]
+    TooManyHalfspaces {
+        /// Number of halfspaces.
+        count: usize,
     },
     /// Fewer points than any solid has.
     #[error("{count} distinct vertices do not span a solid: at least 4 are needed")]
@@ -67,23 +95,40 @@ pub struct Polytope {
 }
 
 impl Polytope {
-    /// Convex hull of points (m). Coplanar facets are merged, points inside are dropped.
+    /// Convex hull of points (m). Coplanar facets are merged, points inside are dropped. Lengths below 1e-7 of the size
+    /// of the part count as rounding.
     ///
     /// # Errors
-    /// When the points do not span a solid.
+    /// When the points do not span a solid, are too many or too far away.
     pub fn from_vertices(vertices: &[[f64; 3]]) -> Result<Self, PolytopeError> {
-        require_finite(vertices.iter().map(|vertex| vertex.as_slice()))?;
+        Self::from_vertices_within(vertices, 0.0)
+    }
+
+    /// Convex hull of points (m) whose coordinates are known to a tolerance (m), such as those of a file with few
+    /// digits: points closer than that are one and facets whose points are closer than that to a plane are merged.
+    /// A tolerance below that of [`Self::from_vertices`] has no effect.
+    ///
+    /// # Errors
+    /// When the points do not span a solid, are too many or too far away.
+    pub fn from_vertices_within(vertices: &[[f64; 3]], tolerance: f64) -> Result<Self, PolytopeError> {
+        require_reasonable(vertices.iter().map(|vertex| vertex.as_slice()))?;
         let points: Vec<Vector3<f64>> = vertices.iter().map(|vertex| Vector3::from(*vertex)).collect();
-        let points = hull::distinct(&points);
-        if points.len() < 4 {
-            return Err(PolytopeError::TooFewVertices { count: points.len() });
+        let points = hull::distinct(&points, tolerance.max(hull::tolerance(&points)));
+        let count = points.len();
+        if count < 4 {
+            return Err(PolytopeError::TooFewVertices { count });
         }
-        let facets = hull::facets(&points);
-        if facets.len() < 4 {
-            return Err(PolytopeError::Flat { tolerance: hull::tolerance(&points) });
+        if count > MOST_VERTICES {
+            return Err(PolytopeError::TooManyVertices { count });
         }
-        let extreme = hull::extreme_points(&points, &facets);
-        Ok(Self::new(facets, extreme))
+        let tolerance = tolerance.max(hull::tolerance(&points));
+        let facets = hull::facets(&points, tolerance);
+        let planes: Vec<Facet> = facets.iter().map(|facet| facet.plane).collect();
+        if hull::open_direction(&planes).is_some() {
+            return Err(PolytopeError::Flat { tolerance });
+        }
+        let extreme = hull::extreme_points(&points, &facets, tolerance);
+        Self::new(planes, extreme).ok_or(PolytopeError::Flat { tolerance })
     }
 
     /// Box with edge lengths (m), centred at the origin.
@@ -115,42 +160,55 @@ impl Polytope {
     /// and repeated rows are removed: they would shift the smoothed distance.
     ///
     /// # Errors
-    /// When the intersection is unbounded or has no interior.
+    /// When the intersection is unbounded or has no interior, or the halfspaces are too many or too far away.
     pub fn from_halfspaces(normals: &[[f64; 3]], offsets: &[f64]) -> Result<Self, PolytopeError> {
         if normals.len() != offsets.len() {
             return Err(PolytopeError::Lengths { normals: normals.len(), offsets: offsets.len() });
         }
-        require_finite(normals.iter().map(|normal| normal.as_slice()))?;
-        require_finite(offsets.iter().map(std::slice::from_ref))?;
+        if normals.len() > MOST_HALFSPACES {
+            return Err(PolytopeError::TooManyHalfspaces { count: normals.len() });
+        }
+        require_reasonable(normals.iter().map(|normal| normal.as_slice()))?;
+        require_reasonable(offsets.iter().map(std::slice::from_ref))?;
         let mut halfspaces = Vec::with_capacity(normals.len());
         for (index, (normal, offset)) in normals.iter().zip(offsets).enumerate() {
             let normal = Vector3::from(*normal);
             let length = normal.norm();
-            if length == 0.0 {
+            if length < SHORTEST_NORMAL {
                 return Err(PolytopeError::ZeroNormal { index });
             }
             halfspaces.push(Facet { normal: normal / length, offset: offset / length });
         }
+        require_reasonable(halfspaces.iter().map(|facet| std::slice::from_ref(&facet.offset)))?;
         if let Some(direction) = hull::open_direction(&halfspaces) {
             return Err(PolytopeError::Unbounded { direction: direction.into() });
         }
         let vertices = hull::vertices(&halfspaces);
-        if vertices.len() < 4 || hull::facets(&vertices).len() < 4 {
+        if vertices.len() < 4 || hull::facets(&vertices, hull::tolerance(&vertices)).len() < 4 {
             return Err(PolytopeError::Empty);
         }
         let facets = hull::irredundant(&halfspaces, &vertices);
-        Ok(Self::new(facets, vertices))
+        if hull::open_direction(&facets).is_some() {
+            return Err(PolytopeError::Empty);
+        }
+        Self::new(facets, vertices).ok_or(PolytopeError::Empty)
     }
 
-    fn new(facets: Vec<Facet>, vertices: Vec<Vector3<f64>>) -> Self {
-        let (center, center_weights) = analytic_center(&facets, &vertices);
-        Self {
+    /// `None` when rounding leaves no point strictly inside.
+    fn new(facets: Vec<Facet>, vertices: Vec<Vector3<f64>>) -> Option<Self> {
+        let centroid = vertices.iter().sum::<Vector3<f64>>() / vertices.len() as f64;
+        let center = analytic_center(&facets, centroid);
+        // The gradient of the barrier is zero in its minimiser: the reciprocal slacks are weights of the normals.
+        let weights: Vec<f64> = facets.iter().map(|facet| 1.0 / (facet.offset - facet.normal.dot(&center))).collect();
+        let total: f64 = weights.iter().sum();
+        let is_inside = weights.iter().all(|weight| weight.is_finite() && *weight > 0.0);
+        is_inside.then(|| Self {
             normals: facets.iter().map(|facet| facet.normal.into()).collect(),
             offsets: facets.iter().map(|facet| facet.offset).collect(),
             vertices: vertices.into_iter().map(Into::into).collect(),
             center: center.into(),
-            center_weights,
-        }
+            center_weights: weights.into_iter().map(|weight| weight / total).collect(),
+        })
     }
 
     /// Unit outward normals.
@@ -206,33 +264,15 @@ impl Polytope {
     }
 }
 
-fn require_finite<'numbers>(mut entries: impl Iterator<Item = &'numbers [f64]>) -> Result<(), PolytopeError> {
-    match entries.position(|entry| entry.iter().any(|number| !number.is_finite())) {
-        Some(index) => Err(PolytopeError::NotFinite { index }),
-        None => Ok(()),
-    }
-}
-
-/// Minimises `-sum log(offset - normal x)` by damped Newton steps from the centroid of the vertices. The reciprocal
-/// slacks there, scaled to sum 1, are the weights.
-fn analytic_center(facets: &[Facet], vertices: &[Vector3<f64>]) -> (Vector3<f64>, Vec<f64>) {
-    const ITERATIONS: usize = 100;
-    let mut center = vertices.iter().sum::<Vector3<f64>>() / vertices.len() as f64;
-    for _ in 0..ITERATIONS {
-        let (mut gradient, mut hessian) = (Vector3::zeros(), Matrix3::zeros());
-        for facet in facets {
-            let weight = 1.0 / (facet.offset - facet.normal.dot(&center));
-            gradient += facet.normal * weight;
-            hessian += facet.normal * facet.normal.transpose() * (weight * weight);
+/// Refuses numbers that are infinite, not a number or absurdly large.
+fn require_reasonable<'numbers>(entries: impl Iterator<Item = &'numbers [f64]>) -> Result<(), PolytopeError> {
+    for (index, entry) in entries.enumerate() {
+        if entry.iter().any(|number| !number.is_finite()) {
+            return Err(PolytopeError::NotFinite { index });
         }
-        let Some(step) = hessian.cholesky().map(|factor| factor.solve(&-gradient)) else { break };
-        let decrement = (-step.dot(&gradient)).max(0.0).sqrt();
-        center += step * if decrement > 0.25 { 1.0 / (1.0 + decrement) } else { 1.0 };
-        if decrement < 1e-14 {
-            break;
+        if entry.iter().any(|number| number.abs() > LARGEST) {
+            return Err(PolytopeError::TooLarge { index });
         }
     }
-    let weights: Vec<f64> = facets.iter().map(|facet| 1.0 / (facet.offset - facet.normal.dot(&center))).collect();
-    let total: f64 = weights.iter().sum();
-    (center, weights.into_iter().map(|weight| weight / total).collect())
+    Ok(())
 }
