@@ -62,3 +62,8 @@ pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, SimulationR
 pub use solve::solve;
 pub use success_table::{SuccessGroup, SuccessTable};
 pub use variant::Variant;
+
+/// The examples of `docs/library.md` compile.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/library.md")]
+struct LibraryPage;
