@@ -111,17 +111,17 @@ pub struct RobustArguments {
     /// With --robust: success rate to reach at each friction, from 0 to 1
     #[arg(long, value_name = "RATE", default_value_t = 0.99, value_parser = fraction, requires = "robust")]
     pub wanted_rate: f64,
-    /// With --robust: after this time (s) the best plan so far is kept
+    /// With --robust: keep the best plan so far after this time (s), the first solve included
     #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = seconds, requires = "robust")]
     pub time_limit: f64,
-    /// With --robust: changes tried in vain after which the refinement of a plan is given up
+    /// With --robust: give up refining a plan after this many changes in a row without improvement
     #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
     pub patience: u32,
     /// With --robust: Coulomb friction coefficients
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0,0.1", value_parser = not_negative)]
     #[arg(allow_negative_numbers = true, requires = "robust")]
     pub friction: Vec<f64>,
-    /// With --robust: by how much the part may be turned in the gripper, about any axis, besides its offset (rad)
+    /// With --robust: the part may also be turned in the gripper by up to this angle, about any axis (rad)
     #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, requires = "robust")]
     #[arg(allow_negative_numbers = true)]
     pub turn: f64,
@@ -130,7 +130,7 @@ pub struct RobustArguments {
     pub jobs: Option<u16>,
 }
 
-/// How plans are played. Which offsets is said by at most one of --random, --grid and --offsets.
+/// How plans are played. At most one of --random, --grid and --offsets chooses the offsets.
 #[derive(Debug, Args)]
 pub struct SimulateArguments {
     /// Scene file (TOML) of the plans
@@ -153,7 +153,7 @@ pub struct SimulateArguments {
     /// Play the offsets of a CSV file with the header x_m,y_m,z_m (body frame)
     #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]
     pub offsets: Option<PathBuf>,
-    /// Turn the part in the gripper too, at random: by up to this angle about any axis, another for every offset (rad)
+    /// Also turn the part in the gripper at random, by up to this angle about any axis (rad)
     #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, allow_negative_numbers = true)]
     pub turn: f64,
     /// Magnitudes in metres to which the planned offsets are scaled [default: delta-hat of every plan]

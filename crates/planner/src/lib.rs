@@ -69,3 +69,8 @@ pub use solve::solve;
 pub use success_rates::{SuccessRate, SuccessRates, rate};
 pub use success_table::{SuccessGroup, SuccessTable};
 pub use variant::Variant;
+
+/// The examples of `docs/library.md` compile.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/library.md")]
+struct LibraryPage;

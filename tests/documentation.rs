@@ -1,0 +1,388 @@
+//! README and `docs/` say what the program does: examples run, and what is named exists.
+
+#[path = "documentation/markdown.rs"]
+mod markdown;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use markdown::{Page, spans};
+use planner::batch::Matrix;
+use planner::{Choices, Problem};
+use serde_json::Value;
+
+fn project(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap().join(name)
+}
+
+/// The README and the pages in `docs/`, but for those that scripts write.
+fn pages() -> Vec<Page> {
+    let mut files = vec![project("README.md")];
+    files.extend(fs::read_dir(project("docs")).unwrap().map(|entry| entry.unwrap().path()));
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "md"));
+    files.sort();
+    files.into_iter().map(Page::read).collect()
+}
+
+fn page(name: &str) -> Page {
+    Page::read(project(name))
+}
+
+/// A folder in which examples run: the scenes and configurations, files that examples name, and a plan in `out/corner`.
+fn sandbox() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["scenes", "configs"] {
+        fs::create_dir(folder.path().join(name)).unwrap();
+        for entry in fs::read_dir(project(name)).unwrap() {
+            let file = entry.unwrap().path();
+            fs::copy(&file, folder.path().join(name).join(file.file_name().unwrap())).unwrap();
+        }
+    }
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write("my.toml", &page("docs/scene.md").blocks_of("toml")[0]);
+    write("my_homotopy.toml", &page("docs/homotopy.md").blocks_of("toml")[0]);
+    write("housing.stl", TETRAHEDRON);
+    let run = run(folder.path(), &["solve", "scenes/corner.toml", "--out", "out/corner"]);
+    assert!(run.status.success(), "{}", text(&run.stderr));
+    folder
+}
+
+const TETRAHEDRON: &str = "\
+solid housing
+facet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 30 0\nvertex 30 0 0\nendloop\nendfacet
+facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 30 0 0\nvertex 0 0 30\nendloop\nendfacet
+facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 30\nvertex 0 30 0\nendloop\nendfacet
+facet normal 1 1 1\nouter loop\nvertex 30 0 0\nvertex 0 30 0\nvertex 0 0 30\nendloop\nendfacet
+endsolid housing
+";
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_assembly-plan"));
+    // A job array would choose cells.
+    command.env_remove("SLURM_ARRAY_TASK_ID").env_remove("HQ_TASK_ID");
+    command.current_dir(folder).args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// Command lines of the program in the `sh` blocks of a page, without its name and without comments.
+fn commands(page: &Page) -> Vec<Vec<String>> {
+    let blocks = page.blocks_of("sh");
+    let lines = blocks.iter().flat_map(|block| block.lines());
+    let lines = lines.map(|line| line.split(" #").next().unwrap().trim());
+    let arguments = lines.filter_map(|line| {
+        let rest = line.strip_prefix("assembly-plan ").or(line.strip_prefix("scripts/plan "))?;
+        Some(rest.split_whitespace().map(str::to_owned).collect())
+    });
+    arguments.collect()
+}
+
+#[test]
+fn commands_are_accepted_and_cheap_ones_succeed() {
+    let sandbox = sandbox();
+    let mut count = 0;
+    for page in pages() {
+        for command in commands(&page) {
+            let shown = format!("{}: assembly-plan {}", page.name(), command.join(" "));
+            let mut arguments: Vec<&str> = command.iter().map(String::as_str).collect();
+            let is_cheap = shown.contains("corner") || shown.contains("my.toml");
+            if !is_cheap || arguments.contains(&"--robust") || arguments.contains(&"--now") {
+                // Help is shown only if everything before it is accepted.
+                let end = arguments.iter().position(|argument| *argument == "--").unwrap_or(arguments.len());
+                arguments.insert(end, "--help");
+            }
+            let run = run(sandbox.path(), &arguments);
+            assert!(run.status.success(), "{shown}: {}", text(&run.stderr));
+            count += 1;
+        }
+    }
+    assert!(count > 10, "{count} commands found");
+}
+
+#[test]
+fn toml_blocks_are_valid() {
+    let sandbox = sandbox();
+    let corner = sandbox.path().join("scenes/corner.toml");
+    let scene: toml::Table = toml::from_str(&fs::read_to_string(&corner).unwrap()).unwrap();
+    let mut count = 0;
+    for page in pages() {
+        for block in page.blocks_of("toml") {
+            let table: toml::Table = toml::from_str(&block).unwrap_or_else(|error| panic!("{}: {error}", page.name()));
+            if table.contains_key("dependencies") {
+                continue;
+            }
+            let file = sandbox.path().join("block.toml");
+            fs::write(&file, &block).unwrap();
+            let checked = if table.contains_key("scenes") {
+                Matrix::load(&file).and_then(|matrix| planner::batch::expand(&matrix)).map(|_| ())
+            } else if table.contains_key("homotopy") || table.contains_key("ipopt") {
+                let choices = Choices { homotopy: Some(file), ..Choices::default() };
+                Problem::load(&corner, &choices).map(|_| ())
+            } else {
+                if !table.contains_key("goal") {
+                    fs::write(&file, toml::to_string(&merged(&scene, &table)).unwrap()).unwrap();
+                }
+                Problem::load(&file, &Choices::default()).map(|_| ())
+            };
+            checked.unwrap_or_else(|error| panic!("{}: {error}\n{block}", page.name()));
+            count += 1;
+        }
+    }
+    assert!(count >= 6, "{count} blocks found");
+}
+
+/// A scene with the tables of a fragment: parts are added, other tables are replaced.
+fn merged(scene: &toml::Table, fragment: &toml::Table) -> toml::Table {
+    let mut scene = scene.clone();
+    scene.remove("homotopy");
+    for (key, value) in fragment {
+        match value.get("part").and_then(toml::Value::as_array) {
+            Some(parts) => scene[key]["part"].as_array_mut().unwrap().extend(parts.iter().cloned()),
+            None => _ = scene.insert(key.clone(), value.clone()),
+        }
+    }
+    scene
+}
+
+#[test]
+fn links_lead_somewhere() {
+    for page in pages() {
+        for link in page.links() {
+            if link.starts_with("http") {
+                continue;
+            }
+            let (path, anchor) = link.split_once('#').unwrap_or((&link, ""));
+            let target = if path.is_empty() { page.file.clone() } else { page.folder().join(path) };
+            assert!(target.exists(), "{}: {link}", page.name());
+            if !anchor.is_empty() {
+                let anchors = Page::read(target).anchors();
+                assert!(anchors.iter().any(|known| known == anchor), "{}: {link}, not of {anchors:?}", page.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_page_is_in_the_index() {
+    let index = page("docs/README.md").links();
+    for page in pages() {
+        let name = page.name();
+        assert!(name == "README.md" || index.contains(&name), "{name}");
+    }
+}
+
+#[test]
+fn files_that_are_named_exist() {
+    let folders = ["scenes/", "configs/", "scripts/", "docs/", "crates/", "tests/", ".ci/"];
+    for page in pages() {
+        let spans = page.code_spans();
+        let blocks = page.blocks_of("sh").concat();
+        let words = spans.iter().flat_map(|span| span.split_whitespace()).chain(blocks.split_whitespace());
+        for word in words {
+            let word = word.trim_end_matches(['.', ',', ':', ')']);
+            let is_path = folders.iter().any(|folder| word.starts_with(folder));
+            assert!(!is_path || word.ends_with('/') || project(word).exists(), "{}: {word}", page.name());
+        }
+    }
+}
+
+/// Long flags of the program, with hidden ones.
+fn flags_of_program() -> BTreeSet<String> {
+    let commands: [&[&str]; 10] = [
+        &[],
+        &["solve"],
+        &["check"],
+        &["simulate"],
+        &["batch"],
+        &["batch", "expand"],
+        &["batch", "run"],
+        &["batch", "status"],
+        &["batch", "collect"],
+        &["batch", "submit"],
+    ];
+    let help = |command: &&[&str]| text(&run(&project(""), &[command, &["--help"][..]].concat()).stdout);
+    flags(&commands.iter().map(help).collect::<String>())
+}
+
+/// All long flags in a text.
+fn flags(text: &str) -> BTreeSet<String> {
+    let is_flag = |letter: char| letter.is_ascii_lowercase() || letter == '-';
+    let words = text.split(|letter: char| !is_flag(letter));
+    let flags = words.filter(|word| word.starts_with("--") && word.len() > 3).map(|word| word.trim_end_matches('-'));
+    flags.map(str::to_owned).collect()
+}
+
+#[test]
+fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
+    /// Flags of cargo, sbatch and hq.
+    const FOREIGN: [&str; 6] = ["--no-deps", "--open", "--bench", "--partition", "--time", "--array"];
+    let program = flags_of_program();
+    let mut scripts = String::new();
+    for folder in ["scripts", "scripts/mujoco_validation", "scripts/reproduction"] {
+        let files = fs::read_dir(project(folder)).unwrap().map(|entry| entry.unwrap().path());
+        files.filter_map(|file| fs::read_to_string(file).ok()).for_each(|text| scripts += &text);
+    }
+    let scripts = flags(&scripts);
+    let mut named = BTreeSet::new();
+    for page in pages() {
+        let code = page.code_spans().join(" ") + &page.blocks_of("sh").concat() + &page.blocks_of("text").concat();
+        for flag in flags(&code) {
+            let is_known = program.contains(&flag) || scripts.contains(&flag) || FOREIGN.contains(&flag.as_str());
+            assert!(is_known, "{}: {flag} does not exist", page.name());
+            named.insert(flag);
+        }
+    }
+    let missing: Vec<&String> =
+        program.difference(&named).filter(|flag| !["--help"].contains(&flag.as_str())).collect();
+    assert!(missing.is_empty(), "documented nowhere: {missing:?}");
+}
+
+/// Paths of all keys in a JSON value: `a.b`, and `a[].b` in lists.
+fn key_paths(value: &Value, prefix: &str, paths: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(entries) => {
+            for (key, value) in entries {
+                let path = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+                paths.insert(path.clone());
+                // Its keys are names of files.
+                if path != "files" {
+                    key_paths(value, &path, paths);
+                }
+            }
+        }
+        Value::Array(elements) => elements.iter().for_each(|element| key_paths(element, &format!("{prefix}[]"), paths)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_key_of_a_result_is_documented_and_no_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = project("scenes/corner.toml");
+    let out = folder.path().join("out");
+    // The best plan after a moment will do: it has all keys.
+    let arguments =
+        ["solve", scene.to_str().unwrap(), "--robust", "--time-limit", "0.1", "--out", out.to_str().unwrap()];
+    run(folder.path(), &arguments);
+    let result: Value = serde_json::from_str(&fs::read_to_string(out.join("result.json")).unwrap()).unwrap();
+    let mut real = BTreeSet::new();
+    key_paths(&result, "", &mut real);
+    // Nothing overlaps in rollouts, and so this is null.
+    real.extend(["time_s", "step", "pair"].map(|key| format!("scenarios[].max_penetration_at.{key}")));
+
+    let mut documented = BTreeSet::new();
+    for (prefixes, rows) in page("docs/results.md").marked_tables("keys of ") {
+        for prefix in prefixes.split(", ") {
+            for row in &rows {
+                let key = &spans(&row[0])[0];
+                documented.insert(if prefix == "result" { key.clone() } else { format!("{prefix}.{key}") });
+            }
+        }
+    }
+    let undocumented: Vec<&String> = real.difference(&documented).collect();
+    assert!(undocumented.is_empty(), "not in docs/results.md: {undocumented:?}");
+    let invented: Vec<&String> = documented.difference(&real).collect();
+    assert!(invented.is_empty(), "not in result.json: {invented:?}");
+}
+
+/// The code spans of a page that are headers of tables, by the name of the file in the same row or in the sentence.
+fn documents_header(page: &Page, file: &Path) {
+    let table = fs::read_to_string(file).unwrap();
+    let header = table.lines().next().unwrap();
+    let name = file.file_name().unwrap().to_str().unwrap();
+    let is_documented = page.code_spans().iter().any(|span| span == header);
+    assert!(is_documented, "{}: the columns of {name} are {header}", page.name());
+}
+
+#[test]
+fn columns_of_tables_are_documented() {
+    let sandbox = sandbox();
+    let results = page("docs/results.md");
+    for name in ["reference.csv", "scenarios.csv", "wrench.csv", "contacts.csv"] {
+        documents_header(&results, &sandbox.path().join("out/corner").join(name));
+    }
+    run(sandbox.path(), &["simulate", "scenes/corner.toml", "out/corner"]);
+    for name in ["rollouts.csv", "success.csv"] {
+        documents_header(&page("docs/validation.md"), &sandbox.path().join("out/corner").join(name));
+    }
+    run(sandbox.path(), &["batch", "expand", "scenes/corner.toml", "--out", "runs/corner"]);
+    run(sandbox.path(), &["batch", "collect", "runs/corner"]);
+    documents_header(&page("docs/batches.md"), &sandbox.path().join("runs/corner/cells.csv"));
+}
+
+#[test]
+fn settings_of_the_homotopy_are_those_of_the_scene_page() {
+    let settings = |page: Page, mark: &str| -> Vec<Vec<String>> {
+        let tables = page.marked_tables(mark);
+        tables[0].1.iter().map(|row| row[..4].to_vec()).collect()
+    };
+    assert_eq!(
+        settings(page("docs/homotopy.md"), "settings"),
+        settings(page("docs/scene.md"), "keys of homotopy"),
+        "key, values, unit, default"
+    );
+}
+
+#[test]
+fn functions_of_the_method_exist() {
+    let mut count = 0;
+    for (_, rows) in page("docs/method.md").marked_tables("functions") {
+        for row in rows {
+            let [.., crates, functions] = row.as_slice() else { panic!("{row:?}") };
+            let source: String =
+                spans(crates).iter().map(|name| sources(&project("crates").join(name).join("src"))).collect();
+            for name in spans(functions) {
+                let is_module = source.contains(&format!("mod {name};"));
+                let is_item = ["fn", "struct", "enum", "trait"].iter().any(|kind| {
+                    let item = format!("{kind} {name}");
+                    source
+                        .match_indices(&item)
+                        .any(|(at, _)| !source[at + item.len()..].starts_with(char::is_alphanumeric))
+                });
+                assert!(is_item || is_module, "{}: {name} is not in {crates}", row[0]);
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 20, "{count} functions found");
+}
+
+/// All sources below a folder.
+fn sources(folder: &Path) -> String {
+    let mut text = String::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        text += &if path.is_dir() { sources(&path) } else { fs::read_to_string(&path).unwrap() };
+    }
+    text
+}
+
+#[test]
+fn the_table_of_crates_is_that_of_the_workspace() {
+    let mut documented = Vec::new();
+    for row in &page("docs/architecture.md").marked_tables("crates")[0].1 {
+        documented.push((spans(&row[0])[0].clone(), spans(&row[2])));
+    }
+    let mut crates = Vec::new();
+    let names: BTreeSet<String> = documented.iter().map(|(name, _)| name.clone()).collect();
+    for (name, _) in &documented {
+        let manifest = fs::read_to_string(project("crates").join(name).join("Cargo.toml")).unwrap();
+        let manifest: toml::Table = toml::from_str(&manifest).unwrap();
+        let used = manifest.get("dependencies").and_then(toml::Value::as_table).into_iter().flat_map(toml::Table::keys);
+        let mut used: Vec<String> = used.filter(|name| names.contains(*name)).cloned().collect();
+        used.sort();
+        crates.push((name.clone(), used));
+    }
+    assert_eq!(documented, crates);
+    assert_eq!(fs::read_dir(project("crates")).unwrap().count(), crates.len(), "crates that are not documented");
+}
+
+#[test]
+fn the_readme_is_short() {
+    let lines = page("README.md").text.lines().count();
+    assert!(lines <= 130, "{lines} lines");
+}
