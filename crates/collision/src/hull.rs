@@ -241,7 +241,7 @@ fn largest_triangle(points: &[Vector3<f64>], some: &[usize]) -> Option<([usize; 
 }
 
 fn spans_space(normals: &[Vector3<f64>]) -> bool {
-    const SMALLEST_VOLUME: f64 = 1e-6;
+    const SMALLEST_VOLUME: f64 = 1e-10;
     let volume = |[a, b, c]: [usize; 3]| normals[a].cross(&normals[b]).dot(&normals[c]).abs();
     largest(normals.len(), volume).is_some_and(|(_, volume)| volume > SMALLEST_VOLUME)
 }
