@@ -12,8 +12,8 @@
 //! caller can also pass terms to [`Transcription::with_terms`].
 //!
 //! Distances stay off the tapes: a tape takes components of the contact information `W = (Phi_tau, n~_tau)` as inputs.
-//! The adjoints of these inputs, summed over all terms, are the seed `s` with which the collision kernel returns `<s,
-//! D2W>`.
+//! The adjoints of these inputs, summed over all terms, are the seed `s` with which the collision kernel returns
+//! `<s, D2W>`.
 //!
 //! # Source
 //!
