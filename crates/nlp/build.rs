@@ -1,4 +1,4 @@
-//! Passes on the version of the installed Ipopt and whether it comes with a loader of HSL solvers.
+//! Passes on the version of the installed Ipopt and whether it has a loader for HSL solvers.
 
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(hsl_loader)");

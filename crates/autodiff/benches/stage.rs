@@ -1,4 +1,4 @@
-//! One step of an impedance-controlled body at 300 points: by tape and by hand-written loops over plain `f64`.
+//! One time step of an impedance-controlled body at 300 points: by tape and by hand-written loops over `f64`.
 
 #[path = "stage/by_hand.rs"]
 mod by_hand;

@@ -1,18 +1,18 @@
-//! Numbers of many points as a structure of arrays.
+//! Values at many points as a structure of arrays.
 
-/// Points that are evaluated together; rows are padded to a multiple of it. Measured: with fewer, decoding instructions
-/// costs more than arithmetic; with more, the registers of a tape leave the first two caches.
+/// Points that are evaluated together; rows are padded to a multiple of it. The choice was measured: with fewer points,
+/// decoding instructions costs more than arithmetic; with more, the registers of a tape exceed the first two caches.
 pub(crate) const BLOCK: usize = 64;
 
-/// Numbers per cache line.
+/// Values per cache line.
 const CACHE_LINE: usize = 8;
 
-/// A row of numbers per quantity, a column per point.
+/// A row of values per quantity, a column per point.
 #[derive(Debug)]
 pub struct Batch {
     rows: usize,
     points: usize,
-    /// Where the rows start in `values`, so that no vector straddles two cache lines.
+    /// Start of the rows in `values`, chosen so that no vector crosses a cache line.
     start: usize,
     values: Vec<f64>,
 }
@@ -72,7 +72,7 @@ impl Batch {
     }
 }
 
-/// Copies rows, because a copy may have to start elsewhere.
+/// Copies row by row, because the alignment of a copy may differ.
 impl Clone for Batch {
     fn clone(&self) -> Self {
         let mut copy = Self::new(self.rows, self.points);
@@ -83,7 +83,7 @@ impl Clone for Batch {
     }
 }
 
-/// Equal at every point; the padding does not count.
+/// Compares the values at all points, not the padding.
 impl PartialEq for Batch {
     fn eq(&self, other: &Self) -> bool {
         (self.rows, self.points) == (other.rows, other.points)

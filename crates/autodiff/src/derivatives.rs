@@ -1,4 +1,4 @@
-//! Sparse derivatives of a tape, evaluated by tapes again.
+//! Sparse derivatives of a tape, themselves evaluated by tapes.
 
 use crate::differentiate::{Gradient, forward, reverse};
 use crate::graph::Graph;
@@ -123,7 +123,7 @@ fn entries(gradients: Vec<Gradient>) -> Entries {
     entries
 }
 
-/// The sparser of two results, and of equally sparse ones that with fewer operations.
+/// The sparser of two results; if they are equally sparse, the one with fewer operations.
 fn cheaper(inputs: usize, one: (&Graph, Entries), other: (&Graph, Entries)) -> (Entries, Tape) {
     [one, other]
         .map(|(graph, entries)| {

@@ -1,15 +1,15 @@
-//! Differentiation of a graph into itself: the derivatives become nodes that share subexpressions with the values.
+//! Differentiation within a graph: derivatives are nodes that share subexpressions with the values.
 
 use crate::graph::Graph;
 use crate::operation::{Binary, Node, Operation, Unary};
 
-/// Nonzero derivatives of one expression, as (input, derivative) with ascending inputs.
+/// Nonzero derivatives of one expression as pairs (input, derivative), ordered by input.
 pub type Gradient = Vec<(usize, Node)>;
 
 /// Reverse mode: derivatives of `sum seed * node` by the first `variables` inputs.
 pub fn reverse(graph: &mut Graph, seeds: &[(Node, Node)], variables: usize) -> Gradient {
     let last = seeds.iter().map(|&(node, _)| node as usize + 1).max().unwrap_or(0);
-    // Terms are added only when all are known, so that those that cancel meet.
+    // Terms are added only when all are known, so that equal terms of opposite sign cancel.
     let mut terms: Vec<Vec<Node>> = vec![Vec::new(); last];
     seeds.iter().for_each(|&(node, seed)| terms[node as usize].push(seed));
     let mut gradient = Gradient::new();
@@ -46,11 +46,11 @@ pub fn forward(graph: &mut Graph, nodes: &[Node], variables: usize) -> Vec<Gradi
     nodes.iter().map(|&node| tangents[node as usize].clone()).collect()
 }
 
-/// Which nodes are needed to compute the given ones.
+/// Marks the nodes that the given ones depend on.
 pub fn reachable(operations: &[Operation], nodes: &[Node]) -> Vec<bool> {
     let mut needed = vec![false; operations.len()];
     nodes.iter().for_each(|&node| needed[node as usize] = true);
-    // Operands have smaller numbers than their users, so that marking downwards reaches everything.
+    // Operands have smaller indices than their users, so that one downward pass marks all of them.
     for node in (0..operations.len()).rev() {
         if needed[node] {
             operations[node].operands().for_each(|operand| needed[operand as usize] = true);
@@ -59,7 +59,7 @@ pub fn reachable(operations: &[Operation], nodes: &[Node]) -> Vec<bool> {
     needed
 }
 
-/// Operands of a node that are not constant, with the node's partial derivatives by them.
+/// Nonconstant operands of a node, with the node's partial derivatives.
 fn partials(graph: &mut Graph, node: Node) -> Vec<(Node, Node)> {
     let operation = graph.operations()[node as usize];
     let varies: Vec<bool> = operation.operands().map(|operand| graph.value(operand).is_none()).collect();
@@ -72,7 +72,7 @@ fn partials(graph: &mut Graph, node: Node) -> Vec<(Node, Node)> {
                 let partial = match function {
                     Binary::Add | Binary::Subtract => graph.constant(1.0),
                     Binary::Multiply => b,
-                    // The quotients by one denominator share its reciprocal.
+                    // Quotients with the same denominator share its reciprocal.
                     Binary::Divide => graph.reciprocal(b),
                 };
                 partials.push((a, partial));
@@ -112,7 +112,7 @@ fn unary_partial(graph: &mut Graph, function: Unary, a: Node, node: Node) -> Nod
     }
 }
 
-/// `sum + factor * tangent`, entry by entry, without the entries that vanish.
+/// `sum + factor * tangent` without zero entries.
 fn add_multiple(graph: &mut Graph, sum: Gradient, factor: Node, tangent: &Gradient) -> Gradient {
     let mut result = Gradient::with_capacity(sum.len() + tangent.len());
     let mut sum = sum.into_iter().peekable();

@@ -1,4 +1,4 @@
-//! Ordinary Rust arithmetic that records what it does.
+//! Rust arithmetic that records its operations.
 
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -6,7 +6,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 use crate::graph::Graph;
 use crate::operation::{Node, Unary};
 
-/// A number that is not known yet: an input or something computed from inputs.
+/// A symbolic value: an input or an expression of inputs.
 ///
 /// The lifetime keeps the expressions of different tapes apart:
 /// ```compile_fail
@@ -79,7 +79,7 @@ impl<'tape> Expression<'tape> {
         if exponent < 0 { power.recip() } else { power }
     }
 
-    /// A number as an expression of the same tape.
+    /// A constant as an expression of the same tape.
     pub fn constant(self, value: f64) -> Self {
         self.record(|graph| graph.constant(value))
     }

@@ -1,13 +1,13 @@
-//! Expressions as a directed acyclic graph in which equal subexpressions are the same node.
+//! Expressions as a directed acyclic graph in which equal subexpressions share a node.
 
 use std::collections::HashMap;
 
 use crate::operation::{Binary, Node, Operation, Unary};
 
-/// A growing graph with constant folding and the identities that keep derivatives sparse and short.
+/// A graph that folds constants and applies the identities that keep derivatives sparse and short.
 ///
-/// No identity of an operation changes a rounding, except by overflow or underflow, so that values are those of the
-/// recorded arithmetic; only zeros may change their sign, and `0 x` is 0 for every `x`.
+/// No identity changes how a result is rounded, except by overflow or underflow, so that values are those of the
+/// recorded arithmetic. Only the sign of zero may change, and `0 x` is 0 for every `x`.
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
     operations: Vec<Operation>,
@@ -15,7 +15,7 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// A graph that holds the given nodes under their own numbers.
+    /// A graph of the given nodes, which keep their indices.
     pub fn from_operations(operations: &[Operation]) -> Self {
         let nodes = operations.iter().enumerate().map(|(node, &operation)| (operation, node as Node)).collect();
         Self { operations: operations.to_vec(), nodes }
@@ -31,12 +31,12 @@ impl Graph {
         self.intern(Operation::Input(index as u32))
     }
 
-    /// The node of a number; the two zeros are one.
+    /// The node of a constant; 0 and -0 share one.
     pub fn constant(&mut self, value: f64) -> Node {
         self.intern(Operation::Constant((value + 0.0).to_bits()))
     }
 
-    /// The number a node stands for, if it is one.
+    /// The value of a node, if it is a constant.
     pub fn value(&self, node: Node) -> Option<f64> {
         match self.operations[node as usize] {
             Operation::Constant(bits) => Some(f64::from_bits(bits)),
@@ -44,7 +44,7 @@ impl Graph {
         }
     }
 
-    /// Whether a node is the number zero.
+    /// Whether a node is the constant zero.
     pub fn is_zero(&self, node: Node) -> bool {
         self.value(node) == Some(0.0)
     }
@@ -145,7 +145,7 @@ impl Graph {
         }
         match (self.negated(a), self.scaled(a)) {
             (Some(c), _) => self.scale(-factor, c),
-            // One factor is a power of two: both products round alike.
+            // One factor is a power of two, so that both products are rounded in the same way.
             (_, Some((inner, c))) if is_power_of_two(factor) || is_power_of_two(inner) => self.scale(factor * inner, c),
             _ => {
                 let factor = self.constant(factor);
@@ -154,7 +154,7 @@ impl Graph {
         }
     }
 
-    /// The sum of many terms, in which multiples of the same node are one term.
+    /// The sum of many terms, with multiples of the same node combined.
     pub fn sum(&mut self, terms: &[Node]) -> Node {
         if let &[term] = terms {
             return term;
@@ -174,7 +174,7 @@ impl Graph {
         })
     }
 
-    /// Factor and node that a node is the product of; the factor may be 1, the node the number 1.
+    /// A node as a factor times a node; the factor may be 1, and the node may be the constant 1.
     fn factored(&mut self, node: Node) -> (f64, Node) {
         if let Some(value) = self.value(node) {
             return (value, self.constant(1.0));
@@ -218,7 +218,7 @@ impl Graph {
     }
 }
 
-/// Whether multiplying and dividing by a number is exact.
+/// Whether multiplication and division by a value are exact.
 fn is_power_of_two(value: f64) -> bool {
     const FRACTION: u64 = (1 << 52) - 1;
     value.is_normal() && value.to_bits() & FRACTION == 0

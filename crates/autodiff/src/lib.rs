@@ -1,21 +1,22 @@
 //! Expression tapes: a function is recorded once from ordinary Rust arithmetic, differentiated exactly, and evaluated
-//! at many points at once.
+//! at many points together.
 //!
 //! The optimal control problem repeats a few functions at every stage and scenario: the time-stepping scheme, the
-//! impedance law, the cost. The paper differentiates them with CasADi (Sec. diffphys:dsctime: "First- and second-order
-//! derivatives \[...\] will be derived by automatic differentiation"); this crate takes its place.
+//! impedance law, the cost. C. Dietz et al., *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with
+//! Exact Second-Order Derivatives* (Section IV-B of the preprint, `Sec. diffphys:dsctime`), differentiate them with
+//! CasADi; this crate replaces it.
 //!
 //! | step | here |
 //! |---|---|
-//! | record | [`Tape::record`]: equal subexpressions are one, constants are folded, dead code is dropped |
-//! | differentiate | [`Tape::jacobian`], [`Tape::lagrangian_hessian`]: tapes of exactly the structural nonzeros, in forward or reverse mode, whichever is cheaper |
-//! | evaluate | [`Tape::evaluate`]: every instruction sweeps a block of points of a [`Batch`] in vector registers |
+//! | record | [`Tape::record`]: equal subexpressions are shared, constants folded, unused nodes dropped |
+//! | differentiate | [`Tape::jacobian`], [`Tape::lagrangian_hessian`]: tapes of the structural nonzeros, in forward or reverse mode, whichever is cheaper |
+//! | evaluate | [`Tape::evaluate`]: every instruction processes a block of points of a [`Batch`] in vector registers |
 //!
-//! Recording and differentiating happen once, evaluation often. Values are those of the recorded arithmetic, bit for
-//! bit, in every instruction set. Division by zero and the like give infinities and NaN.
+//! A tape is recorded and differentiated once and evaluated often. Results are bit-identical to the recorded arithmetic
+//! in every instruction set. Invalid operations, such as division by zero, give infinities and NaN.
 //!
-//! What is computed outside a tape, the contact information, enters as an input like any other. Its adjoint
-//! ([`LagrangianHessian::adjoint`]) is the seed for the second derivatives of what stands behind it.
+//! Quantities that are computed outside a tape, such as the contact information, are inputs like any other. Their
+//! adjoint ([`LagrangianHessian::adjoint`]) is the seed for the second derivatives of the function that computes them.
 //!
 //! ```
 //! use autodiff::{Batch, Tape, Workspace};

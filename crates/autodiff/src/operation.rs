@@ -1,9 +1,9 @@
-//! What the nodes of a graph compute.
+//! Operations of the nodes of a graph.
 
 /// Index of a node; operands come before the nodes that use them.
 pub type Node = u32;
 
-/// Functions of one number.
+/// Functions of one argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Unary {
     /// `-a`
@@ -20,7 +20,7 @@ pub enum Unary {
     Logarithm,
 }
 
-/// Functions of two numbers.
+/// Functions of two arguments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Binary {
     /// `a + b`
@@ -47,10 +47,10 @@ impl Unary {
     }
 }
 
-/// A node. Constants are kept as bits so that operations can be compared and hashed.
+/// A node. Constants are stored as bits so that operations can be compared and hashed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// A number, as its bits.
+    /// A constant, by its bits.
     Constant(u64),
     /// The value of an input.
     Input(u32),

@@ -1,4 +1,4 @@
-//! A tape as instructions on a small file of registers, each of which holds one block of points.
+//! A tape as instructions on a small register file; a register holds one block of points.
 
 use pulp::{Simd, WithSimd};
 
@@ -6,22 +6,22 @@ use crate::batch::{BLOCK, Batch};
 use crate::operation::{Binary, Node, Operation, Unary};
 use crate::registers::{Allocation, Instruction, Kernel};
 
-/// Which vector instructions evaluate a tape; every choice gives the same bits.
+/// The instruction set that evaluates a tape; all give bit-identical results.
 #[derive(Debug, Clone, Copy)]
 pub struct Instructions(pulp::Arch);
 
 impl Instructions {
-    /// The widest that this processor has.
+    /// The widest instruction set of this processor.
     pub fn best() -> Self {
         Self(pulp::Arch::new())
     }
 
-    /// None.
+    /// No vector instructions.
     pub fn scalar() -> Self {
         Self(pulp::Arch::Scalar)
     }
 
-    /// All that this processor has, the narrowest first.
+    /// All instruction sets of this processor, the narrowest first.
     pub fn available() -> Vec<Self> {
         let mut all = vec![Self::scalar()];
         #[cfg(target_arch = "x86_64")]
@@ -44,12 +44,12 @@ pub struct Workspace {
     registers: Vec<Register>,
 }
 
-/// What a tape executes for every block of points.
+/// The instructions that are executed for every block of points.
 #[derive(Debug, Clone)]
 pub struct Program(Allocation);
 
 impl Program {
-    /// Compiles operations that stand in evaluation order.
+    /// Compiles operations given in evaluation order.
     pub fn new(operations: &[Operation], outputs: &[Node]) -> Self {
         Self(Allocation::new(operations, outputs))
     }
@@ -70,7 +70,7 @@ impl Program {
         }
         let points = inputs.points_of_block(block);
         if points < BLOCK {
-            // The padding repeats a point, so that it takes no slow path through invalid numbers.
+            // The padding repeats a point, because arithmetic on invalid values may be slow.
             for &(_, to) in &self.0.loads {
                 let register = &mut registers[to as usize].0;
                 let last = register[points - 1];
@@ -87,7 +87,7 @@ impl Program {
     }
 }
 
-/// A run as a type instead of a closure, because a closure is not inlined where the instruction set is enabled.
+/// A run, as a type because a closure would not be inlined into the function that enables the instruction set.
 struct Run<'run> {
     program: &'run Program,
     inputs: &'run Batch,
@@ -111,8 +111,8 @@ impl WithSimd for Run<'_> {
     }
 }
 
-/// Registers with the vector instructions that work on them. Loops are over whole vectors: left to the compiler, they
-/// become stores of mixed widths, which later loads have to wait for.
+/// Registers with the vector instructions that work on them. Loops are written over whole vectors: the compiler's own
+/// vectorisation stores values of mixed widths, and later loads have to wait for these.
 struct RegisterFile<'run, S> {
     simd: S,
     registers: &'run mut [Register],

@@ -1,14 +1,14 @@
-//! Register allocation: from a graph in evaluation order to instructions on few registers.
+//! Register allocation: turns a graph in evaluation order into instructions on a small number of registers.
 
 use crate::operation::{Binary, Node, Operation, Unary};
 
-/// What an instruction computes of its operands. Products in sums are rounded like all others: no fused arithmetic,
+/// The function that an instruction computes. Products in sums are rounded like all others, without fused arithmetic,
 /// so that every processor gives the same bits.
 #[derive(Debug, Clone, Copy)]
 pub enum Kernel {
-    /// Of one operand.
+    /// A function of one operand.
     Unary(Unary),
-    /// Of two operands.
+    /// A function of two operands.
     Binary(Binary),
     /// `a b + c`
     MultiplyAdd,
@@ -18,10 +18,10 @@ pub enum Kernel {
     SubtractMultiply,
 }
 
-/// A kernel with its registers; operands that the kernel does not read repeat another.
+/// A kernel with its registers; unused operands repeat another one.
 #[derive(Debug, Clone, Copy)]
 pub struct Instruction {
-    /// What it computes.
+    /// The kernel.
     pub kernel: Kernel,
     /// Registers that it reads.
     pub operands: [u32; 3],
@@ -29,22 +29,22 @@ pub struct Instruction {
     pub to: u32,
 }
 
-/// Instructions with everything they expect in registers beforehand and leave there.
+/// Instructions, with the registers of constants, inputs and outputs.
 #[derive(Debug, Clone, Default)]
 pub struct Allocation {
-    /// Constants; the first registers hold them all the time.
+    /// Constants, which the first registers hold throughout.
     pub constants: Vec<f64>,
-    /// Input and the register that it starts in.
+    /// Inputs, each with the register that holds it at the start.
     pub loads: Vec<(u32, u32)>,
-    /// In the order of execution.
+    /// Instructions in the order of execution.
     pub instructions: Vec<Instruction>,
-    /// Register that every output ends in.
+    /// Register of every output at the end.
     pub stores: Vec<u32>,
     /// Number of registers.
     pub register_count: u32,
 }
 
-/// An instruction before registers are known.
+/// An instruction before registers are assigned.
 struct Step {
     kernel: Kernel,
     operands: [Node; 3],
@@ -53,14 +53,14 @@ struct Step {
 }
 
 impl Allocation {
-    /// Allocates registers by linear scan: a register is free again after the last use of its value.
+    /// Allocates registers by linear scan: a register is free after the last use of its value.
     pub fn new(operations: &[Operation], outputs: &[Node]) -> Self {
         let steps = steps(operations, outputs);
         let mut uses = vec![0; operations.len()];
         for step in &steps {
             step.read().iter().for_each(|&operand| uses[operand as usize] += 1);
         }
-        // Outputs stay until the end.
+        // Outputs are live until the end.
         outputs.iter().for_each(|&output| uses[output as usize] += 1);
         let mut allocation = Self::default();
         let mut registers = allocation.place_constants_and_inputs(operations);
@@ -82,7 +82,7 @@ impl Allocation {
         allocation
     }
 
-    /// Registers of all nodes that are there from the start.
+    /// Assigns registers to constants and inputs; all other nodes have `u32::MAX`.
     fn place_constants_and_inputs(&mut self, operations: &[Operation]) -> Vec<u32> {
         let mut registers = vec![u32::MAX; operations.len()];
         for (node, operation) in operations.iter().enumerate() {
@@ -118,7 +118,7 @@ impl Step {
     }
 }
 
-/// Arithmetic in evaluation order; a product whose only use is a sum is computed together with it.
+/// Arithmetic in evaluation order; a product that is used only in one sum is merged with it.
 fn steps(operations: &[Operation], outputs: &[Node]) -> Vec<Step> {
     let mut uses = vec![0; operations.len()];
     operations.iter().flat_map(|operation| operation.operands()).for_each(|operand| uses[operand as usize] += 1);
@@ -129,7 +129,7 @@ fn steps(operations: &[Operation], outputs: &[Node]) -> Vec<Step> {
     };
     let mut absorbed = vec![false; operations.len()];
     let mut steps = Vec::new();
-    // Backwards, because a sum decides about its products.
+    // Backwards, because a sum determines which products are merged.
     for (node, &operation) in operations.iter().enumerate().rev() {
         if absorbed[node] {
             continue;

@@ -49,12 +49,12 @@ impl Tape {
     /// Evaluates all outputs at all points. `inputs` may have more rows than the tape has inputs.
     ///
     /// # Panics
-    /// When `inputs` or `outputs` has too few rows or their numbers of points differ.
+    /// When `inputs` or `outputs` have too few rows, or when their numbers of points differ.
     pub fn evaluate(&self, inputs: &Batch, outputs: &mut Batch, workspace: &mut Workspace) {
         self.evaluate_with(Instructions::best(), inputs, outputs, workspace);
     }
 
-    /// [`Tape::evaluate`] with a given instruction set; the results are the same bits with each.
+    /// [`Tape::evaluate`] with a given instruction set; all give bit-identical results.
     ///
     /// # Panics
     /// As [`Tape::evaluate`].
@@ -71,7 +71,7 @@ impl Tape {
         self.program.run(instructions, inputs, outputs, workspace);
     }
 
-    /// A tape of what the outputs need of a graph.
+    /// A tape of the nodes of a graph that the outputs depend on.
     pub(crate) fn of_graph(input_count: usize, graph: &Graph, outputs: &[Node]) -> Self {
         let all = graph.operations();
         let needed = reachable(all, outputs);

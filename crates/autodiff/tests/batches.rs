@@ -1,4 +1,4 @@
-//! Many points at once.
+//! Evaluation at many points.
 
 mod support;
 

@@ -8,7 +8,7 @@ use autodiff::{Batch, Expression, Instructions, Tape, Workspace};
 use proptest::prelude::*;
 use support::{batch, check_derivatives, evaluate};
 
-/// What random programs compute with.
+/// Arithmetic of random programs.
 trait Number:
     Copy
     + Neg<Output = Self>
@@ -43,7 +43,8 @@ impl Number for Expression<'_> {
 
 type Step = (u8, usize, usize, i8);
 
-/// All results of a program in which every step combines two earlier results. Denominators and roots stay away from 0.
+/// All results of a program in which every step combines two earlier results. Denominators and arguments of roots are
+/// bounded away from 0.
 fn run<T: Number>(steps: &[Step], inputs: &[T]) -> Vec<T> {
     let mut results = inputs.to_vec();
     for &(operation, one, other, factor) in steps {

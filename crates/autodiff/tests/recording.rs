@@ -1,4 +1,4 @@
-//! What is recorded: shared subexpressions, exact sparsity, unusual outputs.
+//! Recording: shared subexpressions, exact sparsity, unusual outputs.
 
 mod support;
 

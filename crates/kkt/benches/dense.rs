@@ -1,4 +1,4 @@
-//! One dense symmetric indefinite matrix: our front, in every instruction set, and faer's Bunch and Kaufman.
+//! One dense symmetric indefinite matrix: this crate's front, in every instruction set, and faer's Bunch-Kaufman.
 
 use std::hint::black_box;
 

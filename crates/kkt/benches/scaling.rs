@@ -1,5 +1,5 @@
-//! How the time of an analysis, a factorisation and a solve grows with stages, scenarios and pairs: medians of processor
-//! time, in milliseconds, on random matrices.
+//! Time of an analysis, a factorisation and a solve as a function of stages, scenarios and pairs: medians of processor
+//! time in milliseconds, on random matrices.
 
 #[path = "../tests/support/mod.rs"]
 mod support;

@@ -1,11 +1,11 @@
-//! Why a matrix does not have the structure of its labels.
+//! Mismatches between a matrix and its labels.
 
 use crate::label::Label;
 
-/// Why a matrix cannot be factorised stage by stage.
+/// The reason why a matrix cannot be factorised stage by stage.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum StructureError {
-    /// The labels are of another problem.
+    /// The number of labels is not the number of rows.
     #[error("{labels} labels for a matrix of {dimension} rows")]
     Dimension {
         /// Number of labels.
@@ -13,15 +13,15 @@ pub enum StructureError {
         /// Rows of the matrix.
         dimension: usize,
     },
-    /// Row and column numbers do not come in pairs.
-    #[error("{rows} row numbers but {columns} column numbers")]
+    /// The lists of rows and columns differ in length.
+    #[error("{rows} row indices but {columns} column indices")]
     Length {
-        /// Number of row numbers.
+        /// Number of row indices.
         rows: usize,
-        /// Number of column numbers.
+        /// Number of column indices.
         columns: usize,
     },
-    /// An entry lies outside of the matrix.
+    /// An entry lies outside the matrix.
     #[error("entry {entry} lies in row {row}, column {column} of a matrix of {dimension} rows")]
     Range {
         /// Position among the triplets.
@@ -33,15 +33,15 @@ pub enum StructureError {
         /// Rows of the matrix.
         dimension: usize,
     },
-    /// Stages are numbered from 1.
-    #[error("row {row} is labelled as {label}: stages count from 1")]
+    /// A stage is numbered 0; stages start at 1.
+    #[error("row {row} is labelled {label}: stages are numbered from 1")]
     Stage {
         /// The row.
         row: usize,
         /// Its label.
         label: Label,
     },
-    /// An entry couples rows that the elimination takes for independent.
+    /// An entry couples rows that the elimination assumes to be independent.
     #[error("row {row} and column {column} couple {first} with {second}: {reason}")]
     Coupling {
         /// Its row.
@@ -52,7 +52,7 @@ pub enum StructureError {
         first: Label,
         /// Label of the column.
         second: Label,
-        /// The rule that this breaks.
+        /// The rule that the entry violates.
         reason: &'static str,
     },
 }

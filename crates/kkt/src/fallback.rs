@@ -1,10 +1,10 @@
-//! The general sparse solver that takes over where the stages cannot be trusted.
+//! The general sparse solver that takes over where factorisation by stages is not accurate enough.
 
 use feral::{FactorStatus, Solver};
 
 use crate::matrix::Matrix;
 
-/// What the general solver found.
+/// Outcome of a factorisation by the general solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// Number of negative eigenvalues.
@@ -13,7 +13,7 @@ pub enum Outcome {
     Failed,
 }
 
-/// A multifrontal solver with delayed pivots. It is set up when it is first needed.
+/// A multifrontal solver with delayed pivots, created on first use.
 #[derive(Default)]
 pub struct Fallback {
     solver: Option<Solver>,

@@ -1,4 +1,4 @@
-//! Which front or leaf every row belongs to, and what is coupled with what.
+//! Assigns every row to a front or leaf and every entry to the place where it is assembled.
 
 use crate::error::StructureError;
 use crate::label::{Class, Label, Owner};
@@ -21,7 +21,7 @@ impl Role {
     }
 }
 
-/// An entry of the matrix: row, column, position among its numbers.
+/// An entry of the matrix: row, column, position among its values.
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
     pub row: usize,
@@ -29,7 +29,7 @@ pub struct Entry {
     pub source: usize,
 }
 
-/// Rows by stage and leaf, and the entries by where they are assembled.
+/// Rows by stage and leaf; entries by the place where they are assembled.
 #[derive(Debug, Default)]
 pub struct Grouping {
     /// Stage of every row, from 0.
@@ -41,19 +41,19 @@ pub struct Grouping {
     pub separators: Vec<Vec<usize>>,
     /// Entries between rows of a front, or of a front and its separator.
     pub front_entries: Vec<Vec<Entry>>,
-    /// Leaves, those of a stage side by side.
+    /// All leaves; those of a stage are consecutive.
     pub leaves: Vec<Group>,
-    /// Leaves of every stage.
+    /// Range of each stage in `leaves`.
     pub stage_leaves: Vec<std::ops::Range<usize>>,
 }
 
-/// Rows that are eliminated before the fronts, of one stage and owner.
+/// A leaf: rows of one stage and owner that are eliminated before the front.
 #[derive(Debug, Default)]
 pub struct Group {
     pub rows: Vec<usize>,
-    /// Rows of fronts that they are coupled with.
+    /// Rows of fronts that the leaf is coupled with.
     pub boundary: Vec<usize>,
-    /// Entries, their rows the leaf's.
+    /// Entries whose row belongs to the leaf.
     pub entries: Vec<Entry>,
 }
 
@@ -70,7 +70,7 @@ pub fn group(labels: &[Label], rows: &[usize], columns: &[usize]) -> Result<Grou
     Ok(grouping)
 }
 
-/// Rows into fronts and leaves.
+/// Distributes the rows over fronts and leaves.
 fn sort_rows(labels: &[Label]) -> Result<Grouping, StructureError> {
     if let Some(row) = labels.iter().position(|label| label.stage == 0) {
         return Err(StructureError::Stage { row, label: labels[row] });
@@ -110,8 +110,8 @@ fn sort_rows(labels: &[Label]) -> Result<Grouping, StructureError> {
     Ok(grouping)
 }
 
-/// Order of a front: poses and their multipliers first, as the fast path needs; then what the next stage is coupled
-/// with side by side.
+/// Order of a front: poses and their multipliers first, as the fast path requires, then rows that the next stage is
+/// coupled with, so that they are consecutive.
 fn front_rank(label: &Label) -> (usize, Owner) {
     let rank = match (label.class, label.owner) {
         (Class::Pose, _) => 0,
@@ -124,7 +124,7 @@ fn front_rank(label: &Label) -> (usize, Owner) {
     (rank, label.owner)
 }
 
-/// Order within a pair: what can be eliminated without fill first.
+/// Order within a pair: rows that can be eliminated without fill come first.
 fn leaf_rank(class: Class) -> usize {
     match class {
         Class::InequalitySlack => 0,
@@ -142,7 +142,7 @@ impl Grouping {
         self.fronts.len()
     }
 
-    /// Files an entry where it is assembled.
+    /// Assigns an entry to the place where it is assembled.
     fn add(&mut self, entry: Entry) -> Result<(), &'static str> {
         let Entry { row, column, source } = entry;
         match (self.role[row], self.role[column]) {
@@ -184,7 +184,7 @@ impl Grouping {
         Ok(())
     }
 
-    /// Sorts the boundaries: rows of the own front, then of the previous one, each in the front's order.
+    /// Sorts each boundary: rows of the leaf's own front first, then those of the previous front, in the fronts' order.
     fn collect_separators(&mut self) {
         for stage in 0..self.stages() {
             for leaf in &mut self.leaves[self.stage_leaves[stage].clone()] {

@@ -1,20 +1,20 @@
 //! Dense kernels on column-major blocks, in whole vector registers.
 //!
-//! Every stride is a multiple of [`PAD`] numbers and every column starts at one, so that no kernel needs a masked load
-//! for any instruction set. Rows are rounded outwards to whole pads: what lies above a diagonal may be overwritten and
-//! is never read, and rows of padding hold zeros.
+//! Every stride and every start of a column is a multiple of [`PAD`] values, so that no kernel needs a masked load in
+//! any instruction set. Row ranges are rounded outwards to whole pads: entries above a diagonal may be overwritten and
+//! are never read, and padding rows hold zeros.
 
 use pulp::{Arch, Simd, WithSimd};
 
-/// Rows per pad: the widest vector register, a cache line.
+/// Rows per pad: one cache line, the width of the widest vector register.
 pub const PAD: usize = 8;
 
-/// The least multiple of [`PAD`] that is not smaller.
+/// Rounds up to a multiple of [`PAD`].
 pub const fn padded(count: usize) -> usize {
     count.next_multiple_of(PAD)
 }
 
-/// The greatest multiple of [`PAD`] that is not larger.
+/// Rounds down to a multiple of [`PAD`].
 pub const fn pad_of(index: usize) -> usize {
     index / PAD * PAD
 }
@@ -32,17 +32,17 @@ pub struct SubtractProduct<'a> {
     pub depth: usize,
     /// Columns of the whole matrix; the target starts at the first of them.
     pub columns: std::ops::Range<usize>,
-    /// Leave out the pads of rows that lie entirely above the diagonal.
+    /// Skip pads of rows that lie entirely above the diagonal.
     pub lower: bool,
 }
 
 impl SubtractProduct<'_> {
-    /// Runs on the widest registers there are.
+    /// Runs with the widest available registers.
     pub fn run(self, arch: Arch) {
         arch.dispatch(self);
     }
 
-    /// One tile of `VECTORS` registers by `COLUMNS` columns, its corner at a row and a column.
+    /// One tile of `VECTORS` registers by `COLUMNS` columns whose corner is at a given row and column.
     #[inline(always)]
     fn tile<S: Simd, const VECTORS: usize, const COLUMNS: usize>(&mut self, simd: S, row: usize, column: usize) {
         let height = VECTORS * S::F64_LANES;
@@ -93,7 +93,7 @@ impl WithSimd for SubtractProduct<'_> {
     fn with_simd<S: Simd>(mut self, simd: S) {
         let mut column = self.columns.start;
         while column < self.columns.end {
-            // Stripes end at pads, so that a stripe's rows start at one for all of its columns.
+            // Stripes end at a pad, so that all columns of a stripe start at one.
             let width = (PAD - column % PAD).min(self.columns.end - column);
             // Eight columns of three registers fill the 32 registers of AVX-512, four the 16 of AVX2.
             let width = if S::F64_LANES < PAD { width.min(4) } else { width };
@@ -164,7 +164,7 @@ pub fn dot<S: Simd>(simd: S, left: &[f64], right: &[f64]) -> f64 {
     simd.reduce_sum_f64s(simd.add_f64s(sums[0], sums[1]))
 }
 
-/// Index and absolute value of a largest number of `values[range]`; zero for an empty range.
+/// Index and absolute value of the largest entry of `values[range]` in absolute value; zero for an empty range.
 #[inline(always)]
 pub fn largest<S: Simd>(simd: S, values: &[f64], range: std::ops::Range<usize>) -> (usize, f64) {
     let first = padded(range.start).min(range.end);
@@ -187,7 +187,7 @@ pub fn largest<S: Simd>(simd: S, values: &[f64], range: std::ops::Range<usize>) 
     best
 }
 
-/// Numbers that start at a cache line.
+/// Values that start at a cache line.
 #[derive(Debug, Default)]
 pub struct Aligned {
     numbers: Vec<f64>,
@@ -200,7 +200,7 @@ impl Aligned {
         Self { numbers: vec![0.0; length + PAD], length }
     }
 
-    /// At least so many numbers; zeros, when there were fewer.
+    /// Makes room for at least `length` values, all of them zero if the store has to grow.
     pub fn reserve(&mut self, length: usize) {
         if length > self.length {
             *self = Self::new(length);
@@ -208,7 +208,7 @@ impl Aligned {
     }
 
     fn start(&self) -> usize {
-        // Counted in numbers. Alignment is for speed only, so that an unknown offset does no harm.
+        // In values, not bytes. Alignment only affects speed, so an unknown offset does no harm.
         self.numbers.as_ptr().align_offset(PAD * size_of::<f64>()).min(self.numbers.len() - self.length)
     }
 }

@@ -1,6 +1,6 @@
-//! What the rows of a KKT matrix are.
+//! Labels of the rows of a KKT matrix.
 
-/// Whose a row is.
+/// The trajectory that a row belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Owner {
     /// A scenario's compliant trajectory, numbered from 0.
@@ -9,10 +9,10 @@ pub enum Owner {
     Reference,
 }
 
-/// What a row stands for.
+/// Kind of variable, slack or multiplier.
 ///
-/// Rows of a *front* are eliminated together, stage by stage. Rows of a *leaf* are eliminated before, each pair by
-/// itself: they must not be coupled with other scenarios' leaves, and only with the fronts of their own and the
+/// Rows of a *front* are eliminated together, stage by stage. Rows of a *leaf* (one stage and owner) are eliminated
+/// before the front. They must not be coupled with other leaves, and with no fronts but those of their own and the
 /// previous stage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Class {
@@ -30,7 +30,7 @@ pub enum Class {
     OtherMultiplier,
     /// Leaf: contact force of a pair.
     ContactForce,
-    /// Leaf: gap of a pair, where it is a variable of its own.
+    /// Leaf: gap of a pair, if it is a variable.
     Gap,
     /// Leaf: multiplier of the equality that defines a gap variable.
     GapMultiplier,
@@ -56,7 +56,7 @@ impl Class {
         )
     }
 
-    /// Whether rows of this class are constraints' multipliers: a matrix of the right inertia has as many negative
+    /// Whether rows of this class are multipliers of constraints. A matrix of the right inertia has as many negative
     /// eigenvalues as multipliers.
     pub fn is_multiplier(self) -> bool {
         matches!(
@@ -76,11 +76,12 @@ impl Class {
 pub struct Label {
     /// Stage, 1 to `N`. The constraints of the step from stage `k` to `k + 1` belong to stage `k + 1`.
     pub stage: usize,
-    /// Trajectory.
+    /// The trajectory that it belongs to.
     pub owner: Owner,
     /// Kind of variable or multiplier.
     pub class: Class,
-    /// Component of a state or number of a pair. Only the order matters.
+    /// Component of a state, or number of a pair; rows of a leaf that belong to no pair are numbered after the pairs.
+    /// Only the order matters, except that a pose and its multiplier have the same index.
     pub index: usize,
 }
 

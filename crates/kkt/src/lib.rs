@@ -1,20 +1,22 @@
-//! A solver for the symmetric indefinite matrices of optimal control (Sec. ocp:sparseimpl): it knows what every row is.
+//! A direct solver for the symmetric indefinite KKT matrices of optimal control problems.
+//! C. Dietz et al., *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order
+//! Derivatives* (Section VI-A of the preprint), solve these systems with MA27; this solver exploits their structure.
 //!
-//! An interior point method for a problem of many stages solves systems whose rows are coupled with their own and the
-//! neighbouring stages only. Every row carries a [`Label`]: stage, scenario, kind. [`StageSolver`] plans the
-//! elimination once and repeats it for every matrix:
+//! A *stage* is a time step. Rows are coupled with those of their own and the neighbouring stages only. Every row
+//! carries a [`Label`]: stage, trajectory, kind. [`StageSolver`] plans the elimination once and repeats it for every
+//! matrix:
 //!
-//! 1. contact forces, slacks and their multipliers, each pair by itself (`leaf`);
-//! 2. stage by stage, backward in time: poses with the kinematics that define them, without pivoting
-//!    (`front::poses`), then the rest of the stage as one dense front with Bunch and Kaufman's pivots (`front::general`),
-//!    whose Schur complement goes to the stage before (`stages`).
+//! 1. It eliminates contact forces, slacks and their multipliers, each pair by itself (`leaf`).
+//! 2. It goes through the stages backward in time (`stages`). In each it eliminates the poses with the kinematics that
+//!    define them, without pivoting (`front::poses`), then factorises the rest as one dense front with Bunch-Kaufman
+//!    pivots (`front::general`). The Schur complement is added to the stage before.
 //!
-//! The number of negative eigenvalues is exact: every pivot's size is compared with the terms that it is the sum of
-//! (`pivot`), and where its sign cannot be trusted, where a residual stays large after refinement, where more quality is
-//! asked for, or where the pattern does not fit its labels, a general sparse solver takes over (`fallback`). The
-//! [`Report`] counts these cases. A surplus of negative pivots ends a factorisation early.
+//! The number of negative eigenvalues is exact: every pivot is compared with the terms that it is the sum of (`pivot`).
+//! A general sparse solver takes over (`fallback`) where a sign is uncertain, where a residual stays large after
+//! refinement, where Ipopt requests more accuracy, and where the pattern does not match the labels. The [`Report`]
+//! counts these cases. A surplus of negative pivots ends a factorisation early.
 //!
-//! Time grows linearly in stages and pairs, and with the third power of the number of scenarios.
+//! The time is linear in the numbers of stages and pairs and cubic in the number of scenarios.
 
 mod error;
 mod fallback;

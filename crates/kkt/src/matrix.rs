@@ -6,9 +6,9 @@ use feral::CscMatrix;
 #[derive(Debug)]
 pub struct Matrix {
     pub columns: CscMatrix,
-    /// Rows of the stored numbers, in half the memory: a product with the matrix is a matter of memory only.
+    /// Rows of the stored values, 32 bits each: the time of a product is the time to read memory.
     rows: Vec<u32>,
-    /// Which stored number every triplet is added to.
+    /// The stored value that each triplet is added to.
     slots: Vec<u32>,
 }
 
@@ -48,20 +48,20 @@ impl Matrix {
         }
     }
 
-    /// Column of every stored number.
+    /// Column of every stored value.
     pub fn column_indices(&self) -> Vec<usize> {
         let ends = &self.columns.col_ptr;
         (0..self.columns.n).flat_map(|column| (ends[column]..ends[column + 1]).map(move |_| column)).collect()
     }
 
-    /// Largest absolute value, infinite when a number is not finite.
+    /// Largest absolute value; infinite when a value is not finite.
     pub fn largest(&self) -> f64 {
         let size = |value: &f64| if value.is_nan() { f64::INFINITY } else { value.abs() };
         self.columns.values.iter().map(size).fold(0.0, f64::max)
     }
 
-    /// Writes `b - A x` and returns its size, component by component relative to `|A| |x| + |b|` (the backward error
-    /// of Oettli and Prager). `sums` is scratch, of as many numbers as the matrix has rows.
+    /// Writes `b - A x` and returns the largest component relative to `|A| |x| + |b|` (the backward error of Oettli and
+    /// Prager). `sums` is scratch of one value per row.
     pub fn residual(&self, x: &[f64], b: &[f64], residual: &mut [f64], sums: &mut [RowSum]) -> f64 {
         for (sum, &b) in sums.iter_mut().zip(b) {
             *sum = RowSum { residual: b, terms: b.abs() };
@@ -81,7 +81,7 @@ impl Matrix {
             sums[column].residual += own.residual;
             sums[column].terms += own.terms;
         }
-        // A row whose terms all vanish next to the others' has no relative error worth the name.
+        // A row whose terms are all negligible beside those of other rows has no meaningful relative error.
         let floor = 1e3 * f64::EPSILON * sums.iter().map(|sum| sum.terms).fold(f64::MIN_POSITIVE, f64::max);
         let mut largest = 0.0f64;
         for (residual, sum) in residual.iter_mut().zip(sums) {
@@ -96,7 +96,7 @@ impl Matrix {
     }
 }
 
-/// A component of `b - A x` and the sum of its terms' sizes, side by side in memory.
+/// A component of `b - A x` and the sum of the absolute values of its terms.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct RowSum {
     residual: f64,
@@ -110,7 +110,7 @@ impl RowSum {
     }
 }
 
-/// Sorts by a key below `keys`, keeping the order of equal ones.
+/// Stable bucket sort by a key less than `keys`.
 fn bucket_sort(keys: usize, items: impl Iterator<Item = usize> + Clone, key: impl Fn(usize) -> usize) -> Vec<usize> {
     let mut starts = vec![0; keys + 1];
     let mut count = 0;

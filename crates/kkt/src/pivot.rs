@@ -1,16 +1,17 @@
-//! Pivots of an `L D L'` factorisation: 1x1 and 2x2 blocks, their inertia and their trust.
+//! Pivots of an `L D L'` factorisation: 1x1 and 2x2 blocks and their inertia.
 
 /// Bunch and Kaufman's bound between diagonal and off-diagonal pivots, `(1 + sqrt(17)) / 8`.
 pub const BUNCH_KAUFMAN: f64 = 0.640_388_203_202_207_6;
 
-/// A pivot below this part of the terms that it is the sum of may be nothing but rounding: its sign is not trusted.
-/// Some hundred times the unit roundoff, for the sums are long and the pivots before it have rounded too.
+/// If a pivot is below this fraction of the sum of the absolute values of its terms, it may be a rounding error and its
+/// sign is not trusted. This is some hundred times the unit roundoff, because sums are long and earlier pivots are
+/// rounded too.
 pub const TRUST: f64 = 5e-14;
 
-/// Why a factorisation without a general solver's pivoting has to stop.
+/// The reason why a factorisation by stages has to stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Breakdown {
-    /// A pivot is too small, next to the terms it is the sum of, for its sign to be known.
+    /// A pivot is so small compared with its terms that its sign is uncertain.
     Uncertain,
     /// A pivot is not finite.
     NotFinite,
@@ -34,8 +35,8 @@ impl Pivot {
         }
     }
 
-    /// Number of negative eigenvalues, or why it is not known. `scale` is the sum of the absolute values of the terms
-    /// of the diagonal entries.
+    /// Number of negative eigenvalues, or the reason why it is unknown. `scale` is the sum of the absolute values of
+    /// the terms of the diagonal entries.
     pub fn negative(self, scale: [f64; 2]) -> Result<usize, Breakdown> {
         let (value, terms) = match self {
             Self::One(d) => (d, scale[0]),
@@ -61,7 +62,7 @@ impl Pivot {
 /// The inverse `[a, b; b, c]` of a 2x2 pivot.
 #[inline(always)]
 pub fn inverse(a: f64, b: f64, c: f64) -> (f64, f64, f64) {
-    // Divided by the off-diagonal entry first, the largest of a 2x2 pivot, so that no product overflows.
+    // The off-diagonal entry is the largest of a 2x2 pivot: dividing by it first avoids overflow.
     let (p, q) = (a / b, c / b);
     let scale = 1.0 / (b * (p * q - 1.0));
     (q * scale, -scale, p * scale)
@@ -74,7 +75,7 @@ pub struct Pivots<'a> {
     pub diagonal: &'a mut [f64],
     /// Subdiagonal of `D^{-1}`: nonzero in the first row of every 2x2 pivot.
     pub subdiagonal: &'a mut [f64],
-    /// Which row stands at each place.
+    /// The row at each place.
     pub order: &'a mut [u32],
 }
 

@@ -1,17 +1,17 @@
-//! What a solver has done so far.
+//! Statistics of a solver.
 
-/// Why a matrix went to the general solver.
+/// The reason why a matrix went to the general solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum FallbackReason {
-    /// An entry couples what should not be coupled.
+    /// An entry couples rows that should be independent.
     Structure,
     /// A pivot was too small for its sign to be trusted.
     UncertainPivot,
     /// A pivot was not finite.
     NotFinite,
-    /// The residual stayed poor after refinement.
+    /// The residual stayed large after refinement.
     Residual,
-    /// More accuracy was asked for.
+    /// More accuracy was requested.
     Quality,
 }
 
@@ -31,7 +31,7 @@ pub struct Fallbacks {
 }
 
 impl Fallbacks {
-    /// All of them.
+    /// Their sum.
     pub fn total(&self) -> usize {
         self.structure + self.uncertain_pivot + self.not_finite + self.residual + self.quality
     }
@@ -47,29 +47,29 @@ impl Fallbacks {
     }
 }
 
-/// What a solver has done since it was made.
+/// Statistics of a solver since its creation.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Report {
-    /// Matrices.
+    /// Number of matrices.
     pub factorisations: usize,
     /// Matrices that were factorised with the poses of all stages eliminated first.
     pub fast_path: usize,
-    /// Matrices of which a stage was factorised as one dense front.
+    /// Matrices with a stage that was factorised as one dense front.
     pub general_path: usize,
     /// Factorisations that stopped at a surplus of negative pivots.
     pub early_exits: usize,
     /// Matrices that went to the general solver.
     pub fallbacks: Fallbacks,
-    /// Right-hand sides.
+    /// Number of right-hand sides.
     pub solves: usize,
-    /// Steps of iterative refinement.
+    /// Number of steps of iterative refinement.
     pub refinements: usize,
     /// Largest backward error that was accepted, component by component.
     pub largest_residual: f64,
-    /// Largest sum of the terms of a pivot, relative to the largest number of its matrix.
+    /// Largest sum of the absolute values of the terms of a pivot, relative to the largest entry of its matrix.
     pub element_growth: f64,
-    /// Time in factorisations.
+    /// Wall seconds in factorisations.
     pub factorisation_seconds: f64,
-    /// Time in solves.
+    /// Wall seconds in solves.
     pub solve_seconds: f64,
 }

@@ -1,4 +1,4 @@
-//! The solver: stages first, a general solver where they cannot be trusted.
+//! The solver: factorisation by stages, with a general solver where that is not accurate enough.
 
 use std::time::Instant;
 
@@ -15,17 +15,18 @@ use crate::symbolic::Symbolic;
 
 /// Backward error above which a solution is refined.
 const REFINE: f64 = 1e-11;
-/// Backward error above which the general solver is asked.
+/// Backward error above which the general solver takes over.
 const POOR: f64 = 1e-6;
-/// Most steps of iterative refinement.
+/// Maximum number of steps of iterative refinement.
 const REFINEMENTS: usize = 3;
 
-/// What a factorisation found.
+/// Outcome of a factorisation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Factorisation {
-    /// The matrix has so many negative eigenvalues.
+    /// The matrix is regular.
     Inertia {
-        /// Exact when it is not larger than the number of multipliers, and else at least larger than that.
+        /// Number of negative eigenvalues: exact unless it exceeds the number of multipliers, else a lower bound that
+        /// exceeds it too.
         negative: usize,
     },
     /// The matrix is singular.
@@ -34,12 +35,12 @@ pub enum Factorisation {
     Failed,
 }
 
-/// Which factors are at hand.
+/// The factors that are available.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Factors {
     None,
     Stages,
-    /// Of some stages only: the rest was left out after too many negative pivots.
+    /// Of the last stages only: there were too many negative pivots to continue.
     SomeStages,
     General,
 }
@@ -58,8 +59,8 @@ pub struct StageSolver {
 }
 
 impl StageSolver {
-    /// Plans the elimination of matrices whose entries stand at the given positions (either triangle; entries at the
-    /// same place are summed). A pattern that does not fit the labels is left to the general solver: see
+    /// Plans the elimination of matrices with entries at the given positions (in either triangle; entries at the same
+    /// position are summed). A pattern that does not match the labels is left to the general solver: see
     /// [`StageSolver::structure_error`].
     ///
     /// # Errors
@@ -100,17 +101,17 @@ impl StageSolver {
         self.residual.len()
     }
 
-    /// Why all matrices go to the general solver, if they do.
+    /// The reason why all matrices go to the general solver, if they do.
     pub fn structure_error(&self) -> Option<&StructureError> {
         self.stages.as_ref().err()
     }
 
-    /// What was done so far.
+    /// Statistics so far.
     pub fn report(&self) -> &Report {
         &self.report
     }
 
-    /// Factorises the matrix with these numbers at the positions given before.
+    /// Factorises the matrix with these values at the positions given to [`StageSolver::new`].
     pub fn factorise(&mut self, values: &[f64]) -> Factorisation {
         let begin = Instant::now();
         self.report.factorisations += 1;
@@ -125,7 +126,7 @@ impl StageSolver {
         outcome
     }
 
-    /// Has the next matrix factorised with more care.
+    /// Requests a more accurate factorisation of the next matrix.
     pub fn increase_quality(&mut self) {
         self.more_quality = true;
     }
@@ -154,7 +155,7 @@ impl StageSolver {
     fn factorise_generally(&mut self, reason: FallbackReason) -> Factorisation {
         self.report.fallbacks.count(reason);
         self.factors = Factors::None;
-        // A number that is not finite would only be passed on.
+        // The general solver would fail too.
         if !self.matrix.largest().is_finite() {
             return Factorisation::Failed;
         }
@@ -168,7 +169,7 @@ impl StageSolver {
         }
     }
 
-    /// Solves in place with the matrix that was factorised last; false when there are no factors to do so.
+    /// Solves in place with the last factorisation; false when it left no usable factors.
     pub fn solve(&mut self, values: &mut [f64]) -> bool {
         let begin = Instant::now();
         self.report.solves += 1;
@@ -184,8 +185,8 @@ impl StageSolver {
         solved
     }
 
-    /// Solves with the factors of the stages, refined until the residual is small; false, with the right-hand side as
-    /// it was, when it stays poor.
+    /// Solves with the factors of the stages and refines until the residual is small. If it stays large, restores the
+    /// right-hand side and returns false.
     fn solve_stages(&mut self, values: &mut [f64]) -> bool {
         let Ok((symbolic, stages)) = &mut self.stages else { return false };
         self.solution.copy_from_slice(values);

@@ -11,12 +11,12 @@ use crate::leaf::store::{FactoriseLeaf, LeafStore, LeafWork};
 use crate::pivot::{Breakdown, Pivots};
 use crate::symbolic::{Stage, Symbolic};
 
-/// How a factorisation of all stages went.
+/// Outcome of a factorisation of all stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Factorised {
     /// Number of negative pivots.
     pub negative: usize,
-    /// Whether all stages were factorised, or the rest left out because there were too many negative pivots already.
+    /// Whether all stages were factorised; false when it stopped at a surplus of negative pivots.
     pub complete: bool,
     /// Whether a stage was factorised as one dense front.
     pub general: bool,
@@ -29,12 +29,12 @@ pub struct Stages {
     leaf_store: LeafStore,
     /// Fronts whose poses were eliminated first.
     fast_store: Aligned,
-    /// Fronts that were factorised as one dense block; there is room when the first one needs it.
+    /// Fronts that were factorised as one dense block; allocated on first use.
     general_store: Aligned,
     diagonal: Vec<f64>,
     subdiagonal: Vec<f64>,
     order: Vec<u32>,
-    /// Whether a stage's poses were eliminated first.
+    /// Whether each stage's poses were eliminated first.
     fast: Vec<bool>,
     work: Work,
     /// Largest sum of the terms of a pivot.
@@ -45,13 +45,13 @@ pub struct Stages {
 #[derive(Debug, Default)]
 struct Work {
     leaf: LeafWork,
-    /// Schur complement of the stage at hand.
+    /// Schur complement of the current stage.
     schur: Aligned,
     /// Schur complement of the next stage.
     later: Aligned,
     /// Sums of the absolute values of the terms of the front's diagonal, then of its separator.
     scale: Aligned,
-    /// The same of the next stage's separator.
+    /// The same for the next stage's separator.
     later_scale: Vec<f64>,
     columns: Aligned,
     poses: Aligned,
@@ -59,7 +59,7 @@ struct Work {
 }
 
 impl Stages {
-    /// Room for all factors.
+    /// Allocates all factors.
     pub fn new(symbolic: &Symbolic, arch: Arch) -> Self {
         let pivots = symbolic.stages.iter().map(|stage| stage.front.len()).sum();
         let mut work = Work::default();
@@ -99,7 +99,7 @@ impl Stages {
         self.largest_scale
     }
 
-    /// Factorises the matrix with these numbers. With `stop_early` it ends as soon as the negative pivots prove that
+    /// Factorises the matrix with these values. With `stop_early` it stops as soon as the negative pivots prove that
     /// there are more negative eigenvalues than multipliers.
     pub fn factorise(
         &mut self,
@@ -112,7 +112,7 @@ impl Stages {
         for (index, stage) in symbolic.stages.iter().enumerate().rev() {
             negative += self.factorise_stage(symbolic, stage, index, values)?;
             multipliers += stage.multipliers;
-            // The stages that are left have at least as many negative eigenvalues as multipliers.
+            // The remaining stages have at least as many negative eigenvalues as multipliers.
             if stop_early && symbolic.causal && negative > multipliers {
                 let general = !self.fast[index..].iter().all(|&fast| fast);
                 return Ok(Factorised { negative, complete: false, general });
@@ -163,7 +163,7 @@ impl Stages {
         Ok(negative + self.factorise_front(stage, fast.is_some())?)
     }
 
-    /// Factorises an assembled front and hands its Schur complement on.
+    /// Factorises an assembled front and passes its Schur complement to the previous stage.
     fn factorise_front(&mut self, stage: &Stage, fast: bool) -> Result<usize, Breakdown> {
         let (arch, work) = (self.arch, &mut self.work);
         let (layout, store, eliminated) = match &stage.fast {
@@ -258,7 +258,7 @@ impl Stages {
 }
 
 impl Stage {
-    /// Where the scale of a row of the stage is kept; `None` for poses that are eliminated without pivots.
+    /// Place of the scale of a row of the stage; `None` for poses, which are eliminated without pivots.
     fn scale_row(&self, fast: bool, place: Place) -> Option<usize> {
         match (&self.fast, place) {
             (Some(plan), _) if fast => plan.layout.rest_row(place),

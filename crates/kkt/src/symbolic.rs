@@ -1,4 +1,4 @@
-//! The elimination, planned once for all matrices of a pattern.
+//! The elimination plan, made once for all matrices of a pattern.
 
 use crate::error::StructureError;
 use crate::front::assembly::{Assembly, Place, Target};
@@ -14,7 +14,7 @@ use crate::leaf::{Leaf, Offset};
 pub struct Plan<Layout> {
     pub layout: Layout,
     pub assembly: Assembly,
-    /// Its first number among those of all stages.
+    /// Start of its values in the store of all stages.
     pub offset: usize,
 }
 
@@ -27,16 +27,16 @@ pub struct Stage {
     pub separator: Vec<usize>,
     /// Leaves that are eliminated before it.
     pub leaves: std::ops::Range<usize>,
-    /// Where the boundary of every leaf stands.
+    /// Place of every row of each leaf's boundary.
     pub leaf_places: Vec<Vec<Place>>,
-    /// Where the next stage's separator stands.
+    /// Place of every row of the next stage's separator.
     pub later_places: Vec<Place>,
     pub general: Plan<GeneralLayout>,
-    /// Where the poses can be eliminated first.
+    /// The fast path, if the poses can be eliminated first.
     pub fast: Option<Plan<PoseLayout>>,
-    /// First of its pivots among those of all stages.
+    /// Start of its pivots in the list of all stages.
     pub pivots: usize,
-    /// Number of multipliers, with those of the leaves.
+    /// Number of multipliers, including those of the leaves.
     pub multipliers: usize,
 }
 
@@ -47,9 +47,9 @@ pub struct Symbolic {
     pub leaves: Vec<Leaf>,
     /// End of the last leaf.
     pub leaf_end: Offset,
-    /// Numbers of all fronts on the general path.
+    /// Number of stored values of all fronts on the general path.
     pub general_store: usize,
-    /// Numbers of all fronts on the fast path.
+    /// Number of stored values of all fronts on the fast path.
     pub fast_store: usize,
     /// Whether a surplus of negative pivots in the last stages proves the inertia wrong: every multiplier is coupled
     /// with variables of its own and earlier stages only.
@@ -128,12 +128,12 @@ impl Symbolic {
 
 /// The symmetric blocks that are added to a front, by the places of their rows.
 struct Blocks {
-    /// With their strides.
+    /// Places of every block's rows, with the block's stride.
     leaves: Vec<(Vec<Place>, usize)>,
     later: Vec<Place>,
 }
 
-/// Where rows of the matrix stand in a stage.
+/// Places of rows of the matrix in a stage.
 struct Places<'a> {
     grouping: &'a Grouping,
     stage: usize,
@@ -150,7 +150,7 @@ impl<'a> Places<'a> {
             return Place::Front(position);
         }
         let separator = &self.grouping.separators[self.stage];
-        // Separators are in the order of the previous front; they hold a few dozen rows.
+        // A separator keeps the order of the previous front and has a few dozen rows.
         Place::Separator(separator.partition_point(|&other| self.grouping.role[other].position() < position))
     }
 

@@ -1,4 +1,4 @@
-//! Matrices that are left to the general solver, and those that nobody can factorise.
+//! Matrices that go to the general solver, and matrices that cannot be factorised.
 
 mod support;
 
@@ -13,7 +13,7 @@ fn solver(system: &System) -> StageSolver {
     StageSolver::new(&system.labels, &system.rows, &system.columns).unwrap()
 }
 
-/// Expects the right inertia and a good solution, whoever they come from.
+/// Expects the right inertia and an accurate solution, from either solver.
 fn check(solver: &mut StageSolver, system: &System) {
     let negative = system.negative_eigenvalues();
     assert_eq!(solver.factorise(&system.values), Factorisation::Inertia { negative });
@@ -80,7 +80,7 @@ fn a_constraint_that_repeats_another_makes_the_matrix_singular() {
     let mut solver = solver(&system);
     assert_eq!(solver.factorise(&system.values), Factorisation::Singular);
     assert_eq!(solver.report().fallbacks.total(), 1);
-    // A perturbation of the constraints, as Ipopt answers, makes it regular again.
+    // Perturbed constraints, Ipopt's remedy, make it regular again.
     for row in 0..system.dimension() {
         let perturbation = if system.labels[row].class.is_multiplier() { -1e-4 } else { 0.0 };
         system.add(row, row, perturbation);
@@ -111,7 +111,7 @@ fn pivots_that_are_nothing_but_rounding_are_not_trusted() {
     let mut system = system();
     let (first, second) = (system.row(2, Class::VelocityMultiplier, 0), system.row(2, Class::VelocityMultiplier, 1));
     repeat(&mut system, first, second);
-    // One part in 10^16 more or less: the sign of what is left is chance.
+    // A relative change of 1e-16: the sign of the difference is random.
     let touched = system.rows.iter().position(|&row| row == second).unwrap();
     system.values[touched] += 1e-16;
     let mut solver = solver(&system);

@@ -12,19 +12,19 @@ use ipopt_sys::{AlgorithmMode, Bool, Index, Number, UserDataPtr};
 use crate::problem::{EvaluationError, Pattern, Problem};
 use crate::solution::{Control, Progress};
 
-/// What the callbacks share during one solve.
+/// State that the callbacks share during one solve.
 pub struct Session<'solve> {
     problem: &'solve mut dyn Problem,
     observer: &'solve mut dyn FnMut(&Progress) -> Control,
     jacobian_pattern: Pattern,
     hessian_pattern: Pattern,
-    /// The point that the problem was last moved to.
+    /// The problem's current point; empty when it has none.
     point: Vec<f64>,
     /// Wall time inside the problem's functions.
     pub evaluation: Duration,
     /// Progress of every iteration.
     pub log: Vec<Progress>,
-    /// Why the problem could not be evaluated last.
+    /// The last failure to evaluate the problem.
     pub evaluation_error: Option<EvaluationError>,
     /// A panic to be resumed when Ipopt has returned.
     pub panic: Option<Box<dyn Any + Send>>,
@@ -57,7 +57,7 @@ impl<'solve> Session<'solve> {
         }
         let begin = Instant::now();
         let result = catch_unwind(AssertUnwindSafe(|| {
-            // Ipopt's own flag for new points is not reliable when functions are evaluated in another order.
+            // Ipopt's flag for new points is unreliable when functions are evaluated in another order.
             if self.point != x {
                 self.point.clear();
                 self.problem.set_point(x)?;
@@ -94,7 +94,7 @@ impl<'solve> Session<'solve> {
     }
 }
 
-/// `Bool` of the installed header: an integer up to Ipopt 3.13, a C99 `bool` after.
+/// `Bool` of the installed header: an integer up to Ipopt 3.13, a C99 `bool` from then on.
 pub trait Truth {
     /// The C value of a truth value.
     fn from_truth(truth: bool) -> Self;
@@ -128,22 +128,22 @@ unsafe fn session<'call>(data: UserDataPtr) -> &'call mut Session<'call> {
 }
 
 /// # Safety
-/// `pointer` must be null or point to `length` numbers.
+/// `pointer` must be null or point to `length` values.
 unsafe fn numbers<'call>(pointer: *const Number, length: Index) -> &'call [f64] {
     if pointer.is_null() {
         return &[];
     }
-    // SAFETY: the caller vouches for the length.
+    // SAFETY: the caller guarantees the length.
     unsafe { from_raw_parts(pointer, length as usize) }
 }
 
 /// # Safety
-/// `pointer` must be null or point to `length` numbers that nobody else uses.
+/// `pointer` must be null or point to `length` values to which there is no other reference.
 unsafe fn numbers_mut<'call>(pointer: *mut Number, length: Index) -> &'call mut [f64] {
     if pointer.is_null() {
         return &mut [];
     }
-    // SAFETY: the caller vouches for the length and exclusive use.
+    // SAFETY: the caller guarantees the length and exclusive access.
     unsafe { from_raw_parts_mut(pointer, length as usize) }
 }
 
@@ -197,7 +197,7 @@ pub unsafe extern "C" fn jacobian(
     // SAFETY: Ipopt passes n variables (or null), either values or coordinates for all entries, and our user data.
     let (session, x, target) = unsafe { (session(data), numbers(x, n), numbers_mut(values, entries)) };
     if values.is_null() {
-        // SAFETY: without values, both coordinate arrays have one place per entry.
+        // SAFETY: without values, both coordinate arrays have one element per entry.
         unsafe { write_pattern(&session.jacobian_pattern, rows, columns) };
         return Bool::from_truth(true);
     }
@@ -224,7 +224,7 @@ pub unsafe extern "C" fn hessian(
     let (session, x, multipliers, target) =
         unsafe { (session(data), numbers(x, n), numbers(multipliers, m), numbers_mut(values, entries)) };
     if values.is_null() {
-        // SAFETY: without values, both coordinate arrays have one place per entry.
+        // SAFETY: without values, both coordinate arrays have one element per entry.
         unsafe { write_pattern(&session.hessian_pattern, rows, columns) };
         return Bool::from_truth(true);
     }
@@ -265,13 +265,13 @@ pub unsafe extern "C" fn iteration(
 }
 
 /// # Safety
-/// Both arrays must have one place per entry.
+/// Both arrays must have one element per entry.
 unsafe fn write_pattern(pattern: &Pattern, rows: *mut Index, columns: *mut Index) {
     let length = pattern.rows.len();
     if length == 0 {
         return;
     }
-    // SAFETY: the caller vouches for the lengths.
+    // SAFETY: the caller guarantees the lengths.
     let (rows, columns) = unsafe { (from_raw_parts_mut(rows, length), from_raw_parts_mut(columns, length)) };
     for entry in 0..length {
         rows[entry] = pattern.rows[entry] as Index;

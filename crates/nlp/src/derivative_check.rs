@@ -1,4 +1,4 @@
-//! The derivative checker: analytic derivatives against central differences.
+//! The derivative checker, which compares analytic derivatives with central differences.
 
 use std::fmt;
 
@@ -13,9 +13,9 @@ pub struct Entry {
     pub row: usize,
     /// Column.
     pub column: usize,
-    /// What the problem says.
+    /// The problem's value.
     pub analytic: f64,
-    /// What differences say.
+    /// Its estimate by central differences.
     pub finite_difference: f64,
 }
 
@@ -31,7 +31,7 @@ pub enum Kind {
 }
 
 impl Entry {
-    /// Difference relative to the larger of 1 and the analytic value.
+    /// Difference relative to the larger of 1 and the absolute analytic value.
     pub fn error(&self) -> f64 {
         (self.analytic - self.finite_difference).abs() / self.analytic.abs().max(1.0)
     }
@@ -52,11 +52,10 @@ pub struct DerivativeReport {
 }
 
 impl DerivativeReport {
-    /// Requires every entry to be right.
+    /// Asserts that every entry's error is within a tolerance.
     ///
     /// # Panics
-    /// When an entry's error exceeds the tolerance, or when all entries agree to the last bit, which real differences
-    /// never do.
+    /// When an error exceeds the tolerance, or when all entries agree to the last bit, which true differences never do.
     pub fn assert_within(&self, tolerance: f64) {
         let worst = self.entries.first().expect("a problem has derivatives");
         assert!(worst.error() <= tolerance, "{worst}");
@@ -67,8 +66,8 @@ impl DerivativeReport {
     }
 }
 
-/// Compares gradient, Jacobian and Hessian of the Lagrangian (objective factor 1) at `x` with central differences of
-/// the given step; the Hessian with differences of the Lagrangian's gradient.
+/// Compares gradient, Jacobian and Hessian of the Lagrangian (objective factor 1) at `x` with central differences of a
+/// given step length. The Hessian is compared with differences of the gradient of the Lagrangian.
 ///
 /// # Errors
 /// When the problem cannot be evaluated near `x`.

@@ -1,14 +1,12 @@
-//! Why a solve is refused.
+//! Errors of a solve.
 
 use crate::options::OptionValue;
 
-/// Why a solve did not begin.
+/// The reason why a solve did not start.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolveError {
-    /// Ipopt refuses an option.
-    #[error(
-        "Ipopt refuses the option {name} = {value}: the name is unknown or the value is of the wrong type or out of range"
-    )]
+    /// Ipopt rejects an option.
+    #[error("Ipopt rejects the option {name} = {value}: unknown name, or a value of the wrong type or out of range")]
     Option {
         /// Its name.
         name: String,
@@ -20,10 +18,10 @@ pub enum SolveError {
     LinearSolver {
         /// Its name.
         name: String,
-        /// Why not.
+        /// The reason.
         reason: String,
     },
-    /// Sizes of the problem contradict each other.
+    /// Sizes of the problem are inconsistent.
     #[error("invalid problem: {0}")]
     Problem(String),
 }

@@ -1,12 +1,11 @@
-//! What a program's own linear solver must do to run inside Ipopt.
+//! The interface of a linear solver that the caller provides.
 
-/// What a factorisation found.
+/// Outcome of a factorisation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Factorisation {
-    /// The matrix has so many negative eigenvalues. Where that is more than the number of constraints, any larger
-    /// number will do.
+    /// The matrix is regular.
     Inertia {
-        /// Their number.
+        /// Number of negative eigenvalues. If it exceeds the number of constraints, any larger value will do.
         negative: usize,
     },
     /// The matrix is singular.
@@ -15,7 +14,7 @@ pub enum Factorisation {
     Failed,
 }
 
-/// Why a linear solver cannot take matrices of a pattern.
+/// The reason why a linear solver does not support a pattern.
 pub type AnalysisError = Box<dyn std::error::Error + Send + Sync>;
 
 /// A solver for the symmetric indefinite linear systems of Ipopt's iterations.
@@ -24,22 +23,22 @@ pub type AnalysisError = Box<dyn std::error::Error + Send + Sync>;
 /// equality constraints, the multipliers of the inequality constraints. A constraint whose bounds are equal is an
 /// equality.
 pub trait KktSolver {
-    /// Name in results.
+    /// The name that results report.
     fn name(&self) -> &str;
 
-    /// Learns the pattern of all matrices that follow: entries of either triangle, those at the same place are summed.
+    /// Takes the pattern of all later matrices: entries of either triangle; entries at the same position are summed.
     ///
     /// # Errors
-    /// Why it cannot solve systems of this pattern.
+    /// When it does not support the pattern.
     fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError>;
 
-    /// Factorises the matrix with these numbers.
+    /// Factorises the matrix with these values.
     fn factorise(&mut self, values: &[f64]) -> Factorisation;
 
-    /// Solves in place with the last factors; false when it cannot.
+    /// Solves in place with the last factors; false when that fails.
     fn solve(&mut self, values: &mut [f64]) -> bool;
 
-    /// Has the next matrix factorised with more care: Ipopt could not do with the last solution.
+    /// Requests a more accurate factorisation of the next matrix, because the last solution was not accurate enough.
     fn increase_quality(&mut self);
 }
 
@@ -47,6 +46,6 @@ pub trait KktSolver {
 pub enum LinearSystemSolver<'solver> {
     /// One of Ipopt's own: `mumps` or, where the user has the HSL library, `ma27`, `ma57` or `ma97`.
     Named(&'solver str),
-    /// The program's, where [`crate::TAKES_OWN_SOLVER`].
+    /// The caller's; possible if [`crate::TAKES_OWN_SOLVER`].
     Own(&'solver mut dyn KktSolver),
 }

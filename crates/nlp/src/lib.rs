@@ -1,15 +1,16 @@
 //! Sparse nonlinear programs and their solution by Ipopt.
 //!
-//! A [`Problem`] gives values, sparse first and second derivatives and bounds; [`solve`] finds a local minimum from a
-//! cold or a primal-dual [`Start`]. Options go by Ipopt's own names and are all checked. An observer sees every
-//! iteration and can stop the solve, which then ends with its last iterate. Panics in a problem or observer never cross
-//! the C code: Ipopt is stopped and the panic goes on after it has returned. [`check_derivatives`] compares a problem's
-//! derivatives with central differences.
+//! A [`Problem`] provides values, sparse first and second derivatives and bounds. [`solve`] finds a local minimum from
+//! a cold or a primal-dual [`Start`]. Options have Ipopt's own names, and all of them are checked. An observer sees
+//! every iteration and can stop the solve, which then returns its last iterate. Panics in a problem or observer do not
+//! unwind through C code: Ipopt is stopped, and the panic resumes after Ipopt has returned. [`check_derivatives`]
+//! compares a problem's derivatives with central differences.
 //!
-//! The linear systems are solved by one of Ipopt's own solvers or by the program's: see [`LinearSystemSolver`].
+//! The linear systems are solved by one of Ipopt's own solvers or by one that the caller provides: see
+//! [`LinearSystemSolver`].
 //!
-//! Numerical failure is a [`SolveStatus`], not an error. Ipopt's own time in its linear solver is read from the
-//! statistics that it writes to a temporary file.
+//! Numerical failure is a [`SolveStatus`], not an error. The time that Ipopt's own linear solvers take is read from the
+//! statistics that Ipopt writes to a temporary file.
 //!
 //! ```
 //! use nlp::{Bounds, Control, EvaluationError, LinearSystemSolver, Options, Pattern, Problem, Start, solve};

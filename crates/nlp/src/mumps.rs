@@ -1,4 +1,4 @@
-//! MUMPS by itself, set up as Ipopt sets it up: what other solvers are compared with.
+//! MUMPS with the settings that Ipopt uses, as the reference for other solvers.
 
 #![allow(unsafe_code)]
 
@@ -13,7 +13,7 @@ use crate::kkt_solver::{AnalysisError, Factorisation, KktSolver};
 /// Sequential MUMPS keeps global state: its calls must not overlap.
 static CALLS: Mutex<()> = Mutex::new(());
 
-/// Keeps all other calls of MUMPS waiting.
+/// Blocks all other calls of MUMPS.
 pub fn lock() -> MutexGuard<'static, ()> {
     CALLS.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -25,13 +25,13 @@ const ANALYSE: c_int = 1;
 const FACTORISE: c_int = 2;
 const SOLVE: c_int = 3;
 
-/// Fortran's number of the communicator of all processes.
+/// Fortran handle of the communicator of all processes.
 const WORLD: c_int = -987_654;
 /// Errors in `infog(1)`: too little memory, singular.
 const TOO_SMALL: [c_int; 2] = [-8, -9];
 const SINGULAR: c_int = -10;
 
-/// Ipopt's default tolerance of pivots.
+/// Ipopt's default pivot tolerance.
 const PIVOT_TOLERANCE: f64 = 1e-6;
 
 /// The linear solver MUMPS.
@@ -44,15 +44,15 @@ pub struct Mumps {
 }
 
 impl Mumps {
-    /// A solver that has seen no matrix yet.
+    /// A solver without a matrix.
     pub fn new() -> Self {
-        // SAFETY: the structure is one of numbers and pointers, for which zeros are valid, and MUMPS asks for no more.
+        // SAFETY: the structure consists of numbers and pointers, for which zero is valid; MUMPS requires nothing more.
         let mut structure = unsafe { Box::new(MaybeUninit::<DMUMPS_STRUC_C>::zeroed().assume_init()) };
         (structure.sym, structure.par, structure.comm_fortran) = (2, 1, WORLD);
         let mut mumps = Self { structure, rows: Vec::new(), columns: Vec::new(), values: Vec::new(), analysed: false };
         mumps.run(INITIALISE);
         let control = &mut mumps.structure.icntl;
-        // Says nothing; scales and orders as it thinks best; takes ten times the memory that it expects to need.
+        // No output; automatic scaling and ordering; ten times the estimated memory.
         control[..3].fill(0);
         control[3] = 0;
         (control[5], control[6], control[7], control[9], control[12], control[13]) = (7, 7, 77, 0, 1, 1000);
@@ -63,8 +63,7 @@ impl Mumps {
     fn run(&mut self, job: c_int) -> c_int {
         let _guard = lock();
         self.structure.job = job;
-        // SAFETY: the pointers of the structure are to arrays of this solver, of the lengths that it says, and no other
-        // thread runs MUMPS.
+        // SAFETY: the pointers refer to arrays of this solver of the stated lengths, and no other thread runs MUMPS.
         unsafe { dmumps_c(&mut *self.structure) };
         self.structure.infog[0]
     }
@@ -101,7 +100,7 @@ impl KktSolver for Mumps {
 
     fn factorise(&mut self, values: &[f64]) -> Factorisation {
         self.values.copy_from_slice(values);
-        // The analysis looks at the numbers of the first matrix.
+        // The analysis uses the values of the first matrix.
         if !self.analysed && self.run(ANALYSE) < 0 {
             return Factorisation::Failed;
         }

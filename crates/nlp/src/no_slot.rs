@@ -1,4 +1,4 @@
-//! In place of `slot` for an Ipopt without functions to register a linear solver: nothing ever runs in it.
+//! Replaces `slot` for an Ipopt in which no linear solver can be registered; nothing ever runs in it.
 
 use std::any::Any;
 use std::time::Duration;
@@ -10,7 +10,7 @@ pub struct Slot<'solver> {
     _solver: &'solver mut dyn KktSolver,
     /// Wall time in the solver.
     pub elapsed: Duration,
-    /// Why the solver cannot be used.
+    /// The reason why the solver cannot be used.
     pub refusal: Option<String>,
     /// A panic to be resumed when Ipopt has returned.
     pub panic: Option<Box<dyn Any + Send>>,

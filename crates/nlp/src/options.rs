@@ -7,7 +7,7 @@ use std::fmt;
 pub enum OptionValue {
     /// An integer; also accepted by options that take a real number.
     Integer(i32),
-    /// A real number.
+    /// A real value.
     Number(f64),
     /// A word.
     Text(String),
@@ -48,7 +48,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets an option, replacing an earlier value. Names and types are checked by Ipopt when a problem is solved.
+    /// Sets an option and replaces an earlier value. Ipopt checks names and types when a problem is solved.
     pub fn set(&mut self, name: &str, value: impl Into<OptionValue>) {
         let value = value.into();
         match self.entries.iter_mut().find(|(known, _)| known == name) {

@@ -1,4 +1,4 @@
-//! What a nonlinear program has to provide.
+//! The interface of a nonlinear program.
 
 use std::error::Error;
 use std::sync::Arc;
@@ -12,12 +12,12 @@ pub struct Pattern {
     pub columns: Vec<usize>,
 }
 
-/// Lower and upper bounds; an infinite one does not bind.
+/// Lower and upper bounds. An infinite bound means that there is none.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bounds {
     /// Lower bounds.
     pub lower: Vec<f64>,
-    /// Upper bounds, equal to the lower ones where the value is fixed.
+    /// Upper bounds; equal to the lower bound where the value is fixed.
     pub upper: Vec<f64>,
 }
 
@@ -53,7 +53,7 @@ impl EvaluationError {
 
 /// `min f(x)` subject to bounds on `x` and on `g(x)`, with sparse first and second derivatives.
 ///
-/// [`Problem::set_point`] is called once whenever `x` changes; all evaluations after it are at that point.
+/// [`Problem::set_point`] is called whenever `x` changes; all later evaluations are at that point.
 pub trait Problem {
     /// Bounds on `x`, one entry per variable.
     fn variable_bounds(&self) -> Bounds;
@@ -66,19 +66,19 @@ pub trait Problem {
     /// Moves to a new point.
     ///
     /// # Errors
-    /// When the problem has no meaning there.
+    /// When the problem is not defined there.
     fn set_point(&mut self, x: &[f64]) -> Result<(), EvaluationError>;
-    /// `f(x)`
+    /// `f(x)`.
     ///
     /// # Errors
     /// When it has no value there.
     fn objective(&mut self) -> Result<f64, EvaluationError>;
-    /// `grad f(x)`, every entry to be written.
+    /// `grad f(x)`. Must write every entry.
     ///
     /// # Errors
     /// When it has no value there.
     fn gradient(&mut self, gradient: &mut [f64]) -> Result<(), EvaluationError>;
-    /// `g(x)`, every entry to be written.
+    /// `g(x)`. Must write every entry.
     ///
     /// # Errors
     /// When it has no value there.

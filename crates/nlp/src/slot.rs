@@ -1,7 +1,7 @@
-//! The program's own linear solver in the place of MA57.
+//! The caller's linear solver in the place of MA57.
 //!
-//! Ipopt reaches MA57 through five function pointers that a program may set. Ours find the solver of the running solve
-//! in a variable of the thread, which Ipopt never leaves.
+//! Ipopt calls MA57 through five function pointers that can be set. The functions here find the solver of the running
+//! solve in a thread-local variable; Ipopt stays in its thread.
 
 #![allow(unsafe_code)]
 
@@ -18,14 +18,14 @@ use ipopt_sys::ipfint;
 use crate::kkt_solver::{Factorisation, KktSolver};
 
 thread_local! {
-    /// The session of the solve that runs in this thread.
+    /// The slot of the solve that runs in this thread.
     static CURRENT: Cell<Option<NonNull<Slot<'static>>>> = const { Cell::new(None) };
 }
 
-/// Whether MA57's functions are ours at the moment.
+/// Whether the functions below are registered at the moment.
 static REGISTERED: Mutex<bool> = Mutex::new(false);
 
-/// Takes MA57's place, once: other threads may be using it.
+/// Registers the functions below, only once because other threads may be using them.
 fn register() {
     let mut registered = REGISTERED.lock().unwrap_or_else(PoisonError::into_inner);
     if !std::mem::replace(&mut registered, true) {
@@ -36,7 +36,7 @@ fn register() {
     }
 }
 
-/// Notes that HSL's own functions have been loaded over ours.
+/// Records that HSL's own functions have replaced those below.
 pub fn forget() {
     *REGISTERED.lock().unwrap_or_else(PoisonError::into_inner) = false;
 }
@@ -45,7 +45,7 @@ pub fn forget() {
 const FINE: ipfint = 0;
 const SINGULAR: ipfint = 4;
 const FATAL: ipfint = -1;
-/// Places in `info`, counted from 0.
+/// Indices into `info`, from 0.
 const STATUS: usize = 0;
 const FACTOR_LENGTHS: [usize; 2] = [8, 9];
 const NEGATIVE_EIGENVALUES: usize = 23;
@@ -53,18 +53,18 @@ const RANK: usize = 24;
 const INFO_LENGTH: usize = 40;
 /// Lengths of `cntl` and `icntl`.
 const CONTROL_LENGTHS: [usize; 2] = [5, 20];
-/// Ipopt allocates arrays for factors that it never looks at.
+/// Length of the arrays for factors, which Ipopt allocates but never reads.
 const NOMINAL_LENGTH: ipfint = 64;
 
 /// The solver of one solve.
 pub struct Slot<'solver> {
     solver: &'solver mut dyn KktSolver,
     dimension: usize,
-    /// Ipopt's pivot tolerance: it is raised to ask for more quality.
+    /// Ipopt's pivot tolerance, which it raises to request more accuracy.
     pivot_tolerance: Option<f64>,
     /// Wall time in the solver.
     pub elapsed: Duration,
-    /// Why the solver cannot be used.
+    /// The reason why the solver cannot be used.
     pub refusal: Option<String>,
     /// A panic to be resumed when Ipopt has returned.
     pub panic: Option<Box<dyn Any + Send>>,
@@ -76,7 +76,7 @@ impl<'solver> Slot<'solver> {
         Self { solver, dimension: 0, pivot_tolerance: None, elapsed: Duration::ZERO, refusal: None, panic: None }
     }
 
-    /// Runs Ipopt with this slot's solver where it believes to have MA57.
+    /// Runs Ipopt with this slot's solver in the place of MA57.
     pub fn run<T>(&mut self, solve: impl FnOnce() -> T) -> T {
         register();
         let slot = NonNull::from(&mut *self).cast::<Slot<'static>>();
@@ -96,7 +96,7 @@ impl<'solver> Slot<'solver> {
     }
 }
 
-/// Restores what was current before.
+/// Restores the previous slot.
 struct Restore(Option<NonNull<Slot<'static>>>);
 
 impl Drop for Restore {
@@ -115,7 +115,7 @@ fn with_current<T>(function: impl FnOnce(&mut Slot) -> Option<T>) -> Option<T> {
 /// # Safety
 /// As Ipopt calls MA57ID.
 unsafe extern "C" fn initialise(control: *mut f64, integer_control: *mut ipfint) {
-    // SAFETY: both arrays have the lengths that MA57 prescribes.
+    // SAFETY: both arrays have the lengths that MA57 requires.
     unsafe {
         from_raw_parts_mut(control, CONTROL_LENGTHS[0]).fill(0.0);
         from_raw_parts_mut(integer_control, CONTROL_LENGTHS[1]).fill(0);
@@ -136,7 +136,7 @@ unsafe extern "C" fn analyse(
     info: *mut ipfint,
     _: *mut f64,
 ) {
-    // SAFETY: Ipopt passes as many rows and columns, counted from 1, as it says, and the info array.
+    // SAFETY: Ipopt passes the stated number of rows and columns, counted from 1, and the info array.
     let (dimension, rows, columns, info) = unsafe {
         let entries = *entries as usize;
         (
@@ -180,7 +180,7 @@ unsafe extern "C" fn factorise(
     info: *mut ipfint,
     _: *mut f64,
 ) {
-    // SAFETY: Ipopt passes as many values as it says, the control and the info array.
+    // SAFETY: Ipopt passes the stated number of values, the control and the info array.
     let (values, tolerance, info) =
         unsafe { (from_raw_parts(values, *entries as usize), *control, from_raw_parts_mut(info, INFO_LENGTH)) };
     let found = with_current(|slot| {
@@ -220,7 +220,7 @@ unsafe extern "C" fn solve_system(
     _: *mut ipfint,
     info: *mut ipfint,
 ) {
-    // SAFETY: Ipopt passes so many right-hand sides, `stride` numbers apart, each with a number for every row.
+    // SAFETY: Ipopt passes `count` right-hand sides, `stride` values apart, each with one value per row.
     let (mut columns, info) = unsafe {
         let (dimension, count, stride) = (*dimension as usize, *count as usize, *stride as usize);
         let columns = (0..count).map(move |index| from_raw_parts_mut(values.add(index * stride), dimension));
@@ -230,7 +230,7 @@ unsafe extern "C" fn solve_system(
     info[STATUS] = if solved == Some(true) { FINE } else { FATAL };
 }
 
-/// Never needed, for the arrays hold no factors, but Ipopt insists on it.
+/// Never needed, because the arrays hold no factors, but required by Ipopt.
 ///
 /// # Safety
 /// As Ipopt calls MA57ED.

@@ -1,4 +1,4 @@
-//! What goes into a solve and what comes out.
+//! Starting points and results of a solve.
 
 use crate::problem::EvaluationError;
 use crate::status::SolveStatus;
@@ -16,16 +16,16 @@ pub struct Iterate {
     pub upper_multipliers: Vec<f64>,
 }
 
-/// Where a solve begins.
+/// The starting point of a solve.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Start {
-    /// At given variables; multipliers are estimated.
+    /// Values of the variables; Ipopt estimates the multipliers.
     Cold(Vec<f64>),
-    /// At a primal-dual point.
+    /// A primal-dual point.
     Warm(Iterate),
 }
 
-/// One iteration of the solver, in the quantities of Ipopt's log.
+/// One iteration, in the quantities of Ipopt's log.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// Number of the iteration, from 0.
@@ -52,47 +52,47 @@ pub struct Progress {
     pub restoration: bool,
 }
 
-/// What an observer wants.
+/// The decision of an observer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Control {
-    /// To go on.
+    /// Continue the solve.
     Continue,
-    /// To end the solve at the current iterate.
+    /// End the solve at the current iterate.
     Stop,
 }
 
 /// Wall seconds of a solve.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Timing {
-    /// All of it.
+    /// Total.
     pub total: f64,
-    /// Inside the problem's functions.
+    /// In the problem's functions.
     pub evaluation: f64,
-    /// Factorisations of the KKT system and solves with the factors.
+    /// In factorisations of the KKT system and solves with the factors.
     pub linear_solver: f64,
 }
 
-/// The end of a solve.
+/// Result of a solve.
 #[derive(Debug, Clone)]
 pub struct Solution {
-    /// How it ended.
+    /// The outcome.
     pub status: SolveStatus,
     /// The last iterate.
     pub iterate: Iterate,
-    /// Objective there.
+    /// Objective at the last iterate.
     pub objective: f64,
-    /// Constraints there.
+    /// Constraints at the last iterate.
     pub constraints: Vec<f64>,
-    /// Largest violation of a constraint or bound there.
+    /// Largest violation of a constraint or bound at the last iterate.
     pub constraint_violation: f64,
     /// Number of iterations.
     pub iterations: usize,
-    /// Every iteration.
+    /// All iterations.
     pub log: Vec<Progress>,
-    /// Where the time went.
+    /// Wall times.
     pub timing: Timing,
     /// The linear solver that ran.
     pub linear_solver: String,
-    /// Why the problem could not be evaluated, the last time that happened.
+    /// The last failure to evaluate the problem, if there was one.
     pub evaluation_error: Option<EvaluationError>,
 }

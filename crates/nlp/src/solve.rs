@@ -21,11 +21,11 @@ use crate::solution::{Control, Iterate, Progress, Solution, Start, Timing};
 use crate::statistics;
 use crate::status::SolveStatus;
 
-/// Sequential MUMPS keeps global state: two solves at once corrupt memory. HSL's MA57 and a program's own solver are
-/// reached through the same global function pointers. Solves with the program's own solvers share the lock.
+/// Sequential MUMPS keeps global state, so that two simultaneous solves corrupt memory. HSL's MA57 and the caller's
+/// solver are called through the same global function pointers. Solves with solvers of the caller share the lock.
 static LINEAR_SOLVERS: RwLock<()> = RwLock::new(());
 
-/// Keeps solves apart that must not run at once.
+/// Keeps apart solves that must not run simultaneously.
 enum Turn {
     Shared {
         _guard: RwLockReadGuard<'static, ()>,
@@ -37,14 +37,14 @@ enum Turn {
     },
 }
 
-/// Solves `problem` from `start`. `observer` sees every iteration and may stop the solve. Solves with the program's own
-/// linear solver may run at once in several threads; those with Ipopt's wait for all others.
+/// Solves `problem` from `start`. `observer` sees every iteration and may stop the solve. Solves with a linear solver
+/// of the caller can run in several threads simultaneously; those with Ipopt's own solvers wait for all others.
 ///
 /// # Errors
-/// When the problem, an option or the linear solver is refused. How the solve ends is the solution's status.
+/// When the problem, an option or the linear solver is rejected. The outcome of a solve is the solution's status.
 ///
 /// # Panics
-/// With the panic of a function of the problem, of the linear solver or of the observer.
+/// When a function of the problem, the linear solver or the observer panics.
 pub fn solve(
     problem: &mut dyn Problem,
     start: &Start,
@@ -58,7 +58,7 @@ pub fn solve(
     let handle = Handle::create(problem)?;
     let mut all = defaults(start, solver.option());
     if solver.own.is_some() {
-        // MA57 stands for it, and Ipopt would scale with MC19, where a machine has HSL: results must not depend on it.
+        // Ipopt takes it for MA57 and would scale with MC19 if HSL is installed; results must not depend on that.
         all.set("linear_system_scaling", "none");
     }
     if let Some(file) = &statistics_file {
@@ -137,7 +137,7 @@ impl<'solver> SolverInUse<'solver> {
         }
     }
 
-    /// Name by which Ipopt knows it.
+    /// Its name among Ipopt's options.
     fn option(&self) -> &str {
         if self.own.is_some() { linear_solver::SLOT } else { &self.name }
     }
@@ -154,7 +154,7 @@ impl<'solver> SolverInUse<'solver> {
         }
     }
 
-    /// Wall time in factorisations and solves: measured, or what Ipopt's statistics say.
+    /// Wall seconds in factorisations and solves: measured, or read from Ipopt's statistics.
     fn seconds(&self, statistics: Option<&Path>) -> f64 {
         match &self.own {
             Some(slot) => slot.elapsed.as_secs_f64(),
@@ -163,12 +163,12 @@ impl<'solver> SolverInUse<'solver> {
     }
 }
 
-/// Options that hold unless the caller sets them.
+/// Defaults of options.
 fn defaults(start: &Start, linear_solver: &str) -> Options {
     let mut options = Options::default();
     options.set("print_level", 0);
     options.set("sb", "yes");
-    // A stray ipopt.opt in the working folder must not change results.
+    // A file ipopt.opt in the working directory must not change results.
     options.set("option_file_name", "");
     options.set("linear_solver", linear_solver);
     options.set("warm_start_init_point", if matches!(start, Start::Warm(_)) { "yes" } else { "no" });
@@ -193,7 +193,7 @@ fn starting_iterate(start: &Start, handle: &Handle) -> Result<Iterate, SolveErro
     ];
     match lengths.iter().find(|(actual, expected)| actual != expected) {
         Some((actual, expected)) => {
-            Err(SolveError::Problem(format!("the starting point has {actual} numbers where {expected} are needed")))
+            Err(SolveError::Problem(format!("the starting point has {actual} values where {expected} are needed")))
         }
         None => Ok(iterate),
     }
@@ -233,7 +233,7 @@ impl Handle {
             && hessian.rows.iter().zip(&hessian.columns).all(|(row, column)| column <= row);
         if !consistent {
             return Err(SolveError::Problem(
-                "bounds or patterns do not fit the numbers of variables and constraints".into(),
+                "bounds or patterns do not match the numbers of variables and constraints".into(),
             ));
         }
         Self::allocate(variables, constraints, jacobian.rows.len(), hessian.rows.len())
@@ -252,7 +252,7 @@ impl Handle {
         hessian_nonzeros: usize,
     ) -> Result<Self, SolveError> {
         let (n, m) = (variables.lower.len(), constraints.lower.len());
-        // SAFETY: the bounds have n and m numbers, which Ipopt copies; the callbacks fit their types.
+        // SAFETY: the bounds have n and m values, which Ipopt copies; the callbacks have the right types.
         let handle = unsafe {
             ipopt::CreateIpoptProblem(
                 n as ipopt::Index,
@@ -272,9 +272,9 @@ impl Handle {
             )
         };
         if handle.is_null() {
-            return Err(SolveError::Problem("Ipopt refuses it".into()));
+            return Err(SolveError::Problem("Ipopt rejects it".into()));
         }
-        // SAFETY: the handle is valid and the callback fits its type.
+        // SAFETY: the handle is valid and the callback has the right type.
         unsafe { ipopt::SetIntermediateCallback(handle, Some(callbacks::iteration)) };
         Ok(Self { problem: handle, variables: n, constraints: m })
     }
@@ -291,7 +291,7 @@ impl Handle {
     fn set_option(&self, name: &str, value: &OptionValue) -> bool {
         let Ok(key) = CString::new(name) else { return false };
         let key = key.as_ptr().cast_mut();
-        // SAFETY: the handle is valid, key and text end with a zero and are copied by Ipopt.
+        // SAFETY: the handle is valid; key and text are zero-terminated and copied by Ipopt.
         unsafe {
             match value {
                 OptionValue::Integer(value) => {
@@ -309,7 +309,7 @@ impl Handle {
     fn solve(&self, iterate: &mut Iterate, session: &mut Session) -> Outcome {
         let mut constraints = vec![0.0; self.constraints];
         let mut objective = 0.0;
-        // SAFETY: all arrays have the lengths that the handle was created with; the session lives until Ipopt returns.
+        // SAFETY: all arrays have the lengths that the handle was created with; the session outlives the call.
         let status = unsafe {
             ipopt::IpoptSolve(
                 self.problem,

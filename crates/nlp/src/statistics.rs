@@ -1,11 +1,11 @@
-//! Time that Ipopt spent in its linear solver, from the statistics it writes at the end of a solve.
+//! The time that Ipopt spent in its linear solver, from the statistics that it writes at the end of a solve.
 
 use std::path::Path;
 
-/// What Ipopt calls factorisations and solves of the KKT system together.
+/// Ipopt's label of the time in factorisations and solves of the KKT system.
 const LABEL: &str = "StdAugSystemSolverMultiSolve";
 
-/// Wall seconds in factorisations and solves according to Ipopt's output file, 0 when it does not say.
+/// Wall seconds in factorisations and solves according to Ipopt's output file; 0 when they are not in it.
 pub fn linear_solver_seconds(file: &Path) -> f64 {
     let text = std::fs::read_to_string(file).unwrap_or_default();
     text.lines().find_map(|line| wall_seconds(line, LABEL)).unwrap_or(0.0)

@@ -1,10 +1,10 @@
-//! How a solve ended.
+//! Outcome of a solve.
 
 use std::fmt;
 
 use ipopt_sys::ApplicationReturnStatus as code;
 
-/// How a solve ended.
+/// Outcome of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SolveStatus {
     /// Converged to the desired tolerances.
@@ -31,11 +31,11 @@ pub enum SolveStatus {
     TimeLimit,
     /// More equality constraints than variables.
     TooFewDegreesOfFreedom,
-    /// Not a number or infinite where a number was needed.
+    /// A function returned NaN or an infinite value.
     InvalidNumber,
     /// Not enough memory.
     OutOfMemory,
-    /// Anything else, by Ipopt's code.
+    /// Any other outcome, by Ipopt's code.
     Other(i32),
 }
 
@@ -81,7 +81,7 @@ impl fmt::Display for SolveStatus {
             Self::StepComputationFailed => "no step could be computed",
             Self::TimeLimit => "time limit reached",
             Self::TooFewDegreesOfFreedom => "more equality constraints than variables",
-            Self::InvalidNumber => "a function gave no valid number",
+            Self::InvalidNumber => "a function returned NaN or an infinite value",
             Self::OutOfMemory => "out of memory",
             Self::Other(code) => return write!(formatter, "Ipopt failed with code {code}"),
         })

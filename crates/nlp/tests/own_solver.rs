@@ -1,4 +1,4 @@
-//! A program's own linear solver inside of Ipopt.
+//! A linear solver of the caller inside Ipopt.
 
 #![cfg(hsl_loader)]
 
@@ -11,7 +11,7 @@ use nlp::{
 };
 use support::{Product, cold};
 
-/// Dense linear algebra, and what may go wrong with it.
+/// Dense linear algebra with injected failures.
 #[derive(Default)]
 struct Dense {
     matrix: DMatrix<f64>,

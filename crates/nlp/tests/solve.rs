@@ -1,4 +1,4 @@
-//! A small problem solved, refused, stopped and checked.
+//! A small problem: solved, rejected, interrupted, and its derivatives checked.
 
 mod support;
 

@@ -1,7 +1,7 @@
 //! The linear systems of real solves, by the stage solver, by MUMPS and by feral: milliseconds of processor time of a
-//! factorisation and of a solve, how much faster than MUMPS that is, backward errors. The solvers take every matrix in
-//! turns, twice: once with cold caches, after another solver has run, and at once again with warm ones. Every number is
-//! a median over the matrices.
+//! factorisation and of a solve, the speedup over MUMPS, and backward errors. The solvers take turns; each processes
+//! every matrix twice, first with cold caches, after another solver has run, then with warm ones. All figures are
+//! medians over the matrices.
 //!
 //! `cargo bench -p ocp --bench linear_solver [-- SCENE...]`
 
@@ -14,7 +14,7 @@ use ocp::{Transcription, TranscriptionSolver};
 use task::{AssemblyTask, Complementarity, HessianKind};
 
 const SCENES: [&str; 4] = ["corner", "peg1", "peg5", "clamp1"];
-/// Largest number of matrices of a scene.
+/// Maximum number of matrices per scene.
 const SAMPLES: usize = 30;
 
 /// Linear systems of a solve.
@@ -28,7 +28,7 @@ struct Systems {
 }
 
 impl Systems {
-    /// `|b - A x|` relative to the largest sum of terms of a row.
+    /// `|b - A x|` relative to the largest sum of the absolute values of a row's terms.
     fn backward_error(&self, values: &[f64], x: &[f64], b: &[f64]) -> f64 {
         let mut residual = b.to_vec();
         let mut terms: Vec<f64> = b.iter().map(|b| b.abs()).collect();
@@ -47,7 +47,7 @@ impl Systems {
     }
 }
 
-/// Keeps the systems that it solves.
+/// Records the systems that it solves.
 struct Capture {
     solver: TranscriptionSolver,
     values: Vec<f64>,
@@ -145,7 +145,7 @@ impl KktSolver for Feral {
     fn increase_quality(&mut self) {}
 }
 
-/// What was measured of a solver, matrix by matrix.
+/// Measurements of a solver, matrix by matrix.
 #[derive(Default)]
 struct Figures {
     name: String,

@@ -1,4 +1,5 @@
-//! The cost (Sec. ocp:cost): velocities at every stage, errors at the last one.
+//! The cost (Sec. ocp:cost): for every trajectory `sum_k beta_1 |nu_k|^2 + beta_2 |omega_k|^2`, and
+//! `beta_3 |rho_N - rho_goal|^2 + beta_4 |R(xi_N / |xi_N|) - R(xi_goal)|_F^2`.
 
 use autodiff::{Expression, Tape};
 use kkt::Owner;

@@ -1,4 +1,4 @@
-//! Contact information of every pair at every pose of the problem, evaluated in one batch per point and cached.
+//! Contact information of every pair at every pose of the problem, evaluated in batches and cached.
 
 use std::time::{Duration, Instant};
 
@@ -9,7 +9,7 @@ use crate::layout::{CONTACT, Layout};
 use crate::pattern::{ABSENT, PatternBuilder, add};
 use crate::term::Owners;
 
-/// A distance that could not be computed: the reason of an [`EvaluationError`] of a transcription.
+/// A distance that could not be computed; the reason of an [`EvaluationError`] of a transcription.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("no distance between {body} and {environment} in scenario {} at step {step}: {source}", scenario + 1)]
 pub struct MissingDistance {
@@ -19,13 +19,13 @@ pub struct MissingDistance {
     pub environment: String,
     /// Scenario, from 0.
     pub scenario: usize,
-    /// Step that begins at the pose, from 0.
+    /// Step that starts at the pose, from 0.
     pub step: usize,
-    /// What the kernel says.
+    /// Error of the collision kernel.
     pub source: collision::DistanceError,
 }
 
-/// What has been evaluated at the current poses.
+/// Quantities that have been evaluated at the current poses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Evaluated {
     Nothing,
@@ -33,21 +33,21 @@ enum Evaluated {
     Jacobians,
 }
 
-/// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose; poses are those before each step, so that pose
-/// `index = (stage - 1) n_s + scenario` belongs to the step that leads to `stage`. Point `pair * poses + index` of a
-/// tape over [`Points::Pairs`](crate::Points::Pairs) takes them.
+/// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose. Poses are those before each step: pose
+/// `index = (stage - 1) n_s + scenario` belongs to the step that leads to `stage`. Point `pair * poses + index` of
+/// [`Points::Pairs`](crate::Points::Pairs) has the contact information of this pair at this pose.
 pub struct Distances {
     pairs: Vec<ContactPair>,
     scenarios: usize,
     tau: f64,
     poses: Vec<[f64; POSE]>,
-    /// Variables of every pose, absent where it is the initial pose.
+    /// Variables of every pose, [`ABSENT`] for initial poses.
     variables: Vec<[u32; POSE]>,
     evaluated: Evaluated,
     values: Vec<Vec<[f64; CONTACT]>>,
     jacobians: Vec<Vec<[[f64; POSE]; CONTACT]>>,
     hessians: Vec<Vec<[[f64; POSE]; POSE]>>,
-    /// Adjoints of `W`.
+    /// Adjoints of `W`, summed over all terms.
     seeds: Vec<Vec<[f64; CONTACT]>>,
     /// Hessian entries (coordinate, coordinate) per point.
     curvature_slots: Vec<[[u32; POSE]; POSE]>,
@@ -55,7 +55,7 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// `initial_poses` are the compliant start poses, one per scenario.
+    /// `initial_poses` are the compliant poses at the start, one per scenario.
     pub fn new(task: &AssemblyTask, layout: &Layout, initial_poses: &[[f64; POSE]]) -> Self {
         let scenarios = layout.scenarios;
         let earlier = layout.stages_of(Owners::Scenarios).take((layout.steps - 1) * scenarios);
@@ -84,12 +84,13 @@ impl Distances {
         }
     }
 
-    /// Variables of the pose before the step of a point, absent when it is the initial pose.
+    /// Variables of the pose before the step of a point; [`ABSENT`] if that is an initial pose.
     pub fn pose_variables(&self, point: usize) -> [u32; POSE] {
         self.variables[point % self.variables.len()]
     }
 
-    /// Adds the entries of `<s, D2W>` at a point to the pattern, as every term does that takes contact information there.
+    /// Adds the entries of `<s, D2W>` at a point to the pattern. Every term that uses the contact information of the
+    /// point calls this.
     pub fn reserve_curvature(&mut self, point: usize, hessian: &mut PatternBuilder) {
         let pose = self.pose_variables(point);
         self.curvature_slots[point] = pose.map(|row| pose.map(|column| hessian.symmetric_slot(row, column)));
@@ -110,7 +111,7 @@ impl Distances {
         self.evaluated = Evaluated::Nothing;
     }
 
-    /// Evaluates `W` unless that has been done.
+    /// Evaluates `W` unless it is up to date.
     pub fn evaluate(&mut self) -> Result<(), EvaluationError> {
         if self.evaluated >= Evaluated::Values {
             return Ok(());
@@ -126,7 +127,7 @@ impl Distances {
         Ok(())
     }
 
-    /// Evaluates `W` and `DW` unless that has been done.
+    /// Evaluates `W` and `DW` unless they are up to date.
     pub fn evaluate_jacobians(&mut self) -> Result<(), EvaluationError> {
         if self.evaluated >= Evaluated::Jacobians {
             return Ok(());
@@ -142,7 +143,7 @@ impl Distances {
         Ok(())
     }
 
-    /// Evaluates `<s, D2W>` for the seeds `s`, with `W` and `DW`.
+    /// Evaluates `<s, D2W>` for the seeds `s`, and `W` and `DW` as well.
     pub fn evaluate_hessians(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
         for (index, pair) in self.pairs.iter().enumerate() {
@@ -215,12 +216,12 @@ impl Distances {
         }
     }
 
-    /// Wall seconds spent here since the last reset.
+    /// Wall seconds in evaluations since the last reset.
     pub fn seconds(&self) -> f64 {
         self.elapsed.as_secs_f64()
     }
 
-    /// Starts counting [`Distances::seconds`] anew.
+    /// Resets [`Distances::seconds`] to zero.
     pub fn reset_seconds(&mut self) {
         self.elapsed = Duration::ZERO;
     }

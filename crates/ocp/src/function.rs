@@ -5,17 +5,17 @@ use autodiff::{Batch, Jacobian, LagrangianHessian, Tape, Workspace};
 use crate::pattern::{ABSENT, PatternBuilder, add};
 use crate::term::{Point, Source};
 
-/// A tape with derivatives at many points, with the decision variable behind every input of every point.
+/// A tape with derivatives at many points, and the decision variable behind every input of every point.
 pub struct PointFunction {
     tape: Tape,
-    /// Derivatives by the tape's first inputs, those that are not constants.
+    /// Derivatives by the tape's first inputs, up to the last that is not a constant everywhere.
     pub jacobian: Jacobian,
-    /// Second derivatives, its multipliers being the last inputs.
+    /// Second derivatives by the same inputs; the multipliers of the outputs are its last inputs.
     pub hessian: LagrangianHessian,
     points: usize,
     /// Decision variable per (input, point), [`ABSENT`] where the input is a constant or contact information.
     variables: Vec<u32>,
-    /// Component of the contact information per input, if it is that.
+    /// Component of the contact information per input, if the input is one.
     contact: Vec<Option<usize>>,
     inputs: Batch,
     values: Batch,
@@ -25,7 +25,7 @@ pub struct PointFunction {
 }
 
 impl PointFunction {
-    /// `source` names what stands behind an input at a point.
+    /// `source` gives the source of an input at a point.
     pub fn new(tape: Tape, points: &[Point], source: impl Fn(usize, &Point) -> Source) -> Self {
         let (input_count, output_count) = (tape.input_count(), tape.output_count());
         let mut inputs = Batch::new(input_count + output_count, points.len());
@@ -77,12 +77,12 @@ impl PointFunction {
         self.tape.output_count()
     }
 
-    /// Decision variable behind an input, [`ABSENT`] when there is none.
+    /// Decision variable behind an input; [`ABSENT`] if there is none.
     pub fn variable(&self, input: usize, point: usize) -> u32 {
         self.variables[input * self.points + point]
     }
 
-    /// Component of the contact information that an input is, if it is that.
+    /// Component of the contact information that an input is, if any.
     pub fn contact(&self, input: usize) -> Option<usize> {
         self.contact[input]
     }
@@ -127,12 +127,12 @@ impl PointFunction {
         &self.hessian_values
     }
 
-    /// What [`PointFunction::jacobian_values`] gave last.
+    /// The last result of [`PointFunction::jacobian_values`].
     pub fn evaluated_jacobian(&self) -> &Batch {
         &self.jacobian_values
     }
 
-    /// What [`PointFunction::hessian_values`] gave last.
+    /// The last result of [`PointFunction::hessian_values`].
     pub fn evaluated_hessian(&self) -> &Batch {
         &self.hessian_values
     }

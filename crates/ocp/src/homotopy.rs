@@ -1,4 +1,6 @@
-//! The homotopy (Sec. ocp:homotopy): solve with much smoothing, tighten, solve again from the last solution.
+//! The homotopy (Sec. ocp:homotopy): solve with strong smoothing, reduce it, solve again from the last solution.
+//!
+//! A *homotopy iteration* is one solve with one smoothing; an *iteration* is one of Ipopt's.
 
 use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
 use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver, Smoothing, Trajectory};
@@ -6,39 +8,39 @@ use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver
 use crate::stage_solver::TranscriptionSolver;
 use crate::transcription::Transcription;
 
-/// What the observer of a homotopy learns at every iteration of the solver.
+/// Report to the observer of a homotopy at every iteration.
 #[derive(Debug, Clone, Copy)]
 pub struct Event<'event> {
     /// Number of the homotopy iteration, from 1.
     pub number: usize,
-    /// How many there are.
+    /// Number of homotopy iterations.
     pub count: usize,
-    /// Smoothing of this one.
+    /// Its smoothing.
     pub smoothing: Smoothing,
-    /// The solver's iteration.
+    /// The iteration.
     pub progress: &'event Progress,
 }
 
-/// One homotopy iteration.
+/// Result of a homotopy iteration.
 #[derive(Debug, Clone)]
 pub struct HomotopyIteration {
     /// Its smoothing.
     pub smoothing: Smoothing,
-    /// How the solver ended.
+    /// Outcome of the solve.
     pub status: SolveStatus,
-    /// What the problem reported last when it could not be evaluated.
+    /// The last failure to evaluate the problem, if there was one.
     pub message: Option<String>,
-    /// Iterations of the solver.
+    /// Number of iterations.
     pub iterations: usize,
     /// Cost (Sec. ocp:cost).
     pub objective: f64,
     /// Largest violation of a constraint or bound.
     pub constraint_violation: f64,
-    /// Where the time went.
+    /// Wall times.
     pub timing: IterationTiming,
     /// The linear solver that ran.
     pub linear_solver: String,
-    /// What the stage solver did, if it ran.
+    /// Statistics of the stage solver, if it ran.
     pub stage_solver: Option<kkt::Report>,
     /// The motion.
     pub trajectory: Trajectory,
@@ -46,10 +48,10 @@ pub struct HomotopyIteration {
     pub iterate: Iterate,
 }
 
-/// Wall seconds of one homotopy iteration.
+/// Wall seconds of a homotopy iteration.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct IterationTiming {
-    /// All of it.
+    /// Total.
     pub total: f64,
     /// Distances and their derivatives.
     pub distances: f64,
@@ -57,7 +59,7 @@ pub struct IterationTiming {
     pub model: f64,
     /// Factorisations and solves.
     pub linear_solver: f64,
-    /// The rest: Ipopt's own work.
+    /// The rest, which is Ipopt's own work.
     pub rest: f64,
 }
 
@@ -78,11 +80,11 @@ impl Homotopy {
         &self.transcription
     }
 
-    /// Runs all homotopy iterations, each from the primal-dual solution of the one before. One that stops short is
-    /// continued by the next from where it stopped; an interrupted one is the last.
+    /// Runs all homotopy iterations, each from the final primal-dual point of the one before, whether that converged or
+    /// not. An interrupted one is the last.
     ///
     /// # Errors
-    /// When an option or the linear solver is refused; numerical failure is a status.
+    /// When an option or the linear solver is rejected. Numerical failure is a status.
     pub fn run(
         &mut self,
         observe: impl FnMut(Event) -> Control,
@@ -91,7 +93,8 @@ impl Homotopy {
         self.run_from(0, Start::Cold(self.transcription.initial_guess()), observe, finished)
     }
 
-    /// Runs the homotopy iterations after the first `done`, which an earlier run has finished at `start`.
+    /// Skips the first `done` homotopy iterations, which an earlier run completed with `start` as the final point, and
+    /// runs the others.
     ///
     /// # Errors
     /// As [`Homotopy::run`].
@@ -129,8 +132,8 @@ impl Homotopy {
     }
 }
 
-/// Options that leave a warm start where it is: Ipopt's defaults push it so far from its bounds that the next
-/// iteration may find another, worse optimum.
+/// Options that keep a warm start in place. Ipopt's defaults move it so far from its bounds that the next homotopy
+/// iteration may converge to a worse optimum.
 const WARM_START_PUSHES: [&str; 5] = [
     "warm_start_bound_push",
     "warm_start_bound_frac",
@@ -155,7 +158,7 @@ fn iteration_options(settings: &HomotopySettings, smoothing: Smoothing) -> Optio
         options.set(push, 1e-9);
     }
     if settings.linear_solver == LinearSolver::Stage && nlp::TAKES_OWN_SOLVER {
-        // It refines its solutions itself, where they need it.
+        // The stage solver refines its solutions itself where necessary.
         options.set("min_refinement_steps", 0);
     }
     if settings.hessian == HessianKind::LimitedMemory {

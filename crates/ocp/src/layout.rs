@@ -1,9 +1,9 @@
-//! Where every variable and constraint of the transcription stands (Eq. discretizedOCP).
+//! Indices of variables and constraints of the transcription (Eq. discretizedOCP).
 //!
-//! Stages are numbered 1 to N; the initial states are data. The constraints of the step that leads to a stage are that
-//! stage's. A stage's variables are those of the reference, then those of every scenario, and so are its rows. A
-//! trajectory's [`Block`]s have the order of their declaration, but those of fronts (states and their dynamics) come
-//! first, those of contact pairs second, all others last.
+//! Stages are numbered 1 to N; the initial states are data. The constraints of the step that leads to a stage belong to
+//! that stage. The variables of a stage are those of the reference, followed by those of every scenario; the same holds
+//! for rows. The [`Block`]s of a trajectory are in order of declaration within three groups: fronts (states and their
+//! dynamics), contact pairs, all others.
 
 use kkt::{Class, Label, Owner};
 use nlp::Bounds;
@@ -15,7 +15,7 @@ use crate::terms::POSE_VARIABLES;
 /// Number of components of the contact information `W = (Phi_tau, n~_tau)`.
 pub const CONTACT: usize = 1 + TWIST;
 
-/// Sizes of a transcription and the index of everything in it.
+/// Sizes of a transcription and the indices of its variables and constraints.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Layout {
     /// Number of steps `N`.
@@ -39,14 +39,14 @@ struct StageOrder {
 /// Order of the variables or rows that a stage has of one trajectory.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct TrajectoryOrder {
-    /// Names of the blocks, each with its first position.
+    /// Names of the blocks with their first positions.
     starts: Vec<(&'static str, usize)>,
-    /// Class and index of the label of every position.
+    /// Class and index of the label at every position.
     labels: Vec<(Class, usize)>,
 }
 
 impl Layout {
-    /// Assigns indices to all that the terms declare.
+    /// Assigns indices to all blocks that the terms declare.
     ///
     /// # Panics
     /// When a trajectory has two blocks of the same name.
@@ -94,14 +94,14 @@ impl Layout {
         self.variable(POSE_VARIABLES, stage, owner)
     }
 
-    /// Every stage of some trajectories, the trajectories running fastest, the reference first.
+    /// All stages of some trajectories: stage by stage, the reference first.
     pub fn stages_of(&self, owners: Owners) -> impl Iterator<Item = (usize, Owner)> + use<> {
         let all = std::iter::once(Owner::Reference).chain((0..self.scenarios).map(Owner::Scenario));
         let wanted: Vec<Owner> = all.filter(|&owner| owners.include(owner)).collect();
         (1..=self.steps).flat_map(move |stage| wanted.clone().into_iter().map(move |owner| (stage, owner)))
     }
 
-    /// All points of a kind, in the order of evaluation; pairs run slowest.
+    /// All points of a kind in the order of evaluation: pair by pair, stage by stage, the reference first.
     pub fn points(&self, points: Points) -> Vec<Point> {
         let (owners, pairs) = match points {
             Points::Stages(owners) => (owners, 1),
@@ -188,7 +188,7 @@ impl TrajectoryOrder {
         let mut blocks: Vec<&Block> = blocks.iter().filter(|block| block.owners.include(owner)).collect();
         blocks.sort_by_key(|block| (block.class.is_leaf(), !block.per_pair));
         let mut order = Self::default();
-        // A leaf's rows are eliminated in the order of their indices: pairs first.
+        // Rows of a leaf are eliminated in the order of their indices, those of pairs first.
         let mut next = pairs;
         for block in blocks {
             let known = order.starts.iter().any(|&(name, _)| name == block.name);
@@ -215,7 +215,7 @@ impl TrajectoryOrder {
 }
 
 impl Owners {
-    /// Whether a trajectory is one of them.
+    /// Whether they include a trajectory.
     pub fn include(self, owner: Owner) -> bool {
         match self {
             Self::All => true,

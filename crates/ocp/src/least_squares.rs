@@ -6,7 +6,7 @@ use crate::pattern::{PatternBuilder, add};
 /// `sum |r|^2` over all points of a residual function.
 pub struct LeastSquares {
     function: PointFunction,
-    /// Pairs of Jacobian nonzeros in one row, each pair once as in the lower triangle of `J'J`.
+    /// Pairs of Jacobian nonzeros in one row, each pair once, as in the lower triangle of `J'J`.
     products: Vec<Product>,
     curvature_slots: Vec<u32>,
 }

@@ -6,18 +6,20 @@
 //! # Terms
 //!
 //! The constraints are a sum of terms ([`StepTerm`]): kinematics, dynamics, limits, contact. A term declares the
-//! variables and rows that it brings to a stage ([`Block`]) and records its equations as a tape, which is evaluated at all
-//! stages and scenarios at once. Indices, bounds, derivatives and the labels for the linear solver follow from that. A
-//! term may add to the rows of another one. To add a term, write its file and add it to [`standard_terms`]; a caller can
-//! also pass terms to [`Transcription::with_terms`].
+//! variables and rows that it adds to a stage ([`Block`]) and records its equations as a tape, which is evaluated at
+//! all stages and scenarios at once. Indices, bounds, derivatives and the labels for the linear solver follow from
+//! that. A term may add to the rows of another one. To add a term, write its file and add it to [`standard_terms`]; a
+//! caller can also pass terms to [`Transcription::with_terms`].
 //!
-//! Distances stay off the tapes: a tape takes components of the contact information `W = (Phi_tau, n~_tau)` as inputs. The
-//! adjoints of these inputs, summed over all terms, are the seed `s` with which the collision kernel returns `<s, D2W>`.
+//! Distances stay off the tapes: a tape takes components of the contact information `W = (Phi_tau, n~_tau)` as inputs.
+//! The adjoints of these inputs, summed over all terms, are the seed `s` with which the collision kernel returns
+//! `<s, D2W>`.
 //!
 //! # Source
 //!
 //! C. Dietz et al., *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order
-//! Derivatives*. Numbers are those of the preprint, labels those of its LaTeX source; comments in this crate cite labels.
+//! Derivatives*. Numbers are those of the preprint, labels those of its LaTeX source; comments in this crate cite
+//! labels.
 //!
 //! | number | label | content | here |
 //! |---|---|---|---|

@@ -1,4 +1,4 @@
-//! Points of the transcription as motions, and motions as points where a solve may begin.
+//! Conversion between points of the transcription and trajectories.
 
 use kkt::Owner;
 use task::{POSE, STATE, ScenarioTrajectory, Trajectory, at_rest};
@@ -8,7 +8,7 @@ use crate::terms::CONTACT_FORCE;
 use crate::transcription::{INITIAL_CONTACT_FORCE, Transcription};
 
 impl Transcription {
-    /// The motion at a point `x` whose distances are smoothed by `tau`.
+    /// The trajectory at a point `x`, with distances smoothed by `tau`.
     pub fn motion(&self, x: &[f64], tau: f64) -> Trajectory {
         let (task, layout) = (self.task(), self.layout());
         let time_step = task.horizon.time_step;
@@ -29,10 +29,10 @@ impl Transcription {
         Trajectory::new(time_step, &reference, scenarios, drift)
     }
 
-    /// The variables at a motion, where a solve may begin.
+    /// The point of a trajectory, as a starting point.
     ///
     /// # Panics
-    /// When the motion has fewer steps or scenarios than the transcription.
+    /// When the trajectory has fewer steps or scenarios than the transcription.
     pub fn point_at(&self, motion: &Trajectory) -> Vec<f64> {
         let layout = self.layout();
         let mut x = vec![INITIAL_CONTACT_FORCE; layout.variable_count()];
@@ -60,7 +60,7 @@ impl Transcription {
     }
 }
 
-/// Largest `| |xi| - 1 |`: the drift of Euler's method.
+/// Largest `| |xi| - 1 |`, the drift of Euler's method.
 fn norm_drift(states: &[[f64; STATE]]) -> f64 {
     let norm = |state: &[f64; STATE]| state[3..POSE].iter().map(|c| c * c).sum::<f64>().sqrt();
     states.iter().map(|state| (norm(state) - 1.0).abs()).fold(0.0, f64::max)

@@ -1,13 +1,13 @@
-//! Coordinates of a sparse matrix that is filled by many contributors.
+//! Coordinates of a sparse matrix that has many contributors.
 
 use std::collections::HashMap;
 
 use nlp::Pattern;
 
-/// Marks an entry that does not exist because its variable is data (the initial state).
+/// Marks an entry that does not exist, because its variable is data (the initial state).
 pub const ABSENT: u32 = u32::MAX;
 
-/// Collects distinct coordinates; every contributor keeps the slots it adds to.
+/// Collects distinct coordinates. Every contributor keeps the slots that it adds to.
 #[derive(Debug, Default)]
 pub struct PatternBuilder {
     slots: HashMap<(u32, u32), u32>,
@@ -15,7 +15,7 @@ pub struct PatternBuilder {
 }
 
 impl PatternBuilder {
-    /// Slot of an entry of a general matrix, [`ABSENT`] when its row or column is.
+    /// Slot of an entry of a general matrix; [`ABSENT`] if its row or column is.
     pub fn slot(&mut self, row: u32, column: u32) -> u32 {
         if row == ABSENT || column == ABSENT {
             return ABSENT;
@@ -28,7 +28,7 @@ impl PatternBuilder {
         })
     }
 
-    /// Slot of an entry of a symmetric matrix, kept in its lower triangle.
+    /// Slot of an entry of a symmetric matrix, in its lower triangle.
     pub fn symmetric_slot(&mut self, one: u32, other: u32) -> u32 {
         if one == ABSENT || other == ABSENT {
             return ABSENT;
@@ -51,7 +51,7 @@ pub struct Patterns {
     pub hessian: PatternBuilder,
 }
 
-/// Adds a value to a slot unless the slot is absent.
+/// Adds a value to a slot unless that is absent.
 #[inline]
 pub fn add(values: &mut [f64], slot: u32, value: f64) {
     if slot != ABSENT {

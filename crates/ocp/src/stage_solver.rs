@@ -1,4 +1,4 @@
-//! The stage-structured linear solver for a transcription: says what every row of its linear systems is.
+//! The stage-structured linear solver for a transcription, with the labels of its linear systems.
 
 use kkt::{Class, Label, StageSolver, StructureError};
 use nlp::{AnalysisError, Factorisation, KktSolver};
@@ -6,19 +6,19 @@ use task::LinearSolver;
 
 use crate::layout::Layout;
 
-/// The linear solver of one solve.
+/// The linear solver of one solve: [`kkt::StageSolver`] as Ipopt calls it.
 pub struct TranscriptionSolver {
     labels: Vec<Label>,
     solver: Option<StageSolver>,
 }
 
 impl TranscriptionSolver {
-    /// For a transcription with this layout.
+    /// A solver for transcriptions of a layout.
     pub fn new(layout: &Layout) -> Self {
         Self { labels: labels(layout), solver: None }
     }
 
-    /// What the solver has done.
+    /// Statistics, once the solver has a pattern.
     pub fn report(&self) -> Option<&kkt::Report> {
         self.solver.as_ref().map(StageSolver::report)
     }
@@ -56,7 +56,8 @@ impl KktSolver for TranscriptionSolver {
     }
 }
 
-/// Labels in Ipopt's order of rows: variables, slacks of inequalities, multipliers of equalities, of inequalities.
+/// Labels in Ipopt's order of rows: variables, slacks of inequalities, multipliers of equalities, multipliers of
+/// inequalities.
 fn labels(layout: &Layout) -> Vec<Label> {
     let mut labels = layout.variable_labels();
     let multipliers = layout.multiplier_labels();

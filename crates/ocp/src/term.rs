@@ -1,4 +1,4 @@
-//! What the parts of the model have in common that add to the constraints of every time step.
+//! The interface of the parts of the model that add to the constraints of every time step.
 
 use autodiff::Tape;
 use kkt::{Class, Owner};
@@ -8,17 +8,17 @@ use crate::layout::Layout;
 
 /// A part of the model that adds to the constraints of every time step: kinematics, dynamics, limits, contact.
 ///
-/// A term declares the variables and rows that it brings, and a tape with what stands behind its inputs and outputs.
-/// Everything else follows from this: indices ([`Layout`]), bounds, the labels of the linear solver, values and
-/// derivatives. Outputs are added to their rows, so that a term may add to rows of another one, and need not have any
-/// of its own.
+/// A term declares its variables and rows, and a tape with the sources of its inputs and the rows of its outputs.
+/// Everything else follows from that: indices ([`Layout`]), bounds, the labels of the linear solver, values and
+/// derivatives. Outputs are added to their rows, so that a term may add to the rows of another term and need not have
+/// rows of its own.
 pub trait StepTerm: Send + Sync {
-    /// Variables that the term brings to every stage.
+    /// Variables that the term adds to every stage.
     fn variables(&self) -> Vec<Block> {
         Vec::new()
     }
 
-    /// Constraint rows that the term brings to every stage. Their bounds may depend on the smoothing.
+    /// Constraint rows that the term adds to every stage. Their bounds may depend on `sigma`.
     fn rows(&self) -> Vec<Block> {
         Vec::new()
     }
@@ -26,32 +26,32 @@ pub trait StepTerm: Send + Sync {
     /// Takes the smoothing parameter `sigma` of the complementarity conditions.
     fn set_sigma(&mut self, _sigma: f64) {}
 
-    /// Where the tape is evaluated.
+    /// The points at which the tape is evaluated.
     fn points(&self) -> Points;
 
-    /// The equations. Inputs that are constant at every point come last: the tape is not differentiated by them.
+    /// The equations. Inputs that are constants at every point come last; the tape is not differentiated by them.
     fn tape(&self) -> Tape;
 
-    /// What stands behind an input at a point.
+    /// The source of an input at a point.
     fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source;
 
-    /// The constraint row that an output is added to at a point.
+    /// The constraint row that an output at a point is added to.
     fn row(&self, output: usize, point: &Point, layout: &Layout) -> usize;
 }
 
-/// Variables or constraint rows that a term brings to every stage of the trajectories `owners`.
+/// Variables or constraint rows that a term adds to every stage of some trajectories.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
     /// Name by which the [`Layout`] finds it.
     pub name: &'static str,
-    /// Trajectories that have it.
+    /// The trajectories.
     pub owners: Owners,
-    /// What its members are in a KKT matrix: of rows, the class of their multipliers. A row whose bounds are equal is
-    /// an equality, any other has the class [`Class::InequalityMultiplier`].
+    /// Class of the variables, or of the multipliers of the rows, in a KKT matrix. Inequalities have the class
+    /// [`Class::InequalityMultiplier`]; rows of any other class are equalities, that is, their bounds are equal.
     pub class: Class,
-    /// Whether its members belong to the contact pairs: equally many to each, those of a pair side by side.
+    /// Whether the members belong to contact pairs: the same number to each pair, those of a pair consecutive.
     pub per_pair: bool,
-    /// Lower and upper bound of each member.
+    /// Lower and upper bound of each member; their number is the size of the block.
     pub bounds: Bounds,
 }
 
@@ -66,23 +66,23 @@ pub enum Owners {
     All,
 }
 
-/// Where a tape is evaluated.
+/// A set of points at which a tape is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Points {
-    /// At every stage of these trajectories.
+    /// Every stage of these trajectories.
     Stages(Owners),
-    /// At every stage of every scenario, for every contact pair.
+    /// Every contact pair at every stage of every scenario.
     Pairs,
 }
 
 /// A point at which a tape is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Point {
-    /// Stage, 1 to `N`. The step that leads to it begins at the stage before.
+    /// Stage, 1 to `N`, at the end of the step.
     pub stage: usize,
     /// Trajectory.
     pub owner: Owner,
-    /// Contact pair, 0 unless the points are [`Points::Pairs`].
+    /// Contact pair; 0 unless the points are [`Points::Pairs`].
     pub pair: usize,
 }
 
@@ -99,7 +99,7 @@ impl Point {
     }
 }
 
-/// What stands behind an input of a tape.
+/// Source of an input of a tape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Source {
     /// A decision variable.
@@ -107,6 +107,6 @@ pub enum Source {
     /// A value that does not change.
     Constant(f64),
     /// A component of the contact information `W = (Phi_tau, n~_tau)` of the point's pair at the pose before the step.
-    /// An input has it at all points or at none, and the points are [`Points::Pairs`].
+    /// It must be the source of the input at all points, and the points must be [`Points::Pairs`].
     Contact(usize),
 }

@@ -1,4 +1,4 @@
-//! A [`StepTerm`] at all of its points: values, Jacobian and Hessian, added to the rows and slots of the problem.
+//! Evaluation of a [`StepTerm`] at all of its points.
 
 use autodiff::Batch;
 use task::POSE;
@@ -9,7 +9,7 @@ use crate::layout::Layout;
 use crate::pattern::{ABSENT, Patterns, add};
 use crate::term::{Points, StepTerm};
 
-/// The tape of a term at all of its points.
+/// The tape of a term at all of its points, with the rows and slots that its values and derivatives are added to.
 pub struct TermFunction {
     function: PointFunction,
     /// Constraint row per (output, point).
@@ -25,7 +25,7 @@ impl TermFunction {
     /// Records the tape and adds all entries to the patterns.
     ///
     /// # Panics
-    /// When a term takes contact information at points that are not [`Points::Pairs`].
+    /// When the term takes contact information at points other than [`Points::Pairs`].
     pub fn new(term: &dyn StepTerm, layout: &Layout, distances: &mut Distances, patterns: &mut Patterns) -> Self {
         let points = layout.points(term.points());
         let function = PointFunction::new(term.tape(), &points, |input, point| term.source(input, point, layout));
@@ -52,7 +52,7 @@ impl TermFunction {
         self.function.set_point(x);
     }
 
-    /// Adds the outputs to their rows. The distances must have been evaluated.
+    /// Adds the outputs to their rows. Requires evaluated distances.
     pub fn add_values(&mut self, distances: &Distances, constraints: &mut [f64]) {
         take_contact_information(&mut self.function, distances);
         let points = self.function.points();
@@ -63,7 +63,7 @@ impl TermFunction {
         }
     }
 
-    /// Adds the Jacobian to its slots. The distances' derivatives must have been evaluated.
+    /// Adds the Jacobian, `d/dx + d/dW DW`, to its slots. Requires evaluated Jacobians of the distances.
     pub fn add_jacobian(&mut self, distances: &Distances, slots: &mut [f64]) {
         take_contact_information(&mut self.function, distances);
         let points = self.function.points();
@@ -82,8 +82,8 @@ impl TermFunction {
         }
     }
 
-    /// Takes the constraints' multipliers and adds the adjoint of the contact information to the distances' seeds.
-    /// The distances must have been evaluated.
+    /// Takes the multipliers of the constraints and adds the adjoints of the contact information to the seeds of the
+    /// distances, which must have been evaluated.
     pub fn take_multipliers(&mut self, multipliers: &[f64], distances: &mut Distances) {
         let points = self.function.points();
         for output in 0..self.function.outputs() {
@@ -102,8 +102,8 @@ impl TermFunction {
         }
     }
 
-    /// Adds the Hessian weighted by the multipliers last taken, but for the curvature of the distances. The distances'
-    /// derivatives must have been evaluated.
+    /// Adds the Hessian weighted by the multipliers last taken, without the curvature of the distances
+    /// ([`Distances::add_curvature`]). Requires evaluated Jacobians of the distances.
     pub fn add_hessian(&mut self, distances: &Distances, slots: &mut [f64]) {
         let points = self.function.points();
         self.function.hessian_values();
@@ -132,14 +132,14 @@ fn take_contact_information(function: &mut PointFunction, distances: &Distances)
     }
 }
 
-/// Entries that a term's derivatives by contact information fill, which is a function of the pose before the step.
+/// Entries of a term's derivatives by contact information, which is a function of the pose before the step.
 #[derive(Default)]
 struct ContactChain {
     /// Entries (constraint row, coordinates of the pose) per (output, point).
     jacobian_slots: Vec<[u32; POSE]>,
     /// Entries (variable, coordinates of the pose) per (input, point).
     mixed_slots: Vec<[u32; POSE]>,
-    /// Coordinate of that pose which an input is itself, if it is one.
+    /// Coordinate of that pose per input, if the input is one.
     own_coordinate: Vec<Option<usize>>,
     /// Gradient of the weighted outputs; `None` when no input is contact information.
     adjoint: Option<Batch>,
@@ -187,7 +187,7 @@ impl ContactChain {
     fn add_mixed(&self, values: &[f64], distances: &Distances, component: usize, input: usize, slots: &mut [f64]) {
         let targets = &self.mixed_slots[input * values.len()..][..values.len()];
         scatter_gradients(values, distances, component, targets, slots);
-        // A derivative twice by the same coordinate comes from both factors.
+        // The second derivative by one and the same coordinate has this term twice.
         if let Some(coordinate) = self.own_coordinate[input] {
             let derivatives = distances.last_jacobians().iter().flatten();
             for ((&value, derivative), target) in values.iter().zip(derivatives).zip(targets) {

@@ -12,10 +12,10 @@ use crate::term::{Owners, StepTerm};
 use crate::term_function::TermFunction;
 use crate::terms::{initial_states, standard_terms};
 
-/// Contact forces of the initial guess (N).
+/// Contact force in the initial guess (N), and the value of all variables that are not states.
 pub const INITIAL_CONTACT_FORCE: f64 = 1e-3;
 
-/// Layout, tapes and patterns of a task, built once; smoothing is set before each homotopy iteration.
+/// Layout, tapes and patterns of a task, built once. The smoothing is set before each homotopy iteration.
 pub struct Transcription {
     task: AssemblyTask,
     hessian_kind: HessianKind,
@@ -35,7 +35,7 @@ impl Transcription {
         Self::with_terms(task, standard_terms(task, complementarity), hessian_kind)
     }
 
-    /// [`Transcription::new`] with a choice of terms.
+    /// [`Transcription::new`] with other terms than [`standard_terms`].
     pub fn with_terms(task: &AssemblyTask, terms: Vec<Box<dyn StepTerm>>, hessian_kind: HessianKind) -> Self {
         let layout = Layout::new(task, &terms);
         let initial_compliant = initial_states(task);
@@ -61,7 +61,7 @@ impl Transcription {
         }
     }
 
-    /// Smoothing of the distances `tau` and of the complementarity conditions `sigma` (Sec. ocp:homotopy).
+    /// Sets the smoothing of the distances, `tau`, and of the complementarity conditions, `sigma` (Sec. ocp:homotopy).
     pub fn set_smoothing(&mut self, tau: f64, sigma: f64) {
         self.distances.set_tau(tau);
         self.terms.iter_mut().for_each(|term| term.set_sigma(sigma));
@@ -87,7 +87,7 @@ impl Transcription {
         &mut self.distances
     }
 
-    /// The trivial guess: everything rests at the start pose, with small positive contact forces.
+    /// The trivial guess: all trajectories rest at the start pose, with small positive contact forces.
     pub fn initial_guess(&self) -> Vec<f64> {
         let mut x = vec![INITIAL_CONTACT_FORCE; self.layout.variable_count()];
         for (stage, owner) in self.layout.stages_of(Owners::All) {

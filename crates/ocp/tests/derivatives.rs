@@ -1,4 +1,4 @@
-//! Derivatives of the whole problem against differences, with offsets, contacts and both kinds of complementarity.
+//! Derivatives of the whole problem against differences, with offsets, contacts and limits.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What a transcription says when it cannot be evaluated.
+//! Errors of a transcription that cannot be evaluated.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Where a solve begins.
+//! Starting points.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ fn a_solve_may_begin_at_a_motion() {
     let transcription = Transcription::new(&task, Complementarity::Relaxation, HessianKind::Exact);
     let layout = transcription.layout();
     let mut x = transcription.initial_guess();
-    // Everything but quaternions, which a motion normalises: 13 coordinates of a state, of which 3 to 6 are one.
+    // All coordinates of a state but 3 to 6, the quaternion, which a trajectory normalises.
     for (index, (stage, owner)) in layout.stages_of(Owners::All).enumerate() {
         for coordinate in [0, 1, 2, 7, 8, 9, 10, 11, 12] {
             x[layout.state(stage, owner) + coordinate] += 0.01 * (index * 10 + coordinate) as f64;

@@ -1,4 +1,4 @@
-//! The stage solver inside of whole solves: matrix by matrix against MUMPS, and in several threads at once.
+//! The stage solver inside whole solves: matrix by matrix against MUMPS, and in several threads.
 
 use std::path::Path;
 
@@ -116,7 +116,7 @@ impl KktSolver for Compared {
     }
 }
 
-/// What a comparison is made for.
+/// One comparison.
 struct Case {
     scene: &'static str,
     steps: usize,
@@ -135,7 +135,7 @@ const PLAIN: Case = Case {
     options: &[],
 };
 
-/// Solves with both solvers side by side and expects the same of every matrix.
+/// Solves with both solvers side by side and expects the same inertia of every matrix.
 fn compare(case: Case) -> (Compared, kkt::Report) {
     let task = AssemblyTask { limits: case.limits, ..task(case.scene, case.steps) };
     let mut transcription = transcribe(&task, case.complementarity, case.hessian);
@@ -171,7 +171,7 @@ fn many_pairs_and_three_scenarios_agree_with_mumps() {
     assert!(report.early_exits > 0);
 }
 
-/// Limits of which those of velocity, acceleration and wrench are active in the corner.
+/// Limits; those of velocity, acceleration and wrench are active in the corner.
 const TIGHT: Limits = Limits {
     translational_velocity: 0.06,
     rotational_velocity: 0.12,
@@ -189,7 +189,8 @@ fn limits_agree_with_mumps() {
         assert!(solver.right_inertia > 20);
         assert_eq!(report.general_path, 0);
     }
-    // Accelerations alone couple the references of neighbouring stages; wrenches alone both trajectories of a stage.
+    // Accelerations alone couple the references of neighbouring stages; wrenches alone couple the trajectories of a
+    // stage.
     let accelerations = Limits { force: f64::INFINITY, torque: f64::INFINITY, ..TIGHT };
     compare(Case { limits: accelerations, scene: "peg2", steps: 15, ..PLAIN });
     compare(Case { limits: Limits { force: 0.5, ..Limits::NONE }, ..PLAIN });

@@ -1,4 +1,4 @@
-//! Evaluation at single points and the derivative checker of all tests.
+//! Evaluation at single points, and the derivative checker of all tests.
 
 #![allow(dead_code, reason = "no test file uses all of it")]
 
@@ -31,8 +31,8 @@ fn dense(size: (usize, usize), rows: &[usize], columns: &[usize], values: &[f64]
     matrix
 }
 
-/// Compares derivatives by one input with central differences of two steps, the difference of which estimates their
-/// error.
+/// Compares derivatives by one input with central differences of two step lengths, which also estimate the error of the
+/// differences.
 fn check_column(
     what: &str,
     column: usize,
@@ -58,8 +58,8 @@ fn check_column(
     Ok(())
 }
 
-/// Compares the Jacobian with differences of values and the Hessian with differences of the adjoint, entries that are
-/// absent included, and the adjoint with the Jacobian.
+/// Compares the Jacobian with differences of values, the Hessian with differences of the adjoint, both with their zero
+/// entries, and the adjoint with the Jacobian.
 pub fn check_derivatives(tape: &Tape, variables: usize, point: &[f64]) -> Result<(), String> {
     let outputs = tape.output_count();
     let jacobian = tape.jacobian(variables);

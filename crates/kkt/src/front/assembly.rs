@@ -1,6 +1,6 @@
-//! Where the numbers of entries, leaves and later fronts are added up in a front.
+//! Assembly of a front from matrix entries, leaves and the next front.
 
-/// A row as a stage sees it.
+/// A row's position in a stage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// Position in the stage's front.
@@ -9,26 +9,26 @@ pub enum Place {
     Separator(usize),
 }
 
-/// A place among a front's numbers: in its store, which is kept for the solves, or in its Schur complement, which is
-/// passed on to the previous stage.
+/// A place of a front: in its store, which is kept for the solves, or in its Schur complement, which is passed to the
+/// previous stage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Target(u32);
 
 const SCHUR: u32 = 1 << 31;
 
 impl Target {
-    /// Of the store.
+    /// In the store.
     pub fn store(offset: usize) -> Self {
         Self(offset as u32)
     }
 
-    /// Of the Schur complement.
+    /// In the Schur complement.
     pub fn schur(offset: usize) -> Self {
         Self(offset as u32 | SCHUR)
     }
 }
 
-/// Consecutive numbers that stay consecutive.
+/// Consecutive values with consecutive targets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Run {
     source: u32,
@@ -36,10 +36,10 @@ struct Run {
     target: Target,
 }
 
-/// What is added to a front, entry by entry and block by block.
+/// Everything that is added to a front: entries and blocks.
 #[derive(Debug, Default)]
 pub struct Assembly {
-    /// Values of the matrix: target, position among its numbers.
+    /// Values of the matrix: target and position.
     entries: Vec<(Target, u32)>,
     /// Schur complements: of every leaf, then of the next stage.
     blocks: Vec<Vec<Run>>,
@@ -86,7 +86,7 @@ impl Assembly {
         }
     }
 
-    /// Adds a Schur complement: leaves by their number in the stage, then that of the next stage.
+    /// Adds a Schur complement: of a leaf, by its number in the stage, or, after these, of the next stage.
     pub fn scatter_block(&self, block: usize, source: &[f64], store: &mut [f64], schur: &mut [f64]) {
         for run in &self.blocks[block] {
             let (length, from, Target(to)) = (run.length as usize, run.source as usize, run.target);

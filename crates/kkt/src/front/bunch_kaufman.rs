@@ -1,8 +1,8 @@
-//! Blocked Bunch-Kaufman factorisation of a dense front, and the triangular solves with it.
+//! Blocked Bunch-Kaufman factorisation of a dense front and the triangular solves.
 //!
 //! A front is a panel of columns, one per pivot. Its rows are the pivots, padded, and below them the separator, padded.
-//! The elimination takes the separator's rows along and updates their own block `C`, so that one loop does what would
-//! be a factorisation, a triangular solve and a Schur complement:
+//! The elimination includes the separator's rows and updates their block `C`, so that one loop does the work of a
+//! factorisation, a triangular solve and a Schur complement:
 //!
 //! ```text
 //! [ A  B' ]   [ L    ] [ D   ] [ L' M' ]
@@ -14,28 +14,28 @@ use pulp::{Arch, Simd, WithSimd};
 use crate::kernel::{SubtractProduct, dot, largest, pad_of, padded, subtract_columns};
 use crate::pivot::{BUNCH_KAUFMAN, Breakdown, Pivot, Pivots, inverse};
 
-/// Columns that are eliminated before the rest is updated with all of them at once.
+/// Columns that are eliminated before the rest is updated with all of them.
 const BLOCK: usize = 24;
 
 /// One front to be factorised.
 pub struct PartialFactorisation<'a> {
     pub arch: Arch,
-    /// In: lower triangle of `A` over `B`; out: `L` without its diagonal over `M`.
+    /// On entry the lower triangle of `A` above `B`; on return `L` without its diagonal above `M`.
     pub panel: &'a mut [f64],
     /// Rows of the panel, padded pivots and padded separator.
     pub stride: usize,
-    /// In: lower triangle of `C`; out: of `S`.
+    /// On entry the lower triangle of `C`, on return of `S`.
     pub schur: &'a mut [f64],
     /// Order of the separator.
     pub separator: usize,
-    /// Sums of the absolute values of the terms of every diagonal entry, as the panel's rows.
+    /// Sums of the absolute values of the terms of every diagonal entry, by row of the panel.
     pub scale: &'a mut [f64],
     /// `L D` of the columns of a block.
     pub work: &'a mut [f64],
     pub pivots: Pivots<'a>,
 }
 
-/// Numbers of scratch that a factorisation needs.
+/// Length of the scratch of a factorisation.
 pub fn work_length(stride: usize) -> usize {
     stride * (BLOCK + 1)
 }
@@ -72,7 +72,7 @@ impl PartialFactorisation<'_> {
         self.pivots.diagonal.len()
     }
 
-    /// Brings a pivot to place `next` and its columns, up to date, to the work block.
+    /// Moves a pivot to place `next` and writes its updated columns to the work block.
     #[inline(always)]
     fn choose<S: Simd>(&mut self, simd: S, first: usize, next: usize) -> Pivot {
         let (stride, order) = (self.stride, self.order());
@@ -100,8 +100,8 @@ impl PartialFactorisation<'_> {
         Pivot::Two(column[next], column[next + 1], candidate[next + 1])
     }
 
-    /// Writes the current column of row `index` to the work block: what the panel holds, less the eliminated columns
-    /// of the block.
+    /// Writes the updated column of row `index` to the work block: the panel's values minus the eliminated columns of
+    /// the block.
     #[inline(always)]
     fn bring_column<S: Simd>(&mut self, simd: S, first: usize, next: usize, index: usize, slot: usize) {
         let stride = self.stride;
@@ -110,7 +110,7 @@ impl PartialFactorisation<'_> {
         for j in next..index {
             column[j] = self.panel[index + j * stride];
         }
-        // For a column in its own place the rows above it in its pad are copied along: they are never read.
+        // For a column in its own place the rows above it in its pad are copied too; they are never read.
         let from = if index == next { pad_of(index) } else { index };
         column[from..].copy_from_slice(&self.panel[index * stride..][from..stride]);
         let start = pad_of(next);
@@ -123,8 +123,8 @@ impl PartialFactorisation<'_> {
         subtract_columns(simd, &mut column[start..], columns, stride, &factors[..eliminated]);
     }
 
-    /// Exchanges rows and columns `place` and `other` of what is left, and the rows of all columns before `next`.
-    /// Columns of the work block up to `slot` are current.
+    /// Exchanges rows and columns `place` and `other` of the remaining matrix, and the rows of all columns before
+    /// `next`. Columns of the work block up to `slot` are current.
     #[inline(always)]
     fn exchange(&mut self, next: usize, place: usize, other: usize, slot: usize) {
         if place == other {
@@ -149,7 +149,7 @@ impl PartialFactorisation<'_> {
         self.scale.swap(place, other);
     }
 
-    /// Writes the columns of `L` of a chosen pivot.
+    /// Writes the columns of `L` of a pivot.
     #[inline(always)]
     fn eliminate<S: Simd>(&mut self, simd: S, first: usize, next: usize, pivot: Pivot) -> Result<usize, Breakdown> {
         let (stride, slot) = (self.stride, next - first);
@@ -193,7 +193,7 @@ impl PartialFactorisation<'_> {
         Ok(negative)
     }
 
-    /// Subtracts the eliminated columns `first..next` from all that is left.
+    /// Subtracts the eliminated columns `first..next` from the remaining matrix.
     #[inline(always)]
     fn update(&mut self, first: usize, next: usize) {
         let (stride, order, depth) = (self.stride, self.order(), next - first);

@@ -7,7 +7,7 @@ use crate::front::bunch_kaufman::{PartialFactorisation, backward, forward};
 use crate::kernel::padded;
 use crate::pivot::{Breakdown, Pivots, apply_inverse};
 
-/// A dense panel of `order` columns, its rows the front and the separator.
+/// A dense panel of `order` columns whose rows are the front and the separator.
 #[derive(Debug, Clone, Copy)]
 pub struct GeneralLayout {
     /// Rows of the front.
@@ -22,12 +22,12 @@ impl GeneralLayout {
         padded(self.order) + padded(self.separator)
     }
 
-    /// Numbers that are kept for the solves.
+    /// Number of values that are kept for the solves.
     pub fn store(&self) -> usize {
         self.stride() * self.order
     }
 
-    /// Where a coupling is assembled.
+    /// Place where a coupling is assembled.
     pub fn target(&self, row: Place, column: Place) -> Target {
         match (row, column) {
             (Place::Front(a), Place::Front(b)) => Target::store(a.max(b) + a.min(b) * self.stride()),
@@ -60,11 +60,11 @@ impl GeneralLayout {
     }
 }
 
-/// The numbers of a front while it is factorised.
+/// The values of a front while it is factorised.
 pub struct FrontNumbers<'a> {
-    /// What is kept for the solves.
+    /// Values that are kept for the solves.
     pub store: &'a mut [f64],
-    /// What is passed on.
+    /// Values that are passed to the previous stage.
     pub schur: &'a mut [f64],
     /// Sums of the absolute values of the terms of the diagonal entries: front, padded, and separator.
     pub scale: &'a mut [f64],
@@ -72,7 +72,7 @@ pub struct FrontNumbers<'a> {
     pub pivots: Pivots<'a>,
 }
 
-/// Factors of a front, and the rows of the matrix that it solves for.
+/// Factors of a front and its rows in the matrix.
 #[derive(Clone, Copy)]
 pub struct FrontFactors<'a> {
     pub store: &'a [f64],
@@ -89,10 +89,10 @@ pub struct FrontFactors<'a> {
 pub struct SolveGeneral<'a> {
     pub layout: GeneralLayout,
     pub factors: FrontFactors<'a>,
-    /// Right-hand side or solution, by the rows of the matrix. Between the two sweeps the front's rows hold those of
+    /// Right-hand side or solution, by row of the matrix. Between the two sweeps the front's rows hold the values of
     /// its pivots.
     pub values: &'a mut [f64],
-    /// At least the panel's rows.
+    /// Scratch, at least as long as a column of the panel.
     pub work: &'a mut [f64],
     pub backward: bool,
 }

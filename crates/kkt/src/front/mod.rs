@@ -1,4 +1,4 @@
-//! A stage's front, all scenarios and the reference together: how it is assembled, and two ways to factorise it.
+//! A stage's front, which covers the reference and all scenarios: its assembly and two ways to factorise it.
 
 pub mod assembly;
 pub mod bunch_kaufman;

@@ -1,11 +1,11 @@
-//! Numbers of the fast path: see [`crate::front::poses`].
+//! Numerical part of the fast path: see [`crate::front::poses`].
 
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::front::poses::{LARGEST_POSE, PoseBlock, PoseLayout};
 use crate::kernel::{SubtractProduct, dot, padded, subtract_columns};
 
-/// A pivot of `J` below this part of its largest entry leaves the elimination of the poses to a general front.
+/// If a pivot of `J` is below this fraction of its largest entry, the front takes the general path.
 const SMALLEST_PIVOT: f64 = 1e-6;
 
 impl PoseLayout {
@@ -46,8 +46,8 @@ impl PoseBlock {
     }
 }
 
-/// Inverts a small column-major matrix in place by Gauss and Jordan's method with row exchanges; false when it is
-/// close to singular.
+/// Inverts a small column-major matrix in place by Gauss-Jordan elimination with row exchanges; false when it is close
+/// to singular.
 fn invert(matrix: &mut [f64], size: usize) -> bool {
     let largest = matrix.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
     let mut exchanged = [0; LARGEST_POSE];
@@ -59,7 +59,7 @@ fn invert(matrix: &mut [f64], size: usize) -> bool {
             }
         }
         let value = matrix[best + pivot * size];
-        // Written so that a pivot that is not a number fails too.
+        // Written so that NaN fails too.
         if !(value.abs() > SMALLEST_PIVOT * largest && value.is_finite()) {
             return false;
         }
@@ -97,7 +97,7 @@ pub struct EliminatePoses<'a> {
     pub work: &'a mut [f64],
 }
 
-/// Numbers of scratch that an elimination needs.
+/// Length of the scratch of an elimination.
 pub fn work_length(layout: &PoseLayout) -> usize {
     let widest = layout.blocks.iter().map(|block| block.columns.len()).max().unwrap_or(0);
     layout.rest.stride() * (layout.poses + widest) + padded(widest) * layout.poses
@@ -182,7 +182,7 @@ impl EliminatePoses<'_> {
         }
     }
 
-    /// Adds a column, and the row that mirrors it, to the lower triangle of what is left.
+    /// Adds a column and its mirrored row to the lower triangle of the rest.
     fn add_symmetrically(&mut self, column: usize, product: &[f64]) {
         let rest = self.layout.rest;
         let (stride, separator, width) = (rest.stride(), padded(rest.order), padded(rest.separator));
@@ -220,10 +220,10 @@ pub struct SolvePoses<'a> {
     pub front: &'a [usize],
     /// Rows of the separator.
     pub separator: &'a [usize],
-    /// Right-hand side or solution, by the rows of the matrix. Between the two sweeps the multipliers' rows hold
+    /// Right-hand side or solution, by row of the matrix. Between the two sweeps the rows of the multipliers hold
     /// `J^{-1} b_y`.
     pub values: &'a mut [f64],
-    /// Rows of the rest's panel and three times the poses.
+    /// Scratch: rows of the rest's panel and three times the number of pose coordinates.
     pub work: &'a mut [f64],
     pub backward: bool,
 }

@@ -8,10 +8,10 @@
 //! [ B  C   A  ]
 //! ```
 //!
-//! With `T = C J^{-T}` the kinematics give `q = J^{-1} b_y - T' r`, and what is left of the rest is
-//! `A - T G' - G T'` with `G = B - T H / 2`: no pivoting, no fill outside of `A`, and as many negative eigenvalues as
-//! poses. This needs a zero in place of `y`'s diagonal; with a perturbation there, as in the restoration phase, the
-//! front is factorised as one dense block.
+//! With `T = C J^{-T}` the kinematics give `q = J^{-1} b_y - T' r`, and the Schur complement of the rest is
+//! `A - T G' - G T'` with `G = B - T H / 2`. This needs no pivoting and causes no fill outside `A`. The
+//! number of negative eigenvalues is the number of pose coordinates. The diagonal block of `y` must be zero: if it is
+//! perturbed, as in the restoration phase, the front is factorised as one dense block.
 
 use crate::front::assembly::{Place, Target};
 use crate::front::general::GeneralLayout;
@@ -31,9 +31,9 @@ pub struct PoseBlock {
     pub size: usize,
     /// Rows of the rest that its kinematics are coupled with.
     pub columns: Vec<usize>,
-    /// Where `J^{-1}` is stored, column-major.
+    /// Start of `J^{-1}`, column-major.
     pub inverse: usize,
-    /// Where `T` is stored: a column for every coordinate.
+    /// Start of `T`, a column for every coordinate.
     pub coupling: usize,
 }
 
@@ -49,19 +49,19 @@ impl PoseBlock {
     }
 }
 
-/// A stage's numbers on the fast path: the panel of the rest, then what belongs to the poses.
+/// Layout of a stage's values on the fast path: the panel of the rest, then the values of the poses.
 #[derive(Debug)]
 pub struct PoseLayout {
     /// Number of pose coordinates.
     pub poses: usize,
-    /// The rest: front without poses and their multipliers, and separator.
+    /// The rest: the front without poses and their multipliers, and the separator.
     pub rest: GeneralLayout,
     pub blocks: Vec<PoseBlock>,
-    /// Where `B` is stored: a column of the rest's rows for every coordinate.
+    /// Start of `B`: a column of the rest's rows for every coordinate.
     pub coupling: usize,
-    /// Where `H` is stored, with a padded stride.
+    /// Start of `H`, with a padded stride.
     pub hessian: usize,
-    /// End of all numbers.
+    /// Number of values.
     pub store: usize,
     /// Entries of `J` and `C`: target, position in the matrix.
     pub kinematics: Vec<(u32, u32)>,
@@ -130,7 +130,7 @@ impl PoseLayout {
         Some(())
     }
 
-    /// Files an entry of the kinematics; `None` when it has no place in the form above.
+    /// Assigns an entry of the kinematics to its place; `None` when the form above has none.
     fn add_kinematics(&mut self, row: Place, column: Place, source: usize) -> Option<()> {
         let (row, column) = (self.part(row), self.part(column));
         let (multiplier, other) = match (row, column) {
@@ -159,7 +159,7 @@ impl PoseLayout {
         [row, column].iter().any(|&place| matches!(self.part(place), Part::Multiplier(_)))
     }
 
-    /// Where a coupling is assembled; `None` when it has no place in the form above.
+    /// Place where a coupling is assembled; `None` when the form above has none.
     pub fn target(&self, row: Place, column: Place) -> Option<Target> {
         let stride = self.rest.stride();
         match (self.part(row), self.part(column)) {
@@ -199,7 +199,7 @@ impl PoseLayout {
     }
 }
 
-/// What a place is on the fast path.
+/// Role of a place on the fast path.
 #[derive(Clone, Copy)]
 enum Part {
     Pose(usize),

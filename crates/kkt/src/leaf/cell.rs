@@ -4,7 +4,7 @@ use pulp::Simd;
 
 use crate::pivot::{BUNCH_KAUFMAN, Breakdown, Pivot, inverse};
 
-/// A cell's numbers. Block and rows are the matrix's at first; then the block's columns hold `L` and the rows are
+/// A cell's values. Block and rows hold those of the matrix at first; later the block holds `L` and the rows are
 /// `Y = L^{-1} P B`.
 pub struct CellNumbers<'a> {
     /// Square, column-major, full.
@@ -14,7 +14,7 @@ pub struct CellNumbers<'a> {
     pub width: usize,
     /// Whether a row has nonzeros.
     pub filled: &'a mut [bool],
-    /// Which row stands at each place.
+    /// The row at each place.
     pub order: &'a mut [u32],
     /// Diagonal of `D^{-1}`.
     pub diagonal: &'a mut [f64],
@@ -48,7 +48,7 @@ impl CellNumbers<'_> {
         Ok(negative)
     }
 
-    /// The largest entry of a column among the rows from `next`, without the diagonal.
+    /// The largest off-diagonal entry of a column in the rows from `next` on.
     #[inline(always)]
     fn largest(&self, column: usize, next: usize) -> (usize, f64) {
         let count = self.order.len();
@@ -62,7 +62,7 @@ impl CellNumbers<'_> {
         best
     }
 
-    /// Brings the next pivot to its place.
+    /// Moves the next pivot to its place.
     #[inline(always)]
     fn choose(&mut self, next: usize) -> Pivot {
         let count = self.order.len();
@@ -113,7 +113,7 @@ impl CellNumbers<'_> {
             for column in next + 1..count {
                 self.block[row + column * count] -= factor * self.block[next + column * count];
             }
-            // The row of the pivot stays as it was, so that the column can become `L` at once.
+            // The pivot's row is left unchanged, so that its column can be overwritten by `L` right away.
             self.block[row + next * count] = factor;
             self.scale[row] += (factor * entry).abs();
             self.subtract_row(simd, row, next, factor);

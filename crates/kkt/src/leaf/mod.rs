@@ -1,9 +1,9 @@
 //! Leaves: contact forces, slacks and their multipliers of one stage and scenario, eliminated before the front.
 //!
-//! A leaf falls apart into cells that are not coupled with each other, one or two for each pair. A cell is eliminated
-//! with pivots from within itself (Bunch-Kaufman, so that a force and its multiplier become a 2x2 pivot where
-//! smoothing leaves them without diagonal), and leaves a symmetric update of the states at its boundary. The rows `Y`
-//! of all cells are collected, so that a leaf needs one product `Y' D^{-1} Y`.
+//! A leaf consists of independent cells, one or two for each pair. A cell is eliminated with pivots from within itself
+//! (Bunch-Kaufman, so that a force and its multiplier become a 2x2 pivot where smoothing leaves them without diagonal),
+//! and leaves a symmetric update of the states at its boundary. The rows `Y` of all cells are collected, so that a leaf
+//! needs one product `Y' D^{-1} Y`.
 
 pub mod cell;
 pub mod solve;
@@ -13,14 +13,14 @@ use crate::grouping::{Group, Grouping, Role};
 use crate::kernel::padded;
 use crate::label::Label;
 
-/// Rows that are coupled among each other.
+/// Rows of a leaf that are coupled with each other.
 #[derive(Debug)]
 pub struct Cell {
     /// Its first row in the leaf.
     pub first: usize,
     /// Number of rows.
     pub order: usize,
-    /// First number of its square block.
+    /// Start of its square block.
     pub block: usize,
 }
 
@@ -32,9 +32,9 @@ pub struct Leaf {
     pub cells: Vec<Cell>,
     /// Rows of fronts that it is coupled with.
     pub boundary: Vec<usize>,
-    /// Padded number of them: length of a row of `Y`.
+    /// Padded length of the boundary, and so of a row of `Y`.
     pub width: usize,
-    /// Numbers of all blocks, padded.
+    /// Padded number of values of all blocks.
     pub blocks: usize,
     /// Entries of the matrix: target in the blocks and, behind them, the rows of the boundary; source.
     pub entries: Vec<(u32, u32)>,
@@ -42,18 +42,18 @@ pub struct Leaf {
     pub filled: Vec<bool>,
     /// Number of multipliers.
     pub multipliers: usize,
-    /// Where its numbers start.
+    /// Start of its values in the stores.
     pub offset: Offset,
 }
 
-/// Where the numbers of a leaf are in the stores of all leaves.
+/// Start of a leaf's values in the stores of all leaves.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Offset {
-    /// In those with a number for every row.
+    /// In the stores with one value per row.
     pub rows: usize,
-    /// In that of the blocks.
+    /// In the store of the blocks.
     pub blocks: usize,
-    /// In that of the rows of `Y`.
+    /// In the store of the rows of `Y`.
     pub panel: usize,
 }
 
@@ -94,7 +94,7 @@ impl Leaf {
         Self { rows, cells, boundary, width, blocks, entries, filled, multipliers, offset }
     }
 
-    /// Numbers of a row of `Y` for every row.
+    /// Number of values of the rows of `Y`.
     pub fn panel(&self) -> usize {
         self.rows.len() * self.width
     }
@@ -116,7 +116,7 @@ fn split_into_cells(group: &Group, grouping: &Grouping) -> (Vec<usize>, Vec<Cell
     for entry in &group.entries {
         if let (Role::Leaf(_, row), Role::Leaf(_, column)) = (grouping.role[entry.row], grouping.role[entry.column]) {
             let (first, second) = (root(&mut parent, row), root(&mut parent, column));
-            // The earlier row stands for the cell, so that cells stay in the order of their first rows.
+            // The earliest row represents the cell, so that cells keep the order of their first rows.
             parent[first.max(second)] = first.min(second);
         }
     }

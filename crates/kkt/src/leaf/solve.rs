@@ -7,19 +7,19 @@ use crate::leaf::store::LeafStore;
 use crate::leaf::{Cell, Leaf};
 use crate::pivot::apply_inverse;
 
-/// Solves with a leaf's `L` and takes its part off the boundary, or the other way round with `L'`.
+/// One sweep of a solve through a leaf: forward with `L`, which updates the boundary, or backward with `L'`.
 pub struct SolveLeaf<'a> {
     pub leaf: &'a Leaf,
     pub store: &'a LeafStore,
-    /// Right-hand side or solution, by the rows of the matrix. Between the two sweeps the leaf's rows hold those of
-    /// its pivots.
+    /// Right-hand side or solution, by row of the matrix. Between the two sweeps the leaf's rows hold the values of its
+    /// pivots.
     pub values: &'a mut [f64],
     /// See [`work_length`].
     pub work: &'a mut [f64],
     pub backward: bool,
 }
 
-/// Numbers of scratch that a solve needs: boundary, pivots, rows of the panel.
+/// Length of the scratch of a solve: boundary, pivots, rows of the panel.
 pub fn work_length(leaf: &Leaf) -> usize {
     leaf.width + 2 * leaf.rows.len()
 }

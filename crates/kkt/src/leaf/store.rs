@@ -1,4 +1,4 @@
-//! Numbers of the leaves: elimination of all their cells, and the update of the boundary.
+//! Values of the leaves: elimination of all their cells and the update of the boundary.
 
 use pulp::{Arch, Simd, WithSimd};
 
@@ -12,7 +12,7 @@ use crate::pivot::Breakdown;
 pub struct LeafStore {
     /// Columns of `L`, cell by cell.
     pub blocks: Aligned,
-    /// Rows of `Y` that have nonzeros, side by side for every leaf.
+    /// Rows of `Y` that have nonzeros, consecutive for every leaf.
     pub panel: Aligned,
     /// `D^{-1}`
     pub diagonal: Vec<f64>,
@@ -21,12 +21,12 @@ pub struct LeafStore {
     pub rows: Vec<u32>,
     /// Pivot of every row of a leaf's panel.
     pub panel_pivot: Vec<u32>,
-    /// Number of rows of a leaf's panel, where the leaf starts.
+    /// Number of rows of a leaf's panel, stored at the start of the leaf.
     pub panel_rows: Vec<u32>,
 }
 
 impl LeafStore {
-    /// Room for all leaves.
+    /// Allocates the factors of all leaves.
     pub fn new(end: Offset) -> Self {
         Self {
             blocks: Aligned::new(end.blocks),
@@ -58,7 +58,7 @@ pub struct LeafWork {
 }
 
 impl LeafWork {
-    /// Room for a leaf.
+    /// Makes room for a leaf.
     pub fn reserve(&mut self, leaf: &Leaf) {
         self.numbers.reserve(leaf.blocks + leaf.panel());
         self.scaled.reserve(leaf.panel());

@@ -1,4 +1,4 @@
-//! Random matrices with the structure of a transcribed assembly problem, and dense linear algebra to judge by.
+//! Random matrices with the structure of a transcribed assembly problem, and dense linear algebra as the reference.
 
 #![allow(dead_code, reason = "no test file uses all of it")]
 
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 const POSE: usize = 7;
 const TWIST: usize = 6;
 
-/// What a random matrix looks like.
+/// Shape of a random matrix.
 #[derive(Debug, Clone)]
 pub struct Shape {
     pub stages: usize,
@@ -24,7 +24,7 @@ pub struct Shape {
     pub seed: u64,
 }
 
-/// All kinds of shapes whose eigenvalues can be counted in no time.
+/// Shapes small enough for a dense eigenvalue solver.
 pub fn shapes() -> impl Strategy<Value = Shape> {
     let sizes = (1..4_usize, 1..4_usize, 0..4_usize);
     let delta_w = prop_oneof![Just(0.0), Just(1.0), Just(20.0), Just(1e4)];
@@ -52,7 +52,7 @@ pub struct System {
 }
 
 impl System {
-    /// The matrix of a step of an interior point method, with random numbers of very different sizes.
+    /// The matrix of a step of an interior-point method, with random values of very different magnitudes.
     pub fn random(shape: &Shape) -> Self {
         let mut system = Self::default();
         let mut random = Random(shape.seed);
@@ -228,7 +228,7 @@ impl System {
         }
     }
 
-    /// Random numbers in a part of a block's places; blocks on the diagonal have their lower triangle.
+    /// Random values in a fraction of a block's entries; of diagonal blocks in the lower triangle.
     fn add_block(
         &mut self,
         (row, height): (usize, usize),
@@ -265,7 +265,7 @@ struct TrajectoryRows {
     product: usize,
 }
 
-/// Numbers that look random and are the same everywhere (splitmix).
+/// Pseudorandom numbers that are the same on every machine (splitmix).
 pub struct Random(pub u64);
 
 impl Random {

@@ -9,7 +9,7 @@ pub struct Product {
     pub x: [f64; 4],
     pub points: usize,
     pub panics: bool,
-    /// No value where the first variable exceeds this.
+    /// Evaluation fails where the first variable exceeds this.
     pub wall: Option<f64>,
     pub wrong_hessian: bool,
 }

@@ -1,4 +1,5 @@
-//! Frictionless contact (Eq. ts, Eq. ts3) with relaxed or smoothed complementarity.
+//! Frictionless contact (Eq. ts, Eq. ts3): with the gap `a = Phi + dt n~' v` of a pair, `a >= 0`, `lambda_n >= 0` and
+//! `a lambda_n <= sigma` (Scholtes' relaxation) or `a lambda_n = sigma` (smoothing).
 
 use autodiff::{Expression, Tape};
 use kkt::Class;
@@ -12,12 +13,12 @@ use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
 
 /// Variables: normal force `lambda_n` of every pair in the step that leads to a stage (N).
 pub const CONTACT_FORCE: &str = "contact force";
-/// Rows: linearised gap `a >= 0` of every pair (Eq. ts3).
+/// Rows: linearised gap `a` of every pair.
 pub const GAP: &str = "gap";
-/// Rows: complementarity product `a lambda_n` of every pair (Eq. ts3).
+/// Rows: product `a lambda_n` of every pair.
 pub const PRODUCT: &str = "complementarity product";
 
-/// Gap, complementarity and normal force of every pair.
+/// Normal force, gap and complementarity of every pair.
 pub struct Contacts {
     time_step: f64,
     inertia: Inertia,
@@ -28,7 +29,7 @@ pub struct Contacts {
 }
 
 impl Contacts {
-    /// For all pairs of a task.
+    /// The contacts of all pairs of a task.
     pub fn new(task: &AssemblyTask, complementarity: Complementarity) -> Self {
         Self {
             time_step: task.horizon.time_step,
@@ -70,8 +71,9 @@ impl StepTerm for Contacts {
         Points::Pairs
     }
 
-    /// Inputs twist (6), contact force and contact information `(Phi, n~)` (7) at the pose before the step. Outputs what
-    /// the pair adds to the velocity defect, `-dt M^-1 n~ lambda_n` (6), the gap `a = Phi + dt n~' v` and the product
+    /// Inputs twist (6), contact force and contact information `(Phi, n~)` (7) at the pose before the step. Outputs
+    /// what the pair adds to the velocity defect, `-dt M^-1 n~ lambda_n` (6), the gap `a = Phi + dt n~' v` and the
+    /// product
     /// `a lambda_n`.
     fn tape(&self) -> Tape {
         Tape::record(TWIST + 1 + CONTACT, |inputs| {

@@ -1,4 +1,4 @@
-//! States, the kinematics of the reference and the dynamics of every scenario without contact.
+//! States, kinematics of the reference, and dynamics of the scenarios without contact.
 
 use autodiff::{Expression, Tape};
 use kkt::{Class, Owner};
@@ -11,16 +11,17 @@ use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
 
 /// Variables: pose (7).
 pub const POSE_VARIABLES: &str = "pose";
-/// Variables: twist (6), directly behind the pose.
+/// Variables: twist (6); it follows the pose.
 pub const TWIST_VARIABLES: &str = "twist";
-/// Rows: defect of the reference's kinematics (7, Eq. discretizedOCP).
+/// Rows: kinematic defect of the reference (7, Eq. discretizedOCP), `q - q_prev - dt Q(q_prev) v`.
 pub const REFERENCE_KINEMATICS: &str = "reference kinematics";
-/// Rows: defect of a scenario's pose (7, Eq. ts1).
+/// Rows: pose defect of a scenario (7, Eq. ts1), `q - q_prev - dt Q(q) v`.
 pub const POSE_DYNAMICS: &str = "pose dynamics";
-/// Rows: defect of a scenario's twist (6, Eq. ts), `v - v_prev - dt M^-1 w` with the sum `w` of all wrenches.
+/// Rows: velocity defect of a scenario (6, Eq. ts), `v - v_prev - dt M^-1 w`, with the sum `w` of the wrenches of all
+/// terms.
 pub const VELOCITY_DYNAMICS: &str = "velocity dynamics";
 
-/// The reference: its states and kinematics.
+/// States and kinematics of the reference.
 pub struct ReferenceKinematics {
     time_step: f64,
     start: [f64; STATE],
@@ -28,7 +29,7 @@ pub struct ReferenceKinematics {
 }
 
 impl ReferenceKinematics {
-    /// Of a task.
+    /// The kinematics of a task.
     pub fn new(task: &AssemblyTask) -> Self {
         Self { time_step: task.horizon.time_step, start: at_rest(&task.start), limits: task.limits }
     }
@@ -69,7 +70,7 @@ impl StepTerm for ReferenceKinematics {
     }
 }
 
-/// The scenarios: their states and their dynamics without contact.
+/// States and dynamics of the scenarios, without contact.
 pub struct CompliantDynamics {
     time_step: f64,
     inertia: Inertia,
@@ -81,7 +82,7 @@ pub struct CompliantDynamics {
 }
 
 impl CompliantDynamics {
-    /// Of a task.
+    /// The dynamics of a task.
     pub fn new(task: &AssemblyTask) -> Self {
         Self {
             time_step: task.horizon.time_step,
@@ -111,8 +112,10 @@ impl StepTerm for CompliantDynamics {
     }
 
     /// Inputs previous state, state and reference state (13 each) and offset (3). Outputs the pose defect
-    /// `q - q_prev - dt Q(q) v` (7, Eq. ts1) and the velocity defect `v - v_prev - dt M^-1 w` (6, Eq. ts) with the
-    /// impedance wrench `w` (Eq. impedancewrench).
+    /// `q - q_prev - dt Q(q) v` (7) and the velocity defect `v - v_prev - dt M^-1 J` (6) with the impedance wrench `J`
+    /// (Eq. impedancewrench). At the pose `(rho, xi) = P_q(q, offset)` that wrench has the force
+    /// `K_t (rho_r - rho) + D_t (nu_r - nu)` and the torque `2 eta K_r eps + D_r (omega_r - omega)`, where
+    /// `(eta, eps) = xi^-1 (x) xi_r`.
     fn tape(&self) -> Tape {
         Tape::record(3 * STATE + 3, |inputs| {
             let (previous, rest) = inputs.split_at(STATE);
@@ -148,12 +151,12 @@ impl StepTerm for CompliantDynamics {
     }
 }
 
-/// Compliant states at the start, one per scenario: the body rests where the offset puts it.
+/// Compliant states at the start, one per scenario: at rest at the pose `P_q^-1(start, offset)`.
 pub fn initial_states(task: &AssemblyTask) -> Vec<[f64; STATE]> {
     task.offsets.iter().map(|offset| at_rest(&task::pose::without_offset(&task.start, offset))).collect()
 }
 
-/// `M^-1` times a wrench.
+/// `M^-1` times a wrench: the acceleration (6).
 pub fn accelerate<'tape>(inertia: &Inertia, wrench: &[Expression<'tape>; TWIST]) -> [Expression<'tape>; TWIST] {
     let inverse = inertia.rotational.try_inverse().expect("a validated rotational inertia is positive definite");
     let rotational = apply(&inverse, &wrench[3..]);
@@ -178,7 +181,7 @@ fn kinematic_defect<'tape>(
     defects
 }
 
-/// Pose and twist; limited velocities are bounds.
+/// Pose and twist; limits of velocities are bounds on the twist.
 fn state_variables(owners: Owners, limits: &Limits) -> Vec<Block> {
     let mut largest = [f64::INFINITY; TWIST];
     for (axis, limit) in limits.velocities() {
@@ -191,7 +194,7 @@ fn state_variables(owners: Owners, limits: &Limits) -> Vec<Block> {
     ]
 }
 
-/// Rows of equalities that are zero.
+/// Rows of equalities with the value zero.
 fn defects(name: &'static str, owners: Owners, class: Class, count: usize) -> Block {
     Block { name, owners, class, per_pair: false, bounds: Bounds::uniform(count, 0.0, 0.0) }
 }

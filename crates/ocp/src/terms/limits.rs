@@ -1,4 +1,4 @@
-//! Limits of accelerations and wrenches. Those of velocities and contact forces are bounds of variables.
+//! Limits of accelerations and wrenches. Limits of velocities and contact forces are bounds on variables.
 
 use autodiff::Tape;
 use kkt::Class;
@@ -47,7 +47,7 @@ impl StepTerm for AccelerationLimits {
 
     fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source {
         match input {
-            // Everything starts at rest.
+            // All trajectories start at rest.
             0..TWIST if point.stage == 1 => Source::Constant(0.0),
             0..TWIST => Source::Variable(layout.state(point.stage - 1, point.owner) + POSE + input),
             _ => Source::Variable(layout.state(point.stage, point.owner) + POSE + input - TWIST),
@@ -84,8 +84,8 @@ impl StepTerm for WrenchLimits {
         Points::Stages(Owners::Scenarios)
     }
 
-    /// Inputs reference state (13), compliant state (13) and offset (3); outputs the limited axes of the impedance wrench
-    /// (Eq. impedancewrench): force (axes 0 to 2, world frame, N) and torque (3 to 5, body frame, Nm).
+    /// Inputs reference state (13), compliant state (13) and offset (3); outputs the limited axes of the impedance
+    /// wrench (Eq. impedancewrench): force (axes 0 to 2, world frame, N) and torque (3 to 5, body frame, Nm).
     fn tape(&self) -> Tape {
         Tape::record(2 * STATE + 3, |inputs| {
             let (reference, rest) = inputs.split_at(STATE);

@@ -15,7 +15,7 @@ use contacts::Contacts;
 use dynamics::{CompliantDynamics, ReferenceKinematics};
 use limits::{AccelerationLimits, WrenchLimits};
 
-/// The terms of a task. A new one is a file and a line here; the order is that of declaration and accumulation.
+/// The terms of a task. Every term has a file and a line here. The order is that of their blocks and of accumulation.
 pub fn standard_terms(task: &AssemblyTask, complementarity: Complementarity) -> Vec<Box<dyn StepTerm>> {
     vec![
         Box::new(ReferenceKinematics::new(task)),

@@ -1,4 +1,4 @@
-//! Viscous drag in every scenario, `f = -c nu`: adds to the velocity dynamics and has no rows of its own.
+//! Viscous drag in every scenario, `f = -c nu`, which is added to the velocity dynamics; the term has no rows.
 
 use autodiff::Tape;
 use ocp::{Layout, Owners, Point, Points, Source, StepTerm, VELOCITY_DYNAMICS};

@@ -1,6 +1,7 @@
-//! Regularised Coulomb friction: the force `f = -mu lambda |n| v_t / sqrt(|v_t|^2 + eps^2)` adds to the velocity dynamics
-//! and has neither rows nor variables of its own. It is nonlinear in the contact information and depends on the pose
-//! before the step directly too. Parts are taken to touch at the origin of the world, and the body to turn little.
+//! Regularised Coulomb friction: the force `f = -mu lambda |n| v_t / sqrt(|v_t|^2 + eps^2)` is added to the velocity
+//! dynamics; the term has neither rows nor variables. It is nonlinear in the contact information and also depends on
+//! the pose before the step directly. Simplified: parts touch at the origin of the world, rotations of the body are
+//! small.
 
 use autodiff::{Expression, Tape};
 use ocp::{CONTACT, CONTACT_FORCE, Layout, Point, Points, Source, StepTerm, VELOCITY_DYNAMICS};

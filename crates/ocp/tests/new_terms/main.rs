@@ -1,5 +1,5 @@
-//! A new term is a file and a line where a transcription takes it: three that no plan uses, with right derivatives and
-//! solved by the stage solver.
+//! A new term needs one file and one line of registration: three terms that exist for tests only have exact derivatives
+//! and are solved by the stage solver.
 
 mod drag;
 mod friction;
@@ -44,7 +44,7 @@ fn assert_derivatives(mut problem: Transcription) {
     check_derivatives(&mut problem, &x, &multipliers, 1e-6).unwrap().assert_within(1e-5);
 }
 
-/// Solves with the stage solver, which must need no other; returns the objective.
+/// Solves with the stage solver, which must not fall back on the general one; returns the objective.
 fn solve(mut problem: Transcription) -> f64 {
     let mut options = Options::default();
     options.set("tol", 1e-2);

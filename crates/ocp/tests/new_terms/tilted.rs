@@ -1,5 +1,5 @@
-//! Two contacts beside every pair's own, with the same gap and normals tilted to both sides: variables and rows of its
-//! own, two to a pair, and a share of the velocity dynamics.
+//! Two more contacts per pair, with the same gap and with normals tilted to both sides. The term has variables and
+//! rows, two of each kind per pair, and adds to the velocity dynamics.
 
 use autodiff::{Expression, Tape};
 use kkt::Class;
