@@ -32,7 +32,9 @@ pub use iteration::{Fallbacks, IterationRecord, Split, StageSolverRecord};
 pub use manifest::{Cell, Manifest};
 pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
-pub use rollouts::{OffsetRow, RolloutRow, SuccessRow, read_offsets, require_rollout_tables, write_rollout_tables};
+pub use rollouts::{
+    OffsetRow, RolloutRow, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables, write_rollout_tables,
+};
 pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result};
 pub use table::{Value, read_csv, to_csv};
 pub use trajectory::StateRow;
