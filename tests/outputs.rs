@@ -38,7 +38,7 @@ fn an_older_plan_survives_a_solve_that_is_refused() {
         ("solve corner.toml --homotopy gone.toml --out out", "gone.toml"),
         ("solve corner.toml --iterations 3 --out out", "--iterations"),
         ("solve corner.toml --start 9 --out out", "there is no start `9`"),
-        ("solve corner.toml --delta -1 --out out", "delta"),
+        ("solve corner.toml --delta -1 --out out", "offset magnitude"),
         ("solve corner.toml --robust --wanted-rate 2 --out out", "--wanted-rate"),
         ("solve corner.toml --robust --friction 0,0 --out out", "friction = 0: is given twice"),
         ("solve gone.toml --out out", "gone.toml"),
@@ -80,9 +80,8 @@ fn a_plan_that_a_killed_run_was_moving_in_is_moved_in_by_the_next_one() {
     dir.run("solve corner.toml --homotopy short.toml --out newer").code(0);
     let files: Vec<String> = dir.result("newer")["files"].as_object().unwrap().keys().cloned().collect();
     let newer = |dir: &Dir| {
-        let relative = |name: &std::path::PathBuf, folder: &str| {
-            name.strip_prefix(dir.path(folder)).unwrap().to_owned()
-        };
+        let relative =
+            |name: &std::path::PathBuf, folder: &str| name.strip_prefix(dir.path(folder)).unwrap().to_owned();
         let of = |folder: &str| -> Vec<_> {
             dir.snapshot(folder).into_iter().map(|(name, content)| (relative(&name, folder), content)).collect()
         };
@@ -134,10 +133,11 @@ fn an_older_plan_survives_a_full_disk() {
 fn a_folder_that_cannot_be_made_is_said_before_anything_is_solved() {
     let dir = Dir::new();
     let before = dir.snapshot("");
-    for out in ["corner.toml/out", "/proc/out"] {
-        let run = dir.run(&format!("solve corner.toml --out {out}")).code(3).says("cannot be written").says(out);
-        assert!(!run.has("homotopy iteration"), "{run:?}");
-    }
+    dir.run("solve corner.toml --out /proc/out")
+        .code(3)
+        .says("/proc/out: cannot be written")
+        .keeps_silent_about("homotopy iteration");
+    refused(&dir, "solve corner.toml --out corner.toml/out", "corner.toml/out: corner.toml is a file; choose another");
     assert!(dir.snapshot("") == before);
 }
 
@@ -195,7 +195,6 @@ fn inputs_are_never_replaced() {
     refused(&dir, "solve corner.toml --homotopy other/stages/1/reference.csv --out other", "choose another --out");
     refused(&dir, "solve corner.toml --out corner.toml", "corner.toml: is a file; name a folder with --out");
     refused(&dir, "solve corner.toml --out /", "cannot be the folder of a plan");
-    refused(&dir, "solve corner.toml --out ..", "choose another --out");
     dir.copy("corner.toml", "inside/resolved.toml");
     dir.copy("homotopy.toml", "inside/homotopy.toml");
     let inside = TestCommand::new(&dir.path("inside"), "solve resolved.toml --out .");

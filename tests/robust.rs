@@ -50,11 +50,10 @@ fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
     let result = dir.result("out");
     let robust = &result["robust"];
     assert!(number(robust, "rate_after") >= 0.01, "the average holds");
-    assert_eq!((&robust["reached"], &result["done"], &result["goal_reached"]), (
-        &false.into(),
-        &false.into(),
-        &false.into()
-    ));
+    assert_eq!(
+        (&robust["reached"], &result["done"], &result["goal_reached"]),
+        (&false.into(), &false.into(), &false.into())
+    );
     assert_ne!(result["status"], "done");
 }
 

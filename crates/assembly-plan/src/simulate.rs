@@ -4,7 +4,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use planner::files::{
-    RolloutRow, StateRow, StoredPlan, SuccessRow, require_rollout_tables, to_csv, write_file, write_rollout_tables,
+    RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_rollout_tables, to_csv, write_file,
+    write_rollout_tables,
 };
 use planner::{Choices, Motion, PlannerError, Problem, SimulationRequest, SuccessTable, simulate};
 use simulation::{Reference, Rollout, Success, TimedState};
@@ -125,6 +126,9 @@ fn require_free(arguments: &SimulateArguments, folder: &Path) -> Result<(), Plan
     match &arguments.trace {
         Some(file) if file.symlink_metadata().is_ok() => {
             Err(PlannerError::file(file, "exists, and a trace replaces nothing; choose another name for --trace"))
+        }
+        Some(file) if is_rollout_table(file, folder) => {
+            Err(PlannerError::file(file, "is a table of this simulation; choose another name for --trace"))
         }
         _ => Ok(()),
     }

@@ -1,7 +1,8 @@
 //! One plan of a problem: the homotopy, from where an earlier run has left it.
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration};
+use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, Transcription};
+use task::HomotopySettings;
 
 use crate::error::PlannerError;
 use crate::files::{Checkpoint, PlanFolder};
@@ -88,14 +89,19 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
         let trajectory = folder.read_iteration(number, &variant.task)?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
     };
-    match (1..).zip(&checkpoint.iterations).map(read).collect() {
-        Ok(iterations) => Ok(Some(Earlier { iterations, checkpoint })),
-        Err(_) => {
-            session.tell(Event::Discarded { reason: "its tables are damaged" });
-            folder.discard()?;
-            Ok(None)
+    let HomotopySettings { complementarity, hessian, .. } = variant.settings;
+    let layout = || Transcription::new(&variant.task, complementarity, hessian).layout();
+    let is_count = (1..=variant.settings.iterations).contains(&checkpoint.iterations.len());
+    let reason = match (1..).zip(&checkpoint.iterations).map(read).collect() {
+        Ok(iterations) if is_count && checkpoint.fits(&layout()) => {
+            return Ok(Some(Earlier { iterations, checkpoint }));
         }
-    }
+        Ok(_) => "its checkpoint is damaged",
+        Err(_) => "its tables are damaged",
+    };
+    session.tell(Event::Discarded { reason });
+    folder.discard()?;
+    Ok(None)
 }
 
 fn keep(

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use nlp::Iterate;
+use ocp::Layout;
 use serde::{Deserialize, Serialize};
 
 use crate::error::PlannerError;
@@ -59,6 +60,13 @@ impl Checkpoint {
     pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
         let json = serde_json::to_vec(self).map_err(|_| PlannerError::Internal("a checkpoint cannot be written"))?;
         write_file(&folder.join(CHECKPOINT), &json)
+    }
+
+    /// Whether the point is one of a problem of this size.
+    pub fn fits(&self, layout: &Layout) -> bool {
+        let (variables, constraints) = (layout.variable_count(), layout.constraint_count());
+        [&self.x, &self.lower_multipliers, &self.upper_multipliers].iter().all(|values| values.len() == variables)
+            && self.constraint_multipliers.len() == constraints
     }
 
     /// The primal-dual point where the next iteration starts.

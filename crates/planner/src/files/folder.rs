@@ -30,7 +30,7 @@ const REFINED: &str = "refined";
 pub struct PlanFolder {
     target: PathBuf,
     work: PathBuf,
-    _lock: File,
+    lock: File,
 }
 
 impl PlanFolder {
@@ -44,7 +44,7 @@ impl PlanFolder {
         let name = target.file_name().unwrap_or_default().to_string_lossy();
         let work = target.with_file_name(format!(".{name}.unfinished"));
         let lock = lock(&work, &target)?;
-        let folder = Self { target, work, _lock: lock };
+        let folder = Self { target, work, lock };
         if folder.whole().join(RESULT).exists() {
             // A run was killed while it moved a whole plan in.
             folder.move_in()?;
@@ -231,6 +231,18 @@ impl PlanFolder {
     }
 }
 
+/// Without unfinished work in it the working folder goes away with who has claimed it.
+impl Drop for PlanFolder {
+    fn drop(&mut self) {
+        let lock = self.work.join(LOCK);
+        let is_idle = fs::read_dir(&self.work).is_ok_and(|entries| entries.flatten().all(|entry| entry.path() == lock));
+        if is_idle && is_at(&self.lock, &lock) {
+            // What cannot be removed does no harm.
+            let _ = fs::remove_file(&lock).and_then(|()| fs::remove_dir(&self.work));
+        }
+    }
+}
+
 /// Writes the tables of homotopy iterations anew, each into a folder named after its number.
 fn write_iterations<'motion>(
     folder: &Path,
@@ -253,7 +265,13 @@ fn locate(target: &Path) -> Result<PathBuf, PlannerError> {
         Err(_) => {
             let name = target.file_name().ok_or_else(|| PlannerError::file(target, "is no name of a folder"))?;
             let parent = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-            fs::create_dir_all(parent).map_err(PlannerError::written(parent))?;
+            if parent.is_file() {
+                return Err(PlannerError::file(
+                    target,
+                    format!("{} is a file; choose another --out", parent.display()),
+                ));
+            }
+            fs::create_dir_all(parent).map_err(PlannerError::written(target))?;
             parent.canonicalize().map_err(PlannerError::written(parent))?.join(name)
         }
     };
@@ -272,7 +290,7 @@ fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
     }
     // A run that ends removes its lock. Who has opened it just before holds the lock of nothing and tries again.
     for _ in 0..10 {
-        fs::create_dir_all(work).map_err(PlannerError::written(work))?;
+        fs::create_dir_all(work).map_err(PlannerError::written(target))?;
         let file = match File::options().append(true).create(true).open(&path) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => continue,
             file => file.map_err(PlannerError::written(&path))?,

@@ -30,7 +30,9 @@ pub use folder::PlanFolder;
 pub use manifest::{Cell, Manifest};
 pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
-pub use rollouts::{OffsetRow, RolloutRow, SuccessRow, read_offsets, require_rollout_tables, write_rollout_tables};
+pub use rollouts::{
+    OffsetRow, RolloutRow, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables, write_rollout_tables,
+};
 pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result};
 pub use table::{Value, read_csv, to_csv};
 pub use trajectory::StateRow;

@@ -143,6 +143,15 @@ pub fn require_rollout_tables(folder: &Path) -> Result<(), PlannerError> {
     require_table::<SuccessRow>(&folder.join(SUCCESS))
 }
 
+/// Whether a file is, or would be, one of the tables of a simulation in a folder.
+pub fn is_rollout_table(file: &Path, folder: &Path) -> bool {
+    // A folder that is missing has no other name yet.
+    let place = |folder: &Path| folder.canonicalize().or_else(|_| std::path::absolute(folder)).ok();
+    let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let has_name = file.file_name().is_some_and(|name| name == ROLLOUTS || name == SUCCESS);
+    has_name && place(parent) == place(folder)
+}
+
 /// Writes the tables of a simulation into a folder, in the place of older ones.
 ///
 /// # Errors
