@@ -80,8 +80,8 @@ fn shape(
         return Ok((edge_lengths.span(), Polytope::from_box(*edge_lengths.get_ref())));
     }
     if let Some(mesh) = mesh {
-        let vertices = crate::mesh::vertices(source, mesh, scale(source, mesh, unit.as_ref())?)?;
-        return Ok((mesh.span(), Polytope::from_vertices(&vertices)));
+        let shape = crate::mesh::shape(source, mesh, scale(source, mesh, unit.as_ref())?)?;
+        return Ok((mesh.span(), Ok(shape)));
     }
     match (normals, offsets) {
         (Some(normals), Some(offsets)) => {
