@@ -82,7 +82,7 @@ fn shape<'text>(
     let shape = match key {
         "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
         "box" => Polytope::from_box(edge_lengths(&entry)?),
-        "mesh" => Polytope::from_vertices(&mesh(table, &entry)?),
+        "mesh" => Ok(mesh(table, &entry)?),
         _ => {
             let Some(offsets) = table.find("offsets") else {
                 return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
@@ -113,8 +113,8 @@ fn normals(entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
     }
 }
 
-/// Vertices of a mesh (m).
-fn mesh(table: &Table, entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
+/// Shape of a mesh (m).
+fn mesh(table: &Table, entry: &Entry) -> Result<Polytope, SceneError> {
     let file = Spanned::new(entry.span(), entry.text()?.to_owned());
     if file.get_ref().is_empty() {
         return Err(entry.refuse(format!("{} is empty", entry.path())));
@@ -122,7 +122,7 @@ fn mesh(table: &Table, entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
     let Some(unit) = table.find("unit") else {
         return Err(entry.refuse(format!("a mesh needs its `unit`: one of \"{}\"", UNITS.join("\", \""))));
     };
-    crate::mesh::vertices(entry.source(), &file, SCALES[unit.choice()?])
+    crate::mesh::shape(entry.source(), &file, SCALES[unit.choice()?])
 }
 
 fn values<T>(entries: Vec<Spanned<T>>) -> Vec<T> {
