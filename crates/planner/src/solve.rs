@@ -90,10 +90,10 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
     };
     let HomotopySettings { complementarity, hessian, .. } = variant.settings;
-    let layout = || Transcription::new(&variant.task, complementarity, hessian).layout();
+    let fits = || checkpoint.fits(Transcription::new(&variant.task, complementarity, hessian).layout());
     let is_count = (1..=variant.settings.iterations).contains(&checkpoint.iterations.len());
     let reason = match (1..).zip(&checkpoint.iterations).map(read).collect() {
-        Ok(iterations) if is_count && checkpoint.fits(&layout()) => {
+        Ok(iterations) if is_count && fits() => {
             return Ok(Some(Earlier { iterations, checkpoint }));
         }
         Ok(_) => "its checkpoint is damaged",
