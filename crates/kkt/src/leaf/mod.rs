@@ -1,11 +1,11 @@
 //! Leaves: contact forces, slacks and their multipliers of one stage and scenario, eliminated before the front.
 //!
-//! A leaf consists of independent cells, one or two for each pair. A cell is eliminated with pivots from within itself
+//! A leaf consists of independent clusters, one or two for each pair. A cluster is eliminated with pivots from within itself
 //! (Bunch-Kaufman, so that a force and its multiplier become a 2x2 pivot where smoothing leaves them without diagonal),
-//! and leaves a symmetric update of the states at its boundary. The rows `Y` of all cells are collected, so that a leaf
+//! and leaves a symmetric update of the states at its boundary. The rows `Y` of all clusters are collected, so that a leaf
 //! needs one product `Y' D^{-1} Y`.
 
-pub mod cell;
+pub mod cluster;
 pub mod solve;
 pub mod store;
 
@@ -15,7 +15,7 @@ use crate::label::Label;
 
 /// Rows of a leaf that are coupled with each other.
 #[derive(Debug)]
-pub struct Cell {
+pub struct Cluster {
     /// Its first row in the leaf.
     pub first: usize,
     /// Number of rows.
@@ -27,9 +27,9 @@ pub struct Cell {
 /// The pattern of a leaf.
 #[derive(Debug)]
 pub struct Leaf {
-    /// Rows of the matrix, cell by cell.
+    /// Rows of the matrix, cluster by cluster.
     pub rows: Vec<usize>,
-    pub cells: Vec<Cell>,
+    pub clusters: Vec<Cluster>,
     /// Rows of fronts that it is coupled with.
     pub boundary: Vec<usize>,
     /// Padded length of the boundary, and so of a row of `Y`.
@@ -58,16 +58,16 @@ pub struct Offset {
 }
 
 impl Leaf {
-    /// Finds the cells of a leaf. `local` has a place for every row of the matrix.
+    /// Finds the clusters of a leaf. `local` has a place for every row of the matrix.
     pub fn new(group: &Group, grouping: &Grouping, labels: &[Label], local: &mut [usize], offset: Offset) -> Self {
-        let (rows, cells) = split_into_cells(group, grouping);
+        let (rows, clusters) = split_into_clusters(group, grouping);
         let width = padded(group.boundary.len());
-        let blocks = padded(cells.iter().map(|cell| cell.order * cell.order).sum());
-        let mut cell_of = vec![0; rows.len()];
-        for (index, cell) in cells.iter().enumerate() {
-            for row in cell.first..cell.first + cell.order {
+        let blocks = padded(clusters.iter().map(|cluster| cluster.order * cluster.order).sum());
+        let mut cluster_of = vec![0; rows.len()];
+        for (index, cluster) in clusters.iter().enumerate() {
+            for row in cluster.first..cluster.first + cluster.order {
                 local[rows[row]] = row;
-                cell_of[row] = index;
+                cluster_of[row] = index;
             }
         }
         for (index, &row) in group.boundary.iter().enumerate() {
@@ -83,15 +83,15 @@ impl Leaf {
                 filled[row] = true;
                 continue;
             }
-            let cell = &cells[cell_of[row]];
-            add(cell.block + row - cell.first + (other - cell.first) * cell.order);
+            let cluster = &clusters[cluster_of[row]];
+            add(cluster.block + row - cluster.first + (other - cluster.first) * cluster.order);
             if row != other {
-                add(cell.block + other - cell.first + (row - cell.first) * cell.order);
+                add(cluster.block + other - cluster.first + (row - cluster.first) * cluster.order);
             }
         }
         let multipliers = rows.iter().filter(|&&row| labels[row].class.is_multiplier()).count();
         let boundary = group.boundary.clone();
-        Self { rows, cells, boundary, width, blocks, entries, filled, multipliers, offset }
+        Self { rows, clusters, boundary, width, blocks, entries, filled, multipliers, offset }
     }
 
     /// Number of values of the rows of `Y`.
@@ -110,26 +110,26 @@ impl Leaf {
 }
 
 /// Connected components of the entries of a leaf, their rows side by side in the order of the leaf.
-fn split_into_cells(group: &Group, grouping: &Grouping) -> (Vec<usize>, Vec<Cell>) {
+fn split_into_clusters(group: &Group, grouping: &Grouping) -> (Vec<usize>, Vec<Cluster>) {
     let count = group.rows.len();
     let mut parent: Vec<usize> = (0..count).collect();
     for entry in &group.entries {
         if let (Role::Leaf(_, row), Role::Leaf(_, column)) = (grouping.role[entry.row], grouping.role[entry.column]) {
             let (first, second) = (root(&mut parent, row), root(&mut parent, column));
-            // The earliest row represents the cell, so that cells keep the order of their first rows.
+            // The earliest row represents the cluster, so that clusters keep the order of their first rows.
             parent[first.max(second)] = first.min(second);
         }
     }
     let mut order: Vec<(usize, usize)> = (0..count).map(|index| (root(&mut parent, index), index)).collect();
     order.sort_unstable();
-    let mut cells: Vec<Cell> = Vec::new();
+    let mut clusters: Vec<Cluster> = Vec::new();
     let mut block = 0;
     for members in order.chunk_by(|a, b| a.0 == b.0) {
-        let first = cells.last().map_or(0, |cell| cell.first + cell.order);
-        cells.push(Cell { first, order: members.len(), block });
+        let first = clusters.last().map_or(0, |cluster| cluster.first + cluster.order);
+        clusters.push(Cluster { first, order: members.len(), block });
         block += members.len() * members.len();
     }
-    (order.iter().map(|&(_, index)| group.rows[index]).collect(), cells)
+    (order.iter().map(|&(_, index)| group.rows[index]).collect(), clusters)
 }
 
 /// Representative of a component.

@@ -4,7 +4,7 @@ use pulp::{Simd, WithSimd};
 
 use crate::kernel::{dot, subtract_columns};
 use crate::leaf::store::LeafStore;
-use crate::leaf::{Cell, Leaf};
+use crate::leaf::{Cluster, Leaf};
 use crate::pivot::apply_inverse;
 
 /// One sweep of a solve through a leaf: forward with `L`, which updates the boundary, or backward with `L'`.
@@ -51,12 +51,12 @@ impl WithSimd for SolveLeaf<'_> {
                 local[pivot as usize] -= dot(simd, row, boundary);
             }
             apply_inverse(diagonal, subdiagonal, local);
-            for cell in &leaf.cells {
-                store.solve_transposed(leaf, cell, local);
+            for cluster in &leaf.clusters {
+                store.solve_transposed(leaf, cluster, local);
             }
         } else {
-            for cell in &leaf.cells {
-                store.solve_lower(leaf, cell, local);
+            for cluster in &leaf.clusters {
+                store.solve_lower(leaf, cluster, local);
             }
         }
         for (value, &row) in local.iter().zip(rows) {
@@ -76,15 +76,15 @@ impl WithSimd for SolveLeaf<'_> {
 }
 
 impl LeafStore {
-    fn block(&self, leaf: &Leaf, cell: &Cell) -> &[f64] {
-        &self.blocks[leaf.offset.blocks + cell.block..][..cell.order * cell.order]
+    fn block(&self, leaf: &Leaf, cluster: &Cluster) -> &[f64] {
+        &self.blocks[leaf.offset.blocks + cluster.block..][..cluster.order * cluster.order]
     }
 
-    /// Solves with `L` of a cell.
+    /// Solves with `L` of a cluster.
     #[inline(always)]
-    fn solve_lower(&self, leaf: &Leaf, cell: &Cell, local: &mut [f64]) {
-        let (block, count) = (self.block(leaf, cell), cell.order);
-        let local = &mut local[cell.first..cell.first + count];
+    fn solve_lower(&self, leaf: &Leaf, cluster: &Cluster, local: &mut [f64]) {
+        let (block, count) = (self.block(leaf, cluster), cluster.order);
+        let local = &mut local[cluster.first..cluster.first + count];
         for column in 0..count {
             for row in column + 1..count {
                 local[row] -= block[row + column * count] * local[column];
@@ -92,11 +92,11 @@ impl LeafStore {
         }
     }
 
-    /// Solves with `L'` of a cell.
+    /// Solves with `L'` of a cluster.
     #[inline(always)]
-    fn solve_transposed(&self, leaf: &Leaf, cell: &Cell, local: &mut [f64]) {
-        let (block, count) = (self.block(leaf, cell), cell.order);
-        let local = &mut local[cell.first..cell.first + count];
+    fn solve_transposed(&self, leaf: &Leaf, cluster: &Cluster, local: &mut [f64]) {
+        let (block, count) = (self.block(leaf, cluster), cluster.order);
+        let local = &mut local[cluster.first..cluster.first + count];
         for column in (0..count).rev() {
             for row in column + 1..count {
                 local[column] -= block[row + column * count] * local[row];

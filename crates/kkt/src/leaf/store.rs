@@ -1,16 +1,16 @@
-//! Values of the leaves: elimination of all their cells and the update of the boundary.
+//! Values of the leaves: elimination of all their clusters and the update of the boundary.
 
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::kernel::{Aligned, SubtractProduct};
-use crate::leaf::cell::CellNumbers;
+use crate::leaf::cluster::ClusterValues;
 use crate::leaf::{Leaf, Offset};
 use crate::pivot::Breakdown;
 
 /// Factors of all leaves.
 #[derive(Debug)]
 pub struct LeafStore {
-    /// Columns of `L`, cell by cell.
+    /// Columns of `L`, cluster by cluster.
     pub blocks: Aligned,
     /// Rows of `Y` that have nonzeros, consecutive for every leaf.
     pub panel: Aligned,
@@ -43,7 +43,7 @@ impl LeafStore {
 /// Scratch of one leaf.
 #[derive(Debug, Default)]
 pub struct LeafWork {
-    /// Blocks of all cells, then rows of the boundary.
+    /// Blocks of all clusters, then rows of the boundary.
     numbers: Aligned,
     /// `D^{-1} Y`
     scaled: Aligned,
@@ -53,7 +53,7 @@ pub struct LeafWork {
     pub scale: Aligned,
     filled: Vec<bool>,
     row_scale: Vec<f64>,
-    /// Order of the pivots in every cell.
+    /// Order of the pivots in every cluster.
     order: Vec<u32>,
 }
 
@@ -89,12 +89,12 @@ impl WithSimd for FactoriseLeaf<'_> {
         self.assemble();
         let mut negative = 0;
         let mut used = 0;
-        for cell in &leaf.cells {
-            let rows = cell.first..cell.first + cell.order;
+        for cluster in &leaf.clusters {
+            let rows = cluster.first..cluster.first + cluster.order;
             let stored = leaf.offset.rows + rows.start..leaf.offset.rows + rows.end;
             let (blocks, panel) = self.work.numbers.split_at_mut(leaf.blocks);
-            let mut numbers = CellNumbers {
-                block: &mut blocks[cell.block..cell.block + cell.order * cell.order],
+            let mut numbers = ClusterValues {
+                block: &mut blocks[cluster.block..cluster.block + cluster.order * cluster.order],
                 rows: &mut panel[rows.start * leaf.width..rows.end * leaf.width],
                 width: leaf.width,
                 filled: &mut self.work.filled[rows.clone()],
@@ -104,7 +104,7 @@ impl WithSimd for FactoriseLeaf<'_> {
                 scale: &mut self.work.row_scale[rows.clone()],
             };
             negative += numbers.eliminate(simd)?;
-            let stored = leaf.offset.blocks + cell.block;
+            let stored = leaf.offset.blocks + cluster.block;
             self.store.blocks[stored..stored + numbers.block.len()].copy_from_slice(numbers.block);
             used = self.collect_rows(simd, rows, used);
         }
@@ -125,7 +125,7 @@ impl FactoriseLeaf<'_> {
         }
     }
 
-    /// Moves the rows of `Y` of a cell that have nonzeros to the store, and `D^{-1} Y` to the scratch.
+    /// Moves the rows of `Y` of a cluster that have nonzeros to the store, and `D^{-1} Y` to the scratch.
     #[inline(always)]
     fn collect_rows<S: Simd>(&mut self, simd: S, rows: std::ops::Range<usize>, mut used: usize) -> usize {
         let (leaf, width) = (self.leaf, self.leaf.width);

@@ -1,12 +1,12 @@
-//! Elimination of one cell of a leaf: a small symmetric block with the rows that couple it to the boundary.
+//! Elimination of one cluster of a leaf: a small symmetric block with the rows that couple it to the boundary.
 
 use pulp::Simd;
 
 use crate::pivot::{BUNCH_KAUFMAN, Breakdown, Pivot, inverse};
 
-/// A cell's values. Block and rows hold those of the matrix at first; later the block holds `L` and the rows are
+/// A cluster's values. Block and rows hold those of the matrix at first; later the block holds `L` and the rows are
 /// `Y = L^{-1} P B`.
-pub struct CellNumbers<'a> {
+pub struct ClusterValues<'a> {
     /// Square, column-major, full.
     pub block: &'a mut [f64],
     /// Rows of the boundary, in the order of the matrix.
@@ -24,7 +24,7 @@ pub struct CellNumbers<'a> {
     pub scale: &'a mut [f64],
 }
 
-impl CellNumbers<'_> {
+impl ClusterValues<'_> {
     /// Eliminates all rows; returns the number of negative pivots.
     #[inline(always)]
     pub fn eliminate<S: Simd>(&mut self, simd: S) -> Result<usize, Breakdown> {
