@@ -212,3 +212,45 @@ fn a_task_of_an_array_solves_its_own_cells() {
     let script = dir.read("runs/submit.sh");
     assert!(script.contains("#SBATCH --array=0-1\n") && script.contains("#SBATCH --time=10:00\n"), "{script}");
 }
+
+#[test]
+fn a_cell_that_has_lost_a_file_is_no_finished_one() {
+    let dir = folder();
+    batch(&dir, "corner.toml --starts 1,2 --out runs", 0);
+    let cell = &cells(&dir, "runs")[1];
+    let lost = cell.join("stages/2/wrench.csv");
+    dir.remove(&lost);
+    let words = "stages/2/wrench.csv: belongs to the plan and cannot be read";
+    batch(&dir, "status runs", 0)
+        .says("2 cells: 1 done, 0 running, 1 failed, 0 to do")
+        .says("failed: cell 1")
+        .says(words);
+    batch(&dir, "collect runs", 0);
+    assert_eq!(dir.table("runs/cells.csv").column("state"), ["done", "failed"]);
+    assert_eq!(dir.json("runs/cells.json")[1]["result"], Value::Null);
+    batch(&dir, "run runs", 1).says("failed: cell 1").says(words);
+    // A changed one neither.
+    dir.remove(cell);
+    batch(&dir, "run runs", 0);
+    dir.write(cell.join("reference.csv"), "mine");
+    batch(&dir, "status runs", 0).says("reference.csv: was changed since the plan was written");
+    batch(&dir, "run runs", 1).says("was changed since the plan was written");
+    assert_eq!(dir.read(cell.join("reference.csv")), "mine");
+}
+
+#[test]
+fn a_name_that_would_end_a_comment_of_the_script_is_refused() {
+    let dir = folder();
+    batch(&dir, "expand corner.toml --out runs", 0);
+    for name in ["a\nrm b", "a\"b", "a\\b", "a\tb"] {
+        dir.copy("runs", name);
+        let refused = dir.program("batch submit --slurm").arg(name).run().code(2);
+        refused.says("which Slurm cannot take; rename the folder");
+        assert!(!dir.exists(Path::new(name).join("submit.sh")), "{name:?}");
+    }
+    // A quote of the shell is one letter among others.
+    dir.copy("runs", "it's $(here)");
+    dir.program("batch submit --slurm").arg("it's $(here)").run().code(0);
+    let script = dir.read("it's $(here)/submit.sh");
+    assert!(script.contains(r"it'\''s $(here)' --index"), "{script}");
+}

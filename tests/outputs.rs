@@ -137,7 +137,7 @@ fn a_folder_that_cannot_be_made_is_said_before_anything_is_solved() {
         .code(3)
         .says("/proc/out: cannot be written")
         .keeps_silent_about("homotopy iteration");
-    refused(&dir, "solve corner.toml --out corner.toml/out", "corner.toml/out: corner.toml is a file; choose another");
+    refused(&dir, "solve corner.toml --out corner.toml/out", "corner.toml/out: corner.toml is a file; name another");
     assert!(dir.snapshot("") == before);
 }
 
@@ -193,7 +193,7 @@ fn inputs_are_never_replaced() {
     refused(&dir, "solve ./out/../out/resolved.toml --out ./out/", "is an input of this run, which would replace it");
     dir.copy("homotopy.toml", "other/stages/1/reference.csv");
     refused(&dir, "solve corner.toml --homotopy other/stages/1/reference.csv --out other", "choose another --out");
-    refused(&dir, "solve corner.toml --out corner.toml", "corner.toml: is a file; name a folder with --out");
+    refused(&dir, "solve corner.toml --out corner.toml", "corner.toml: is a file; name a folder");
     refused(&dir, "solve corner.toml --out /", "cannot be the folder of a plan");
     dir.copy("corner.toml", "inside/resolved.toml");
     dir.copy("homotopy.toml", "inside/homotopy.toml");
@@ -264,7 +264,7 @@ fn tables_of_a_simulation_replace_only_their_like() {
         }
         dir.remove("tables");
     }
-    refused(&dir, "simulate corner.toml out --out corner.toml", "corner.toml: is a file; name a folder with --out");
+    refused(&dir, "simulate corner.toml out --out corner.toml", "corner.toml: is a file; name a folder");
     for _ in 0..2 {
         dir.run("simulate corner.toml out --out tables").code(0);
     }

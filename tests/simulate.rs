@@ -102,3 +102,75 @@ fn a_plan_is_played_only_with_its_own_shapes_start_and_goal() {
     dir.run("simulate corner.toml plans/0.02").code(0).keeps_silent_about("warning");
     dir.run("simulate plans/0.02/resolved.toml plans/0.02").code(0).keeps_silent_about("another scene");
 }
+
+/// A plan in `plan` whose files have the hashes that its result lists, whatever is in them.
+#[track_caller]
+fn forge(dir: &Dir, file: &str, change: impl Fn(&str) -> String) {
+    dir.copy("plans/0.02", "plan");
+    let text = dir.read(format!("plan/{file}"));
+    let changed = change(&text);
+    assert_ne!(text, changed);
+    dir.write(format!("plan/{file}"), &changed);
+    let mut result = dir.result("plan");
+    result["files"][file] = planner::files::hash(changed.as_bytes()).into();
+    dir.write("plan/result.json", result.to_string());
+}
+
+/// Replaces a cell of a table by a text; the header is line 1.
+fn with_cell(text: &str, line: usize, column: usize, cell: &str) -> String {
+    let replace = |(number, row): (usize, &str)| {
+        let mut cells: Vec<&str> = row.split(',').collect();
+        if number == line {
+            cells[column] = cell;
+        }
+        cells.join(",") + "\n"
+    };
+    (1..).zip(text.lines()).map(replace).collect()
+}
+
+#[test]
+fn a_reference_that_is_none_is_refused_whatever_its_hash_is() {
+    let dir = plans();
+    let not_unit = "qw, qx, qy, qz are not a unit quaternion";
+    for (line, column, cell, words) in [
+        (3, 0, "soon", "plan/reference.csv:3: column 1: `soon` is not a finite number"),
+        (3, 0, "nan", "`nan` is not a finite number"),
+        (3, 0, "0.09", "plan/reference.csv:3: times must increase in equal steps"),
+        (3, 0, "0", "times must increase in equal steps"),
+        (22, 0, "1e300", "times must increase in equal steps"),
+        (4, 1, "1e300", "plan/reference.csv:4: a value is out of any reasonable range"),
+        (4, 8, "-1e7", "a value is out of any reasonable range"),
+        (5, 4, "5", not_unit),
+        (5, 4, "0", not_unit),
+        (5, 4, "1e-300", not_unit),
+        (5, 7, "inf", "`inf` is not a finite number"),
+        (5, 7, "", "plan/reference.csv:5: column 8: `` is not a finite number"),
+    ] {
+        forge(&dir, "reference.csv", |text| with_cell(text, line, column, cell));
+        dir.run("simulate corner.toml plan").code(2).says(words).keeps_silent_about("success");
+        dir.remove("plan");
+    }
+    for (kept, words) in [(0, "at least two rows"), (1, "at least two rows"), (2, "at least two rows")] {
+        forge(&dir, "reference.csv", |text| text.lines().take(kept).map(|line| line.to_owned() + "\n").collect());
+        dir.run("simulate corner.toml plan").code(2).says(words);
+        dir.remove("plan");
+    }
+    forge(&dir, "reference.csv", |text| text.replacen("qw", "qv", 1));
+    dir.run("simulate corner.toml plan").code(2).says("there is no column `qw`");
+}
+
+#[test]
+fn a_plan_with_a_lost_file_is_refused() {
+    let dir = plans();
+    for file in ["stages/3/reference.csv", "contacts.csv", "resolved.toml", "reference.csv"] {
+        dir.copy("plans/0.02", "plan");
+        dir.remove(format!("plan/{file}"));
+        let words = format!("plan/{file}: belongs to the plan and cannot be read");
+        dir.run("simulate corner.toml plan").code(2).says(&words);
+        // Nor does the plan count among others.
+        dir.copy("plan", "plans/lost");
+        dir.run("simulate corner.toml plans --out tables").code(2).says(&words.replace("plan/", "plans/lost/"));
+        dir.remove("plans/lost");
+        dir.remove("plan");
+    }
+}

@@ -9,7 +9,7 @@ use simulation::{Settings, Success};
 use task::LinearSolver;
 
 use crate::batch::BatchArguments;
-use crate::values::{self, Pose, fraction, not_negative, positive, seconds};
+use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///
@@ -126,7 +126,7 @@ pub struct RobustArguments {
     #[arg(allow_negative_numbers = true)]
     pub turn: f64,
     /// With --robust: threads [default: one per processor]; they change nothing but the time it takes
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), requires = "robust")]
+    #[arg(long, value_name = "N", value_parser = jobs, requires = "robust")]
     pub jobs: Option<u16>,
 }
 
@@ -139,10 +139,10 @@ pub struct SimulateArguments {
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
     /// Play N random convex combinations of the planned offsets [default: the planned offsets themselves]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), group = "source")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), group = "source")]
     pub random: Option<u32>,
     /// With --random: offsets uniform in the ball, not in the hull of the planned ones
-    #[arg(long, requires = "random")]
+    #[arg(long, requires = "random", conflicts_with_all = ["grid", "offsets"])]
     pub ball: bool,
     /// Seed of the random offsets
     #[arg(long, value_name = "N", default_value_t = 1)]
@@ -176,7 +176,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "S", default_value_t = Settings::default().time_step, value_parser = positive)]
     pub time_step: f64,
     /// Threads [default: one per processor]; they change nothing but the time it takes
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
     /// Also write the course of one rollout to a new CSV file with the columns of reference.csv: the first plan's at the
     /// first friction and offset

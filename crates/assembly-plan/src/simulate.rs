@@ -4,8 +4,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use planner::files::{
-    RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_rollout_tables, to_csv, write_file,
-    write_rollout_tables,
+    RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables, to_csv,
+    write_file, write_rollout_tables,
 };
 use planner::{Choices, Motion, PlannerError, Problem, SimulationRequest, SuccessTable, simulate};
 use simulation::{Reference, Rollout, Success, TimedState};
@@ -119,10 +119,8 @@ fn course(
 
 /// Refuses to write where something else stands, before anything is computed.
 fn require_free(arguments: &SimulateArguments, folder: &Path) -> Result<(), PlannerError> {
-    if folder.exists() && !folder.is_dir() {
-        return Err(PlannerError::file(folder, "is a file; name a folder with --out"));
-    }
     require_rollout_tables(folder)?;
+    arguments.trace.iter().filter_map(|file| file.parent()).try_for_each(require_folder)?;
     match &arguments.trace {
         Some(file) if file.symlink_metadata().is_ok() => {
             Err(PlannerError::file(file, "exists, and a trace replaces nothing; choose another name for --trace"))

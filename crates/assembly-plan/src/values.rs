@@ -50,6 +50,13 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     number(text, |number| number > 0.0 && number <= MOST, "must lie between 0 and 10000000 s")
 }
 
+/// A number of threads or processes.
+pub fn jobs(text: &str) -> Result<u16, String> {
+    const MOST: u16 = 1024;
+    let in_range = text.parse().ok().filter(|jobs| (1..=MOST).contains(jobs));
+    in_range.ok_or_else(|| format!("must be a whole number between 1 and {MOST}"))
+}
+
 fn number(text: &str, is_right: impl Fn(f64) -> bool, rule: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if !number.is_finite() => Err(format!("must be a finite number, got {number}")),

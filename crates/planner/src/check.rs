@@ -48,9 +48,9 @@ pub struct Explanation {
 /// Every pair's distances at a pose, smoothed by `tau`.
 ///
 /// # Errors
-/// When `tau` is not positive, or a distance cannot be computed.
+/// When `tau` is out of its range, or a distance cannot be computed.
 pub fn pair_reports(problem: &Problem, pose: &[f64; 7], tau: f64) -> Result<Vec<PairReport>, PlannerError> {
-    require(tau > 0.0 && tau <= 1.0, "tau", tau, "must be positive, and not above 1")?;
+    require((1e-9..=1.0).contains(&tau), "tau", tau, "must lie between 1e-9 and 1")?;
     let report = |pair: &ContactPair| {
         let distance = pair
             .shapes

@@ -81,6 +81,16 @@ pub enum Fault {
     System,
 }
 
+/// A number as it is, or with an exponent where it has many digits.
+pub(crate) fn short(value: impl ToString) -> String {
+    const LONGEST: usize = 20;
+    let text = value.to_string();
+    match text.parse::<f64>() {
+        Ok(number) if text.len() > LONGEST => format!("{number:e}"),
+        _ => text,
+    }
+}
+
 impl PlannerError {
     /// Whose fault it is.
     pub fn fault(&self) -> Fault {
@@ -106,7 +116,7 @@ impl PlannerError {
 
     /// A value that is out of its range.
     pub fn value(name: &'static str, value: impl ToString, rule: &str) -> Self {
-        Self::Value { name, value: value.to_string(), rule: rule.to_owned() }
+        Self::Value { name, value: short(value), rule: rule.to_owned() }
     }
 
     pub(crate) fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use scene::{Scene, StartPose, resolved};
+use scene::{Scene, StartPose, TaskError, resolved};
 use simulation::Success;
 use task::{AssemblyTask, HomotopySettings, LinearSolver};
 
@@ -48,6 +48,9 @@ impl Problem {
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
         Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, choices.success).map_err(
             |error| match error {
+                PlannerError::Task(source @ TaskError::OffsetMagnitude { .. }) => {
+                    PlannerError::Choice { name: "delta", problem: source.to_string() }
+                }
                 PlannerError::Task(source) => PlannerError::file(file, source.to_string()),
                 other => other,
             },
@@ -67,7 +70,8 @@ impl Problem {
     ) -> Result<Self, PlannerError> {
         success.validate()?;
         let start = scene.start(start)?.clone();
-        let delta = delta.unwrap_or(scene.offset_magnitude);
+        // The sum has no sign where it is zero: 0 and -0 are one problem.
+        let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
         let task = scene.task(Some(&start.name), Some(delta))?;
         ocp::check_settings(&homotopy)?;
         let resolved = resolved(&scene, &start, delta, &homotopy);

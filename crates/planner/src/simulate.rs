@@ -167,6 +167,9 @@ pub fn simulate(
     let offsets: usize = injections.iter().map(|injection| injection.errors.len()).sum();
     let count = offsets.saturating_mul(request.frictions.len()).saturating_mul(motions.len() + 1);
     require(count <= MOST_ROLLOUTS, "number of rollouts", count, "must not be above 10000000; play fewer offsets")?;
+    for (_, reference) in motions.iter().chain([&push]) {
+        request.settings(0.0).validate_for(reference)?;
+    }
     let success = problem.success();
     let mut played = Vec::with_capacity(count);
     for &friction in &request.frictions {

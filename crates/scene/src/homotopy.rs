@@ -7,6 +7,7 @@ use toml::Spanned;
 
 use crate::document::{HomotopyDocument, HomotopyFileDocument, IpoptDocument};
 use crate::error::{SceneError, Source};
+use crate::file::read_text;
 use crate::ipopt;
 use crate::range::Range;
 
@@ -29,8 +30,7 @@ pub fn default_homotopy() -> HomotopySettings {
 /// # Errors
 /// The first thing that is wrong, with its place.
 pub fn load_homotopy(path: &Path) -> Result<HomotopySettings, SceneError> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|error| SceneError::about(path, format!("the homotopy cannot be read: {error}")))?;
+    let text = read_text(path, "homotopy")?;
     parse_homotopy(Source { file: path, text: &text })
 }
 

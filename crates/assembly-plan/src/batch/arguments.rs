@@ -19,8 +19,8 @@ pub struct BatchArguments {
     #[command(flatten)]
     pub matrix: MatrixArguments,
     /// How many cells are solved at once, each by one thread [default: the number of cores]
-    #[arg(long, value_name = "N")]
-    pub jobs: Option<NonZeroUsize>,
+    #[arg(long, value_name = "N", value_parser = values::jobs)]
+    pub jobs: Option<u16>,
 }
 
 const BATCH_HELP: &str = "\
@@ -118,8 +118,8 @@ pub struct RunArguments {
     #[arg(long, value_name = "C")]
     pub count: Option<NonZeroUsize>,
     /// How many cells are solved at once, each by one thread [default: the number of cores]
-    #[arg(long, value_name = "N")]
-    pub jobs: Option<NonZeroUsize>,
+    #[arg(long, value_name = "N", value_parser = values::jobs)]
+    pub jobs: Option<u16>,
 }
 
 #[derive(Debug, Args)]

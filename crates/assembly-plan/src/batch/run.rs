@@ -11,6 +11,7 @@ use planner::files::PlanResult;
 
 use super::process::{Begun, Ended, Process};
 use super::progress::Progress;
+use crate::arguments::threads;
 use crate::console::tell;
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::stop_flag;
@@ -55,10 +56,9 @@ fn index_of_task() -> Result<Option<(&'static str, usize)>, CommandError> {
 ///
 /// # Errors
 /// When interrupts cannot be handled.
-pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<NonZeroUsize>) -> Result<Exit, CommandError> {
+pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<u16>) -> Result<Exit, CommandError> {
     let stopped = stop_flag()?;
-    let jobs = jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
-    let mut pool = Pool::new(manifest, cells, jobs);
+    let mut pool = Pool::new(manifest, cells, threads(jobs));
     while !pool.is_empty() {
         if stopped.load(Ordering::Relaxed) {
             pool.stop();

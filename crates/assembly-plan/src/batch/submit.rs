@@ -23,14 +23,14 @@ const MARK: &str = "# Written by `assembly-plan batch submit`.";
 pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, CommandError> {
     let folder = manifest.folder.canonicalize().map_err(in_system(&manifest.folder))?;
     require_plain(&folder, &arguments.options)?;
-    let logs = folder.join("slurm");
-    fs::create_dir_all(&logs).map_err(in_system(&logs))?;
     let file = manifest.folder.join("submit.sh");
     if file.exists() && !fs::read_to_string(&file).is_ok_and(|text| text.contains(MARK)) {
         let problem = "was not written by `batch submit` and would be replaced; move it away";
         return Err(PlannerError::file(&file, problem).into());
     }
     let tasks = manifest.cells.len().div_ceil(arguments.count.get());
+    let logs = folder.join("slurm");
+    fs::create_dir_all(&logs).map_err(in_system(&logs))?;
     write_file(&file, script(&folder, tasks, arguments)?.as_bytes())?;
     if !arguments.now {
         say!("{} written; sbatch {0} submits its {tasks} tasks", file.display());

@@ -63,7 +63,10 @@ fn add_scene(
             for (homotopy_file, homotopy) in &homotopies {
                 let problem =
                     Problem::new(scene.clone(), Some(&start), Some(delta_m), homotopy.clone(), Success::default())
-                        .map_err(|error| matrix.refuse(Key::Deltas, &error.to_string()))?;
+                        .map_err(|error| match error {
+                            PlannerError::Task(_) => matrix.refuse(Key::Deltas, &error.to_string()),
+                            other => other,
+                        })?;
                 cells.push(Cell {
                     index: 0,
                     scene: absolute(file)?,

@@ -113,11 +113,21 @@ impl Matrix {
         };
         let linear_solver = document.linear_solver.as_ref().map(solver).transpose()?;
         let beside = |files: &[PathBuf]| files.iter().map(|file| path.parent().unwrap_or(path).join(file)).collect();
-        let names = match document.starts.as_ref().map(Spanned::get_ref) {
-            None => Vec::new(),
-            Some(StartsDocument::Word(word)) => vec![word.clone()],
-            Some(StartsDocument::Names(names)) => names.clone(),
+        let refuse = |span: Range<usize>, message: &str| Err(source.error(span, message).into());
+        let starts = match &document.starts {
+            None => Starts::First,
+            Some(starts) => match starts.get_ref() {
+                StartsDocument::Word(word) if word == ALL => Starts::All,
+                StartsDocument::Names(names) if !names.is_empty() => Starts::new(names.clone()),
+                StartsDocument::Names(_) => {
+                    return refuse(starts.span(), "no start is named; leave starts out for the first");
+                }
+                StartsDocument::Word(_) => return refuse(starts.span(), "starts must be \"all\" or a list of names"),
+            },
         };
+        if let Some(deltas) = document.deltas.as_ref().filter(|deltas| deltas.get_ref().is_empty()) {
+            return refuse(deltas.span(), "no magnitude is given; leave deltas out for those of the scenes");
+        }
         let places = Places::File {
             path: path.to_owned(),
             scenes: document.scenes.span(),
@@ -127,7 +137,7 @@ impl Matrix {
         };
         Ok(Self {
             scenes: beside(document.scenes.get_ref()),
-            starts: Starts::new(names),
+            starts,
             deltas: document.deltas.map_or_else(Vec::new, Spanned::into_inner),
             homotopies: beside(&document.homotopies),
             linear_solver,

@@ -24,6 +24,18 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
     Ok(())
 }
 
+/// Refuses the name of a folder on whose way a file stands.
+///
+/// # Errors
+/// With the name of that file.
+pub fn require_folder(folder: &Path) -> Result<(), PlannerError> {
+    match folder.ancestors().find(|place| place.exists() && !place.is_dir()) {
+        None => Ok(()),
+        Some(file) if file == folder => Err(PlannerError::file(folder, "is a file; name a folder")),
+        Some(file) => Err(PlannerError::file(folder, format!("{} is a file; name another folder", file.display()))),
+    }
+}
+
 /// Temporary files are private; results are not.
 #[cfg(unix)]
 fn make_readable(path: &Path) -> std::io::Result<()> {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use task::{AssemblyTask, Trajectory};
 
 use crate::error::PlannerError;
-use crate::files::atomic::{hash, remove_file, write_file};
+use crate::files::atomic::{hash, remove_file, require_folder, write_file};
 use crate::files::checkpoint::Checkpoint;
 use crate::files::refinement::RefinementCheckpoint;
 use crate::files::result::{PlanResult, RESULT};
@@ -259,18 +259,12 @@ fn write_iterations<'motion>(
 
 /// The absolute path of a folder that may be missing; its parent is made.
 fn locate(target: &Path) -> Result<PathBuf, PlannerError> {
+    require_folder(target)?;
     let target = match target.canonicalize() {
-        Ok(path) if path.is_dir() => path,
-        Ok(_) => return Err(PlannerError::file(target, "is a file; name a folder with --out")),
+        Ok(path) => path,
         Err(_) => {
             let name = target.file_name().ok_or_else(|| PlannerError::file(target, "is no name of a folder"))?;
             let parent = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-            if parent.is_file() {
-                return Err(PlannerError::file(
-                    target,
-                    format!("{} is a file; choose another --out", parent.display()),
-                ));
-            }
             fs::create_dir_all(parent).map_err(PlannerError::written(target))?;
             parent.canonicalize().map_err(PlannerError::written(parent))?.join(name)
         }
@@ -285,7 +279,8 @@ fn locate(target: &Path) -> Result<PathBuf, PlannerError> {
 fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
     let path = work.join(LOCK);
     let busy = || PlannerError::file(target, "another run is writing a plan into it; choose another --out, or wait");
-    if work.exists() && !path.exists() && fs::read_dir(work).is_ok_and(|mut entries| entries.next().is_some()) {
+    let is_ours = path.exists() || fs::read_dir(work).is_ok_and(|mut entries| entries.next().is_none());
+    if work.symlink_metadata().is_ok() && !is_ours {
         return Err(PlannerError::file(work, "stands where unfinished work is kept; move it away"));
     }
     // A run that ends removes its lock. Who has opened it just before holds the lock of nothing and tries again.

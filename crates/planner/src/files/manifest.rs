@@ -7,12 +7,14 @@ use std::path::{Component, Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use task::LinearSolver;
 
-use crate::error::PlannerError;
-use crate::files::atomic::{read_text, write_file};
+use crate::error::{PlannerError, short};
+use crate::files::atomic::{read_text, require_folder, write_file};
 
 const FILE: &str = "manifest.jsonl";
 /// Digits of an identity that name a folder.
 const NAME_DIGITS: usize = 16;
+/// Largest offset magnitude of a scene (m).
+const LARGEST_DELTA: f64 = 10.0;
 
 /// One problem of a batch. Its paths are relative to the batch's folder, so that both can be moved together.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,8 +53,8 @@ impl Cell {
         if !is_identity || self.folder != Self::folder_of(&self.identity) {
             return Some("folder and identity do not belong together; expand the batch again".to_owned());
         }
-        if !(self.delta_m >= 0.0 && self.delta_m.is_finite()) {
-            return Some(format!("delta_m = {}: must not be negative", self.delta_m));
+        if !(0.0..=LARGEST_DELTA).contains(&self.delta_m) {
+            return Some(format!("delta_m = {}: must lie between 0 and {LARGEST_DELTA} m", short(self.delta_m)));
         }
         let is_solver = self.linear_solver.as_deref().is_none_or(|name| LinearSolver::from_name(name).is_some());
         (!is_solver).then(|| "linear_solver is unknown".to_owned())
@@ -82,6 +84,7 @@ impl Manifest {
     /// # Errors
     /// When the folder cannot be made.
     pub fn new(folder: &Path, mut cells: Vec<Cell>) -> Result<Self, PlannerError> {
+        require_folder(folder)?;
         fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;
         let from = folder.canonicalize().map_err(PlannerError::written(folder))?;
         for cell in &mut cells {

@@ -24,7 +24,7 @@ mod stored_plan;
 mod table;
 pub mod trajectory;
 
-pub use atomic::{hash, read_text, remove_file, write_file};
+pub use atomic::{hash, read_text, remove_file, require_folder, write_file};
 pub use checkpoint::Checkpoint;
 pub use folder::PlanFolder;
 pub use manifest::{Cell, Manifest};

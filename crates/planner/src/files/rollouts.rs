@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
 use crate::error::PlannerError;
-use crate::files::atomic::write_file;
+use crate::files::atomic::{require_folder, write_file};
 use crate::files::table::{Value, has_header, read_csv, to_csv};
 use crate::simulate::PlayedRollout;
 use crate::success_table::SuccessGroup;
@@ -139,6 +139,7 @@ pub fn read_offsets(file: &Path) -> Result<Vec<[f64; 3]>, PlannerError> {
 /// # Errors
 /// With the file that would be.
 pub fn require_rollout_tables(folder: &Path) -> Result<(), PlannerError> {
+    require_folder(folder)?;
     require_table::<RolloutRow>(&folder.join(ROLLOUTS))?;
     require_table::<SuccessRow>(&folder.join(SUCCESS))
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::str::FromStr;
 
+use csv::StringRecord;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -54,19 +55,26 @@ pub fn to_csv<T: Serialize>(rows: impl IntoIterator<Item = T>) -> Result<Vec<u8>
 pub fn read_csv<T: DeserializeOwned>(file: &Path) -> Result<Vec<T>, PlannerError> {
     let text = read_text(file)?;
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-    let refuse = |error: csv::Error| {
+    let refuse = |error: csv::Error, row: &StringRecord| {
         let line = error.position().map_or(1, |position| position.line() as usize);
-        PlannerError::line(file, line, describe(&error))
+        PlannerError::line(file, line, describe(&error, row))
     };
-    reader.deserialize().collect::<Result<_, _>>().map_err(refuse)
+    let header = reader.headers().cloned().map_err(|error| refuse(error, &StringRecord::new()))?;
+    let parse = |row: Result<StringRecord, csv::Error>| {
+        let row = row.map_err(|error| refuse(error, &StringRecord::new()))?;
+        row.deserialize(Some(&header)).map_err(|error| refuse(error, &row))
+    };
+    reader.into_records().map(parse).collect()
 }
 
-/// What is wrong with a row, without the place, which the error has besides.
-fn describe(error: &csv::Error) -> String {
+/// What is wrong with a row, without its line, which the error has besides.
+fn describe(error: &csv::Error, row: &StringRecord) -> String {
     match error.kind() {
         csv::ErrorKind::Deserialize { err, .. } => {
-            let column = err.field().map_or_else(String::new, |field| format!("column {}: ", field + 1));
-            column + &err.kind().to_string().replace("missing field", "there is no column")
+            let problem = err.kind().to_string().replace("missing field", "there is no column");
+            let is_wrong = |cell: &str| problem.starts_with(&format!("`{cell}` "));
+            let column = err.field().map(|field| field as usize).or_else(|| row.iter().position(is_wrong));
+            column.map_or_else(String::new, |column| format!("column {}: ", column + 1)) + &problem
         }
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("{len} columns where the header has {expected_len}")

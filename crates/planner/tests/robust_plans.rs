@@ -1,0 +1,149 @@
+//! Robust plans whose problem is not the scene's own: what is written of them is about the plan, not about the scene.
+
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use planner::files::{PlanResult, StateRow, read_csv, trajectory};
+use planner::{Choices, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Variant, refine, solve};
+use simulation::Success;
+use task::{STATE, TWIST};
+
+fn corner(success: Success) -> Problem {
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+    Problem::load(&scene, &Choices { success, ..Choices::default() }).unwrap()
+}
+
+fn quietly<T>(run: impl FnOnce(&Session) -> T) -> T {
+    run(&Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None })
+}
+
+/// A plan of the corner scene that a variant with half the time step and two homotopy iterations has made.
+static FINE: LazyLock<Plan> = LazyLock::new(|| {
+    let problem = corner(Success::default());
+    let mut scene = problem.scene().clone();
+    (scene.horizon.steps, scene.horizon.time_step) = (40, 0.04);
+    let mut settings = problem.homotopy().clone();
+    settings.iterations = 2;
+    let fine = Problem::new(scene, None, None, settings, Success::default()).unwrap();
+    let plan = quietly(|session| solve(&fine, session)).unwrap();
+    let variant = Variant { name: "half the time step".to_owned(), ..plan.variant };
+    Plan { problem, variant, ..plan }
+});
+
+/// The plan, judged with a tolerance, as `solve --robust` without time to change it would leave it.
+fn refined(position: f64, target: &RobustnessTarget) -> Plan {
+    let success = Success { position, ..Success::default() };
+    let plan = Plan { problem: corner(success), ..FINE.clone() };
+    quietly(|session| refine(plan, target, session)).unwrap()
+}
+
+fn hasty() -> RobustnessTarget {
+    RobustnessTarget { frictions: vec![0.0], time_limit: Duration::ZERO, threads: 1, ..RobustnessTarget::default() }
+}
+
+fn result(plan: &Plan) -> PlanResult {
+    PlanResult::new(plan, std::collections::BTreeMap::new())
+}
+
+/// The states of a table: one list per scenario, or a single one.
+fn states(folder: &Path, name: &str) -> Vec<Vec<[f64; STATE]>> {
+    let file = folder.join(name);
+    let text = std::fs::read_to_string(&file).unwrap();
+    let rows: Vec<StateRow> = read_csv(&file).unwrap();
+    let scenario = |line: &str| line.split(',').nth(1).unwrap().to_owned();
+    let by = if text.starts_with("time_s,scenario,") { scenario } else { |_: &str| String::new() };
+    let labels: Vec<String> = text.lines().skip(1).map(by).collect();
+    let rows: Vec<_> = labels.into_iter().zip(rows.iter().map(StateRow::state)).collect();
+    let motions = rows.chunk_by(|one, other| one.0 == other.0);
+    motions.map(|motion| motion.iter().map(|(_, state)| *state).collect()).collect()
+}
+
+/// Largest finite difference of the velocities in the components from one to another.
+fn largest_acceleration(motions: &[Vec<[f64; STATE]>], time_step: f64, axes: std::ops::Range<usize>) -> f64 {
+    let twist = |state: &[f64; STATE]| -> [f64; TWIST] { std::array::from_fn(|axis| state[STATE - TWIST + axis]) };
+    let pairs = motions.iter().flat_map(|motion| motion.windows(2));
+    let change = |pair: &[[f64; STATE]], axis: usize| (twist(&pair[1])[axis] - twist(&pair[0])[axis]).abs() / time_step;
+    pairs.flat_map(|pair| axes.clone().map(move |axis| change(pair, axis))).fold(0.0, f64::max)
+}
+
+#[test]
+fn times_and_accelerations_are_those_of_the_plan_not_of_the_scene() {
+    let plan = refined(0.002, &hasty());
+    let result = result(&plan);
+    let folder: PathBuf = tempfile::tempdir().unwrap().keep();
+    trajectory::write_trajectory(&folder, &plan.trajectory, &plan.task).unwrap();
+
+    let reference: Vec<StateRow> = read_csv(&folder.join("reference.csv")).unwrap();
+    assert_eq!(reference.len(), 41);
+    assert!((reference[1].time() - reference[0].time() - result.time_step_s).abs() < 1e-9);
+    assert!((result.time_step_s - 0.04).abs() < 1e-12, "the scene has 0.08 s");
+    let end = reference[40].time();
+    let places = result.scenarios.iter().flat_map(|scenario| {
+        scenario.max_penetration_at.iter().chain(&scenario.max_complementarity_at).collect::<Vec<_>>()
+    });
+    for place in places {
+        assert!(place.time_s <= end && place.step <= 40, "{place:?} lies after the end at {end} s");
+        assert!((place.time_s - 0.04 * place.step as f64).abs() < 1e-9, "{place:?}");
+    }
+
+    let motions = [states(&folder, "reference.csv"), states(&folder, "scenarios.csv")].concat();
+    assert_eq!(motions.len(), 1 + result.scenarios.len());
+    for (reached, axes) in
+        [(result.reached.translational_acceleration_m_s2, 0..3), (result.reached.rotational_acceleration_rad_s2, 3..6)]
+    {
+        let shown = largest_acceleration(&motions, result.time_step_s, axes);
+        assert!((shown / reached - 1.0).abs() < 1e-9, "the tables show {shown}, the result says {reached}");
+    }
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_variant_of_two_homotopy_iterations_counts_as_converged() {
+    let plan = refined(0.0009, &hasty());
+    assert_eq!(plan.problem.homotopy().iterations, 5);
+    assert!(plan.iterations.len() == 2 && plan.last().record.converged);
+    assert!(plan.is_converged() && result(&plan).converged);
+    let cut = Plan { iterations: plan.iterations[..1].to_vec(), ..plan };
+    assert!(!cut.is_converged(), "one of its two homotopy iterations did not run");
+}
+
+#[test]
+fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
+    let target = RobustnessTarget { wanted_rate: 0.0, ..hasty() };
+    // Some of the planned offsets, or all of them, end farther away than this.
+    let plan = refined(1e-4, &target);
+    let report = plan.robustness.as_ref().unwrap();
+    assert!(report.rate_after >= target.wanted_rate && !report.planned_offsets_succeed());
+    assert_eq!(plan.status(), PlanStatus::NotRobust);
+    assert!(!result(&plan).done && !result(&plan).goal_reached);
+}
+
+#[test]
+fn status_and_success_never_contradict_each_other() {
+    let plans = [1e-5, 1e-3, 2e-3, 1e-2, 0.1].into_iter().flat_map(|position| {
+        let rates = [0.0, 0.5, 1.0].map(|wanted_rate| RobustnessTarget { wanted_rate, ..hasty() });
+        let robust = rates.map(|target| refined(position, &target));
+        let success = Success { position, ..Success::default() };
+        let plain = Plan { problem: corner(success), ..FINE.clone() };
+        let cut = Plan { iterations: plain.iterations[..1].to_vec(), ..plain.clone() };
+        let interrupted = Plan { interrupted: true, ..plain.clone() };
+        robust.into_iter().chain([plain, cut, interrupted])
+    });
+    let (mut done, mut missed) = (0, 0);
+    for plan in plans {
+        let (status, result) = (plan.status(), result(&plan));
+        assert_eq!(result.done, status == PlanStatus::Done);
+        assert_eq!(result.status, status.to_string());
+        assert!(!result.done || result.goal_reached && result.converged, "{status} {result:?}");
+        assert!(status != PlanStatus::GoalMissed || !result.goal_reached && result.converged, "{status}");
+        assert!(!matches!(status, PlanStatus::NotConverged { .. }) || !result.converged, "{status}");
+        if let Some(report) = &result.robust {
+            assert_eq!(report.reached, result.done);
+        }
+        done += usize::from(result.done);
+        missed += usize::from(status == PlanStatus::GoalMissed);
+    }
+    assert!(done > 3 && missed > 1, "{done} done, {missed} missed: not all statuses are seen");
+}
