@@ -271,7 +271,7 @@ fn wrong_input_exits_with_2_and_says_what_is_right() {
             "matrix.toml:2:1: unknown key `start`, did you mean `starts`?",
         ),
         ("scenes = [\"corner.toml\"]\nstarts = [\"9\"]\n", "matrix.toml:2:10: corner.toml: there is no start `9`"),
-        ("scenes = [\"corner.toml\"]\ndeltas = [-1]\n", "matrix.toml:2:10: the offset magnitude must not be negative"),
+        ("scenes = [\"corner.toml\"]\ndeltas = [-1]\n", "matrix.toml:2:11: deltas: -1 must lie between 0 and 10 m"),
         ("scenes = []\n", "matrix.toml:1:10: at least one scene is needed"),
         ("scenes = [\"none.toml\"]\n", "none.toml: the scene cannot be read"),
         ("scenes = [\"corner.toml\"]\nstarts = 1\n", "matrix.toml:2:10: starts must be \"all\" or a list of names"),

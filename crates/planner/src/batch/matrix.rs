@@ -3,13 +3,12 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use scene::{SceneError, Source};
+use scene::{SceneError, Source, key, read_text};
 use serde::Deserialize;
 use task::LinearSolver;
 use toml::Spanned;
 
 use crate::error::PlannerError;
-use crate::files::read_text;
 
 /// Every scene with every start, offset magnitude and homotopy.
 #[derive(Debug)]
@@ -68,7 +67,7 @@ pub enum Key {
 struct MatrixDocument {
     scenes: Spanned<Vec<PathBuf>>,
     starts: Option<Spanned<StartsDocument>>,
-    deltas: Option<Spanned<Vec<f64>>>,
+    deltas: Option<Spanned<Vec<Spanned<f64>>>>,
     #[serde(default)]
     homotopies: Vec<PathBuf>,
     linear_solver: Option<Spanned<String>>,
@@ -102,7 +101,7 @@ impl Matrix {
     /// # Errors
     /// What is wrong with the file, and where.
     pub fn load(path: &Path) -> Result<Self, PlannerError> {
-        Self::parse(path, read_text(path)?)
+        Self::parse(path, read_text(path, "matrix")?)
     }
 
     fn parse(path: &Path, text: String) -> Result<Self, PlannerError> {
@@ -112,6 +111,10 @@ impl Matrix {
             Ok(LinearSolver::ALL[source.require_known(name, &LinearSolver::ALL.map(LinearSolver::name))?])
         };
         let linear_solver = document.linear_solver.as_ref().map(solver).transpose()?;
+        let magnitude =
+            |delta: &Spanned<f64>| source.require_within(delta, key("robustness", "offset_magnitude"), "deltas");
+        let deltas = document.deltas.as_ref().map_or(&[][..], |deltas| deltas.get_ref());
+        let deltas = deltas.iter().map(magnitude).collect::<Result<_, SceneError>>()?;
         let beside = |files: &[PathBuf]| files.iter().map(|file| path.parent().unwrap_or(path).join(file)).collect();
         let names = match document.starts.as_ref().map(Spanned::get_ref) {
             None => Vec::new(),
@@ -128,7 +131,7 @@ impl Matrix {
         Ok(Self {
             scenes: beside(document.scenes.get_ref()),
             starts: Starts::new(names),
-            deltas: document.deltas.map_or_else(Vec::new, Spanned::into_inner),
+            deltas,
             homotopies: beside(&document.homotopies),
             linear_solver,
             places,
@@ -169,5 +172,22 @@ impl Starts {
             [word] if word == ALL => Self::All,
             _ => Self::Named(names),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_delta_out_of_range_is_shown_where_it_stands() {
+        let parse = |deltas: &str| {
+            let text = format!("scenes = [\"a.toml\"]\ndeltas = {deltas}\n");
+            Matrix::parse(Path::new("matrix.toml"), text).map(|matrix| matrix.deltas).map_err(|error| error.to_string())
+        };
+        assert_eq!(parse("[0, 0.01, 10]"), Ok(vec![0.0, 0.01, 10.0]));
+        let error = parse("[0.01, -1e-3]").unwrap_err();
+        assert!(error.starts_with("matrix.toml:2:17: deltas: -1e-3 must lie between 0 and 10 m\n"), "{error}");
+        assert!(parse("[nan]").unwrap_err().starts_with("matrix.toml:2:11: deltas: nan must lie between 0 and 10 m\n"));
     }
 }
