@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use toml::Spanned;
 
+use crate::keys::Key;
 use crate::plain_words::plain_words;
+use crate::words::{clipped, suggest};
 
 /// An error in a file: its place, and what would be valid instead.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -106,9 +108,12 @@ pub struct Source<'text> {
 impl Source<'_> {
     /// An error at a range of bytes.
     pub fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
-        let (start, end) = (self.boundary(span.start), self.boundary(span.end.max(span.start)));
+        // A byte order mark at the beginning is no part of the first line.
+        let first = if self.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        let start = self.boundary(span.start).max(first);
+        let end = self.boundary(span.end).max(start);
         let before = &self.text[..start];
-        let line_start = before.rfind('\n').map_or(0, |end| end + 1);
+        let line_start = before.rfind('\n').map_or(first, |end| end + 1);
         let line = self.text[line_start..].lines().next().unwrap_or_default();
         let indent = before[line_start..].chars().count();
         let place = Place {
@@ -137,6 +142,19 @@ impl Source<'_> {
             .ok_or_else(|| self.error(value.span(), format!("unknown value `{name}`{}", suggest(&name, known))))
     }
 
+    /// A number in the range of a key. `name` is what messages call it.
+    ///
+    /// # Errors
+    /// When it is outside.
+    pub fn require_within(&self, value: &Spanned<f64>, key: &Key, name: &str) -> Result<f64, SceneError> {
+        let range = key.bounds();
+        if range.contains(*value.get_ref()) {
+            return Ok(*value.get_ref());
+        }
+        let written = clipped(self.text.get(value.span()).unwrap_or_default());
+        Err(self.error(value.span(), format!("{name}: {written} must lie {range} {}", key.unit)))
+    }
+
     /// An error of the TOML parser in plain words. For an unknown key it suggests the nearest valid one.
     pub fn parse_error(&self, error: &toml::de::Error) -> SceneError {
         let span = error.span();
@@ -147,38 +165,4 @@ impl Source<'_> {
             None => SceneError::about(self.file, message),
         }
     }
-}
-
-/// The beginning of what a user wrote in a line, short enough for a message.
-pub fn clipped(written: &str) -> String {
-    clipped_to(written.lines().next().unwrap_or_default(), 60)
-}
-
-/// The first characters of a text, without control characters.
-pub fn clipped_to(text: &str, length: usize) -> String {
-    let shown: String = text.chars().take(length).map(|shown| if shown.is_control() { ' ' } else { shown }).collect();
-    if text.chars().nth(length).is_some() { shown + "..." } else { shown }
-}
-
-/// The nearest valid name, or all of them when none is near.
-pub fn suggest(unknown: &str, valid: &[&str]) -> String {
-    match nearest(unknown, valid) {
-        Some(nearest) => format!(", did you mean `{nearest}`?"),
-        None => format!("; valid are: {}", listed(valid)),
-    }
-}
-
-/// The names, or the first ones of many.
-pub fn listed(names: &[&str]) -> String {
-    const SHOWN: usize = 20;
-    let shown = names[..names.len().min(SHOWN)].join(", ");
-    if names.len() > SHOWN { format!("{shown} and {} more", names.len() - SHOWN) } else { shown }
-}
-
-/// The nearest valid name, if one is near.
-pub fn nearest<'name>(unknown: &str, valid: &[&'name str]) -> Option<&'name str> {
-    const NEAR: f64 = 0.6;
-    let similarities = valid.iter().map(|name| (strsim::jaro_winkler(unknown, name), *name));
-    let (similarity, name) = similarities.max_by(|(one, _), (other, _)| one.total_cmp(other))?;
-    (similarity >= NEAR).then_some(name)
 }

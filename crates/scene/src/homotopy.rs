@@ -1,23 +1,27 @@
-//! Homotopy files.
+//! Homotopy files, and the same tables in scenes.
 
 use std::path::Path;
 
 use task::{Complementarity, HessianKind, HomotopySettings, IpoptValue, LinearSolver};
-use toml::Spanned;
+use toml::de::DeValue;
 
-use crate::document::{HomotopyDocument, HomotopyFileDocument, IpoptDocument};
+use crate::entry::Entry;
 use crate::error::{SceneError, Source};
 use crate::file::read_text;
 use crate::ipopt;
-use crate::range::Range;
+use crate::keys::{Form, key};
+use crate::table::{self, Table};
+use crate::words::clipped_to;
 
 /// The homotopy that is used when neither the command line nor the scene names one.
 const DEFAULT: &str = include_str!("../../../configs/default.toml");
 
-const COMPLEMENTARITIES: [(&str, Complementarity); 2] =
-    [("relaxation", Complementarity::Relaxation), ("smoothing", Complementarity::Smoothing)];
-const HESSIANS: [(&str, HessianKind); 3] =
-    [("exact", HessianKind::Exact), ("gauss-newton", HessianKind::GaussNewton), ("l-bfgs", HessianKind::LimitedMemory)];
+/// Longest path of a file that a message repeats, in characters.
+const LONGEST_PATH: usize = 200;
+
+/// Settings in the order of their declared words.
+const COMPLEMENTARITIES: [Complementarity; 2] = [Complementarity::Relaxation, Complementarity::Smoothing];
+const HESSIANS: [HessianKind; 3] = [HessianKind::Exact, HessianKind::GaussNewton, HessianKind::LimitedMemory];
 
 /// The settings that are used when neither the user nor the scene gives any.
 pub fn default_homotopy() -> HomotopySettings {
@@ -39,8 +43,7 @@ pub fn load_homotopy(path: &Path) -> Result<HomotopySettings, SceneError> {
 /// # Errors
 /// The first thing that is wrong, with its place.
 pub fn parse_homotopy(source: Source) -> Result<HomotopySettings, SceneError> {
-    let document: HomotopyFileDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-    settings(source, &document.homotopy, &document.ipopt)
+    table::read(source, Form::homotopy(), |top| settings(&top.table("homotopy")?, &top.table("ipopt")?))
 }
 
 /// The tables [homotopy] and [ipopt] of a file that gives these settings.
@@ -54,8 +57,8 @@ pub fn tables(settings: &HomotopySettings) -> (toml::Table, toml::Table) {
     insert("tau_rate", settings.tau_rate.into());
     insert("sigma_rate", settings.sigma_rate.into());
     insert("mu_rate", settings.mu_rate.into());
-    insert("complementarity", name_of(&COMPLEMENTARITIES, settings.complementarity).into());
-    insert("hessian", name_of(&HESSIANS, settings.hessian).into());
+    insert("complementarity", word("complementarity", &COMPLEMENTARITIES, &settings.complementarity));
+    insert("hessian", word("hessian", &HESSIANS, &settings.hessian));
     insert("linear_solver", settings.linear_solver.name().into());
     let ipopt = settings.ipopt.iter().map(|option| {
         let value = match &option.value {
@@ -69,87 +72,53 @@ pub fn tables(settings: &HomotopySettings) -> (toml::Table, toml::Table) {
 }
 
 /// The homotopy that a scene carries: the name of a file beside it, or the tables themselves.
-pub fn of_scene(
-    source: Source,
-    entry: Option<&Spanned<toml::Value>>,
-    ipopt: Option<&Spanned<IpoptDocument>>,
-) -> Result<Option<HomotopySettings>, SceneError> {
+pub fn of_scene(scene: &Table) -> Result<Option<HomotopySettings>, SceneError> {
+    let (entry, ipopt) = (scene.find("homotopy"), scene.find("ipopt"));
     let Some(entry) = entry else {
-        return match ipopt {
-            Some(ipopt) => Err(source.error(ipopt.span(), "[ipopt] in a scene needs a [homotopy] table beside it")),
-            None => Ok(None),
-        };
+        let stray = ipopt.map(|ipopt| ipopt.refuse("[ipopt] in a scene needs a [homotopy] table beside it"));
+        return stray.map_or(Ok(None), Err);
     };
-    match entry.get_ref() {
-        toml::Value::String(file) => {
-            if ipopt.is_some() {
-                let message = "[ipopt] cannot stand beside the name of a homotopy file; put it into that file";
-                return Err(source.error(entry.span(), message));
-            }
-            let path = source.file.parent().unwrap_or(source.file).join(file);
-            let text = std::fs::read_to_string(&path).map_err(|error| {
-                let message = format!("the homotopy {} cannot be read: {error}", path.display());
-                source.error(entry.span(), message)
-            })?;
-            parse_homotopy(Source { file: &path, text: &text }).map(Some)
+    match (entry.value().get_ref(), ipopt) {
+        (DeValue::String(_), Some(_)) => {
+            Err(entry.refuse("[ipopt] cannot stand beside the name of a homotopy file; put it into that file"))
         }
-        toml::Value::Table(_) => {
-            #[derive(serde::Deserialize)]
-            struct Tables {
-                homotopy: HomotopyDocument,
-                #[serde(default)]
-                ipopt: IpoptDocument,
-            }
-            let tables: Tables = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-            settings(source, &tables.homotopy, &tables.ipopt).map(Some)
+        (DeValue::String(file), None) => of_file(&entry, file).map(Some),
+        (DeValue::Table(_) | DeValue::Array(_), _) => {
+            settings(&scene.table("homotopy")?, &scene.table("ipopt")?).map(Some)
         }
-        _ => Err(source.error(entry.span(), "homotopy is the name of a file or a table")),
+        _ => Err(entry.wrong_kind(entry.value(), "a file name or a table")),
     }
 }
 
-fn settings(
-    source: Source,
-    document: &HomotopyDocument,
-    ipopt: &IpoptDocument,
-) -> Result<HomotopySettings, SceneError> {
-    let number = |key: &str, value: &Option<Spanned<f64>>, range: &'static str, default: f64| match value {
-        Some(value) => Range::new(range).check(source, &format!("homotopy.{key}"), value.span(), *value.get_ref()),
-        None => Ok(default),
-    };
-    let iterations = match &document.iterations {
-        Some(value) => {
-            let count = *value.get_ref() as f64;
-            Range::new("[1, 100]").check(source, "homotopy.iterations", value.span(), count)? as usize
-        }
-        None => 5,
-    };
-    let linear_solver = match &document.linear_solver {
-        Some(name) => LinearSolver::ALL[source.require_known(name, &LinearSolver::ALL.map(LinearSolver::name))?],
-        None => LinearSolver::Stage,
-    };
+/// The homotopy of a file beside a scene. What is wrong in the file is shown there, that it cannot be read in the scene.
+fn of_file(entry: &Entry, file: &str) -> Result<HomotopySettings, SceneError> {
+    let path = entry.source().file.parent().unwrap_or(entry.source().file).join(file);
+    let what = format!("homotopy {}", clipped_to(&path.display().to_string(), LONGEST_PATH));
+    let text = read_text(&path, &what).map_err(|error| match error.line() {
+        Some(_) => error,
+        None => entry.refuse(error.message()),
+    })?;
+    parse_homotopy(Source { file: &path, text: &text })
+}
+
+fn settings(table: &Table, ipopt: &Table) -> Result<HomotopySettings, SceneError> {
     Ok(HomotopySettings {
-        iterations,
-        tau: number("tau", &document.tau, "[1e-9, 1]", 0.0025)?,
-        sigma: number("sigma", &document.sigma, "[1e-12, 1]", 0.00125)?,
-        mu_init: number("mu_init", &document.mu_init, "(1e-12, 1e6]", 1.0)?,
-        tau_rate: number("tau_rate", &document.tau_rate, "(0, 1)", 0.5)?,
-        sigma_rate: number("sigma_rate", &document.sigma_rate, "(0, 1)", 0.5)?,
-        mu_rate: number("mu_rate", &document.mu_rate, "(0, 1]", 0.1)?,
-        complementarity: choice(source, document.complementarity.as_ref(), &COMPLEMENTARITIES)?,
-        hessian: choice(source, document.hessian.as_ref(), &HESSIANS)?,
-        linear_solver,
-        ipopt: ipopt::options(source, ipopt)?,
+        iterations: table.integer("iterations")? as usize,
+        tau: table.number("tau")?,
+        sigma: table.number("sigma")?,
+        mu_init: table.number("mu_init")?,
+        tau_rate: table.number("tau_rate")?,
+        sigma_rate: table.number("sigma_rate")?,
+        mu_rate: table.number("mu_rate")?,
+        complementarity: COMPLEMENTARITIES[table.choice("complementarity")?],
+        hessian: HESSIANS[table.choice("hessian")?],
+        linear_solver: LinearSolver::ALL[table.choice("linear_solver")?],
+        ipopt: ipopt::options(ipopt)?,
     })
 }
 
-/// One of several names, by default the first.
-fn choice<T: Copy>(source: Source, name: Option<&Spanned<String>>, choices: &[(&str, T)]) -> Result<T, SceneError> {
-    let Some(name) = name else { return Ok(choices[0].1) };
-    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-    let index = source.require_known(name, &names)?;
-    Ok(choices[index].1)
-}
-
-fn name_of<T: PartialEq>(choices: &[(&'static str, T)], value: T) -> &'static str {
-    choices.iter().find(|(_, choice)| *choice == value).map_or("", |(name, _)| name)
+/// The word of a setting.
+fn word<T: PartialEq>(name: &str, settings: &[T], setting: &T) -> toml::Value {
+    let index = settings.iter().position(|other| other == setting).expect("every setting has a word");
+    key("homotopy", name).words()[index].into()
 }

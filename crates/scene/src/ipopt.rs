@@ -1,45 +1,14 @@
-//! Entries of `[ipopt]`: which options Ipopt has, which of them a file may set, and to what.
-
-use std::collections::BTreeMap;
-use std::sync::LazyLock;
+//! Entries of `[ipopt]`: which options a file may set, and to what.
 
 use task::{IpoptOption, IpoptValue};
-use toml::{Spanned, Value};
 
-use crate::document::IpoptDocument;
-use crate::error::{SceneError, Source, nearest};
-use crate::range::Range;
+use crate::entry::Entry;
+use crate::error::SceneError;
+use crate::keys::Values;
+use crate::table::Table;
 
 /// Most entries of a table.
 const MOST_ENTRIES: usize = 50;
-/// Integers that Ipopt can represent.
-const INTEGERS: &str = "[-2147483648, 2147483647]";
-/// Longest text that a message repeats.
-const LONGEST_TEXT: usize = 200;
-
-/// Values that an option takes.
-enum Kind {
-    Integer(Range),
-    Number(Range),
-    Text(Vec<&'static str>),
-}
-
-/// All options of Ipopt, also those that only some versions have.
-static OPTIONS: LazyLock<BTreeMap<&str, Kind>> = LazyLock::new(|| {
-    let lines = include_str!("ipopt_options.txt").lines().filter(|line| !line.starts_with('#'));
-    lines.map(|line| row(line).expect("the table is written by a script")).collect()
-});
-
-fn row(line: &'static str) -> Option<(&'static str, Kind)> {
-    let (name, rest) = line.split_once(' ')?;
-    let (kind, values) = rest.split_once(' ')?;
-    let kind = match kind {
-        "integer" => Kind::Integer(Range::new(values)),
-        "number" => Kind::Number(Range::new(values)),
-        _ => Kind::Text(values.split(' ').collect()),
-    };
-    Some((name, kind))
-}
 
 /// Options that a file may not set, with the reason and what to do instead. `*` stands for any text.
 const REFUSED: [(&str, &str); 21] = [
@@ -125,58 +94,35 @@ fn refusal_of_choice(name: &str, text: &str) -> Option<&'static str> {
     REFUSED_CHOICES.iter().find(|(option, choice, _)| (*option, *choice) == (name, text)).map(|(_, _, reason)| *reason)
 }
 
-/// The options that a file gives, by name.
+/// The options that a table gives, by name.
 ///
 /// # Errors
 /// The first entry that is wrong, with its place.
-pub fn options(source: Source, document: &IpoptDocument) -> Result<Vec<IpoptOption>, SceneError> {
-    let mut entries: Vec<_> = document.iter().collect();
-    // As they stand in the file, so that its first wrong entry is the one that is shown.
-    entries.sort_by_key(|(name, _)| name.span().start);
-    if let Some((name, _)) = entries.get(MOST_ENTRIES) {
-        return Err(source.error(name.span(), format!("[ipopt] has more than {MOST_ENTRIES} entries")));
+pub fn options(table: &Table) -> Result<Vec<IpoptOption>, SceneError> {
+    let entries = table.given();
+    if let Some(entry) = entries.get(MOST_ENTRIES) {
+        return Err(entry.refuse_name(format!("[ipopt] has more than {MOST_ENTRIES} entries")));
     }
-    let values = entries.into_iter().map(|(name, value)| Ok((name.get_ref(), option(source, name, value)?)));
-    let values = values.collect::<Result<BTreeMap<_, _>, SceneError>>()?;
-    Ok(values.into_iter().map(|(name, value)| IpoptOption { name: name.clone(), value }).collect())
+    let mut options = entries.iter().map(option).collect::<Result<Vec<_>, SceneError>>()?;
+    options.sort_by(|one, other| one.name.cmp(&other.name));
+    Ok(options)
 }
 
-/// The value of an option.
-fn option(source: Source, name: &Spanned<String>, value: &Spanned<Value>) -> Result<IpoptValue, SceneError> {
-    let Some(kind) = OPTIONS.get(name.get_ref().as_str()) else {
-        let names: Vec<&str> = OPTIONS.keys().copied().collect();
-        let near = nearest(name.get_ref(), &names).map_or(String::new(), |near| format!(", did you mean `{near}`?"));
-        return Err(source.error(name.span(), format!("unknown Ipopt option `{name}`{near}")));
-    };
-    if let Some(reason) = refusal(name.get_ref()) {
-        return Err(source.error(name.span(), format!("ipopt.{name} cannot be set: {reason}")));
+fn option(entry: &Entry) -> Result<IpoptOption, SceneError> {
+    let (name, path) = (entry.key().name, entry.path());
+    if let Some(reason) = refusal(name) {
+        return Err(entry.refuse_name(format!("{path} cannot be set: {reason}")));
     }
-    let (key, span) = (format!("ipopt.{name}"), value.span());
-    let must_be = |words: &str| Err(source.error(value.span(), format!("{key} must be {words}")));
-    match (kind, value.get_ref()) {
-        (Kind::Integer(range), Value::Integer(number)) => {
-            range.check(source, &key, span.clone(), *number as f64)?;
-            let number = Range::new(INTEGERS).check(source, &key, span, *number as f64)?;
-            Ok(IpoptValue::Integer(number as i32))
-        }
-        (Kind::Number(range), Value::Integer(number)) => {
-            range.check(source, &key, span, *number as f64).map(IpoptValue::Number)
-        }
-        (Kind::Number(range), Value::Float(number)) => range.check(source, &key, span, *number).map(IpoptValue::Number),
-        (Kind::Text(choices), Value::String(text)) if is_word(text) => {
-            source.require_known(&Spanned::new(span.clone(), text.clone()), choices)?;
-            match refusal_of_choice(name.get_ref(), text) {
-                Some(reason) => Err(source.error(span, format!("{key} cannot be `{text}`: {reason}"))),
-                None => Ok(IpoptValue::Text(text.clone())),
+    let value = match entry.key().values {
+        Values::Integer(_) => IpoptValue::Integer(entry.integer()? as i32),
+        Values::Number(_) => IpoptValue::Number(entry.number()?),
+        _ => {
+            let word = entry.key().words()[entry.choice()?];
+            if let Some(reason) = refusal_of_choice(name, word) {
+                return Err(entry.refuse(format!("{path} cannot be `{word}`: {reason}")));
             }
+            IpoptValue::Text(word.to_owned())
         }
-        (Kind::Integer(_), _) => must_be("an integer"),
-        (Kind::Number(_), _) => must_be("a number"),
-        (Kind::Text(choices), _) => must_be(&format!("a string; valid are: {}", choices.join(", "))),
-    }
-}
-
-/// Whether text may be repeated in a message.
-fn is_word(text: &str) -> bool {
-    text.len() <= LONGEST_TEXT && !text.contains(char::is_control)
+    };
+    Ok(IpoptOption { name: name.to_owned(), value })
 }

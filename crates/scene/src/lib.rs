@@ -5,7 +5,7 @@
 //! would be valid. [`Scene::task`] returns the planning task of one start and offset magnitude, [`load_homotopy`] reads
 //! how to solve it, and [`resolved`] writes both into one file that reproduces the run.
 
-mod document;
+mod entry;
 mod error;
 mod file;
 mod homotopy;
@@ -13,23 +13,26 @@ mod ipopt;
 mod keys;
 mod limits;
 mod mesh;
+mod parse;
 mod part;
 mod plain_words;
 mod pose;
 mod range;
-mod reader;
 mod resolved;
 mod scene;
 mod sections;
+mod table;
 mod task_error;
 mod warnings;
+mod words;
 
 pub use error::{SceneError, Source};
 pub use file::read_text;
 pub use homotopy::{default_homotopy, load_homotopy, parse_homotopy};
-pub use keys::{Absent, Key, MAX_CONTACT_FORCES, MAX_NAME_LENGTH, Range, Values, keys};
+pub use keys::{Absent, Key, MAX_CONTACT_FORCES, MAX_NAME_LENGTH, Values, key, keys};
 pub use limits::OutOfReach;
 pub use part::Part;
+pub use range::Range;
 pub use resolved::resolved;
 pub use scene::{Scene, StartPose};
 pub use task_error::TaskError;

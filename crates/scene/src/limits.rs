@@ -3,11 +3,10 @@
 use task::{Horizon, Limits, pose};
 
 use crate::error::SceneError;
-use crate::reader::Table;
+use crate::table::Table;
 
 /// The limits that a scene gives.
-pub fn limits(table: Option<&Table>) -> Result<Limits, SceneError> {
-    let Some(table) = table else { return Ok(Limits::NONE) };
+pub fn limits(table: &Table) -> Result<Limits, SceneError> {
     let limit = |key: &str| table.find(key).map_or(Ok(f64::INFINITY), |entry| entry.number());
     Ok(Limits {
         translational_velocity: limit("translational_velocity")?,

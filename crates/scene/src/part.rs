@@ -3,10 +3,11 @@
 use collision::{Polytope, PolytopeError};
 use toml::Spanned;
 
+use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::keys::UNITS;
 use crate::pose::{norm, orientation};
-use crate::reader::{Entry, Table};
+use crate::table::Table;
 
 /// A named convex part, placed in its parent's frame.
 #[derive(Debug, Clone, PartialEq)]

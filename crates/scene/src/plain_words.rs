@@ -1,6 +1,6 @@
 //! Messages of the TOML parser and of serde, in the words of somebody who writes a scene.
 
-use crate::error::{clipped, clipped_to, suggest};
+use crate::words::{clipped, clipped_to, suggest};
 
 /// How messages of the TOML parser begin, and what is said instead.
 const SYNTAX: [(&str, &str); 24] = [

@@ -2,8 +2,9 @@
 
 use toml::Spanned;
 
+use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::reader::{Entry, Table};
+use crate::table::Table;
 
 /// How far the norm of a quaternion or direction may be from 1: files are written with few digits.
 const NORM_TOLERANCE: f64 = 1e-3;

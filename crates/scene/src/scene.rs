@@ -1,22 +1,12 @@
 //! A validated scene.
 
-use std::path::Path;
-
 use task::{AssemblyTask, ContactPair, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
-use toml::de::DeTable;
 
-use crate::document::SceneDocument;
-use crate::error::{SceneError, Source, nearest};
-use crate::file::read_text;
-use crate::homotopy;
-use crate::keys::{MAX_CONTACT_FORCES, MAX_NAME_LENGTH, key};
-use crate::limits::{OutOfReach, check_reach, limits};
-use crate::part::{Part, parts};
-use crate::pose::{directions, pose};
-use crate::reader::{Table, is_control};
-use crate::sections;
+use crate::keys::key;
+use crate::limits::{OutOfReach, check_reach};
+use crate::part::Part;
 use crate::task_error::TaskError;
-use crate::warnings::warnings;
+use crate::words::nearest;
 
 /// A start pose with its name.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,89 +53,11 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Reads a scene file and the files it names.
-    ///
-    /// # Errors
-    /// The first error, with its place.
-    pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let text = read_text(path, "scene")?;
-        Self::parse(Source { file: path, text: &text })
-    }
-
-    /// Reads a scene from text. Names of other files are relative to the source's file.
-    ///
-    /// # Errors
-    /// The first error, with its place.
-    pub fn parse(source: Source) -> Result<Self, SceneError> {
-        let source = Source { text: source.text.strip_prefix('\u{feff}').unwrap_or(source.text), ..source };
-        if source.text.trim().is_empty() {
-            return Err(SceneError::about(source.file, "the scene is empty"));
-        }
-        let entries = DeTable::parse(source.text).map_err(|error| source.parse_error(&error))?;
-        let table = Table::top(source, entries.get_ref())?;
-        let mut scene = Self::read(source, &table)?;
-        scene.warnings = warnings(&table, &scene)?;
-        Ok(scene)
-    }
-
-    fn read(source: Source, table: &Table) -> Result<Self, SceneError> {
-        let body_table = table.require_table("body")?;
-        let body = parts(&body_table)?;
-        let environment = parts(&table.require_table("environment")?)?;
-        let inertia = sections::inertia(&body_table)?;
-        let robustness = table.require_table("robustness")?;
-        let homotopies: SceneDocument = toml::from_str(source.text).map_err(|error| source.parse_error(&error))?;
-        let scene = Self {
-            title: match table.find("title") {
-                Some(title) => title.name()?,
-                None => title_of(source.file),
-            },
-            pairs: sections::pairs(table, &body, &environment)?,
-            starts: sections::starts(table)?,
-            goal: pose(&table.require_table("goal")?)?,
-            impedance: sections::impedance(&table.require_table("impedance")?, &inertia)?,
-            offset_magnitude: robustness.number("offset_magnitude")?,
-            offset_directions: directions(&robustness.require("offset_directions")?)?,
-            horizon: sections::horizon(&table.require_table("horizon")?)?,
-            cost: sections::cost(table)?,
-            limits: limits(table.find_table("limits")?.as_ref())?,
-            homotopy: homotopy::of_scene(source, homotopies.homotopy.as_ref(), homotopies.ipopt.as_ref())?,
-            body,
-            environment,
-            inertia,
-            warnings: Vec::new(),
-        };
-        scene.check_size(table)?;
-        scene.check_limits(table)?;
-        Ok(scene)
-    }
-
-    /// Refuses a problem that is too large to be solved.
-    fn check_size(&self, table: &Table) -> Result<(), SceneError> {
-        let (steps, offsets, pairs) = (self.horizon.steps, self.offset_directions.len(), self.pairs.len());
-        let forces = steps * offsets * pairs;
-        if forces <= MAX_CONTACT_FORCES {
-            return Ok(());
-        }
-        Err(table.require_table("horizon")?.require("steps")?.refuse(format!(
-            "{steps} steps x {offsets} offset directions x {pairs} contact pairs make {forces} contact forces, more \
-             than {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
-        )))
-    }
-
-    /// Refuses limits within which the goal cannot be reached from a start.
-    fn check_limits(&self, table: &Table) -> Result<(), SceneError> {
-        let Some(limits) = table.find_table("limits")? else { return Ok(()) };
-        for start in &self.starts {
-            if let Err(error) = self.check_reach(start, self.offset_magnitude) {
-                return Err(limits.require(error.key)?.refuse(error.to_string()));
-            }
-        }
-        Ok(())
-    }
-
     /// Whether the limits let the body reach the goal from a start with every offset of a magnitude (m).
-    fn check_reach(&self, start: &StartPose, magnitude: f64) -> Result<(), OutOfReach> {
+    ///
+    /// # Errors
+    /// The limit that is too small.
+    pub(crate) fn check_reach(&self, start: &StartPose, magnitude: f64) -> Result<(), OutOfReach> {
         self.offset_directions.iter().try_for_each(|direction| {
             let pose = task::pose::without_offset(&start.pose, &direction.map(|component| magnitude * component));
             check_reach(&self.limits, (&start.name, &pose), &self.goal, self.horizon)
@@ -217,11 +129,4 @@ impl Scene {
             shapes: collision::Pair::new(body.shape.clone(), environment.shape.clone()),
         }
     }
-}
-
-/// The name of a file without its ending, where it can be a title.
-fn title_of(file: &Path) -> String {
-    let stem = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    let title: String = stem.chars().filter(|character| !is_control(*character)).take(MAX_NAME_LENGTH).collect();
-    if title.trim().is_empty() { "scene".to_owned() } else { title }
 }

@@ -3,12 +3,13 @@
 use nalgebra::{Matrix3, SymmetricEigen};
 use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 
-use crate::error::{SceneError, clipped, suggest};
+use crate::error::SceneError;
 use crate::keys::key;
 use crate::part::Part;
 use crate::pose::pose;
-use crate::reader::Table;
 use crate::scene::StartPose;
+use crate::table::Table;
+use crate::words::{clipped, suggest};
 
 /// Relative difference of two numbers of a matrix that counts as rounding.
 const ROUNDING: f64 = 1e-9;
@@ -77,35 +78,30 @@ pub fn impedance(table: &Table, inertia: &Inertia) -> Result<Impedance, SceneErr
 
 /// The time grid.
 pub fn horizon(table: &Table) -> Result<Horizon, SceneError> {
-    Ok(Horizon { steps: table.require("steps")?.integer()?, time_step: table.number("time_step")? })
+    Ok(Horizon { steps: table.integer("steps")? as usize, time_step: table.number("time_step")? })
 }
 
 /// The weights.
 pub fn cost(scene: &Table) -> Result<TrajectoryCost, SceneError> {
-    let cost = scene.find_table("cost")?;
-    let table = |name: &str| cost.as_ref().map_or(Ok(None), |cost| cost.find_table(name));
-    let reference = weights(table("reference")?.as_ref(), "cost.reference")?;
-    let compliant = weights(table("compliant")?.as_ref(), "cost.compliant")?;
-    Ok(TrajectoryCost { reference, compliant })
+    let cost = scene.table("cost")?;
+    Ok(TrajectoryCost {
+        reference: weights(&cost.table("reference")?)?,
+        compliant: weights(&cost.table("compliant")?)?,
+    })
 }
 
-fn weights(table: Option<&Table>, path: &str) -> Result<CostWeights, SceneError> {
-    let weight = |name: &str| match table {
-        Some(table) => table.number(name),
-        None => Ok(key(path, name).default_number()),
-    };
+fn weights(table: &Table) -> Result<CostWeights, SceneError> {
     Ok(CostWeights {
-        translational_velocity: weight("translational_velocity")?,
-        rotational_velocity: weight("rotational_velocity")?,
-        terminal_position: weight("terminal_position")?,
-        terminal_orientation: weight("terminal_orientation")?,
+        translational_velocity: table.number("translational_velocity")?,
+        rotational_velocity: table.number("rotational_velocity")?,
+        terminal_position: table.number("terminal_position")?,
+        terminal_orientation: table.number("terminal_orientation")?,
     })
 }
 
 /// The pairs that are listed, else every body part with every environment part.
 pub fn pairs(scene: &Table, body: &[Part], environment: &[Part]) -> Result<Vec<(usize, usize)>, SceneError> {
-    let listed = scene.find_table("contact")?.and_then(|contact| contact.find("pairs"));
-    let Some(entry) = listed else {
+    let Some(entry) = scene.table("contact")?.find("pairs") else {
         let most = *key("contact", "pairs").count().map_or(&usize::MAX, |count| count.end());
         if body.len() * environment.len() > most {
             return Err(scene.require("environment")?.refuse(format!(

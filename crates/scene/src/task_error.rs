@@ -1,8 +1,8 @@
 //! Why a scene has no task for what is asked.
 
-use crate::error::listed;
-use crate::keys::short;
 use crate::limits::OutOfReach;
+use crate::range::short;
+use crate::words::listed;
 
 /// Why there is no planning task for a start and an offset magnitude.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -3,8 +3,8 @@
 use crate::error::SceneError;
 use crate::part::{Extent, Part};
 use crate::pose::norm;
-use crate::reader::Table;
 use crate::scene::Scene;
+use crate::table::Table;
 
 /// Sizes of parts that need no remark (m).
 const USUAL_SIZES: std::ops::Range<f64> = 1e-4..10.0;

@@ -3,13 +3,12 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use scene::{SceneError, Source};
+use scene::{SceneError, Source, key, read_text};
 use serde::Deserialize;
 use task::LinearSolver;
 use toml::Spanned;
 
 use crate::error::PlannerError;
-use crate::files::read_text;
 
 /// Every scene with every start, offset magnitude and homotopy.
 #[derive(Debug)]
@@ -68,7 +67,7 @@ pub enum Key {
 struct MatrixDocument {
     scenes: Spanned<Vec<PathBuf>>,
     starts: Option<Spanned<StartsDocument>>,
-    deltas: Option<Spanned<Vec<f64>>>,
+    deltas: Option<Spanned<Vec<Spanned<f64>>>>,
     #[serde(default)]
     homotopies: Vec<PathBuf>,
     linear_solver: Option<Spanned<String>>,
@@ -83,6 +82,18 @@ enum StartsDocument {
 
 /// The word for all starts.
 const ALL: &str = "all";
+
+impl StartsDocument {
+    /// What is named in a range of bytes of a file.
+    fn read(&self, source: Source, span: Range<usize>) -> Result<Starts, SceneError> {
+        match self {
+            Self::Word(word) if word == ALL => Ok(Starts::All),
+            Self::Names(names) if !names.is_empty() => Ok(Starts::new(names.clone())),
+            Self::Names(_) => Err(source.error(span, "no start is named; leave starts out for the first")),
+            Self::Word(_) => Err(source.error(span, "starts must be \"all\" or a list of names")),
+        }
+    }
+}
 
 impl Matrix {
     /// Of scenes with their own offset magnitudes and homotopies and their first starts.
@@ -102,7 +113,7 @@ impl Matrix {
     /// # Errors
     /// What is wrong with the file, and where.
     pub fn load(path: &Path) -> Result<Self, PlannerError> {
-        Self::parse(path, read_text(path)?)
+        Self::parse(path, read_text(path, "matrix")?)
     }
 
     fn parse(path: &Path, text: String) -> Result<Self, PlannerError> {
@@ -112,21 +123,18 @@ impl Matrix {
             Ok(LinearSolver::ALL[source.require_known(name, &LinearSolver::ALL.map(LinearSolver::name))?])
         };
         let linear_solver = document.linear_solver.as_ref().map(solver).transpose()?;
+        let magnitude =
+            |delta: &Spanned<f64>| source.require_within(delta, key("robustness", "offset_magnitude"), "deltas");
+        let deltas = document.deltas.as_ref().map_or(&[][..], |deltas| deltas.get_ref());
+        let deltas = deltas.iter().map(magnitude).collect::<Result<_, SceneError>>()?;
         let beside = |files: &[PathBuf]| files.iter().map(|file| path.parent().unwrap_or(path).join(file)).collect();
-        let refuse = |span: Range<usize>, message: &str| Err(source.error(span, message).into());
-        let starts = match &document.starts {
-            None => Starts::First,
-            Some(starts) => match starts.get_ref() {
-                StartsDocument::Word(word) if word == ALL => Starts::All,
-                StartsDocument::Names(names) if !names.is_empty() => Starts::new(names.clone()),
-                StartsDocument::Names(_) => {
-                    return refuse(starts.span(), "no start is named; leave starts out for the first");
-                }
-                StartsDocument::Word(_) => return refuse(starts.span(), "starts must be \"all\" or a list of names"),
-            },
-        };
+        let starts = document
+            .starts
+            .as_ref()
+            .map_or(Ok(Starts::First), |starts| starts.get_ref().read(source, starts.span()))?;
         if let Some(deltas) = document.deltas.as_ref().filter(|deltas| deltas.get_ref().is_empty()) {
-            return refuse(deltas.span(), "no magnitude is given; leave deltas out for those of the scenes");
+            let message = "no magnitude is given; leave deltas out for those of the scenes";
+            return Err(source.error(deltas.span(), message).into());
         }
         let places = Places::File {
             path: path.to_owned(),
@@ -138,7 +146,7 @@ impl Matrix {
         Ok(Self {
             scenes: beside(document.scenes.get_ref()),
             starts,
-            deltas: document.deltas.map_or_else(Vec::new, Spanned::into_inner),
+            deltas,
             homotopies: beside(&document.homotopies),
             linear_solver,
             places,
@@ -179,5 +187,22 @@ impl Starts {
             [word] if word == ALL => Self::All,
             _ => Self::Named(names),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_delta_out_of_range_is_shown_where_it_stands() {
+        let parse = |deltas: &str| {
+            let text = format!("scenes = [\"a.toml\"]\ndeltas = {deltas}\n");
+            Matrix::parse(Path::new("matrix.toml"), text).map(|matrix| matrix.deltas).map_err(|error| error.to_string())
+        };
+        assert_eq!(parse("[0, 0.01, 10]"), Ok(vec![0.0, 0.01, 10.0]));
+        let error = parse("[0.01, -1e-3]").unwrap_err();
+        assert!(error.starts_with("matrix.toml:2:17: deltas: -1e-3 must lie between 0 and 10 m\n"), "{error}");
+        assert!(parse("[nan]").unwrap_err().starts_with("matrix.toml:2:11: deltas: nan must lie between 0 and 10 m\n"));
     }
 }

@@ -1,11 +1,12 @@
-//! The declarations.
+//! The declarations of all keys but Ipopt's options.
 
 use super::Absent::{Means, Number as Default, Refused};
 use super::Values::{
     Choice, Directions, File, FileOrTable, Inertia, Integer, Name, Number, Numbers, Pairs, Quaternion, Table, Tables,
     Vector, Vectors,
 };
-use super::{Absent, Key, Range, Values};
+use super::{Absent, Key, Values};
+use crate::range::Range;
 
 /// Units of mesh files.
 pub const UNITS: &[&str] = &["m", "cm", "mm", "inch"];
@@ -110,11 +111,18 @@ pub const KEYS: &[Key] = &[
     key("homotopy", "iterations", Integer(Range::closed(1.0, 100.0)), "", Default(5.0), "how often the problem is solved, each time with less smoothing"),
     key("homotopy", "tau", Number(Range::closed(1e-9, 1.0)), "N m", Default(0.0025), "smoothing of the distances in the first iteration"),
     key("homotopy", "sigma", Number(Range::closed(1e-12, 1.0)), "N m", Default(0.00125), "how far force x gap may be from zero in the first iteration"),
-    key("homotopy", "mu_init", Number(Range::closed(1e-12, 1e6)), "", Default(1.0), "initial barrier parameter of Ipopt in the first iteration"),
+    key("homotopy", "mu_init", Number(Range::above(1e-12, 1e6)), "", Default(1.0), "initial barrier parameter of Ipopt in the first iteration"),
     key("homotopy", "tau_rate", Number(RATE), "", Default(0.5), "factor of `tau` from one iteration to the next"),
     key("homotopy", "sigma_rate", Number(RATE), "", Default(0.5), "factor of `sigma` from one iteration to the next"),
     key("homotopy", "mu_rate", Number(Range::above(0.0, 1.0)), "", Default(0.1), "factor of `mu_init` from one iteration to the next"),
     key("homotopy", "complementarity", Choice(&["relaxation", "smoothing"]), "", Means("`relaxation`"), "whether force x gap is at most `sigma` (relaxation) or equal to it (smoothing)"),
     key("homotopy", "hessian", Choice(&["exact", "gauss-newton", "l-bfgs"]), "", Means("`exact`"), "second derivatives that the solver gets"),
     key("homotopy", "linear_solver", Choice(&["stage", "mumps", "ma27", "ma57", "ma97"]), "", Means("`stage`"), "solver of the linear systems in Ipopt"),
+];
+
+/// The tables of a homotopy file.
+#[rustfmt::skip]
+pub const HOMOTOPY_FILE: &[Key] = &[
+    key("", "homotopy", Table, "", Means("default values"), "how the problem is solved"),
+    key("", "ipopt", Table, "", Means("Ipopt's defaults"), "options of Ipopt"),
 ];

@@ -2,9 +2,11 @@
 //! of `docs/scene.md` are made of the same declarations.
 
 mod declared;
+mod options;
 
-use std::fmt;
 use std::ops::RangeInclusive;
+
+use crate::range::Range;
 
 pub(crate) use declared::UNITS;
 
@@ -72,19 +74,6 @@ pub enum Absent {
     Means(&'static str),
 }
 
-/// An interval. Its ends may or may not belong to it; it never contains NaN.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-    /// Whether the lower end belongs to the interval.
-    pub includes_low: bool,
-    /// Whether the upper end belongs to the interval.
-    pub includes_high: bool,
-}
-
 /// Longest title or name, in characters.
 pub const MAX_NAME_LENGTH: usize = 100;
 
@@ -96,13 +85,53 @@ pub fn keys() -> &'static [Key] {
     declared::KEYS
 }
 
+/// The keys of a table; those of `ipopt` are the options of Ipopt.
+///
+/// # Panics
+/// When there is no such table: only declared ones are read.
+pub(crate) fn table(name: &str) -> &'static [Key] {
+    let mut tables = keys().chunk_by(|one, other| one.table == other.table).chain([options::options()]);
+    tables.find(|keys| keys[0].table == name).unwrap_or_else(|| panic!("[{name}] is declared"))
+}
+
 /// The declaration of a key.
 ///
 /// # Panics
-/// When there is none: the reader asks only for declared keys.
-pub(crate) fn key(table: &str, name: &str) -> &'static Key {
+/// When there is none: only declared ones are read.
+pub fn key(table: &str, name: &str) -> &'static Key {
     let found = keys().iter().find(|key| key.table == table && key.name == name);
     found.unwrap_or_else(|| panic!("`{name}` of `{table}` is declared"))
+}
+
+/// Which keys a kind of file has.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Form {
+    /// Keys at its top.
+    pub top: &'static [Key],
+    /// Keys of its tables.
+    tables: &'static [Key],
+}
+
+impl Form {
+    /// A scene.
+    pub fn scene() -> Self {
+        Self { top: table(""), tables: keys() }
+    }
+
+    /// A homotopy file.
+    pub fn homotopy() -> Self {
+        Self { top: declared::HOMOTOPY_FILE, tables: table("homotopy") }
+    }
+
+    /// The one table that has a key, if only one has it.
+    pub fn owner(&self, name: &str) -> Option<&'static str> {
+        let mut tables = self.tables.iter().chain(options::options()).filter(|key| key.name == name);
+        match (tables.next()?.table, tables.next()) {
+            ("", _) | (_, Some(_)) => None,
+            ("part", None) => Some("body.part] or [environment.part"),
+            (table, None) => Some(table),
+        }
+    }
 }
 
 impl Key {
@@ -139,14 +168,14 @@ impl Key {
         self.range().unwrap_or_else(|| panic!("{} has a range", self.path()))
     }
 
-    /// The default of a key that has a number as its default.
+    /// The words of a key that takes one of several.
     ///
     /// # Panics
-    /// When it has none.
-    pub(crate) fn default_number(&self) -> f64 {
-        match self.absent {
-            Absent::Number(default) => default,
-            _ => panic!("{} has a default", self.path()),
+    /// When it takes none.
+    pub(crate) fn words(&self) -> &'static [&'static str] {
+        match self.values {
+            Values::Choice(words) => words,
+            _ => panic!("{} has words", self.path()),
         }
     }
 
@@ -154,47 +183,4 @@ impl Key {
     pub fn path(&self) -> String {
         if self.table.is_empty() { self.name.to_owned() } else { format!("{}.{}", self.table, self.name) }
     }
-}
-
-impl Range {
-    /// All numbers from `low` to `high`.
-    pub const fn closed(low: f64, high: f64) -> Self {
-        Self { low, high, includes_low: true, includes_high: true }
-    }
-
-    /// The numbers between `low` and `high`, without these two.
-    pub const fn open(low: f64, high: f64) -> Self {
-        Self { low, high, includes_low: false, includes_high: false }
-    }
-
-    /// The numbers above `low`, up to `high`.
-    pub const fn above(low: f64, high: f64) -> Self {
-        Self { low, high, includes_low: false, includes_high: true }
-    }
-
-    /// Whether a number lies in the interval.
-    pub fn contains(&self, number: f64) -> bool {
-        let above = number > self.low || self.includes_low && number == self.low;
-        let below = number < self.high || self.includes_high && number == self.high;
-        above && below
-    }
-}
-
-/// In words that follow "must lie".
-impl fmt::Display for Range {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        let (low, high) = (short(self.low), short(self.high));
-        if self.includes_low && self.includes_high {
-            return write!(formatter, "between {low} and {high}");
-        }
-        let from = if self.includes_low { "at or above" } else { "above" };
-        let to = if self.includes_high { "at or below" } else { "below" };
-        write!(formatter, "{from} {low} and {to} {high}")
-    }
-}
-
-/// A number without long rows of zeros.
-pub(crate) fn short(number: f64) -> String {
-    const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
-    if number == 0.0 || PLAIN.contains(&number.abs()) { format!("{number}") } else { format!("{number:e}") }
 }

@@ -1,13 +1,11 @@
 //! Good and bad scene files.
 
-mod support;
-
 use std::path::Path;
 
 use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, resolved};
 use task::Limits;
 
-use support::{SCENE, folder, parse, replaced};
+use crate::support::{SCENE, folder, parse, replaced};
 
 /// The error of the scene after a replacement, with its line of text.
 fn error(from: &str, to: &str) -> (SceneError, String) {

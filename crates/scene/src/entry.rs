@@ -1,139 +1,41 @@
-//! Tables and values of a TOML file with their places, read as the declared keys want them.
+//! Values of a TOML file with their places, read as their declared keys want them.
 
 use std::ops::Range as Span;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeValue};
 
-use crate::error::{SceneError, Source, clipped, suggest};
-use crate::keys::{self, Absent, Key, MAX_NAME_LENGTH, Range, Values};
+use crate::error::{SceneError, Source};
+use crate::keys::{Key, MAX_NAME_LENGTH};
+use crate::range::Range;
+use crate::words::{clipped, suggest};
 
-/// A table of a file. It has no keys but the declared ones.
-pub struct Table<'text> {
-    source: Source<'text>,
-    /// Name of the table among the declared keys.
-    declared: &'static str,
-    /// Name of the table in messages.
-    path: String,
-    /// Place of its header; the top level has none.
-    header: Option<Span<usize>>,
-    entries: &'text DeTable<'text>,
-}
+/// A value with its place.
+pub type Value<'text> = Spanned<DeValue<'text>>;
 
 /// The value of a key.
 pub struct Entry<'text> {
     source: Source<'text>,
     key: &'static Key,
+    /// Name of the key with its tables.
     path: String,
-    value: &'text Spanned<DeValue<'text>>,
-}
-
-type Value<'text> = Spanned<DeValue<'text>>;
-
-impl<'text> Table<'text> {
-    /// The top level of a scene.
-    pub fn top(source: Source<'text>, entries: &'text DeTable<'text>) -> Result<Self, SceneError> {
-        Self { source, declared: "", path: String::new(), header: None, entries }.checked()
-    }
-
-    /// Refuses unknown keys, the first one in the file.
-    fn checked(self) -> Result<Self, SceneError> {
-        let declared = keys::keys().iter().filter(|key| key.table == self.declared);
-        let valid: Vec<&str> = declared.map(|key| key.name).collect();
-        let unknown = self.entries.keys().filter(|key| !valid.contains(&key.get_ref().as_ref()));
-        match unknown.min_by_key(|key| key.span().start) {
-            None => Ok(self),
-            Some(key) => {
-                let name = clipped(key.get_ref());
-                let hint = match owner(&name) {
-                    Some(table) => format!(" here: it belongs to [{table}]"),
-                    None => suggest(&name, &valid),
-                };
-                Err(self.source.error(key.span(), format!("unknown key `{name}`{hint}")))
-            }
-        }
-    }
-
-    /// The value of a key, if it is given.
-    pub fn find(&self, name: &str) -> Option<Entry<'text>> {
-        let key = keys::key(self.declared, name);
-        let path = if self.path.is_empty() { name.to_owned() } else { format!("{}.{name}", self.path) };
-        self.entries.get(name).map(|value| Entry { source: self.source, key, path, value })
-    }
-
-    /// The value of a key that must be given.
-    pub fn require(&self, name: &str) -> Result<Entry<'text>, SceneError> {
-        self.find(name).ok_or_else(|| {
-            let key = keys::key(self.declared, name);
-            let unit = if key.unit.is_empty() { String::new() } else { format!(" ({})", key.unit) };
-            self.refuse(format!("missing key `{name}` in {}: {}{unit}", self.title(), key.meaning))
-        })
-    }
-
-    /// A number, or the key's default.
-    pub fn number(&self, name: &str) -> Result<f64, SceneError> {
-        match (self.find(name), keys::key(self.declared, name).absent) {
-            (None, Absent::Number(default)) => Ok(default),
-            _ => self.require(name)?.number(),
-        }
-    }
-
-    /// A table that may be left out.
-    pub fn find_table(&self, name: &str) -> Result<Option<Table<'text>>, SceneError> {
-        let Some(entry) = self.find(name) else { return Ok(None) };
-        let declared = keys::keys().iter().map(|key| key.table).find(|table| *table == entry.path);
-        let declared = declared.expect("a table has declared keys");
-        let name = &entry.path;
-        match entry.value.get_ref() {
-            DeValue::Table(_) => entry.table(declared, entry.value).map(Some),
-            DeValue::Array(list) if list.first().is_some_and(|first| first.get_ref().is_table()) => {
-                Err(entry.refuse(format!("{name} is a single table: write [{name}], not [[{name}]]")))
-            }
-            _ => Err(entry.wrong_kind(entry.value, "a table")),
-        }
-    }
-
-    /// A table that must be there. It may be given by its parts alone.
-    pub fn require_table(&self, name: &str) -> Result<Table<'text>, SceneError> {
-        self.find_table(name)?.ok_or_else(|| {
-            let has_parts = keys::keys().iter().any(|key| key.table == name && key.name == "part");
-            let header = if has_parts { format!("[[{name}.part]]") } else { format!("[{name}]") };
-            self.refuse(format!("the scene has no {header}: {}", keys::key(self.declared, name).meaning))
-        })
-    }
-
-    /// Tables with headers in double brackets, whose keys are declared under another name.
-    pub fn tables(&self, name: &str, declared: &'static str) -> Result<Vec<Table<'text>>, SceneError> {
-        let Some(entry) = self.find(name) else {
-            return Err(match &self.header {
-                Some(_) => self.refuse(format!("[{0}] has no part: add a [[{0}.{name}]]", self.path)),
-                None => self.refuse(format!("the scene has no [[{name}]]: {}", keys::key(self.declared, name).meaning)),
-            });
-        };
-        let header = &entry.path;
-        match entry.value.get_ref() {
-            DeValue::Array(_) => entry.list()?.iter().map(|value| entry.table(declared, value)).collect(),
-            DeValue::Table(_) => Err(entry.refuse(format!("there may be several: write [[{header}]], not [{header}]"))),
-            _ => Err(entry.wrong_kind(entry.value, &format!("given as [[{header}]]"))),
-        }
-    }
-
-    /// Its header as it is written, where it has one.
-    fn title(&self) -> String {
-        let written = self.header.clone().map_or("", |header| &self.source.text[header]);
-        if written.starts_with('[') { clipped(written) } else { format!("[{}]", self.path) }
-    }
-
-    /// An error about the table.
-    pub fn refuse(&self, message: String) -> SceneError {
-        match &self.header {
-            Some(header) => self.source.error(header.clone(), message),
-            None => SceneError::about(self.source.file, message),
-        }
-    }
+    /// Place of the key's name.
+    name: Span<usize>,
+    value: &'text Value<'text>,
 }
 
 impl<'text> Entry<'text> {
+    /// The value of a key in a table whose name in messages is `table`, empty for the top of a file.
+    pub fn new(
+        source: Source<'text>,
+        key: &'static Key,
+        table: &str,
+        (name, value): (&Spanned<DeString>, &'text Value<'text>),
+    ) -> Self {
+        let path = if table.is_empty() { key.name.to_owned() } else { format!("{table}.{}", key.name) };
+        Self { source, key, path, name: name.span(), value }
+    }
+
     /// The file.
     pub fn source(&self) -> Source<'text> {
         self.source
@@ -144,9 +46,24 @@ impl<'text> Entry<'text> {
         self.value.span()
     }
 
+    /// The declaration of the key.
+    pub fn key(&self) -> &'static Key {
+        self.key
+    }
+
     /// Name of the key with its tables.
     pub fn path(&self) -> &str {
         &self.path
+    }
+
+    /// The value as it was parsed.
+    pub fn value(&self) -> &'text Value<'text> {
+        self.value
+    }
+
+    /// An error about the key.
+    pub fn refuse_name(&self, message: impl Into<String>) -> SceneError {
+        self.source.error(self.name.clone(), message)
     }
 
     /// An error about the value.
@@ -160,9 +77,9 @@ impl<'text> Entry<'text> {
     }
 
     /// An integer in the key's range.
-    pub fn integer(&self) -> Result<usize, SceneError> {
+    pub fn integer(&self) -> Result<i64, SceneError> {
         match self.value.get_ref() {
-            DeValue::Integer(_) => self.number().map(|number| number as usize),
+            DeValue::Integer(_) => self.number().map(|number| number as i64),
             DeValue::Float(_) => Err(self.refuse(format!("{} must be an integer", self.subject(self.value)))),
             _ => Err(self.wrong_kind(self.value, "an integer")),
         }
@@ -239,8 +156,10 @@ impl<'text> Entry<'text> {
 
     /// Index of one of the key's words.
     pub fn choice(&self) -> Result<usize, SceneError> {
-        let Values::Choice(words) = self.key.values else { unreachable!("{} has no words", self.path) };
-        let text = self.text()?;
+        let words = self.key.words();
+        let Some(text) = self.value.get_ref().as_str() else {
+            return Err(self.wrong_kind(self.value, &format!("one of \"{}\"", words.join("\", \""))));
+        };
         words.iter().position(|word| *word == text).ok_or_else(|| {
             let text = clipped(text);
             self.refuse(format!("{}: unknown value `{text}`{}", self.path, suggest(&text, words)))
@@ -258,7 +177,7 @@ impl<'text> Entry<'text> {
     }
 
     /// A list with a number of entries that the key allows.
-    fn list(&self) -> Result<&'text [Value<'text>], SceneError> {
+    pub fn list(&self) -> Result<&'text [Value<'text>], SceneError> {
         let DeValue::Array(list) = self.value.get_ref() else { return Err(self.wrong_kind(self.value, "a list")) };
         let count = self.key.count().unwrap_or_else(|| panic!("{} is a list", self.path));
         let entries = if list.len() == 1 { "entry" } else { "entries" };
@@ -270,12 +189,6 @@ impl<'text> Entry<'text> {
             return Ok(list);
         };
         Err(self.refuse(format!("{} has {} {entries}: it must have {bound}", self.path, list.len())))
-    }
-
-    fn table(&self, declared: &'static str, value: &'text Value<'text>) -> Result<Table<'text>, SceneError> {
-        let DeValue::Table(entries) = value.get_ref() else { return Err(self.wrong_kind(value, "a table")) };
-        let (source, path, header) = (self.source, self.path.clone(), Some(value.span()));
-        Table { source, declared, path, header, entries }.checked()
     }
 
     /// A list of so many entries.
@@ -332,7 +245,8 @@ impl<'text> Entry<'text> {
         value.get_ref().as_str().ok_or_else(|| self.wrong_kind(value, "text in quotes"))
     }
 
-    fn wrong_kind(&self, value: &Value, wanted: &str) -> SceneError {
+    /// An error about a value that is not what is wanted.
+    pub fn wrong_kind(&self, value: &Value, wanted: &str) -> SceneError {
         let message = format!("{} must be {wanted}, not {}", self.subject(value), kind(value.get_ref()));
         self.source.error(value.span(), message)
     }
@@ -345,16 +259,6 @@ impl<'text> Entry<'text> {
             _ if value.span() == self.span() => format!("{} = {written}:", self.path),
             _ => format!("{}: {written}", self.path),
         }
-    }
-}
-
-/// The one table of a scene that has a key, if only one has it.
-fn owner(name: &str) -> Option<&'static str> {
-    let mut tables = keys::keys().iter().filter(|key| key.name == name && key.table != "homotopy").map(|key| key.table);
-    match (tables.next(), tables.next()) {
-        (Some("part"), None) => Some("body.part] or [environment.part"),
-        (Some(table), None) if !table.is_empty() => Some(table),
-        _ => None,
     }
 }
 

@@ -1,12 +1,10 @@
 //! Files that cannot be read as they are, and files of other systems.
 
-mod support;
-
 use std::path::Path;
 
 use scene::{Scene, SceneError, read_text};
 
-use support::{SCENE, parse, replaced};
+use crate::support::{SCENE, parse, replaced};
 
 fn load(bytes: &[u8]) -> Result<Scene, SceneError> {
     let folder = tempfile::tempdir().unwrap();

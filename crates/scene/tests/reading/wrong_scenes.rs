@@ -1,8 +1,6 @@
 //! Wrong scenes, and what is said about them.
 
-use std::path::Path;
-
-use scene::{Scene, SceneError, Source};
+use crate::support::parse;
 
 /// A scene that is right.
 const BASE: &str = "\
@@ -49,10 +47,6 @@ compliant = { rotational_velocity = 0.1, terminal_orientation = 1000 }
 translational_velocity = 1.0
 torque = 1.0
 ";
-
-fn parse(text: &str) -> Result<Scene, SceneError> {
-    Scene::parse(Source { file: Path::new("wrong.toml"), text })
-}
 
 /// What is replaced in the scene, by what, the line of the error (0: it has none), and words of its message.
 #[rustfmt::skip]
@@ -164,7 +158,7 @@ const CASES: &[(&str, &str, usize, &str)] = &[
     ("box = [0.02, 0.02, 0.1]", "box = [0.02, 0.02, 0.1]\nunit = 'mm'", 8, "`unit` belongs to `mesh`; everything else is in metres"),
     ("box = [0.02, 0.02, 0.1]", "mesh = 'part.stl'", 7, "a mesh needs its `unit`: one of \"m\", \"cm\", \"mm\", \"inch\""),
     ("box = [0.02, 0.02, 0.1]", "mesh = 'part.stl'\nunit = 'mmm'", 8, "body.part.unit: unknown value `mmm`, did you mean `mm`?"),
-    ("box = [0.02, 0.02, 0.1]", "mesh = 'part.stl'\nunit = 0.001", 8, "body.part.unit = 0.001: must be text in quotes, not a number"),
+    ("box = [0.02, 0.02, 0.1]", "mesh = 'part.stl'\nunit = 0.001", 8, "body.part.unit = 0.001: must be one of \"m\", \"cm\", \"mm\", \"inch\", not a number"),
     ("box = [0.02, 0.02, 0.1]", "mesh = 'gone.stl'\nunit = 'mm'", 7, "mesh gone.stl: No such file or directory (os error 2)"),
     ("box = [0.02, 0.02, 0.1]", "mesh = 5\nunit = 'mm'", 7, "body.part.mesh = 5: must be text in quotes, not a number"),
     ("box = [0.02, 0.02, 0.1]", "mesh = ''\nunit = 'mm'", 7, "body.part.mesh is empty"),
@@ -380,7 +374,7 @@ fn every_wrong_scene_is_refused_at_its_line_with_its_words() {
         let Err(error) = parse(&text) else { panic!("`{to}` is accepted") };
         assert!(error.message().contains(words), "{to}\n{error}");
         assert_eq!(error.line().unwrap_or(0), *line, "{to}\n{error}");
-        assert!(error.to_string().starts_with("wrong.toml:"), "{error}");
+        assert!(error.to_string().starts_with("test.toml:"), "{error}");
     }
 }
 

@@ -1,14 +1,12 @@
 //! `docs/scene.md` says what the program does. `UPDATE_DOCS=1 cargo test -p scene` writes its tables.
 
-mod support;
-
 use std::collections::BTreeSet;
 
 use scene::{Absent, Key, Range, Values, default_homotopy, keys, parse_homotopy};
 use task::{Limits, LinearSolver};
 use toml::Value;
 
-use support::{folder, parse};
+use crate::support::{folder, parse};
 
 const BEGIN: &str = "<!-- keys of ";
 const END: &str = "<!-- end of keys -->";

@@ -1,10 +1,8 @@
 //! Scenes that are too large, look like a mistaken unit, or have no task for what is asked.
 
-mod support;
-
 use scene::{Scene, TaskError, default_homotopy, resolved};
 
-use support::{SCENE, folder, parse, replaced};
+use crate::support::{SCENE, folder, parse, replaced};
 
 const START: &str = "[[start]]\nname = \"a\"\nposition = [0, 0, 0.09]\norientation = [1, 0, 0, 0]\n";
 const WALL: &str = "[[environment.part]]\nname = \"wall\"\nbox = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]\n";

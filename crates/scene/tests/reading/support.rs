@@ -1,5 +1,4 @@
 //! What several tests share.
-#![allow(dead_code, reason = "not every test uses all of it")]
 
 use std::path::{Path, PathBuf};
 
@@ -46,4 +45,10 @@ pub fn replaced(from: &str, to: &str) -> String {
 /// A folder of the project.
 pub fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
+}
+
+/// Checks that an error has these words and stands in this line and column.
+pub fn assert_place(error: &SceneError, words: &str, place: (usize, usize)) {
+    assert!(error.message().contains(words), "{error}");
+    assert_eq!((error.line(), error.column()), (Some(place.0), Some(place.1)), "{error}");
 }

@@ -1,0 +1,104 @@
+//! Reading scene files.
+
+use std::path::Path;
+
+use crate::entry::is_control;
+use crate::error::{SceneError, Source};
+use crate::file::read_text;
+use crate::homotopy;
+use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
+use crate::limits::limits;
+use crate::part::parts;
+use crate::pose::{directions, pose};
+use crate::scene::Scene;
+use crate::sections;
+use crate::table::{self, Table};
+use crate::warnings::warnings;
+
+impl Scene {
+    /// Reads a scene file and the files it names.
+    ///
+    /// # Errors
+    /// The first error, with its place.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        let text = read_text(path, "scene")?;
+        Self::parse(Source { file: path, text: &text })
+    }
+
+    /// Reads a scene from text. Names of other files are relative to the source's file.
+    ///
+    /// # Errors
+    /// The first error, with its place.
+    pub fn parse(source: Source) -> Result<Self, SceneError> {
+        let is_blank = |character: char| character.is_whitespace() || character == '\u{feff}';
+        if source.text.chars().all(is_blank) {
+            return Err(SceneError::about(source.file, "the scene is empty"));
+        }
+        table::read(source, Form::scene(), |table| {
+            let scene = Self::read(source.file, table)?;
+            Ok(Self { warnings: warnings(table, &scene)?, ..scene })
+        })
+    }
+
+    fn read(file: &Path, table: &Table) -> Result<Self, SceneError> {
+        let body_table = table.require_table("body")?;
+        let body = parts(&body_table)?;
+        let environment = parts(&table.require_table("environment")?)?;
+        let inertia = sections::inertia(&body_table)?;
+        let robustness = table.require_table("robustness")?;
+        let scene = Self {
+            title: match table.find("title") {
+                Some(title) => title.name()?,
+                None => title_of(file),
+            },
+            pairs: sections::pairs(table, &body, &environment)?,
+            starts: sections::starts(table)?,
+            goal: pose(&table.require_table("goal")?)?,
+            impedance: sections::impedance(&table.require_table("impedance")?, &inertia)?,
+            offset_magnitude: robustness.number("offset_magnitude")?,
+            offset_directions: directions(&robustness.require("offset_directions")?)?,
+            horizon: sections::horizon(&table.require_table("horizon")?)?,
+            cost: sections::cost(table)?,
+            limits: limits(&table.table("limits")?)?,
+            homotopy: homotopy::of_scene(table)?,
+            body,
+            environment,
+            inertia,
+            warnings: Vec::new(),
+        };
+        scene.check_size(table)?;
+        scene.check_limits(table)?;
+        Ok(scene)
+    }
+
+    /// Refuses a problem that is too large to be solved.
+    fn check_size(&self, table: &Table) -> Result<(), SceneError> {
+        let (steps, offsets, pairs) = (self.horizon.steps, self.offset_directions.len(), self.pairs.len());
+        let forces = steps * offsets * pairs;
+        if forces <= MAX_CONTACT_FORCES {
+            return Ok(());
+        }
+        Err(table.require_table("horizon")?.require("steps")?.refuse(format!(
+            "{steps} steps x {offsets} offset directions x {pairs} contact pairs make {forces} contact forces, more \
+             than {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
+        )))
+    }
+
+    /// Refuses limits within which the goal cannot be reached from a start.
+    fn check_limits(&self, table: &Table) -> Result<(), SceneError> {
+        let limits = table.table("limits")?;
+        for start in &self.starts {
+            if let Err(error) = self.check_reach(start, self.offset_magnitude) {
+                return Err(limits.require(error.key)?.refuse(error.to_string()));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The name of a file without its ending, where it can be a title.
+fn title_of(file: &Path) -> String {
+    let stem = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let title: String = stem.chars().filter(|character| !is_control(*character)).take(MAX_NAME_LENGTH).collect();
+    if title.trim().is_empty() { "scene".to_owned() } else { title }
+}

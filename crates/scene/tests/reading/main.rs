@@ -1,0 +1,10 @@
+//! Good and bad files, and what is said about them.
+
+mod documentation;
+mod files;
+mod homotopies;
+mod mutations;
+mod scenes;
+mod sizes;
+mod support;
+mod wrong_scenes;
