@@ -80,7 +80,8 @@ impl Page {
     /// Rows of all tables between the comment `<!-- BEGIN... -->` and the next `<!-- end of ... -->`, with what stands in
     /// the comment after BEGIN.
     pub fn marked_tables(&self, begin: &str) -> Vec<(String, Vec<Vec<String>>)> {
-        let marked = self.text.split(&format!("<!-- {begin}")).skip(1);
+        let begin = format!("<!-- {begin}");
+        let marked = self.text.split(&begin).skip(1);
         marked
             .map(|rest| {
                 let (mark, rest) = rest.split_once(" -->").unwrap();
