@@ -22,8 +22,8 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;
-    if !arguments.resume {
-        folder.discard()?;
+    if !arguments.resume && folder.discard()? {
+        tell!("unfinished work of an earlier run is discarded; --resume would have gone on with it");
     }
 
     let stopped = stop_flag()?;

@@ -65,11 +65,12 @@ impl PlanFolder {
         &self.work
     }
 
-    /// Removes unfinished work.
+    /// Removes unfinished work; whether there was any.
     ///
     /// # Errors
     /// When it cannot be removed.
-    pub fn discard(&self) -> Result<(), PlannerError> {
+    pub fn discard(&self) -> Result<bool, PlannerError> {
+        let mut found = false;
         for entry in fs::read_dir(&self.work).map_err(PlannerError::read(&self.work))? {
             let entry = entry.map_err(PlannerError::read(&self.work))?;
             let path = entry.path();
@@ -79,8 +80,9 @@ impl PlanFolder {
             let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
             let removed = if is_folder { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
             removed.map_err(PlannerError::written(&path))?;
+            found = true;
         }
-        Ok(())
+        Ok(found)
     }
 
     /// The finished homotopy iterations of a problem, if another run has left some; `Err` with the reason why they are

@@ -53,7 +53,10 @@ impl StoredPlan {
                 PlannerError::file(&file, format!("belongs to the plan and cannot be read ({error}); solve again"))
             })?;
             if hash(&content) != *expected {
-                return Err(PlannerError::file(&file, "was changed since the plan was written; solve again"));
+                return Err(PlannerError::file(
+                    &file,
+                    "was changed since the plan was written; restore it, or solve into another folder",
+                ));
             }
         }
         if !result.files.contains_key(REFERENCE) {
