@@ -25,6 +25,7 @@ use std::thread;
 use std::time::Duration;
 
 use support::Dir;
+use support::small::SMALL;
 
 /// A file, what is replaced in it (all of it, if empty), and by what.
 type Edit = (&'static str, &'static str, &'static str);
@@ -37,7 +38,7 @@ const LONGEST: Duration = Duration::from_secs(20);
 /// What every row starts from: a scene, its plan in `plan`, a batch in `runs`, and files that they may name.
 static RIGHT: LazyLock<Dir> = LazyLock::new(|| {
     let dir = Dir::new();
-    dir.write("scene.toml", scenes::RIGHT);
+    dir.write("scene.toml", SMALL);
     dir.add_homotopy("homotopy.toml", "iterations = 1\ntau = 0.0025", "tol = 1e-2\nmax_iter = 3000");
     dir.write(
         "matrix.toml",

@@ -3,6 +3,7 @@
 
 mod process;
 pub mod reached;
+pub mod small;
 pub mod table;
 
 use std::collections::BTreeMap;
