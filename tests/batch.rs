@@ -2,14 +2,12 @@
 
 #![cfg(unix)]
 
-mod support;
-
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use serde_json::Value;
 
-use support::{Dir, Run, Running, TestCommand};
+use crate::support::{Dir, Run, Running, TestCommand};
 
 /// A folder with the corner scene, with a scene of so many steps that a homotopy iteration takes a moment, and with a
 /// homotopy that ends too early.

@@ -1,11 +1,9 @@
 //! The program as a user runs it.
 
-mod support;
-
 use serde_json::Value;
 
-use support::table::norm;
-use support::{Dir, list, number};
+use crate::support::table::norm;
+use crate::support::{Dir, list, number};
 
 const STATE: &str = "px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s";
 

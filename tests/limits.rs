@@ -1,10 +1,8 @@
 //! Limits of a scene are kept by every scenario at every step.
 
-mod support;
-
 use serde_json::Value;
 
-use support::{Dir, Run, list, number};
+use crate::support::{Dir, Run, list, number};
 
 /// The solver's tolerance of a violated constraint, in the units of the limits.
 const TOLERANCE: f64 = 1e-4;
@@ -41,7 +39,7 @@ fn every_limit_is_kept_where_it_is_active() {
         ("force = 1.0\ntorque = 0.02", vec![("force_n", 1.0), ("torque_nm", 0.02)]),
     ] {
         let result = plan(&dir, limits);
-        for (key, value) in support::reached::reached(&dir, "out", TIME_STEP) {
+        for (key, value) in crate::support::reached::reached(&dir, "out", TIME_STEP) {
             assert!((number(&result["reached"], key) - value).abs() < 1e-9, "{limits}: {key}");
             let scenarios = list(&result, "scenarios");
             assert!(scenarios.iter().all(|scenario| number(&scenario["reached"], key) <= value + 1e-9));

@@ -1,8 +1,6 @@
 //! `simulate` against motions that MuJoCo made from the same plans; `scripts/record-mujoco` records them.
 
-mod support;
-
-use support::{Dir, Table, project};
+use crate::support::{Dir, Table, project};
 
 /// A moment of a motion: time (s), position (m), quaternion, velocity (m/s), angular velocity (rad/s).
 type Moment = [f64; 14];

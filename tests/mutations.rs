@@ -1,8 +1,6 @@
 //! Mutated files: whatever stands in a scene, a homotopy, a plan, a batch or unfinished work, reading and using it ends
 //! soon, without a panic, and what is accepted has finite numbers.
 
-mod support;
-
 #[path = "mutations/text.rs"]
 mod text;
 
@@ -14,6 +12,8 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
+use crate::support::Dir;
+use crate::support::small::SMALL;
 use planner::batch::{CellState, Manifest, collect};
 use planner::check::{explain, pair_reports};
 use planner::files::{PlanFolder, PlanResult, RolloutRow, StoredPlan, hash, to_csv};
@@ -23,8 +23,6 @@ use planner::{
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use support::Dir;
-use support::small::SMALL;
 use text::{Mutation, mutated, mutation};
 
 /// Longest time that anything may take.

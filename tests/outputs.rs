@@ -2,13 +2,11 @@
 
 #![cfg(unix)]
 
-mod support;
-
 use std::thread;
 use std::time::Duration;
 
+use crate::support::{Dir, TestCommand};
 use planner::files::PlanFolder;
-use support::{Dir, TestCommand};
 
 /// A folder with a plan in `out`.
 fn plan() -> Dir {

@@ -2,13 +2,11 @@
 
 #![cfg(unix)]
 
-mod support;
-
 use std::time::Duration;
 
 use serde_json::json;
 
-use support::{Dir, Run, Running, list};
+use crate::support::{Dir, Run, Running, list};
 
 /// The folder of unfinished work beside `out`.
 const UNFINISHED: &str = ".out.unfinished";

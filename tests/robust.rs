@@ -1,8 +1,6 @@
 //! `solve --robust` as a user runs it.
 
-mod support;
-
-use support::{Dir, list, number};
+use crate::support::{Dir, list, number};
 
 /// One friction is enough.
 const SOLVE: &str = "solve corner.toml --friction 0 --robust --out out";

@@ -1,9 +1,7 @@
 //! `simulate` as a user runs it.
 
-mod support;
-
-use support::Dir;
-use support::table::norm;
+use crate::support::Dir;
+use crate::support::table::norm;
 
 /// Plans of the smallest scene for two magnitudes, in one folder.
 fn plans() -> Dir {

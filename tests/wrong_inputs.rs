@@ -17,15 +17,13 @@ mod scenes;
 mod simulate;
 #[path = "wrong_inputs/solve.rs"]
 mod solve;
-mod support;
-
 use std::collections::VecDeque;
 use std::sync::{LazyLock, Mutex};
 use std::thread;
 use std::time::Duration;
 
-use support::Dir;
-use support::small::SMALL;
+use crate::support::Dir;
+use crate::support::small::SMALL;
 
 /// A file, what is replaced in it (all of it, if empty), and by what.
 type Edit = (&'static str, &'static str, &'static str);

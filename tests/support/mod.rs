@@ -1,5 +1,4 @@
 //! What all tests of the program share: a folder of their own, the program in it, what it says and what it writes.
-#![allow(dead_code, reason = "no test needs everything")]
 
 mod process;
 pub mod reached;

@@ -1,0 +1,14 @@
+//! The program as a user runs it: one binary, so that all tests share [`support`].
+
+mod batch;
+mod documentation;
+mod end_to_end;
+mod limits;
+mod mujoco;
+mod mutations;
+mod outputs;
+mod resume;
+mod robust;
+mod simulate;
+mod support;
+mod wrong_inputs;
