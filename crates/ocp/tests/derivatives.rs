@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use nalgebra::Matrix3;
 use nlp::{Problem, check_derivatives};
 use ocp::Transcription;
 use task::{AssemblyTask, Complementarity, HessianKind, Limits};
@@ -47,6 +48,15 @@ fn no_contacts() {
 #[test]
 fn clamp_with_five_scenarios() {
     check(&task("clamp1", 2, 3));
+}
+
+#[test]
+fn full_damping_matrices() {
+    let mut task = task("corner", 3, 2);
+    task.impedance.translational_damping = Matrix3::new(9.0, 2.0, -1.0, 2.0, 12.0, 3.0, -1.0, 3.0, 7.0);
+    task.impedance.rotational_damping = Matrix3::new(1.2, 0.3, -0.2, 0.3, 0.9, 0.1, -0.2, 0.1, 1.5);
+    check(&task);
+    check(&AssemblyTask { limits: Limits { force: 6.0, torque: 0.7, ..Limits::NONE }, ..task });
 }
 
 #[test]

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeValue};
 
 use crate::error::{SceneError, Source};
-use crate::keys::{Key, MAX_NAME_LENGTH};
+use crate::keys::{Key, MAX_NAME_LENGTH, Values};
 use crate::range::Range;
 use crate::words::{clipped, suggest};
 
@@ -109,16 +109,20 @@ impl<'text> Entry<'text> {
         self.list()?.iter().map(vector).collect()
     }
 
-    /// Three numbers in the key's range as a diagonal, or the rows of a 3x3 matrix of numbers that are no larger.
+    /// Numbers in the key's range as a diagonal, or the rows of a 3x3 matrix of numbers that are no larger.
     pub fn matrix(&self) -> Result<[[f64; 3]; 3], SceneError> {
-        let words = "3 numbers or a 3x3 matrix";
-        let DeValue::Array(rows) = self.value.get_ref() else { return Err(self.wrong_kind(self.value, words)) };
+        let may_be_number = matches!(self.key.values, Values::NumberOrMatrix(_));
+        let words = if may_be_number { "a number, 3 numbers or a 3x3 matrix" } else { "3 numbers or a 3x3 matrix" };
+        let rows = match self.value.get_ref() {
+            DeValue::Array(rows) => rows,
+            DeValue::Integer(_) | DeValue::Float(_) if may_be_number => return Ok(diagonal([self.number()?; 3])),
+            _ => return Err(self.wrong_kind(self.value, words)),
+        };
         if !rows.iter().any(|row| row.get_ref().is_array()) {
             if rows.len() != 3 {
                 return Err(self.refuse(format!("{} must be {words}, not {} numbers", self.path, rows.len())));
             }
-            let [x, y, z] = self.vector()?;
-            return Ok([[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]);
+            return Ok(diagonal(self.vector()?));
         }
         if rows.len() != 3 {
             return Err(self.refuse(format!("{} must have 3 rows, not {}", self.path, rows.len())));
@@ -268,6 +272,10 @@ const COMPONENT: Range = Range::closed(-1e3, 1e3);
 /// Whether a character breaks a line or does not show.
 pub fn is_control(character: char) -> bool {
     character.is_control() || matches!(character, '\u{2028}' | '\u{2029}')
+}
+
+fn diagonal([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
+    [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]
 }
 
 /// What a value is, in words.

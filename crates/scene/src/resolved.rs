@@ -1,5 +1,6 @@
 //! Writes a scene and a homotopy into one file that reproduces a run.
 
+use nalgebra::Matrix3;
 use task::{CostWeights, HomotopySettings, Limits};
 use toml::{Table, Value};
 
@@ -11,12 +12,7 @@ use crate::scene::{Scene, StartPose};
 /// the tables of the homotopy.
 pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotopy: &HomotopySettings) -> String {
     let (homotopy, ipopt) = homotopy::tables(homotopy);
-    let rotational = &scene.inertia.rotational;
-    let damping = scene.impedance.rotational_damping.diagonal();
-    let mut body = table([
-        ("mass", scene.inertia.mass.into()),
-        ("inertia", Value::Array((0..3).map(|row| numbers(rotational.row(row).iter())).collect())),
-    ]);
+    let mut body = table([("mass", scene.inertia.mass.into()), ("inertia", rows(&scene.inertia.rotational))]);
     body.insert("part".into(), parts(&scene.body));
     let pairs = scene
         .pairs
@@ -36,8 +32,8 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
             table([
                 ("translational_stiffness", scene.impedance.translational_stiffness.into()),
                 ("rotational_stiffness", scene.impedance.rotational_stiffness.into()),
-                ("translational_damping", scene.impedance.translational_damping.into()),
-                ("rotational_damping", numbers(damping.iter())),
+                ("translational_damping", shortest(&scene.impedance.translational_damping)),
+                ("rotational_damping", axes_or_rows(&scene.impedance.rotational_damping)),
             ])
             .into(),
         ),
@@ -80,6 +76,22 @@ fn table<const N: usize>(entries: [(&str, Value); N]) -> Table {
 
 fn numbers<'number>(numbers: impl IntoIterator<Item = &'number f64>) -> Value {
     Value::Array(numbers.into_iter().map(|&number| Value::Float(number)).collect())
+}
+
+fn rows(matrix: &Matrix3<f64>) -> Value {
+    Value::Array(matrix.row_iter().map(|row| numbers(row.iter())).collect())
+}
+
+/// The diagonal, or the rows of a matrix that has more.
+fn axes_or_rows(matrix: &Matrix3<f64>) -> Value {
+    let diagonal = matrix.diagonal();
+    if *matrix == Matrix3::from_diagonal(&diagonal) { numbers(&diagonal) } else { rows(matrix) }
+}
+
+/// One number for the same along every axis.
+fn shortest(matrix: &Matrix3<f64>) -> Value {
+    let first = matrix[(0, 0)];
+    if *matrix == Matrix3::from_diagonal_element(first) { first.into() } else { axes_or_rows(matrix) }
 }
 
 fn pose(pose: &[f64; 7]) -> Table {

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, SymmetricEigen};
 use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 
+use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::keys::key;
 use crate::part::Part;
@@ -34,21 +35,29 @@ pub fn inertia(body: &Table) -> Result<Inertia, SceneError> {
     let Some(entry) = body.find("inertia") else {
         return Ok(Inertia { mass, rotational: Matrix3::identity() * body.number("inertia")? });
     };
+    Ok(Inertia { mass, rotational: symmetric(&entry)? })
+}
+
+/// A symmetric matrix with its principal values in the key's range. Where zero is in the range, rounding may make it
+/// negative.
+fn symmetric(entry: &Entry) -> Result<Matrix3<f64>, SceneError> {
     let rows = entry.matrix()?;
-    let rotational = Matrix3::from_fn(|row, column| rows[row][column]);
-    if (rotational - rotational.transpose()).amax() > ROUNDING * rotational.amax() {
-        return Err(entry.refuse("body.inertia must be symmetric (kg m^2)"));
+    let (path, unit, range) = (entry.path(), entry.key().unit, entry.key().bounds());
+    let matrix = Matrix3::from_fn(|row, column| rows[row][column]);
+    let rounding = ROUNDING * matrix.amax();
+    if (matrix - matrix.transpose()).amax() > rounding {
+        return Err(entry.refuse(format!("{path} must be symmetric ({unit})")));
     }
-    let range = key("body", "inertia").bounds();
-    let principal = principal_values(rotational);
-    let is_definite = rotational.cholesky().is_some();
-    match principal.iter().find(|value| !range.contains(**value)) {
-        None if is_definite => Ok(Inertia { mass, rotational }),
+    let may_be_zero = range.contains(0.0);
+    let principal = principal_values(matrix);
+    let is_within = |value: f64| range.contains(value) || may_be_zero && range.contains(value + rounding);
+    match principal.iter().find(|value| !is_within(**value)) {
+        None if may_be_zero || matrix.cholesky().is_some() => Ok(matrix),
         outside => {
+            let definite = if may_be_zero { "semidefinite" } else { "definite" };
             let value = outside.map_or(String::new(), |value| format!("; one is {value:.1e}"));
-            let message =
-                format!("body.inertia must be positive definite, with principal values {range} kg m^2{value}");
-            Err(entry.refuse(message))
+            Err(entry
+                .refuse(format!("{path} must be positive {definite}, with principal values {range} {unit}{value}")))
         }
     }
 }
@@ -68,10 +77,10 @@ pub fn impedance(table: &Table, inertia: &Inertia) -> Result<Impedance, SceneErr
     let (translational, rotational) = (table.number("translational_stiffness")?, table.number("rotational_stiffness")?);
     let mut impedance = Impedance::critically_damped(translational, rotational, inertia);
     if let Some(damping) = table.find("translational_damping") {
-        impedance.translational_damping = damping.number()?;
+        impedance.translational_damping = symmetric(&damping)?;
     }
     if let Some(damping) = table.find("rotational_damping") {
-        impedance.rotational_damping = Matrix3::from_diagonal(&damping.vector::<3>()?.into());
+        impedance.rotational_damping = symmetric(&damping)?;
     }
     Ok(impedance)
 }

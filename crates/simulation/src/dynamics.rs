@@ -85,7 +85,7 @@ impl Stepper {
         let error = body.pose.rotation.inverse() * target.pose.rotation;
         let torque = error.imag() * (2.0 * impedance.rotational_stiffness * error.w);
         let momentum =
-            body.velocity * self.inertia.mass + (force + target.velocity * impedance.translational_damping) * h;
+            body.velocity * self.inertia.mass + (force + impedance.translational_damping * target.velocity) * h;
         let angular = self.inertia.rotational * body.angular_velocity
             + (torque + impedance.rotational_damping * target.angular_velocity) * h;
         self.metric.scale(&momentum, &angular)

@@ -6,27 +6,28 @@ use crate::algebra::{Number, apply, dot, rotation};
 use crate::inertia::Inertia;
 use crate::state::{POSE, TWIST};
 
-/// Isotropic stiffness and damping of the Cartesian impedance controller.
+/// Isotropic stiffness, and damping, of the Cartesian impedance controller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Impedance {
     /// `k_t` (N/m).
     pub translational_stiffness: f64,
     /// `k_r` (Nm/rad).
     pub rotational_stiffness: f64,
-    /// `D_t` (Ns/m), the same along every axis.
-    pub translational_damping: f64,
-    /// `D_r` (Nms/rad), in the body frame.
+    /// `D_t` (Ns/m), in the world frame; symmetric and positive semidefinite.
+    pub translational_damping: Matrix3<f64>,
+    /// `D_r` (Nms/rad), in the body frame; symmetric and positive semidefinite.
     pub rotational_damping: Matrix3<f64>,
 }
 
 impl Impedance {
     /// Critical damping for the given inertia: `D_t = 2 sqrt(k_t m)`, `D_r = 2 sqrt(k_r I_jj)` per axis.
     pub fn critically_damped(translational_stiffness: f64, rotational_stiffness: f64, inertia: &Inertia) -> Self {
+        let translational = 2.0 * (translational_stiffness * inertia.mass).sqrt();
         let rotational = inertia.rotational.diagonal().map(|axis| 2.0 * (rotational_stiffness * axis).sqrt());
         Self {
             translational_stiffness,
             rotational_stiffness,
-            translational_damping: 2.0 * (translational_stiffness * inertia.mass).sqrt(),
+            translational_damping: Matrix3::from_diagonal_element(translational),
             rotational_damping: Matrix3::from_diagonal(&rotational),
         }
     }
@@ -37,19 +38,20 @@ impl Impedance {
     /// inverse.
     pub fn wrench<T: Number>(&self, reference: &[T], state: &[T], offset: &[T]) -> [T; TWIST] {
         let rotation = rotation(&state[3..POSE]);
+        let velocity: [T; 3] = std::array::from_fn(|axis| reference[POSE + axis] - state[POSE + axis]);
+        let braking = apply(&self.translational_damping, &velocity);
         let force: [T; 3] = std::array::from_fn(|axis| {
             let tracked = state[axis] + dot(&rotation[axis], offset);
-            (reference[axis] - tracked) * self.translational_stiffness
-                + (reference[POSE + axis] - state[POSE + axis]) * self.translational_damping
+            (reference[axis] - tracked) * self.translational_stiffness + braking[axis]
         });
         let [a, b, c, d] = [state[3], -state[4], -state[5], -state[6]];
         let [e, f, g, h] = [reference[3], reference[4], reference[5], reference[6]];
         let scalar = a * e - b * f - c * g - d * h;
         let vector = [a * f + b * e + c * h - d * g, a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e];
-        let relative: [T; 3] = std::array::from_fn(|axis| reference[POSE + 3 + axis] - state[POSE + 3 + axis]);
-        let damping = apply(&self.rotational_damping, &relative);
+        let angular_velocity: [T; 3] = std::array::from_fn(|axis| reference[POSE + 3 + axis] - state[POSE + 3 + axis]);
+        let braking = apply(&self.rotational_damping, &angular_velocity);
         let torque: [T; 3] =
-            std::array::from_fn(|axis| scalar * vector[axis] * (2.0 * self.rotational_stiffness) + damping[axis]);
+            std::array::from_fn(|axis| scalar * vector[axis] * (2.0 * self.rotational_stiffness) + braking[axis]);
         [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
     }
 }

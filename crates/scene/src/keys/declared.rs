@@ -2,8 +2,8 @@
 
 use super::Absent::{Means, Number as Default, Refused};
 use super::Values::{
-    Choice, Directions, File, FileOrTable, Inertia, Integer, Name, Number, Numbers, Pairs, Quaternion, Table, Tables,
-    Vector, Vectors,
+    Choice, Directions, File, FileOrTable, Integer, Matrix, Name, Number, NumberOrMatrix, Numbers, Pairs, Quaternion,
+    Table, Tables, Vector, Vectors,
 };
 use super::{Absent, Key, Values};
 use crate::range::Range;
@@ -52,7 +52,7 @@ pub const KEYS: &[Key] = &[
     key("", "limits", Table, "", Means("no limits"), "what the plan must not exceed"),
 
     key("body", "mass", Number(Range::closed(1e-6, 1e6)), "kg", Default(1.0), "mass that the controller makes the robot feel like"),
-    key("body", "inertia", Inertia(Range::closed(1e-12, 1e6)), "kg m^2", Default(0.1), "rotational inertia about the centre of mass: diagonal, or 3x3 matrix; by default the same about every axis"),
+    key("body", "inertia", Matrix(Range::closed(1e-12, 1e6)), "kg m^2", Default(0.1), "rotational inertia about the centre of mass: diagonal, or 3x3 matrix; by default the same about every axis"),
     key("body", "part", Tables(1..=1000), "", Refused, "convex parts of the body, in its frame; the frame's origin is the centre of mass"),
 
     key("environment", "part", Tables(1..=1000), "", Refused, "convex parts of the environment, in the world frame"),
@@ -78,8 +78,8 @@ pub const KEYS: &[Key] = &[
 
     key("impedance", "translational_stiffness", Number(STIFFNESS), "N/m", Refused, "stiffness along every axis"),
     key("impedance", "rotational_stiffness", Number(STIFFNESS), "Nm/rad", Refused, "stiffness about every axis"),
-    key("impedance", "translational_damping", Number(DAMPING), "Ns/m", Means("critical damping"), "damping along every axis"),
-    key("impedance", "rotational_damping", Vector(DAMPING), "Nms/rad", Means("critical damping"), "damping about each axis of the body frame"),
+    key("impedance", "translational_damping", NumberOrMatrix(DAMPING), "Ns/m", Means("critical damping"), "damping in the world frame: along every axis, along each, or 3x3 matrix"),
+    key("impedance", "rotational_damping", Matrix(DAMPING), "Nms/rad", Means("critical damping"), "damping in the body frame: about each axis, or 3x3 matrix"),
 
     key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be"),
     key("robustness", "offset_directions", Directions(1..=1000), "", Refused, "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),

@@ -46,7 +46,9 @@ pub enum Values {
     /// A unit quaternion `[w, x, y, z]`.
     Quaternion,
     /// Three numbers or a symmetric 3x3 matrix; the range is that of the principal values.
-    Inertia(Range),
+    Matrix(Range),
+    /// One number, three numbers or a symmetric 3x3 matrix; the range is that of the principal values.
+    NumberOrMatrix(Range),
     /// One of several words.
     Choice(&'static [&'static str]),
     /// A text of 1 to [`MAX_NAME_LENGTH`] characters in one line.
@@ -143,7 +145,8 @@ impl Key {
             | Values::Vector(range)
             | Values::Numbers(range, _)
             | Values::Vectors(range, _)
-            | Values::Inertia(range) => Some(range),
+            | Values::Matrix(range)
+            | Values::NumberOrMatrix(range) => Some(range),
             _ => None,
         }
     }

@@ -36,7 +36,10 @@ fn values(values: &Values) -> String {
         Values::Vectors(range, entries) => format!("list of {} times 3 numbers {range}", count(entries)),
         Values::Directions(entries) => format!("list of {} times 3 numbers of norm 1, or `[0, 0, 0]`", count(entries)),
         Values::Quaternion => "4 numbers `[w, x, y, z]` of norm 1".to_owned(),
-        Values::Inertia(range) => format!("3 numbers, or a symmetric 3x3 matrix; principal values {range}"),
+        Values::Matrix(range) => format!("3 numbers, or a symmetric 3x3 matrix; principal values {range}"),
+        Values::NumberOrMatrix(range) => {
+            format!("number, 3 numbers, or a symmetric 3x3 matrix; principal values {range}")
+        }
         Values::Choice(words) => format!("`\"{}\"`", words.join("\"`, `\"")),
         Values::Name => format!("text of 1 to {} characters in one line", scene::MAX_NAME_LENGTH),
         Values::File => "file name".to_owned(),

@@ -120,7 +120,9 @@ const LINES: &[&str] = &[
     "inertia = [[1, 2, 3], [2, 1, 2], [3, 2, 1]]",
     "inertia = [1e-12, 1, 1e6]",
     "translational_damping = 0",
+    "translational_damping = [1, 2, 3]",
     "rotational_damping = [0, 0, 1e7]",
+    "rotational_damping = [[1, 1, 0], [1, 1, 0], [0, 0, 0]]",
     "box = [1, 1e-5, 1]",
     "mesh = \"x.stl\"",
     "unit = \"mm\"",
@@ -242,8 +244,12 @@ fn check(task: &AssemblyTask) {
     let impedance = &task.impedance;
     assert!(in_range("impedance", "translational_stiffness", impedance.translational_stiffness));
     assert!(in_range("impedance", "rotational_stiffness", impedance.rotational_stiffness));
-    assert!(in_range("impedance", "translational_damping", impedance.translational_damping));
-    assert!(impedance.rotational_damping.iter().all(|&d| in_range("impedance", "rotational_damping", d)));
+    for (name, damping) in [
+        ("translational_damping", &impedance.translational_damping),
+        ("rotational_damping", &impedance.rotational_damping),
+    ] {
+        assert!(damping.iter().all(|entry| in_range("impedance", name, entry.abs())), "{damping}");
+    }
     assert!(in_range("horizon", "steps", task.horizon.steps as f64));
     assert!(in_range("horizon", "time_step", task.horizon.time_step));
     assert!(!task.offsets.is_empty() && task.offsets.iter().flatten().all(|x| x.abs() <= 10.1));

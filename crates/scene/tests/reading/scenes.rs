@@ -22,7 +22,7 @@ fn a_small_scene_gets_the_defaults() {
     assert_eq!(scene.pairs, [(0, 0)]);
     let task = scene.task(None, None).unwrap();
     assert_eq!(task.inertia.mass, 1.0);
-    assert!((task.impedance.translational_damping - 2.0 * 50f64.sqrt()).abs() < 1e-12);
+    assert!((task.impedance.translational_damping[(2, 2)] - 2.0 * 50f64.sqrt()).abs() < 1e-12);
     assert!((task.impedance.rotational_damping[(1, 1)] - 2.0 * (5.0f64 * 0.1).sqrt()).abs() < 1e-12);
     assert_eq!(task.cost.compliant.terminal_position, 10_000.0);
     assert_eq!(task.offsets, [[0.02 * 0.6, -0.02 * 0.8, 0.0], [0.0; 3]]);
@@ -39,6 +39,25 @@ fn an_unknown_key_names_the_nearest_valid_one() {
     assert!(error.message().contains("`stepps`, did you mean `steps`?"), "{error}");
     assert!(error.to_string().starts_with("test.toml:23:1: "), "{error}");
     assert!(error.to_string().ends_with("^^^^^^"), "{error}");
+}
+
+#[test]
+fn damping_is_resolved_in_its_shortest_form() {
+    let scene = |damping: &str| parse(&replaced("[robustness]", &format!("{damping}\n[robustness]")));
+    for (translational, rotational) in [
+        ("14.5", "[1.0, 2.0, 3.0]"),
+        ("[1.0, 2.0, 0.0]", "[[2.0, 0.5, 0.0], [0.5, 2.0, 0.0], [0.0, 0.0, 1.0]]"),
+        ("[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 2.0]]", "[0.0, 0.0, 0.0]"),
+        ("[[1.0, 0.9, 0.9], [0.9, 0.81, 0.81], [0.9, 0.81, 0.81]]", "[1.0, 1.0, 1.0]"),
+    ] {
+        let lines = [format!("translational_damping = {translational}"), format!("rotational_damping = {rotational}")];
+        let scene = scene(&lines.join("\n")).unwrap_or_else(|error| panic!("{error}"));
+        let text = resolved(&scene, &scene.starts[0], 0.01, &default_homotopy());
+        assert!(lines.iter().all(|line| text.lines().any(|other| other == line)), "{text}");
+        assert_eq!(parse(&text).unwrap().impedance, scene.impedance);
+    }
+    let long = scene("translational_damping = [[3, 0, 0], [0, 3, 0], [0, 0, 3]]").unwrap();
+    assert_eq!(long.impedance, scene("translational_damping = 3").unwrap().impedance);
 }
 
 #[test]
