@@ -19,14 +19,24 @@ class InputError(Exception):
     """Something the user gave is wrong."""
 
 
+Matrix = tuple[tuple[float, float, float], ...]
+
+
+def damping_matrix(damping: float | list[float] | list[list[float]]) -> Matrix:
+    """Rows of a damping that is given as a number, per axis, or as rows."""
+    values = np.array(damping, dtype=float)
+    rows = values if values.ndim == 2 else np.diag(np.broadcast_to(values, 3))
+    return tuple(tuple(row) for row in rows.tolist())
+
+
 @dataclasses.dataclass(frozen=True)
 class Impedance:
-    """The controller (Eq. impedancewrench): stiffness N/m, Nm/rad; damping Ns/m and per body axis Nms/rad."""
+    """The controller (Eq. impedancewrench): stiffness N/m, Nm/rad; rows of damping Ns/m (world frame), Nms/rad (body)."""
 
     translational_stiffness: float
     rotational_stiffness: float
-    translational_damping: float
-    rotational_damping: tuple[float, float, float]
+    translational_damping: Matrix
+    rotational_damping: Matrix
 
 
 @dataclasses.dataclass(frozen=True)
@@ -125,8 +135,8 @@ def plan(
         impedance=Impedance(
             impedance["translational_stiffness"],
             impedance["rotational_stiffness"],
-            impedance["translational_damping"],
-            tuple(impedance["rotational_damping"]),
+            damping_matrix(impedance["translational_damping"]),
+            damping_matrix(impedance["rotational_damping"]),
         ),
         start=pose(resolved["start"][0]),
         goal=pose(resolved["goal"]),

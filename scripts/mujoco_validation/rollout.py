@@ -61,18 +61,20 @@ def impedance_wrench(
         2 * (i * j + w * k) * a + (1 - 2 * (i * i + k * k)) * b + 2 * (j * k - w * i) * c,
         2 * (i * k - w * j) * a + 2 * (j * k + w * i) * b + (1 - 2 * (i * i + j * j)) * c,
     )
-    stiffness, damping = impedance.translational_stiffness, impedance.translational_damping
+    stiffness = impedance.translational_stiffness
     rx, ry, rz, rw, ri, rj, rk, *reference_velocity = reference
     scalar = w * rw + i * ri + j * rj + k * rk
     twice = 2 * impedance.rotational_stiffness * scalar
-    p, q, r = impedance.rotational_damping
+    lag = [wanted - actual for wanted, actual in zip(reference_velocity, velocity)]
+    force = [row[0] * lag[0] + row[1] * lag[1] + row[2] * lag[2] for row in impedance.translational_damping]
+    torque = [row[0] * lag[3] + row[1] * lag[4] + row[2] * lag[5] for row in impedance.rotational_damping]
     return (
-        stiffness * (rx - x - shift[0]) + damping * (reference_velocity[0] - velocity[0]),
-        stiffness * (ry - y - shift[1]) + damping * (reference_velocity[1] - velocity[1]),
-        stiffness * (rz - z - shift[2]) + damping * (reference_velocity[2] - velocity[2]),
-        twice * (w * ri - i * rw - j * rk + k * rj) + p * (reference_velocity[3] - velocity[3]),
-        twice * (w * rj + i * rk - j * rw - k * ri) + q * (reference_velocity[4] - velocity[4]),
-        twice * (w * rk - i * rj + j * ri - k * rw) + r * (reference_velocity[5] - velocity[5]),
+        stiffness * (rx - x - shift[0]) + force[0],
+        stiffness * (ry - y - shift[1]) + force[1],
+        stiffness * (rz - z - shift[2]) + force[2],
+        twice * (w * ri - i * rw - j * rk + k * rj) + torque[0],
+        twice * (w * rj + i * rk - j * rw - k * ri) + torque[1],
+        twice * (w * rk - i * rj + j * ri - k * rw) + torque[2],
     )
 
 

@@ -12,7 +12,7 @@ import results
 import shapes
 import world
 from offsets import cells
-from plans import Impedance, Plan, Reference, rotation_vector, slerp
+from plans import Impedance, Plan, Reference, damping_matrix, rotation_vector, slerp
 from rollout import ContactRecord, Player, displaced
 
 TIME_STEP = 0.0005
@@ -63,7 +63,7 @@ def example(**changes: object) -> Plan:
         environment=[shapes.part_vertices(floor, pathlib.Path())],
         mass=MASS,
         inertia=inertia,
-        impedance=Impedance(STIFFNESS, 6.0, 2 * math.sqrt(STIFFNESS * MASS), (1.5, 1.5, 1.5)),
+        impedance=Impedance(STIFFNESS, 6.0, damping_matrix(2 * math.sqrt(STIFFNESS * MASS)), damping_matrix(1.5)),
         start=rest[:7],
         goal=rest[:7],
         delta=0.0,
@@ -107,7 +107,7 @@ def free_motion() -> Iterator[Check]:
     inertia = np.diag([0.12, 0.1, 0.08])
     for ratio in (1.0, 0.3):
         damping = 2 * ratio * np.sqrt(6.0 * np.diag(inertia))
-        impedance = Impedance(STIFFNESS, 6.0, 2 * ratio * math.sqrt(STIFFNESS * MASS), tuple(damping))
+        impedance = Impedance(STIFFNESS, 6.0, damping_matrix(2 * ratio * math.sqrt(STIFFNESS * MASS)), damping_matrix(damping))
         plan = example(inertia=inertia, impedance=impedance)
         initial = np.zeros(13)
         initial[:7] = 0.02, -0.01, 0.03, *IDENTITY
@@ -155,7 +155,7 @@ def offset_in_free_motion() -> Iterator[Check]:
 def free_spin() -> Iterator[Check]:
     """Without torque the angular velocity in the body frame is constant in the plan's model, not in nature."""
     initial = np.array([0.0, 0.0, 0.0, *IDENTITY, 0.0, 0.0, 0.0, 1.0, 2.0, -1.5])
-    rows = trace(example(impedance=Impedance(STIFFNESS, 0.0, 1.0, (0.0, 0.0, 0.0))), np.zeros(3), initial)
+    rows = trace(example(impedance=Impedance(STIFFNESS, 0.0, damping_matrix(1.0), damping_matrix(0.0))), np.zeros(3), initial)
     yield "free spin without gyroscopic term, rad/s", np.abs(rows[:, 11:] - initial[10:]).max(), 1e-3
 
 
