@@ -11,7 +11,7 @@ use crate::or_null;
 pub struct PlanIteration {
     /// What the solver did.
     pub record: IterationRecord,
-    /// The motion it found, for the task of the plan's [`Variant`].
+    /// The motion it found, for the task of the plan's [`crate::Variant`].
     pub trajectory: Trajectory,
 }
 

@@ -122,9 +122,7 @@ impl SimulationRequest {
         require_frictions(&self.frictions)?;
         require_turn(self.errors.turn)?;
         require_threads(self.threads)?;
-        for friction in &self.frictions {
-            self.settings(*friction).validate()?;
-        }
+        self.frictions.iter().try_for_each(|&friction| self.settings(friction).validate())?;
         for (index, magnitude) in self.errors.magnitudes.iter().enumerate() {
             let in_range = (0.0..=LARGEST_MAGNITUDE).contains(magnitude);
             require(in_range, "magnitude", magnitude, "must lie between 0 and 10 m")?;
@@ -169,6 +167,9 @@ pub fn simulate(
     require(count <= MOST_ROLLOUTS, "number of rollouts", count, "must not be above 10000000; play fewer offsets")?;
     for (_, reference) in motions.iter().chain([&push]) {
         request.settings(0.0).validate_for(reference)?;
+    }
+    for (_, reference) in motions.iter().chain([&push]) {
+        request.frictions.iter().try_for_each(|&friction| request.settings(friction).validate_for(reference))?;
     }
     let success = problem.success();
     let mut played = Vec::with_capacity(count);

@@ -5,13 +5,16 @@
 //! tolerate. [`HomotopySettings`] say how the task is solved. The result is a [`Trajectory`]: a reference, and the
 //! motion of the body in every scenario, with its [`Quality`] and the tightest [`Limits`] that it satisfies.
 //!
-//! | paper | here |
-//! |---|---|
-//! | `P_q^-1` (Sec. ocp:ocp) | [`pose::without_offset`] |
-//! | `Eq. impedancewrench` | [`Impedance::wrench`] |
-//! | Sec. ocp:cost, the weights | [`CostWeights`] |
-//! | Sec. ocp:homotopy, the schedule | [`HomotopySettings::schedule`] |
-//! | bounds on velocities, accelerations and forces (Sec. intro) | [`Limits`] |
+//! The paper is *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order Derivatives*
+//! by Dietz et al., numbers as in the preprint:
+//!
+//! | paper | label | here |
+//! |---|---|---|
+//! | Eq. (18), impedance law | `Eq. impedancewrench` | [`Impedance::wrench`] |
+//! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`pose::without_offset`] |
+//! | weights of the cost, Sec. V-C | `Sec. ocp:cost` | [`CostWeights`] |
+//! | schedule of the homotopy, Sec. V-D | `Sec. ocp:homotopy` | [`HomotopySettings::schedule`] |
+//! | bounds on velocities, accelerations and forces, Sec. I | `Sec. intro` | [`Limits`] |
 
 pub mod algebra;
 mod impedance;

@@ -1,9 +1,9 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
 //! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken. Random changes
-//! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an [`evaluation`] at grasp errors
+//! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
 //! that were never trained on decides; what fails there is trained on next. When refinement is stuck, a
-//! [`mod@portfolio`] of other problems is solved side by side, and these are refined, the best first. The plan with the
+//! portfolio of other problems is solved side by side, and these are refined, the best first. The plan with the
 //! best evaluation is kept.
 
 mod candidate;
