@@ -1,5 +1,7 @@
 //! The program as a user runs it.
 
+use std::time::Duration;
+
 use serde_json::Value;
 
 use crate::support::table::norm;
@@ -169,6 +171,15 @@ fn check_explains_a_scene() {
     for words in ["6 pairs", "shaft", "wall5", "goal", "100 steps", "3 scenarios", "7000 variables"] {
         run = run.says(words);
     }
+}
+
+#[test]
+fn check_explains_the_largest_scene_in_a_moment() {
+    let dir = Dir::new();
+    let directions = vec!["[1.0, 0.0, 0.0]"; 1000].join(", ");
+    dir.add_variant("large.toml", &[("[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]", &directions), ("steps = 20", "steps = 500")]);
+    let run = dir.program("check large.toml").spawn().finish_within(Duration::from_secs(10));
+    run.code(0).says("500 steps of 0.08 s, 1000 scenarios");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What a scene says, and what is odd about it, without solving it.
 
-use ocp::Transcription;
+use ocp::{Layout, standard_terms};
 use serde::Serialize;
 use task::pose::without_offset;
 use task::{AssemblyTask, ContactPair};
@@ -70,8 +70,7 @@ pub fn pair_reports(problem: &Problem, pose: &[f64; 7], tau: f64) -> Result<Vec<
 /// Explains a problem.
 pub fn explain(problem: &Problem) -> Explanation {
     let (task, settings) = (problem.task(), problem.homotopy());
-    let transcription = Transcription::new(task, settings.complementarity, settings.hessian);
-    let layout = transcription.layout();
+    let layout = Layout::new(task, &standard_terms(task, settings.complementarity));
     let clearance = |offset: &[f64; 3]| (*offset, task.clearance(&without_offset(&task.start, offset)));
     let mut explanation = Explanation {
         goal_clearance: task.clearance(&task.goal),

@@ -1,8 +1,7 @@
 //! One plan of a problem: the homotopy, from where an earlier run has left it.
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, Transcription};
-use task::HomotopySettings;
+use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, Layout, standard_terms};
 
 use crate::error::PlannerError;
 use crate::files::{Checkpoint, PlanFolder};
@@ -89,11 +88,10 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
         let trajectory = folder.read_iteration(number, &variant.task)?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
     };
-    let HomotopySettings { complementarity, hessian, .. } = variant.settings;
-    let fits = || checkpoint.fits(Transcription::new(&variant.task, complementarity, hessian).layout());
+    let layout = Layout::new(&variant.task, &standard_terms(&variant.task, variant.settings.complementarity));
     let is_count = (1..=variant.settings.iterations).contains(&checkpoint.iterations.len());
     let reason = match (1..).zip(&checkpoint.iterations).map(read).collect() {
-        Ok(iterations) if is_count && fits() => {
+        Ok(iterations) if is_count && checkpoint.fits(&layout) => {
             return Ok(Some(Earlier { iterations, checkpoint }));
         }
         Ok(_) => "its checkpoint is damaged",
