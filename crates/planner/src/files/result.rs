@@ -192,6 +192,17 @@ impl From<LimitsRecord> for Limits {
 }
 
 impl PlanResult {
+    /// Whether cost, time, and errors and extremes of all scenarios are finite.
+    pub fn is_finite(&self) -> bool {
+        let scenarios = self.scenarios.iter().flat_map(|scenario| {
+            let ScenarioRecord { position_error_m, orientation_error_rad, max_penetration_m, max_force_n, .. } =
+                scenario;
+            [*position_error_m, *orientation_error_rad, *max_penetration_m, *max_force_n]
+        });
+        let values = [self.objective, self.delta_m, self.wall_s, self.time_step_s];
+        values.into_iter().chain(scenarios).all(f64::is_finite)
+    }
+
     /// Of a plan whose files have these hashes.
     pub fn new(plan: &Plan, files: BTreeMap<String, String>) -> Self {
         let status = plan.status();

@@ -154,9 +154,12 @@ pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
         let advice = "not a result of this version of `assembly-plan solve`";
         PlannerError::line(&file, error.line(), format!("{advice}: {error}"))
     })?;
-    match result.files.keys().find(|name| !is_plan_file(name)) {
-        Some(name) => Err(PlannerError::file(&file, format!("lists `{name}`, which is no file of a plan"))),
-        None => Ok(result),
+    if let Some(name) = result.files.keys().find(|name| !is_plan_file(name)) {
+        return Err(PlannerError::file(&file, format!("lists `{name}`, which is no file of a plan")));
+    }
+    match result.done && !result.is_finite() {
+        true => Err(PlannerError::file(&file, "is called done, but has a null where a value should be; solve again")),
+        false => Ok(result),
     }
 }
 
