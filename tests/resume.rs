@@ -110,13 +110,13 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
     begins_anew("", "its tables are damaged");
     // A point of another length or without numbers would end in the solver.
     let mut short = dir.json("kept/checkpoint.json");
-    short["x"].as_array_mut().unwrap().pop();
+    short["record"]["x"].as_array_mut().unwrap().pop();
     dir.write(format!("{UNFINISHED}/checkpoint.json"), short.to_string());
-    begins_anew("", "");
+    begins_anew("", "its checkpoint is damaged");
     let mut changed = dir.json("kept/checkpoint.json");
-    changed["iterations"] = json!([]);
+    changed["record"]["iterations"] = json!([]);
     dir.write(format!("{UNFINISHED}/checkpoint.json"), changed.to_string());
-    begins_anew("", "");
+    begins_anew("", "its checkpoint is damaged");
     dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration");
 }
 
@@ -164,7 +164,37 @@ fn a_refinement_for_another_target_is_not_used() {
         dir.copy("kept", UNFINISHED);
     }
     let file = format!("{UNFINISHED}/refinement.json");
+    let changed = dir.read(&file).replacen("\"time_step_s\":0.08", "\"time_step_s\":1e-7", 1);
+    dir.write(&file, changed);
+    dir.run(&format!("{HOPELESS} {end}")).code(1).says("not used: its refinement is damaged");
+    dir.copy("kept", UNFINISHED);
     let whole = dir.bytes(&file);
     dir.write(&file, &whole[..whole.len() / 2]);
     dir.run(&format!("{HOPELESS} {end}")).code(1).says("not used: its refinement is damaged");
+}
+
+#[test]
+fn a_refined_variant_goes_on_with_its_own_tables() {
+    let dir = Dir::new();
+    let line =
+        "solve corner.toml --robust --friction 0 --wanted-rate 1 --patience 1 --position-tolerance 0.002 --out out";
+    let mut running = dir.program(line).spawn();
+    // The file is written after the tables of a variant.
+    let file = format!("{UNFINISHED}/refinement.json");
+    let is_variant = || dir.exists(&file) && dir.json(&file)["record"]["best"]["is_scenes_own"] == false;
+    running.wait_until("a variant is the best plan", is_variant);
+    running.signal("KILL");
+    running.finish();
+    dir.copy(UNFINISHED, "kept");
+    let best = dir.json(&file)["record"]["best"].clone();
+    let again = format!("{line} --resume --time-limit 0.1");
+    dir.run(&again).code(1).says("going on with the refinement of an earlier run");
+    let result = dir.result("out");
+    assert_eq!(result["time_step_s"], best["time_step_s"]);
+    assert_eq!(list(&result, "stages").len(), list(&best, "iterations").len());
+    assert_eq!(result["converged"], true);
+
+    dir.copy("kept", UNFINISHED);
+    dir.remove(format!("{UNFINISHED}/refined/{}/1/contacts.csv", best["round"]));
+    dir.run(&again).code(1).says("not used: the tables of its refinement are damaged");
 }

@@ -1,7 +1,7 @@
 //! One plan of a problem: the homotopy, from where an earlier run has left it.
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, Layout, standard_terms};
+use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration};
 
 use crate::error::PlannerError;
 use crate::files::{Checkpoint, PlanFolder};
@@ -88,18 +88,14 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
         let trajectory = folder.read_iteration(number, &variant.task)?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
     };
-    let layout = Layout::new(&variant.task, &standard_terms(&variant.task, variant.settings.complementarity));
-    let is_count = (1..=variant.settings.iterations).contains(&checkpoint.iterations.len());
-    let reason = match (1..).zip(&checkpoint.iterations).map(read).collect() {
-        Ok(iterations) if is_count && checkpoint.fits(&layout) => {
-            return Ok(Some(Earlier { iterations, checkpoint }));
+    match (1..).zip(&checkpoint.iterations).map(read).collect() {
+        Ok(iterations) => Ok(Some(Earlier { iterations, checkpoint })),
+        Err(_) => {
+            session.tell(Event::Discarded { reason: "its tables are damaged" });
+            folder.discard()?;
+            Ok(None)
         }
-        Ok(_) => "its checkpoint is damaged",
-        Err(_) => "its tables are damaged",
-    };
-    session.tell(Event::Discarded { reason });
-    folder.discard()?;
-    Ok(None)
+    }
 }
 
 fn keep(

@@ -4,11 +4,10 @@ use std::fs;
 use std::path::Path;
 
 use nlp::Iterate;
-use ocp::Layout;
 use serde::{Deserialize, Serialize};
 
 use crate::error::PlannerError;
-use crate::files::atomic::write_file;
+use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
 
 /// Name of the file in the folder of unfinished work.
@@ -42,11 +41,11 @@ impl Checkpoint {
         }
     }
 
-    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it is unreadable or of
-    /// another problem, so that the solve has to start from the beginning.
+    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
+    /// of another problem, so that the solve has to start from the beginning.
     pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, &'static str> {
         let Ok(text) = fs::read_to_string(folder.join(CHECKPOINT)) else { return Ok(None) };
-        let checkpoint: Self = serde_json::from_str(&text).map_err(|_| "its checkpoint is damaged")?;
+        let checkpoint: Self = unseal(&text).ok_or("its checkpoint is damaged")?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
             false => Err("it belongs to another problem"),
@@ -58,15 +57,7 @@ impl Checkpoint {
     /// # Errors
     /// When it cannot be written.
     pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
-        let json = serde_json::to_vec(self).map_err(|_| PlannerError::Internal("a checkpoint cannot be written"))?;
-        write_file(&folder.join(CHECKPOINT), &json)
-    }
-
-    /// Whether the point is one of a problem of this size.
-    pub fn fits(&self, layout: &Layout) -> bool {
-        let (variables, constraints) = (layout.variable_count(), layout.constraint_count());
-        [&self.x, &self.lower_multipliers, &self.upper_multipliers].iter().all(|values| values.len() == variables)
-            && self.constraint_multipliers.len() == constraints
+        write_sealed(&folder.join(CHECKPOINT), self)
     }
 
     /// The primal-dual point where the next iteration starts.

@@ -22,7 +22,7 @@ const LOCK: &str = "lock";
 const REPLACED: &str = "replaced.json";
 /// Folder of a whole plan that is still to be moved in.
 const WHOLE: &str = "whole";
-/// Homotopy iterations of the best refined plan, where they are not those of the scene itself.
+/// Homotopy iterations of refined plans, in a folder for every round, where they are not those of the scene itself.
 const REFINED: &str = "refined";
 
 /// A plan's folder that this process alone may write, and the hidden folder of unfinished work beside it.
@@ -116,10 +116,11 @@ impl PlanFolder {
     /// Keeps the homotopy iterations of the best refined plan, where they are not those of the scene itself.
     pub(crate) fn keep_refined_iterations<'motion>(
         &self,
+        round: usize,
         motions: impl Iterator<Item = &'motion Trajectory>,
         task: &AssemblyTask,
     ) -> Result<(), PlannerError> {
-        write_iterations(&self.work.join(REFINED), motions, task)
+        write_iterations(&self.work.join(REFINED).join(round.to_string()), motions, task)
     }
 
     /// The motion of a kept homotopy iteration, from 1.
@@ -130,10 +131,11 @@ impl PlanFolder {
     /// The motion of a kept homotopy iteration, from 1, of the best refined plan.
     pub(crate) fn read_refined_iteration(
         &self,
+        round: usize,
         number: usize,
         task: &AssemblyTask,
     ) -> Result<Trajectory, PlannerError> {
-        read_trajectory(&self.work.join(REFINED).join(number.to_string()), task)
+        read_trajectory(&self.work.join(REFINED).join(round.to_string()).join(number.to_string()), task)
     }
 
     /// Writes a whole plan and moves it in; the older plan is replaced only then.

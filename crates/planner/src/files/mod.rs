@@ -20,6 +20,7 @@ mod manifest;
 mod refinement;
 mod result;
 mod rollouts;
+mod sealed;
 mod stored_plan;
 mod table;
 pub mod trajectory;

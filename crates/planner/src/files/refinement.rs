@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use simulation::{GraspError, Trial};
 
 use crate::error::PlannerError;
-use crate::files::atomic::write_file;
+use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
 use crate::robustness::Round;
 use crate::success_rates::SuccessRates;
@@ -94,11 +94,11 @@ impl From<&TrialRecord> for Trial {
 }
 
 impl RefinementCheckpoint {
-    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it is unreadable or of
-    /// another problem.
+    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
+    /// of another problem.
     pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, &'static str> {
         let Ok(text) = fs::read_to_string(folder.join(REFINEMENT)) else { return Ok(None) };
-        let checkpoint: Self = serde_json::from_str(&text).map_err(|_| "its refinement is damaged")?;
+        let checkpoint: Self = unseal(&text).ok_or("its refinement is damaged")?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
             false => Err("its refinement belongs to another problem"),
@@ -110,7 +110,6 @@ impl RefinementCheckpoint {
     /// # Errors
     /// When it cannot be written.
     pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
-        let json = serde_json::to_vec(self).map_err(|_| PlannerError::Internal("a refinement cannot be written"))?;
-        write_file(&folder.join(REFINEMENT), &json)
+        write_sealed(&folder.join(REFINEMENT), self)
     }
 }

@@ -134,8 +134,7 @@ impl<'run> Refiner<'run> {
     /// Evaluates the plan of the scene and refines it unless it is good enough: refinement knows nothing of margins. Or
     /// goes on with what an earlier run has left.
     fn begin(&mut self, plan: Plan) -> Result<(), PlannerError> {
-        if let Some(checkpoint) = self.earlier_work()? {
-            let kept = self.restore(checkpoint, &plan)?;
+        if let Some(kept) = self.earlier_work()?.and_then(|checkpoint| self.restore(checkpoint, &plan)) {
             self.session.tell(Event::Resumed {
                 done: plan.iterations.len(),
                 count: plan.iterations.len(),
@@ -241,9 +240,10 @@ impl<'run> Refiner<'run> {
         }
         if let Some(folder) = self.session.folder {
             let rounds = self.rounds.iter().chain([round]).cloned().collect();
-            if !kept.is_scenes_own {
+            let are_kept = self.best.as_ref().is_some_and(|best| best.round == kept.round);
+            if !kept.is_scenes_own && !are_kept {
                 let motions = kept.iterations.iter().map(|iteration| &iteration.trajectory);
-                folder.keep_refined_iterations(motions, &kept.variant.task)?;
+                folder.keep_refined_iterations(kept.round, motions, &kept.variant.task)?;
             }
             folder.keep_refinement(&self.checkpoint(&kept, rounds))?;
         }

@@ -53,10 +53,7 @@ impl Refiner<'_> {
             Ok(Some(checkpoint)) => {
                 let same = checkpoint.frictions == self.target.frictions
                     && checkpoint.turn_rad == self.target.turn
-                    && checkpoint.tolerance == [success.position, success.orientation]
-                    && checkpoint.training.iter().all(|trial| trial.friction < checkpoint.frictions.len())
-                    && checkpoint.best.reference.len() == checkpoint.best.steps + 1
-                    && !checkpoint.best.iterations.is_empty();
+                    && checkpoint.tolerance == [success.position, success.orientation];
                 if same {
                     return Ok(Some(checkpoint));
                 }
@@ -68,15 +65,9 @@ impl Refiner<'_> {
         Ok(None)
     }
 
-    /// Takes over what another run has left; `plan` is that of the scene itself.
-    pub(super) fn restore(&mut self, checkpoint: RefinementCheckpoint, plan: &Plan) -> Result<Kept, PlannerError> {
+    /// Takes over what another run has left, unless its tables are damaged; `plan` is that of the scene itself.
+    pub(super) fn restore(&mut self, checkpoint: RefinementCheckpoint, plan: &Plan) -> Option<Kept> {
         let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
-        self.spent = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
-        self.evaluations = evaluations;
-        self.seed = SEED + evaluations;
-        self.before = before;
-        self.training = training.iter().map(Trial::from).collect();
-        self.rounds = rounds;
         let mut variant = Variant { name: best.name, ..plan.variant.clone() };
         variant.task.offsets = best.offsets_m;
         variant.task.horizon.steps = best.steps;
@@ -85,14 +76,24 @@ impl Refiner<'_> {
         let iterations = match (best.is_scenes_own, self.session.folder) {
             (false, Some(folder)) => {
                 let read = |(number, record)| {
-                    let trajectory = folder.read_refined_iteration(number, &variant.task)?;
+                    let trajectory = folder.read_refined_iteration(best.round, number, &variant.task)?;
                     Ok(PlanIteration { record, trajectory })
                 };
-                (1..).zip(best.iterations).map(read).collect::<Result<_, PlannerError>>()?
+                let iterations: Result<_, PlannerError> = (1..).zip(best.iterations).map(read).collect();
+                if iterations.is_err() {
+                    self.session.tell(Event::Discarded { reason: "the tables of its refinement are damaged" });
+                }
+                iterations.ok()?
             }
             _ => plan.iterations.clone(),
         };
-        Ok(Kept {
+        self.spent = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
+        self.evaluations = evaluations;
+        self.seed = SEED + evaluations;
+        self.before = before;
+        self.training = training.iter().map(Trial::from).collect();
+        self.rounds = rounds;
+        Some(Kept {
             reference: Reference::new(best.time_step_s, &best.reference),
             variant,
             iterations,
