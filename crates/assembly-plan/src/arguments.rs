@@ -9,7 +9,7 @@ use simulation::{Settings, Success};
 use task::LinearSolver;
 
 use crate::batch::BatchArguments;
-use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds};
+use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds, threads};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///
@@ -258,9 +258,4 @@ impl SimulateArguments {
         request.validate()?;
         Ok(request)
     }
-}
-
-/// Number of threads: as many as wanted, else one per processor.
-pub fn threads(jobs: Option<u16>) -> usize {
-    jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, Into::into), usize::from)
 }

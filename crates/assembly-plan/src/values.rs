@@ -65,3 +65,8 @@ fn number(text: &str, is_right: impl Fn(f64) -> bool, rule: &str) -> Result<f64,
         Err(_) => Err("not a number".to_owned()),
     }
 }
+
+/// Number of threads: as many as wanted, else one per processor.
+pub fn threads(jobs: Option<u16>) -> usize {
+    jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, Into::into), usize::from)
+}

@@ -8,6 +8,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::facet::Facet;
 use crate::interior;
 use crate::triangulation::{Triangle, groups, triangulate, triples_within};
 
@@ -20,20 +21,6 @@ const NEAR: f64 = 4.0;
 
 /// Of more things than this, not every triple is compared.
 const MOST_COMPARED: usize = 128;
-
-/// A halfspace `normal p <= offset` with a unit normal.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Facet {
-    pub normal: Vector3<f64>,
-    pub offset: f64,
-}
-
-impl Facet {
-    /// Signed distance of a point from the plane, positive outside.
-    pub fn height(&self, point: &Vector3<f64>) -> f64 {
-        self.normal.dot(point) - self.offset
-    }
-}
 
 /// Length that counts as rounding for a set of points (m).
 pub fn tolerance(points: &[Vector3<f64>]) -> f64 {

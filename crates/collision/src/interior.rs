@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
-use crate::hull::Facet;
+use crate::facet::Facet;
 
 /// Newton steps that no reasonable part needs.
 const MOST_STEPS: usize = 100;

@@ -34,6 +34,7 @@
 mod batch;
 mod derivatives;
 mod error;
+mod facet;
 mod frame;
 mod hull;
 mod interior;

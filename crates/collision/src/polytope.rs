@@ -2,7 +2,8 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use crate::hull::{self, Facet};
+use crate::facet::Facet;
+use crate::hull;
 use crate::interior::analytic_center;
 
 /// More distinct vertices are refused.

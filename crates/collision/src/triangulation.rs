@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 
-use crate::hull::Facet;
+use crate::facet::Facet;
 
 /// Coordinates on the grid, relative to the first point, lie within `2^GRID_BITS`. The sums of products of three
 /// differences then stay below `2^126`.

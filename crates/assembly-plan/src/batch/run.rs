@@ -11,10 +11,10 @@ use planner::files::PlanResult;
 
 use super::process::{Begun, Ended, Process};
 use super::progress::Progress;
-use crate::arguments::threads;
 use crate::console::tell;
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::stop_flag;
+use crate::values::threads;
 
 /// Between two looks at the processes; short beside any solve.
 const PAUSE: Duration = Duration::from_millis(10);

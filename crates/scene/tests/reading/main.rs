@@ -3,6 +3,7 @@
 mod documentation;
 mod files;
 mod homotopies;
+mod meshes;
 mod mutations;
 mod scenes;
 mod sizes;

@@ -4,39 +4,17 @@ use std::f64::consts::TAU;
 
 use scene::{Scene, SceneError, Source};
 
-type Triangle = [[f64; 3]; 3];
+use crate::support::replaced;
 
-const SCENE: &str = r#"
-[[body.part]]
-name = "shaft"
-box = [0.02, 0.02, 0.1]
-[[environment.part]]
-name = "wall"
-mesh = "wall.stl"
-unit = "mm"
-[[start]]
-name = "a"
-position = [0, 0, 0.09]
-orientation = [1, 0, 0, 0]
-[goal]
-position = [0, 0, 0]
-orientation = [1, 0, 0, 0]
-[impedance]
-translational_stiffness = 50.0
-rotational_stiffness = 5.0
-[robustness]
-offset_magnitude = 0.02
-offset_directions = [[0, 0, 0]]
-[horizon]
-steps = 10
-time_step = 0.04
-"#;
+type Triangle = [[f64; 3]; 3];
 
 /// The scene with a mesh file of these bytes.
 fn load(bytes: &[u8]) -> Result<Scene, SceneError> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("wall.stl"), bytes).unwrap();
-    Scene::parse(Source { file: &folder.path().join("scene.toml"), text: SCENE })
+    let wall = "box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]";
+    let text = replaced(wall, "mesh = \"wall.stl\"\nunit = \"mm\"");
+    Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
 }
 
 /// A message about the mesh, at its line of the scene.
