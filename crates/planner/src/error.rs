@@ -91,6 +91,29 @@ pub(crate) fn short(value: impl ToString) -> String {
     }
 }
 
+/// Why unfinished work is not gone on with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Unusable {
+    /// Another scene, start, offset, homotopy or version.
+    #[error("it belongs to another problem")]
+    OtherProblem,
+    /// The checkpoint was cut or changed.
+    #[error("its checkpoint is damaged")]
+    DamagedCheckpoint,
+    /// A table of a homotopy iteration was cut or changed.
+    #[error("its tables are damaged")]
+    DamagedTables,
+    /// Another target of the refinement.
+    #[error("it was refined for other frictions, turns or tolerances")]
+    OtherTarget,
+    /// The record of the refinement was cut or changed.
+    #[error("its refinement is damaged")]
+    DamagedRefinement,
+    /// A table of the refined plan was cut or changed.
+    #[error("the tables of its refinement are damaged")]
+    DamagedRefinementTables,
+}
+
 impl PlannerError {
     /// Whose fault it is.
     pub fn fault(&self) -> Fault {

@@ -59,7 +59,7 @@ mod success_table;
 mod variant;
 mod warnings;
 
-pub use error::{Fault, PlannerError};
+pub use error::{Fault, PlannerError, Unusable};
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
 pub use ocp::Event as SolverEvent;
 pub use plan::{Plan, PlanStatus};

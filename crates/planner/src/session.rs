@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::error::Unusable;
 use crate::files::PlanFolder;
 use crate::iteration::IterationRecord;
 
@@ -65,8 +66,8 @@ pub enum Event<'event> {
     },
     /// Unfinished work is not continued.
     Discarded {
-        /// Why not, in words.
-        reason: &'event str,
+        /// Why not.
+        reason: Unusable,
     },
     /// The unrefined plan has been evaluated: fraction of rollouts that succeed.
     Evaluated {

@@ -3,7 +3,7 @@
 use nlp::{Control, SolveStatus, Start};
 use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration};
 
-use crate::error::PlannerError;
+use crate::error::{PlannerError, Unusable};
 use crate::files::{Checkpoint, PlanFolder};
 use crate::iteration::IterationRecord;
 use crate::iteration::PlanIteration;
@@ -91,7 +91,7 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
     match (1..).zip(&checkpoint.iterations).map(read).collect() {
         Ok(iterations) => Ok(Some(Earlier { iterations, checkpoint })),
         Err(_) => {
-            session.tell(Event::Discarded { reason: "its tables are damaged" });
+            session.tell(Event::Discarded { reason: Unusable::DamagedTables });
             folder.discard()?;
             Ok(None)
         }

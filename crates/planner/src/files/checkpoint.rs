@@ -6,7 +6,7 @@ use std::path::Path;
 use nlp::Iterate;
 use serde::{Deserialize, Serialize};
 
-use crate::error::PlannerError;
+use crate::error::{PlannerError, Unusable};
 use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
 
@@ -43,12 +43,12 @@ impl Checkpoint {
 
     /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
     /// of another problem, so that the solve has to start from the beginning.
-    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, &'static str> {
+    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
         let Ok(text) = fs::read_to_string(folder.join(CHECKPOINT)) else { return Ok(None) };
-        let checkpoint: Self = unseal(&text).ok_or("its checkpoint is damaged")?;
+        let checkpoint: Self = unseal(&text).ok_or(Unusable::DamagedCheckpoint)?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
-            false => Err("it belongs to another problem"),
+            false => Err(Unusable::OtherProblem),
         }
     }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use task::{AssemblyTask, Trajectory};
 
-use crate::error::PlannerError;
+use crate::error::{PlannerError, Unusable};
 use crate::files::atomic::{hash, remove_file, require_folder, write_file};
 use crate::files::checkpoint::Checkpoint;
 use crate::files::refinement::RefinementCheckpoint;
@@ -87,12 +87,12 @@ impl PlanFolder {
 
     /// The finished homotopy iterations of a problem, if another run has left some; `Err` with the reason why they are
     /// of no use.
-    pub(crate) fn checkpoint(&self, identity: &str) -> Result<Option<Checkpoint>, &'static str> {
+    pub(crate) fn checkpoint(&self, identity: &str) -> Result<Option<Checkpoint>, Unusable> {
         Checkpoint::load(&self.work, identity)
     }
 
     /// The refinement that another run has left, likewise.
-    pub(crate) fn refinement(&self, identity: &str) -> Result<Option<RefinementCheckpoint>, &'static str> {
+    pub(crate) fn refinement(&self, identity: &str) -> Result<Option<RefinementCheckpoint>, Unusable> {
         RefinementCheckpoint::load(&self.work, identity)
     }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use simulation::{GraspError, Trial};
 
-use crate::error::PlannerError;
+use crate::error::{PlannerError, Unusable};
 use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
 use crate::robustness::Round;
@@ -96,12 +96,12 @@ impl From<&TrialRecord> for Trial {
 impl RefinementCheckpoint {
     /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
     /// of another problem.
-    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, &'static str> {
+    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
         let Ok(text) = fs::read_to_string(folder.join(REFINEMENT)) else { return Ok(None) };
-        let checkpoint: Self = unseal(&text).ok_or("its refinement is damaged")?;
+        let checkpoint: Self = unseal(&text).ok_or(Unusable::DamagedRefinement)?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
-            false => Err("its refinement belongs to another problem"),
+            false => Err(Unusable::OtherProblem),
         }
     }
 

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use simulation::{Reference, Trial};
 
-use crate::error::PlannerError;
+use crate::error::{PlannerError, Unusable};
 use crate::files::{BestRecord, RefinementCheckpoint, TrialRecord};
 use crate::iteration::PlanIteration;
 use crate::plan::Plan;
@@ -57,7 +57,7 @@ impl Refiner<'_> {
                 if same {
                     return Ok(Some(checkpoint));
                 }
-                "it was refined for other frictions, turns or tolerances"
+                Unusable::OtherTarget
             }
             Err(reason) => reason,
         };
@@ -81,7 +81,7 @@ impl Refiner<'_> {
                 };
                 let iterations: Result<_, PlannerError> = (1..).zip(best.iterations).map(read).collect();
                 if iterations.is_err() {
-                    self.session.tell(Event::Discarded { reason: "the tables of its refinement are damaged" });
+                    self.session.tell(Event::Discarded { reason: Unusable::DamagedRefinementTables });
                 }
                 iterations.ok()?
             }
