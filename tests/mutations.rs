@@ -25,8 +25,8 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use text::{Mutation, mutated, mutation};
 
-/// Longest time that anything may take.
-const LONGEST: Duration = Duration::from_secs(10);
+/// Longest time that anything may take, on a machine that has other work too.
+const LONGEST: Duration = Duration::from_secs(30);
 
 /// A scene, its plan in `plan`, a batch of two cells, one of them finished, in `runs`, and unfinished work in `work`.
 static RIGHT: LazyLock<Dir> = LazyLock::new(|| {
@@ -247,5 +247,5 @@ fn mutated_unfinished_work_is_gone_on_with_or_set_aside() {
         ".work.unfinished/refinement.json",
         ".work.unfinished/stages/1/scenarios.csv",
     ];
-    run("unfinished work", FILES, 30, go_on);
+    run("unfinished work", FILES, 20, go_on);
 }

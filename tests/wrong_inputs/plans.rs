@@ -31,5 +31,6 @@ pub const ROWS: &[Row] = &[
     ("simulate scene.toml plan", &[("scene.toml", "position = [0.1, 0.0, 0.08]", "position = [0.1, 0.0, 0.09]")], "its start `a` is another pose"),
     ("simulate scene.toml plan", &[("scene.toml", "name = \"a\"", "name = \"one\"")], "there is no start `a`"),
     ("simulate scene.toml plan", &[("scene.toml", "[contact]", "[[environment.part]]\nname = \"lid\"\nbox = [1, 1, 1]\nposition = [0, 0, 9]\n[contact]")], "its environment has 2 parts, this one 3"),
+    ("simulate scene.toml plan", &[("plan/result.json", "\"position_error_m\": ", "\"position_error_m\": null, \"was\": ")], "plan/result.json: is called done, but has a null"),
     ("simulate scene.toml .", &[("plan/result.json", "", "{}")], "plan/result.json:1"),
 ];
