@@ -8,16 +8,15 @@ use nalgebra::Vector3;
 
 use crate::arc::Arc;
 use crate::axis::{Axis, Feature, PREFERENCE};
-use crate::solid::{Facet, Solid};
+use crate::solid::{Edge, Facet, Solid};
 
 /// Candidates of a pair, valid until the body has moved by more than the skin.
 #[derive(Debug, Clone, Default)]
 pub struct Candidates {
     environment_facets: Facets,
     body_facets: Facets,
-    /// An edge of the body and an edge of the environment each, in their order. They are found when a facet alone does
-    /// not keep the parts away from each other.
-    edges: Vec<(usize, usize)>,
+    /// Found when facets alone do not show how far the parts are from each other.
+    edges: Vec<EdgePair>,
     edges_are_found: bool,
     /// How far the body may move from where the candidates were found (m).
     skin: f64,
@@ -25,6 +24,16 @@ pub struct Candidates {
     left: f64,
     /// Until then no vertex of either part is further from the body's origin (m).
     lever: f64,
+}
+
+/// An edge of the body and an edge of the environment.
+#[derive(Debug, Clone, Copy)]
+struct EdgePair {
+    body: usize,
+    environment: usize,
+    /// The inward normals of the edge of the environment, and one of its ends.
+    reversed: Arc,
+    end: Vector3<f64>,
 }
 
 /// Facets of one solid, with the vertices of another one that may be the nearest.
@@ -78,22 +87,20 @@ impl Candidates {
             self.find_edges(body, environment, facet.separation);
             self.edges_are_found = true;
         }
-        self.best_edges(body, environment).filter(|edges| edges.separation > facet.separation + PREFERENCE)
+        self.best_edges(body).filter(|edges| edges.separation > facet.separation + PREFERENCE)
     }
 
-    fn best_edges(&self, body: &Solid, environment: &Solid) -> Option<Axis> {
+    fn best_edges(&self, body: &Solid) -> Option<Axis> {
         let mut best: Option<Axis> = None;
-        for &(one, other) in &self.edges {
-            let (edge, opposite) = (&body.edges[one], &environment.edges[other]);
-            let (arc, reversed) = (Arc::new(body, edge), Arc::new(environment, opposite).reversed());
-            if !arc.crosses(&reversed) {
-                continue;
-            }
-            let Some(normal) = arc.common_normal(&reversed) else { continue };
-            let gap = body.vertices[edge.ends[0]] - environment.vertices[opposite.ends[0]];
-            let separation = normal.dot(&gap);
-            if best.is_none_or(|best| separation > best.separation) {
-                best = Some(Axis { separation, normal, feature: Feature::Edges(one, other) });
+        for pairs in self.edges.chunk_by(|one, other| one.body == other.body) {
+            let edge = &body.edges[pairs[0].body];
+            let arc = Arc::new(body, edge);
+            for pair in pairs.iter().filter(|pair| arc.crosses(&pair.reversed)) {
+                let Some(normal) = arc.common_normal(&pair.reversed) else { continue };
+                let separation = normal.dot(&(body.vertices[edge.ends[0]] - pair.end));
+                if best.is_none_or(|best| separation > best.separation) {
+                    best = Some(Axis { separation, normal, feature: Feature::Edges(pair.body, pair.environment) });
+                }
             }
         }
         best
@@ -110,23 +117,26 @@ impl Candidates {
     fn find_edges(&mut self, body: &Solid, environment: &Solid, facet: f64) {
         let turn = self.skin / self.lever + ROUNDING;
         let least = facet - 2.0 * self.skin - ROUNDING;
-        let opposite: Vec<Arc> = environment.edges.iter().map(|edge| Arc::new(environment, edge)).collect();
+        let pair = |(environment_edge, edge): (usize, &Edge)| EdgePair {
+            body: 0,
+            environment: environment_edge,
+            reversed: Arc::new(environment, edge).reversed(),
+            end: environment.vertices[edge.ends[0]],
+        };
+        let opposite: Vec<EdgePair> = environment.edges.iter().enumerate().map(pair).collect();
         self.edges.clear();
-        for (one, edge) in body.edges.iter().enumerate() {
+        for (index, edge) in body.edges.iter().enumerate() {
             let arc = Arc::new(body, edge);
-            for (other, opposite) in opposite.iter().enumerate() {
-                if !arc.may_cross(&opposite.reversed(), turn) {
-                    continue;
-                }
-                // A separation along a common normal is a component along a normal of either arc. That of the body
-                // turns with it: components of the gap, which is no longer than two levers, change by two more skins.
-                let gap = body.vertices[edge.ends[0]] - environment.vertices[environment.edges[other].ends[0]];
-                let is_worse =
-                    opposite.largest_component(&gap) < least || arc.largest_component(&-gap) < least - 2.0 * self.skin;
-                if !is_worse {
-                    self.edges.push((one, other));
-                }
-            }
+            // A separation along a common normal is a component along a normal of either arc. That of the body turns
+            // with it: components of the gap, which is no longer than two levers, change by two more skins.
+            let can_be_better = |pair: &&EdgePair| {
+                let gap = pair.end - body.vertices[edge.ends[0]];
+                let is_worse = pair.reversed.largest_component(&gap) < least
+                    || arc.largest_component(&gap) < least - 2.0 * self.skin;
+                !is_worse
+            };
+            let crossing = opposite.iter().filter(|pair| arc.may_cross(&pair.reversed, turn));
+            self.edges.extend(crossing.filter(can_be_better).map(|pair| EdgePair { body: index, ..*pair }));
         }
     }
 }

@@ -50,7 +50,8 @@ impl Patch {
             return;
         }
         self.clipped.clear();
-        for (&(from, before), &(to, after)) in self.points.iter().zip(self.points.iter().cycle().skip(1)) {
+        for (index, &(from, before)) in self.points.iter().enumerate() {
+            let (to, after) = self.points[if index + 1 < self.points.len() { index + 1 } else { 0 }];
             if before <= 0.0 {
                 self.clipped.push((from, before));
             }
