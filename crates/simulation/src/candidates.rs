@@ -61,9 +61,9 @@ impl Candidates {
     /// The best axis of all facets, for a body whose origin is at `position`. A step moves the body by about `reach`
     /// (m).
     pub fn best_facet(&mut self, body: &Solid, position: &Vector3<f64>, environment: &Solid, reach: f64) -> Axis {
-        // Also when a pose that is not finite has made it NaN.
-        let is_used_up = !(self.left > 0.0);
-        if is_used_up {
+        // A pose that is not finite makes it NaN.
+        let are_valid = self.left > 0.0;
+        if !are_valid {
             self.skin = STEPS * reach;
             self.left = self.skin;
             self.lever = body.radius(position).max(environment.radius(position)) + self.skin;
@@ -160,7 +160,7 @@ impl Facets {
                 continue;
             }
             let highest = self.separations[index] + facet.offset + margin;
-            let near = |&vertex: &usize| !(facet.normal.dot(&other.vertices[vertex]) > highest);
+            let near = |&vertex: &usize| facet.normal.dot(&other.vertices[vertex]) <= highest;
             self.vertices.extend((0..other.vertices.len()).filter(near));
             self.facets.push((index, self.vertices.len()));
         }

@@ -150,9 +150,8 @@ impl<'shapes> ContactFinder<'shapes> {
             Feature::Edges(..) => {}
         }
         // No axis separates the parts by more than the distance of two of their points.
-        if !(patch.distance() < axis.separation + 0.5 * PREFERENCE)
-            && let Some(edges) = candidates.better_edges(body, environment, &axis)
-        {
+        let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
+        if !is_best && let Some(edges) = candidates.better_edges(body, environment, &axis) {
             axis = edges;
             patch.clear();
             if let Feature::Edges(first, second) = axis.feature {
