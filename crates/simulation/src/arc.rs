@@ -46,16 +46,10 @@ impl Arc {
         opposite(c, d) && opposite(a, -d)
     }
 
-    /// The largest component of a vector along a normal of the arc.
-    pub fn largest_component(&self, vector: &Vector3<f64>) -> f64 {
-        let cosine = self.ends[0].dot(&self.ends[1]);
-        let [one, other] = self.ends.map(|end| end.dot(vector));
-        if one > cosine * other && other > cosine * one {
-            // The component in the plane of the arc points between its ends.
-            let height = self.pole.dot(vector) / self.pole.norm();
-            return (vector.norm_squared() - height * height).max(0.0).sqrt();
-        }
-        one.max(other)
+    /// Whether the components of a vector along all normals of the arc are less than `height`, which is not positive.
+    pub fn is_below(&self, vector: &Vector3<f64>, height: f64) -> bool {
+        // Normals are sums of multiples of both ends, whose factors add up to at least one.
+        self.ends.iter().all(|end| end.dot(vector) < height)
     }
 
     /// Unit vector normal to both edges and against this one's normals; `None` for parallel edges.

@@ -116,7 +116,8 @@ impl Candidates {
     /// Finds the pairs of edges that can become better than the best facet, whose separation is `facet` (m).
     fn find_edges(&mut self, body: &Solid, environment: &Solid, facet: f64) {
         let turn = self.skin / self.lever + ROUNDING;
-        let least = facet - 2.0 * self.skin - ROUNDING;
+        // Components along an arc are bounded by those along its ends only if they are negative.
+        let least = (facet - 2.0 * self.skin - ROUNDING).min(0.0);
         let pair = |(environment_edge, edge): (usize, &Edge)| EdgePair {
             body: 0,
             environment: environment_edge,
@@ -131,9 +132,7 @@ impl Candidates {
             // with it: components of the gap, which is no longer than two levers, change by two more skins.
             let can_be_better = |pair: &&EdgePair| {
                 let gap = pair.end - body.vertices[edge.ends[0]];
-                let is_worse = pair.reversed.largest_component(&gap) < least
-                    || arc.largest_component(&gap) < least - 2.0 * self.skin;
-                !is_worse
+                !pair.reversed.is_below(&gap, least) && !arc.is_below(&gap, least - 2.0 * self.skin)
             };
             let crossing = opposite.iter().filter(|pair| arc.may_cross(&pair.reversed, turn));
             self.edges.extend(crossing.filter(can_be_better).map(|pair| EdgePair { body: index, ..*pair }));
