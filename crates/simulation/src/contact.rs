@@ -1,9 +1,12 @@
 //! Contact points of the pairs that can touch within a step.
 
-use nalgebra::{Isometry3, Vector3};
+use collision::Polytope;
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use task::ContactPair;
 
-use crate::axis::{Axis, Feature, separate};
+use crate::axis::{Feature, PREFERENCE};
+use crate::candidates::Candidates;
+use crate::patch::Patch;
 use crate::solid::Solid;
 
 /// A point where a pair touches or may touch within the step.
@@ -19,145 +22,161 @@ pub struct Contact {
     pub gap: f64,
 }
 
+/// The shapes of a task's pairs.
+#[derive(Debug, Clone)]
+pub struct Shapes {
+    /// The different parts of the body, in its frame.
+    bodies: Vec<Solid>,
+    pairs: Vec<PairShapes>,
+}
+
+#[derive(Debug, Clone)]
+struct PairShapes {
+    /// Index of the part of the body.
+    body: usize,
+    /// Largest distance of a point of that part from the body's origin (m).
+    radius: f64,
+    environment: Solid,
+}
+
+impl Shapes {
+    /// For the pairs of a task.
+    pub fn new(pairs: &[ContactPair]) -> Self {
+        let mut parts: Vec<&Polytope> = Vec::new();
+        let mut shapes = Self { bodies: Vec::new(), pairs: Vec::new() };
+        for ContactPair { shapes: pair, .. } in pairs {
+            let known = parts.iter().position(|&part| part == pair.body());
+            let body = known.unwrap_or(parts.len());
+            if known.is_none() {
+                parts.push(pair.body());
+                shapes.bodies.push(Solid::new(pair.body()));
+            }
+            let radius = shapes.bodies[body].radius(&Vector3::zeros());
+            shapes.pairs.push(PairShapes { body, radius, environment: Solid::new(pair.environment()) });
+        }
+        shapes
+    }
+}
+
 /// Finds the contacts of a body as it moves. A pair is examined only when the body may have crossed the gap that the
 /// pair had when it was last examined.
 #[derive(Debug, Clone)]
-pub struct ContactFinder {
+pub struct ContactFinder<'shapes> {
+    shapes: &'shapes Shapes,
+    bodies: Vec<PlacedBody>,
     pairs: Vec<Pair>,
     last: Isometry3<f64>,
     /// Contacts at the last pose.
     pub contacts: Vec<Contact>,
-    polygon: Vec<Vector3<f64>>,
-    clipped: Vec<Vector3<f64>>,
+    patch: Patch,
+}
+
+/// A part of the body, placed when a pair is examined.
+#[derive(Debug, Clone)]
+struct PlacedBody {
+    solid: Solid,
+    is_current: bool,
 }
 
 #[derive(Debug, Clone)]
 struct Pair {
-    body: Solid,
-    radius: f64,
-    placed: Solid,
-    environment: Solid,
     /// Lower bound on the gap (m).
     clearance: f64,
+    candidates: Candidates,
 }
 
-impl ContactFinder {
-    /// For the pairs of a task.
-    pub fn new(pairs: &[ContactPair]) -> Self {
-        let pair = |pair: &ContactPair| {
-            let body = Solid::new(pair.shapes.body());
-            let environment = Solid::new(pair.shapes.environment());
-            Pair { radius: body.radius(), placed: body.clone(), body, environment, clearance: f64::NEG_INFINITY }
-        };
+impl<'shapes> ContactFinder<'shapes> {
+    /// For the shapes of a task.
+    pub fn new(shapes: &'shapes Shapes) -> Self {
+        let pair = Pair { clearance: f64::NEG_INFINITY, candidates: Candidates::default() };
         Self {
-            pairs: pairs.iter().map(pair).collect(),
+            bodies: shapes.bodies.iter().map(|solid| PlacedBody { solid: solid.clone(), is_current: false }).collect(),
+            pairs: vec![pair; shapes.pairs.len()],
+            shapes,
             last: Isometry3::identity(),
             contacts: Vec::new(),
-            polygon: Vec::new(),
-            clipped: Vec::new(),
+            patch: Patch::default(),
         }
     }
 
     /// Largest distance of a point of the body from its origin (m).
     pub fn radius(&self) -> f64 {
-        self.pairs.iter().map(|pair| pair.radius).fold(0.0, f64::max)
+        self.shapes.pairs.iter().map(|pair| pair.radius).fold(0.0, f64::max)
     }
 
     /// Finds all contacts with gaps up to `reach` (m) at a pose. Returns the smallest separation (m) of the pairs that
     /// were examined.
     pub fn find(&mut self, pose: &Isometry3<f64>, reach: f64) -> f64 {
-        let shift = (pose.translation.vector - self.last.translation.vector).norm();
-        let turn = pose.rotation.angle_to(&self.last.rotation);
+        let position = &pose.translation.vector;
+        let shift = (position - self.last.translation.vector).norm();
+        let turn = largest_turn(&pose.rotation, &self.last.rotation);
         self.last = *pose;
         self.contacts.clear();
-        let rotation = pose.rotation.to_rotation_matrix();
+        self.bodies.iter_mut().for_each(|body| body.is_current = false);
+        let shapes = self.shapes;
         let mut smallest = f64::INFINITY;
-        for index in 0..self.pairs.len() {
+        for (index, PairShapes { body, radius, .. }) in shapes.pairs.iter().enumerate() {
             let pair = &mut self.pairs[index];
-            pair.clearance -= shift + pair.radius * turn;
+            pair.clearance -= shift + radius * turn;
+            pair.candidates.moved(shift, turn);
             if pair.clearance > reach {
                 continue;
             }
-            pair.placed.place(&pair.body, &rotation, &pose.translation.vector);
-            let axis = separate(&pair.placed, &pair.environment, reach);
-            pair.clearance = axis.separation;
-            smallest = smallest.min(axis.separation);
-            if axis.separation <= reach {
-                self.add(index, &axis, reach);
+            let placed = &mut self.bodies[*body];
+            if !placed.is_current {
+                placed.solid.place(&shapes.bodies[*body], &pose.rotation.to_rotation_matrix(), position);
+                placed.is_current = true;
             }
+            let separation = self.examine(index, position, reach);
+            self.pairs[index].clearance = separation;
+            smallest = smallest.min(separation);
         }
         smallest
     }
 
-    fn add(&mut self, index: usize, axis: &Axis, reach: f64) {
-        let Self { pairs, contacts, polygon, clipped, .. } = self;
-        let (body, environment) = (&pairs[index].placed, &pairs[index].environment);
-        let before = contacts.len();
-        let mut found = |point: Vector3<f64>, gap: f64| {
-            if gap <= reach {
-                contacts.push(Contact { pair: index, point, normal: axis.normal, gap });
-            }
-        };
+    /// Adds the contacts of a pair whose body is placed. Returns the pair's separation (m).
+    fn examine(&mut self, index: usize, position: &Vector3<f64>, reach: f64) -> f64 {
+        let PairShapes { body, environment, .. } = &self.shapes.pairs[index];
+        let Self { bodies, pairs, contacts, patch, .. } = self;
+        let (body, candidates) = (&bodies[*body].solid, &mut pairs[index].candidates);
+        let mut axis = candidates.best_facet(body, position, environment, reach);
+        if axis.separation > reach {
+            return axis.separation;
+        }
+        patch.clear();
         match axis.feature {
-            Feature::EnvironmentFacet(facet) => facet_contacts(environment, facet, body, (polygon, clipped), found),
-            Feature::BodyFacet(facet) => facet_contacts(body, facet, environment, (polygon, clipped), found),
-            Feature::Edges(first, second) => {
+            Feature::EnvironmentFacet { facet, vertex } => patch.fill(environment, facet, body, vertex),
+            Feature::BodyFacet { facet, vertex } => patch.fill(body, facet, environment, vertex),
+            Feature::Edges(..) => {}
+        }
+        // No axis separates the parts by more than the distance of two of their points.
+        let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
+        if !is_best && let Some(edges) = candidates.better_edges(body, environment, &axis) {
+            axis = edges;
+            patch.clear();
+            if let Feature::Edges(first, second) = axis.feature {
                 let first = body.segment(&body.edges[first]);
                 let second = environment.segment(&environment.edges[second]);
-                edge_point(&first, &second).into_iter().for_each(|point| found(point, axis.separation));
+                patch.points.extend(edge_point(&first, &second).map(|point| (point, axis.separation)));
             }
         }
+        let before = contacts.len();
+        let near = patch.points.iter().filter(|(_, gap)| *gap <= reach);
+        contacts.extend(near.map(|&(point, gap)| Contact { pair: index, point, normal: axis.normal, gap }));
         if contacts.len() == before && axis.separation < 0.0 {
             // The touching features overlap without facing each other: the deepest vertex is the contact.
-            let deepest = body.vertices[body.lowest(&axis.normal).0];
+            let deepest = body.vertices[body.lowest(0..body.vertices.len(), &axis.normal).0];
             contacts.push(Contact { pair: index, point: deepest, normal: axis.normal, gap: axis.separation });
         }
+        axis.separation
     }
 }
 
-/// Clips the facing facet of `other` to the prism over a facet of `solid`, and reports the remaining corners and their
-/// gaps.
-fn facet_contacts(
-    solid: &Solid,
-    facet: usize,
-    other: &Solid,
-    (polygon, clipped): (&mut Vec<Vector3<f64>>, &mut Vec<Vector3<f64>>),
-    mut found: impl FnMut(Vector3<f64>, f64),
-) {
-    let facet = &solid.facets[facet];
-    polygon.clear();
-    polygon.extend(facing_facet(other, &facet.normal));
-    for (&from, &to) in facet.corners.iter().zip(facet.corners.iter().cycle().skip(1)) {
-        let corner = solid.vertices[from];
-        let outward = (solid.vertices[to] - corner).cross(&facet.normal);
-        clip(polygon, clipped, |point| outward.dot(&(point - corner)));
-        std::mem::swap(polygon, clipped);
-    }
-    for point in polygon.iter() {
-        found(*point, facet.normal.dot(point) - facet.offset);
-    }
-}
-
-/// Corners of the facet whose normal is most opposed to `normal`, of the facets that meet in the lowest vertex.
-fn facing_facet<'solid>(solid: &'solid Solid, normal: &Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> + 'solid {
-    let (lowest, _) = solid.lowest(normal);
-    let touching = solid.facets.iter().filter(|facet| facet.corners.contains(&lowest));
-    let facing = touching.min_by(|one, other| one.normal.dot(normal).total_cmp(&other.normal.dot(normal)));
-    facing.into_iter().flat_map(|facet| facet.corners.iter().map(|&corner| solid.vertices[corner]))
-}
-
-/// The region of a polygon where `height` is not positive (Sutherland and Hodgman).
-fn clip(polygon: &[Vector3<f64>], kept: &mut Vec<Vector3<f64>>, height: impl Fn(&Vector3<f64>) -> f64) {
-    kept.clear();
-    for (from, to) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
-        let (before, after) = (height(from), height(to));
-        if before <= 0.0 {
-            kept.push(*from);
-        }
-        if (before < 0.0 && after > 0.0) || (before > 0.0 && after < 0.0) {
-            kept.push(from + (to - from) * (before / (before - after)));
-        }
-    }
+/// Upper bound on how far a turn from one orientation to the other moves a point at a distance of one; it is close for
+/// small turns.
+fn largest_turn(one: &UnitQuaternion<f64>, other: &UnitQuaternion<f64>) -> f64 {
+    let (one, other) = (one.as_vector(), other.as_vector());
+    2.0 * (one - other).norm_squared().min((one + other).norm_squared()).sqrt()
 }
 
 /// The point of the first edge that is closest to the second edge; `None` when the closest points of the two lines lie
@@ -172,3 +191,6 @@ fn edge_point(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> Option<V
     let inside = (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t);
     inside.then(|| first[0] + along * s)
 }
+
+#[cfg(test)]
+mod tests;

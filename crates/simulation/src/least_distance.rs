@@ -1,6 +1,6 @@
 //! The nearest point of a polyhedron in velocity space. A contact problem without restitution is such a problem.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 
 /// Velocities in coordinates in which the kinetic energy is half the squared norm.
 pub type Vector6 = SVector<f64, DIMENSIONS>;
@@ -21,6 +21,9 @@ pub struct Halfspace {
 pub struct LeastDistance {
     /// Index and multiplier (not negative) of every active halfspace.
     pub active: Vec<(usize, f64)>,
+    /// An orthonormal basis of the active normals, and their coefficients in it: an upper triangular matrix.
+    basis: [Vector6; DIMENSIONS],
+    triangle: [Vector6; DIMENSIONS],
     excluded: Vec<bool>,
 }
 
@@ -64,7 +67,8 @@ impl LeastDistance {
         let Halfspace { normal, bound } = halfspaces[entering];
         let mut multiplier = 0.0;
         loop {
-            let (coefficients, rest) = self.decompose(&normal, halfspaces);
+            let (column, rest) = orthogonalise(&normal, &self.basis[..self.active.len()]);
+            let coefficients = self.coefficients(column);
             let independent = self.active.len() < DIMENSIONS && rest.norm() > DEPENDENT * normal.norm();
             let full = if independent { (bound - normal.dot(point)) / rest.norm_squared() } else { f64::INFINITY };
             let blocking = self.blocking(&coefficients);
@@ -81,8 +85,9 @@ impl LeastDistance {
                 *multiplier -= step * coefficients[position];
             }
             match blocking {
-                Some((position, dual)) if dual < full => drop(self.active.remove(position)),
+                Some((position, dual)) if dual < full => self.leave(position, halfspaces),
                 _ => {
+                    self.extend_basis(self.active.len(), column, &rest);
                     self.active.push((entering, multiplier));
                     return;
                 }
@@ -98,24 +103,31 @@ impl LeastDistance {
         steps.min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
-    /// Coefficients and rest of `normal = sum coefficient active + rest`, with the rest orthogonal to the active
-    /// normals.
-    fn decompose(&self, normal: &Vector6, halfspaces: &[Halfspace]) -> (Vector6, Vector6) {
+    /// Coefficients of a vector in the active normals, from those in their basis.
+    fn coefficients(&self, mut coefficients: Vector6) -> Vector6 {
         let count = self.active.len();
-        let mut basis = [Vector6::zeros(); DIMENSIONS];
-        let mut triangle = SMatrix::<f64, DIMENSIONS, DIMENSIONS>::zeros();
-        for (column, (index, _)) in self.active.iter().enumerate() {
-            let (coefficients, rest) = orthogonalise(&halfspaces[*index].normal, &basis[..column]);
-            triangle.set_column(column, &coefficients);
-            triangle[(column, column)] = rest.norm();
-            basis[column] = rest / rest.norm();
-        }
-        let (mut coefficients, rest) = orthogonalise(normal, &basis[..count]);
         for row in (0..count).rev() {
-            let known: f64 = (row + 1..count).map(|column| triangle[(row, column)] * coefficients[column]).sum();
-            coefficients[row] = (coefficients[row] - known) / triangle[(row, row)];
+            let known: f64 = (row + 1..count).map(|column| self.triangle[column][row] * coefficients[column]).sum();
+            coefficients[row] = (coefficients[row] - known) / self.triangle[row][row];
         }
-        (coefficients, rest)
+        coefficients
+    }
+
+    /// Extends the first `count` vectors of the basis by a normal, given by its coefficients in them and the rest.
+    fn extend_basis(&mut self, count: usize, mut column: Vector6, rest: &Vector6) {
+        let length = rest.norm();
+        column[count] = length;
+        (self.triangle[count], self.basis[count]) = (column, rest / length);
+    }
+
+    /// Drops an active halfspace.
+    fn leave(&mut self, position: usize, halfspaces: &[Halfspace]) {
+        self.active.remove(position);
+        for count in position..self.active.len() {
+            let normal = &halfspaces[self.active[count].0].normal;
+            let (column, rest) = orthogonalise(normal, &self.basis[..count]);
+            self.extend_basis(count, column, &rest);
+        }
     }
 }
 

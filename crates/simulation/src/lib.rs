@@ -39,12 +39,14 @@
 //! | Eq. (17), Moreau's time stepping | `Eq. ts` | [`Rollout::play`], `dynamics::Stepper::step` |
 //! | Eq. (17c), contacts without overlap | `Eq. ts3` | `dynamics::Stepper::resolve` |
 //! | Eq. (18), impedance law | `Eq. impedancewrench` | `dynamics::Stepper::free_velocity` |
-//! | zero level of Eq. (1), signed distance | `Eq. sdfopt` | `axis::separate` |
+//! | zero level of Eq. (1), signed distance | `Eq. sdfopt` | `contact::ContactFinder::find` |
 //! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`GraspError::start`] |
 //! | Fig. 12, success rates under injected offsets | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
 
+mod arc;
 mod axis;
 mod bump;
+mod candidates;
 mod contact;
 mod dynamics;
 mod evaluator;
@@ -54,6 +56,7 @@ mod metric;
 mod motion;
 pub mod offsets;
 mod parallel;
+mod patch;
 mod reference;
 mod refinement;
 mod rollout;

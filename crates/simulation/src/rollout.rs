@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use task::AssemblyTask;
 
-use crate::contact::ContactFinder;
+use crate::contact::{ContactFinder, Shapes};
 use crate::dynamics::{Body, Stepper};
 use crate::grasp_error::GraspError;
 use crate::parallel::in_parallel;
@@ -16,7 +16,7 @@ use crate::success::Success;
 pub struct Rollout {
     pub(crate) task: AssemblyTask,
     pub(crate) settings: Settings,
-    finder: ContactFinder,
+    shapes: Shapes,
 }
 
 /// How a rollout ended.
@@ -74,7 +74,7 @@ impl TimedState {
 impl Rollout {
     /// Prepares the shapes of a task. Callers validate the settings ([`Settings::validate_for`]).
     pub fn new(task: &AssemblyTask, settings: Settings) -> Self {
-        Self { task: task.clone(), settings, finder: ContactFinder::new(&task.pairs) }
+        Self { task: task.clone(), settings, shapes: Shapes::new(&task.pairs) }
     }
 
     /// One rollout of a reference per grasp error or offset (m, body frame), on `jobs` threads. Outcomes are in the
@@ -114,7 +114,7 @@ impl Rollout {
         let Some(mut stepper) = stepper.filter(|_| valid) else {
             return Outcome { diverged: true, ..self.outcome(&body, 0.0, 0.0) };
         };
-        let mut finder = self.finder.clone();
+        let mut finder = ContactFinder::new(&self.shapes);
         let offset = Vector3::from(grasp.offset);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
         let mut max_impulse = 0.0_f64;

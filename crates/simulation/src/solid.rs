@@ -11,6 +11,8 @@ pub struct Solid {
     pub vertices: Vec<Vector3<f64>>,
     pub facets: Vec<Facet>,
     pub edges: Vec<Edge>,
+    /// The facets that meet in each vertex.
+    pub meeting: Vec<Vec<usize>>,
 }
 
 /// A facet `{p | normal p = offset}` with its corners, counter-clockwise as seen from outside.
@@ -46,12 +48,14 @@ impl Solid {
             })
             .collect();
         let edges = edges(&facets);
-        Self { vertices, facets, edges }
+        let meet = |vertex: usize| (0..facets.len()).filter(|&facet| facets[facet].corners.contains(&vertex)).collect();
+        let meeting = (0..vertices.len()).map(meet).collect();
+        Self { vertices, facets, edges, meeting }
     }
 
-    /// Largest distance of a vertex from the origin of the frame (m).
-    pub fn radius(&self) -> f64 {
-        self.vertices.iter().map(Vector3::norm).fold(0.0, f64::max)
+    /// Largest distance of a vertex from a point (m).
+    pub fn radius(&self, point: &Vector3<f64>) -> f64 {
+        self.vertices.iter().map(|vertex| (vertex - point).norm_squared()).fold(0.0, f64::max).sqrt()
     }
 
     /// Places this polytope where `other`, rotated and then shifted, lies; both must be of the same shape.
@@ -65,9 +69,10 @@ impl Solid {
         }
     }
 
-    /// The lowest vertex along a direction (the support of the opposite one), and its height along the direction.
-    pub fn lowest(&self, direction: &Vector3<f64>) -> (usize, f64) {
-        let heights = self.vertices.iter().map(|vertex| direction.dot(vertex)).enumerate();
+    /// The lowest of some vertices along a direction (the support of the opposite one), and its height along the
+    /// direction. Of vertices of the same height it is the first.
+    pub fn lowest(&self, vertices: impl Iterator<Item = usize>, direction: &Vector3<f64>) -> (usize, f64) {
+        let heights = vertices.map(|vertex| (vertex, direction.dot(&self.vertices[vertex])));
         heights.fold((0, f64::INFINITY), |lowest, next| if next.1 < lowest.1 { next } else { lowest })
     }
 

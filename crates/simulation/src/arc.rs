@@ -1,0 +1,67 @@
+//! Edges on the Gauss map.
+
+use nalgebra::Vector3;
+
+use crate::solid::{Edge, Solid};
+
+/// The outward normals of an edge: an arc on the Gauss map from one facet's normal to the other's.
+#[derive(Debug, Clone, Copy)]
+pub struct Arc {
+    ends: [Vector3<f64>; 2],
+    /// Normal of the plane of the arc, along the edge.
+    pole: Vector3<f64>,
+}
+
+impl Arc {
+    pub fn new(solid: &Solid, edge: &Edge) -> Self {
+        let ends = edge.facets.map(|facet| solid.facets[facet].normal);
+        Self { ends, pole: ends[0].cross(&ends[1]) }
+    }
+
+    /// The arc of the opposite normals.
+    pub fn reversed(self) -> Self {
+        Self { ends: self.ends.map(|normal| -normal), pole: self.pole }
+    }
+
+    /// Whether two arcs have a normal in common.
+    pub fn crosses(&self, other: &Self) -> bool {
+        let [a, b] = other.ends.map(|end| end.dot(&self.pole));
+        if a * b >= 0.0 {
+            return false;
+        }
+        let [c, d] = self.ends.map(|end| end.dot(&other.pole));
+        // The last product distinguishes the crossing from its antipode.
+        c * d < 0.0 && a * d > 0.0
+    }
+
+    /// Whether two arcs may cross after one of them has turned by at most `turn` (rad) about any axis.
+    pub fn may_cross(&self, other: &Self, turn: f64) -> bool {
+        // Every product below changes by no more than the turn, as no pole is longer than one.
+        let opposite = |one: f64, other: f64| one.min(other) <= turn && one.max(other) >= -turn;
+        let [a, b] = other.ends.map(|end| end.dot(&self.pole));
+        if !opposite(a, b) {
+            return false;
+        }
+        let [c, d] = self.ends.map(|end| end.dot(&other.pole));
+        opposite(c, d) && opposite(a, -d)
+    }
+
+    /// Whether the components of a vector along all normals of the arc are less than `height`, which is not positive.
+    pub fn is_below(&self, vector: &Vector3<f64>, height: f64) -> bool {
+        // Normals are sums of multiples of both ends, whose factors add up to at least one.
+        self.ends.iter().all(|end| end.dot(vector) < height)
+    }
+
+    /// Unit vector normal to both edges and against this one's normals; `None` for parallel edges.
+    pub fn common_normal(&self, other: &Self) -> Option<Vector3<f64>> {
+        const PARALLEL: f64 = 1e-6;
+        let cross = self.pole.cross(&other.pole);
+        let length = cross.norm();
+        if length < PARALLEL * self.pole.norm() * other.pole.norm() {
+            return None;
+        }
+        let normal = cross / length;
+        let outward = normal.dot(&(self.ends[0] + self.ends[1]));
+        Some(if outward > 0.0 { -normal } else { normal })
+    }
+}

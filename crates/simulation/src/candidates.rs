@@ -1,0 +1,183 @@
+//! The few features of a pair that can define its best axis as long as the body moves little.
+//!
+//! Most facets and edges of two parts are far from touching, and remain so for a while. When the body moves by no more
+//! than a skin, no separation changes by more than that: a feature that is worse than the best one by twice the skin
+//! cannot become the best. These are left out; what the others give is exactly what all would give.
+
+use nalgebra::Vector3;
+
+use crate::arc::Arc;
+use crate::axis::{Axis, Feature, PREFERENCE};
+use crate::solid::{Edge, Facet, Solid};
+
+/// Candidates of a pair, valid until the body has moved by more than the skin.
+#[derive(Debug, Clone, Default)]
+pub struct Candidates {
+    environment_facets: Facets,
+    body_facets: Facets,
+    /// Found when facets alone do not show how far the parts are from each other.
+    edges: Vec<EdgePair>,
+    edges_are_found: bool,
+    /// How far the body may move from where the candidates were found (m).
+    skin: f64,
+    /// What is left of the skin (m).
+    left: f64,
+    /// Until then no vertex of either part is further from the body's origin (m).
+    lever: f64,
+}
+
+/// An edge of the body and an edge of the environment.
+#[derive(Debug, Clone, Copy)]
+struct EdgePair {
+    body: usize,
+    environment: usize,
+    /// The inward normals of the edge of the environment, and one of its ends.
+    reversed: Arc,
+    end: Vector3<f64>,
+}
+
+/// Facets of one solid, with the vertices of another one that may be the nearest.
+#[derive(Debug, Clone, Default)]
+struct Facets {
+    /// Facets, and where their vertices end.
+    facets: Vec<(usize, usize)>,
+    vertices: Vec<usize>,
+    /// Separation of every facet of the solid (m).
+    separations: Vec<f64>,
+}
+
+/// Rounding errors of separations are smaller (m), and so are those of products on the Gauss map.
+const ROUNDING: f64 = 1e-9;
+/// Number of steps for which the candidates last at least, if nothing but the reach of a step limits them. More of them
+/// are found less often, and are more.
+const STEPS: f64 = 16.0;
+
+impl Candidates {
+    /// Takes note of a motion of the body: a shift (m) and a turn (rad).
+    pub fn moved(&mut self, shift: f64, turn: f64) {
+        self.left -= shift + self.lever * turn;
+    }
+
+    /// The best axis of all facets, for a body whose origin is at `position`. A step moves the body by about `reach`
+    /// (m).
+    pub fn best_facet(&mut self, body: &Solid, position: &Vector3<f64>, environment: &Solid, reach: f64) -> Axis {
+        // A pose that is not finite makes it NaN.
+        let are_valid = self.left > 0.0;
+        if !are_valid {
+            self.skin = STEPS * reach;
+            self.left = self.skin;
+            self.lever = body.radius(position).max(environment.radius(position)) + self.skin;
+            self.find_facets(body, environment);
+            self.edges_are_found = false;
+        }
+        let (facet, vertex, separation) = self.environment_facets.best(environment, body);
+        let normal = environment.facets[facet].normal;
+        let best = Axis { separation, normal, feature: Feature::EnvironmentFacet { facet, vertex } };
+        let (facet, vertex, separation) = self.body_facets.best(body, environment);
+        if separation > best.separation + PREFERENCE {
+            let normal = -body.facets[facet].normal;
+            return Axis { separation, normal, feature: Feature::BodyFacet { facet, vertex } };
+        }
+        best
+    }
+
+    /// The best axis of all pairs of edges, if it is better than that of the best facet, which has just been found.
+    pub fn better_edges(&mut self, body: &Solid, environment: &Solid, facet: &Axis) -> Option<Axis> {
+        if !self.edges_are_found {
+            self.find_edges(body, environment, facet.separation);
+            self.edges_are_found = true;
+        }
+        self.best_edges(body).filter(|edges| edges.separation > facet.separation + PREFERENCE)
+    }
+
+    fn best_edges(&self, body: &Solid) -> Option<Axis> {
+        let mut best: Option<Axis> = None;
+        for pairs in self.edges.chunk_by(|one, other| one.body == other.body) {
+            let edge = &body.edges[pairs[0].body];
+            let arc = Arc::new(body, edge);
+            for pair in pairs.iter().filter(|pair| arc.crosses(&pair.reversed)) {
+                let Some(normal) = arc.common_normal(&pair.reversed) else { continue };
+                let separation = normal.dot(&(body.vertices[edge.ends[0]] - pair.end));
+                if best.is_none_or(|best| separation > best.separation) {
+                    best = Some(Axis { separation, normal, feature: Feature::Edges(pair.body, pair.environment) });
+                }
+            }
+        }
+        best
+    }
+
+    fn find_facets(&mut self, body: &Solid, environment: &Solid) {
+        let best = self.environment_facets.measure(environment, body).max(self.body_facets.measure(body, environment));
+        let margin = 2.0 * self.skin + ROUNDING;
+        self.environment_facets.choose(environment, body, best - PREFERENCE - margin, margin);
+        self.body_facets.choose(body, environment, best - PREFERENCE - margin, margin);
+    }
+
+    /// Finds the pairs of edges that can become better than the best facet, whose separation is `facet` (m).
+    fn find_edges(&mut self, body: &Solid, environment: &Solid, facet: f64) {
+        let turn = self.skin / self.lever + ROUNDING;
+        // Components along an arc are bounded by those along its ends only if they are negative.
+        let least = (facet - 2.0 * self.skin - ROUNDING).min(0.0);
+        let pair = |(environment_edge, edge): (usize, &Edge)| EdgePair {
+            body: 0,
+            environment: environment_edge,
+            reversed: Arc::new(environment, edge).reversed(),
+            end: environment.vertices[edge.ends[0]],
+        };
+        let opposite: Vec<EdgePair> = environment.edges.iter().enumerate().map(pair).collect();
+        self.edges.clear();
+        for (index, edge) in body.edges.iter().enumerate() {
+            let arc = Arc::new(body, edge);
+            // A separation along a common normal is a component along a normal of either arc. That of the body turns
+            // with it: components of the gap, which is no longer than two levers, change by two more skins.
+            let can_be_better = |pair: &&EdgePair| {
+                let gap = pair.end - body.vertices[edge.ends[0]];
+                !pair.reversed.is_below(&gap, least) && !arc.is_below(&gap, least - 2.0 * self.skin)
+            };
+            let crossing = opposite.iter().filter(|pair| arc.may_cross(&pair.reversed, turn));
+            self.edges.extend(crossing.filter(can_be_better).map(|pair| EdgePair { body: index, ..*pair }));
+        }
+    }
+}
+
+impl Facets {
+    /// Measures the separations of all facets of `solid` from `other`, and returns the largest (m).
+    fn measure(&mut self, solid: &Solid, other: &Solid) -> f64 {
+        let separation = |facet: &Facet| other.lowest(0..other.vertices.len(), &facet.normal).1 - facet.offset;
+        self.separations.clear();
+        self.separations.extend(solid.facets.iter().map(separation));
+        self.separations.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Chooses the measured facets whose separation is at least `least` (m), with the vertices whose height exceeds
+    /// that of the lowest by no more than `margin` (m).
+    fn choose(&mut self, solid: &Solid, other: &Solid, least: f64, margin: f64) {
+        self.facets.clear();
+        self.vertices.clear();
+        for (index, facet) in solid.facets.iter().enumerate() {
+            if self.separations[index] < least {
+                continue;
+            }
+            let highest = self.separations[index] + facet.offset + margin;
+            let near = |&vertex: &usize| facet.normal.dot(&other.vertices[vertex]) <= highest;
+            self.vertices.extend((0..other.vertices.len()).filter(near));
+            self.facets.push((index, self.vertices.len()));
+        }
+    }
+
+    /// The facet of `solid` with the widest gap to `other`, the vertex that is nearest to it, and the width of the gap
+    /// (m).
+    fn best(&self, solid: &Solid, other: &Solid) -> (usize, usize, f64) {
+        let mut best = (0, 0, f64::NEG_INFINITY);
+        let mut begin = 0;
+        for &(index, end) in &self.facets {
+            let facet = &solid.facets[index];
+            let (vertex, height) = other.lowest(self.vertices[begin..end].iter().copied(), &facet.normal);
+            if height - facet.offset > best.2 {
+                best = (index, vertex, height - facet.offset);
+            }
+            begin = end;
+        }
+        best
+    }
+}

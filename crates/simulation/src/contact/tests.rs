@@ -1,0 +1,175 @@
+//! Contacts compared with those of an exhaustive search, as bodies move.
+
+use collision::{Pair, Polytope};
+use nalgebra::{Rotation3, Translation3};
+use proptest::prelude::*;
+
+use super::*;
+use crate::arc::Arc;
+use crate::axis::Axis;
+
+/// The best axis of all facets and all pairs of edges. Edges are not examined when a facet alone separates the parts by
+/// more than `reach` (m).
+fn best_axis(body: &Solid, environment: &Solid, reach: f64) -> Axis {
+    let (facet, vertex, separation) = best_facet(environment, body);
+    let normal = environment.facets[facet].normal;
+    let mut best = Axis { separation, normal, feature: Feature::EnvironmentFacet { facet, vertex } };
+    let (facet, vertex, separation) = best_facet(body, environment);
+    if separation > best.separation + PREFERENCE {
+        let normal = -body.facets[facet].normal;
+        best = Axis { separation, normal, feature: Feature::BodyFacet { facet, vertex } };
+    }
+    if best.separation > reach {
+        return best;
+    }
+    match best_edges(body, environment) {
+        Some(edges) if edges.separation > best.separation + PREFERENCE => edges,
+        _ => best,
+    }
+}
+
+fn best_facet(first: &Solid, second: &Solid) -> (usize, usize, f64) {
+    let mut best = (0, 0, f64::NEG_INFINITY);
+    for (index, facet) in first.facets.iter().enumerate() {
+        let (vertex, height) = second.lowest(0..second.vertices.len(), &facet.normal);
+        if height - facet.offset > best.2 {
+            best = (index, vertex, height - facet.offset);
+        }
+    }
+    best
+}
+
+fn best_edges(body: &Solid, environment: &Solid) -> Option<Axis> {
+    let mut best: Option<Axis> = None;
+    for (first, edge) in body.edges.iter().enumerate() {
+        for (second, opposite) in environment.edges.iter().enumerate() {
+            let (arc, reversed) = (Arc::new(body, edge), Arc::new(environment, opposite).reversed());
+            let Some(normal) = arc.crosses(&reversed).then(|| arc.common_normal(&reversed)).flatten() else { continue };
+            let separation = normal.dot(&(body.vertices[edge.ends[0]] - environment.vertices[opposite.ends[0]]));
+            if best.is_none_or(|best| separation > best.separation) {
+                best = Some(Axis { separation, normal, feature: Feature::Edges(first, second) });
+            }
+        }
+    }
+    best
+}
+
+fn placed(solid: &Solid, pose: &Isometry3<f64>) -> Solid {
+    let mut placed = solid.clone();
+    placed.place(solid, &pose.rotation.to_rotation_matrix(), &pose.translation.vector);
+    placed
+}
+
+fn shapes(body: &Polytope, environment: &Polytope) -> Shapes {
+    let shapes = Pair::new(body.clone(), environment.clone());
+    Shapes::new(&[ContactPair { body: "body".into(), environment: "environment".into(), shapes }])
+}
+
+/// A prism over a regular polygon of about the size of the other shapes.
+fn prism(sides: usize) -> Polytope {
+    let vertex = |index: usize| {
+        let (sine, cosine) = (std::f64::consts::TAU * (index / 2) as f64 / sides as f64).sin_cos();
+        [0.05 * cosine, 0.05 * sine, if index.is_multiple_of(2) { -0.06 } else { 0.06 }]
+    };
+    Polytope::from_vertices(&(0..2 * sides).map(vertex).collect::<Vec<_>>()).unwrap()
+}
+
+fn shape() -> impl Strategy<Value = Polytope> {
+    let vertex = proptest::array::uniform3(-0.1..0.1_f64);
+    let hull = |vertices: Vec<[f64; 3]>| Polytope::from_vertices(&vertices).ok();
+    prop_oneof![
+        proptest::collection::vec(vertex, 6..20).prop_filter_map("flat", hull),
+        proptest::array::uniform3(0.02..0.2_f64).prop_map(|edges| Polytope::from_box(edges).unwrap()),
+        (3..30_usize).prop_map(prism),
+    ]
+}
+
+/// Upright, so that faces and edges are parallel, nearly so, or anyhow.
+fn orientation() -> impl Strategy<Value = UnitQuaternion<f64>> {
+    let turn = prop_oneof![Just(0.0), -1e-6..1e-6_f64, -1e-3..1e-3_f64, -2.0..2.0_f64];
+    proptest::array::uniform3(turn).prop_map(|turn| UnitQuaternion::from_scaled_axis(turn.into()))
+}
+
+/// Gap of the first pose (m) along a direction: touching, apart, or deep overlap.
+fn gap() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), -1e-6..1e-6_f64, -1e-3..2e-3_f64, -0.2..0.02_f64]
+}
+
+/// Shift and turn of every step, as multiples of the reach; a body may also slide or rest.
+fn motion() -> impl Strategy<Value = Vec<[f64; 6]>> {
+    let step = prop_oneof![
+        Just([0.0; 6]),
+        (-1.0..1.0_f64, -1.0..1.0_f64).prop_map(|(x, y)| [x, y, 0.0, 0.0, 0.0, 0.0]),
+        proptest::array::uniform6(-1.0..1.0_f64),
+        proptest::array::uniform6(-0.1..0.1_f64),
+    ];
+    (step.clone(), proptest::collection::vec(step, 1..60)).prop_map(|(drift, steps)| {
+        steps.iter().map(|step| std::array::from_fn(|index| step[index] + 0.5 * drift[index])).collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_moving_body_touches_where_an_exhaustive_search_says(
+        (body, environment, orientation) in (shape(), shape(), orientation()),
+        (direction, gap, motion) in (proptest::array::uniform3(-1..=1_i32), gap(), motion()),
+        reach in prop_oneof![Just(0.0), 1e-6..1e-4_f64, 1e-4..1e-2_f64],
+    ) {
+        let shapes = shapes(&body, &environment);
+        let (own, environment) = (&shapes.bodies[0], &shapes.pairs[0].environment);
+        let mut pose = Isometry3::from_parts(Translation3::identity(), orientation);
+        // In contact along the direction but for the gap.
+        let direction = Vector3::from(direction.map(f64::from)).try_normalize(0.5).unwrap_or(Vector3::z());
+        let lowest = placed(own, &pose).lowest(0..own.vertices.len(), &direction).1;
+        let highest = -environment.lowest(0..environment.vertices.len(), &-direction).1;
+        pose.translation.vector = direction * (highest - lowest + gap);
+        let mut finder = ContactFinder::new(&shapes);
+        for step in motion {
+            let [x, y, z, p, q, r] = step.map(|component| component * reach);
+            pose.translation.vector += Vector3::new(x, y, z);
+            pose.rotation *= UnitQuaternion::from_scaled_axis(Vector3::new(p, q, r) / 0.1);
+            let separation = finder.find(&pose, reach);
+            let expected = best_axis(&placed(own, &pose), environment, reach);
+            if separation > reach {
+                prop_assert!(expected.separation > reach, "{} and {:?}", separation, expected);
+                prop_assert!(finder.contacts.is_empty());
+                continue;
+            }
+            prop_assert_eq!(separation, expected.separation);
+            prop_assert!(finder.contacts.iter().all(|contact| contact.normal == expected.normal));
+            prop_assert!(separation >= 0.0 || !finder.contacts.is_empty());
+        }
+    }
+
+    /// The planner's distance is an independent oracle: its sign is that of the separation.
+    #[test]
+    fn separation_has_the_sign_of_the_exact_distance(
+        (body, environment) in (shape(), shape()),
+        shift in proptest::array::uniform3(-0.2..0.2_f64),
+        orientation in orientation(),
+    ) {
+        let pose = Isometry3::from_parts(shift.into(), orientation);
+        let separation = ContactFinder::new(&shapes(&body, &environment)).find(&pose, 1.0);
+        let rotation = orientation.quaternion();
+        let [x, y, z] = shift;
+        let pose = [x, y, z, rotation.w, rotation.i, rotation.j, rotation.k];
+        let distance = Pair::new(body, environment).exact_distance(&pose);
+        prop_assume!(distance.abs() > 2.0 * PREFERENCE);
+        prop_assert!(separation * distance > 0.0, "{} and {}", separation, distance);
+    }
+}
+
+#[test]
+fn a_turn_moves_points_no_further_than_its_bound() {
+    for angle in [0.0, 1e-9, 1e-3, 0.5, 2.0, 3.1] {
+        for sign in [1.0, -1.0] {
+            let turn = UnitQuaternion::from_scaled_axis(Vector3::z() * angle);
+            let turned = UnitQuaternion::new_unchecked(turn.into_inner() * sign);
+            let moved = (Rotation3::from(turn) * Vector3::x() - Vector3::x()).norm();
+            let bound = largest_turn(&UnitQuaternion::identity(), &turned);
+            assert!(bound >= moved - 1e-15 && bound <= angle + 1e-15, "{angle}: {bound} and {moved}");
+        }
+    }
+}
