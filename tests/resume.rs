@@ -102,7 +102,7 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
     dir.write(format!("{UNFINISHED}/checkpoint.json"), &checkpoint[..checkpoint.len() / 2]);
     begins_anew("", "its checkpoint is damaged");
     let table = format!("{UNFINISHED}/stages/1/scenarios.csv");
-    for (from, to) in [("\n0.053,1,", "\n0.053,1,nan"), ("qw", "norm")] {
+    for (from, to) in [("\n0.053,1,", "\n0.053,1,nan"), ("\n0.053,1,", "\n0.053,1,1"), ("qw", "norm")] {
         dir.write(&table, dir.read(&table).replacen(from, to, 1));
         begins_anew("", "its tables are damaged");
     }

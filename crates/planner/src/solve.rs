@@ -106,7 +106,7 @@ fn keep(
     last: &HomotopyIteration,
 ) -> Result<(), PlannerError> {
     let checkpoint = Checkpoint::new(problem.identity(), records.to_vec(), &last.iterate);
-    folder.keep_iteration(&last.trajectory, &variant.task, &checkpoint)
+    folder.keep_iteration(&last.trajectory, &variant.task, checkpoint)
 }
 
 fn announce(session: &Session, number: usize, count: usize, iteration: &HomotopyIteration) {

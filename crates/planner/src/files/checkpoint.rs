@@ -1,5 +1,6 @@
 //! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy iteration.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -21,6 +22,8 @@ pub struct Checkpoint {
     pub identity: String,
     /// All finished iterations.
     pub iterations: Vec<IterationRecord>,
+    /// Hash (SHA-256, hexadecimal) of each of their tables, by its path in the folder.
+    pub tables: BTreeMap<String, String>,
     x: Vec<f64>,
     constraint_multipliers: Vec<f64>,
     lower_multipliers: Vec<f64>,
@@ -34,6 +37,7 @@ impl Checkpoint {
         Self {
             identity: identity.to_owned(),
             iterations,
+            tables: BTreeMap::new(),
             x,
             constraint_multipliers,
             lower_multipliers,

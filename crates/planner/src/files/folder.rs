@@ -88,7 +88,14 @@ impl PlanFolder {
     /// The finished homotopy iterations of a problem, if another run has left some; `Err` with the reason why they are
     /// of no use.
     pub(crate) fn checkpoint(&self, identity: &str) -> Result<Option<Checkpoint>, Unusable> {
-        Checkpoint::load(&self.work, identity)
+        let checkpoint = Checkpoint::load(&self.work, identity)?;
+        let is_whole = |(name, expected): (&String, &String)| {
+            fs::read(self.work.join(name)).is_ok_and(|content| hash(&content) == *expected)
+        };
+        match checkpoint.iter().flat_map(|checkpoint| &checkpoint.tables).all(is_whole) {
+            true => Ok(checkpoint),
+            false => Err(Unusable::DamagedTables),
+        }
     }
 
     /// The refinement that another run has left, likewise.
@@ -101,10 +108,11 @@ impl PlanFolder {
         &self,
         motion: &Trajectory,
         task: &AssemblyTask,
-        checkpoint: &Checkpoint,
+        mut checkpoint: Checkpoint,
     ) -> Result<(), PlannerError> {
         let number = checkpoint.iterations.len().to_string();
         write_trajectory(&self.work.join(STAGES).join(number), motion, task)?;
+        checkpoint.tables = hashes(&self.work)?;
         checkpoint.save(&self.work)
     }
 
