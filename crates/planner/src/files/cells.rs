@@ -1,7 +1,7 @@
 //! One table of all cells of a batch: `cells.csv` and `cells.json`.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
@@ -66,7 +66,10 @@ pub fn collect(manifest: &Manifest) -> Result<Vec<PathBuf>, PlannerError> {
     let elements: Vec<CellElement> = cells().map(|(cell, state)| CellElement::new(cell, state)).collect();
     let json = serde_json::to_vec_pretty(&elements).map_err(|_| PlannerError::Internal("cells.json"))?;
     let mut written = Vec::new();
-    for (name, content) in [("cells.csv", table), ("cells.json", json)] {
+    // What tells an older table from a foreign file: a header, or the first key of the first cell.
+    let files = [("cells.csv", table, b'\n'), ("cells.json", json, b':')];
+    files.iter().try_for_each(|(name, content, end)| require_own(&manifest.folder.join(name), content, *end))?;
+    for (name, content, _) in files {
         let file = manifest.folder.join(name);
         // A second run leaves everything as it is.
         if !fs::read(&file).is_ok_and(|standing| standing == content) {
@@ -75,6 +78,17 @@ pub fn collect(manifest: &Manifest) -> Result<Vec<PathBuf>, PlannerError> {
         }
     }
     Ok(written)
+}
+
+/// Refuses to replace a file that does not begin as the new content does, up to a byte.
+fn require_own(file: &Path, content: &[u8], end: u8) -> Result<(), PlannerError> {
+    let begin = |bytes: &[u8]| bytes.split(|&byte| byte == end).next().map(<[u8]>::to_vec);
+    match fs::read(file) {
+        Ok(standing) if begin(&standing) != begin(content) => {
+            Err(PlannerError::file(file, "is no table of an earlier run and would be replaced; move it away"))
+        }
+        _ => Ok(()),
+    }
 }
 
 impl CellElement {

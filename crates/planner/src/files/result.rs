@@ -192,14 +192,15 @@ impl From<LimitsRecord> for Limits {
 }
 
 impl PlanResult {
-    /// Whether cost, time, and errors and extremes of all scenarios are finite.
+    /// Whether times, errors and extremes of all scenarios are finite, and the cost of a plan that was not refined.
     pub fn is_finite(&self) -> bool {
         let scenarios = self.scenarios.iter().flat_map(|scenario| {
             let ScenarioRecord { position_error_m, orientation_error_rad, max_penetration_m, max_force_n, .. } =
                 scenario;
             [*position_error_m, *orientation_error_rad, *max_penetration_m, *max_force_n]
         });
-        let values = [self.objective, self.delta_m, self.wall_s, self.time_step_s];
+        let objective = if self.robust.is_some() { 0.0 } else { self.objective };
+        let values = [objective, self.delta_m, self.wall_s, self.time_step_s];
         values.into_iter().chain(scenarios).all(f64::is_finite)
     }
 

@@ -84,6 +84,15 @@ fn manifest_and_cells_are_read_back() {
     let elements: Vec<CellElement> = serde_json::from_str(&json).unwrap();
     assert_eq!(elements[1].result.as_ref().unwrap().scenarios.len(), plan().task.offsets.len());
     assert_eq!(elements[0].cell, manifest.cells[0]);
+
+    for (name, mine) in [("cells.csv", "my,own,table\n"), ("cells.json", "[\n{\"mine\": 1}]")] {
+        let file = folder.path().join(name);
+        let ours = std::fs::read(&file).unwrap();
+        std::fs::write(&file, mine).unwrap();
+        assert!(collect(&manifest).unwrap_err().to_string().contains("is no table of an earlier run"));
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), mine);
+        std::fs::write(&file, ours).unwrap();
+    }
 }
 
 #[test]
