@@ -4,16 +4,17 @@ use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use serde_json::value::{RawValue, to_raw_value};
 
 use crate::error::PlannerError;
 use crate::files::atomic::{hash, write_file};
 
-/// A record and the hash (SHA-256, hexadecimal) of its JSON.
+/// The JSON of a record and its hash (SHA-256, hexadecimal).
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Sealed<T> {
+struct Sealed {
     hash: String,
-    record: T,
+    record: Box<RawValue>,
 }
 
 /// Writes a record.
@@ -22,12 +23,16 @@ struct Sealed<T> {
 /// When it cannot be written.
 pub fn write_sealed<T: Serialize>(file: &Path, record: &T) -> Result<(), PlannerError> {
     let json = |_| PlannerError::Internal("a record of unfinished work cannot be written");
-    let sealed = Sealed { hash: hash(&serde_json::to_vec(record).map_err(json)?), record };
+    let record = to_raw_value(record).map_err(json)?;
+    let sealed = Sealed { hash: hash(record.get().as_bytes()), record };
     write_file(file, &serde_json::to_vec(&sealed).map_err(json)?)
 }
 
 /// The record in a text; none if it is not the one that was written.
-pub fn unseal<T: Serialize + DeserializeOwned>(text: &str) -> Option<T> {
+pub fn unseal<T: DeserializeOwned>(text: &str) -> Option<T> {
     let Sealed { hash: expected, record } = serde_json::from_str(text).ok()?;
-    (hash(&serde_json::to_vec(&record).ok()?) == expected).then_some(record)
+    if hash(record.get().as_bytes()) != expected {
+        return None;
+    }
+    serde_json::from_str(record.get()).ok()
 }
