@@ -1,12 +1,13 @@
 //! One plan of a problem: the homotopy, from where an earlier run has left it.
 
+use std::collections::BTreeMap;
+
 use nlp::{Control, SolveStatus, Start};
 use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration};
 
 use crate::error::{PlannerError, Unusable};
 use crate::files::{Checkpoint, PlanFolder};
-use crate::iteration::IterationRecord;
-use crate::iteration::PlanIteration;
+use crate::iteration::{IterationRecord, PlanIteration};
 use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::session::{Event, Session};
@@ -21,27 +22,28 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
     let variant = Variant::of_scene(problem);
     let earlier = earlier_work(problem, &variant, session)?;
     let count = variant.settings.iterations;
-    let (mut iterations, start) = match earlier {
+    let (mut iterations, start, mut finished) = match earlier {
         Some(Earlier { iterations, checkpoint }) => {
             session.tell(Event::Resumed { done: iterations.len(), count, refining: false });
-            (iterations, Some(Start::Warm(checkpoint.iterate())))
+            let start = Some(Start::Warm(checkpoint.iterate()));
+            (iterations, start, Finished { records: checkpoint.iterations, tables: checkpoint.tables })
         }
-        None => (Vec::new(), None),
+        None => (Vec::new(), None, Finished::default()),
     };
     let mut kept = Ok(());
-    let mut records: Vec<IterationRecord> = iterations.iter().map(|iteration| iteration.record.clone()).collect();
-    let finished = |number: usize, iteration: &HomotopyIteration| {
-        records.push(IterationRecord::from(iteration));
-        announce(session, number, count, iteration);
+    let on_finished = |number: usize, iteration: &HomotopyIteration| {
+        let record = IterationRecord::from(iteration);
+        announce(session, number, count, &record, iteration);
+        finished.records.push(record);
         if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_interrupted(iteration)) {
-            kept = keep(folder, problem, &variant, &records, iteration);
+            kept = finished.keep(folder, problem, &variant, iteration);
         }
     };
     let observe = |event: &SolverEvent| {
         session.tell(Event::Iteration(*event));
         if session.is_interrupted() { Control::Stop } else { Control::Continue }
     };
-    let new = run_homotopy(&variant, iterations.len(), start, observe, finished)?;
+    let new = run_homotopy(&variant, iterations.len(), start, observe, on_finished)?;
     kept?;
     let interrupted = new.last().is_some_and(is_interrupted);
     iterations.extend(new.into_iter().map(PlanIteration::from));
@@ -98,20 +100,32 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
     }
 }
 
-fn keep(
-    folder: &PlanFolder,
-    problem: &Problem,
-    variant: &Variant,
-    records: &[IterationRecord],
-    last: &HomotopyIteration,
-) -> Result<(), PlannerError> {
-    let checkpoint = Checkpoint::new(problem.identity(), records.to_vec(), &last.iterate);
-    folder.keep_iteration(&last.trajectory, &variant.task, checkpoint)
+/// What is known of the finished homotopy iterations.
+#[derive(Default)]
+struct Finished {
+    records: Vec<IterationRecord>,
+    /// Hashes of their tables, by their paths in the folder.
+    tables: BTreeMap<String, String>,
 }
 
-fn announce(session: &Session, number: usize, count: usize, iteration: &HomotopyIteration) {
+impl Finished {
+    /// Keeps the tables of the last iteration, then the checkpoint from which the next one can start.
+    fn keep(
+        &mut self,
+        folder: &PlanFolder,
+        problem: &Problem,
+        variant: &Variant,
+        last: &HomotopyIteration,
+    ) -> Result<(), PlannerError> {
+        self.tables.extend(folder.keep_iteration(self.records.len(), &last.trajectory, &variant.task)?);
+        let mut checkpoint = Checkpoint::new(problem.identity(), self.records.clone(), &last.iterate);
+        checkpoint.tables.clone_from(&self.tables);
+        folder.keep_checkpoint(&checkpoint)
+    }
+}
+
+fn announce(session: &Session, number: usize, count: usize, record: &IterationRecord, iteration: &HomotopyIteration) {
     let (position_error, _) = iteration.trajectory.worst_errors();
-    let record = &IterationRecord::from(iteration);
     session.tell(Event::HomotopyIteration { number, count, record, position_error });
 }
 

@@ -103,16 +103,24 @@ impl PlanFolder {
         RefinementCheckpoint::load(&self.work, identity)
     }
 
-    /// Keeps a finished homotopy iteration: first its tables, then the checkpoint from which the next one can start.
+    /// Keeps the tables of a finished homotopy iteration, from 1. Returns their hashes by their paths in the folder.
     pub(crate) fn keep_iteration(
         &self,
+        number: usize,
         motion: &Trajectory,
         task: &AssemblyTask,
-        mut checkpoint: Checkpoint,
-    ) -> Result<(), PlannerError> {
-        let number = checkpoint.iterations.len().to_string();
-        write_trajectory(&self.work.join(STAGES).join(number), motion, task)?;
-        checkpoint.tables = hashes(&self.work)?;
+    ) -> Result<Vec<(String, String)>, PlannerError> {
+        write_trajectory(&self.work.join(STAGES).join(number.to_string()), motion, task)?;
+        let hashed = |table: &str| {
+            let name = format!("{STAGES}/{number}/{table}");
+            let file = self.work.join(&name);
+            Ok((name, hash(&fs::read(&file).map_err(PlannerError::read(&file))?)))
+        };
+        TABLES.into_iter().map(hashed).collect()
+    }
+
+    /// Keeps the point from which the next homotopy iteration can start.
+    pub(crate) fn keep_checkpoint(&self, checkpoint: &Checkpoint) -> Result<(), PlannerError> {
         checkpoint.save(&self.work)
     }
 
