@@ -83,11 +83,11 @@ fn line(event: &Event) -> String {
         Event::Evaluated { rate } => format!("{:.1} % of rollouts succeed", 100.0 * rate),
         Event::Refining { planned } => format!("refining: {planned}"),
         Event::Refined { rate } => format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate),
-        Event::Variants { count } => format!("refinement is stuck; solving {count} variants of the problem"),
-        Event::VariantSolved { name, status } => format!("  {name}: {status}"),
-        Event::VariantTried { name, failing, trials } => {
-            format!("  {name}: {failing} of {trials} training rollouts fail")
+        Event::Variant { name, number, count } => {
+            format!("refinement is stuck; solving variant {number}/{count}: {name}")
         }
+        Event::VariantSolved { status } => format!("  {status}"),
+        Event::VariantTried { failing, trials } => format!("  {failing} of {trials} training rollouts fail"),
         Event::Iteration(_) | Event::Change { .. } => String::new(),
     }
 }

@@ -46,23 +46,19 @@ fn limits(limits: &LimitsRecord, reached: &LimitsRecord) -> Option<String> {
 
 fn robustness(report: &RobustnessReport, iterations: usize) -> Vec<String> {
     let mut lines = vec![format!(
-        "success in rollouts with hard contact: {:.1} % before, {:.1} % after ({:.1} % wanted at each friction), {:.0} s; {}",
+        "success in rollouts with hard contact: {:.1} % of {} before, {:.1} % of {} after ({:.1} % wanted at each friction), \
+         {:.0} s; {}",
         100.0 * report.rate_before,
+        report.before.rollouts(),
         100.0 * report.rate_after,
+        report.after.rollouts(),
         100.0 * report.wanted_rate,
         report.wall_s,
         changes(report, iterations)
     )];
-    lines.extend(report.before.by_friction().zip(report.after.by_friction()).map(|(before, after)| {
-        let groups: Vec<String> = before.iter().zip(after).map(|(before, after)| group(before, after)).collect();
-        let percent = |groups: &[SuccessRate]| 100.0 * rate(groups);
-        format!(
-            "  friction {}: {:.1} -> {:.1} %: {}",
-            after[0].friction,
-            percent(before),
-            percent(after),
-            groups.join(", ")
-        )
+    lines.extend(report.after.by_friction().map(|groups| {
+        let listed: Vec<String> = groups.iter().map(group).collect();
+        format!("  friction {}: {:.1} %: {}", groups[0].friction, 100.0 * rate(groups), listed.join(", "))
     }));
     if !report.planned_offsets_succeed() {
         lines.push("  not every planned offset reaches the goal".to_owned());
@@ -70,21 +66,23 @@ fn robustness(report: &RobustnessReport, iterations: usize) -> Vec<String> {
     lines
 }
 
-fn group(before: &SuccessRate, after: &SuccessRate) -> String {
-    let percent = |group: &SuccessRate| 100.0 * group.successes as f64 / group.rollouts as f64;
-    let name = if after.planned { " planned" } else { "" };
-    format!("{:.1} mm{name} {:.0} -> {:.0} %", 1e3 * after.magnitude_m, percent(before), percent(after))
+fn group(group: &SuccessRate) -> String {
+    let name = if group.planned { " planned" } else { "" };
+    format!("{:.1} mm{name} {} of {}", 1e3 * group.magnitude_m, group.successes, group.rollouts)
 }
 
 /// Where the kept reference comes from, in words.
 fn changes(report: &RobustnessReport, iterations: usize) -> String {
-    let Some(kept) = report.kept() else { return "the plan was left as it was".to_owned() };
-    match (kept.changes, report.rounds.len()) {
-        (0, 1) if kept.chosen_stage == iterations => "the plan was left as it was".to_owned(),
-        (0, 1) => format!("the reference of homotopy iteration {}", kept.chosen_stage),
-        (changes, 1) => format!("{changes} changes of the reference"),
-        (changes, count) => {
-            format!("{changes} changes of the reference, the best of {count} problems: {}", kept.planned)
+    let reference = match (report.kept_changes, report.kept_stage) {
+        (0, stage) if stage == iterations => "the plan was left as it was".to_owned(),
+        (0, stage) => format!("the reference of homotopy iteration {stage}, unchanged"),
+        (1, _) => "1 change of the reference".to_owned(),
+        (changes, _) => format!("{changes} changes of the reference"),
+    };
+    match report.kept() {
+        Some(kept) if report.rounds.len() > 1 => {
+            format!("{reference}, the best of {} rounds: {}", report.rounds.len(), kept.planned)
         }
+        _ => reference,
     }
 }

@@ -64,7 +64,7 @@ pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolve
 pub use ocp::Event as SolverEvent;
 pub use plan::{Plan, PlanStatus};
 pub use problem::{Choices, Problem, homotopy};
-pub use refine::{RobustnessTarget, refine};
+pub use refine::{RobustnessTarget, refine, refine_reference};
 pub use robustness::{RobustnessReport, Round};
 pub use session::{Event, Observer, Session};
 pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, SimulationRequest, simulate};

@@ -1,7 +1,7 @@
 //! How robust a refined plan is and how it became so: the section `robust` of `result.json`.
 
 use serde::{Deserialize, Serialize};
-use simulation::Refinement;
+use simulation::TrialResult;
 
 use crate::iteration::PlanIteration;
 use crate::success_rates::SuccessRates;
@@ -26,6 +26,10 @@ pub struct RobustnessReport {
     pub after: SuccessRates,
     /// The round whose plan was kept, counted from 1.
     pub kept_round: usize,
+    /// Homotopy iteration of that round whose reference was refined, counted from 1.
+    pub kept_stage: usize,
+    /// Changes of that reference.
+    pub kept_changes: usize,
     /// All rounds.
     pub rounds: Vec<Round>,
 }
@@ -45,7 +49,7 @@ pub struct Round {
     pub solve_status: String,
     /// Wall time of all solves.
     pub solve_s: f64,
-    /// Homotopy iteration whose reference passed most training trials, counted from 1.
+    /// Homotopy iteration whose reference passed most training trials, counted from 1; 0 without a homotopy.
     pub chosen_stage: usize,
     /// Training trials.
     pub training_trials: usize,
@@ -57,13 +61,16 @@ pub struct Round {
     pub changes: usize,
     /// Failing trials of evaluations that became training trials.
     pub added_trials: usize,
+    /// Rollouts in training trials.
+    pub rollouts: usize,
     /// Success rate in the best evaluation; null without any.
     pub rate: Option<f64>,
 }
 
 impl Round {
-    /// A round whose homotopy, of at least one iteration, has run and whose chosen reference is still to be refined.
-    pub(crate) fn new(variant: &Variant, iterations: &[PlanIteration], chosen: usize, refinement: &Refinement) -> Self {
+    /// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training
+    /// trials.
+    pub(crate) fn new(variant: &Variant, iterations: &[PlanIteration], chosen: usize, results: &[TrialResult]) -> Self {
         let records = || iterations.iter().map(|iteration| &iteration.record);
         Self {
             planned: variant.name.clone(),
@@ -73,11 +80,12 @@ impl Round {
             solve_status: records().next_back().map_or_else(String::new, |record| record.status.clone()),
             solve_s: records().map(|record| record.wall_s).sum(),
             chosen_stage: chosen,
-            training_trials: refinement.trials().len(),
-            training_failures: refinement.score().0,
+            training_trials: results.len(),
+            training_failures: results.iter().filter(|result| !result.passed).count(),
             refinement_s: 0.0,
             changes: 0,
             added_trials: 0,
+            rollouts: 0,
             rate: None,
         }
     }

@@ -93,22 +93,22 @@ pub enum Event<'event> {
         /// Success rate, 0 to 1.
         rate: f64,
     },
-    /// Refinement is stuck; variants of the problem are solved.
-    Variants {
-        /// How many.
-        count: usize,
-    },
-    /// A variant has been solved.
-    VariantSolved {
+    /// Refinement is stuck; a variant of the problem is solved.
+    Variant {
         /// Its name.
         name: &'event str,
+        /// Its number in the portfolio, from 1.
+        number: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// It has been solved.
+    VariantSolved {
         /// How its solve ended.
         status: &'event str,
     },
-    /// A variant's plan has been tried.
+    /// Its plan has been tried.
     VariantTried {
-        /// Its name.
-        name: &'event str,
         /// Training rollouts that fail.
         failing: usize,
         /// How many there are.

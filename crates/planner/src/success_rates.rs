@@ -23,24 +23,24 @@ pub struct SuccessRate {
 pub struct SuccessRates(pub Vec<SuccessRate>);
 
 impl SuccessRates {
-    /// Success rate of all rollouts together.
+    /// Success rate of all rollouts together; 0 without rollouts.
     pub fn overall(&self) -> f64 {
         rate(&self.0)
     }
 
+    /// Number of all rollouts.
+    pub fn rollouts(&self) -> usize {
+        self.0.iter().map(|group| group.rollouts).sum()
+    }
+
     /// Whether every planned offset succeeds at every friction.
     pub fn planned_succeed(&self) -> bool {
-        self.0.iter().filter(|group| group.planned).all(|group| group.successes == group.rollouts)
+        self.0.iter().filter(|group| group.planned).all(|group| group.rollouts > 0 && group.successes == group.rollouts)
     }
 
     /// Whether a plan is robust: every planned offset succeeds at every friction, and the wanted rate holds at each.
     pub fn satisfy(&self, wanted: f64) -> bool {
         self.planned_succeed() && self.by_friction().all(|groups| rate(groups) >= wanted)
-    }
-
-    /// Whether these are better than others: robust before not, then by the rate of all rollouts.
-    pub fn are_better_than(&self, other: &Self, wanted: f64) -> bool {
-        (self.satisfy(wanted), self.overall()) > (other.satisfy(wanted), other.overall())
     }
 
     /// The groups of each friction.
@@ -49,11 +49,11 @@ impl SuccessRates {
     }
 }
 
-/// Success rate of some groups together.
+/// Success rate of some groups together; 0 without rollouts.
 pub fn rate(groups: &[SuccessRate]) -> f64 {
     let rollouts: usize = groups.iter().map(|group| group.rollouts).sum();
     let successes: usize = groups.iter().map(|group| group.successes).sum();
-    successes as f64 / rollouts as f64
+    successes as f64 / rollouts.max(1) as f64
 }
 
 #[cfg(test)]
@@ -77,6 +77,6 @@ mod tests {
     fn a_planned_offset_that_fails_is_not_robust() {
         let rates = SuccessRates(vec![group(0.0, true, 9), group(0.0, false, 10)]);
         assert!(!rates.satisfy(0.5));
-        assert!(SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 5)]).are_better_than(&rates, 0.5));
+        assert!(SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 5)]).satisfy(0.5));
     }
 }

@@ -6,8 +6,10 @@ use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use planner::files::{PlanResult, StateRow, read_csv, trajectory};
-use planner::{Choices, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Variant, refine, solve};
-use simulation::Success;
+use planner::{
+    Choices, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Variant, refine, refine_reference, solve,
+};
+use simulation::{Reference, Success};
 use task::{STATE, TWIST};
 
 fn corner(success: Success) -> Problem {
@@ -32,15 +34,16 @@ static FINE: LazyLock<Plan> = LazyLock::new(|| {
     Plan { problem, variant, ..plan }
 });
 
-/// The plan, judged with a tolerance, as `solve --robust` without time to change it would leave it.
+/// The plan, judged with a tolerance, as `solve --robust` would leave it without changes.
 fn refined(position: f64, target: &RobustnessTarget) -> Plan {
     let success = Success { position, ..Success::default() };
     let plan = Plan { problem: corner(success), ..FINE.clone() };
     quietly(|session| refine(plan, target, session)).unwrap()
 }
 
-fn hasty() -> RobustnessTarget {
-    RobustnessTarget { frictions: vec![0.0], time_limit: Duration::ZERO, threads: 1, ..RobustnessTarget::default() }
+/// Nothing is changed.
+fn impatient() -> RobustnessTarget {
+    RobustnessTarget { frictions: vec![0.0], patience: 0, threads: 1, ..RobustnessTarget::default() }
 }
 
 fn result(plan: &Plan) -> PlanResult {
@@ -70,7 +73,7 @@ fn largest_acceleration(motions: &[Vec<[f64; STATE]>], time_step: f64, axes: std
 
 #[test]
 fn times_and_accelerations_are_those_of_the_plan_not_of_the_scene() {
-    let plan = refined(0.002, &hasty());
+    let plan = refined(0.002, &impatient());
     let result = result(&plan);
     let folder: PathBuf = tempfile::tempdir().unwrap().keep();
     trajectory::write_trajectory(&folder, &plan.trajectory, &plan.task).unwrap();
@@ -101,7 +104,7 @@ fn times_and_accelerations_are_those_of_the_plan_not_of_the_scene() {
 
 #[test]
 fn a_variant_of_two_homotopy_iterations_counts_as_converged() {
-    let plan = refined(0.0009, &hasty());
+    let plan = refined(0.0009, &impatient());
     assert_eq!(plan.problem.homotopy().iterations, 5);
     assert!(plan.iterations.len() == 2 && plan.last().record.converged);
     assert!(plan.is_converged() && result(&plan).converged);
@@ -111,7 +114,7 @@ fn a_variant_of_two_homotopy_iterations_counts_as_converged() {
 
 #[test]
 fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
-    let target = RobustnessTarget { wanted_rate: 0.0, ..hasty() };
+    let target = RobustnessTarget { wanted_rate: 0.0, ..impatient() };
     // Some of the planned offsets, or all of them, end farther away than this.
     let plan = refined(1e-4, &target);
     let report = plan.robustness.as_ref().unwrap();
@@ -121,9 +124,43 @@ fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
 }
 
 #[test]
+fn a_limit_that_the_solve_has_used_up_leaves_the_plan_unjudged() {
+    let target = RobustnessTarget { time_limit: Duration::ZERO, ..RobustnessTarget::default() };
+    let plan = refined(0.1, &target);
+    let report = plan.robustness.as_ref().unwrap();
+    assert!(report.after.0.iter().all(|group| group.rollouts == 0));
+    assert_eq!((report.rate_after, report.is_reached(), plan.status()), (0.0, false, PlanStatus::NotRobust));
+}
+
+#[test]
+fn lost_evaluations_end_early_and_whole_ones_decide() {
+    let rollouts =
+        |plan: &Plan| plan.robustness.as_ref().unwrap().after.0.iter().map(|group| group.rollouts).sum::<usize>();
+    // 50 random offsets at each of four magnitudes, one without magnitude for each of them, two planned ones.
+    let (robust, lost) = (refined(0.1, &impatient()), refined(1e-5, &impatient()));
+    assert!(robust.robustness.as_ref().unwrap().is_reached());
+    assert_eq!(rollouts(&robust), 252);
+    assert_eq!(rollouts(&lost), 24, "the first rollouts show that it cannot succeed");
+}
+
+#[test]
+fn any_reference_can_be_refined_without_a_plan() {
+    let problem = corner(Success::default());
+    let task = problem.task();
+    let mut beside = task.goal;
+    beside[0] += 0.005;
+    let push = Reference::straight(&task.start, &beside, task.horizon);
+    let target = RobustnessTarget { frictions: vec![0.0], threads: 2, ..RobustnessTarget::default() };
+    let (refined, report) = quietly(|session| refine_reference(&problem, push.clone(), &target, session)).unwrap();
+    assert!(report.is_reached() && report.kept_changes > 0, "{report:?}");
+    assert_eq!(refined.start(), push.start());
+    assert_eq!(report.kept_stage, 0, "no homotopy has run");
+}
+
+#[test]
 fn status_and_success_never_contradict_each_other() {
     let plans = [1e-5, 1e-3, 2e-3, 1e-2, 0.1].into_iter().flat_map(|position| {
-        let rates = [0.0, 0.5, 1.0].map(|wanted_rate| RobustnessTarget { wanted_rate, ..hasty() });
+        let rates = [0.0, 0.5, 1.0].map(|wanted_rate| RobustnessTarget { wanted_rate, ..impatient() });
         let robust = rates.map(|target| refined(position, &target));
         let success = Success { position, ..Success::default() };
         let plain = Plan { problem: corner(success), ..FINE.clone() };

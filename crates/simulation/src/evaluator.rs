@@ -77,11 +77,19 @@ impl Evaluator {
         TrialResult { passed: false, miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS } }
     }
 
-    /// Simulates all trials on `jobs` threads; results are in the order of the trials.
+    /// Simulates all trials on `jobs` threads; results are in the order of the trials. `None` when `stop` returned true
+    /// before the last trial began.
     ///
     /// # Panics
     /// When the evaluator has no friction coefficient of a trial's index.
-    pub fn evaluate_all(&self, reference: &Reference, trials: &[Trial], jobs: usize) -> Vec<TrialResult> {
-        in_parallel(trials.len(), jobs, |index| self.evaluate(reference, &trials[index]))
+    pub fn evaluate_all(
+        &self,
+        reference: &Reference,
+        trials: &[Trial],
+        jobs: usize,
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Vec<TrialResult>> {
+        let evaluate = |index: usize| (!stop()).then(|| self.evaluate(reference, &trials[index]));
+        in_parallel(trials.len(), jobs, evaluate).into_iter().collect()
     }
 }

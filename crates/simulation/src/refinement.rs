@@ -17,6 +17,7 @@ pub struct Refinement<'evaluator> {
     reference: Reference,
     trials: Vec<Trial>,
     results: Vec<TrialResult>,
+    rollouts: usize,
 }
 
 /// Number of trials in a batch, independent of the number of threads, so that the results are, too. A change is dropped
@@ -24,19 +25,19 @@ pub struct Refinement<'evaluator> {
 const BATCH: usize = 6;
 
 impl<'evaluator> Refinement<'evaluator> {
-    /// Evaluates a reference in its trials, on `jobs` threads.
+    /// Of a reference whose results in the trials are known, in the order of the trials.
     ///
     /// # Panics
-    /// When the evaluator has no friction coefficient of a trial's index.
+    /// When there are not as many results as trials.
     pub fn new(
         evaluator: &'evaluator Evaluator,
         reference: Reference,
         trials: Vec<Trial>,
+        results: Vec<TrialResult>,
         seed: u64,
-        jobs: usize,
     ) -> Self {
-        let results = evaluator.evaluate_all(&reference, &trials, jobs);
-        Self { evaluator, random: Rng::with_seed(seed), reference, trials, results }
+        assert_eq!(trials.len(), results.len(), "every trial has a result");
+        Self { evaluator, random: Rng::with_seed(seed), reference, trials, results, rollouts: 0 }
     }
 
     /// The best reference so far.
@@ -49,20 +50,29 @@ impl<'evaluator> Refinement<'evaluator> {
         &self.trials
     }
 
-    /// Adds trials and evaluates the best reference in them.
-    ///
-    /// # Panics
-    /// When the evaluator has no friction coefficient of a trial's index.
-    pub fn add(&mut self, trials: &[Trial]) {
-        self.trials.extend(trials);
-        self.results.extend(trials.iter().map(|trial| self.evaluator.evaluate(&self.reference, trial)));
+    /// Rollouts so far.
+    pub fn rollouts(&self) -> usize {
+        self.rollouts
+    }
+
+    /// Adds trials with the results of the best reference.
+    pub fn add(&mut self, trials: impl IntoIterator<Item = (Trial, TrialResult)>) {
+        for (trial, result) in trials {
+            self.trials.push(trial);
+            self.results.push(result);
+        }
+    }
+
+    /// Fraction of the trials that fail.
+    pub fn failing_fraction(&self) -> f64 {
+        self.score().0 as f64 / self.trials.len().max(1) as f64
     }
 
     /// Tries a random change on `jobs` threads, keeps it if it improves the [`score`](Self::score), and returns whether
     /// it does. Failing trials are simulated first, then the passing ones, each in random order, and no further than it
     /// takes to see that the change is no improvement. A change that breaks a limit is dropped, and so is the current
     /// one when `stop` returns true.
-    pub fn improve(&mut self, jobs: usize, stop: &dyn Fn() -> bool) -> bool {
+    pub fn improve(&mut self, jobs: usize, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         let reference = self.reference.bent(&Bump::random(&mut self.random, self.evaluator.success()));
         if !self.evaluator.allows(&reference) {
             return false;
@@ -75,11 +85,10 @@ impl<'evaluator> Refinement<'evaluator> {
         // After these only trials follow that the change can lose.
         let failing_batches = failing.len().div_ceil(BATCH);
         for (batches_done, batch) in (1..).zip(batches) {
-            if stop() {
-                return false;
-            }
             let trials: Vec<Trial> = batch.iter().map(|&index| self.trials[index]).collect();
-            for (&index, new) in batch.iter().zip(self.evaluator.evaluate_all(&reference, &trials, jobs)) {
+            let Some(new) = self.evaluator.evaluate_all(&reference, &trials, jobs, stop) else { return false };
+            self.rollouts += trials.len();
+            for (&index, new) in batch.iter().zip(new) {
                 let old = std::mem::replace(&mut results[index], new);
                 miss += new.miss - old.miss;
                 count += isize::from(old.passed) - isize::from(new.passed);

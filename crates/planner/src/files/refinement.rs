@@ -63,10 +63,16 @@ pub struct BestRecord {
     pub reference: Vec<[f64; 13]>,
     /// Its success rates.
     pub rates: SuccessRates,
+    /// Whether they are what was wanted, after a whole evaluation.
+    pub reached: bool,
     /// Offsets at which it fails.
     pub failing_m: Vec<[f64; 3]>,
     /// Number of its round.
     pub round: usize,
+    /// Homotopy iteration whose reference was refined.
+    pub chosen_stage: usize,
+    /// Changes of that reference.
+    pub changes: usize,
 }
 
 /// A trial.

@@ -1,6 +1,6 @@
 //! Plans on the way to a robust one.
 
-use simulation::{Evaluator, Reference, Refinement, Trial};
+use simulation::{Reference, Refinement};
 use task::Trajectory;
 
 use crate::iteration::PlanIteration;
@@ -8,9 +8,10 @@ use crate::robustness::Round;
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
-/// A solved problem and the reference of it that is refined.
+/// A reference that is refined, and the problem it solves.
 pub struct Candidate<'run> {
     pub variant: Variant,
+    /// The homotopy that the reference comes from; none for one that was not planned.
     pub iterations: Vec<PlanIteration>,
     pub refinement: Refinement<'run>,
     pub round: Round,
@@ -25,56 +26,24 @@ pub struct Kept {
     pub iterations: Vec<PlanIteration>,
     pub reference: Reference,
     pub rates: SuccessRates,
-    /// Offsets (m) at which it fails there.
+    /// Whether they are what is wanted, after a whole evaluation.
+    pub reached: bool,
+    /// Offsets (m) at which it fails.
     pub failing: Vec<[f64; 3]>,
     /// Number of its round, from 1.
     pub round: usize,
+    /// The homotopy iteration whose reference was refined, from 1.
+    pub chosen: usize,
+    /// Changes of that reference.
+    pub changes: usize,
     /// Whether its homotopy is that of the scene itself.
     pub is_scenes_own: bool,
 }
 
-/// How references are judged and changed.
-#[derive(Clone, Copy)]
-pub struct Training<'run> {
-    pub evaluator: &'run Evaluator,
-    pub seed: u64,
-    pub threads: usize,
-}
-
-impl<'run> Training<'run> {
-    /// The refinement of a reference in some trials.
-    pub fn refinement(&self, reference: Reference, trials: &[Trial]) -> Refinement<'run> {
-        Refinement::new(self.evaluator, reference, trials.to_vec(), self.seed, self.threads)
-    }
-}
-
-impl<'run> Candidate<'run> {
-    /// The homotopy iteration whose reference passes most trials; of equals the later, which is smoothed less.
-    /// `iterations` must not be empty.
-    pub fn best_of(
-        variant: Variant,
-        iterations: Vec<PlanIteration>,
-        training: Training<'run>,
-        trials: &[Trial],
-        is_scenes_own: bool,
-    ) -> Self {
-        let refinements =
-            iterations.iter().map(|iteration| training.refinement(reference(&iteration.trajectory), trials));
-        let best = refinements.enumerate().min_by(|(one_index, one), (other_index, other)| {
-            one.score().0.cmp(&other.score().0).then(other_index.cmp(one_index))
-        });
-        let (index, refinement) = best.expect("a homotopy has an iteration");
-        let round = Round::new(&variant, &iterations, index + 1, &refinement);
-        Self { variant, iterations, refinement, round, is_scenes_own }
-    }
-
-    /// A plan that was refined before.
-    pub fn resumed(kept: Kept, training: Training<'run>, trials: &[Trial]) -> Self {
-        let Kept { mut variant, iterations, reference, is_scenes_own, .. } = kept;
-        variant.name = format!("{}, resumed", variant.name);
-        let refinement = training.refinement(reference, trials);
-        let round = Round::new(&variant, &iterations, iterations.len(), &refinement);
-        Self { variant, iterations, refinement, round, is_scenes_own }
+impl Kept {
+    /// Whether it is better than another plan: robust before not, then by the rate of all rollouts.
+    pub fn is_better_than(&self, other: &Self) -> bool {
+        (self.reached, self.rates.overall()) > (other.reached, other.rates.overall())
     }
 }
 

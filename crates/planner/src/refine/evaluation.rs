@@ -1,6 +1,6 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
-use simulation::{GraspError, Trial, TrialResult, offsets};
+use simulation::{Evaluator, GraspError, Reference, Trial, TrialResult, offsets};
 use task::AssemblyTask;
 
 use crate::success_rates::{SuccessRate, SuccessRates};
@@ -16,6 +16,13 @@ const SPREAD: f64 = 0.05;
 /// Distance between the seeds of turns and of offsets, which must not depend on each other.
 const TURN_SEED: u64 = 50;
 
+/// Trials that are played before it is asked whether they are enough; independent of the number of threads, so that the
+/// results are, too.
+const BATCH: usize = 24;
+
+/// So many failures are enough to train on.
+const ENOUGH_FAILURES: usize = 8;
+
 /// Largest grasp errors to be borne: offset `delta-hat` (m) and turn (rad).
 #[derive(Debug, Clone, Copy)]
 pub struct GraspTolerance {
@@ -26,20 +33,41 @@ pub struct GraspTolerance {
 /// Trials of a reference, in groups of one friction and magnitude.
 pub struct Evaluation {
     groups: Vec<SuccessRate>,
-    /// Group by group.
-    pub trials: Vec<Trial>,
+    /// The planned offsets first, then one of each group in turn: the first ones speak for all.
+    trials: Vec<Trial>,
+    /// Group of every trial.
+    group: Vec<usize>,
+}
+
+/// What an evaluation has shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judgement {
+    /// Of the trials that were played.
+    pub rates: SuccessRates,
+    /// Whether the whole evaluation was played, every planned offset succeeds, and the wanted rate holds at each friction.
+    pub reached: bool,
+    /// Trials that failed.
+    pub failures: Vec<(Trial, TrialResult)>,
+}
+
+impl Judgement {
+    /// Offsets (m) of the trials that failed.
+    pub fn failing(&self) -> Vec<[f64; 3]> {
+        self.failures.iter().map(|(trial, _)| trial.grasp.offset).collect()
+    }
 }
 
 impl Evaluation {
     /// At most `count` random offsets per friction and magnitude, each with a turn, and the planned offsets.
     pub fn new(task: &AssemblyTask, tolerance: GraspTolerance, frictions: &[f64], count: usize, seed: u64) -> Self {
         let GraspTolerance { delta, turn } = tolerance;
-        let (mut groups, mut trials) = (Vec::new(), Vec::new());
+        let (mut groups, mut placed) = (Vec::new(), Vec::new());
         for (index, &friction) in frictions.iter().enumerate() {
             let mut add = |magnitude_m: f64, planned: bool, errors: &mut dyn Iterator<Item = GraspError>| {
                 let errors = GraspError::distinct(errors);
-                groups.push(SuccessRate { friction, magnitude_m, planned, rollouts: errors.len(), successes: 0 });
-                trials.extend(errors.into_iter().map(|grasp| Trial { friction: index, grasp }));
+                let trial = |(place, grasp)| (!planned, place, groups.len(), Trial { friction: index, grasp });
+                placed.extend(errors.into_iter().enumerate().map(trial));
+                groups.push(SuccessRate { friction, magnitude_m, planned, rollouts: 0, successes: 0 });
             };
             for (seed, fraction) in (seed..).zip(&FRACTIONS) {
                 let scaled: Vec<[f64; 3]> = task.offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
@@ -54,16 +82,84 @@ impl Evaluation {
             }
             add(delta, true, &mut task.offsets.iter().copied().map(GraspError::from));
         }
-        Self { groups, trials }
+        placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
+        let (group, trials) = placed.into_iter().map(|(_, _, group, trial)| (group, trial)).unzip();
+        Self { groups, trials, group }
     }
 
-    /// The success rates, from the results in the order of the trials.
-    pub fn rates(&self, results: &[TrialResult]) -> SuccessRates {
-        let mut results = results.iter();
-        let count = |group: &SuccessRate| {
-            let successes = results.by_ref().take(group.rollouts).filter(|result| result.passed).count();
-            SuccessRate { successes, ..group.clone() }
-        };
-        SuccessRates(self.groups.iter().map(count).collect())
+    /// The trials, in the order in which they are played.
+    pub fn into_trials(self) -> Vec<Trial> {
+        self.trials
+    }
+
+    /// Plays a reference in the trials until it is decided whether it succeeds at the wanted rate (0 to 1), and
+    /// enough failures are known; or until `stop` returns true.
+    pub fn judge(
+        &self,
+        evaluator: &Evaluator,
+        reference: &Reference,
+        wanted: f64,
+        threads: usize,
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Judgement {
+        let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
+        let mut played = 0;
+        for batch in self.trials.chunks(BATCH) {
+            let is_lost = failures.len() >= ENOUGH_FAILURES && !self.can_satisfy(&groups, wanted);
+            if is_lost {
+                break;
+            }
+            let Some(results) = evaluator.evaluate_all(reference, batch, threads, stop) else { break };
+            for (trial, result) in batch.iter().zip(results) {
+                let group = &mut groups[self.group[played]];
+                group.rollouts += 1;
+                group.successes += usize::from(result.passed);
+                if !result.passed {
+                    failures.push((*trial, result));
+                }
+                played += 1;
+            }
+        }
+        let rates = SuccessRates(groups);
+        Judgement { reached: played == self.trials.len() && rates.satisfy(wanted), rates, failures }
+    }
+
+    /// Whether the wanted rate could be reached if all trials to come succeeded.
+    fn can_satisfy(&self, groups: &[SuccessRate], wanted: f64) -> bool {
+        let mut hoped = groups.to_vec();
+        for (index, group) in hoped.iter_mut().enumerate() {
+            let all = self.group.iter().filter(|&&of| of == index).count();
+            group.successes += all - group.rollouts;
+            group.rollouts = all;
+        }
+        SuccessRates(hoped).satisfy(wanted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
+    fn evaluation(count: usize) -> Evaluation {
+        let group = |planned| SuccessRate { friction: 0.0, magnitude_m: 0.01, planned, rollouts: 0, successes: 0 };
+        let trial = Trial { friction: 0, grasp: GraspError::default() };
+        let numbers = [vec![0; 2], vec![1; count]].concat();
+        Evaluation { groups: vec![group(true), group(false)], trials: vec![trial; numbers.len()], group: numbers }
+    }
+
+    fn played(groups: &[SuccessRate], counts: [(usize, usize); 2]) -> Vec<SuccessRate> {
+        let count =
+            |(group, (rollouts, successes)): (&SuccessRate, _)| SuccessRate { rollouts, successes, ..group.clone() };
+        groups.iter().zip(counts).map(count).collect()
+    }
+
+    #[test]
+    fn an_evaluation_is_lost_when_what_is_left_cannot_save_it() {
+        let evaluation = evaluation(98);
+        let can = |counts| evaluation.can_satisfy(&played(&evaluation.groups, counts), 0.99);
+        assert!(can([(2, 2), (10, 9)]), "one of a hundred may fail");
+        assert!(!can([(2, 2), (10, 8)]), "two may not");
+        assert!(!can([(2, 1), (0, 0)]), "every planned offset has to succeed");
     }
 }

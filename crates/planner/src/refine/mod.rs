@@ -2,32 +2,34 @@
 //!
 //! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken. Random changes
 //! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
-//! that were never trained on decides; what fails there is trained on next. When refinement is stuck, a
-//! portfolio of other problems is solved side by side, and these are refined, the best first. The plan with the
-//! best evaluation is kept.
+//! that were never trained on decides; what fails there is trained on next. When refinement is stuck, other problems
+//! are solved, the promising first, and their plans are refined. The plan with the best evaluation is kept.
+//!
+//! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
+//! and every problem has its share of the time.
 
 mod candidate;
+mod clock;
 mod evaluation;
 mod portfolio;
+mod race;
 mod resume;
 mod target;
+mod variants;
 
 use std::time::{Duration, Instant};
 
-use nlp::Control;
-use simulation::{Evaluator, Reference, Refinement, Rollout, Settings, Trial, in_parallel};
-use task::LinearSolver;
+use simulation::{Evaluator, Reference, Refinement, Rollout, Settings, Trial};
 
 use crate::error::PlannerError;
 use crate::iteration::PlanIteration;
 use crate::plan::Plan;
 use crate::problem::Problem;
-use crate::refine::candidate::{Candidate, Kept, Training};
-use crate::refine::evaluation::{Evaluation, GraspTolerance};
-use crate::refine::portfolio::portfolio;
+use crate::refine::candidate::{Candidate, Kept};
+use crate::refine::clock::{Clock, Deadline};
+use crate::refine::evaluation::{Evaluation, GraspTolerance, Judgement};
 use crate::robustness::{RobustnessReport, Round};
 use crate::session::{Event, Session};
-use crate::solve::run_homotopy;
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
@@ -45,6 +47,10 @@ const CREEPING: f64 = 0.99;
 const SEED: u64 = 1;
 /// Distance between the seeds of evaluations, which need one per magnitude.
 const SEED_STRIDE: u64 = 100;
+/// Share of the time for the plan of the scene itself, before other problems are solved.
+const OWN_SHARE: f64 = 0.5;
+/// Share of the time for changes; the rest is for the evaluation that follows.
+const TRAINING_SHARE: f64 = 0.8;
 
 /// Makes a plan robust. With a folder in the session, the best plan so far is kept there, and the refinement of an
 /// earlier run of the same problem is continued.
@@ -73,15 +79,38 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     Ok(Plan { problem, variant, iterations, trajectory, task: world, robustness, interrupted })
 }
 
+/// Refines any reference of a problem in the same way for the whole time limit, but solves nothing: what the optimal
+/// control problem is worth shows in comparison with [`refine`].
+///
+/// # Errors
+/// When the target is out of range.
+pub fn refine_reference(
+    problem: &Problem,
+    reference: Reference,
+    target: &RobustnessTarget,
+    session: &Session,
+) -> Result<(Reference, RobustnessReport), PlannerError> {
+    target.validate()?;
+    let session = Session { folder: None, ..*session };
+    let evaluator = Evaluator::new(&problem.world(), &target.frictions, problem.success());
+    let mut refiner = Refiner::new(problem, target, &evaluator, &session);
+    let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
+    refiner.judge_first(variant, Vec::new(), reference);
+    let until = refiner.clock.end();
+    while refiner.goes_on(until) {
+        refiner.refine_best(until)?;
+    }
+    let best = refiner.take_best()?;
+    Ok((best.reference.clone(), refiner.report(&best)))
+}
+
 /// The loop's state.
 struct Refiner<'run> {
     problem: &'run Problem,
     target: &'run RobustnessTarget,
     evaluator: &'run Evaluator,
     session: &'run Session<'run>,
-    begin: Instant,
-    /// Time that was spent before.
-    spent: Duration,
+    clock: Clock<'run>,
     /// Trials that every reference is refined in; failures of evaluations are added.
     training: Vec<Trial>,
     evaluations: u64,
@@ -90,6 +119,8 @@ struct Refiner<'run> {
     before: SuccessRates,
     rounds: Vec<Round>,
     best: Option<Kept>,
+    /// Smallest fraction of training trials that failed after a refinement.
+    least_failing: f64,
 }
 
 impl<'run> Refiner<'run> {
@@ -105,111 +136,159 @@ impl<'run> Refiner<'run> {
             target,
             evaluator,
             session,
-            begin: Instant::now(),
-            spent: Duration::ZERO,
-            training: Evaluation::new(problem.task(), tolerance, &target.frictions, TRAINING, SEED).trials,
+            clock: Clock::new(session, Duration::ZERO, target.time_limit),
+            training: Evaluation::new(problem.task(), tolerance, &target.frictions, TRAINING, SEED).into_trials(),
             evaluations: 0,
             seed: SEED,
             before: SuccessRates(Vec::new()),
             rounds: Vec::new(),
             best: None,
+            least_failing: 1.0,
         }
     }
 
-    /// Refines the plan of the scene and, where that does not reach the target, those of the portfolio.
+    /// Refines the plan of the scene and, where that does not reach the target, those of other problems; then the best
+    /// once more, while there is time.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
-        self.begin(plan)?;
-        if self.goes_on() {
-            for candidate in self.solve_portfolio()? {
-                if self.goes_on() {
-                    self.refine(candidate)?;
-                } else {
-                    self.rounds.push(candidate.round);
-                }
-            }
-        }
-        self.best.take().ok_or(PlannerError::Internal("no plan was evaluated"))
+        self.refine_own(plan)?;
+        self.refine_variants()?;
+        self.refine_best(self.clock.end())?;
+        self.take_best()
     }
 
     /// Evaluates the plan of the scene and refines it unless it is good enough: refinement knows nothing of margins. Or
     /// goes on with what an earlier run has left.
-    fn begin(&mut self, plan: Plan) -> Result<(), PlannerError> {
+    fn refine_own(&mut self, plan: Plan) -> Result<(), PlannerError> {
         if let Some(kept) = self.earlier_work()?.and_then(|checkpoint| self.restore(checkpoint, &plan)) {
-            self.session.tell(Event::Resumed {
-                done: plan.iterations.len(),
-                count: plan.iterations.len(),
-                refining: true,
-            });
-            self.best = Some(kept.clone());
-            return if self.goes_on() {
-                self.refine(Candidate::resumed(kept, self.training(), &self.training))
-            } else {
-                Ok(())
-            };
+            let count = plan.iterations.len();
+            self.session.tell(Event::Resumed { done: count, count, refining: true });
+            self.best = Some(kept);
+            return self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE));
         }
-        self.spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
+        let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
+        self.clock = Clock::new(self.session, spent, self.target.time_limit);
         let last = plan.reference();
-        let (_, before) = self.evaluate(&last);
-        self.before = before.clone();
-        self.session.tell(Event::Evaluated { rate: before.overall() });
         let Plan { variant, iterations, .. } = plan;
-        if !before.satisfy(self.target.wanted_rate) {
-            let candidate = Candidate::best_of(variant, iterations, self.training(), &self.training, true);
-            return self.refine(candidate);
+        self.judge_first(variant.clone(), iterations.clone(), last);
+        let until = self.clock.share(self.clock.end(), OWN_SHARE);
+        if self.goes_on(until)
+            && let Some(candidate) = self.candidate(variant, iterations, true, until)
+        {
+            self.rounds.clear();
+            self.refine(candidate, until)?;
         }
-        let refinement = self.training().refinement(last.clone(), &self.training);
-        let rate = Some(before.overall());
-        self.rounds.push(Round { rate, ..Round::new(&variant, &iterations, iterations.len(), &refinement) });
-        self.best = Some(Kept {
-            variant,
-            iterations,
-            reference: last,
-            rates: before,
-            failing: Vec::new(),
-            round: 1,
-            is_scenes_own: true,
-        });
         Ok(())
     }
 
+    /// Evaluates a reference that was not refined, and keeps it.
+    fn judge_first(&mut self, variant: Variant, iterations: Vec<PlanIteration>, reference: Reference) {
+        let judgement = self.judge(&reference, self.clock.end());
+        let (rate, failing) = (judgement.rates.overall(), judgement.failing());
+        self.session.tell(Event::Evaluated { rate });
+        self.before = judgement.rates.clone();
+        let chosen = iterations.len();
+        self.rounds.push(Round { rate: Some(rate), ..Round::new(&variant, &iterations, chosen, &[]) });
+        self.best = Some(Kept {
+            variant,
+            iterations,
+            reference,
+            rates: judgement.rates,
+            reached: judgement.reached,
+            failing,
+            round: 1,
+            chosen,
+            changes: 0,
+            is_scenes_own: true,
+        });
+    }
+
+    /// Goes on with the best plan so far, with other changes than before.
+    fn refine_best(&mut self, until: Deadline) -> Result<(), PlannerError> {
+        let Some(best) = self.best.clone().filter(|_| self.goes_on(until)) else { return Ok(()) };
+        let stop = || self.clock.is_over(until);
+        let results = self.evaluator.evaluate_all(&best.reference, &self.training, self.target.threads, &stop);
+        let Some(results) = results else { return Ok(()) };
+        let Kept { mut variant, iterations, reference, is_scenes_own, chosen, .. } = best;
+        if !variant.name.ends_with(CONTINUED) {
+            variant.name += CONTINUED;
+        }
+        let round = Round::new(&variant, &iterations, chosen, &results);
+        self.seed = SEED + SEED_STRIDE * self.evaluations;
+        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), results, self.seed);
+        self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until)
+    }
+
+    /// The candidate of a solved problem: the reference of the homotopy iteration that passes most training trials; of
+    /// equals the later, which is smoothed less. `None` without iterations or time.
+    fn candidate(
+        &self,
+        variant: Variant,
+        iterations: Vec<PlanIteration>,
+        is_scenes_own: bool,
+        until: Deadline,
+    ) -> Option<Candidate<'run>> {
+        let references: Vec<Reference> =
+            iterations.iter().map(|iteration| candidate::reference(&iteration.trajectory)).collect();
+        let stop = || self.clock.is_over(until);
+        let best = race::race(self.evaluator, &references, &self.training, self.target.threads, &stop)?;
+        let mut round = Round::new(&variant, &iterations, best.index + 1, &best.results);
+        round.rollouts = best.rollouts;
+        let reference = references[best.index].clone();
+        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), best.results, self.seed);
+        Some(Candidate { variant, iterations, refinement, round, is_scenes_own })
+    }
+
     /// Refines a reference and evaluates it, until it is good enough, stuck, or the time is over.
-    fn refine(&mut self, candidate: Candidate<'run>) -> Result<(), PlannerError> {
+    fn refine(&mut self, candidate: Candidate<'run>, until: Deadline) -> Result<(), PlannerError> {
         let begin = Instant::now();
         let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
         self.session.tell(Event::Refining { planned: &round.planned });
+        let chosen_with = round.rollouts;
+        // What failed elsewhere since it became a candidate.
+        let new = self.training[refinement.trials().len()..].to_vec();
+        let stop = || self.clock.is_over(until);
+        let results = self.evaluator.evaluate_all(refinement.reference(), &new, self.target.threads, &stop);
+        refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
-            let passes = self.train(&mut refinement, &mut round.changes);
-            let (failures, rates) = self.evaluate(refinement.reference());
-            self.session.tell(Event::Refined { rate: rates.overall() });
-            let is_last = rates.satisfy(self.target.wanted_rate) || !passes || self.is_over();
-            round.rate = Some(round.rate.map_or(rates.overall(), |rate| rate.max(rates.overall())));
+            let passes = self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
+            let judgement = self.judge(refinement.reference(), until);
+            let rate = judgement.rates.overall();
+            self.session.tell(Event::Refined { rate });
+            let is_last = judgement.reached || !passes || self.clock.is_over(until);
+            round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
+            round.rollouts = chosen_with + refinement.rollouts();
             round.refinement_s = begin.elapsed().as_secs_f64();
             let kept = Kept {
                 variant: variant.clone(),
                 iterations: iterations.clone(),
                 reference: refinement.reference().clone(),
-                failing: failures.iter().map(|trial| trial.grasp.offset).collect(),
-                rates,
+                failing: judgement.failing(),
+                rates: judgement.rates,
+                reached: judgement.reached,
                 round: self.rounds.len() + 1,
+                chosen: round.chosen_stage,
+                changes: round.changes,
                 is_scenes_own,
             };
             self.keep_if_best(kept, &round)?;
             if is_last {
                 break;
             }
-            round.added_trials += failures.len();
-            refinement.add(&failures);
-            self.training.extend(failures);
+            round.added_trials += judgement.failures.len();
+            self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
+            refinement.add(judgement.failures);
         }
+        self.least_failing = self.least_failing.min(refinement.failing_fraction());
         self.rounds.push(round);
         Ok(())
     }
 
     /// Improves until all training trials pass, which is what it returns, or it is stuck or the time is over.
-    fn train(&self, refinement: &mut Refinement, changes: &mut usize) -> bool {
+    fn train(&self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) -> bool {
         let (mut vain, mut last) = (0, refinement.score());
-        while refinement.score().0 > 0 && vain < self.target.patience && !self.is_over() {
-            *changes += usize::from(refinement.improve(self.target.threads, &|| self.is_over()));
+        let stop = || self.clock.is_over(until);
+        while refinement.score().0 > 0 && vain < self.target.patience && !stop() {
+            *changes += usize::from(refinement.improve(self.target.threads, &stop));
             let (failing, miss) = refinement.score();
             if failing < last.0 || miss < CREEPING * last.1 {
                 (vain, last) = (0, (failing, miss));
@@ -221,21 +300,19 @@ impl<'run> Refiner<'run> {
         refinement.score().0 == 0
     }
 
-    /// Plays new grasp errors: what fails, and the success rates.
-    fn evaluate(&mut self, reference: &Reference) -> (Vec<Trial>, SuccessRates) {
+    /// Evaluates a reference at new grasp errors.
+    fn judge(&mut self, reference: &Reference, until: Deadline) -> Judgement {
         self.evaluations += 1;
         let seed = SEED + SEED_STRIDE * self.evaluations;
         let tolerance = GraspTolerance { delta: self.problem.delta(), turn: self.target.turn };
         let evaluation = Evaluation::new(self.problem.task(), tolerance, &self.target.frictions, EVALUATION, seed);
-        let results = self.evaluator.evaluate_all(reference, &evaluation.trials, self.target.threads);
-        let failures = evaluation.trials.iter().zip(&results).filter(|(_, result)| !result.passed);
-        (failures.map(|(trial, _)| *trial).collect(), evaluation.rates(&results))
+        let stop = || self.clock.is_over(until);
+        evaluation.judge(self.evaluator, reference, self.target.wanted_rate, self.target.threads, &stop)
     }
 
     /// Keeps a plan in memory and in the session's folder if it is better than the best so far.
     fn keep_if_best(&mut self, kept: Kept, round: &Round) -> Result<(), PlannerError> {
-        let wanted = self.target.wanted_rate;
-        if self.best.as_ref().is_some_and(|best| !kept.rates.are_better_than(&best.rates, wanted)) {
+        if self.best.as_ref().is_some_and(|best| !kept.is_better_than(best)) {
             return Ok(());
         }
         if let Some(folder) = self.session.folder {
@@ -251,73 +328,32 @@ impl<'run> Refiner<'run> {
         Ok(())
     }
 
-    /// Solves variants side by side, as many as there is time for; what passes most training trials comes first.
-    fn solve_portfolio(&self) -> Result<Vec<Candidate<'run>>, PlannerError> {
-        let Some(best) = &self.best else { return Ok(Vec::new()) };
-        let variants = portfolio(&Variant::of_scene(self.problem), &best.reference, &best.failing);
-        self.session.tell(Event::Variants { count: variants.len() });
-        // MUMPS cannot run twice in a process.
-        let own_solver = self.problem.homotopy().linear_solver == LinearSolver::Stage;
-        let solvers = if own_solver { self.target.threads } else { 1 };
-        // Half of the time left is for refining them.
-        let (begin, budget) = (Instant::now(), self.target.time_limit.saturating_sub(self.elapsed()) / 2);
-        let is_over = || self.is_over() || begin.elapsed() > budget;
-        let solved = in_parallel(variants.len(), solvers, |index| -> Result<_, PlannerError> {
-            if is_over() {
-                return Ok(Vec::new());
-            }
-            let observe = |_: &ocp::Event| if is_over() { Control::Stop } else { Control::Continue };
-            let iterations = run_homotopy(&variants[index], 0, None, observe, |_, _| {})?;
-            let status = iterations.last().map_or_else(String::new, |last| last.status.to_string());
-            self.session.tell(Event::VariantSolved { name: &variants[index].name, status: &status });
-            Ok(iterations)
-        });
-        let mut candidates = Vec::with_capacity(variants.len());
-        for (variant, iterations) in variants.into_iter().zip(solved) {
-            // What an interrupted homotopy has finished may do.
-            let finished =
-                iterations?.into_iter().filter(|iteration| iteration.status != nlp::SolveStatus::Interrupted);
-            let iterations: Vec<PlanIteration> = finished.map(PlanIteration::from).collect();
-            if iterations.is_empty() {
-                continue;
-            }
-            let candidate = Candidate::best_of(variant, iterations, self.training(), &self.training, false);
-            let (failing, trials) = (candidate.round.training_failures, self.training.len());
-            self.session.tell(Event::VariantTried { name: &candidate.round.planned, failing, trials });
-            candidates.push(candidate);
-        }
-        candidates.sort_by_key(|candidate| candidate.round.training_failures);
-        Ok(candidates)
+    /// Whether there is something to do and time to do it.
+    fn goes_on(&self, until: Deadline) -> bool {
+        let is_robust = self.best.as_ref().is_some_and(|best| best.reached);
+        !is_robust && self.target.patience > 0 && !self.clock.is_over(until)
     }
 
-    fn training(&self) -> Training<'run> {
-        Training { evaluator: self.evaluator, seed: self.seed, threads: self.target.threads }
-    }
-
-    fn goes_on(&self) -> bool {
-        let is_robust = self.best.as_ref().is_some_and(|best| best.rates.satisfy(self.target.wanted_rate));
-        !is_robust && !self.is_over()
-    }
-
-    fn elapsed(&self) -> Duration {
-        self.spent + self.begin.elapsed()
-    }
-
-    fn is_over(&self) -> bool {
-        self.session.is_interrupted() || self.elapsed() > self.target.time_limit
+    fn take_best(&mut self) -> Result<Kept, PlannerError> {
+        self.best.take().ok_or(PlannerError::Internal("no plan was evaluated"))
     }
 
     fn report(&self, best: &Kept) -> RobustnessReport {
         RobustnessReport {
             wanted_rate: self.target.wanted_rate,
-            reached: best.rates.satisfy(self.target.wanted_rate),
+            reached: best.reached,
             rate_before: self.before.overall(),
             rate_after: best.rates.overall(),
-            wall_s: self.elapsed().as_secs_f64(),
+            wall_s: self.clock.elapsed().as_secs_f64(),
             before: self.before.clone(),
             after: best.rates.clone(),
             kept_round: best.round,
+            kept_stage: best.chosen,
+            kept_changes: best.changes,
             rounds: self.rounds.clone(),
         }
     }
 }
+
+/// Marks the name of a plan that was refined before.
+const CONTINUED: &str = ", continued";

@@ -1,5 +1,5 @@
-//! What is planned: the scene as it is and, where its plan cannot be refined, problems whose plans may have more margin.
-//! Which of them helps differs from scene to scene.
+//! What is planned where the plan of the scene cannot be refined: problems whose plans may have more margin. Which of
+//! them helps differs from scene to scene.
 
 use simulation::{Reference, Rollout, Settings, offsets};
 use task::{AssemblyTask, CostWeights, HomotopySettings};
@@ -21,53 +21,105 @@ const RESOLVED_ITERATIONS: usize = 2;
 /// Its first barrier parameter: there are no multipliers yet.
 const RESOLVED_BARRIER: f64 = 1e-2;
 
-impl Variant {
-    /// With another name and something changed.
-    fn changed(&self, name: &str, change: impl FnOnce(&mut AssemblyTask, &mut HomotopySettings)) -> Self {
-        let mut variant = Self { name: name.to_owned(), ..self.clone() };
-        change(&mut variant.task, &mut variant.settings);
-        variant.task.offsets = offsets::distinct(&variant.task.offsets);
-        variant
-    }
+/// A way to change the problem, in scenarios, horizon, weights, smoothing or first guess.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Recipe {
+    HalfTheTimeStep,
+    StraightFirstGuess,
+    FailingOffsetsFromRefinedPlan,
+    FailingOffsets,
+    NoneAndHalfOffsets,
+    MoreOffset,
+    TwiceTheTime,
+    SlowMotion,
+    HalfTheFirstSmoothing,
+    TwiceTheFirstSmoothing,
 }
 
-/// Variants in scenarios, horizon, weights and smoothing. `failing` are offsets (m) at which the refined reference, the
-/// best so far, fails.
-pub fn portfolio(scene: &Variant, refined: &Reference, failing: &[[f64; 3]]) -> Vec<Variant> {
-    let mut resolved = scene.changed("failing offsets as scenarios, from the refined plan", |task, settings| {
-        add_failures(&mut task.offsets, failing);
-        end_of_homotopy(settings);
-    });
-    let rollout = Rollout::new(&resolved.task, Settings::default());
-    resolved.near = Some(rollout.trajectory(refined, &resolved.task.offsets, resolved.settings.tau));
-    let scaled = |factor: f64| scene.task.offsets.iter().map(move |offset| offset.map(|component| factor * component));
-    vec![
-        resolved,
-        scene.changed("failing offsets as scenarios", |task, _| add_failures(&mut task.offsets, failing)),
-        scene.changed("no offset and half offsets as scenarios", |task, _| {
-            task.offsets.push([0.0; 3]);
-            task.offsets.extend(scaled(0.5));
-        }),
-        scene.changed("10 % more offset", |task, _| task.offsets = scaled(MARGIN).collect()),
-        scene.changed("twice the time", |task, _| task.horizon.steps *= 2),
-        scene.changed("half the time step", |task, _| {
-            task.horizon.steps *= 2;
-            task.horizon.time_step *= 0.5;
-        }),
-        scene.changed("ten times the weight of velocities", |task, _| {
-            slow_down(&mut task.cost.reference);
-            slow_down(&mut task.cost.compliant);
-        }),
-        scene.changed("half the first smoothing", |_, settings| {
-            settings.tau *= 0.5;
-            settings.sigma *= 0.5;
-        }),
-        scene.changed("twice the first smoothing", |_, settings| {
-            settings.tau *= 2.0;
-            settings.sigma *= 2.0;
-            settings.iterations += 1;
-        }),
-    ]
+/// All of them, the promising first.
+pub const PORTFOLIO: [Recipe; 10] = [
+    Recipe::HalfTheTimeStep,
+    Recipe::StraightFirstGuess,
+    Recipe::FailingOffsetsFromRefinedPlan,
+    Recipe::FailingOffsets,
+    Recipe::NoneAndHalfOffsets,
+    Recipe::MoreOffset,
+    Recipe::TwiceTheTime,
+    Recipe::SlowMotion,
+    Recipe::HalfTheFirstSmoothing,
+    Recipe::TwiceTheFirstSmoothing,
+];
+
+impl Recipe {
+    /// The changed problem. `refined` is the best reference so far, and `failing` are offsets (m) at which it fails.
+    pub fn variant(self, scene: &Variant, refined: &Reference, failing: &[[f64; 3]]) -> Variant {
+        let mut variant = Variant { name: self.name().to_owned(), ..scene.clone() };
+        self.change(&mut variant.task, &mut variant.settings, failing);
+        variant.task.offsets = offsets::distinct(&variant.task.offsets);
+        let task = &variant.task;
+        let first_guess = match self {
+            Self::StraightFirstGuess => Some(Reference::straight(&task.start, &task.goal, task.horizon)),
+            Self::FailingOffsetsFromRefinedPlan => Some(refined.clone()),
+            _ => None,
+        };
+        variant.near = first_guess.map(|reference| {
+            Rollout::new(task, Settings::default()).trajectory(&reference, &task.offsets, variant.settings.tau)
+        });
+        variant
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::HalfTheTimeStep => "half the time step",
+            Self::StraightFirstGuess => "straight motion as first guess",
+            Self::FailingOffsetsFromRefinedPlan => "failing offsets as scenarios, from the refined plan",
+            Self::FailingOffsets => "failing offsets as scenarios",
+            Self::NoneAndHalfOffsets => "no offset and half offsets as scenarios",
+            Self::MoreOffset => "10 % more offset",
+            Self::TwiceTheTime => "twice the time",
+            Self::SlowMotion => "ten times the weight of velocities",
+            Self::HalfTheFirstSmoothing => "half the first smoothing",
+            Self::TwiceTheFirstSmoothing => "twice the first smoothing",
+        }
+    }
+
+    fn change(self, task: &mut AssemblyTask, settings: &mut HomotopySettings, failing: &[[f64; 3]]) {
+        let scaled = |offsets: &[[f64; 3]], factor: f64| -> Vec<[f64; 3]> {
+            offsets.iter().map(|offset| offset.map(|component| factor * component)).collect()
+        };
+        match self {
+            Self::HalfTheTimeStep => {
+                task.horizon.steps *= 2;
+                task.horizon.time_step *= 0.5;
+            }
+            Self::StraightFirstGuess => {}
+            Self::FailingOffsetsFromRefinedPlan => {
+                add_failures(&mut task.offsets, failing);
+                end_of_homotopy(settings);
+            }
+            Self::FailingOffsets => add_failures(&mut task.offsets, failing),
+            Self::NoneAndHalfOffsets => {
+                let half = scaled(&task.offsets, 0.5);
+                task.offsets.push([0.0; 3]);
+                task.offsets.extend(half);
+            }
+            Self::MoreOffset => task.offsets = scaled(&task.offsets, MARGIN),
+            Self::TwiceTheTime => task.horizon.steps *= 2,
+            Self::SlowMotion => {
+                slow_down(&mut task.cost.reference);
+                slow_down(&mut task.cost.compliant);
+            }
+            Self::HalfTheFirstSmoothing => {
+                settings.tau *= 0.5;
+                settings.sigma *= 0.5;
+            }
+            Self::TwiceTheFirstSmoothing => {
+                settings.tau *= 2.0;
+                settings.sigma *= 2.0;
+                settings.iterations += 1;
+            }
+        }
+    }
 }
 
 /// Keeps the last iterations only: more smoothing would lead away from a motion that is nearly a solution.

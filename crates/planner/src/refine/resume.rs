@@ -8,8 +8,9 @@ use crate::error::{PlannerError, Unusable};
 use crate::files::{BestRecord, RefinementCheckpoint, TrialRecord};
 use crate::iteration::PlanIteration;
 use crate::plan::Plan;
+use crate::refine::Refiner;
 use crate::refine::candidate::Kept;
-use crate::refine::{Refiner, SEED};
+use crate::refine::clock::Clock;
 use crate::robustness::Round;
 use crate::session::Event;
 use crate::variant::Variant;
@@ -23,7 +24,7 @@ impl Refiner<'_> {
             frictions: self.target.frictions.clone(),
             turn_rad: self.target.turn,
             tolerance: [success.position, success.orientation],
-            elapsed_s: self.elapsed().as_secs_f64(),
+            elapsed_s: self.clock.elapsed().as_secs_f64(),
             evaluations: self.evaluations,
             before: self.before.clone(),
             training: self.training.iter().map(TrialRecord::from).collect(),
@@ -37,8 +38,11 @@ impl Refiner<'_> {
                 iterations: kept.iterations.iter().map(|iteration| iteration.record.clone()).collect(),
                 reference: kept.reference.states(),
                 rates: kept.rates.clone(),
+                reached: kept.reached,
                 failing_m: kept.failing.clone(),
                 round: kept.round,
+                chosen_stage: kept.chosen,
+                changes: kept.changes,
             },
             rounds,
         }
@@ -87,9 +91,9 @@ impl Refiner<'_> {
             }
             _ => plan.iterations.clone(),
         };
-        self.spent = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
+        let spent = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
+        self.clock = Clock::new(self.session, spent, self.target.time_limit);
         self.evaluations = evaluations;
-        self.seed = SEED + evaluations;
         self.before = before;
         self.training = training.iter().map(Trial::from).collect();
         self.rounds = rounds;
@@ -98,8 +102,11 @@ impl Refiner<'_> {
             variant,
             iterations,
             rates: best.rates,
+            reached: best.reached,
             failing: best.failing_m,
             round: best.round,
+            chosen: best.chosen_stage,
+            changes: best.changes,
             is_scenes_own: best.is_scenes_own,
         })
     }

@@ -22,10 +22,15 @@ fn trials() -> Vec<Trial> {
     (0..2).flat_map(|friction| offsets.map(|offset| Trial { friction, grasp: offset.into() })).collect()
 }
 
+fn refinement(evaluator: &Evaluator, seed: u64) -> Refinement<'_> {
+    let results = evaluator.evaluate_all(&beside(), &trials(), 2, &|| false).unwrap();
+    Refinement::new(evaluator, beside(), trials(), results, seed)
+}
+
 #[test]
 fn what_fails_is_refined_until_it_passes() {
     let evaluator = evaluator();
-    let mut refinement = Refinement::new(&evaluator, beside(), trials(), 1, 2);
+    let mut refinement = refinement(&evaluator, 1);
     assert!(refinement.score().0 > 0, "the plain reference fails");
     for _ in 0..300 {
         if refinement.score().0 == 0 {
@@ -37,7 +42,7 @@ fn what_fails_is_refined_until_it_passes() {
         assert_eq!(improved, after.0 < before.0 || after.0 == before.0 && after.1 < before.1);
     }
     assert_eq!(refinement.score().0, 0);
-    let results = evaluator.evaluate_all(refinement.reference(), &trials(), 1);
+    let results = evaluator.evaluate_all(refinement.reference(), &trials(), 1, &|| false).unwrap();
     assert!(results.iter().all(|result| result.passed && result.miss == 0.0));
 }
 
@@ -45,7 +50,7 @@ fn what_fails_is_refined_until_it_passes() {
 fn refinement_does_not_depend_on_threads_and_can_be_stopped() {
     let evaluator = evaluator();
     let refine = |jobs: usize, stop: bool| {
-        let mut refinement = Refinement::new(&evaluator, beside(), trials(), 3, jobs);
+        let mut refinement = refinement(&evaluator, 3);
         (0..10).for_each(|_| {
             refinement.improve(jobs, &|| stop);
         });
@@ -60,7 +65,7 @@ fn changes_that_break_a_limit_are_refused() {
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
     world.limits.translational_velocity = beside().limits_kept().translational_velocity;
     let limited = Evaluator::new(&world, &[0.0, 0.1], Success::default());
-    let mut refinement = Refinement::new(&limited, beside(), trials(), 1, 2);
+    let mut refinement = refinement(&limited, 1);
     (0..100).for_each(|_| {
         refinement.improve(2, &|| false);
     });

@@ -1,0 +1,81 @@
+//! What the optimal control problem is worth: beside robust plans, a straight push that is refined by the same loop for
+//! the same time without solving anything. Prints a row of a Markdown table per scene; `scripts/baseline` makes a page
+//! of it.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+use planner::{
+    Choices, Event, GraspErrors, Motion, OffsetSource, PlannerError, Problem, RobustnessTarget, Session,
+    SimulationRequest,
+};
+use simulation::Reference;
+
+/// Magnitudes of the random offsets, as fractions of delta-hat.
+const FRACTIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
+/// Random offsets per friction and magnitude.
+const OFFSETS: usize = 50;
+/// Seed of the offsets, another than those of the loop.
+const SEED: u64 = 7;
+
+fn main() -> Result<(), PlannerError> {
+    for scene in std::env::args().skip(1) {
+        println!("{}", row(Path::new(&scene))?);
+    }
+    Ok(())
+}
+
+/// Success rates of four references, and the times they took.
+fn row(scene: &Path) -> Result<String, PlannerError> {
+    let problem = Problem::load(scene, &Choices::default())?;
+    let session = Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None };
+    let target = RobustnessTarget::default();
+    let task = problem.task();
+    let push = Reference::straight(&task.start, &task.goal, task.horizon);
+
+    let begin = Instant::now();
+    let plan = planner::solve(&problem, &session)?;
+    let solve_time = begin.elapsed();
+    let plain = plan.reference();
+    let robust = planner::refine(plan, &target, &session)?;
+    let robust_time = begin.elapsed();
+    let same_time = RobustnessTarget { time_limit: robust_time, ..target.clone() };
+    let (refined_push, pushed) = planner::refine_reference(&problem, push.clone(), &same_time, &session)?;
+    let found_after = if pushed.is_reached() { Duration::from_secs_f64(pushed.wall_s) } else { robust_time };
+
+    let rates = [&push, &refined_push, &plain, &robust.reference()].map(|reference| rate(&problem, reference, &target));
+    let [push, refined_push, plain, robust] = rates;
+    Ok(format!(
+        "| {} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} |",
+        problem.scene().title,
+        100.0 * push?,
+        100.0 * refined_push?,
+        found_after.as_secs_f64(),
+        100.0 * plain?,
+        solve_time.as_secs_f64(),
+        100.0 * robust?,
+        robust_time.as_secs_f64()
+    ))
+}
+
+/// Success rate at random offsets and the planned ones, all frictions together.
+fn rate(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -> Result<f64, PlannerError> {
+    let delta = problem.delta();
+    let random = GraspErrors {
+        offsets: OffsetSource::Hull(OFFSETS),
+        magnitudes: FRACTIONS.map(|fraction| fraction * delta).to_vec(),
+        seed: SEED,
+        turn: 0.0,
+    };
+    let motions = [(Motion::Plan, reference.clone())];
+    let (mut rollouts, mut successes) = (0, 0);
+    for errors in [random, GraspErrors::default()] {
+        let request =
+            SimulationRequest { errors, frictions: target.frictions.clone(), ..SimulationRequest::default() };
+        let played = planner::simulate(problem, &motions, &request)?;
+        rollouts += played.len();
+        successes += played.iter().filter(|rollout| rollout.success).count();
+    }
+    Ok(successes as f64 / rollouts as f64)
+}

@@ -1,0 +1,46 @@
+//! How the time of a refinement is shared out.
+
+use std::time::{Duration, Instant};
+
+use crate::session::Session;
+
+/// Time that has passed and time that is left.
+pub struct Clock<'run> {
+    session: &'run Session<'run>,
+    begin: Instant,
+    /// Time that was spent before.
+    spent: Duration,
+    limit: Duration,
+}
+
+/// When a part of the work has to end, as the time that has then passed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Deadline(Duration);
+
+impl<'run> Clock<'run> {
+    /// Starts now.
+    pub fn new(session: &'run Session<'run>, spent: Duration, limit: Duration) -> Self {
+        Self { session, begin: Instant::now(), spent, limit }
+    }
+
+    /// Time that has passed, that of earlier work included.
+    pub fn elapsed(&self) -> Duration {
+        self.spent + self.begin.elapsed()
+    }
+
+    /// The end of all work.
+    pub fn end(&self) -> Deadline {
+        Deadline(self.limit)
+    }
+
+    /// The end of a fraction of the time that is left until a deadline.
+    pub fn share(&self, until: Deadline, fraction: f64) -> Deadline {
+        let elapsed = self.elapsed();
+        Deadline(elapsed + until.0.saturating_sub(elapsed).mul_f64(fraction))
+    }
+
+    /// Whether a deadline has passed, or the user has interrupted.
+    pub fn is_over(&self, until: Deadline) -> bool {
+        self.session.is_interrupted() || self.elapsed() > until.0
+    }
+}

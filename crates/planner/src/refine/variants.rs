@@ -1,0 +1,72 @@
+//! Plans of other problems than the scene's own.
+
+use nlp::{Control, SolveStatus};
+
+use crate::error::PlannerError;
+use crate::iteration::PlanIteration;
+use crate::refine::Refiner;
+use crate::refine::candidate::Candidate;
+use crate::refine::clock::Deadline;
+use crate::refine::portfolio::{PORTFOLIO, Recipe};
+use crate::session::Event;
+use crate::solve::run_homotopy;
+use crate::variant::Variant;
+
+/// Share of a variant's time for its solve; the rest is for its refinement.
+const SOLVING_SHARE: f64 = 0.6;
+
+impl<'run> Refiner<'run> {
+    /// Solves variants of the problem one after the other, each in its share of the time. One whose plan fails in fewer
+    /// training trials than the best so far is refined at once, the others when all are solved, the best first.
+    pub(super) fn refine_variants(&mut self) -> Result<(), PlannerError> {
+        let mut waiting: Vec<Candidate> = Vec::new();
+        for (index, recipe) in PORTFOLIO.into_iter().enumerate() {
+            let until = self.clock.share(self.clock.end(), 1.0 / (PORTFOLIO.len() - index) as f64);
+            if !self.goes_on(until) {
+                break;
+            }
+            let Some(candidate) = self.solve_variant(recipe, index + 1, until)? else { continue };
+            if candidate.refinement.failing_fraction() < self.least_failing {
+                self.refine(candidate, until)?;
+            } else {
+                waiting.push(candidate);
+            }
+        }
+        waiting.sort_by(|one, other| one.refinement.failing_fraction().total_cmp(&other.refinement.failing_fraction()));
+        let count = waiting.len();
+        for (index, candidate) in waiting.into_iter().enumerate() {
+            let until = self.clock.share(self.clock.end(), 1.0 / (count - index) as f64);
+            if self.goes_on(until) {
+                self.refine(candidate, until)?;
+            } else {
+                self.rounds.push(candidate.round);
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves a variant, given by its number in the portfolio. `None` when nothing of its homotopy was finished in time.
+    fn solve_variant(
+        &self,
+        recipe: Recipe,
+        number: usize,
+        until: Deadline,
+    ) -> Result<Option<Candidate<'run>>, PlannerError> {
+        let Some(best) = &self.best else { return Ok(None) };
+        let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &best.failing);
+        self.session.tell(Event::Variant { name: &variant.name, number, count: PORTFOLIO.len() });
+        let solving = self.clock.share(until, SOLVING_SHARE);
+        let observe = |_: &ocp::Event| if self.clock.is_over(solving) { Control::Stop } else { Control::Continue };
+        let iterations = run_homotopy(&variant, 0, None, observe, |_, _| {})?;
+        let status = iterations.last().map_or_else(String::new, |last| last.status.to_string());
+        self.session.tell(Event::VariantSolved { status: &status });
+        // What an interrupted homotopy has finished may do.
+        let finished = iterations.into_iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
+        let candidate = self.candidate(variant, finished.map(PlanIteration::from).collect(), false, until);
+        if let Some(Candidate { round, .. }) = &candidate {
+            let (failing, trials) = (round.training_failures, round.training_trials);
+            self.session.tell(Event::VariantTried { failing, trials });
+        }
+        Ok(candidate)
+    }
+}
