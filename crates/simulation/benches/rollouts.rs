@@ -71,7 +71,7 @@ fn rollouts(criterion: &mut Criterion) {
     for (name, task) in [("peg1", load("peg1.toml")), ("clamp1", load("clamp1.toml")), ("round peg", round_peg())] {
         let offsets = offsets::hull(&task.offsets, ROLLOUTS, 1);
         for (motion, reference) in references(&task) {
-            for friction in [0.0, 0.3] {
+            for friction in [0.0, 0.1] {
                 let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
                 group.bench_function(format!("{name}, {motion}, friction {friction}"), |bencher| {
                     bencher.iter(|| rollout.simulate(black_box(&reference), &offsets, 1));

@@ -52,16 +52,21 @@ impl Arc {
         self.ends.iter().all(|end| end.dot(vector) < height)
     }
 
-    /// Unit vector normal to both edges and against this one's normals; `None` for parallel edges.
-    pub fn common_normal(&self, other: &Self) -> Option<Vector3<f64>> {
+    /// The component of `gap` along the unit vector that is normal to both edges and against this one's normals, and
+    /// that vector; `None` unless the component exceeds `least`, and for parallel edges.
+    pub fn separation(&self, other: &Self, gap: &Vector3<f64>, least: f64) -> Option<(f64, Vector3<f64>)> {
         const PARALLEL: f64 = 1e-6;
         let cross = self.pole.cross(&other.pole);
-        let length = cross.norm();
-        if length < PARALLEL * self.pole.norm() * other.pole.norm() {
+        let length = cross.norm_squared();
+        let is_outward = cross.dot(&(self.ends[0] + self.ends[1])) > 0.0;
+        let component = if is_outward { -cross.dot(gap) } else { cross.dot(gap) };
+        // Most pairs of edges end here, without a root.
+        if component * component.abs() <= least * least.abs() * length
+            || length < PARALLEL * PARALLEL * self.pole.norm_squared() * other.pole.norm_squared()
+        {
             return None;
         }
-        let normal = cross / length;
-        let outward = normal.dot(&(self.ends[0] + self.ends[1]));
-        Some(if outward > 0.0 { -normal } else { normal })
+        let scale = if is_outward { -1.0 } else { 1.0 } / length.sqrt();
+        Some((component * scale.abs(), cross * scale))
     }
 }

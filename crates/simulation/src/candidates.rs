@@ -15,9 +15,12 @@ use crate::solid::{Edge, Facet, Solid};
 pub struct Candidates {
     environment_facets: Facets,
     body_facets: Facets,
-    /// Found when facets alone do not show how far the parts are from each other.
-    edges: Vec<EdgePair>,
+    /// Edges of the body and of the environment, found when facets alone do not show how far the parts are from each
+    /// other.
+    edges: Vec<(usize, usize)>,
     edges_are_found: bool,
+    /// The last edges that were better than the best facet.
+    last: Option<(usize, usize)>,
     /// How far the body may move from where the candidates were found (m).
     skin: f64,
     /// What is left of the skin (m).
@@ -26,14 +29,20 @@ pub struct Candidates {
     lever: f64,
 }
 
-/// An edge of the body and an edge of the environment.
+/// An edge of the environment, and its inward normals.
 #[derive(Debug, Clone, Copy)]
-struct EdgePair {
-    body: usize,
-    environment: usize,
-    /// The inward normals of the edge of the environment, and one of its ends.
+pub struct StillEdge {
+    pub segment: [Vector3<f64>; 2],
     reversed: Arc,
-    end: Vector3<f64>,
+}
+
+impl StillEdge {
+    /// The edges of a part of the environment, in their order.
+    pub fn of(environment: &Solid) -> Vec<Self> {
+        let still =
+            |edge: &Edge| Self { segment: environment.segment(edge), reversed: Arc::new(environment, edge).reversed() };
+        environment.edges.iter().map(still).collect()
+    }
 }
 
 /// Facets of one solid, with the vertices of another one that may be the nearest.
@@ -81,28 +90,27 @@ impl Candidates {
         best
     }
 
+    /// The axis of the edges that were the best ones before, if it is still better than that of the best facet and
+    /// better than all others.
+    pub fn known_edges(&self, body: &Solid, environment: &[StillEdge], facet: &Axis) -> Option<Axis> {
+        let (edge, opposite) = self.last?;
+        // No axis separates the parts by more than the distance of two of their points.
+        let least = (facet.separation + PREFERENCE).max(-0.25 * PREFERENCE);
+        let axis = best_of(&[(edge, opposite)], body, environment, least)?;
+        edge_point(&body.segment(&body.edges[edge]), &environment[opposite].segment).map(|_| axis)
+    }
+
     /// The best axis of all pairs of edges, if it is better than that of the best facet, which has just been found.
-    pub fn better_edges(&mut self, body: &Solid, environment: &Solid, facet: &Axis) -> Option<Axis> {
+    pub fn better_edges(&mut self, body: &Solid, environment: &[StillEdge], facet: &Axis) -> Option<Axis> {
         if !self.edges_are_found {
             self.find_edges(body, environment, facet.separation);
             self.edges_are_found = true;
         }
-        self.best_edges(body).filter(|edges| edges.separation > facet.separation + PREFERENCE)
-    }
-
-    fn best_edges(&self, body: &Solid) -> Option<Axis> {
-        let mut best: Option<Axis> = None;
-        for pairs in self.edges.chunk_by(|one, other| one.body == other.body) {
-            let edge = &body.edges[pairs[0].body];
-            let arc = Arc::new(body, edge);
-            for pair in pairs.iter().filter(|pair| arc.crosses(&pair.reversed)) {
-                let Some(normal) = arc.common_normal(&pair.reversed) else { continue };
-                let separation = normal.dot(&(body.vertices[edge.ends[0]] - pair.end));
-                if best.is_none_or(|best| separation > best.separation) {
-                    best = Some(Axis { separation, normal, feature: Feature::Edges(pair.body, pair.environment) });
-                }
-            }
-        }
+        let best = best_of(&self.edges, body, environment, facet.separation + PREFERENCE);
+        self.last = best.and_then(|best| match best.feature {
+            Feature::Edges(edge, opposite) => Some((edge, opposite)),
+            _ => None,
+        });
         best
     }
 
@@ -114,30 +122,58 @@ impl Candidates {
     }
 
     /// Finds the pairs of edges that can become better than the best facet, whose separation is `facet` (m).
-    fn find_edges(&mut self, body: &Solid, environment: &Solid, facet: f64) {
+    fn find_edges(&mut self, body: &Solid, environment: &[StillEdge], facet: f64) {
         let turn = self.skin / self.lever + ROUNDING;
         // Components along an arc are bounded by those along its ends only if they are negative.
         let least = (facet - 2.0 * self.skin - ROUNDING).min(0.0);
-        let pair = |(environment_edge, edge): (usize, &Edge)| EdgePair {
-            body: 0,
-            environment: environment_edge,
-            reversed: Arc::new(environment, edge).reversed(),
-            end: environment.vertices[edge.ends[0]],
-        };
-        let opposite: Vec<EdgePair> = environment.edges.iter().enumerate().map(pair).collect();
         self.edges.clear();
         for (index, edge) in body.edges.iter().enumerate() {
-            let arc = Arc::new(body, edge);
-            // A separation along a common normal is a component along a normal of either arc. That of the body turns
-            // with it: components of the gap, which is no longer than two levers, change by two more skins.
-            let can_be_better = |pair: &&EdgePair| {
-                let gap = pair.end - body.vertices[edge.ends[0]];
-                !pair.reversed.is_below(&gap, least) && !arc.is_below(&gap, least - 2.0 * self.skin)
-            };
-            let crossing = opposite.iter().filter(|pair| arc.may_cross(&pair.reversed, turn));
-            self.edges.extend(crossing.filter(can_be_better).map(|pair| EdgePair { body: index, ..*pair }));
+            let (arc, end) = (Arc::new(body, edge), body.vertices[edge.ends[0]]);
+            for (opposite, still) in environment.iter().enumerate() {
+                let gap = still.segment[0] - end;
+                // A separation along a common normal is a component along a normal of either arc. That of the body
+                // turns with it: components of the gap, which is no longer than two levers, change by two more skins.
+                if arc.may_cross(&still.reversed, turn)
+                    && !still.reversed.is_below(&gap, least)
+                    && !arc.is_below(&gap, least - 2.0 * self.skin)
+                {
+                    self.edges.push((index, opposite));
+                }
+            }
         }
     }
+}
+
+/// The best axis of some pairs of edges, if its separation is more than `least` (m).
+fn best_of(pairs: &[(usize, usize)], body: &Solid, environment: &[StillEdge], mut least: f64) -> Option<Axis> {
+    let mut best = None;
+    for pairs in pairs.chunk_by(|one, other| one.0 == other.0) {
+        let edge = &body.edges[pairs[0].0];
+        let (arc, end) = (Arc::new(body, edge), body.vertices[edge.ends[0]]);
+        for &(index, opposite) in pairs {
+            let StillEdge { segment, reversed } = &environment[opposite];
+            if arc.crosses(reversed)
+                && let Some((separation, normal)) = arc.separation(reversed, &(end - segment[0]), least)
+            {
+                least = separation;
+                best = Some(Axis { separation, normal, feature: Feature::Edges(index, opposite) });
+            }
+        }
+    }
+    best
+}
+
+/// The point of the first edge that is closest to the second edge; `None` when the closest points of the two lines lie
+/// beyond the ends of an edge.
+pub fn edge_point(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> Option<Vector3<f64>> {
+    let (along, across) = (first[1] - first[0], second[1] - second[0]);
+    let between = first[0] - second[0];
+    let (a, b, c) = (along.norm_squared(), along.dot(&across), across.norm_squared());
+    let (d, e) = (along.dot(&between), across.dot(&between));
+    let determinant = a * c - b * b;
+    let (s, t) = ((b * e - c * d) / determinant, (a * e - b * d) / determinant);
+    let inside = (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t);
+    inside.then(|| first[0] + along * s)
 }
 
 impl Facets {

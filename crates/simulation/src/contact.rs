@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use task::ContactPair;
 
 use crate::axis::{Feature, PREFERENCE};
-use crate::candidates::Candidates;
+use crate::candidates::{Candidates, StillEdge, edge_point};
 use crate::patch::Patch;
 use crate::solid::Solid;
 
@@ -37,6 +37,8 @@ struct PairShapes {
     /// Largest distance of a point of that part from the body's origin (m).
     radius: f64,
     environment: Solid,
+    /// Edges of the environment.
+    edges: Vec<StillEdge>,
 }
 
 impl Shapes {
@@ -52,7 +54,9 @@ impl Shapes {
                 shapes.bodies.push(Solid::new(pair.body()));
             }
             let radius = shapes.bodies[body].radius(&Vector3::zeros());
-            shapes.pairs.push(PairShapes { body, radius, environment: Solid::new(pair.environment()) });
+            let environment = Solid::new(pair.environment());
+            let edges = StillEdge::of(&environment);
+            shapes.pairs.push(PairShapes { body, radius, environment, edges });
         }
         shapes
     }
@@ -65,7 +69,10 @@ pub struct ContactFinder<'shapes> {
     shapes: &'shapes Shapes,
     bodies: Vec<PlacedBody>,
     pairs: Vec<Pair>,
+    /// The last pose, the reach (m) there, and the smallest separation (m) of the pairs that were examined.
     last: Isometry3<f64>,
+    reach: f64,
+    smallest: f64,
     /// Contacts at the last pose.
     pub contacts: Vec<Contact>,
     patch: Patch,
@@ -94,6 +101,8 @@ impl<'shapes> ContactFinder<'shapes> {
             pairs: vec![pair; shapes.pairs.len()],
             shapes,
             last: Isometry3::identity(),
+            reach: f64::NEG_INFINITY,
+            smallest: f64::INFINITY,
             contacts: Vec::new(),
             patch: Patch::default(),
         }
@@ -104,13 +113,16 @@ impl<'shapes> ContactFinder<'shapes> {
         self.shapes.pairs.iter().map(|pair| pair.radius).fold(0.0, f64::max)
     }
 
-    /// Finds all contacts with gaps up to `reach` (m) at a pose. Returns the smallest separation (m) of the pairs that
-    /// were examined.
+    /// Finds all contacts with gaps up to `reach` (m) at a pose; those that were found at the same pose with a longer
+    /// reach stay. Returns the smallest separation (m) of the pairs that were examined.
     pub fn find(&mut self, pose: &Isometry3<f64>, reach: f64) -> f64 {
+        if *pose == self.last && reach <= self.reach {
+            return self.smallest;
+        }
         let position = &pose.translation.vector;
         let shift = (position - self.last.translation.vector).norm();
         let turn = largest_turn(&pose.rotation, &self.last.rotation);
-        self.last = *pose;
+        (self.last, self.reach) = (*pose, reach);
         self.contacts.clear();
         self.bodies.iter_mut().for_each(|body| body.is_current = false);
         let shapes = self.shapes;
@@ -131,12 +143,13 @@ impl<'shapes> ContactFinder<'shapes> {
             self.pairs[index].clearance = separation;
             smallest = smallest.min(separation);
         }
+        self.smallest = smallest;
         smallest
     }
 
     /// Adds the contacts of a pair whose body is placed. Returns the pair's separation (m).
     fn examine(&mut self, index: usize, position: &Vector3<f64>, reach: f64) -> f64 {
-        let PairShapes { body, environment, .. } = &self.shapes.pairs[index];
+        let PairShapes { body, environment, edges, .. } = &self.shapes.pairs[index];
         let Self { bodies, pairs, contacts, patch, .. } = self;
         let (body, candidates) = (&bodies[*body].solid, &mut pairs[index].candidates);
         let mut axis = candidates.best_facet(body, position, environment, reach);
@@ -144,20 +157,23 @@ impl<'shapes> ContactFinder<'shapes> {
             return axis.separation;
         }
         patch.clear();
-        match axis.feature {
-            Feature::EnvironmentFacet { facet, vertex } => patch.fill(environment, facet, body, vertex),
-            Feature::BodyFacet { facet, vertex } => patch.fill(body, facet, environment, vertex),
-            Feature::Edges(..) => {}
+        let mut better = candidates.known_edges(body, edges, &axis);
+        if better.is_none() {
+            match axis.feature {
+                Feature::EnvironmentFacet { facet, vertex } => patch.fill(environment, facet, body, vertex),
+                Feature::BodyFacet { facet, vertex } => patch.fill(body, facet, environment, vertex),
+                Feature::Edges(..) => {}
+            }
+            // No axis separates the parts by more than the distance of two of their points.
+            let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
+            better = if is_best { None } else { candidates.better_edges(body, edges, &axis) };
         }
-        // No axis separates the parts by more than the distance of two of their points.
-        let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
-        if !is_best && let Some(edges) = candidates.better_edges(body, environment, &axis) {
-            axis = edges;
+        if let Some(better) = better {
+            axis = better;
             patch.clear();
-            if let Feature::Edges(first, second) = axis.feature {
-                let first = body.segment(&body.edges[first]);
-                let second = environment.segment(&environment.edges[second]);
-                patch.points.extend(edge_point(&first, &second).map(|point| (point, axis.separation)));
+            if let Feature::Edges(edge, opposite) = axis.feature {
+                let point = edge_point(&body.segment(&body.edges[edge]), &edges[opposite].segment);
+                patch.points.extend(point.map(|point| (point, axis.separation)));
             }
         }
         let before = contacts.len();
@@ -177,19 +193,6 @@ impl<'shapes> ContactFinder<'shapes> {
 fn largest_turn(one: &UnitQuaternion<f64>, other: &UnitQuaternion<f64>) -> f64 {
     let (one, other) = (one.as_vector(), other.as_vector());
     2.0 * (one - other).norm_squared().min((one + other).norm_squared()).sqrt()
-}
-
-/// The point of the first edge that is closest to the second edge; `None` when the closest points of the two lines lie
-/// beyond the ends of an edge.
-fn edge_point(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> Option<Vector3<f64>> {
-    let (along, across) = (first[1] - first[0], second[1] - second[0]);
-    let between = first[0] - second[0];
-    let (a, b, c) = (along.norm_squared(), along.dot(&across), across.norm_squared());
-    let (d, e) = (along.dot(&between), across.dot(&between));
-    let determinant = a * c - b * b;
-    let (s, t) = ((b * e - c * d) / determinant, (a * e - b * d) / determinant);
-    let inside = (0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t);
-    inside.then(|| first[0] + along * s)
 }
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! One time step of the body: impedance control, contacts, motion.
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 use task::{Impedance, Inertia};
 
 use crate::contact::{Contact, ContactFinder};
-use crate::least_distance::{Halfspace, LeastDistance, Vector6};
+use crate::least_distance::{Cone, LeastDistance, Vector6};
 use crate::metric::Metric;
 use crate::reference::Knot;
 
@@ -19,68 +19,199 @@ pub struct Body {
     pub angular_velocity: Vector3<f64>,
 }
 
-/// The time step of a body under the impedance law (Eq. ts with Eq. impedancewrench). It is linearly implicit in
-/// stiffness and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without
-/// restitution.
+impl Body {
+    /// Pose and twist at a fraction of the way to those of `next`, which differ little.
+    pub fn towards(&self, next: &Self, fraction: f64) -> Self {
+        if fraction == 1.0 {
+            return *next;
+        }
+        Self {
+            pose: Isometry3::from_parts(
+                self.pose.translation.vector.lerp(&next.pose.translation.vector, fraction).into(),
+                self.pose.rotation.nlerp(&next.pose.rotation, fraction),
+            ),
+            velocity: self.velocity.lerp(&next.velocity, fraction),
+            angular_velocity: self.angular_velocity.lerp(&next.angular_velocity, fraction),
+        }
+    }
+}
+
+/// Steps of a body under the impedance law (Eq. ts with Eq. impedancewrench). They are linearly implicit in stiffness
+/// and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without restitution.
+///
+/// Where the velocity changes little, a step takes the place of 2, 4, 8, ... of the shortest ones. Impacts change it
+/// much: they fall into the shortest steps. Longer steps follow the midpoint rule, with the contacts of a predicted
+/// middle pose, so that they are about as accurate.
 #[derive(Debug, Clone)]
 pub struct Stepper {
-    time_step: f64,
     inertia: Inertia,
     impedance: Impedance,
     friction: f64,
-    metric: Metric,
+    /// Every length is twice the one before.
+    lengths: Vec<Length>,
+    /// Index of the longest step to try.
+    longest: usize,
     solver: LeastDistance,
-    halfspaces: Vec<Halfspace>,
+    cones: Vec<Cone>,
+    /// Pair and normal impulse (Ns) of contacts in the last step.
+    impulses: Vec<(usize, f64)>,
 }
 
-/// Number of facets of a friction cone. It is even: the direction of sliding and its opposite are among them.
-const CONE_FACETS: usize = 8;
+/// What depends on the length of a step.
+#[derive(Debug, Clone)]
+struct Length {
+    /// In seconds.
+    time_step: f64,
+    /// Weight of the end of the step in the mean velocity and in forces: 1 in the shortest steps (implicit Euler), 1/2
+    /// in longer ones (implicit midpoint rule).
+    weight: f64,
+    /// For the weighted part of the step.
+    metric: Metric,
+}
+
 /// Smaller overlaps (m), as integration leaves them, are not corrected.
 const OVERLAP: f64 = 1e-7;
 /// Largest number of corrections per step, each with new contacts.
 const CORRECTIONS: usize = 8;
+/// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
+const STEADY: f64 = 1.0;
+/// A body that touches with friction and moves by more than this part of the largest change of velocity slides.
+const REST: f64 = 0.1;
+/// A longer step leaves no larger overlap (m).
+const LARGEST_OVERLAP: f64 = 1e-6;
+/// The longest step takes the place of at most two to this power.
+const DOUBLINGS: u32 = 6;
+/// Longer steps are at most this part of the shortest time in which the free body answers.
+const SMOOTH: f64 = 0.5;
 
 impl Stepper {
-    /// For steps of `time_step` seconds and a friction coefficient; `None` unless the effective inertia is positive
-    /// definite and finite.
-    pub fn new(time_step: f64, inertia: &Inertia, impedance: &Impedance, friction: f64) -> Option<Self> {
+    /// For shortest steps of `time_step` seconds of which `count` make an interval, and a friction coefficient; `None`
+    /// unless the effective inertia is positive definite and finite.
+    pub fn new(time_step: f64, count: usize, inertia: &Inertia, impedance: &Impedance, friction: f64) -> Option<Self> {
+        let rate = fastest_rate(inertia, impedance);
+        let length = |doublings: u32| {
+            let (time_step, weight) =
+                (time_step * f64::from(1_u32 << doublings), if doublings == 0 { 1.0 } else { 0.5 });
+            Some(Length { time_step, weight, metric: Metric::new(weight * time_step, inertia, impedance)? })
+        };
+        let is_short = |length: &Option<Length>| {
+            length.as_ref().is_none_or(|length| length.weight == 1.0 || length.time_step * rate <= SMOOTH)
+        };
         Some(Self {
-            time_step,
-            metric: Metric::new(time_step, inertia, impedance)?,
             inertia: inertia.clone(),
             impedance: impedance.clone(),
             friction,
+            lengths: (0..=count.ilog2().min(DOUBLINGS)).map(length).take_while(is_short).collect::<Option<_>>()?,
+            longest: 0,
             solver: LeastDistance::default(),
-            halfspaces: Vec::new(),
+            cones: Vec::new(),
+            impulses: Vec::new(),
         })
     }
 
-    /// Moves the body by one step towards `target`, the reference at the end of the step. Adds the normal impulse (Ns)
-    /// of every pair to `impulses`. Returns the overlap (m) that the previous step has left.
+    /// Moves the body by one step, when `done` of the `count` shortest steps of an interval have been taken. `target` is
+    /// the reference after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many
+    /// of the shortest steps it takes the place of, and the overlap (m) that the previous step has left.
     pub fn step(
         &mut self,
         body: &mut Body,
-        target: &Knot,
+        (done, count): (usize, usize),
+        target: impl Fn(f64) -> Knot,
         offset: &Vector3<f64>,
         finder: &mut ContactFinder,
         impulses: &mut [f64],
-    ) -> f64 {
-        let free = self.free_velocity(body, target, offset);
-        // Contacts only dissipate: with or without them, no point of the body moves further than this.
-        let reach = self.time_step * self.metric.fastest(&free, finder.radius());
+    ) -> (usize, f64) {
+        let most = self.largest_change();
+        let mut length = self.longest.min(done.trailing_zeros().min((count - done).ilog2()) as usize);
+        loop {
+            let taken = 1 << length;
+            let mut next = *body;
+            let (overlap, mut change) = self.advance(
+                &mut next,
+                length,
+                &target(done as f64 + self.lengths[length].weight * taken as f64),
+                offset,
+                finder,
+            );
+            if length == 0 || change <= most {
+                for &(pair, impulse) in &self.impulses {
+                    impulses[pair] += impulse;
+                }
+                if 2.0 * change <= most {
+                    self.longest = self.longest.max(length + 1).min(self.lengths.len() - 1);
+                }
+                *body = next;
+                return (taken, overlap);
+            }
+            // Half of the step changes half as much.
+            length -= 1;
+            while length > 0 && 0.5 * change > most {
+                (length, change) = (length - 1, 0.5 * change);
+            }
+            self.longest = length;
+        }
+    }
+
+    /// Largest change of velocity (m/s) in a longer step.
+    fn largest_change(&self) -> f64 {
+        STEADY * self.lengths[0].time_step
+    }
+
+    /// Moves the body by a step of some length. Returns the overlap (m) before, and how much the velocity (m/s) of any
+    /// point has changed; infinite if a longer step would leave an overlap or slide with friction.
+    fn advance(
+        &mut self,
+        body: &mut Body,
+        length: usize,
+        target: &Knot,
+        offset: &Vector3<f64>,
+        finder: &mut ContactFinder,
+    ) -> (f64, f64) {
+        let before = *body;
+        let free = self.free_velocity(body, length, target, offset);
+        let Length { time_step, weight, metric } = &self.lengths[length];
+        let (time_step, weight, radius) = (*time_step, *weight, finder.radius());
+        let speed = |velocity: &Vector3<f64>, angular: &Vector3<f64>| velocity.norm() + radius * angular.norm();
+        let reach = if length == 0 {
+            // Contacts only dissipate: with or without them, no point of the body moves further than this.
+            time_step * metric.fastest(&free, radius)
+        } else {
+            time_step * (speed(&body.velocity, &body.angular_velocity) + self.largest_change())
+        };
         let overlap = self.correct(body, finder, reach);
-        let velocity = self.resolve(&free, &body.pose, &finder.contacts, impulses);
-        (body.velocity, body.angular_velocity) = self.metric.unscale(&velocity);
-        body.pose = moved(&body.pose, &(body.velocity * self.time_step), &(body.angular_velocity * self.time_step));
-        overlap
+        let start = body.pose;
+        if length > 0 && !finder.contacts.is_empty() {
+            // Contacts slide and turn meanwhile: forces are those of the middle of the step.
+            let half = 0.5 * time_step;
+            body.pose = moved(&start, &(body.velocity * half), &(body.angular_velocity * half));
+            finder.find(&body.pose, reach);
+        }
+        let velocity = self.resolve(&free, body, length, &finder.contacts);
+        (body.velocity, body.angular_velocity) = self.lengths[length].metric.unscale(&velocity);
+        let mean = |from: &Vector3<f64>, to: &Vector3<f64>| from.lerp(to, weight) * time_step;
+        let shift = mean(&before.velocity, &body.velocity);
+        body.pose = moved(&start, &shift, &mean(&before.angular_velocity, &body.angular_velocity));
+        let mut change = speed(&(body.velocity - before.velocity), &(body.angular_velocity - before.angular_velocity));
+        // A body that slides with friction hovers, the higher the longer the step.
+        let touches_with_friction = self.friction > 0.0 && !self.impulses.is_empty();
+        if touches_with_friction && speed(&body.velocity, &body.angular_velocity) > REST * self.largest_change() {
+            change = f64::INFINITY;
+        }
+        let is_long = length > 0 && change <= self.largest_change();
+        if is_long && -finder.find(&body.pose, reach) > LARGEST_OVERLAP {
+            change = f64::INFINITY;
+        }
+        (overlap, change)
     }
 
     /// The scaled velocity that the body would have without contacts.
-    fn free_velocity(&self, body: &Body, target: &Knot, offset: &Vector3<f64>) -> Vector6 {
-        let (h, impedance) = (self.time_step, &self.impedance);
+    fn free_velocity(&self, body: &Body, length: usize, target: &Knot, offset: &Vector3<f64>) -> Vector6 {
+        let (Length { time_step, weight, metric }, impedance) = (&self.lengths[length], &self.impedance);
+        let h = weight * time_step;
         // Eq. impedancewrench at the believed pose: k_t (rho_r - rho_c) + D_t nu_r and 2 k_r eta eps + D_r omega_r. The
         // body's own damping is in the effective inertia.
-        let tracked = body.pose.translation.vector + body.pose.rotation * offset;
+        let turned = offset + body.angular_velocity.cross(offset) * (time_step - h);
+        let tracked = body.pose.translation.vector + body.pose.rotation * turned;
         let force = (target.pose.translation.vector - tracked) * impedance.translational_stiffness;
         let error = body.pose.rotation.inverse() * target.pose.rotation;
         let torque = error.imag() * (2.0 * impedance.rotational_stiffness * error.w);
@@ -88,7 +219,10 @@ impl Stepper {
             body.velocity * self.inertia.mass + (force + impedance.translational_damping * target.velocity) * h;
         let angular = self.inertia.rotational * body.angular_velocity
             + (torque + impedance.rotational_damping * target.angular_velocity) * h;
-        self.metric.scale(&momentum, &angular)
+        // What the weighted part of the step makes of the velocity goes on to the end of the step.
+        let (from, angular_from) = metric.momentum(&body.velocity, &body.angular_velocity);
+        let on = 1.0 / weight;
+        metric.scale(&(momentum * on - from * (on - 1.0)), &(angular * on - angular_from * (on - 1.0)))
     }
 
     /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by
@@ -100,12 +234,13 @@ impl Stepper {
             if overlap <= OVERLAP {
                 break;
             }
-            self.halfspaces.clear();
+            let placed = self.lengths[0].metric.placed(&body.pose);
+            self.cones.clear();
             for Contact { point, normal, gap, .. } in &finder.contacts {
-                self.halfspaces.push(self.metric.halfspace(&body.pose, point, normal, -gap));
+                self.cones.push(Cone { normal: placed.along(point, normal), tangents: None, bound: -gap });
             }
-            let correction = self.solver.solve(&Vector6::zeros(), &self.halfspaces);
-            let (shift, turn) = self.metric.unscale(&correction);
+            let correction = self.solver.solve(&Vector6::zeros(), &self.cones);
+            let (shift, turn) = self.lengths[0].metric.unscale(&correction);
             body.pose = moved(&body.pose, &shift, &turn);
             overlap = -finder.find(&body.pose, reach);
         }
@@ -113,40 +248,40 @@ impl Stepper {
     }
 
     /// Eq. ts3 for all contacts at once: of all velocities with `gap + time_step normal' v >= 0` at every contact, the
-    /// one nearest to the free velocity in kinetic energy.
-    fn resolve(
-        &mut self,
-        free: &Vector6,
-        pose: &Isometry3<f64>,
-        contacts: &[Contact],
-        impulses: &mut [f64],
-    ) -> Vector6 {
+    /// one nearest to the free velocity in kinetic energy. With friction it is Anitescu's convex problem: a contact
+    /// force lies in a polyhedral friction cone, and `v` is reduced by the speed of sliding times the coefficient.
+    fn resolve(&mut self, free: &Vector6, body: &Body, length: usize, contacts: &[Contact]) -> Vector6 {
+        self.cones.clear();
+        self.impulses.clear();
         if contacts.is_empty() {
             return *free;
         }
-        let (velocity, angular_velocity) = self.metric.unscale(free);
-        let angular_velocity = pose.rotation * angular_velocity;
-        self.halfspaces.clear();
+        let Length { time_step, metric, .. } = &self.lengths[length];
+        let placed = metric.placed(&body.pose);
+        let (velocity, angular_velocity) = metric.unscale(free);
+        let angular_velocity = body.pose.rotation * angular_velocity;
         for Contact { point, normal, gap, .. } in contacts {
-            let bound = -gap.max(0.0) / self.time_step;
-            if self.friction == 0.0 {
-                self.halfspaces.push(self.metric.halfspace(pose, point, normal, bound));
-                continue;
-            }
-            // Anitescu's convex friction: the contact force lies in a polyhedral friction cone, whose edges these are.
-            let sliding = velocity + angular_velocity.cross(&(point - pose.translation.vector));
-            for tangent in tangents(normal, &sliding) {
-                let direction = normal + tangent * self.friction;
-                self.halfspaces.push(self.metric.halfspace(pose, point, &direction, bound));
-            }
+            let tangents = (self.friction > 0.0).then(|| {
+                let sliding = velocity + angular_velocity.cross(&(point - body.pose.translation.vector));
+                tangents(normal, &sliding).map(|tangent| placed.along(point, &tangent) * self.friction)
+            });
+            let bound = -gap.max(0.0) / time_step;
+            self.cones.push(Cone { normal: placed.along(point, normal), tangents, bound });
         }
-        let resolved = self.solver.solve(free, &self.halfspaces);
-        let per_contact = self.halfspaces.len() / contacts.len();
-        for &(index, impulse) in &self.solver.active {
-            impulses[contacts[index / per_contact].pair] += impulse;
-        }
+        let resolved = self.solver.solve(free, &self.cones);
+        self.impulses.extend(self.solver.active.iter().map(|active| (contacts[active.cone].pair, active.multiplier)));
         resolved
     }
+}
+
+/// The fastest rate (1/s) at which a free body answers.
+fn fastest_rate(inertia: &Inertia, impedance: &Impedance) -> f64 {
+    let rate = |inertia: f64, damping: &Matrix3<f64>, stiffness: f64| {
+        (damping.symmetric_eigenvalues().max() / inertia).max((stiffness / inertia).sqrt())
+    };
+    let lightest = inertia.rotational.symmetric_eigenvalues().min();
+    let linear = rate(inertia.mass, &impedance.translational_damping, impedance.translational_stiffness);
+    linear.max(rate(lightest, &impedance.rotational_damping, impedance.rotational_stiffness))
 }
 
 /// A pose shifted in the world frame and turned in the body frame.
@@ -156,15 +291,53 @@ fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, turn: &Vector3<f64>) -> Is
     Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
 }
 
-/// Unit tangents around a normal, at equal angles. The first is along the tangential velocity, if there is one.
-fn tangents(normal: &Vector3<f64>, velocity: &Vector3<f64>) -> [Vector3<f64>; CONE_FACETS] {
+/// Two unit tangents, at right angles. The first is along the tangential velocity, if there is one.
+fn tangents(normal: &Vector3<f64>, velocity: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let tangential = velocity - normal * normal.dot(velocity);
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     let any = axes[normal.abs().imin()];
     let first = tangential.try_normalize(1e-9).unwrap_or_else(|| normal.cross(&any).normalize());
-    let second = normal.cross(&first);
-    std::array::from_fn(|index| {
-        let (sine, cosine) = (std::f64::consts::TAU * index as f64 / CONE_FACETS as f64).sin_cos();
-        first * cosine + second * sine
-    })
+    [first, normal.cross(&first)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Shapes;
+
+    const TIME_STEP: f64 = 1e-3;
+    const COUNT: usize = 64;
+
+    /// The lengths of the steps of an interval, for a body of 1 kg that is `lag` (m) behind a reference at rest.
+    fn lengths(lag: f64, stiffness: f64) -> Vec<usize> {
+        let inertia = Inertia { mass: 1.0, rotational: Matrix3::identity() };
+        let impedance = Impedance::critically_damped(stiffness, stiffness, &inertia);
+        let mut stepper = Stepper::new(TIME_STEP, COUNT, &inertia, &impedance, 0.0).unwrap();
+        let shapes = Shapes::new(&[]);
+        let mut finder = ContactFinder::new(&shapes);
+        let still = |x: f64| Knot {
+            pose: Isometry3::translation(x, 0.0, 0.0),
+            velocity: Vector3::zeros(),
+            angular_velocity: Vector3::zeros(),
+        };
+        let mut body = Body { pose: still(0.0).pose, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
+        let (mut lengths, mut done) = (Vec::new(), 0);
+        while done < COUNT {
+            let (taken, _) =
+                stepper.step(&mut body, (done, COUNT), |_| still(lag), &Vector3::zeros(), &mut finder, &mut []);
+            lengths.push(taken);
+            done += taken;
+        }
+        lengths
+    }
+
+    #[test]
+    fn steps_are_long_where_the_velocity_changes_little_and_the_body_answers_slowly() {
+        assert_eq!(lengths(0.0, 25.0), [1, 1, 2, 4, 8, 16, 32]);
+        // It is accelerated by 2.5 m/s^2.
+        assert_eq!(lengths(0.1, 25.0)[..16], [1; 16]);
+        // Its frequency is 100 / s, and it is damped by 200 / s.
+        assert_eq!(lengths(0.0, 1e4)[..4], [1, 1, 2, 2]);
+        assert!(lengths(f64::NAN, 25.0).len() == COUNT);
+    }
 }

@@ -8,23 +8,71 @@ pub type Vector6 = SVector<f64, DIMENSIONS>;
 /// Dimensions of velocity space.
 const DIMENSIONS: usize = 6;
 
-/// The halfspace `normal u >= bound`.
+/// The intersection of halfspaces `(normal + cosine first + sine second) u >= bound`, at equal angles: the velocities
+/// that a contact with friction allows.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Halfspace {
+pub struct Cone {
     pub normal: Vector6,
+    /// The first and the second tangent; without them the cone is the halfspace `normal u >= bound`.
+    pub tangents: Option<[Vector6; 2]>,
     pub bound: f64,
 }
 
-/// Solver for the point `u` of an intersection of halfspaces that is nearest to `target`:
-/// `u = target + sum multiplier normal`, over the active halfspaces.
+/// Cosine and sine of the angles of a cone's facets. Their number is even: the direction of sliding and its opposite are
+/// among them.
+const FACETS: [[f64; 2]; 8] = {
+    const C: f64 = std::f64::consts::FRAC_1_SQRT_2;
+    [[1.0, 0.0], [C, C], [0.0, 1.0], [-C, C], [-1.0, 0.0], [-C, -C], [0.0, -1.0], [C, -C]]
+};
+
+impl Cone {
+    /// Normal of a facet.
+    fn facet(&self, index: usize) -> Vector6 {
+        let [cosine, sine] = FACETS[index];
+        self.tangents.map_or(self.normal, |[first, second]| self.normal + first * cosine + second * sine)
+    }
+
+    /// The facet that a point violates most of those that are `allowed`, if by more than `least`, and by how much.
+    fn most_violated(&self, point: &Vector6, least: f64, allowed: impl Fn(usize) -> bool) -> Option<(usize, f64)> {
+        let violation = self.bound - self.normal.dot(point);
+        let Some(tangents) = &self.tangents else {
+            return (violation > least && allowed(0)).then_some((0, violation));
+        };
+        let [first, second] = tangents.map(|tangent| tangent.dot(point));
+        if violation + first.abs() + second.abs() <= least {
+            return None;
+        }
+        let mut worst = (None, least);
+        for (index, [cosine, sine]) in FACETS.iter().enumerate() {
+            let violation = violation - (first * cosine + second * sine);
+            if violation > worst.1 && allowed(index) {
+                worst = (Some(index), violation);
+            }
+        }
+        worst.0.map(|index| (index, worst.1))
+    }
+}
+
+/// An active facet of a cone.
+#[derive(Debug, Clone, Copy)]
+pub struct Active {
+    /// Index of the cone.
+    pub cone: usize,
+    facet: usize,
+    /// Not negative.
+    pub multiplier: f64,
+}
+
+/// Solver for the point `u` of an intersection of cones that is nearest to `target`:
+/// `u = target + sum multiplier normal`, over the active facets.
 #[derive(Debug, Clone, Default)]
 pub struct LeastDistance {
-    /// Index and multiplier (not negative) of every active halfspace.
-    pub active: Vec<(usize, f64)>,
+    pub active: Vec<Active>,
     /// An orthonormal basis of the active normals, and their coefficients in it: an upper triangular matrix.
     basis: [Vector6; DIMENSIONS],
     triangle: [Vector6; DIMENSIONS],
-    excluded: Vec<bool>,
+    /// Cone and index of facets that contradict the active ones.
+    excluded: Vec<(usize, usize)>,
 }
 
 /// Smaller violations are rounding errors (m/s times the square root of kg).
@@ -35,36 +83,36 @@ const DEPENDENT: f64 = 1e-7;
 
 impl LeastDistance {
     /// The nearest point, by the dual active-set method (Goldfarb and Idnani, 1983): starts at the target and adds the
-    /// most violated halfspace until none is violated. At most six are active at once, however many points touch. A
-    /// halfspace that contradicts the active ones is ignored.
-    pub fn solve(&mut self, target: &Vector6, halfspaces: &[Halfspace]) -> Vector6 {
+    /// most violated facet until none is violated. At most six are active at once, however many points touch. A facet
+    /// that contradicts the active ones is ignored.
+    pub fn solve(&mut self, target: &Vector6, cones: &[Cone]) -> Vector6 {
         self.active.clear();
         self.excluded.clear();
-        self.excluded.resize(halfspaces.len(), false);
         let mut point = *target;
         // Every addition increases the distance from the target, so that no active set recurs. The limit is for
         // rounding.
-        for _ in 0..10 * (halfspaces.len() + DIMENSIONS) {
-            let Some(entering) = self.most_violated(&point, halfspaces) else { break };
-            self.enter(entering, &mut point, halfspaces);
+        for _ in 0..10 * (cones.len() + DIMENSIONS) {
+            let Some((cone, facet)) = self.most_violated(&point, cones) else { break };
+            self.enter(cone, facet, &mut point, cones);
         }
         point
     }
 
-    fn most_violated(&self, point: &Vector6, halfspaces: &[Halfspace]) -> Option<usize> {
+    fn most_violated(&self, point: &Vector6, cones: &[Cone]) -> Option<(usize, usize)> {
         let mut worst = (None, TOLERANCE);
-        for (index, halfspace) in halfspaces.iter().enumerate() {
-            let violation = halfspace.bound - halfspace.normal.dot(point);
-            if violation > worst.1 && !self.excluded[index] {
-                worst = (Some(index), violation);
+        for (index, cone) in cones.iter().enumerate() {
+            let allowed = |facet: usize| !self.excluded.contains(&(index, facet));
+            if let Some((facet, violation)) = cone.most_violated(point, worst.1, allowed) {
+                worst = (Some((index, facet)), violation);
             }
         }
         worst.0
     }
 
-    /// Moves the point into the entering halfspace, and drops active ones whose multiplier would become negative.
-    fn enter(&mut self, entering: usize, point: &mut Vector6, halfspaces: &[Halfspace]) {
-        let Halfspace { normal, bound } = halfspaces[entering];
+    /// Moves the point into the halfspace of the entering facet, and drops active ones whose multiplier would become
+    /// negative.
+    fn enter(&mut self, cone: usize, facet: usize, point: &mut Vector6, cones: &[Cone]) {
+        let (normal, bound) = (cones[cone].facet(facet), cones[cone].bound);
         let mut multiplier = 0.0;
         loop {
             let (column, rest) = orthogonalise(&normal, &self.basis[..self.active.len()]);
@@ -74,32 +122,32 @@ impl LeastDistance {
             let blocking = self.blocking(&coefficients);
             let step = blocking.map_or(full, |(_, step)| step.min(full));
             if step == f64::INFINITY {
-                self.excluded[entering] = true;
+                self.excluded.push((cone, facet));
                 return;
             }
             if independent {
                 *point += rest * step;
             }
             multiplier += step;
-            for (position, (_, multiplier)) in self.active.iter_mut().enumerate() {
-                *multiplier -= step * coefficients[position];
+            for (position, active) in self.active.iter_mut().enumerate() {
+                active.multiplier -= step * coefficients[position];
             }
             match blocking {
-                Some((position, dual)) if dual < full => self.leave(position, halfspaces),
+                Some((position, dual)) if dual < full => self.leave(position, cones),
                 _ => {
                     self.extend_basis(self.active.len(), column, &rest);
-                    self.active.push((entering, multiplier));
+                    self.active.push(Active { cone, facet, multiplier });
                     return;
                 }
             }
         }
     }
 
-    /// Position of the active halfspace whose multiplier reaches zero first as the entering one's grows, and the step
+    /// Position of the active facet whose multiplier reaches zero first as the entering one's grows, and the step
     /// at which it does.
     fn blocking(&self, coefficients: &Vector6) -> Option<(usize, f64)> {
         let falling = self.active.iter().enumerate().filter(|(position, _)| coefficients[*position] > 0.0);
-        let steps = falling.map(|(position, (_, multiplier))| (position, multiplier / coefficients[position]));
+        let steps = falling.map(|(position, active)| (position, active.multiplier / coefficients[position]));
         steps.min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
@@ -120,12 +168,12 @@ impl LeastDistance {
         (self.triangle[count], self.basis[count]) = (column, rest / length);
     }
 
-    /// Drops an active halfspace.
-    fn leave(&mut self, position: usize, halfspaces: &[Halfspace]) {
+    /// Drops an active facet.
+    fn leave(&mut self, position: usize, cones: &[Cone]) {
         self.active.remove(position);
         for count in position..self.active.len() {
-            let normal = &halfspaces[self.active[count].0].normal;
-            let (column, rest) = orthogonalise(normal, &self.basis[..count]);
+            let Active { cone, facet, .. } = self.active[count];
+            let (column, rest) = orthogonalise(&cones[cone].facet(facet), &self.basis[..count]);
             self.extend_basis(count, column, &rest);
         }
     }
@@ -151,38 +199,41 @@ mod tests {
 
     use super::*;
 
-    fn halfspaces() -> impl Strategy<Value = Vec<Halfspace>> {
-        let halfspace = (proptest::array::uniform6(-1.0..1.0_f64), -1.0..0.0_f64);
-        proptest::collection::vec(
-            halfspace.prop_map(|(normal, bound)| Halfspace { normal: normal.into(), bound }),
-            1..40,
-        )
+    fn cones() -> impl Strategy<Value = Vec<Cone>> {
+        let vector = || proptest::array::uniform6(-1.0..1.0_f64).prop_map(Vector6::from);
+        let tangents = proptest::option::of([vector(), vector()]);
+        let cone = (vector(), tangents, -1.0..0.0_f64);
+        proptest::collection::vec(cone.prop_map(|(normal, tangents, bound)| Cone { normal, tangents, bound }), 1..40)
     }
 
     proptest! {
         /// Only the nearest point fulfils the Karush-Kuhn-Tucker conditions.
         #[test]
-        fn the_nearest_point_is_optimal(target in proptest::array::uniform6(-3.0..3.0_f64), mut set in halfspaces()) {
+        fn the_nearest_point_is_optimal(target in proptest::array::uniform6(-3.0..3.0_f64), mut set in cones()) {
             // Equal and dependent normals, as the contact points of one facet have them.
             set.extend(set.clone());
             let mut solver = LeastDistance::default();
             let target = Vector6::from(target);
             let point = solver.solve(&target, &set);
             let mut sum = target;
-            for &(index, multiplier) in &solver.active {
+            for &Active { cone, facet, multiplier } in &solver.active {
+                let normal = set[cone].facet(facet);
                 prop_assert!(multiplier >= -1e-9);
-                prop_assert!((set[index].normal.dot(&point) - set[index].bound).abs() < 1e-9);
-                sum += set[index].normal * multiplier;
+                prop_assert!((normal.dot(&point) - set[cone].bound).abs() < 1e-9);
+                sum += normal * multiplier;
             }
             prop_assert!((sum - point).norm() < 1e-9);
-            prop_assert!(set.iter().all(|halfspace| halfspace.normal.dot(&point) >= halfspace.bound - 1e-9));
+            for cone in &set {
+                prop_assert!((0..FACETS.len()).all(|facet| cone.facet(facet).dot(&point) >= cone.bound - 1e-9));
+            }
         }
     }
 
     #[test]
     fn a_contradiction_is_ignored() {
         let normal = Vector6::from([1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-        let set = [Halfspace { normal, bound: 1.0 }, Halfspace { normal: -normal, bound: 0.0 }];
+        let halfspace = |normal: Vector6, bound: f64| Cone { normal, tangents: None, bound };
+        let set = [halfspace(normal, 1.0), halfspace(-normal, 0.0)];
         let point = LeastDistance::default().solve(&Vector6::zeros(), &set);
         assert!((point - normal).norm() < 1e-12);
     }

@@ -25,7 +25,8 @@
 //! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
 //! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its
 //! points. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
-//! first order in the time step. Results are deterministic and do not depend on the number of threads.
+//! first order in the time step; steps are longer where the velocity changes little, and then of second order. Results
+//! are deterministic and do not depend on the number of threads.
 //!
 //! Settings, tolerances and numbers of offsets have ranges: callers check them with [`Settings::validate_for`],
 //! [`Success::validate`] and [`offsets::validate_count`]. A rollout with settings out of range is not computed and

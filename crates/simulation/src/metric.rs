@@ -3,14 +3,16 @@
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use task::{Impedance, Inertia};
 
-use crate::least_distance::{Halfspace, Vector6};
+use crate::least_distance::Vector6;
 
 /// Effective inertia of a step of `h` seconds that is implicit in stiffness and damping: `M + h D + h^2 K`.
 #[derive(Debug, Clone)]
 pub struct Metric {
-    /// Lower triangular factor of `m + h D_t + h^2 k_t`.
+    mass: Matrix3<f64>,
+    rotational: Matrix3<f64>,
+    /// Inverse of the lower triangular factor of `m + h D_t + h^2 k_t`.
     linear: Matrix3<f64>,
-    /// Lower triangular factor of `I + h D_r + h^2 k_r`.
+    /// Inverse of the lower triangular factor of `I + h D_r + h^2 k_r`.
     angular: Matrix3<f64>,
     /// Smallest principal values of these (kg, kg m^2).
     lightest: (f64, f64),
@@ -28,26 +30,27 @@ impl Metric {
         let rotational = effective(inertia.rotational, impedance.rotational_damping, impedance.rotational_stiffness);
         let is_finite = mass.iter().chain(&rotational).all(|entry| entry.is_finite());
         let (linear, angular) = (mass.cholesky().filter(|_| is_finite)?.l(), rotational.cholesky()?.l());
+        let (linear, angular) = (linear.try_inverse()?, angular.try_inverse()?);
         let lightest = (mass.symmetric_eigenvalues().min(), rotational.symmetric_eigenvalues().min());
-        Some(Self { linear, angular, lightest })
+        Some(Self { mass, rotational, linear, angular, lightest })
+    }
+
+    /// Momentum (world frame) and angular momentum (body frame) of the effective inertia.
+    pub fn momentum(&self, velocity: &Vector3<f64>, angular_velocity: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+        (self.mass * velocity, self.rotational * angular_velocity)
     }
 
     /// Velocity from momentum (world frame) and angular momentum (body frame), or acceleration from force and torque,
     /// in scaled coordinates: those whose squared norm is twice the kinetic energy.
     pub fn scale(&self, momentum: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6 {
-        let linear = self.linear.solve_lower_triangular_unchecked(momentum);
-        let angular = self.angular.solve_lower_triangular_unchecked(angular);
-        Vector6::from([linear.x, linear.y, linear.z, angular.x, angular.y, angular.z])
+        joined(&(self.linear * momentum), &(self.angular * angular))
     }
 
     /// Velocity (world frame) and angular velocity (body frame) from scaled coordinates.
     pub fn unscale(&self, scaled: &Vector6) -> (Vector3<f64>, Vector3<f64>) {
         let linear = Vector3::new(scaled[0], scaled[1], scaled[2]);
         let angular = Vector3::new(scaled[3], scaled[4], scaled[5]);
-        (
-            self.linear.tr_solve_lower_triangular_unchecked(&linear),
-            self.angular.tr_solve_lower_triangular_unchecked(&angular),
-        )
+        (self.linear.tr_mul(&linear), self.angular.tr_mul(&angular))
     }
 
     /// Upper bound on the speed (m/s) of a point at most `radius` (m) away from the body's origin, with a scaled
@@ -57,17 +60,30 @@ impl Metric {
         scaled.norm() * (1.0 / mass.sqrt() + radius / inertia.sqrt())
     }
 
-    /// The scaled velocities with which a point of the body (m, world frame) moves along `direction` at a speed of at
-    /// least `bound` (m/s).
-    pub fn halfspace(
-        &self,
-        pose: &Isometry3<f64>,
-        point: &Vector3<f64>,
-        direction: &Vector3<f64>,
-        bound: f64,
-    ) -> Halfspace {
-        let lever = point - pose.translation.vector;
-        let torque = pose.rotation.inverse_transform_vector(&lever.cross(direction));
-        Halfspace { normal: self.scale(direction, &torque), bound }
+    /// For a body at a pose.
+    pub fn placed(&self, pose: &Isometry3<f64>) -> PlacedMetric {
+        let to_body = pose.rotation.to_rotation_matrix().into_inner().transpose();
+        PlacedMetric { position: pose.translation.vector, linear: self.linear, angular: self.angular * to_body }
     }
+}
+
+/// A metric for a body at some pose.
+#[derive(Debug, Clone)]
+pub struct PlacedMetric {
+    position: Vector3<f64>,
+    linear: Matrix3<f64>,
+    /// For angular momentum in the world frame.
+    angular: Matrix3<f64>,
+}
+
+impl PlacedMetric {
+    /// The vector whose product with a scaled velocity is the speed (m/s) of a point of the body (m, world frame) along
+    /// a direction.
+    pub fn along(&self, point: &Vector3<f64>, direction: &Vector3<f64>) -> Vector6 {
+        joined(&(self.linear * direction), &(self.angular * (point - self.position).cross(direction)))
+    }
+}
+
+fn joined(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6 {
+    Vector6::from([linear.x, linear.y, linear.z, angular.x, angular.y, angular.z])
 }

@@ -91,7 +91,7 @@ impl Rollout {
     /// One rollout of a reference with a grasp error or offset (m, body frame). The body starts at rest where it really
     /// is when the robot believes it to be at the reference's start; at its end the reference is held for the settling
     /// time. `observe` gets the state after every time step, and the normal impulse (Ns) of every pair since the last
-    /// knot.
+    /// knot. Within time steps that are taken as one, states are interpolated, and impulses are those at its end.
     ///
     /// A reference that [`Settings::validate_for`] refuses, or an inertia that is not positive definite, cannot be
     /// simulated: the outcome has diverged at its start.
@@ -110,7 +110,7 @@ impl Rollout {
         let (reference, impedance) = (&grasp.reference(reference), grasp.impedance(&self.task.impedance));
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let valid = self.settings.validate_for(reference).is_ok();
-        let stepper = Stepper::new(time_step, &self.task.inertia, &impedance, self.settings.friction);
+        let stepper = Stepper::new(time_step, substeps, &self.task.inertia, &impedance, self.settings.friction);
         let Some(mut stepper) = stepper.filter(|_| valid) else {
             return Outcome { diverged: true, ..self.outcome(&body, 0.0, 0.0) };
         };
@@ -121,12 +121,19 @@ impl Rollout {
         let mut impulses = vec![0.0; self.task.pairs.len()];
         for interval in 0..reference.intervals() + self.settings.settling_intervals(reference.time_step()) {
             impulses.fill(0.0);
-            for substep in 1..=substeps {
-                let target = reference.at(interval, substep as f64 / substeps as f64);
-                let overlap = stepper.step(&mut body, &target, &offset, &mut finder, &mut impulses);
+            let mut done = 0;
+            while done < substeps {
+                let target = |count: f64| reference.at(interval, count / substeps as f64);
+                let before = body;
+                let (taken, overlap) =
+                    stepper.step(&mut body, (done, substeps), target, &offset, &mut finder, &mut impulses);
                 max_penetration = max_penetration.max(overlap);
-                let time = (interval * substeps + substep) as f64 * time_step;
-                observe(&TimedState::new(time, &body), &impulses);
+                for moment in 1..=taken {
+                    let time = (interval * substeps + done + moment) as f64 * time_step;
+                    let state = before.towards(&body, moment as f64 / taken as f64);
+                    observe(&TimedState::new(time, &state), &impulses);
+                }
+                done += taken;
             }
             max_impulse = impulses.iter().copied().fold(max_impulse, f64::max);
             if !is_finite(&body) {

@@ -44,9 +44,11 @@ fn best_edges(body: &Solid, environment: &Solid) -> Option<Axis> {
     for (first, edge) in body.edges.iter().enumerate() {
         for (second, opposite) in environment.edges.iter().enumerate() {
             let (arc, reversed) = (Arc::new(body, edge), Arc::new(environment, opposite).reversed());
-            let Some(normal) = arc.crosses(&reversed).then(|| arc.common_normal(&reversed)).flatten() else { continue };
-            let separation = normal.dot(&(body.vertices[edge.ends[0]] - environment.vertices[opposite.ends[0]]));
-            if best.is_none_or(|best| separation > best.separation) {
+            let gap = body.vertices[edge.ends[0]] - environment.vertices[opposite.ends[0]];
+            let least = best.map_or(f64::NEG_INFINITY, |best| best.separation);
+            if arc.crosses(&reversed)
+                && let Some((separation, normal)) = arc.separation(&reversed, &gap, least)
+            {
                 best = Some(Axis { separation, normal, feature: Feature::Edges(first, second) });
             }
         }

@@ -42,6 +42,35 @@ fn free_motion_is_that_of_a_critically_damped_body() {
     }
 }
 
+/// Largest distance (m) from the motion of a critically damped body whose target moves at constant speed within a long
+/// interval, so that steps can be long, too.
+fn deviation_from_a_lag(time_step: f64) -> f64 {
+    const SECONDS: f64 = 2.048;
+    const SPEED: f64 = 0.1;
+    let rollout = Rollout::new(
+        &task(&block([0.1; 3], [0.0; 3]), &[]),
+        Settings { time_step, settling_time: 0.0, ..Settings::default() },
+    );
+    let reference = Reference::new(SECONDS, &[at_rest([0.0; 3]), at_rest([SPEED * SECONDS, 0.0, 0.0])]);
+    let states = states(&rollout, &reference);
+    assert_eq!(states.len(), (SECONDS / time_step).round() as usize);
+    let frequency = (STIFFNESS / MASS).sqrt();
+    let deviation = |(index, state): (usize, &TimedState)| {
+        assert!((state.time - (index + 1) as f64 * time_step).abs() < 1e-9);
+        let decay = (-frequency * state.time).exp();
+        let position = SPEED * (state.time - 2.0 / frequency + (2.0 / frequency + state.time) * decay);
+        (state.pose[0] - position).abs()
+    };
+    states.iter().enumerate().map(deviation).fold(0.0, f64::max)
+}
+
+#[test]
+fn long_steps_are_no_less_accurate_than_short_ones() {
+    let deviations = [4e-3, 2e-3, 1e-3].map(deviation_from_a_lag);
+    assert!(deviations[2] < 5e-6, "{deviations:?}");
+    assert!(deviations.windows(2).all(|pair| pair[1] < 0.6 * pair[0]), "{deviations:?}");
+}
+
 /// Damping that is different along every axis, and along none of the world's or the body's.
 fn anisotropic(least: f64, most: f64) -> Matrix3<f64> {
     let turn = UnitQuaternion::from_euler_angles(0.4, -0.9, 1.3).to_rotation_matrix();
