@@ -267,7 +267,7 @@ impl<'run> Refiner<'run> {
                 return Ok(Vec::new());
             }
             let observe = |_: &ocp::Event| if is_over() { Control::Stop } else { Control::Continue };
-            let iterations = run_homotopy(&variants[index], 0, None, observe, |_, _| {})?;
+            let iterations = run_homotopy(&variants[index], 1, 0, None, observe, |_, _| {})?;
             let status = iterations.last().map_or_else(String::new, |last| last.status.to_string());
             self.session.tell(Event::VariantSolved { name: &variants[index].name, status: &status });
             Ok(iterations)
