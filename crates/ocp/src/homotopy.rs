@@ -192,7 +192,7 @@ fn solve_iteration(
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<HomotopyIteration, SolveError> {
     transcription.distances().reset_seconds();
-    let mut stage_solver = TranscriptionSolver::new(transcription.layout());
+    let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.workers().clone());
     let chosen = match linear_solver {
         LinearSolver::Stage if nlp::TAKES_OWN_SOLVER => nlp::LinearSystemSolver::Own(&mut stage_solver),
         LinearSolver::Stage => nlp::LinearSystemSolver::Named(LinearSolver::Mumps.name()),

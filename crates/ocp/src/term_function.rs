@@ -75,9 +75,7 @@ impl TermFunction {
                 scatter(values.row(entry), &self.jacobian_slots[entry * points..][..points], slots);
             }
         }
-        for link in &self.chain.jacobian {
-            link.add(values, distances, slots);
-        }
+        add_links(&self.chain.jacobian, values, distances, slots);
     }
 
     /// Takes the multipliers of the constraints and adds the adjoints of the contact information to the seeds of the
@@ -115,9 +113,7 @@ impl TermFunction {
                 _ => {}
             }
         }
-        for link in &self.chain.mixed {
-            link.add(values, distances, slots);
-        }
+        add_links(&self.chain.mixed, values, distances, slots);
     }
 }
 
@@ -200,21 +196,31 @@ impl Link {
     ) -> Option<Self> {
         if entries.is_empty() { None } else { Some(Self { entries, slots: slots(), doubled }) }
     }
+}
 
-    fn add(&self, values: &Batch, distances: &Distances, slots: &mut [f64]) {
-        let rows: Vec<(&[f64], usize)> = self.entries.iter().map(|&(entry, c)| (values.row(entry), c)).collect();
-        for (point, (derivative, targets)) in distances.last_jacobians().iter().zip(&self.slots).enumerate() {
-            let mut sum = [0.0; POSE];
-            for &(values, component) in &rows {
-                for (sum, slope) in sum.iter_mut().zip(&derivative[component]) {
-                    *sum += values[point] * slope;
+/// Adds the products of the tape's derivatives with the gradients of the contact information. The gradients of all
+/// points are larger than the caches, so that all links take those of a few points.
+fn add_links(links: &[Link], values: &Batch, distances: &Distances, slots: &mut [f64]) {
+    const FEW: usize = 32;
+    for (few, gradients) in distances.last_jacobians().chunks(FEW).enumerate() {
+        let points = few * FEW..few * FEW + gradients.len();
+        for link in links {
+            let mut sums = [[0.0; POSE]; FEW];
+            for &(entry, component) in &link.entries {
+                let values = &values.row(entry)[points.clone()];
+                for ((sum, gradients), value) in sums.iter_mut().zip(gradients).zip(values) {
+                    for (sum, slope) in sum.iter_mut().zip(&gradients[component]) {
+                        *sum += value * slope;
+                    }
                 }
             }
-            if let Some(coordinate) = self.doubled {
-                sum[coordinate] *= 2.0;
-            }
-            for (&target, sum) in targets.iter().zip(sum) {
-                add(slots, target, sum);
+            for (sum, targets) in sums.iter_mut().zip(&link.slots[points.clone()]) {
+                if let Some(coordinate) = link.doubled {
+                    sum[coordinate] *= 2.0;
+                }
+                for (&target, &sum) in targets.iter().zip(&*sum) {
+                    add(slots, target, sum);
+                }
             }
         }
     }

@@ -10,8 +10,8 @@ use crate::files::{Checkpoint, PlanFolder};
 use crate::iteration::{IterationRecord, PlanIteration};
 use crate::plan::Plan;
 use crate::problem::Problem;
-use crate::session::{Event, Session};
 use crate::refine::require_threads;
+use crate::session::{Event, Session};
 use crate::variant::Variant;
 
 /// Plans a problem. With a folder in the session, finished homotopy iterations are kept there, and those of an earlier
@@ -49,7 +49,7 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
     kept?;
     let interrupted = new.last().is_some_and(is_interrupted);
     iterations.extend(new.into_iter().map(PlanIteration::from));
-    Ok(Plan::new(problem, variant, iterations, interrupted))
+    Ok(Plan::new(problem, variant, iterations, session.threads, interrupted))
 }
 
 /// Runs the homotopy of a variant on some threads after its first `done` iterations, from a given start or the

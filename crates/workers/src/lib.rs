@@ -148,10 +148,14 @@ mod tests {
             assert_eq!(workers.threads(), threads.max(1));
             for count in [0, 1, 2, 1000] {
                 let mut taken = Vec::new();
-                workers.in_order(0..count, |index| 2 * index, |result| {
-                    taken.push(result);
-                    ControlFlow::Continue(())
-                });
+                workers.in_order(
+                    0..count,
+                    |index| 2 * index,
+                    |result| {
+                        taken.push(result);
+                        ControlFlow::Continue(())
+                    },
+                );
                 assert!(taken.into_iter().eq((0..count).map(|index| 2 * index)), "{threads} threads, {count} pieces");
             }
         }
@@ -161,10 +165,14 @@ mod tests {
     fn nothing_is_taken_after_a_break() {
         for threads in [1, 3] {
             let mut taken = Vec::new();
-            Workers::new(threads).in_order(0..1000, |index| index, |result| {
-                taken.push(result);
-                if result == 4 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            });
+            Workers::new(threads).in_order(
+                0..1000,
+                |index| index,
+                |result| {
+                    taken.push(result);
+                    if result == 4 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+                },
+            );
             assert_eq!(taken, [0, 1, 2, 3, 4]);
         }
     }
