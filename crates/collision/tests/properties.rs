@@ -120,7 +120,7 @@ proptest! {
         let run = |instructions: Instructions, poses: &[[f64; 7]]| {
             let zeros = vec![[[0.0; 7]; 7]; poses.len()];
             let (mut values, mut jacobians, mut hessians) = (vec![[0.0; 7]; poses.len()], zeros.clone(), zeros);
-            let mut evaluate = |request: Request| {
+            let evaluate = |request: Request| {
                 pair.evaluate(instructions, poses, 1e-4, &mut Solutions::default(), request).unwrap();
             };
             evaluate(Request::Jacobians(&mut values, &mut jacobians));
