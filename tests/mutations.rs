@@ -45,7 +45,8 @@ static RIGHT: LazyLock<Dir> = LazyLock::new(|| {
 fn unfinished_work(dir: &Dir) {
     let problem = problem(dir.folder());
     let folder = PlanFolder::claim(&dir.path("work"), &[]).unwrap();
-    let session = Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: Some(&folder) };
+    let session =
+        Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: Some(&folder), threads: 1 };
     refine(solve(&problem, &session).unwrap(), &hasty(), &session).unwrap();
 }
 
@@ -215,7 +216,8 @@ fn look_at_batch(folder: &Path) -> Result<(), PlannerError> {
 fn go_on(folder: &Path) -> Result<(), PlannerError> {
     let problem = problem(folder);
     let work = PlanFolder::claim(&folder.join("work"), &[])?;
-    let session = Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: Some(&work) };
+    let session =
+        Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: Some(&work), threads: 1 };
     let plan = refine(solve(&problem, &session)?, &hasty(), &session)?;
     require_finite_result(&work.finish(&plan)?);
     StoredPlan::open(&folder.join("work")).map(drop)

@@ -83,6 +83,9 @@ pub struct SolveArguments {
     pub tolerance: ToleranceArguments,
     #[command(flatten)]
     pub robust: RobustArguments,
+    /// Threads [default: one per processor]; they change nothing but the time it takes
+    #[arg(long, value_name = "N", value_parser = jobs)]
+    pub jobs: Option<u16>,
 }
 
 /// What counts as success.
@@ -125,9 +128,6 @@ pub struct RobustArguments {
     #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, requires = "robust")]
     #[arg(allow_negative_numbers = true)]
     pub turn: f64,
-    /// With --robust: threads [default: one per processor]; they change nothing but the time it takes
-    #[arg(long, value_name = "N", value_parser = jobs, requires = "robust")]
-    pub jobs: Option<u16>,
 }
 
 /// How plans are played. At most one of --random, --grid and --offsets chooses the offsets.
@@ -212,25 +212,25 @@ impl SolveArguments {
             ..self.task.choices()
         }
     }
+
+    /// How robust the plan is to be made, if at all.
+    pub fn robust_target(&self) -> Option<RobustnessTarget> {
+        let arguments = &self.robust;
+        arguments.robust.then(|| RobustnessTarget {
+            wanted_rate: arguments.wanted_rate,
+            frictions: arguments.friction.clone(),
+            turn: arguments.turn,
+            time_limit: Duration::from_secs_f64(arguments.time_limit),
+            patience: arguments.patience as usize,
+            threads: threads(self.jobs),
+        })
+    }
 }
 
 impl TaskArguments {
     /// What is chosen of the scene.
     pub fn choices(&self) -> Choices {
         Choices { start: self.start.clone(), delta: self.delta, ..Choices::default() }
-    }
-}
-
-impl From<&RobustArguments> for RobustnessTarget {
-    fn from(arguments: &RobustArguments) -> Self {
-        Self {
-            wanted_rate: arguments.wanted_rate,
-            frictions: arguments.friction.clone(),
-            turn: arguments.turn,
-            time_limit: Duration::from_secs_f64(arguments.time_limit),
-            patience: arguments.patience as usize,
-            threads: threads(arguments.jobs),
-        }
     }
 }
 

@@ -12,12 +12,13 @@ use crate::exit::{CommandError, Exit};
 use crate::interrupt::{stop_flag, stop_with_parent};
 use crate::progress::Progress;
 use crate::summary::summary;
+use crate::values::threads;
 
 /// Plans, writes all files and says what happened.
 pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.choices())?;
     require_cell(arguments, &problem)?;
-    let target = arguments.robust.robust.then(|| RobustnessTarget::from(&arguments.robust));
+    let target = arguments.robust_target();
     target.iter().try_for_each(RobustnessTarget::validate)?;
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
@@ -30,7 +31,8 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }
-    let session = Session { observer: &Progress::new(), interrupted: &stopped, folder: Some(&folder) };
+    let threads = threads(arguments.jobs);
+    let session = Session { observer: &Progress::new(), interrupted: &stopped, folder: Some(&folder), threads };
     let mut plan = planner::solve(&problem, &session)?;
     if let Some(target) = &target {
         plan = refine(plan, target, &session)?;

@@ -1,11 +1,12 @@
-//! Mean time per pose for values, Jacobians and Hessians, with few and many facets and all instruction sets.
+//! Mean time per pose for values, and for Jacobians and Hessians by themselves where the solutions are kept, with few and
+//! many facets and all instruction sets.
 //!
 //! `cargo bench -p collision`. Times are processor times where the system reports them (Linux), else wall times. On a
 //! busy machine, wall times include waits for the scheduler.
 
 use std::time::Instant;
 
-use collision::{Instructions, Pair, Polytope, Request};
+use collision::{Instructions, Pair, Polytope, Request, Solutions};
 
 const POSES: usize = 1000;
 const SMOOTHINGS: [f64; 3] = [2.5e-3, 1e-4, 1e-6];
@@ -70,21 +71,20 @@ fn main() {
     let (mut values, mut jacobians) = (vec![[0.0; 7]; POSES], vec![[[0.0; 7]; 7]; POSES]);
     let mut hessians = jacobians.clone();
     println!("microseconds per pose");
-    println!("{:>4} {:<7} {:>7} {:>8} {:>10} {:>10}", "rows", "with", "tau", "values", "+ Jacobian", "+ Hessian");
+    println!("{:>4} {:<7} {:>7} {:>8} {:>10} {:>10}", "rows", "with", "tau", "values", "Jacobian", "Hessian");
     for rows in [12, 24, 60, 120] {
         let pair = Pair::new(part(rows / 2, &mut random), part(rows / 2, &mut random));
         let sets = [Some(Instructions::best()), Instructions::avx2(), Some(Instructions::scalar())];
         for instructions in sets.into_iter().flatten() {
             let name = format!("{instructions:?}");
             for tau in SMOOTHINGS {
-                let run = |request: Request| pair.evaluate(instructions, &poses, tau, request).map(drop);
-                let plain = mean(|| run(Request::Values(&mut values)).expect("converges"));
-                let first = mean(|| run(Request::Jacobians(&mut values, &mut jacobians)).expect("converges"));
-                let second = mean(|| {
-                    let (seeds, values) = (&seeds[..], &mut values[..]);
-                    let (jacobians, hessians) = (&mut jacobians[..], &mut hessians[..]);
-                    run(Request::Hessians { seeds, values, jacobians, hessians }).expect("converges");
-                });
+                let run = |solutions: &mut Solutions, request: Request| {
+                    pair.evaluate(instructions, &poses, tau, solutions, request).expect("converges");
+                };
+                let plain = mean(|| run(&mut Solutions::default(), Request::Values(&mut values)));
+                let mut kept = Solutions::default();
+                let first = mean(|| run(&mut kept, Request::Jacobians(&mut values, &mut jacobians)));
+                let second = mean(|| run(&mut kept, Request::Hessians(&seeds, &mut hessians)));
                 println!("{rows:>4} {name:<7} {tau:>7.0e} {plain:>8.3} {first:>10.3} {second:>10.3}");
             }
         }

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use collision::{Instructions, Pair, Polytope, Request};
+use collision::{Instructions, Pair, Polytope, Request, Solutions};
 
 const SMOOTHINGS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
 /// Poses per call.
@@ -190,7 +190,8 @@ fn main() {
                 // A batch ends at its first failure.
                 while start < BATCH {
                     let request = Request::Values(&mut values[start..]);
-                    match pair.evaluate(Instructions::best(), &poses[start..], *tau, request) {
+                    let solutions = &mut Solutions::default();
+                    match pair.evaluate(Instructions::best(), &poses[start..], *tau, solutions, request) {
                         Ok(needed) => {
                             *iterations = needed.max(*iterations);
                             break;

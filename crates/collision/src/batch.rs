@@ -10,6 +10,7 @@ use crate::lane::{Lane, Vector, array, column, cross, dot, gather, rotate, scatt
 use crate::polytope::Polytope;
 use crate::pose_chart::{CONTACT, Map, POSE, Placement};
 use crate::rows;
+use crate::solutions::Solutions;
 
 /// The vector instructions to use. Every choice gives the same bits.
 #[derive(Clone, Copy)]
@@ -58,17 +59,8 @@ pub enum Request<'output> {
     Values(&'output mut [[f64; CONTACT]]),
     /// `W` and `DW`
     Jacobians(&'output mut [[f64; CONTACT]], &'output mut [[[f64; POSE]; CONTACT]]),
-    /// `W`, `DW` and `<s, D2W>` for seeds `s`
-    Hessians {
-        /// One seed per pose.
-        seeds: &'output [[f64; CONTACT]],
-        /// `W`
-        values: &'output mut [[f64; CONTACT]],
-        /// `DW`
-        jacobians: &'output mut [[[f64; POSE]; CONTACT]],
-        /// `<s, D2W>`
-        hessians: &'output mut [[[f64; POSE]; POSE]],
-    },
+    /// `<s, D2W>` for seeds `s`, one per pose.
+    Hessians(&'output [[f64; CONTACT]], &'output mut [[[f64; POSE]; POSE]]),
 }
 
 /// A request for a pair at many poses.
@@ -79,6 +71,8 @@ pub struct Evaluation<'evaluation> {
     pub tau: f64,
     /// Relative error at which a distance counts as solved.
     pub tolerance: f64,
+    /// Solutions of the pair's last request.
+    pub solutions: &'evaluation mut Solutions,
     pub request: Request<'evaluation>,
 }
 
@@ -88,7 +82,9 @@ impl WithSimd for Evaluation<'_> {
     /// Evaluates all poses and returns the largest number of iterations.
     #[inline(always)]
     fn with_simd<S: Simd>(mut self, simd: S) -> Self::Output {
-        let mut rows: Vec<Row<S>> = Vec::new();
+        let row_count = self.body.normals().len() + self.environment.normals().len();
+        self.solutions.prepare(self.poses, self.tau, S::F64_LANES, row_count);
+        let mut rows: Vec<Row<S>> = Vec::with_capacity(row_count);
         let mut iterations = 0;
         for start in (0..self.poses.len()).step_by(S::F64_LANES) {
             let count = S::F64_LANES.min(self.poses.len() - start);
@@ -102,10 +98,11 @@ impl WithSimd for Evaluation<'_> {
 }
 
 impl Evaluation<'_> {
-    /// Solves one group of poses. When a lane does not converge, the group is solved again in its contact frames.
+    /// Solves one group of poses unless its solution is kept. When a lane does not converge, the group is solved again
+    /// in its contact frames.
     #[inline(always)]
     fn solve<S: Simd>(
-        &self,
+        &mut self,
         simd: S,
         rows: &mut Vec<Row<S>>,
         place: &Placement<S>,
@@ -113,6 +110,10 @@ impl Evaluation<'_> {
         count: usize,
     ) -> Result<Solution<S>, DistanceError> {
         let mut midpoint = rows::fill(simd, rows, self.body, self.environment, place);
+        let group = start / S::F64_LANES;
+        if let Some(solution) = self.solutions.restore(simd, group, rows) {
+            return Ok(solution);
+        }
         let mut solution = interior_point::solve(simd, rows, midpoint, self.tau, self.tolerance);
         let failed = |solution: &Solution<S>| {
             let (residuals, growths) = (solution.residual.to_array(), solution.growth.to_array());
@@ -123,7 +124,9 @@ impl Evaluation<'_> {
                 (!solved).then_some((lane, residual))
             })
         };
-        if failed(&solution).is_some() {
+        if failed(&solution).is_none() {
+            self.solutions.keep(group, rows, &solution);
+        } else {
             let axes = frame::enter(simd, rows);
             rows::fill(simd, rows, self.body, self.environment, place);
             for row in rows.iter_mut() {
@@ -181,9 +184,8 @@ impl Evaluation<'_> {
                 let contact = ContactGroup::new(simd, rows, place, lever, body);
                 contact.store_first(simd, distance, &mut values[group.clone()], &mut jacobians[group]);
             }
-            Request::Hessians { seeds, values, jacobians, hessians } => {
+            Request::Hessians(seeds, hessians) => {
                 let contact = ContactGroup::new(simd, rows, place, lever, body);
-                contact.store_first(simd, distance, &mut values[group.clone()], &mut jacobians[group.clone()]);
                 let seed = gather(simd, &seeds[group.clone()]);
                 contact.store_second(simd, rows.split_at(body), &seed, &mut hessians[group]);
             }

@@ -47,6 +47,18 @@ impl<S: Simd> Lane<S> {
         Self { simd, value: simd.splat_f64s(value) }
     }
 
+    /// The values of a register.
+    #[inline(always)]
+    pub fn new(simd: S, value: S::f64s) -> Self {
+        Self { simd, value }
+    }
+
+    /// The values as a register.
+    #[inline(always)]
+    pub fn register(self) -> S::f64s {
+        self.value
+    }
+
     /// The same value in every lane, with the instruction set of `self`.
     #[inline(always)]
     pub fn constant(self, value: f64) -> Self {

@@ -45,9 +45,11 @@ mod pair;
 mod polytope;
 mod pose_chart;
 mod rows;
+mod solutions;
 mod triangulation;
 
 pub use batch::{Instructions, Request};
 pub use error::DistanceError;
 pub use pair::{Distance, Pair};
 pub use polytope::{Polytope, PolytopeError};
+pub use solutions::Solutions;

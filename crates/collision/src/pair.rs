@@ -5,6 +5,7 @@ use crate::error::DistanceError;
 use crate::interior_point::TOLERANCE;
 use crate::polytope::Polytope;
 use crate::pose_chart::{CONTACT, POSE};
+use crate::solutions::Solutions;
 
 /// Smoothed distance and contact normal at one pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +56,8 @@ impl Pair {
         // Where the smallest smoothing fails, a larger one still gives an upper bound, though a looser one.
         for tau in [EXACT_TAU, 1e-11, 1e-9] {
             let request = Request::Bounds(&mut bound);
-            if self.run(Instructions::best(), std::slice::from_ref(pose), tau, EXACT_TOLERANCE, request).is_ok() {
+            let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());
+            if self.run(Instructions::best(), poses, tau, EXACT_TOLERANCE, solutions, request).is_ok() {
                 break;
             }
         }
@@ -69,7 +71,8 @@ impl Pair {
     pub fn distance(&self, pose: &[f64; POSE], tau: f64) -> Result<Distance, DistanceError> {
         let mut normal = [[0.0; 1 + POSE]];
         let poses = std::slice::from_ref(pose);
-        self.run(Instructions::best(), poses, tau, TOLERANCE, Request::Normals(&mut normal))?;
+        let (solutions, request) = (&mut Solutions::default(), Request::Normals(&mut normal));
+        self.run(Instructions::best(), poses, tau, TOLERANCE, solutions, request)?;
         let [smoothed_distance, contact_normal @ ..] = normal[0];
         Ok(Distance { smoothed_distance, contact_normal })
     }
@@ -83,9 +86,10 @@ impl Pair {
         &self,
         poses: &[[f64; POSE]],
         tau: f64,
+        solutions: &mut Solutions,
         values: &mut [[f64; CONTACT]],
     ) -> Result<(), DistanceError> {
-        self.evaluate(Instructions::best(), poses, tau, Request::Values(values)).map(drop)
+        self.evaluate(Instructions::best(), poses, tau, solutions, Request::Values(values)).map(drop)
     }
 
     /// `W` and `DW` (rows are components of `W`, columns raw pose coordinates) at many poses.
@@ -96,13 +100,14 @@ impl Pair {
         &self,
         poses: &[[f64; POSE]],
         tau: f64,
+        solutions: &mut Solutions,
         values: &mut [[f64; CONTACT]],
         jacobians: &mut [[[f64; POSE]; CONTACT]],
     ) -> Result<(), DistanceError> {
-        self.evaluate(Instructions::best(), poses, tau, Request::Jacobians(values, jacobians)).map(drop)
+        self.evaluate(Instructions::best(), poses, tau, solutions, Request::Jacobians(values, jacobians)).map(drop)
     }
 
-    /// `W`, `DW` and `<s, D2W>` (symmetric) at many poses, with one seed `s` in R^7 per pose.
+    /// `<s, D2W>` (symmetric) at many poses, with one seed `s` in R^7 per pose.
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.
@@ -111,15 +116,14 @@ impl Pair {
         poses: &[[f64; POSE]],
         tau: f64,
         seeds: &[[f64; CONTACT]],
-        values: &mut [[f64; CONTACT]],
-        jacobians: &mut [[[f64; POSE]; CONTACT]],
+        solutions: &mut Solutions,
         hessians: &mut [[[f64; POSE]; POSE]],
     ) -> Result<(), DistanceError> {
-        let request = Request::Hessians { seeds, values, jacobians, hessians };
-        self.evaluate(Instructions::best(), poses, tau, request).map(drop)
+        self.evaluate(Instructions::best(), poses, tau, solutions, Request::Hessians(seeds, hessians)).map(drop)
     }
 
-    /// Evaluates any request with a given instruction set. Returns the largest number of iterations of any pose.
+    /// Evaluates any request with a given instruction set. Returns the largest number of iterations of any pose; none
+    /// are needed where the solutions are kept.
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.
@@ -128,9 +132,10 @@ impl Pair {
         instructions: Instructions,
         poses: &[[f64; POSE]],
         tau: f64,
+        solutions: &mut Solutions,
         request: Request,
     ) -> Result<usize, DistanceError> {
-        self.run(instructions, poses, tau, TOLERANCE, request)
+        self.run(instructions, poses, tau, TOLERANCE, solutions, request)
     }
 
     fn run(
@@ -139,9 +144,10 @@ impl Pair {
         poses: &[[f64; POSE]],
         tau: f64,
         tolerance: f64,
+        solutions: &mut Solutions,
         request: Request,
     ) -> Result<usize, DistanceError> {
         let (body, environment) = (&self.body, &self.environment);
-        instructions.0.dispatch(Evaluation { body, environment, poses, tau, tolerance, request })
+        instructions.0.dispatch(Evaluation { body, environment, poses, tau, tolerance, solutions, request })
     }
 }

@@ -1,6 +1,6 @@
 //! Degenerate contacts, invalid poses, and exact distances compared with enumeration.
 
-use collision::{Instructions, Pair, Polytope, Request};
+use collision::{Instructions, Pair, Polytope, Request, Solutions};
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 use proptest::prelude::*;
 
@@ -93,15 +93,20 @@ fn an_invalid_pose_is_an_error_in_every_coordinate() {
             }
             let poses = [good, good, bad, good];
             let mut values = [[0.0; 7]; 4];
-            let error = cubes().evaluate(instructions, &poses, 1e-4, Request::Values(&mut values)).unwrap_err();
-            assert_eq!(error.index, 2, "{instructions:?}, coordinate {coordinate}");
+            let mut solutions = Solutions::default();
+            // Also again: what failed is not kept.
+            for _ in 0..2 {
+                let request = Request::Values(&mut values);
+                let error = cubes().evaluate(instructions, &poses, 1e-4, &mut solutions, request).unwrap_err();
+                assert_eq!(error.index, 2, "{instructions:?}, coordinate {coordinate}");
+            }
         }
     }
 }
 
 #[test]
 fn no_poses_are_no_work() {
-    cubes().contacts(&[], 1e-4, &mut []).unwrap();
+    cubes().contacts(&[], 1e-4, &mut Solutions::default(), &mut []).unwrap();
 }
 
 /// A small version of `examples/robustness.rs`: irregular parts that coincide.
@@ -121,7 +126,8 @@ fn twins_in_the_same_place_converge() {
     let poses: Vec<Pose> = [0.0, 1e-12, 1e-6, 1e-3].map(|shift| [shift, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]).to_vec();
     for tau in SMOOTHINGS {
         let mut values = [[0.0; 7]; 4];
-        let iterations = pair.evaluate(Instructions::best(), &poses, tau, Request::Values(&mut values)).unwrap();
+        let (solutions, request) = (&mut Solutions::default(), Request::Values(&mut values));
+        let iterations = pair.evaluate(Instructions::best(), &poses, tau, solutions, request).unwrap();
         assert!(iterations <= 14, "tau = {tau:e}: {iterations} iterations");
     }
 }

@@ -1,6 +1,6 @@
 //! Properties of every pair and pose.
 
-use collision::{Instructions, Pair, Polytope, Request};
+use collision::{Instructions, Pair, Polytope, Request, Solutions};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
@@ -82,12 +82,14 @@ proptest! {
         let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
         let (pair, tau, step) = (Pair::new(a, b), 2.5e-3, 1e-5);
         let (mut values, mut jacobians, mut hessians) = ([[0.0; 7]], [[[0.0; 7]; 7]], [[[0.0; 7]; 7]]);
-        pair.contact_hessians(&[pose], tau, &[seed], &mut values, &mut jacobians, &mut hessians).unwrap();
+        let mut solutions = Solutions::default();
+        pair.contact_jacobians(&[pose], tau, &mut solutions, &mut values, &mut jacobians).unwrap();
+        pair.contact_hessians(&[pose], tau, &[seed], &mut solutions, &mut hessians).unwrap();
         let at = |column: usize, step: f64| {
             let mut moved = pose;
             moved[column] += step;
             let (mut values, mut jacobians) = ([[0.0; 7]], [[[0.0; 7]; 7]]);
-            pair.contact_jacobians(&[moved], tau, &mut values, &mut jacobians).unwrap();
+            pair.contact_jacobians(&[moved], tau, &mut Solutions::default(), &mut values, &mut jacobians).unwrap();
             let gradient: [f64; 7] = std::array::from_fn(|c| (0..7).map(|r| seed[r] * jacobians[0][r][c]).sum());
             (values[0], gradient)
         };
@@ -118,13 +120,11 @@ proptest! {
         let run = |instructions: Instructions, poses: &[[f64; 7]]| {
             let zeros = vec![[[0.0; 7]; 7]; poses.len()];
             let (mut values, mut jacobians, mut hessians) = (vec![[0.0; 7]; poses.len()], zeros.clone(), zeros);
-            let request = Request::Hessians {
-                seeds: &seeds[..poses.len()],
-                values: &mut values,
-                jacobians: &mut jacobians,
-                hessians: &mut hessians,
+            let evaluate = |request: Request| {
+                pair.evaluate(instructions, poses, 1e-4, &mut Solutions::default(), request).unwrap();
             };
-            pair.evaluate(instructions, poses, 1e-4, request).unwrap();
+            evaluate(Request::Jacobians(&mut values, &mut jacobians));
+            evaluate(Request::Hessians(&seeds[..poses.len()], &mut hessians));
             (values, jacobians, hessians)
         };
         let best = run(Instructions::best(), &poses);
@@ -135,10 +135,41 @@ proptest! {
         let alone = run(Instructions::best(), &poses[..1]);
         prop_assert_eq!(&best.0[..1], &alone.0[..]);
         let mut only_values = vec![[0.0; 7]; poses.len()];
-        pair.contacts(&poses, 1e-4, &mut only_values).unwrap();
+        pair.contacts(&poses, 1e-4, &mut Solutions::default(), &mut only_values).unwrap();
         for (one, other) in only_values.iter().flatten().zip(best.0.iter().flatten()) {
             prop_assert!((one - other).abs() < 1e-9);
         }
+    }
+}
+
+/// Requests at two lists of poses and two smoothings in turn, each pose with its own seed.
+#[test]
+fn kept_solutions_change_no_bit() {
+    let pair = Pair::new(Polytope::from_box([0.1; 3]).unwrap(), Polytope::from_box([0.2, 0.1, 0.05]).unwrap());
+    let pose = |index: usize| [0.01 * index as f64, 0.02, 0.09, 1.0, 0.1, -0.02 * index as f64, 0.0];
+    let lists: [Vec<[f64; 7]>; 2] = [(0..11).map(pose).collect(), (5..16).map(pose).collect()];
+    let seeds: [[f64; 7]; 11] = std::array::from_fn(|index| [0.3, -0.7, 1.0, 0.2, -0.5, 0.9, index as f64]);
+    let mut kept = Solutions::default();
+    for (poses, tau) in [(&lists[0], 1e-3), (&lists[1], 1e-3), (&lists[1], 1e-4), (&lists[0], 1e-4)] {
+        let evaluate = |solutions: [&mut Solutions; 3]| {
+            let zeros = vec![[[0.0; 7]; 7]; 11];
+            let (mut values, mut jacobians, mut hessians) = (vec![[0.0; 7]; 11], zeros.clone(), zeros);
+            let [one, two, three] = solutions;
+            pair.contacts(poses, tau, one, &mut values).unwrap();
+            let first = values.clone();
+            pair.contact_jacobians(poses, tau, two, &mut values, &mut jacobians).unwrap();
+            pair.contact_hessians(poses, tau, &seeds, three, &mut hessians).unwrap();
+            (first, values, jacobians, hessians)
+        };
+        let mut fresh: [Solutions; 3] = Default::default();
+        let expected = evaluate(fresh.each_mut());
+        let mut values = vec![[0.0; 7]; 11];
+        pair.contacts(poses, tau, &mut kept, &mut values).unwrap();
+        assert_eq!(values, expected.0);
+        let mut copies = [kept.clone(), kept.clone(), kept.clone()];
+        assert_eq!(evaluate(copies.each_mut()), expected);
+        let request = Request::Values(&mut values);
+        assert_eq!(pair.evaluate(Instructions::best(), poses, tau, &mut kept, request), Ok(0), "solved again");
     }
 }
 
@@ -167,6 +198,6 @@ fn coincident_parts_converge() {
 fn a_distance_that_fails_says_where() {
     let pair = Pair::new(Polytope::from_box([0.1; 3]).unwrap(), Polytope::from_box([0.1; 3]).unwrap());
     let poses = [IDENTITY, [f64::NAN, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]];
-    let error = pair.contacts(&poses, 1e-3, &mut [[0.0; 7]; 2]).unwrap_err();
+    let error = pair.contacts(&poses, 1e-3, &mut Solutions::default(), &mut [[0.0; 7]; 2]).unwrap_err();
     assert_eq!((error.index, error.tau), (1, 1e-3));
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use collision::{Pair, Polytope};
+use collision::{Pair, Polytope, Solutions};
 use serde_json::Value;
 
 fn numbers<const N: usize>(value: &Value) -> [f64; N] {
@@ -50,7 +50,9 @@ fn check(file: &str) {
 
         let (mut values, mut jacobians, mut hessians) = ([[0.0; 7]], [[[0.0; 7]; 7]], [[[0.0; 7]; 7]]);
         let seeds = [numbers(&case["W_seed"])];
-        pair.contact_hessians(&[pose], tau, &seeds, &mut values, &mut jacobians, &mut hessians).unwrap();
+        let mut solutions = Solutions::default();
+        pair.contact_jacobians(&[pose], tau, &mut solutions, &mut values, &mut jacobians).unwrap();
+        pair.contact_hessians(&[pose], tau, &seeds, &mut solutions, &mut hessians).unwrap();
         assert!(error(&values[0], &numbers::<7>(&case["W"])) <= 1e-10, "{what}: W");
         let expected = matrix::<7>(&case["DW"]).concat();
         let first = error(jacobians[0].as_flattened(), &expected);

@@ -9,6 +9,7 @@ use faer::linalg::cholesky::lblt::factor::{cholesky_in_place, cholesky_in_place_
 use faer::{Mat, Par, Spec};
 use kkt::{Class, Label, Owner, StageSolver};
 use pulp::Arch;
+use workers::Workers;
 
 /// Symmetric, with eigenvalues of both signs.
 fn entry(row: usize, column: usize) -> f64 {
@@ -29,7 +30,7 @@ fn ours(criterion: &mut Criterion, order: usize) {
         arches.extend(pulp::x86::V4::try_new().map(|simd| ("ours, AVX-512", Arch::V4(simd))));
     }
     for (name, arch) in arches {
-        let mut solver = StageSolver::with_arch(&labels, &rows, &columns, arch).unwrap();
+        let mut solver = StageSolver::with_arch(&labels, &rows, &columns, arch, Workers::default()).unwrap();
         criterion.bench_function(&format!("{name}/{order}"), |bencher| {
             bencher.iter(|| solver.factorise(black_box(&values)));
         });

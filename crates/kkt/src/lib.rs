@@ -7,7 +7,7 @@
 //! matrix:
 //!
 //! 1. It eliminates contact forces, slacks and their multipliers, each pair by itself (`leaf`).
-//! 2. It goes through the stages backward in time (`stages`). In each it eliminates the poses with the kinematics that
+//! 2. It goes through the stages backward in time (`fronts`). In each it eliminates the poses with the kinematics that
 //!    define them, without pivoting (`front::poses`), then factorises the rest as one dense front with Bunch-Kaufman
 //!    pivots (`front::general`). The Schur complement is added to the stage before.
 //!
@@ -21,6 +21,7 @@
 mod error;
 mod fallback;
 mod front;
+mod fronts;
 mod grouping;
 mod kernel;
 mod label;

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use pulp::Arch;
+use workers::Workers;
 
 use crate::error::StructureError;
 use crate::fallback::{Fallback, Outcome};
@@ -56,6 +57,7 @@ pub struct StageSolver {
     residual: Vec<f64>,
     sums: Vec<RowSum>,
     solution: Vec<f64>,
+    correction: Vec<f64>,
 }
 
 impl StageSolver {
@@ -66,21 +68,40 @@ impl StageSolver {
     /// # Errors
     /// When labels, rows and columns do not describe a matrix.
     pub fn new(labels: &[Label], rows: &[usize], columns: &[usize]) -> Result<Self, StructureError> {
-        Self::with_arch(labels, rows, columns, Arch::new())
+        Self::with_arch(labels, rows, columns, Arch::new(), Workers::default())
+    }
+
+    /// The same with some threads, which change nothing but the time it takes.
+    ///
+    /// # Errors
+    /// See [`StageSolver::new`].
+    pub fn with_workers(
+        labels: &[Label],
+        rows: &[usize],
+        columns: &[usize],
+        workers: Workers,
+    ) -> Result<Self, StructureError> {
+        Self::with_arch(labels, rows, columns, Arch::new(), workers)
     }
 
     /// The same for a given instruction set.
     ///
     /// # Errors
     /// See [`StageSolver::new`].
-    pub fn with_arch(labels: &[Label], rows: &[usize], columns: &[usize], arch: Arch) -> Result<Self, StructureError> {
+    pub fn with_arch(
+        labels: &[Label],
+        rows: &[usize],
+        columns: &[usize],
+        arch: Arch,
+        workers: Workers,
+    ) -> Result<Self, StructureError> {
         let dimension = labels.len();
         check(dimension, rows, columns)?;
         let matrix = Matrix::new(dimension, rows, columns);
         let lower_rows = &matrix.columns.row_idx;
         let lower_columns = matrix.column_indices();
         let stages = Symbolic::new(labels, lower_rows, &lower_columns).map(|symbolic| {
-            let stages = Stages::new(&symbolic, arch);
+            let stages = Stages::new(&symbolic, arch, workers);
             (symbolic, stages)
         });
         Ok(Self {
@@ -93,6 +114,7 @@ impl StageSolver {
             residual: vec![0.0; dimension],
             sums: vec![RowSum::default(); dimension],
             solution: vec![0.0; dimension],
+            correction: vec![0.0; dimension],
         })
     }
 
@@ -189,16 +211,15 @@ impl StageSolver {
     /// right-hand side and returns false.
     fn solve_stages(&mut self, values: &mut [f64]) -> bool {
         let Ok((symbolic, stages)) = &mut self.stages else { return false };
-        self.solution.copy_from_slice(values);
-        stages.solve(symbolic, &mut self.solution);
+        stages.solve(symbolic, values, &mut self.solution);
         let mut error = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.sums);
         for _ in 0..REFINEMENTS {
             if error <= REFINE || !error.is_finite() {
                 break;
             }
             self.report.refinements += 1;
-            stages.solve(symbolic, &mut self.residual);
-            for (solution, correction) in self.solution.iter_mut().zip(&self.residual) {
+            stages.solve(symbolic, &self.residual, &mut self.correction);
+            for (solution, correction) in self.solution.iter_mut().zip(&self.correction) {
                 *solution += correction;
             }
             let refined = self.matrix.residual(&self.solution, values, &mut self.residual, &mut self.sums);

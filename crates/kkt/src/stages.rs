@@ -1,15 +1,18 @@
-//! Factorisation stage by stage, backward in time, and solves with its factors.
+//! Factorisation of all stages, backward in time, and solves with its factors. Leaves depend on nothing but the matrix, so
+//! that other threads eliminate them ahead of the fronts, which depend on each other.
+
+use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 
 use pulp::Arch;
+use workers::Workers;
 
-use crate::front::assembly::Place;
-use crate::front::general::{FrontFactors, FrontNumbers, SolveGeneral};
-use crate::front::pose_elimination::{EliminatePoses, SolvePoses, work_length as pose_work_length};
-use crate::kernel::{Aligned, padded};
-use crate::leaf::solve::{SolveLeaf, work_length as leaf_work_length};
-use crate::leaf::store::{FactoriseLeaf, LeafStore, LeafWork};
-use crate::pivot::{Breakdown, Pivots};
-use crate::symbolic::{Stage, Symbolic};
+use crate::fronts::Fronts;
+use crate::leaf::Leaf;
+use crate::leaf::factors::{FactoriseLeaf, LeafFactors, LeafUpdate, LeafWork};
+use crate::leaf::solve::{LeafSolution, SolveLeaf};
+use crate::pivot::Breakdown;
+use crate::symbolic::Symbolic;
 
 /// Outcome of a factorisation of all stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,77 +29,45 @@ pub struct Factorised {
 #[derive(Debug)]
 pub struct Stages {
     arch: Arch,
-    leaf_store: LeafStore,
-    /// Fronts whose poses were eliminated first.
-    fast_store: Aligned,
-    /// Fronts that were factorised as one dense block; allocated on first use.
-    general_store: Aligned,
-    diagonal: Vec<f64>,
-    subdiagonal: Vec<f64>,
-    order: Vec<u32>,
-    /// Whether each stage's poses were eliminated first.
-    fast: Vec<bool>,
-    work: Work,
-    /// Largest sum of the terms of a pivot.
-    largest_scale: f64,
+    workers: Workers,
+    /// By stage.
+    leaves: Vec<Vec<LeafPart>>,
+    fronts: Fronts,
+    /// Scratch of stages whose leaves are not being eliminated, the last used last.
+    spare: Mutex<Vec<LeafScratch>>,
 }
 
-/// Scratch of one stage.
+/// Factors of a leaf, and its part of a solution.
+#[derive(Debug)]
+struct LeafPart {
+    factors: LeafFactors,
+    solution: LeafSolution,
+}
+
+/// Scratch of the leaves of one stage, with what they add to the front.
 #[derive(Debug, Default)]
-struct Work {
-    leaf: LeafWork,
-    /// Schur complement of the current stage.
-    schur: Aligned,
-    /// Schur complement of the next stage.
-    later: Aligned,
-    /// Sums of the absolute values of the terms of the front's diagonal, then of its separator.
-    scale: Aligned,
-    /// The same for the next stage's separator.
-    later_scale: Vec<f64>,
-    columns: Aligned,
-    poses: Aligned,
-    solve: Aligned,
+struct LeafScratch {
+    updates: Vec<LeafUpdate>,
+    work: LeafWork,
 }
 
 impl Stages {
     /// Allocates all factors.
-    pub fn new(symbolic: &Symbolic, arch: Arch) -> Self {
-        let pivots = symbolic.stages.iter().map(|stage| stage.front.len()).sum();
-        let mut work = Work::default();
-        for leaf in &symbolic.leaves {
-            work.leaf.reserve(leaf);
-            work.solve.reserve(leaf_work_length(leaf));
-        }
-        for stage in &symbolic.stages {
-            let layout = stage.general.layout;
-            let schur = padded(layout.separator) * layout.separator;
-            work.schur.reserve(schur);
-            work.later.reserve(schur);
-            work.scale.reserve(layout.stride());
-            work.columns.reserve(crate::front::bunch_kaufman::work_length(layout.stride()));
-            work.solve.reserve(layout.stride());
-            if let Some(plan) = &stage.fast {
-                work.poses.reserve(pose_work_length(&plan.layout));
-                work.solve.reserve(plan.layout.rest.stride() + 2 * padded(plan.layout.poses));
-            }
-        }
+    pub fn new(symbolic: &Symbolic, arch: Arch, workers: Workers) -> Self {
+        let part = |leaf: &Leaf| LeafPart { factors: LeafFactors::new(leaf), solution: LeafSolution::new(leaf) };
+        let of_stage = |index: usize| symbolic.leaves_of(index).iter().map(part).collect();
         Self {
             arch,
-            leaf_store: LeafStore::new(symbolic.leaf_end),
-            fast_store: Aligned::new(symbolic.fast_store),
-            general_store: Aligned::default(),
-            diagonal: vec![0.0; pivots],
-            subdiagonal: vec![0.0; pivots],
-            order: vec![0; pivots],
-            fast: vec![false; symbolic.stages.len()],
-            work,
-            largest_scale: 0.0,
+            workers,
+            leaves: (0..symbolic.stages.len()).map(of_stage).collect(),
+            fronts: Fronts::new(symbolic, arch),
+            spare: Mutex::default(),
         }
     }
 
     /// Largest sum of the terms of a pivot of the last factorisation.
     pub fn largest_scale(&self) -> f64 {
-        self.largest_scale
+        self.fronts.largest_scale()
     }
 
     /// Factorises the matrix with these values. With `stop_early` it stops as soon as the negative pivots prove that
@@ -107,163 +78,105 @@ impl Stages {
         values: &[f64],
         stop_early: bool,
     ) -> Result<Factorised, Breakdown> {
+        let Self { arch, workers, leaves, fronts, spare } = self;
         let (mut negative, mut multipliers) = (0, 0);
-        self.largest_scale = 0.0;
-        for (index, stage) in symbolic.stages.iter().enumerate().rev() {
-            negative += self.factorise_stage(symbolic, stage, index, values)?;
-            multipliers += stage.multipliers;
+        let mut remaining = symbolic.stages.len();
+        let (mut breakdown, mut surplus) = (None, false);
+        fronts.begin();
+        let eliminate = |(index, parts): (usize, &mut Vec<LeafPart>)| {
+            let mut scratch = lock(spare).pop().unwrap_or_default();
+            let found = scratch.eliminate(*arch, symbolic.leaves_of(index), values, parts);
+            (found, scratch)
+        };
+        workers.in_order(leaves.iter_mut().enumerate().rev(), eliminate, |(found, scratch)| {
+            remaining -= 1;
+            let of_front = found
+                .and_then(|of_leaves| Ok(of_leaves + fronts.factorise(symbolic, remaining, values, &scratch.updates)?));
+            lock(spare).push(scratch);
+            match of_front {
+                Ok(found) => negative += found,
+                Err(reason) => {
+                    breakdown = Some(reason);
+                    return ControlFlow::Break(());
+                }
+            }
+            multipliers += symbolic.stages[remaining].multipliers;
             // The remaining stages have at least as many negative eigenvalues as multipliers.
-            if stop_early && symbolic.causal && negative > multipliers {
-                let general = !self.fast[index..].iter().all(|&fast| fast);
-                return Ok(Factorised { negative, complete: false, general });
-            }
-        }
-        Ok(Factorised { negative, complete: true, general: !self.fast.iter().all(|&fast| fast) })
-    }
-
-    fn factorise_stage(
-        &mut self,
-        symbolic: &Symbolic,
-        stage: &Stage,
-        index: usize,
-        values: &[f64],
-    ) -> Result<usize, Breakdown> {
-        let fast = stage.fast.as_ref().filter(|plan| {
-            let store = &mut self.fast_store[plan.offset..][..plan.layout.store];
-            plan.layout.prepare(values, store)
+            surplus = stop_early && symbolic.causal && negative > multipliers;
+            if surplus { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
-        self.fast[index] = fast.is_some();
-        let (store, assembly) = match fast {
-            Some(plan) => (&mut self.fast_store[plan.offset..][..plan.layout.blocks[0].inverse], &plan.assembly),
-            None => {
-                self.general_store.reserve(symbolic.general_store);
-                let plan = &stage.general;
-                (&mut self.general_store[plan.offset..][..plan.layout.store()], &plan.assembly)
+        if let Some(breakdown) = breakdown {
+            return Err(breakdown);
+        }
+        let general = !(remaining..symbolic.stages.len()).all(|stage| fronts.is_fast(stage));
+        Ok(Factorised { negative, complete: !surplus, general })
+    }
+
+    /// Solves with the factors for a right-hand side.
+    pub fn solve(&mut self, symbolic: &Symbolic, right: &[f64], solution: &mut [f64]) {
+        let Self { arch, workers, leaves, fronts, .. } = self;
+        solution.copy_from_slice(right);
+        let mut remaining = symbolic.stages.len();
+        let stages = leaves.iter_mut().enumerate().rev();
+        let sweep_ahead = |(index, parts)| sweep(parts, *arch, symbolic.leaves_of(index), right, false);
+        workers.in_order(stages, sweep_ahead, |parts| {
+            remaining -= 1;
+            for (leaf, part) in symbolic.leaves_of(remaining).iter().zip(parts) {
+                for (value, &row) in part.solution.boundary.iter().zip(&leaf.boundary) {
+                    solution[row] += value;
+                }
             }
-        };
-        let work = &mut self.work;
-        store.fill(0.0);
-        work.schur[..padded(stage.separator.len()) * stage.separator.len()].fill(0.0);
-        work.scale[..stage.general.layout.stride()].fill(0.0);
-        assembly.scatter_entries(values, store, &mut work.schur);
-        let place_of = |place: Place| stage.scale_row(fast.is_some(), place);
-        let mut negative = 0;
-        for (number, leaf) in symbolic.leaves[stage.leaves.clone()].iter().enumerate() {
-            let (arch, leaf_store) = (self.arch, &mut self.leaf_store);
-            negative += arch.dispatch(FactoriseLeaf { arch, leaf, values, store: leaf_store, work: &mut work.leaf })?;
-            assembly.scatter_block(number, &work.leaf.schur, store, &mut work.schur);
-            for (&place, &scale) in stage.leaf_places[number].iter().zip(&*work.leaf.scale) {
-                place_of(place).into_iter().for_each(|row| work.scale[row] += scale);
-            }
-        }
-        assembly.scatter_block(stage.leaves.len(), &work.later, store, &mut work.schur);
-        for (&place, &scale) in stage.later_places.iter().zip(&work.later_scale) {
-            place_of(place).into_iter().for_each(|row| work.scale[row] += scale);
-        }
-        Ok(negative + self.factorise_front(stage, fast.is_some())?)
-    }
-
-    /// Factorises an assembled front and passes its Schur complement to the previous stage.
-    fn factorise_front(&mut self, stage: &Stage, fast: bool) -> Result<usize, Breakdown> {
-        let (arch, work) = (self.arch, &mut self.work);
-        let (layout, store, eliminated) = match &stage.fast {
-            Some(plan) if fast => {
-                let store = &mut self.fast_store[plan.offset..][..plan.layout.store];
-                let (schur, scale, poses) = (&mut *work.schur, &mut *work.scale, &mut *work.poses);
-                let poses = &mut poses[..pose_work_length(&plan.layout)];
-                EliminatePoses { arch, layout: &plan.layout, store, schur, scale, work: poses }.run();
-                (plan.layout.rest, &mut self.fast_store[plan.offset..], plan.layout.poses)
-            }
-            _ => (stage.general.layout, &mut self.general_store[stage.general.offset..], 0),
-        };
-        let pivots = stage.pivots..stage.pivots + layout.order;
-        let numbers = FrontNumbers {
-            store,
-            schur: &mut work.schur,
-            scale: &mut work.scale,
-            work: &mut work.columns,
-            pivots: Pivots {
-                diagonal: &mut self.diagonal[pivots.clone()],
-                subdiagonal: &mut self.subdiagonal[pivots.clone()],
-                order: &mut self.order[pivots],
-            },
-        };
-        let negative = layout.factorise(arch, numbers)?;
-        let separator = padded(layout.order);
-        let largest = work.scale[..layout.stride()].iter().fold(0.0, |largest: f64, &scale| largest.max(scale));
-        self.largest_scale = self.largest_scale.max(largest);
-        work.later_scale.clear();
-        work.later_scale.extend_from_slice(&work.scale[separator..separator + layout.separator]);
-        std::mem::swap(&mut work.schur, &mut work.later);
-        Ok(negative + eliminated)
-    }
-
-    /// Solves with the factors, in place.
-    pub fn solve(&mut self, symbolic: &Symbolic, values: &mut [f64]) {
-        for (index, stage) in symbolic.stages.iter().enumerate().rev() {
-            self.sweep_leaves(symbolic, stage, values, false);
-            self.sweep_poses(stage, index, values, false);
-            self.sweep_front(stage, index, values, false);
-        }
-        for (index, stage) in symbolic.stages.iter().enumerate() {
-            self.sweep_front(stage, index, values, true);
-            self.sweep_poses(stage, index, values, true);
-            self.sweep_leaves(symbolic, stage, values, true);
-        }
-    }
-
-    fn sweep_leaves(&mut self, symbolic: &Symbolic, stage: &Stage, values: &mut [f64], backward: bool) {
-        for leaf in &symbolic.leaves[stage.leaves.clone()] {
-            self.arch.dispatch(SolveLeaf {
-                leaf,
-                store: &self.leaf_store,
-                values,
-                work: &mut self.work.solve,
-                backward,
-            });
-        }
-    }
-
-    fn sweep_poses(&mut self, stage: &Stage, index: usize, values: &mut [f64], backward: bool) {
-        let Some(plan) = stage.fast.as_ref().filter(|_| self.fast[index]) else { return };
-        self.arch.dispatch(SolvePoses {
-            layout: &plan.layout,
-            store: &self.fast_store[plan.offset..][..plan.layout.store],
-            front: &stage.front,
-            separator: &stage.separator,
-            values,
-            work: &mut self.work.solve,
-            backward,
+            fronts.solve_forward(symbolic, remaining, solution);
+            ControlFlow::Continue(())
         });
-    }
-
-    fn sweep_front(&mut self, stage: &Stage, index: usize, values: &mut [f64], backward: bool) {
-        let (layout, store, first) = match &stage.fast {
-            Some(plan) if self.fast[index] => {
-                (plan.layout.rest, &self.fast_store[plan.offset..], 2 * plan.layout.poses)
+        for index in 0..symbolic.stages.len() {
+            fronts.solve_backward(symbolic, index, solution);
+        }
+        let of_fronts: &[f64] = solution;
+        workers.each(leaves.iter_mut().enumerate(), |(index, parts)| {
+            sweep(parts, *arch, symbolic.leaves_of(index), of_fronts, true);
+        });
+        for part in leaves.iter().flatten() {
+            for (value, &row) in part.solution.pivots.iter().zip(&part.factors.rows) {
+                solution[row as usize] = *value;
             }
-            _ => (stage.general.layout, &self.general_store[stage.general.offset..], 0),
-        };
-        let pivots = stage.pivots..stage.pivots + layout.order;
-        let factors = FrontFactors {
-            store,
-            diagonal: &self.diagonal[pivots.clone()],
-            subdiagonal: &self.subdiagonal[pivots.clone()],
-            order: &self.order[pivots],
-            front: &stage.front[first..],
-            separator: &stage.separator,
-        };
-        self.arch.dispatch(SolveGeneral { layout, factors, values, work: &mut self.work.solve, backward });
+        }
     }
 }
 
-impl Stage {
-    /// Place of the scale of a row of the stage; `None` for poses, which are eliminated without pivots.
-    fn scale_row(&self, fast: bool, place: Place) -> Option<usize> {
-        match (&self.fast, place) {
-            (Some(plan), _) if fast => plan.layout.rest_row(place),
-            (_, Place::Front(position)) => Some(position),
-            (_, Place::Separator(position)) => Some(padded(self.front.len()) + position),
-        }
+/// One sweep of a solve through the leaves of a stage.
+fn sweep<'parts>(
+    parts: &'parts mut Vec<LeafPart>,
+    arch: Arch,
+    leaves: &[Leaf],
+    values: &[f64],
+    backward: bool,
+) -> &'parts [LeafPart] {
+    for (leaf, LeafPart { factors, solution }) in leaves.iter().zip(parts.iter_mut()) {
+        arch.dispatch(SolveLeaf { leaf, factors, values, solution, backward });
     }
+    parts
+}
+
+impl LeafScratch {
+    /// Eliminates the leaves of a stage; returns their number of negative pivots.
+    fn eliminate(
+        &mut self,
+        arch: Arch,
+        leaves: &[Leaf],
+        values: &[f64],
+        parts: &mut [LeafPart],
+    ) -> Result<usize, Breakdown> {
+        self.updates.resize_with(leaves.len(), LeafUpdate::default);
+        let work = &mut self.work;
+        let mut negative = 0;
+        for ((leaf, LeafPart { factors, .. }), update) in leaves.iter().zip(parts).zip(&mut self.updates) {
+            negative += arch.dispatch(FactoriseLeaf { arch, leaf, values, factors, update, work })?;
+        }
+        Ok(negative)
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

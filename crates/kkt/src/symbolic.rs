@@ -7,7 +7,7 @@ use crate::front::poses::PoseLayout;
 use crate::grouping::{Entry, Grouping, group};
 use crate::kernel::padded;
 use crate::label::Label;
-use crate::leaf::{Leaf, Offset};
+use crate::leaf::Leaf;
 
 /// One way to factorise a front.
 #[derive(Debug)]
@@ -45,8 +45,6 @@ pub struct Stage {
 pub struct Symbolic {
     pub stages: Vec<Stage>,
     pub leaves: Vec<Leaf>,
-    /// End of the last leaf.
-    pub leaf_end: Offset,
     /// Number of stored values of all fronts on the general path.
     pub general_store: usize,
     /// Number of stored values of all fronts on the fast path.
@@ -62,14 +60,11 @@ impl Symbolic {
         let grouping = group(labels, rows, columns)?;
         let mut local = vec![0; labels.len()];
         let mut leaves = Vec::with_capacity(grouping.leaves.len());
-        let mut leaf_end = Offset::default();
         for group in &grouping.leaves {
-            let leaf = Leaf::new(group, &grouping, labels, &mut local, leaf_end);
-            leaf_end = leaf.end();
-            leaves.push(leaf);
+            leaves.push(Leaf::new(group, &grouping, labels, &mut local));
         }
         let causal = is_causal(labels, rows, columns);
-        let mut symbolic = Self { stages: Vec::new(), leaves, leaf_end, general_store: 0, fast_store: 0, causal };
+        let mut symbolic = Self { stages: Vec::new(), leaves, general_store: 0, fast_store: 0, causal };
         let mut pivots = 0;
         for index in 0..grouping.stages() {
             let stage = symbolic.plan_stage(&grouping, labels, index, pivots);
@@ -79,6 +74,11 @@ impl Symbolic {
             symbolic.stages.push(stage);
         }
         Ok(symbolic)
+    }
+
+    /// Leaves of a stage.
+    pub fn leaves_of(&self, stage: usize) -> &[Leaf] {
+        &self.leaves[self.stages[stage].leaves.clone()]
     }
 
     fn plan_stage(&self, grouping: &Grouping, labels: &[Label], index: usize, pivots: usize) -> Stage {

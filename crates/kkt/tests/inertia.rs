@@ -6,6 +6,7 @@ use kkt::{Class, Factorisation, StageSolver};
 use proptest::prelude::*;
 use pulp::Arch;
 use support::{Random, Shape, System, shapes};
+use workers::Workers;
 
 /// Every instruction set of this machine.
 fn arches() -> Vec<(&'static str, Arch)> {
@@ -19,7 +20,8 @@ fn arches() -> Vec<(&'static str, Arch)> {
 }
 
 fn solver(system: &System, arch: Arch) -> StageSolver {
-    let solver = StageSolver::with_arch(&system.labels, &system.rows, &system.columns, arch).unwrap();
+    let solver =
+        StageSolver::with_arch(&system.labels, &system.rows, &system.columns, arch, Workers::default()).unwrap();
     assert_eq!(solver.structure_error(), None);
     solver
 }
@@ -120,6 +122,32 @@ fn factors_of_one_matrix_leave_no_trace_in_the_next() {
     let (mut x, mut y) = (right.clone(), right);
     assert!(used.solve(&mut x) && fresh.solve(&mut y));
     assert_eq!(x, y);
+}
+
+/// With a right and a wrong inertia, which ends the factorisation early.
+#[test]
+fn threads_change_no_bit() {
+    let shape = Shape { stages: 30, scenarios: 3, pairs: 4, ..regular() };
+    let good = System::random(&shape);
+    let mut bad = good.clone();
+    let velocity = bad.row(20, Class::Velocity, 0);
+    bad.add(velocity, velocity, -1e7);
+    for system in [good, bad] {
+        let run = |threads| {
+            let (labels, rows, columns) = (&system.labels, &system.rows, &system.columns);
+            let mut solver = StageSolver::with_workers(labels, rows, columns, Workers::new(threads)).unwrap();
+            let found = solver.factorise(&system.values);
+            let mut solution = Random(7).vector(system.dimension());
+            assert!(solver.solve(&mut solution));
+            let report = solver.report();
+            (found, solution, report.early_exits, report.refinements, report.fallbacks.total())
+        };
+        let alone = run(1);
+        assert_eq!(alone.4, 0);
+        for threads in [2, 3, 2, 3] {
+            assert_eq!(run(threads), alone, "{threads} threads");
+        }
+    }
 }
 
 #[test]

@@ -12,6 +12,7 @@ use feral::{CscMatrix, FactorStatus};
 use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Mumps, Options, Start};
 use ocp::{Transcription, TranscriptionSolver};
 use task::{AssemblyTask, Complementarity, HessianKind};
+use workers::Workers;
 
 const SCENES: [&str; 4] = ["corner", "peg1", "peg5", "clamp1"];
 /// Maximum number of matrices per scene.
@@ -90,7 +91,7 @@ fn task(scene: &str) -> AssemblyTask {
 
 /// Systems of the first homotopy iteration, spread evenly over it.
 fn capture(transcription: &mut Transcription) -> Systems {
-    let solver = TranscriptionSolver::new(transcription.layout());
+    let solver = TranscriptionSolver::new(transcription.layout(), Workers::default());
     let mut capture = Capture { solver, values: Vec::new(), systems: Systems::default() };
     let mut options = Options::default();
     options.set("tol", 1e-2);
@@ -210,7 +211,7 @@ fn main() {
         let mut transcription = Transcription::new(&task(&scene), Complementarity::Relaxation, HessianKind::Exact);
         transcription.set_smoothing(0.0025, 0.00125);
         let systems = capture(&mut transcription);
-        let mut stage = TranscriptionSolver::new(transcription.layout());
+        let mut stage = TranscriptionSolver::new(transcription.layout(), Workers::default());
         let (mut mumps, mut feral) = (Mumps::new(), Feral::default());
         let figures = measure(&systems, &mut [&mut stage, &mut mumps, &mut feral]);
         report(&scene, &systems, &figures);

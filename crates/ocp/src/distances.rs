@@ -1,13 +1,19 @@
 //! Contact information of every pair at every pose of the problem, evaluated in batches and cached.
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+use collision::Solutions;
 use nlp::EvaluationError;
 use task::{AssemblyTask, ContactPair, POSE};
+use workers::Workers;
 
 use crate::layout::{CONTACT, Layout};
 use crate::pattern::{ABSENT, PatternBuilder, add};
 use crate::term::Owners;
+
+/// Poses of a pair that are evaluated as one piece of work, whole groups of lanes in every instruction set.
+const CHUNK: usize = 64;
 
 /// A distance that could not be computed; the reason of an [`EvaluationError`] of a transcription.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -44,14 +50,25 @@ pub struct Distances {
     /// Variables of every pose, [`ABSENT`] for initial poses.
     variables: Vec<[u32; POSE]>,
     evaluated: Evaluated,
-    values: Vec<Vec<[f64; CONTACT]>>,
-    jacobians: Vec<Vec<[[f64; POSE]; CONTACT]>>,
-    hessians: Vec<Vec<[[f64; POSE]; POSE]>>,
+    values: Vec<[f64; CONTACT]>,
+    jacobians: Vec<[[f64; POSE]; CONTACT]>,
+    hessians: Vec<[[f64; POSE]; POSE]>,
     /// Adjoints of `W`, summed over all terms.
-    seeds: Vec<Vec<[f64; CONTACT]>>,
+    seeds: Vec<[f64; CONTACT]>,
+    /// Of every chunk of poses of every pair.
+    solutions: Vec<Solutions>,
     /// Hessian entries (coordinate, coordinate) per point.
     curvature_slots: Vec<[[u32; POSE]; POSE]>,
+    workers: Workers,
     elapsed: Duration,
+}
+
+/// A chunk of poses of a pair, with a slice of a result per point.
+struct Chunk<'all, T> {
+    pair: usize,
+    poses: &'all [[f64; POSE]],
+    solutions: &'all mut Solutions,
+    results: &'all mut [T],
 }
 
 impl Distances {
@@ -75,13 +92,20 @@ impl Distances {
             poses,
             variables,
             evaluated: Evaluated::Nothing,
-            values: vec![vec![[0.0; CONTACT]; count]; pairs],
-            jacobians: vec![vec![[[0.0; POSE]; CONTACT]; count]; pairs],
-            hessians: vec![vec![[[0.0; POSE]; POSE]; count]; pairs],
-            seeds: vec![vec![[0.0; CONTACT]; count]; pairs],
+            values: vec![[0.0; CONTACT]; count * pairs],
+            jacobians: vec![[[0.0; POSE]; CONTACT]; count * pairs],
+            hessians: vec![[[0.0; POSE]; POSE]; count * pairs],
+            seeds: vec![[0.0; CONTACT]; count * pairs],
+            solutions: vec![Solutions::default(); count.div_ceil(CHUNK) * pairs],
             curvature_slots: vec![[[ABSENT; POSE]; POSE]; count * pairs],
+            workers: Workers::default(),
             elapsed: Duration::ZERO,
         }
+    }
+
+    /// Evaluates with these threads.
+    pub fn set_workers(&mut self, workers: Workers) {
+        self.workers = workers;
     }
 
     /// Variables of the pose before the step of a point; [`ABSENT`] if that is an initial pose.
@@ -117,14 +141,12 @@ impl Distances {
             return Ok(());
         }
         let begin = Instant::now();
-        for (index, pair) in self.pairs.iter().enumerate() {
-            pair.shapes
-                .contacts(&self.poses, self.tau, &mut self.values[index])
-                .map_err(|error| self.describe(index, error))?;
-        }
-        self.evaluated = Evaluated::Values;
-        self.elapsed += begin.elapsed();
-        Ok(())
+        let (pairs, tau) = (&self.pairs, self.tau);
+        let chunks = chunks(&self.poses, &mut self.solutions, &mut self.values);
+        let failure = in_parallel(&self.workers, chunks, |chunk| {
+            pairs[chunk.pair].shapes.contacts(chunk.poses, tau, chunk.solutions, chunk.results)
+        });
+        self.finish(begin, failure, Evaluated::Values)
     }
 
     /// Evaluates `W` and `DW` unless they are up to date.
@@ -133,61 +155,54 @@ impl Distances {
             return Ok(());
         }
         let begin = Instant::now();
-        for (index, pair) in self.pairs.iter().enumerate() {
-            pair.shapes
-                .contact_jacobians(&self.poses, self.tau, &mut self.values[index], &mut self.jacobians[index])
-                .map_err(|error| self.describe(index, error))?;
-        }
-        self.evaluated = Evaluated::Jacobians;
-        self.elapsed += begin.elapsed();
-        Ok(())
+        let (pairs, tau, count) = (&self.pairs, self.tau, self.poses.len());
+        let jacobians = self.jacobians.chunks_mut(count.max(1)).flat_map(|pair| pair.chunks_mut(CHUNK));
+        let chunks = chunks(&self.poses, &mut self.solutions, &mut self.values).zip(jacobians);
+        let failure = in_parallel(&self.workers, chunks, |(chunk, jacobians)| {
+            let shapes = &pairs[chunk.pair].shapes;
+            shapes.contact_jacobians(chunk.poses, tau, chunk.solutions, chunk.results, jacobians)
+        });
+        self.finish(begin, failure, Evaluated::Jacobians)
     }
 
-    /// Evaluates `<s, D2W>` for the seeds `s`, and `W` and `DW` as well.
+    /// Evaluates `<s, D2W>` for the seeds `s`.
     pub fn evaluate_hessians(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
-        for (index, pair) in self.pairs.iter().enumerate() {
-            pair.shapes
-                .contact_hessians(
-                    &self.poses,
-                    self.tau,
-                    &self.seeds[index],
-                    &mut self.values[index],
-                    &mut self.jacobians[index],
-                    &mut self.hessians[index],
-                )
-                .map_err(|error| self.describe(index, error))?;
-        }
-        self.evaluated = Evaluated::Jacobians;
-        self.elapsed += begin.elapsed();
-        Ok(())
+        let (pairs, tau, count) = (&self.pairs, self.tau, self.poses.len());
+        let seeds = self.seeds.chunks(count.max(1)).flat_map(|pair| pair.chunks(CHUNK));
+        let chunks = chunks(&self.poses, &mut self.solutions, &mut self.hessians).zip(seeds);
+        let failure = in_parallel(&self.workers, chunks, |(chunk, seeds)| {
+            let shapes = &pairs[chunk.pair].shapes;
+            shapes.contact_hessians(chunk.poses, tau, seeds, chunk.solutions, chunk.results)
+        });
+        self.finish(begin, failure, self.evaluated)
     }
 
-    /// `W` per (pair, pose) as last evaluated.
-    pub fn last_values(&self) -> &[Vec<[f64; CONTACT]>] {
+    /// `W` per point as last evaluated.
+    pub fn last_values(&self) -> &[[f64; CONTACT]] {
         &self.values
     }
 
-    /// `DW` per (pair, pose) as last evaluated.
-    pub fn last_jacobians(&self) -> &[Vec<[[f64; POSE]; CONTACT]>] {
+    /// `DW` per point as last evaluated.
+    pub fn last_jacobians(&self) -> &[[[f64; POSE]; CONTACT]] {
         &self.jacobians
     }
 
     /// Sets all seeds to zero.
     pub fn clear_seeds(&mut self) {
-        self.seeds.iter_mut().flatten().for_each(|seed| *seed = [0.0; CONTACT]);
+        self.seeds.fill([0.0; CONTACT]);
     }
 
     /// Adds to a component of all seeds, one value per point.
     pub fn add_seeds(&mut self, component: usize, adjoint: &[f64]) {
-        for (seed, &value) in self.seeds.iter_mut().flatten().zip(adjoint) {
+        for (seed, &value) in self.seeds.iter_mut().zip(adjoint) {
             seed[component] += value;
         }
     }
 
     /// Adds `<s, D2W>` as last evaluated to the slots of the Hessian (Eq. secondderw).
     pub fn add_curvature(&self, slots: &mut [f64]) {
-        for (hessian, targets) in self.hessians.iter().flatten().zip(&self.curvature_slots) {
+        for (hessian, targets) in self.hessians.iter().zip(&self.curvature_slots) {
             if targets[0][0] == ABSENT {
                 continue;
             }
@@ -201,8 +216,7 @@ impl Distances {
 
     /// Adds second derivatives by two components of `W`, one value per point, times the gradients of both.
     pub fn add_products(&self, values: &[f64], one: usize, other: usize, slots: &mut [f64]) {
-        let derivatives = self.jacobians.iter().flatten();
-        for ((&value, derivative), targets) in values.iter().zip(derivatives).zip(&self.curvature_slots) {
+        for ((&value, derivative), targets) in values.iter().zip(&self.jacobians).zip(&self.curvature_slots) {
             let (left, right) = (&derivative[one], &derivative[other]);
             for row in 0..POSE {
                 for column in 0..=row {
@@ -226,9 +240,59 @@ impl Distances {
         self.elapsed = Duration::ZERO;
     }
 
-    fn describe(&self, pair: usize, source: collision::DistanceError) -> EvaluationError {
+    fn finish(
+        &mut self,
+        begin: Instant,
+        failure: Option<(usize, collision::DistanceError)>,
+        evaluated: Evaluated,
+    ) -> Result<(), EvaluationError> {
+        self.elapsed += begin.elapsed();
+        if let Some((chunk, error)) = failure {
+            return Err(self.describe(chunk, error));
+        }
+        self.evaluated = evaluated;
+        Ok(())
+    }
+
+    fn describe(&self, chunk: usize, mut source: collision::DistanceError) -> EvaluationError {
+        let chunks_of_pair = self.poses.len().div_ceil(CHUNK);
+        let pair = &self.pairs[chunk / chunks_of_pair];
+        source.index += chunk % chunks_of_pair * CHUNK;
         let (step, scenario) = (source.index / self.scenarios, source.index % self.scenarios);
-        let (body, environment) = (self.pairs[pair].body.clone(), self.pairs[pair].environment.clone());
+        let (body, environment) = (pair.body.clone(), pair.environment.clone());
         EvaluationError::new(MissingDistance { body, environment, scenario, step, source })
     }
+}
+
+/// All chunks of all pairs, with their slices of one of the results.
+fn chunks<'all, T>(
+    poses: &'all [[f64; POSE]],
+    solutions: &'all mut [Solutions],
+    results: &'all mut [T],
+) -> impl Iterator<Item = Chunk<'all, T>> {
+    let of_pairs = results.chunks_mut(poses.len().max(1)).enumerate();
+    let results = of_pairs.flat_map(|(pair, results)| results.chunks_mut(CHUNK).map(move |results| (pair, results)));
+    let poses = poses.chunks(CHUNK).cycle();
+    let all = results.zip(poses).zip(solutions);
+    all.map(|(((pair, results), poses), solutions)| Chunk { pair, poses, solutions, results })
+}
+
+/// Evaluates all chunks; number and error of the first that fails.
+fn in_parallel<C: Send>(
+    workers: &Workers,
+    chunks: impl Iterator<Item = C>,
+    evaluate: impl Fn(C) -> Result<(), collision::DistanceError> + Sync,
+) -> Option<(usize, collision::DistanceError)> {
+    let (mut next, mut failure) = (0, None);
+    workers.in_order(chunks, evaluate, |result| match result {
+        Ok(()) => {
+            next += 1;
+            ControlFlow::Continue(())
+        }
+        Err(error) => {
+            failure = Some((next, error));
+            ControlFlow::Break(())
+        }
+    });
+    failure
 }

@@ -4,6 +4,7 @@
 
 use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
 use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver, Smoothing, Trajectory};
+use workers::Workers;
 
 use crate::stage_solver::TranscriptionSolver;
 use crate::transcription::Transcription;
@@ -73,6 +74,11 @@ impl Homotopy {
     /// Transcribes the task.
     pub fn new(task: &AssemblyTask, settings: HomotopySettings) -> Self {
         Self { transcription: Transcription::new(task, settings.complementarity, settings.hessian), settings }
+    }
+
+    /// Runs with some threads, which change nothing but the time it takes. By default it is one.
+    pub fn with_threads(self, threads: usize) -> Self {
+        Self { transcription: self.transcription.with_workers(Workers::new(threads)), ..self }
     }
 
     /// The transcribed problem.
@@ -186,7 +192,7 @@ fn solve_iteration(
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<HomotopyIteration, SolveError> {
     transcription.distances().reset_seconds();
-    let mut stage_solver = TranscriptionSolver::new(transcription.layout());
+    let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.workers().clone());
     let chosen = match linear_solver {
         LinearSolver::Stage if nlp::TAKES_OWN_SOLVER => nlp::LinearSystemSolver::Own(&mut stage_solver),
         LinearSolver::Stage => nlp::LinearSystemSolver::Named(LinearSolver::Mumps.name()),

@@ -3,19 +3,21 @@
 use kkt::{Class, Label, StageSolver, StructureError};
 use nlp::{AnalysisError, Factorisation, KktSolver};
 use task::LinearSolver;
+use workers::Workers;
 
 use crate::layout::Layout;
 
 /// The linear solver of one solve: [`kkt::StageSolver`] as Ipopt calls it.
 pub struct TranscriptionSolver {
     labels: Vec<Label>,
+    workers: Workers,
     solver: Option<StageSolver>,
 }
 
 impl TranscriptionSolver {
-    /// A solver for transcriptions of a layout.
-    pub fn new(layout: &Layout) -> Self {
-        Self { labels: labels(layout), solver: None }
+    /// A solver for transcriptions of a layout, with some threads.
+    pub fn new(layout: &Layout, workers: Workers) -> Self {
+        Self { labels: labels(layout), workers, solver: None }
     }
 
     /// Statistics, once the solver has a pattern.
@@ -33,7 +35,7 @@ impl KktSolver for TranscriptionSolver {
         if dimension != self.labels.len() {
             return Err(StructureError::Dimension { labels: self.labels.len(), dimension }.into());
         }
-        self.solver = Some(StageSolver::new(&self.labels, rows, columns)?);
+        self.solver = Some(StageSolver::with_workers(&self.labels, rows, columns, self.workers.clone())?);
         Ok(())
     }
 

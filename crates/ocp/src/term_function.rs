@@ -70,16 +70,12 @@ impl TermFunction {
         self.function.jacobian_values();
         let pattern = &self.function.jacobian;
         let values = self.function.evaluated_jacobian();
-        for (entry, (&output, &input)) in pattern.rows.iter().zip(&pattern.columns).enumerate() {
-            let values = values.row(entry);
-            match self.function.contact(input) {
-                None => scatter(values, &self.jacobian_slots[entry * points..][..points], slots),
-                Some(component) => {
-                    let targets = &self.chain.jacobian_slots[output * points..][..points];
-                    scatter_gradients(values, distances, component, targets, slots);
-                }
+        for (entry, &input) in pattern.columns.iter().enumerate() {
+            if self.function.contact(input).is_none() {
+                scatter(values.row(entry), &self.jacobian_slots[entry * points..][..points], slots);
             }
         }
+        add_links(&self.chain.jacobian, values, distances, slots);
     }
 
     /// Takes the multipliers of the constraints and adds the adjoints of the contact information to the seeds of the
@@ -113,102 +109,119 @@ impl TermFunction {
             let values = values.row(entry);
             match (self.function.contact(row), self.function.contact(column)) {
                 (None, None) => scatter(values, &self.hessian_slots[entry * points..][..points], slots),
-                (Some(component), None) => self.chain.add_mixed(values, distances, component, column, slots),
-                (None, Some(component)) => self.chain.add_mixed(values, distances, component, row, slots),
                 (Some(one), Some(other)) => distances.add_products(values, one, other, slots),
+                _ => {}
             }
         }
+        add_links(&self.chain.mixed, values, distances, slots);
     }
 }
 
 fn take_contact_information(function: &mut PointFunction, distances: &Distances) {
     for input in 0..function.inputs() {
         if let Some(component) = function.contact(input) {
-            let values = distances.last_values().iter().flatten();
-            for (input, contact) in function.input_mut(input).iter_mut().zip(values) {
+            for (input, contact) in function.input_mut(input).iter_mut().zip(distances.last_values()) {
                 *input = contact[component];
             }
         }
     }
 }
 
-/// Entries of a term's derivatives by contact information, which is a function of the pose before the step.
+/// A term's derivatives by contact information, which is a function of the pose before the step.
 #[derive(Default)]
 struct ContactChain {
-    /// Entries (constraint row, coordinates of the pose) per (output, point).
-    jacobian_slots: Vec<[u32; POSE]>,
-    /// Entries (variable, coordinates of the pose) per (input, point).
-    mixed_slots: Vec<[u32; POSE]>,
-    /// Coordinate of that pose per input, if the input is one.
-    own_coordinate: Vec<Option<usize>>,
+    /// Of every output that depends on contact information.
+    jacobian: Vec<Link>,
+    /// Of every input that has second derivatives together with contact information.
+    mixed: Vec<Link>,
     /// Gradient of the weighted outputs; `None` when no input is contact information.
     adjoint: Option<Batch>,
 }
 
 impl ContactChain {
     fn new(function: &PointFunction, rows: &[u32], distances: &mut Distances, patterns: &mut Patterns) -> Self {
-        let (points, inputs, outputs) = (function.points(), function.inputs(), function.outputs());
-        let pairs_of_inputs = || function.hessian.rows.iter().zip(&function.hessian.columns);
-        let meets_contact = |input: usize| {
-            pairs_of_inputs().any(|(&row, &column)| {
-                (row == input && function.contact(column).is_some())
-                    || (column == input && function.contact(row).is_some())
-            })
+        let points = function.points();
+        let poses: Vec<[u32; POSE]> = (0..points).map(|point| distances.pose_variables(point)).collect();
+        let jacobian_entries = || function.jacobian.rows.iter().zip(&function.jacobian.columns).enumerate();
+        let of_output = |output: usize| {
+            let own = jacobian_entries().filter(move |(_, (row, _))| **row == output);
+            own.filter_map(|(entry, (_, &input))| Some((entry, function.contact(input)?))).collect()
         };
-        let mixed_inputs: Vec<usize> = (0..inputs).filter(|&input| meets_contact(input)).collect();
-        let feels_contact = |output: usize| {
-            let nonzeros = function.jacobian.rows.iter().zip(&function.jacobian.columns);
-            nonzeros.into_iter().any(|(&row, &column)| row == output && function.contact(column).is_some())
+        let hessian_entries = || function.hessian.rows.iter().zip(&function.hessian.columns).enumerate();
+        let with_input = |input: usize| {
+            let partner = move |(entry, (&row, &column)): (usize, (&usize, &usize))| match (row, column) {
+                _ if row == input => Some((entry, function.contact(column)?)),
+                _ if column == input => Some((entry, function.contact(row)?)),
+                _ => None,
+            };
+            hessian_entries().filter_map(partner).collect()
         };
-        let chained_outputs: Vec<usize> = (0..outputs).filter(|&output| feels_contact(output)).collect();
-        let mut jacobian_slots = vec![[ABSENT; POSE]; outputs * points];
-        let mut mixed_slots = vec![[ABSENT; POSE]; inputs * points];
-        let mut own_coordinate = vec![None; inputs];
-        for point in 0..points {
-            let pose = distances.pose_variables(point);
-            for &output in &chained_outputs {
-                let entry = output * points + point;
-                jacobian_slots[entry] = pose.map(|column| patterns.jacobian.slot(rows[entry], column));
-            }
-            distances.reserve_curvature(point, &mut patterns.hessian);
-            for &input in &mixed_inputs {
-                let variable = function.variable(input, point);
-                mixed_slots[input * points + point] =
-                    pose.map(|column| patterns.hessian.symmetric_slot(variable, column));
-                if variable != ABSENT {
-                    own_coordinate[input] = pose.iter().position(|&coordinate| coordinate == variable);
-                }
-            }
-        }
-        Self { jacobian_slots, mixed_slots, own_coordinate, adjoint: Some(Batch::new(inputs, points)) }
-    }
-
-    /// Adds second derivatives by a variable and a component of the contact information.
-    fn add_mixed(&self, values: &[f64], distances: &Distances, component: usize, input: usize, slots: &mut [f64]) {
-        let targets = &self.mixed_slots[input * values.len()..][..values.len()];
-        scatter_gradients(values, distances, component, targets, slots);
-        // The second derivative by one and the same coordinate has this term twice.
-        if let Some(coordinate) = self.own_coordinate[input] {
-            let derivatives = distances.last_jacobians().iter().flatten();
-            for ((&value, derivative), target) in values.iter().zip(derivatives).zip(targets) {
-                add(slots, target[coordinate], value * derivative[component][coordinate]);
-            }
-        }
+        let jacobian = (0..function.outputs()).filter_map(|output| {
+            let row = |point: usize| rows[output * points + point];
+            let slots = |(point, pose): (usize, &[u32; POSE])| pose.map(|c| patterns.jacobian.slot(row(point), c));
+            Link::new(of_output(output), || poses.iter().enumerate().map(slots).collect(), None)
+        });
+        let jacobian = jacobian.collect();
+        (0..points).for_each(|point| distances.reserve_curvature(point, &mut patterns.hessian));
+        let mixed = (0..function.inputs()).filter(|&input| function.contact(input).is_none()).filter_map(|input| {
+            let variable = |point: usize| function.variable(input, point);
+            let is_own = |point: usize| poses[point].iter().position(|&c| c == variable(point) && c != ABSENT);
+            let slots = |(point, pose): (usize, &[u32; POSE])| {
+                pose.map(|c| patterns.hessian.symmetric_slot(variable(point), c))
+            };
+            let doubled = (0..points).find_map(is_own);
+            Link::new(with_input(input), || poses.iter().enumerate().map(slots).collect(), doubled)
+        });
+        let mixed = mixed.collect();
+        Self { jacobian, mixed, adjoint: Some(Batch::new(function.inputs(), points)) }
     }
 }
 
-/// Adds one value per point, times the gradient of a component of the point's contact information.
-fn scatter_gradients(
-    values: &[f64],
-    distances: &Distances,
-    component: usize,
-    targets: &[[u32; POSE]],
-    slots: &mut [f64],
-) {
-    let gradients = distances.last_jacobians().iter().flatten().map(|derivative| &derivative[component]);
-    for ((&value, gradient), targets) in values.iter().zip(gradients).zip(targets) {
-        for (&slope, &target) in gradient.iter().zip(targets) {
-            add(slots, target, value * slope);
+/// Derivatives by components of the contact information, and where their products with its gradients belong.
+struct Link {
+    /// Nonzeros of the tape with the component that each is a derivative by.
+    entries: Vec<(usize, usize)>,
+    /// Slots (coordinate of the pose) per point.
+    slots: Vec<[u32; POSE]>,
+    /// A coordinate whose entry is on the diagonal: a second derivative by one and the same variable occurs twice.
+    doubled: Option<usize>,
+}
+
+impl Link {
+    /// `None` without entries.
+    fn new(
+        entries: Vec<(usize, usize)>,
+        slots: impl FnOnce() -> Vec<[u32; POSE]>,
+        doubled: Option<usize>,
+    ) -> Option<Self> {
+        if entries.is_empty() { None } else { Some(Self { entries, slots: slots(), doubled }) }
+    }
+}
+
+/// Adds the products of the tape's derivatives with the gradients of the contact information. The gradients of all
+/// points are larger than the caches, so that all links take those of a few points.
+fn add_links(links: &[Link], values: &Batch, distances: &Distances, slots: &mut [f64]) {
+    const FEW: usize = 32;
+    for (few, gradients) in distances.last_jacobians().chunks(FEW).enumerate() {
+        let points = few * FEW..few * FEW + gradients.len();
+        for link in links {
+            let mut sums = [[0.0; POSE]; FEW];
+            for &(entry, component) in &link.entries {
+                let values = &values.row(entry)[points.clone()];
+                for ((sum, gradients), value) in sums.iter_mut().zip(gradients).zip(values) {
+                    for (sum, slope) in sum.iter_mut().zip(&gradients[component]) {
+                        *sum += value * slope;
+                    }
+                }
+            }
+            for (sum, targets) in sums.iter_mut().zip(&link.slots[points.clone()]) {
+                if let Some(coordinate) = link.doubled {
+                    sum[coordinate] *= 2.0;
+                }
+                for (&target, &sum) in targets.iter().zip(&*sum) {
+                    add(slots, target, sum);
+                }
+            }
         }
     }
 }

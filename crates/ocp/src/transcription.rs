@@ -3,6 +3,8 @@
 use nlp::{Bounds, EvaluationError, Pattern, Problem};
 use task::{AssemblyTask, Complementarity, HessianKind, POSE, STATE, at_rest, pose_of};
 
+use workers::Workers;
+
 use crate::cost::{running_cost, terminal_cost};
 use crate::distances::Distances;
 use crate::layout::Layout;
@@ -27,6 +29,7 @@ pub struct Transcription {
     jacobian: Pattern,
     hessian: Pattern,
     initial_compliant: Vec<[f64; STATE]>,
+    workers: Workers,
 }
 
 impl Transcription {
@@ -58,7 +61,20 @@ impl Transcription {
             jacobian: patterns.jacobian.finish(),
             hessian: patterns.hessian.finish(),
             initial_compliant,
+            workers: Workers::default(),
         }
+    }
+
+    /// Evaluates with some threads, which change nothing but the time it takes. By default it is one.
+    pub fn with_workers(mut self, workers: Workers) -> Self {
+        self.distances.set_workers(workers.clone());
+        self.workers = workers;
+        self
+    }
+
+    /// The threads that evaluate.
+    pub fn workers(&self) -> &Workers {
+        &self.workers
     }
 
     /// Sets the smoothing of the distances, `tau`, and of the complementarity conditions, `sigma` (Sec. ocp:homotopy).
@@ -161,7 +177,7 @@ impl Problem for Transcription {
         if !exact {
             return Ok(());
         }
-        self.distances.evaluate()?;
+        self.distances.evaluate_jacobians()?;
         self.distances.clear_seeds();
         for function in &mut self.functions {
             function.take_multipliers(multipliers, &mut self.distances);

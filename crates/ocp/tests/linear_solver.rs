@@ -6,6 +6,7 @@ use kkt::Fallbacks;
 use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Mumps, Options, SolveStatus, Start};
 use ocp::{Transcription, TranscriptionSolver};
 use task::{AssemblyTask, Complementarity, HessianKind, Limits};
+use workers::Workers;
 
 fn task(scene: &str, steps: usize) -> AssemblyTask {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{scene}.toml"));
@@ -43,7 +44,7 @@ struct Compared {
 impl Compared {
     fn new(transcription: &Transcription) -> Self {
         Self {
-            stage: TranscriptionSolver::new(transcription.layout()),
+            stage: TranscriptionSolver::new(transcription.layout(), Workers::default()),
             mumps: Mumps::new(),
             rows: Vec::new(),
             columns: Vec::new(),
@@ -219,7 +220,7 @@ fn gauss_newton_and_quasi_newton_agree_with_mumps() {
 fn solve_corner() -> (SolveStatus, Vec<u64>) {
     let complementarity = Complementarity::Relaxation;
     let mut transcription = transcribe(&task("corner", 20), complementarity, HessianKind::Exact);
-    let mut solver = TranscriptionSolver::new(transcription.layout());
+    let mut solver = TranscriptionSolver::new(transcription.layout(), Workers::default());
     let start = Start::Cold(transcription.initial_guess());
     let chosen = LinearSystemSolver::Own(&mut solver);
     let solution = nlp::solve(&mut transcription, &start, &options(), chosen, &mut |_| Control::Continue).unwrap();

@@ -29,8 +29,9 @@ fn main() -> Result<(), PlannerError> {
 /// Success rates of four references, and the times they took.
 fn row(scene: &Path) -> Result<String, PlannerError> {
     let problem = Problem::load(scene, &Choices::default())?;
-    let session = Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None };
     let target = RobustnessTarget::default();
+    let (observer, interrupted, threads) = (&|_: &Event| {}, &AtomicBool::new(false), target.threads);
+    let session = Session { observer, interrupted, folder: None, threads };
     let task = problem.task();
     let push = Reference::straight(&task.start, &task.goal, task.horizon);
 
@@ -71,8 +72,7 @@ fn rate(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -> 
     let motions = [(Motion::Plan, reference.clone())];
     let (mut rollouts, mut successes) = (0, 0);
     for errors in [random, GraspErrors::default()] {
-        let request =
-            SimulationRequest { errors, frictions: target.frictions.clone(), ..SimulationRequest::default() };
+        let request = SimulationRequest { errors, frictions: target.frictions.clone(), ..SimulationRequest::default() };
         let played = planner::simulate(problem, &motions, &request)?;
         rollouts += played.len();
         successes += played.iter().filter(|rollout| rollout.success).count();

@@ -26,6 +26,8 @@ pub struct Plan {
     pub task: AssemblyTask,
     /// Of a refined plan, whose scenarios are rollouts with hard contact.
     pub robustness: Option<RobustnessReport>,
+    /// Threads of the solve.
+    pub threads: usize,
     /// Whether the user stopped it.
     pub interrupted: bool,
 }
@@ -64,10 +66,16 @@ impl fmt::Display for PlanStatus {
 
 impl Plan {
     /// Of a homotopy that has run at least one iteration; its last one is the plan.
-    pub(crate) fn new(problem: &Problem, variant: Variant, iterations: Vec<PlanIteration>, interrupted: bool) -> Self {
+    pub(crate) fn new(
+        problem: &Problem,
+        variant: Variant,
+        iterations: Vec<PlanIteration>,
+        threads: usize,
+        interrupted: bool,
+    ) -> Self {
         let trajectory = iterations[iterations.len() - 1].trajectory.clone();
         let task = variant.task.clone();
-        Self { problem: problem.clone(), variant, iterations, trajectory, task, robustness: None, interrupted }
+        Self { problem: problem.clone(), variant, iterations, trajectory, task, robustness: None, threads, interrupted }
     }
 
     /// The last homotopy iteration.

@@ -14,6 +14,8 @@ pub struct Session<'run> {
     pub interrupted: &'run AtomicBool,
     /// Where finished homotopy iterations and refined references are kept, so that another run can go on with them.
     pub folder: Option<&'run PlanFolder>,
+    /// Threads of a solve. They change nothing but the time it takes.
+    pub threads: usize,
 }
 
 impl Session<'_> {

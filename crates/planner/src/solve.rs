@@ -10,6 +10,7 @@ use crate::files::{Checkpoint, PlanFolder};
 use crate::iteration::{IterationRecord, PlanIteration};
 use crate::plan::Plan;
 use crate::problem::Problem;
+use crate::refine::require_threads;
 use crate::session::{Event, Session};
 use crate::variant::Variant;
 
@@ -43,22 +44,25 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
         session.tell(Event::Iteration(*event));
         if session.is_interrupted() { Control::Stop } else { Control::Continue }
     };
-    let new = run_homotopy(&variant, iterations.len(), start, observe, on_finished)?;
+    require_threads(session.threads)?;
+    let new = run_homotopy(&variant, session.threads, iterations.len(), start, observe, on_finished)?;
     kept?;
     let interrupted = new.last().is_some_and(is_interrupted);
     iterations.extend(new.into_iter().map(PlanIteration::from));
-    Ok(Plan::new(problem, variant, iterations, interrupted))
+    Ok(Plan::new(problem, variant, iterations, session.threads, interrupted))
 }
 
-/// Runs the homotopy of a variant after its first `done` iterations, from a given start or the variant's own.
+/// Runs the homotopy of a variant on some threads after its first `done` iterations, from a given start or the
+/// variant's own.
 pub(crate) fn run_homotopy(
     variant: &Variant,
+    threads: usize,
     done: usize,
     start: Option<Start>,
     mut observe: impl FnMut(&SolverEvent) -> Control,
     finished: impl FnMut(usize, &HomotopyIteration),
 ) -> Result<Vec<HomotopyIteration>, PlannerError> {
-    let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone());
+    let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone()).with_threads(threads);
     let transcription = homotopy.transcription();
     let start = start.unwrap_or_else(|| {
         Start::Cold(match &variant.near {

@@ -18,7 +18,7 @@ fn corner(success: Success) -> Problem {
 }
 
 fn quietly<T>(run: impl FnOnce(&Session) -> T) -> T {
-    run(&Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None })
+    run(&Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None, threads: 1 })
 }
 
 /// A plan of the corner scene that a variant with half the time step and two homotopy iterations has made.

@@ -104,7 +104,8 @@ fn solve(program: &Path, manifest: &Manifest, cell: &Cell) -> Command {
     command.arg("solve").arg(manifest.folder.join(&cell.scene)).arg("--resume");
     command.arg("--out").arg(manifest.folder.join(&cell.folder));
     command.arg(format!("--start={}", cell.start)).arg(format!("--delta={}", cell.delta_m));
-    command.args(["--cell", &cell.identity]);
+    // Cells are solved side by side.
+    command.args(["--jobs", "1", "--cell", &cell.identity]);
     if let Some(homotopy) = &cell.homotopy {
         command.arg("--homotopy").arg(manifest.folder.join(homotopy));
     }

@@ -6,8 +6,8 @@
 //! needs one product `Y' D^{-1} Y`.
 
 pub mod cluster;
+pub mod factors;
 pub mod solve;
-pub mod store;
 
 use crate::grouping::{Group, Grouping, Role};
 use crate::kernel::padded;
@@ -42,24 +42,11 @@ pub struct Leaf {
     pub filled: Vec<bool>,
     /// Number of multipliers.
     pub multipliers: usize,
-    /// Start of its values in the stores.
-    pub offset: Offset,
-}
-
-/// Start of a leaf's values in the stores of all leaves.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Offset {
-    /// In the stores with one value per row.
-    pub rows: usize,
-    /// In the store of the blocks.
-    pub blocks: usize,
-    /// In the store of the rows of `Y`.
-    pub panel: usize,
 }
 
 impl Leaf {
     /// Finds the clusters of a leaf. `local` has a place for every row of the matrix.
-    pub fn new(group: &Group, grouping: &Grouping, labels: &[Label], local: &mut [usize], offset: Offset) -> Self {
+    pub fn new(group: &Group, grouping: &Grouping, labels: &[Label], local: &mut [usize]) -> Self {
         let (rows, clusters) = split_into_clusters(group, grouping);
         let width = padded(group.boundary.len());
         let blocks = padded(clusters.iter().map(|cluster| cluster.order * cluster.order).sum());
@@ -91,21 +78,12 @@ impl Leaf {
         }
         let multipliers = rows.iter().filter(|&&row| labels[row].class.is_multiplier()).count();
         let boundary = group.boundary.clone();
-        Self { rows, clusters, boundary, width, blocks, entries, filled, multipliers, offset }
+        Self { rows, clusters, boundary, width, blocks, entries, filled, multipliers }
     }
 
     /// Number of values of the rows of `Y`.
     pub fn panel(&self) -> usize {
         self.rows.len() * self.width
-    }
-
-    /// Where the next leaf starts.
-    pub fn end(&self) -> Offset {
-        Offset {
-            rows: self.offset.rows + self.rows.len(),
-            blocks: self.offset.blocks + self.blocks,
-            panel: self.offset.panel + self.panel(),
-        }
     }
 }
 

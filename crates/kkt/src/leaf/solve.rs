@@ -2,26 +2,38 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::kernel::{dot, subtract_columns};
-use crate::leaf::store::LeafStore;
+use crate::kernel::{Aligned, dot, subtract_columns};
+use crate::leaf::factors::LeafFactors;
 use crate::leaf::{Cluster, Leaf};
 use crate::pivot::apply_inverse;
 
-/// One sweep of a solve through a leaf: forward with `L`, which updates the boundary, or backward with `L'`.
-pub struct SolveLeaf<'a> {
-    pub leaf: &'a Leaf,
-    pub store: &'a LeafStore,
-    /// Right-hand side or solution, by row of the matrix. Between the two sweeps the leaf's rows hold the values of its
-    /// pivots.
-    pub values: &'a mut [f64],
-    /// See [`work_length`].
-    pub work: &'a mut [f64],
-    pub backward: bool,
+/// Part of a solution that belongs to a leaf.
+#[derive(Debug)]
+pub struct LeafSolution {
+    /// In the order of the pivots. Between the two sweeps it holds the values after the sweep with `L`.
+    pub pivots: Vec<f64>,
+    /// What the forward sweep adds to the boundary, or the solution there.
+    pub boundary: Aligned,
+    /// Factors of the panel's rows.
+    coefficients: Vec<f64>,
 }
 
-/// Length of the scratch of a solve: boundary, pivots, rows of the panel.
-pub fn work_length(leaf: &Leaf) -> usize {
-    leaf.width + 2 * leaf.rows.len()
+impl LeafSolution {
+    /// Makes room for a leaf.
+    pub fn new(leaf: &Leaf) -> Self {
+        let rows = leaf.rows.len();
+        Self { pivots: vec![0.0; rows], boundary: Aligned::new(leaf.width), coefficients: Vec::with_capacity(rows) }
+    }
+}
+
+/// One sweep of a solve through a leaf: forward with `L`, or backward with `L'`.
+pub struct SolveLeaf<'a> {
+    pub leaf: &'a Leaf,
+    pub factors: &'a LeafFactors,
+    /// By row of the matrix: the right-hand side, or the solution of the fronts.
+    pub values: &'a [f64],
+    pub solution: &'a mut LeafSolution,
+    pub backward: bool,
 }
 
 impl WithSimd for SolveLeaf<'_> {
@@ -29,61 +41,51 @@ impl WithSimd for SolveLeaf<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { leaf, store, values, work, backward } = self;
-        let count = leaf.rows.len();
-        let pivots = leaf.offset.rows..leaf.offset.rows + count;
-        let (boundary, work) = work.split_at_mut(leaf.width);
-        let (local, coefficients) = work.split_at_mut(count);
-        let panel_pivot = &store.panel_pivot[pivots.clone()][..store.panel_rows[pivots.start] as usize];
-        let coefficients = &mut coefficients[..panel_pivot.len()];
-        let panel = &store.panel[leaf.offset.panel..];
-        let rows = &store.rows[pivots.clone()];
-        let (diagonal, subdiagonal) = (&store.diagonal[pivots.clone()], &store.subdiagonal[pivots]);
-        for (value, &row) in local.iter_mut().zip(rows) {
-            *value = values[row as usize];
-        }
-        boundary.fill(0.0);
+        let Self { leaf, factors, values, solution, backward } = self;
+        let LeafSolution { pivots, boundary, coefficients } = solution;
+        let boundary: &mut [f64] = boundary;
         if backward {
+            boundary.fill(0.0);
             for (value, &row) in boundary.iter_mut().zip(&leaf.boundary) {
                 *value = values[row];
             }
-            for (row, &pivot) in panel.chunks_exact(leaf.width).zip(panel_pivot) {
-                local[pivot as usize] -= dot(simd, row, boundary);
+            for (row, &pivot) in factors.panel.chunks_exact(leaf.width).zip(&factors.panel_pivot) {
+                pivots[pivot as usize] -= dot(simd, row, boundary);
             }
-            apply_inverse(diagonal, subdiagonal, local);
+            apply_inverse(&factors.diagonal, &factors.subdiagonal, pivots);
             for cluster in &leaf.clusters {
-                store.solve_transposed(leaf, cluster, local);
+                factors.solve_transposed(cluster, pivots);
             }
-        } else {
-            for cluster in &leaf.clusters {
-                store.solve_lower(leaf, cluster, local);
-            }
+            return;
         }
-        for (value, &row) in local.iter().zip(rows) {
-            values[row as usize] = *value;
+        for (value, &row) in pivots.iter_mut().zip(&factors.rows) {
+            *value = values[row as usize];
         }
-        if !backward {
-            apply_inverse(diagonal, subdiagonal, local);
-            for (coefficient, &pivot) in coefficients.iter_mut().zip(panel_pivot) {
-                *coefficient = local[pivot as usize];
-            }
-            subtract_columns(simd, boundary, panel, leaf.width, coefficients);
-            for (value, &row) in boundary.iter().zip(&leaf.boundary) {
-                values[row] += value;
-            }
+        for cluster in &leaf.clusters {
+            factors.solve_lower(cluster, pivots);
         }
+        coefficients.clear();
+        coefficients.extend_from_slice(pivots);
+        apply_inverse(&factors.diagonal, &factors.subdiagonal, coefficients);
+        for (index, &pivot) in factors.panel_pivot.iter().enumerate() {
+            // Pivots of the panel's rows ascend, so that none is overwritten before it is read.
+            coefficients[index] = coefficients[pivot as usize];
+        }
+        boundary.fill(0.0);
+        let used = factors.panel_pivot.len();
+        subtract_columns(simd, boundary, &factors.panel, leaf.width, &coefficients[..used]);
     }
 }
 
-impl LeafStore {
-    fn block(&self, leaf: &Leaf, cluster: &Cluster) -> &[f64] {
-        &self.blocks[leaf.offset.blocks + cluster.block..][..cluster.order * cluster.order]
+impl LeafFactors {
+    fn block(&self, cluster: &Cluster) -> &[f64] {
+        &self.blocks[cluster.block..][..cluster.order * cluster.order]
     }
 
     /// Solves with `L` of a cluster.
     #[inline(always)]
-    fn solve_lower(&self, leaf: &Leaf, cluster: &Cluster, local: &mut [f64]) {
-        let (block, count) = (self.block(leaf, cluster), cluster.order);
+    fn solve_lower(&self, cluster: &Cluster, local: &mut [f64]) {
+        let (block, count) = (self.block(cluster), cluster.order);
         let local = &mut local[cluster.first..cluster.first + count];
         for column in 0..count {
             for row in column + 1..count {
@@ -94,8 +96,8 @@ impl LeafStore {
 
     /// Solves with `L'` of a cluster.
     #[inline(always)]
-    fn solve_transposed(&self, leaf: &Leaf, cluster: &Cluster, local: &mut [f64]) {
-        let (block, count) = (self.block(leaf, cluster), cluster.order);
+    fn solve_transposed(&self, cluster: &Cluster, local: &mut [f64]) {
+        let (block, count) = (self.block(cluster), cluster.order);
         let local = &mut local[cluster.first..cluster.first + count];
         for column in (0..count).rev() {
             for row in column + 1..count {

@@ -11,6 +11,7 @@ use kkt::Fallbacks;
 use nlp::{Control, LinearSystemSolver, Options, Problem, SolveStatus, Start, check_derivatives};
 use ocp::{Owners, StepTerm, Transcription, TranscriptionSolver, VELOCITY_DYNAMICS, standard_terms};
 use task::{AssemblyTask, Complementarity, HessianKind, POSE, TWIST};
+use workers::Workers;
 
 use drag::ViscousDrag;
 use friction::RegularisedCoulomb;
@@ -49,7 +50,7 @@ fn solve(mut problem: Transcription) -> f64 {
     let mut options = Options::default();
     options.set("tol", 1e-2);
     options.set("mu_init", 1.0);
-    let mut solver = TranscriptionSolver::new(problem.layout());
+    let mut solver = TranscriptionSolver::new(problem.layout(), Workers::default());
     let start = Start::Cold(problem.initial_guess());
     let own = LinearSystemSolver::Own(&mut solver);
     let solution = nlp::solve(&mut problem, &start, &options, own, &mut |_| Control::Continue).unwrap();

@@ -220,7 +220,7 @@ impl PlanResult {
             made_from: MadeFrom::from(&plan.problem),
             linear_solver: last.linear_solver.clone(),
             linear_solver_fallbacks: records().map(IterationRecord::fallbacks).sum(),
-            threads: 1,
+            threads: plan.threads,
             versions: Versions {
                 assembly_plan: env!("CARGO_PKG_VERSION").to_owned(),
                 ipopt: nlp::IPOPT_VERSION.to_owned(),
