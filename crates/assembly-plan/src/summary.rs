@@ -30,7 +30,7 @@ pub fn summary(result: &PlanResult) -> String {
         ));
     }
     lines.extend(limits(&result.limits, &result.reached));
-    lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.stages.len())));
+    lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.chosen_stage)));
     lines.join("\n")
 }
 
@@ -44,14 +44,14 @@ fn limits(limits: &LimitsRecord, reached: &LimitsRecord) -> Option<String> {
     (!used.is_empty()).then(|| format!("  limits: {}", used.join(", ")))
 }
 
-fn robustness(report: &RobustnessReport, iterations: usize) -> Vec<String> {
+fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
     let mut lines = vec![format!(
         "success in rollouts with hard contact: {:.1} % before, {:.1} % after ({:.1} % wanted at each friction), {:.0} s; {}",
         100.0 * report.rate_before,
         100.0 * report.rate_after,
         100.0 * report.wanted_rate,
         report.wall_s,
-        changes(report, iterations)
+        changes(report, planned)
     )];
     lines.extend(report.before.by_friction().zip(report.after.by_friction()).map(|(before, after)| {
         let groups: Vec<String> = before.iter().zip(after).map(|(before, after)| group(before, after)).collect();
@@ -77,10 +77,10 @@ fn group(before: &SuccessRate, after: &SuccessRate) -> String {
 }
 
 /// Where the kept reference comes from, in words.
-fn changes(report: &RobustnessReport, iterations: usize) -> String {
+fn changes(report: &RobustnessReport, planned: usize) -> String {
     let Some(kept) = report.kept() else { return "the plan was left as it was".to_owned() };
     match (kept.changes, report.rounds.len()) {
-        (0, 1) if kept.chosen_stage == iterations => "the plan was left as it was".to_owned(),
+        (0, 1) if kept.chosen_stage == planned => "the plan was left as it was".to_owned(),
         (0, 1) => format!("the reference of homotopy iteration {}", kept.chosen_stage),
         (changes, 1) => format!("{changes} changes of the reference"),
         (changes, count) => {

@@ -1,6 +1,6 @@
 //! Homotopy iterations as plans, `result.json` and checkpoints have them.
 
-use ocp::{HomotopyIteration, IterationTiming};
+use ocp::{HomotopyIteration, IterationEnd, IterationTiming};
 use serde::{Deserialize, Serialize};
 use task::Trajectory;
 
@@ -13,6 +13,13 @@ pub struct PlanIteration {
     pub record: IterationRecord,
     /// The motion it found, for the task of the plan's [`crate::Variant`].
     pub trajectory: Trajectory,
+}
+
+impl PlanIteration {
+    /// What decides whether another iteration follows.
+    pub(crate) fn end(&self) -> IterationEnd<'_> {
+        IterationEnd { converged: self.record.converged, motion: &self.trajectory }
+    }
 }
 
 impl From<HomotopyIteration> for PlanIteration {

@@ -48,8 +48,8 @@ pub enum Event<'event> {
     HomotopyIteration {
         /// Its number, from 1.
         number: usize,
-        /// How many there are.
-        count: usize,
+        /// How many there are, at most.
+        most: usize,
         /// What came of it.
         record: &'event IterationRecord,
         /// Largest final position error of all scenarios (m).
@@ -59,8 +59,8 @@ pub enum Event<'event> {
     Resumed {
         /// Homotopy iterations that it has finished.
         done: usize,
-        /// How many there are.
-        count: usize,
+        /// How many there are, at most.
+        most: usize,
         /// Whether it had begun to refine.
         refining: bool,
     },

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration};
+use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, IterationEnd};
 
 use crate::error::{PlannerError, Unusable};
 use crate::files::{Checkpoint, PlanFolder};
@@ -21,10 +21,10 @@ use crate::variant::Variant;
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
     let variant = Variant::of_scene(problem);
     let earlier = earlier_work(problem, &variant, session)?;
-    let count = variant.settings.iterations;
+    let most = variant.settings.most_iterations();
     let (mut iterations, start, mut finished) = match earlier {
         Some(Earlier { iterations, checkpoint }) => {
-            session.tell(Event::Resumed { done: iterations.len(), count, refining: false });
+            session.tell(Event::Resumed { done: iterations.len(), most, refining: false });
             let start = Some(Start::Warm(checkpoint.iterate()));
             (iterations, start, Finished { records: checkpoint.iterations, tables: checkpoint.tables })
         }
@@ -33,7 +33,7 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
     let mut kept = Ok(());
     let on_finished = |number: usize, iteration: &HomotopyIteration| {
         let record = IterationRecord::from(iteration);
-        announce(session, number, count, &record, iteration);
+        announce(session, number, most, &record, iteration);
         finished.records.push(record);
         if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_interrupted(iteration)) {
             kept = finished.keep(folder, problem, &variant, iteration);
@@ -43,17 +43,17 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
         session.tell(Event::Iteration(*event));
         if session.is_interrupted() { Control::Stop } else { Control::Continue }
     };
-    let new = run_homotopy(&variant, iterations.len(), start, observe, on_finished)?;
+    let new = run_homotopy(&variant, &iterations, start, observe, on_finished)?;
     kept?;
     let interrupted = new.last().is_some_and(is_interrupted);
     iterations.extend(new.into_iter().map(PlanIteration::from));
     Ok(Plan::new(problem, variant, iterations, interrupted))
 }
 
-/// Runs the homotopy of a variant after its first `done` iterations, from a given start or the variant's own.
+/// Runs the homotopy of a variant after its `earlier` iterations, from a given start or the variant's own.
 pub(crate) fn run_homotopy(
     variant: &Variant,
-    done: usize,
+    earlier: &[PlanIteration],
     start: Option<Start>,
     mut observe: impl FnMut(&SolverEvent) -> Control,
     finished: impl FnMut(usize, &HomotopyIteration),
@@ -66,7 +66,8 @@ pub(crate) fn run_homotopy(
             Some(motion) => transcription.point_at(motion),
         })
     });
-    Ok(homotopy.run_from(done, start, |event| observe(&event), finished)?)
+    let ends: Vec<IterationEnd> = earlier.iter().map(PlanIteration::end).collect();
+    Ok(homotopy.run_from(&ends, start, |event| observe(&event), finished)?)
 }
 
 /// Finished homotopy iterations of another run.
@@ -124,9 +125,9 @@ impl Finished {
     }
 }
 
-fn announce(session: &Session, number: usize, count: usize, record: &IterationRecord, iteration: &HomotopyIteration) {
+fn announce(session: &Session, number: usize, most: usize, record: &IterationRecord, iteration: &HomotopyIteration) {
     let (position_error, _) = iteration.trajectory.worst_errors();
-    session.tell(Event::HomotopyIteration { number, count, record, position_error });
+    session.tell(Event::HomotopyIteration { number, most, record, position_error });
 }
 
 fn is_interrupted(iteration: &HomotopyIteration) -> bool {

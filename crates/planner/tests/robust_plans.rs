@@ -103,7 +103,7 @@ fn times_and_accelerations_are_those_of_the_plan_not_of_the_scene() {
 fn a_variant_of_two_homotopy_iterations_counts_as_converged() {
     let plan = refined(0.0009, &hasty());
     assert_eq!(plan.problem.homotopy().iterations, 5);
-    assert!(plan.iterations.len() == 2 && plan.last().record.converged);
+    assert!(plan.iterations.len() == 2 && plan.chosen().record.converged);
     assert!(plan.is_converged() && result(&plan).converged);
     let cut = Plan { iterations: plan.iterations[..1].to_vec(), ..plan };
     assert!(!cut.is_converged(), "one of its two homotopy iterations did not run");

@@ -85,8 +85,10 @@ pub enum IpoptValue {
 /// Homotopy parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HomotopySettings {
-    /// Number of homotopy iterations `n_hom`.
+    /// Number of homotopy iterations `n_hom`, at least.
     pub iterations: usize,
+    /// So many more follow, at most, as long as they make contact harder.
+    pub further_iterations: usize,
     /// Smoothing of the distances in the first iteration, `tau_1` (N m, the barrier parameter of Eq. KKTsystem).
     pub tau: f64,
     /// Relaxation of complementarity in the first iteration, `sigma_1` (N m).
@@ -121,7 +123,12 @@ pub struct Smoothing {
 }
 
 impl HomotopySettings {
-    /// Smoothing of every iteration: `tau_n = kappa_tau^(n-1) tau_1`, and so on.
+    /// Largest number of homotopy iterations.
+    pub fn most_iterations(&self) -> usize {
+        self.iterations + self.further_iterations
+    }
+
+    /// Smoothing of every iteration there may be: `tau_n = kappa_tau^(n-1) tau_1`, and so on.
     pub fn schedule(&self) -> impl Iterator<Item = Smoothing> + use<> {
         let first = Smoothing { tau: self.tau, sigma: self.sigma, mu_init: self.mu_init };
         let (tau_rate, sigma_rate, mu_rate) = (self.tau_rate, self.sigma_rate, self.mu_rate);
@@ -132,6 +139,6 @@ impl HomotopySettings {
                 mu_init: last.mu_init * mu_rate,
             })
         })
-        .take(self.iterations)
+        .take(self.most_iterations())
     }
 }

@@ -137,7 +137,7 @@ impl<'run> Refiner<'run> {
         if let Some(kept) = self.earlier_work()?.and_then(|checkpoint| self.restore(checkpoint, &plan)) {
             self.session.tell(Event::Resumed {
                 done: plan.iterations.len(),
-                count: plan.iterations.len(),
+                most: plan.iterations.len(),
                 refining: true,
             });
             self.best = Some(kept.clone());
@@ -267,7 +267,7 @@ impl<'run> Refiner<'run> {
                 return Ok(Vec::new());
             }
             let observe = |_: &ocp::Event| if is_over() { Control::Stop } else { Control::Continue };
-            let iterations = run_homotopy(&variants[index], 0, None, observe, |_, _| {})?;
+            let iterations = run_homotopy(&variants[index], &[], None, observe, |_, _| {})?;
             let status = iterations.last().map_or_else(String::new, |last| last.status.to_string());
             self.session.tell(Event::VariantSolved { name: &variants[index].name, status: &status });
             Ok(iterations)

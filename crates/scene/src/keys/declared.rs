@@ -108,7 +108,8 @@ pub const KEYS: &[Key] = &[
     key("limits", "force", Number(LIMIT), "N", UNLIMITED, "force of the impedance controller, in the world frame"),
     key("limits", "torque", Number(LIMIT), "Nm", UNLIMITED, "torque of the impedance controller, in the body frame"),
 
-    key("homotopy", "iterations", Integer(Range::closed(1.0, 100.0)), "", Default(5.0), "how often the problem is solved, each time with less smoothing"),
+    key("homotopy", "iterations", Integer(Range::closed(1.0, 100.0)), "", Default(5.0), "how often the problem is solved, at least, each time with less smoothing"),
+    key("homotopy", "further_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(7.0), "how often it is solved beyond that, at most, until parts overlap by less than a tenth of the clearance at the goal"),
     key("homotopy", "tau", Number(Range::closed(1e-9, 1.0)), "N m", Default(0.0025), "smoothing of the distances in the first iteration"),
     key("homotopy", "sigma", Number(Range::closed(1e-12, 1.0)), "N m", Default(0.00125), "how far force x gap may be from zero in the first iteration"),
     key("homotopy", "mu_init", Number(Range::above(1e-12, 1e6)), "", Default(1.0), "initial barrier parameter of Ipopt in the first iteration"),

@@ -57,7 +57,7 @@ const SETTINGS: &[(&str, usize, &str)] = &[
     ("taw = 1.0", 1, "unknown key `taw`, did you mean `tau`?"),
     ("tau = 1\ntau = 2", 1, "`tau` is given twice"),
     ("max_iter = 5", 1, "unknown key `max_iter` here: it belongs to [ipopt]"),
-    ("steps = 5", 1, "unknown key `steps`; valid are: iterations, tau, sigma, mu_init, tau_rate, sigma_rate, mu_rate, complementarity, hessian, linear_solver"),
+    ("steps = 5", 1, "unknown key `steps`; valid are: iterations, further_iterations, tau, sigma, mu_init, tau_rate, sigma_rate, mu_rate, complementarity, hessian, linear_solver"),
 ];
 
 #[test]
@@ -265,9 +265,10 @@ fn every_homotopy_file_of_the_project_loads() {
 }
 
 #[test]
-fn the_default_homotopy_is_that_of_the_pegs() {
+fn the_default_homotopy_is_that_of_the_pegs_but_goes_on() {
     let peg = load_homotopy(&folder("configs/homotopy_peg.toml")).unwrap();
-    assert_eq!(default_homotopy(), peg);
+    assert_eq!(peg.further_iterations, 0, "the paper's number");
+    assert_eq!(default_homotopy(), HomotopySettings { further_iterations: 7, ..peg });
 }
 
 #[test]
