@@ -116,6 +116,40 @@ fn going_on_makes_no_plan_worse() {
 }
 
 #[test]
+fn the_first_homotopy_iterations_have_half_of_the_steps() {
+    let dir = Dir::new();
+    // An odd number of steps, and limits that the plan touches.
+    let limits =
+        "[limits]\ntranslational_velocity = 0.12\ncontact_force = 1.8\n\n[horizon]\nsteps = 61\ntime_step = 0.0262";
+    dir.add_variant("fine.toml", &[("[horizon]\nsteps = 20\ntime_step = 0.08", limits)]);
+    let solve = |coarse: usize| {
+        dir.add_homotopy("coarse.toml", &format!("coarse_iterations = {coarse}"), "tol = 1e-6");
+        dir.run("solve fine.toml --homotopy coarse.toml --out out").code(0).keeps_silent_about("warning");
+        dir.result("out")
+    };
+    let all_steps = solve(0);
+    let result = solve(2);
+    for (stage, number_of_stage) in list(&result, "stages").iter().zip(1..) {
+        let steps = if number_of_stage <= 2 { 31 } else { 61 };
+        assert_eq!((&stage["steps"], &stage["converged"]), (&steps.into(), &true.into()));
+        let reference = dir.table(format!("out/stages/{number_of_stage}/reference.csv"));
+        let last = reference.rows.last().unwrap()[0].parse::<f64>().unwrap();
+        assert_eq!(reference.rows.len(), steps + 1);
+        assert!(
+            (last - 61.0 * 0.0262).abs() < 1e-9 && (last / steps as f64 - number(stage, "time_step_s")).abs() < 1e-9
+        );
+    }
+    assert_eq!((dir.table("out/reference.csv").rows.len(), &result["done"]), (62, &true.into()));
+    assert!((number(&result, "objective") / number(&all_steps, "objective") - 1.0).abs() < 1e-3, "the same optimum");
+    let reached = |key: &str| number(&result["reached"], key);
+    assert!((0.119..0.120_001).contains(&reached("translational_velocity_m_s")), "{}", result["reached"]);
+    assert!((1.79..1.800_01).contains(&reached("contact_force_n")), "{}", result["reached"]);
+    // The multipliers are carried over too: without them, the first fine iteration would need as many as the first one.
+    let iterations = |index: usize| list(&result, "stages")[index]["iterations"].as_u64().unwrap();
+    assert!(iterations(2) < iterations(0), "{} {}", iterations(2), iterations(0));
+}
+
+#[test]
 fn overlap_that_smoothing_does_not_explain_asks_for_shorter_steps() {
     let dir = Dir::new();
     dir.add_homotopy("homotopy.toml", "iterations = 9", "tol = 1e-8");

@@ -60,6 +60,20 @@ fn a_resumed_plan_is_the_uninterrupted_one() {
 }
 
 #[test]
+fn a_coarse_homotopy_iteration_is_gone_on_with_on_all_steps() {
+    let dir = Dir::new();
+    dir.add_variant("slow.toml", &[("steps = 20\ntime_step = 0.08", "steps = 80\ntime_step = 0.02")]);
+    dir.add_homotopy("homotopy.toml", "iterations = 3\nfurther_iterations = 1\ncoarse_iterations = 1", "tol = 1e-2");
+    dir.run("solve slow.toml --out whole").code(0);
+    stop(&dir, "solve slow.toml --out out", "TERM");
+    dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration ");
+    assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
+    for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv"] {
+        assert!(dir.bytes(format!("out/{file}")) == dir.bytes(format!("whole/{file}")), "{file}");
+    }
+}
+
+#[test]
 fn a_solve_that_is_interrupted_at_once_leaves_nothing_in_its_folder() {
     let dir = Dir::new();
     dir.add_scene("peg2");

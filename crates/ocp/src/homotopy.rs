@@ -6,6 +6,7 @@
 use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
 use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver, Overlap, Smoothing, Trajectory};
 
+use crate::grid::{carried_over, coarsened};
 use crate::stage_solver::TranscriptionSolver;
 use crate::transcription::Transcription;
 
@@ -81,19 +82,27 @@ impl<'motion> From<&'motion HomotopyIteration> for IterationEnd<'motion> {
 
 /// A homotopy that is run iteration by iteration.
 pub struct Homotopy {
-    transcription: Transcription,
+    /// On the grid of the task.
+    fine: Transcription,
+    /// On a coarser one, for the first homotopy iterations.
+    coarse: Option<Transcription>,
     settings: HomotopySettings,
 }
 
 impl Homotopy {
     /// Transcribes the task.
     pub fn new(task: &AssemblyTask, settings: HomotopySettings) -> Self {
-        Self { transcription: Transcription::new(task, settings.complementarity, settings.hessian), settings }
+        let transcribe = |task: &AssemblyTask| Transcription::new(task, settings.complementarity, settings.hessian);
+        let coarse = (settings.coarse_iterations() > 0).then(|| coarsened(task)).flatten();
+        Self { fine: transcribe(task), coarse: coarse.as_ref().map(transcribe), settings }
     }
 
-    /// The transcribed problem.
-    pub fn transcription(&self) -> &Transcription {
-        &self.transcription
+    /// The transcribed problem of a homotopy iteration, counted from 1.
+    pub fn transcription(&self, number: usize) -> &Transcription {
+        match &self.coarse {
+            Some(coarse) if number <= self.settings.coarse_iterations() => coarse,
+            _ => &self.fine,
+        }
     }
 
     /// Runs all homotopy iterations, each from the final primal-dual point of the one before, whether that converged or
@@ -106,7 +115,7 @@ impl Homotopy {
         observe: impl FnMut(Event) -> Control,
         finished: impl FnMut(usize, &HomotopyIteration),
     ) -> Result<Vec<HomotopyIteration>, SolveError> {
-        self.run_from(&[], Start::Cold(self.transcription.initial_guess()), observe, finished)
+        self.run_from(&[], Start::Cold(self.transcription(1).initial_guess()), observe, finished)
     }
 
     /// Runs the homotopy iterations after `earlier` ones, which another run has completed with `start` as the final
@@ -132,9 +141,19 @@ impl Homotopy {
                 observe(Event { number: index + 1, most: self.settings.most_iterations(), smoothing, progress })
             };
             let options = iteration_options(&self.settings, smoothing);
-            self.transcription.set_smoothing(smoothing.tau, smoothing.sigma);
+            let coarse_iterations = self.settings.coarse_iterations();
+            let transcription = match &mut self.coarse {
+                Some(coarse) if index < coarse_iterations => coarse,
+                coarse => {
+                    if let (Some(coarse), Start::Warm(point), true) = (coarse, &start, index == coarse_iterations) {
+                        start = Start::Warm(carried_over(point, coarse, &self.fine));
+                    }
+                    &mut self.fine
+                }
+            };
+            transcription.set_smoothing(smoothing.tau, smoothing.sigma);
             let result = solve_iteration(
-                &mut self.transcription,
+                transcription,
                 &start,
                 smoothing,
                 &options,
@@ -160,7 +179,7 @@ impl Homotopy {
         }
         let before = ends.len().checked_sub(2).map(|index| ends[index].motion);
         let last = ends[ends.len() - 1];
-        last.converged && Overlap::of(self.transcription.task(), last.motion, before) == Overlap::Soft
+        last.converged && Overlap::of(self.fine.task(), last.motion, before) == Overlap::Soft
     }
 }
 

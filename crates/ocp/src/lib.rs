@@ -38,6 +38,7 @@
 mod cost;
 mod distances;
 mod function;
+mod grid;
 mod homotopy;
 mod layout;
 mod least_squares;

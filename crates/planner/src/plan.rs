@@ -88,7 +88,7 @@ impl Plan {
 
     /// The homotopy iteration that is the plan.
     pub fn chosen(&self) -> &PlanIteration {
-        &self.iterations[self.iterations.len() - 1]
+        &self.iterations[self.chosen_stage() - 1]
     }
 
     /// The motion to track.

@@ -58,8 +58,13 @@ pub(crate) fn run_homotopy(
     mut observe: impl FnMut(&SolverEvent) -> Control,
     finished: impl FnMut(usize, &HomotopyIteration),
 ) -> Result<Vec<HomotopyIteration>, PlannerError> {
-    let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone());
-    let transcription = homotopy.transcription();
+    let mut settings = variant.settings.clone();
+    if variant.near.is_some() {
+        // The motion is nearly a solution on the grid that it has.
+        settings.coarse_iterations = 0;
+    }
+    let mut homotopy = Homotopy::new(&variant.task, settings);
+    let transcription = homotopy.transcription(earlier.len() + 1);
     let start = start.unwrap_or_else(|| {
         Start::Cold(match &variant.near {
             None => transcription.initial_guess(),
@@ -88,7 +93,7 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
         }
     };
     let read = |(number, record): (usize, &IterationRecord)| {
-        let trajectory = folder.read_iteration(number, &variant.task)?;
+        let trajectory = folder.read_iteration(number, &record.task(&variant.task))?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
     };
     match (1..).zip(&checkpoint.iterations).map(read).collect() {

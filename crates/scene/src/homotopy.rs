@@ -52,6 +52,7 @@ pub fn tables(settings: &HomotopySettings) -> (toml::Table, toml::Table) {
     let mut insert = |key: &str, value: toml::Value| homotopy.insert(key.to_owned(), value);
     insert("iterations", toml::Value::Integer(settings.iterations as i64));
     insert("further_iterations", toml::Value::Integer(settings.further_iterations as i64));
+    insert("coarse_iterations", toml::Value::Integer(settings.coarse_iterations as i64));
     insert("tau", settings.tau.into());
     insert("sigma", settings.sigma.into());
     insert("mu_init", settings.mu_init.into());
@@ -106,6 +107,7 @@ fn settings(table: &Table, ipopt: &Table) -> Result<HomotopySettings, SceneError
     Ok(HomotopySettings {
         iterations: table.integer("iterations")? as usize,
         further_iterations: table.integer("further_iterations")? as usize,
+        coarse_iterations: table.integer("coarse_iterations")? as usize,
         tau: table.number("tau")?,
         sigma: table.number("sigma")?,
         mu_init: table.number("mu_init")?,

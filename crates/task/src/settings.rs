@@ -89,6 +89,8 @@ pub struct HomotopySettings {
     pub iterations: usize,
     /// So many more follow, at most, as long as they make contact harder.
     pub further_iterations: usize,
+    /// So many of the first iterations have half of the steps.
+    pub coarse_iterations: usize,
     /// Smoothing of the distances in the first iteration, `tau_1` (N m, the barrier parameter of Eq. KKTsystem).
     pub tau: f64,
     /// Relaxation of complementarity in the first iteration, `sigma_1` (N m).
@@ -126,6 +128,11 @@ impl HomotopySettings {
     /// Largest number of homotopy iterations.
     pub fn most_iterations(&self) -> usize {
         self.iterations + self.further_iterations
+    }
+
+    /// Number of iterations with half of the steps; the last wanted one always has all.
+    pub fn coarse_iterations(&self) -> usize {
+        self.coarse_iterations.min(self.iterations - 1)
     }
 
     /// Smoothing of every iteration there may be: `tau_n = kappa_tau^(n-1) tau_1`, and so on.

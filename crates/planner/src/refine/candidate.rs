@@ -50,7 +50,7 @@ impl<'run> Training<'run> {
 
 impl<'run> Candidate<'run> {
     /// The homotopy iteration whose reference passes most trials; of equals the later, which is smoothed less.
-    /// `iterations` must not be empty.
+    /// One of the iterations must have all steps.
     pub fn best_of(
         variant: Variant,
         iterations: Vec<PlanIteration>,
@@ -58,9 +58,10 @@ impl<'run> Candidate<'run> {
         trials: &[Trial],
         is_scenes_own: bool,
     ) -> Self {
+        let fine = iterations.iter().enumerate().filter(|(_, iteration)| !iteration.record.is_coarse(&variant.task));
         let refinements =
-            iterations.iter().map(|iteration| training.refinement(reference(&iteration.trajectory), trials));
-        let best = refinements.enumerate().min_by(|(one_index, one), (other_index, other)| {
+            fine.map(|(index, iteration)| (index, training.refinement(reference(&iteration.trajectory), trials)));
+        let best = refinements.min_by(|(one_index, one), (other_index, other)| {
             one.score().0.cmp(&other.score().0).then(other_index.cmp(one_index))
         });
         let (index, refinement) = best.expect("a homotopy has an iteration");

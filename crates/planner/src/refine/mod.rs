@@ -148,7 +148,7 @@ impl<'run> Refiner<'run> {
             };
         }
         self.spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
-        let last = plan.reference();
+        let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let (_, before) = self.evaluate(&last);
         self.before = before.clone();
         self.session.tell(Event::Evaluated { rate: before.overall() });
@@ -159,7 +159,7 @@ impl<'run> Refiner<'run> {
         }
         let refinement = self.training().refinement(last.clone(), &self.training);
         let rate = Some(before.overall());
-        self.rounds.push(Round { rate, ..Round::new(&variant, &iterations, iterations.len(), &refinement) });
+        self.rounds.push(Round { rate, ..Round::new(&variant, &iterations, chosen, &refinement) });
         self.best = Some(Kept {
             variant,
             iterations,
@@ -278,7 +278,7 @@ impl<'run> Refiner<'run> {
             let finished =
                 iterations?.into_iter().filter(|iteration| iteration.status != nlp::SolveStatus::Interrupted);
             let iterations: Vec<PlanIteration> = finished.map(PlanIteration::from).collect();
-            if iterations.is_empty() {
+            if iterations.iter().all(|iteration| iteration.record.is_coarse(&variant.task)) {
                 continue;
             }
             let candidate = Candidate::best_of(variant, iterations, self.training(), &self.training, false);
