@@ -104,8 +104,11 @@ fn the_homotopy_goes_on_until_contact_is_hard() {
 fn going_on_makes_no_plan_worse() {
     let dir = Dir::new();
     // After the first iteration, this many iterations of Ipopt are not enough for any smoothing that is much smaller.
-    let further =
-        |number: u64| format!("iterations = 1\nfurther_iterations = {number}\ntau_rate = 1e-3\nsigma_rate = 1e-3");
+    let further = |number: u64| {
+        format!(
+            "iterations = 1\nfurther_iterations = {number}\nmu_init = 1.0\nmu_rate = 0.1\ntau_rate = 1e-3\nsigma_rate = 1e-3"
+        )
+    };
     dir.add_homotopy("one.toml", &further(0), "max_iter = 60");
     dir.add_homotopy("more.toml", &further(3), "max_iter = 60");
     dir.run("solve corner.toml --homotopy one.toml --out one").code(0);
@@ -167,7 +170,8 @@ fn overlap_that_smoothing_does_not_explain_asks_for_shorter_steps() {
 fn tight_tolerances_reach_the_reference_objectives() {
     let dir = Dir::new();
     for (complementarity, objective) in [("relaxation", 0.188_348_74), ("smoothing", 0.188_905_08)] {
-        let homotopy = format!("further_iterations = 0\ncomplementarity = \"{complementarity}\"");
+        let homotopy =
+            format!("further_iterations = 0\ntau = 0.0025\nsigma = 0.00125\ncomplementarity = \"{complementarity}\"");
         dir.add_homotopy("tight.toml", &homotopy, "tol = 1e-9");
         dir.run("solve corner.toml --homotopy tight.toml --out out").code(0);
         let actual = number(&dir.result("out"), "objective");

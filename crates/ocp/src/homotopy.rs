@@ -70,13 +70,15 @@ pub struct IterationTiming {
 pub struct IterationEnd<'motion> {
     /// Whether it found a solution.
     pub converged: bool,
+    /// Its smoothing of the distances.
+    pub tau: f64,
     /// Its motion.
     pub motion: &'motion Trajectory,
 }
 
 impl<'motion> From<&'motion HomotopyIteration> for IterationEnd<'motion> {
     fn from(iteration: &'motion HomotopyIteration) -> Self {
-        Self { converged: iteration.status.is_success(), motion: &iteration.trajectory }
+        Self { converged: iteration.status.is_success(), tau: iteration.smoothing.tau, motion: &iteration.trajectory }
     }
 }
 
@@ -179,7 +181,7 @@ impl Homotopy {
         }
         let before = ends.len().checked_sub(2).map(|index| ends[index].motion);
         let last = ends[ends.len() - 1];
-        last.converged && Overlap::of(self.fine.task(), last.motion, before) == Overlap::Soft
+        last.converged && Overlap::of(self.fine.task(), last.motion, last.tau, before) == Overlap::Soft
     }
 }
 

@@ -18,7 +18,7 @@ pub struct PlanIteration {
 impl PlanIteration {
     /// What decides whether another iteration follows.
     pub(crate) fn end(&self) -> IterationEnd<'_> {
-        IterationEnd { converged: self.record.converged, motion: &self.trajectory }
+        IterationEnd { converged: self.record.converged, tau: self.record.tau, motion: &self.trajectory }
     }
 }
 

@@ -38,7 +38,7 @@ pub fn load_homotopy(path: &Path) -> Result<HomotopySettings, SceneError> {
     parse_homotopy(Source { file: path, text: &text })
 }
 
-/// Reads a homotopy from text. Keys that are not given have the values of the paper's peg experiments.
+/// Reads a homotopy from text. Keys that are not given have the values of the built-in one.
 ///
 /// # Errors
 /// The first thing that is wrong, with its place.

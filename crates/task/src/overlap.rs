@@ -16,7 +16,8 @@ pub enum Overlap {
     Hard,
     /// By more: less smoothing reduces it.
     Soft,
-    /// By more, and less smoothing has hardly reduced it: the steps are too long for linearised distances.
+    /// By more than smoothing explains, and less smoothing has hardly reduced it: the steps are too long for linearised
+    /// distances.
     Stalled,
     /// By more, and at the start, which no smoothing changes.
     AtStart,
@@ -25,8 +26,8 @@ pub enum Overlap {
 }
 
 impl Overlap {
-    /// Of a motion, and of the motion of the homotopy iteration before it, if there is one.
-    pub fn of(task: &AssemblyTask, motion: &Trajectory, before: Option<&Trajectory>) -> Self {
+    /// Of a motion planned with distances smoothed by `tau`. `before` is that of the homotopy iteration before it.
+    pub fn of(task: &AssemblyTask, motion: &Trajectory, tau: f64, before: Option<&Trajectory>) -> Self {
         let Some((_, peak)) = motion.deepest_overlap() else { return Self::Hard };
         let clearance = task.clearance(&task.goal);
         if clearance <= 0.0 {
@@ -38,10 +39,11 @@ impl Overlap {
         if peak.step == 0 {
             return Self::AtStart;
         }
+        let reach = tau * task.pairs[peak.pair].shapes.row_count() as f64;
         let same_grid = before.filter(|before| before.reference.len() == motion.reference.len());
-        match same_grid.is_some_and(|before| peak.value > STALLED * before.max_penetration()) {
-            true => Self::Stalled,
-            false => Self::Soft,
+        match same_grid {
+            Some(before) if peak.value > reach.max(STALLED * before.max_penetration()) => Self::Stalled,
+            _ => Self::Soft,
         }
     }
 

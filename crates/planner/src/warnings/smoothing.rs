@@ -19,7 +19,7 @@ pub fn warning(plan: &Plan) -> Option<String> {
     );
     let clearance = task.clearance(&task.goal);
     let much = format!("{what}, more than a tenth of the clearance at the goal ({:.3} mm)", 1e3 * clearance);
-    match Overlap::of(task, &plan.trajectory, before) {
+    match Overlap::of(task, &plan.trajectory, plan.chosen().record.tau, before) {
         Overlap::Hard => None,
         Overlap::Soft => Some(format!("{much}; {}", less_smoothing(plan, peak.value))),
         Overlap::Stalled => Some(format!("{much}; {}", shorter_steps(plan))),

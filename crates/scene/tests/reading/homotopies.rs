@@ -57,7 +57,7 @@ const SETTINGS: &[(&str, usize, &str)] = &[
     ("taw = 1.0", 1, "unknown key `taw`, did you mean `tau`?"),
     ("tau = 1\ntau = 2", 1, "`tau` is given twice"),
     ("max_iter = 5", 1, "unknown key `max_iter` here: it belongs to [ipopt]"),
-    ("steps = 5", 1, "unknown key `steps`; valid are: iterations, further_iterations, tau, sigma, mu_init, tau_rate, sigma_rate, mu_rate, complementarity, hessian, linear_solver"),
+    ("steps = 5", 1, "unknown key `steps`; valid are: iterations, further_iterations, coarse_iterations, tau, sigma, mu_init, tau_rate, sigma_rate, mu_rate, complementarity, hessian, linear_solver"),
 ];
 
 #[test]
@@ -265,10 +265,16 @@ fn every_homotopy_file_of_the_project_loads() {
 }
 
 #[test]
-fn the_default_homotopy_is_that_of_the_pegs_but_goes_on() {
-    let peg = load_homotopy(&folder("configs/homotopy_peg.toml")).unwrap();
-    assert_eq!(peg.further_iterations, 0, "the paper's number");
-    assert_eq!(default_homotopy(), HomotopySettings { further_iterations: 7, ..peg });
+fn files_that_repeat_the_paper_neither_go_on_nor_begin_coarse() {
+    let mut paths = files(&folder("scripts/reproduction/studies/homotopies"));
+    paths.extend(
+        ["homotopy_peg", "homotopy_clamp", "homotopy_clamp_wide"].map(|name| folder(&format!("configs/{name}.toml"))),
+    );
+    for path in paths {
+        let homotopy = load_homotopy(&path).unwrap();
+        let beyond = [homotopy.further_iterations, homotopy.coarse_iterations];
+        assert_eq!((beyond, homotopy.mu_init, homotopy.mu_rate), ([0, 0], 1.0, 0.1), "{}", path.display());
+    }
 }
 
 #[test]
