@@ -20,12 +20,11 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
 }
 
-/// A scene of the project with other lines in the place of `homotopy = "..."`, and more at its end.
+/// A scene of the project with more lines after its title, and more at its end.
 fn scene_with(lines: &str, more: &str) -> Result<Scene, SceneError> {
     let file = folder("scenes/corner.toml");
     let text = std::fs::read_to_string(&file).unwrap();
-    let line = text.lines().find(|line| line.starts_with("homotopy = ")).unwrap();
-    let text = format!("{}\n{more}", text.replacen(line, lines, 1));
+    let text = format!("{}\n{more}", text.replacen('\n', &format!("\n{lines}\n"), 1));
     Scene::parse(Source { file: &file, text: &text })
 }
 
