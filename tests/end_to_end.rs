@@ -15,7 +15,7 @@ fn a_plan_is_written_with_all_its_files() {
     let run = dir.run("solve corner.toml --out out").code(0).says("corner: done");
     let progress = run.stderr.lines().filter(|line| line.starts_with("homotopy iteration ")).count();
     assert_eq!(progress, 5, "one line per homotopy iteration off a terminal");
-    assert!(run.stderr.contains("homotopy iteration 1/5 (tau "), "{}", run.stderr);
+    assert!(run.stderr.contains("homotopy iteration 1 of at most 5 (tau "), "{}", run.stderr);
 
     let folders = (1..=5).map(|number| format!("out/stages/{number}")).chain(["out".to_owned()]);
     for folder in folders {
@@ -60,19 +60,20 @@ fn a_plan_is_written_with_all_its_files() {
 #[test]
 fn a_plan_that_leans_on_smoothing_says_what_cures_it() {
     let dir = Dir::new();
-    let solve = |iterations: u64| {
-        dir.add_homotopy("iterations.toml", &format!("iterations = {iterations}"), "tol = 1e-2");
-        let run = dir.run("solve corner.toml --homotopy iterations.toml --out out").code(0);
+    let solve = |further: u64| {
+        let paper = "tau = 0.0025\nsigma = 0.00125\nmu_init = 1.0\nmu_rate = 0.1";
+        dir.add_homotopy("further.toml", &format!("{paper}\nfurther_iterations = {further}"), "tol = 1e-2");
+        let run = dir.run("solve corner.toml --homotopy further.toml --out out").code(0);
         (dir.result("out"), run.stderr)
     };
     let largest =
         |result: &Value, key: &str| list(result, "scenarios").iter().map(|one| number(one, key)).fold(0.0, f64::max);
     // Box and corner are 1 mm apart at the goal.
-    let (soft, stderr) = solve(5);
+    let (soft, stderr) = solve(0);
     assert!(largest(&soft, "max_penetration_m") > 1e-4);
     let warning = soft["warnings"][0].as_str().unwrap();
     assert!(stderr.contains(warning) && warning.contains("leans on smoothing"), "{stderr}");
-    let cure = warning.split("set iterations = ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+    let cure = warning.split("set further_iterations = ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
 
     let (hard, stderr) = solve(cure.parse().unwrap());
     assert!(largest(&hard, "max_penetration_m") <= 1e-4);
@@ -83,6 +84,73 @@ fn a_plan_that_leans_on_smoothing_says_what_cures_it() {
     assert!(["box/floor", "box/wall"].contains(&place["pair"].as_str().unwrap()));
     let step = place["step"].as_u64().unwrap();
     assert!((1..=20).contains(&step) && (number(place, "time_s") - 0.08 * step as f64).abs() < 1e-12);
+}
+
+#[test]
+fn the_homotopy_goes_on_until_contact_is_hard() {
+    let dir = Dir::new();
+    dir.add_homotopy("default.toml", "", "tol = 1e-2");
+    dir.run("solve corner.toml --homotopy default.toml --out out").code(0).keeps_silent_about("warning");
+    let result = dir.result("out");
+    let stages = list(&result, "stages");
+    // Box and corner are 1 mm apart at the goal.
+    let are_hard: Vec<bool> = stages.iter().map(|stage| number(stage, "max_penetration_m") <= 1e-4).collect();
+    let first = are_hard.iter().position(|hard| *hard).unwrap();
+    assert!(first >= 5 && first + 1 == stages.len(), "{are_hard:?}");
+    assert_eq!(result["chosen_stage"], stages.len());
+    assert_eq!(dir.bytes("out/reference.csv"), dir.bytes(format!("out/stages/{}/reference.csv", stages.len())));
+}
+
+#[test]
+fn going_on_makes_no_plan_worse() {
+    let dir = Dir::new();
+    // After the first iteration, this many iterations of Ipopt are not enough for any smoothing that is much smaller.
+    let further = |number: u64| {
+        format!(
+            "iterations = 1\nfurther_iterations = {number}\nmu_init = 1.0\nmu_rate = 0.1\ntau_rate = 1e-3\nsigma_rate = 1e-3"
+        )
+    };
+    dir.add_homotopy("one.toml", &further(0), "max_iter = 60");
+    dir.add_homotopy("more.toml", &further(3), "max_iter = 60");
+    dir.run("solve corner.toml --homotopy one.toml --out one").code(0);
+    dir.run("solve corner.toml --homotopy more.toml --out more").code(0).says("the plan got worse");
+    let result = dir.result("more");
+    assert_eq!((list(&result, "stages").len(), &result["chosen_stage"]), (2, &1.into()), "one failure is enough");
+    assert_eq!(dir.bytes("more/reference.csv"), dir.bytes("one/reference.csv"));
+}
+
+#[test]
+fn the_first_homotopy_iterations_have_half_of_the_steps() {
+    let dir = Dir::new();
+    // An odd number of steps, and limits that the plan touches.
+    let limits =
+        "[limits]\ntranslational_velocity = 0.04\ncontact_force = 1.5\n\n[horizon]\nsteps = 61\ntime_step = 0.0262";
+    dir.add_variant("fine.toml", &[("[horizon]\nsteps = 20\ntime_step = 0.08", limits)]);
+    let solve = |coarse: usize| {
+        dir.add_homotopy("coarse.toml", &format!("coarse_iterations = {coarse}"), "tol = 1e-6");
+        dir.run("solve fine.toml --homotopy coarse.toml --out out").code(0).keeps_silent_about("warning");
+        dir.result("out")
+    };
+    let all_steps = solve(0);
+    let result = solve(2);
+    for (stage, number_of_stage) in list(&result, "stages").iter().zip(1..) {
+        let steps = if number_of_stage <= 2 { 31 } else { 61 };
+        assert_eq!((&stage["steps"], &stage["converged"]), (&steps.into(), &true.into()));
+        let reference = dir.table(format!("out/stages/{number_of_stage}/reference.csv"));
+        let last = reference.rows.last().unwrap()[0].parse::<f64>().unwrap();
+        assert_eq!(reference.rows.len(), steps + 1);
+        assert!(
+            (last - 61.0 * 0.0262).abs() < 1e-9 && (last / steps as f64 - number(stage, "time_step_s")).abs() < 1e-9
+        );
+    }
+    assert_eq!((dir.table("out/reference.csv").rows.len(), &result["done"]), (62, &true.into()));
+    assert!((number(&result, "objective") / number(&all_steps, "objective") - 1.0).abs() < 1e-3, "the same optimum");
+    let reached = |key: &str| number(&result["reached"], key);
+    assert!((0.039_9..0.040_000_1).contains(&reached("translational_velocity_m_s")), "{}", result["reached"]);
+    assert!((1.49..1.500_001).contains(&reached("contact_force_n")), "{}", result["reached"]);
+    // The first one on all steps begins as well as after solutions on all steps.
+    let third = |result: &Value| list(result, "stages")[2]["iterations"].as_u64().unwrap();
+    assert!(third(&result) <= third(&all_steps), "{} {}", third(&result), third(&all_steps));
 }
 
 #[test]
@@ -103,7 +171,9 @@ fn overlap_that_smoothing_does_not_explain_asks_for_shorter_steps() {
 fn tight_tolerances_reach_the_reference_objectives() {
     let dir = Dir::new();
     for (complementarity, objective) in [("relaxation", 0.188_348_74), ("smoothing", 0.188_905_08)] {
-        dir.add_homotopy("tight.toml", &format!("complementarity = \"{complementarity}\""), "tol = 1e-9");
+        let homotopy =
+            format!("further_iterations = 0\ntau = 0.0025\nsigma = 0.00125\ncomplementarity = \"{complementarity}\"");
+        dir.add_homotopy("tight.toml", &homotopy, "tol = 1e-9");
         dir.run("solve corner.toml --homotopy tight.toml --out out").code(0);
         let actual = number(&dir.result("out"), "objective");
         // Ipopt ends with a barrier parameter of about 1e-9 for each of some hundred conditions.

@@ -45,8 +45,8 @@ static RIGHT: LazyLock<Dir> = LazyLock::new(|| {
 fn unfinished_work(dir: &Dir) {
     let problem = problem(dir.folder());
     let folder = PlanFolder::claim(&dir.path("work"), &[]).unwrap();
-    let session =
-        Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: Some(&folder), threads: 1 };
+    let stopped = AtomicBool::new(false);
+    let session = Session { folder: Some(&folder), ..Session::new(&|_: &Event| {}, &stopped) };
     refine(solve(&problem, &session).unwrap(), &hasty(), &session).unwrap();
 }
 
@@ -55,7 +55,7 @@ fn problem(folder: &Path) -> Problem {
 }
 
 fn hasty() -> RobustnessTarget {
-    RobustnessTarget { frictions: vec![0.0], time_limit: Duration::ZERO, threads: 1, ..RobustnessTarget::default() }
+    RobustnessTarget { frictions: vec![0.0], time_limit: Duration::ZERO, ..RobustnessTarget::default() }
 }
 
 /// What is done with mutated files.
@@ -159,7 +159,6 @@ fn play(folder: &Path) -> Result<(), PlannerError> {
         errors: GraspErrors { offsets: OffsetSource::Hull(1), ..GraspErrors::default() },
         time_step: 0.05,
         settling_time: 0.1,
-        threads: 1,
         ..SimulationRequest::default()
     };
     for plan in StoredPlan::find(&folder.join("plan"))? {
@@ -216,8 +215,8 @@ fn look_at_batch(folder: &Path) -> Result<(), PlannerError> {
 fn go_on(folder: &Path) -> Result<(), PlannerError> {
     let problem = problem(folder);
     let work = PlanFolder::claim(&folder.join("work"), &[])?;
-    let session =
-        Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: Some(&work), threads: 1 };
+    let stopped = AtomicBool::new(false);
+    let session = Session { folder: Some(&work), ..Session::new(&|_: &Event| {}, &stopped) };
     let plan = refine(solve(&problem, &session)?, &hasty(), &session)?;
     require_finite_result(&work.finish(&plan)?);
     StoredPlan::open(&folder.join("work")).map(drop)

@@ -48,7 +48,7 @@ fn a_resumed_plan_is_the_uninterrupted_one() {
         dir.run("solve slow.toml --out out --resume")
             .code(0)
             .says("going on after homotopy iteration ")
-            .keeps_silent_about("homotopy iteration 1/5 (tau");
+            .keeps_silent_about("homotopy iteration 1 of at most 5 (tau");
         assert!(!dir.exists(UNFINISHED));
         assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
         for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv", "resolved.toml"] {
@@ -56,6 +56,20 @@ fn a_resumed_plan_is_the_uninterrupted_one() {
             assert!(of("out") == of("whole"), "{signal}: {file}");
         }
         dir.remove("out");
+    }
+}
+
+#[test]
+fn a_coarse_homotopy_iteration_is_gone_on_with_on_all_steps() {
+    let dir = Dir::new();
+    dir.add_variant("slow.toml", &[("steps = 20\ntime_step = 0.08", "steps = 80\ntime_step = 0.02")]);
+    dir.add_homotopy("homotopy.toml", "iterations = 3\nfurther_iterations = 1\ncoarse_iterations = 1", "tol = 1e-2");
+    dir.run("solve slow.toml --out whole").code(0);
+    stop(&dir, "solve slow.toml --out out", "TERM");
+    dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration ");
+    assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
+    for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv"] {
+        assert!(dir.bytes(format!("out/{file}")) == dir.bytes(format!("whole/{file}")), "{file}");
     }
 }
 
@@ -79,7 +93,10 @@ fn unfinished_work_is_used_only_when_asked() {
     dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration");
 
     dir.copy("kept", UNFINISHED);
-    dir.run("solve slow.toml --out out").code(0).keeps_silent_about("going on").says("homotopy iteration 1/5 (tau");
+    dir.run("solve slow.toml --out out")
+        .code(0)
+        .keeps_silent_about("going on")
+        .says("homotopy iteration 1 of at most 5 (tau");
     assert!(!dir.exists(UNFINISHED));
 }
 
@@ -94,7 +111,7 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
             .code(0)
             .says(&format!("the unfinished work of an earlier run is not used: {reason}"))
             .keeps_silent_about("going on")
-            .says("homotopy iteration 1/5 (tau");
+            .says("homotopy iteration 1 of at most 5 (tau");
         assert!(!dir.exists(UNFINISHED));
         dir.copy("kept", UNFINISHED);
     };
@@ -140,7 +157,7 @@ fn a_refinement_goes_on_where_it_stopped() {
         let again = format!("{HOPELESS} --resume --time-limit 0.1");
         dir.run(&again)
             .code(1)
-            .says("going on after homotopy iteration 5/5 of an earlier run")
+            .says("going on after homotopy iteration 5 of at most 5 of an earlier run")
             .says("going on with the refinement of an earlier run");
         assert_eq!(dir.result("out")["status"], "the wanted success rate is not reached");
         assert!(!dir.exists(UNFINISHED));
@@ -158,7 +175,7 @@ fn a_refinement_for_another_target_is_not_used() {
     let end = "--resume --time-limit 0.1";
     for (from, to) in [("--friction 0", "--friction 0.2"), ("1e-5", "1e-4"), ("--robust", "--robust --turn 0.01")] {
         dir.run(&format!("{} {end}", HOPELESS.replace(from, to)))
-            .says("going on after homotopy iteration 5/5 of an earlier run")
+            .says("going on after homotopy iteration 5 of at most 5 of an earlier run")
             .says("not used: it was refined for other frictions, turns or tolerances")
             .keeps_silent_about("going on with the refinement");
         dir.copy("kept", UNFINISHED);

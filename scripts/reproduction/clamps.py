@@ -23,12 +23,12 @@ reach below. It is a known suspicion that plans miss the goal because the first 
 `clamp1` at 5 mm that is not the reason: success is not monotone in the first tau. The scenario that misses the goal ends on
 the wrong side of the flange, 10 mm off. While tau is 0.00125 or more it stands at a point between both sides (y 6 mm) in the plans of starts 1 to 3 that were looked at,
 whatever the first tau; it comes to the right side in a stage with tau 0.001, and goes to the wrong one when the steps jump
-over that or begin below it. The scenes' homotopy (0.002, halved) and 0.004 meet 0.001 on their way; 0.0025, 0.003 and four offsets
+over that or begin below it. The homotopy of this page (0.002, halved) and 0.004 meet 0.001 on their way; 0.0025, 0.003 and four offsets
 (0.00167) do not. The explanation was found by looking at these runs; two predictions of it were then written down and tried on
 three starts, the lines with another rate: 0.00167 with steps through 0.001 should reach the goal, 0.002 with steps past it
 should not. It does not explain everything: `clamp2_long_outer_leg` steps through 0.001 and mostly misses the goal.
 A rule for the first tau and sigma from offset and shapes (a reach of four offsets) was tried and dropped, since it missed
-the goal here. How wide the window is, and whether it lies elsewhere in other tasks, was not examined: the scenes' setting
+the goal here. How wide the window is, and whether it lies elsewhere in other tasks, was not examined: the setting of this page
 is known to work for the plans of this page and not more."""
 
 # clamp2 has been chosen after a look at results.
@@ -142,7 +142,7 @@ def render(page: Page) -> str:
         `clamp2` (J-shaped, legs of different length) and `clamp3` (tapered legs, astride the web) are our own, with the
         same clearance: a 5.5 mm gap on a 5 mm wall, 0.2 mm from the wall it stops at. Every homotopy iteration is a
         reference trajectory of its own, kept in `stages/`. The paper has {paper.CLAMP_TRAJECTORIES} per clip: six
-        homotopy iterations from tau 0.0005. The scenes begin with four times that smoothing and do eight; the last six
+        homotopy iterations from tau 0.0005. Ours begin with four times that smoothing and do eight; the last six
         of these have exactly the paper's smoothing. A plan is good when it converged and every scenario ends within
         {TOLERANCE_MM:g} mm of the goal."""
     )

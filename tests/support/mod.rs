@@ -35,7 +35,7 @@ impl Dir {
     /// Adds a scene of the project, `NAME.toml`, with the homotopy in `homotopy.toml`.
     pub fn add_scene(&self, name: &str) {
         let text = fs::read_to_string(project(&format!("scenes/{name}.toml"))).unwrap();
-        self.write(format!("{name}.toml"), text.replace("../configs/homotopy_peg.toml", "homotopy.toml"));
+        self.write(format!("{name}.toml"), text.replacen('\n', "\nhomotopy = \"homotopy.toml\"\n", 1));
     }
 
     /// Adds a variant of the corner scene in which some texts are replaced by others.

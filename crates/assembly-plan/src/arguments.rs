@@ -222,7 +222,6 @@ impl SolveArguments {
             turn: arguments.turn,
             time_limit: Duration::from_secs_f64(arguments.time_limit),
             patience: arguments.patience as usize,
-            threads: threads(self.jobs),
         })
     }
 }

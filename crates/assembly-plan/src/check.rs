@@ -66,13 +66,14 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
         }
     }
     say!(
-        "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} homotopy iterations",
+        "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy iterations",
         explanation.steps,
         task.horizon.time_step,
         explanation.scenarios,
         explanation.variables,
         explanation.constraints,
-        problem.homotopy().iterations
+        problem.homotopy().iterations,
+        problem.homotopy().most_iterations()
     );
     explanation.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
 }

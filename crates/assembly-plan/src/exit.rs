@@ -25,6 +25,7 @@ impl From<&CommandError> for Exit {
             CommandError::System(_) => Self::Failed,
             CommandError::Planner(error) => match error.fault() {
                 Fault::Input => Self::WrongInput,
+                Fault::NoPlan => Self::NoPlan,
                 Fault::System => Self::Failed,
             },
         }

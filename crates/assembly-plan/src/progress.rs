@@ -51,9 +51,9 @@ impl Observer for Progress {
 fn solver_iteration(event: &planner::SolverEvent) -> String {
     let progress = event.progress;
     format!(
-        "homotopy iteration {}/{} (tau {:.2e}): iteration {}, objective {:.5}, infeasibility {:.1e}{}",
+        "homotopy iteration {} of at most {} (tau {:.2e}): iteration {}, objective {:.5}, infeasibility {:.1e}{}",
         event.number,
-        event.count,
+        event.most,
         event.smoothing.tau,
         progress.iteration,
         progress.objective,
@@ -65,9 +65,9 @@ fn solver_iteration(event: &planner::SolverEvent) -> String {
 /// An event in words.
 fn line(event: &Event) -> String {
     match event {
-        Event::HomotopyIteration { number, count, record, position_error } => format!(
-            "homotopy iteration {number}/{count} (tau {:.2e}): {}, {} iterations, {:.1} s, objective {:.5}, goal error \
-             {:.2} mm",
+        Event::HomotopyIteration { number, most, record, position_error } => format!(
+            "homotopy iteration {number} of at most {most} (tau {:.2e}): {}, {} iterations, {:.1} s, objective {:.5}, \
+             goal error {:.2} mm",
             record.tau,
             record.status,
             record.iterations,
@@ -76,8 +76,8 @@ fn line(event: &Event) -> String {
             1e3 * position_error
         ),
         Event::Resumed { refining: true, .. } => "going on with the refinement of an earlier run".to_owned(),
-        Event::Resumed { done, count, .. } => {
-            format!("going on after homotopy iteration {done}/{count} of an earlier run")
+        Event::Resumed { done, most, .. } => {
+            format!("going on after homotopy iteration {done} of at most {most} of an earlier run")
         }
         Event::Discarded { reason } => format!("the unfinished work of an earlier run is not used: {reason}"),
         Event::Evaluated { rate } => format!("{:.1} % of rollouts succeed", 100.0 * rate),

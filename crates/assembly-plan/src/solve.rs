@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Instant;
 
 use planner::files::{PlanFolder, PlanResult};
 use planner::{PlanStatus, PlannerError, Problem, RobustnessTarget, Session, refine};
@@ -31,8 +32,10 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }
+    let progress = Progress::new();
+    let deadline = target.as_ref().and_then(|target| Instant::now().checked_add(target.time_limit));
     let threads = threads(arguments.jobs);
-    let session = Session { observer: &Progress::new(), interrupted: &stopped, folder: Some(&folder), threads };
+    let session = Session { folder: Some(&folder), threads, deadline, ..Session::new(&progress, &stopped) };
     let mut plan = planner::solve(&problem, &session)?;
     if let Some(target) = &target {
         plan = refine(plan, target, &session)?;

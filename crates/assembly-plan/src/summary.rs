@@ -30,7 +30,7 @@ pub fn summary(result: &PlanResult) -> String {
         ));
     }
     lines.extend(limits(&result.limits, &result.reached));
-    lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.stages.len())));
+    lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.chosen_stage)));
     lines.join("\n")
 }
 
@@ -44,7 +44,7 @@ fn limits(limits: &LimitsRecord, reached: &LimitsRecord) -> Option<String> {
     (!used.is_empty()).then(|| format!("  limits: {}", used.join(", ")))
 }
 
-fn robustness(report: &RobustnessReport, iterations: usize) -> Vec<String> {
+fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
     let mut lines = vec![format!(
         "success in rollouts with hard contact: {:.1} % of {} before, {:.1} % of {} after ({:.1} % wanted at each friction), \
          {:.0} s; {}",
@@ -54,7 +54,7 @@ fn robustness(report: &RobustnessReport, iterations: usize) -> Vec<String> {
         report.after.rollouts(),
         100.0 * report.wanted_rate,
         report.wall_s,
-        changes(report, iterations)
+        changes(report, planned)
     )];
     lines.extend(report.after.by_friction().map(|groups| {
         let listed: Vec<String> = groups.iter().map(group).collect();
@@ -72,9 +72,9 @@ fn group(group: &SuccessRate) -> String {
 }
 
 /// Where the kept reference comes from, in words.
-fn changes(report: &RobustnessReport, iterations: usize) -> String {
+fn changes(report: &RobustnessReport, planned: usize) -> String {
     let reference = match (report.kept_changes, report.kept_stage) {
-        (0, stage) if stage == iterations => "the plan was left as it was".to_owned(),
+        (0, stage) if stage == planned => "the plan was left as it was".to_owned(),
         (0, stage) => format!("the reference of homotopy iteration {stage}, unchanged"),
         (1, _) => "1 change of the reference".to_owned(),
         (changes, _) => format!("{changes} changes of the reference"),

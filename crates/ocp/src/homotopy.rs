@@ -1,11 +1,13 @@
-//! The homotopy (Sec. ocp:homotopy): solve with strong smoothing, reduce it, solve again from the last solution.
+//! The homotopy (Sec. ocp:homotopy): solve with strong smoothing, reduce it, solve again from the last solution. Beyond
+//! the paper's number of homotopy iterations it goes on until contact is hard.
 //!
 //! A *homotopy iteration* is one solve with one smoothing; an *iteration* is one of Ipopt's.
 
 use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
-use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver, Smoothing, Trajectory};
+use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver, Overlap, Smoothing, Trajectory};
 use workers::Workers;
 
+use crate::grid::{carried_over, coarsened};
 use crate::stage_solver::TranscriptionSolver;
 use crate::transcription::Transcription;
 
@@ -14,8 +16,8 @@ use crate::transcription::Transcription;
 pub struct Event<'event> {
     /// Number of the homotopy iteration, from 1.
     pub number: usize,
-    /// Number of homotopy iterations.
-    pub count: usize,
+    /// Largest number of homotopy iterations.
+    pub most: usize,
     /// Its smoothing.
     pub smoothing: Smoothing,
     /// The iteration.
@@ -64,26 +66,53 @@ pub struct IterationTiming {
     pub rest: f64,
 }
 
+/// What came of a homotopy iteration, as far as it decides whether another one follows.
+#[derive(Debug, Clone, Copy)]
+pub struct IterationEnd<'motion> {
+    /// Whether it found a solution.
+    pub converged: bool,
+    /// Its smoothing of the distances.
+    pub tau: f64,
+    /// Its motion.
+    pub motion: &'motion Trajectory,
+}
+
+impl<'motion> From<&'motion HomotopyIteration> for IterationEnd<'motion> {
+    fn from(iteration: &'motion HomotopyIteration) -> Self {
+        Self { converged: iteration.status.is_success(), tau: iteration.smoothing.tau, motion: &iteration.trajectory }
+    }
+}
+
 /// A homotopy that is run iteration by iteration.
 pub struct Homotopy {
-    transcription: Transcription,
+    /// On the grid of the task.
+    fine: Transcription,
+    /// On a coarser one, for the first homotopy iterations.
+    coarse: Option<Transcription>,
     settings: HomotopySettings,
 }
 
 impl Homotopy {
     /// Transcribes the task.
     pub fn new(task: &AssemblyTask, settings: HomotopySettings) -> Self {
-        Self { transcription: Transcription::new(task, settings.complementarity, settings.hessian), settings }
+        let transcribe = |task: &AssemblyTask| Transcription::new(task, settings.complementarity, settings.hessian);
+        let coarse = (settings.coarse_iterations() > 0).then(|| coarsened(task)).flatten();
+        Self { fine: transcribe(task), coarse: coarse.as_ref().map(transcribe), settings }
     }
 
     /// Runs with some threads, which change nothing but the time it takes. By default it is one.
     pub fn with_threads(self, threads: usize) -> Self {
-        Self { transcription: self.transcription.with_workers(Workers::new(threads)), ..self }
+        let workers = Workers::new(threads);
+        let coarse = self.coarse.map(|coarse| coarse.with_workers(workers.clone()));
+        Self { fine: self.fine.with_workers(workers), coarse, ..self }
     }
 
-    /// The transcribed problem.
-    pub fn transcription(&self) -> &Transcription {
-        &self.transcription
+    /// The transcribed problem of a homotopy iteration, counted from 1.
+    pub fn transcription(&self, number: usize) -> &Transcription {
+        match &self.coarse {
+            Some(coarse) if number <= self.settings.coarse_iterations() => coarse,
+            _ => &self.fine,
+        }
     }
 
     /// Runs all homotopy iterations, each from the final primal-dual point of the one before, whether that converged or
@@ -96,30 +125,45 @@ impl Homotopy {
         observe: impl FnMut(Event) -> Control,
         finished: impl FnMut(usize, &HomotopyIteration),
     ) -> Result<Vec<HomotopyIteration>, SolveError> {
-        self.run_from(0, Start::Cold(self.transcription.initial_guess()), observe, finished)
+        self.run_from(&[], Start::Cold(self.transcription(1).initial_guess()), observe, finished)
     }
 
-    /// Skips the first `done` homotopy iterations, which an earlier run completed with `start` as the final point, and
-    /// runs the others.
+    /// Runs the homotopy iterations after `earlier` ones, which another run has completed with `start` as the final
+    /// point.
     ///
     /// # Errors
     /// As [`Homotopy::run`].
     pub fn run_from(
         &mut self,
-        done: usize,
+        earlier: &[IterationEnd],
         mut start: Start,
         mut observe: impl FnMut(Event) -> Control,
         mut finished: impl FnMut(usize, &HomotopyIteration),
     ) -> Result<Vec<HomotopyIteration>, SolveError> {
-        let mut iterations = Vec::with_capacity(self.settings.iterations.saturating_sub(done));
-        for (index, smoothing) in self.settings.schedule().enumerate().skip(done) {
+        let mut iterations: Vec<HomotopyIteration> = Vec::new();
+        for (index, smoothing) in self.settings.schedule().enumerate().skip(earlier.len()) {
+            let ends: Vec<IterationEnd> =
+                earlier.iter().copied().chain(iterations.iter().map(IterationEnd::from)).collect();
+            if !self.goes_on(&ends) {
+                break;
+            }
             let mut observer = |progress: &Progress| {
-                observe(Event { number: index + 1, count: self.settings.iterations, smoothing, progress })
+                observe(Event { number: index + 1, most: self.settings.most_iterations(), smoothing, progress })
             };
             let options = iteration_options(&self.settings, smoothing);
-            self.transcription.set_smoothing(smoothing.tau, smoothing.sigma);
+            let coarse_iterations = self.settings.coarse_iterations();
+            let transcription = match &mut self.coarse {
+                Some(coarse) if index < coarse_iterations => coarse,
+                coarse => {
+                    if let (Some(coarse), Start::Warm(point), true) = (coarse, &start, index == coarse_iterations) {
+                        start = Start::Warm(carried_over(point, coarse, &self.fine));
+                    }
+                    &mut self.fine
+                }
+            };
+            transcription.set_smoothing(smoothing.tau, smoothing.sigma);
             let result = solve_iteration(
-                &mut self.transcription,
+                transcription,
                 &start,
                 smoothing,
                 &options,
@@ -135,6 +179,17 @@ impl Homotopy {
             }
         }
         Ok(iterations)
+    }
+
+    /// Whether another homotopy iteration follows these: fewer than wanted have run, or less smoothing makes contact
+    /// harder.
+    fn goes_on(&self, ends: &[IterationEnd]) -> bool {
+        if ends.len() < self.settings.iterations {
+            return true;
+        }
+        let before = ends.len().checked_sub(2).map(|index| ends[index].motion);
+        let last = ends[ends.len() - 1];
+        last.converged && Overlap::of(self.fine.task(), last.motion, last.tau, before) == Overlap::Soft
     }
 }
 

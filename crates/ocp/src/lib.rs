@@ -38,6 +38,7 @@
 mod cost;
 mod distances;
 mod function;
+mod grid;
 mod homotopy;
 mod layout;
 mod least_squares;
@@ -50,7 +51,7 @@ mod terms;
 mod transcription;
 
 pub use distances::MissingDistance;
-pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationTiming, check_settings};
+pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationEnd, IterationTiming, check_settings};
 pub use layout::{CONTACT, Layout};
 pub use stage_solver::TranscriptionSolver;
 pub use term::{Block, Owners, Point, Points, Source, StepTerm};

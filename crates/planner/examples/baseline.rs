@@ -30,8 +30,8 @@ fn main() -> Result<(), PlannerError> {
 fn row(scene: &Path) -> Result<String, PlannerError> {
     let problem = Problem::load(scene, &Choices::default())?;
     let target = RobustnessTarget::default();
-    let (observer, interrupted, threads) = (&|_: &Event| {}, &AtomicBool::new(false), target.threads);
-    let session = Session { observer, interrupted, folder: None, threads };
+    let stopped = AtomicBool::new(false);
+    let session = Session::new(&|_: &Event| {}, &stopped);
     let task = problem.task();
     let push = Reference::straight(&task.start, &task.goal, task.horizon);
 

@@ -18,6 +18,9 @@ pub enum PlannerError {
     /// Ipopt or a linear solver cannot run as asked.
     #[error(transparent)]
     Solver(#[from] SolveError),
+    /// The session's deadline has passed before there was a plan.
+    #[error("the time limit ended before the first plan was found; allow more time, or plan with fewer steps")]
+    OutOfTime,
     /// A value is out of its range.
     #[error("{name} = {value}: {rule}")]
     Value {
@@ -77,6 +80,8 @@ pub enum PlannerError {
 pub enum Fault {
     /// The input is wrong; the message says what would be right.
     Input,
+    /// There is no plan, as far as the planner can tell.
+    NoPlan,
     /// The system or the program failed.
     System,
 }
@@ -118,6 +123,7 @@ impl PlannerError {
     /// Whose fault it is.
     pub fn fault(&self) -> Fault {
         match self {
+            Self::OutOfTime => Fault::NoPlan,
             // What is read was named by the user.
             Self::Io { action: "read", .. } => Fault::Input,
             Self::Distance { .. } | Self::Solver(SolveError::Problem(_)) | Self::Io { .. } | Self::Internal(_) => {

@@ -1,8 +1,8 @@
 //! Homotopy iterations as plans, `result.json` and checkpoints have them.
 
-use ocp::{HomotopyIteration, IterationTiming};
+use ocp::{HomotopyIteration, IterationEnd, IterationTiming};
 use serde::{Deserialize, Serialize};
-use task::Trajectory;
+use task::{AssemblyTask, Horizon, Trajectory};
 
 use crate::or_null;
 
@@ -15,6 +15,13 @@ pub struct PlanIteration {
     pub trajectory: Trajectory,
 }
 
+impl PlanIteration {
+    /// What decides whether another iteration follows.
+    pub(crate) fn end(&self) -> IterationEnd<'_> {
+        IterationEnd { converged: self.record.converged, tau: self.record.tau, motion: &self.trajectory }
+    }
+}
+
 impl From<HomotopyIteration> for PlanIteration {
     fn from(iteration: HomotopyIteration) -> Self {
         Self { record: IterationRecord::from(&iteration), trajectory: iteration.trajectory }
@@ -24,6 +31,10 @@ impl From<HomotopyIteration> for PlanIteration {
 /// One homotopy iteration, without its trajectory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IterationRecord {
+    /// Steps of its grid.
+    pub steps: usize,
+    /// Length of a step.
+    pub time_step_s: f64,
     /// Smoothing of the distances.
     pub tau: f64,
     /// Relaxation of complementarity.
@@ -113,6 +124,16 @@ pub struct Split {
 }
 
 impl IterationRecord {
+    /// Whether it has fewer steps than the task.
+    pub fn is_coarse(&self, task: &AssemblyTask) -> bool {
+        self.steps < task.horizon.steps
+    }
+
+    /// The task on the iteration's own grid.
+    pub fn task(&self, task: &AssemblyTask) -> AssemblyTask {
+        AssemblyTask { horizon: Horizon { steps: self.steps, time_step: self.time_step_s }, ..task.clone() }
+    }
+
     /// Linear systems that the stage solver left to a general solver.
     pub fn fallbacks(&self) -> usize {
         self.stage_solver.as_ref().map_or(0, |solver| solver.fallbacks.total())
@@ -129,6 +150,8 @@ impl From<&HomotopyIteration> for IterationRecord {
     fn from(result: &HomotopyIteration) -> Self {
         let IterationTiming { total, distances, model, linear_solver, rest } = result.timing;
         Self {
+            steps: result.trajectory.reference.len() - 1,
+            time_step_s: result.trajectory.time_step,
             tau: result.smoothing.tau,
             sigma: result.smoothing.sigma,
             mu_init: result.smoothing.mu_init,

@@ -11,7 +11,8 @@
 //! # fn main() -> Result<(), planner::PlannerError> {
 //! let scene = std::path::Path::new("../../scenes/corner.toml");
 //! let problem = Problem::load(scene, &Choices { delta: Some(0.01), ..Choices::default() })?;
-//! let session = Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None, threads: 2 };
+//! let stopped = AtomicBool::new(false);
+//! let session = Session::new(&|_: &Event| {}, &stopped);
 //! let plan = planner::solve(&problem, &session)?;
 //! let request = SimulationRequest { frictions: vec![0.0, 0.1], ..SimulationRequest::default() };
 //! let rollouts = planner::simulate(&problem, &[(Motion::Plan, plan.reference())], &request)?;

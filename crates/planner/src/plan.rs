@@ -65,7 +65,7 @@ impl fmt::Display for PlanStatus {
 }
 
 impl Plan {
-    /// Of a homotopy that has run at least one iteration; its last one is the plan.
+    /// Of a homotopy that has run at least one iteration, on some threads.
     pub(crate) fn new(
         problem: &Problem,
         variant: Variant,
@@ -75,12 +75,28 @@ impl Plan {
     ) -> Self {
         let trajectory = iterations[iterations.len() - 1].trajectory.clone();
         let task = variant.task.clone();
-        Self { problem: problem.clone(), variant, iterations, trajectory, task, robustness: None, threads, interrupted }
+        let problem = problem.clone();
+        let mut plan = Self { problem, variant, iterations, trajectory, task, robustness: None, threads, interrupted };
+        plan.trajectory = plan.chosen().trajectory.clone();
+        plan
     }
 
-    /// The last homotopy iteration.
-    pub fn last(&self) -> &PlanIteration {
-        &self.iterations[self.iterations.len() - 1]
+    /// Number, from 1, of the homotopy iteration that is the plan. It is the last one, unless going on beyond the wanted
+    /// number made the plan worse: then it is the last that converged and reaches the goal, or at least converged.
+    pub fn chosen_stage(&self) -> usize {
+        let worth = |&number: &usize| {
+            let PlanIteration { record, trajectory } = &self.iterations[number - 1];
+            let (position, orientation) = trajectory.worst_errors();
+            (record.converged, record.converged && self.problem.success().reached(position, orientation))
+        };
+        let count = self.iterations.len();
+        // Of equals, the last.
+        (self.variant.settings.iterations..=count).max_by_key(worth).unwrap_or(count)
+    }
+
+    /// The homotopy iteration that is the plan.
+    pub fn chosen(&self) -> &PlanIteration {
+        &self.iterations[self.chosen_stage() - 1]
     }
 
     /// The motion to track.
@@ -88,9 +104,9 @@ impl Plan {
         Reference::new(self.trajectory.time_step, &self.trajectory.reference)
     }
 
-    /// Whether all iterations of its own homotopy ran and the last one found a solution.
+    /// Whether all wanted iterations of its own homotopy ran and the one that is the plan found a solution.
     pub fn is_converged(&self) -> bool {
-        self.iterations.len() == self.variant.settings.iterations && self.last().record.converged
+        self.iterations.len() >= self.variant.settings.iterations && self.chosen().record.converged
     }
 
     /// Whether every planned offset reaches the goal; for a refined plan at every friction.
@@ -111,7 +127,7 @@ impl Plan {
             Some(report) if report.is_reached() => PlanStatus::Done,
             Some(_) => PlanStatus::NotRobust,
             None if !self.is_converged() => {
-                PlanStatus::NotConverged { iteration: self.iterations.len(), status: self.last().record.status.clone() }
+                PlanStatus::NotConverged { iteration: self.chosen_stage(), status: self.chosen().record.status.clone() }
             }
             None if self.reaches_goal() => PlanStatus::Done,
             None => PlanStatus::GoalMissed,

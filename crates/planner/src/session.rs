@@ -1,6 +1,7 @@
 //! What accompanies a long computation: who watches it, how it is stopped, where unfinished work is kept.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use crate::error::Unusable;
 use crate::files::PlanFolder;
@@ -14,14 +15,27 @@ pub struct Session<'run> {
     pub interrupted: &'run AtomicBool,
     /// Where finished homotopy iterations and refined references are kept, so that another run can go on with them.
     pub folder: Option<&'run PlanFolder>,
-    /// Threads of a solve. They change nothing but the time it takes.
+    /// Threads. They change nothing but the time it takes.
     pub threads: usize,
+    /// When a solve has to end with what it has, if ever.
+    pub deadline: Option<Instant>,
 }
 
-impl Session<'_> {
+impl<'run> Session<'run> {
+    /// With one thread per processor, nothing kept, and no deadline.
+    pub fn new(observer: &'run dyn Observer, interrupted: &'run AtomicBool) -> Self {
+        let threads = std::thread::available_parallelism().map_or(1, Into::into);
+        Self { observer, interrupted, folder: None, threads, deadline: None }
+    }
+
     /// Whether the user wants the computation to end.
     pub fn is_interrupted(&self) -> bool {
         self.interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Whether the deadline has passed.
+    pub fn is_over(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() > deadline)
     }
 
     pub(crate) fn tell(&self, event: Event) {
@@ -50,8 +64,8 @@ pub enum Event<'event> {
     HomotopyIteration {
         /// Its number, from 1.
         number: usize,
-        /// How many there are.
-        count: usize,
+        /// How many there are, at most.
+        most: usize,
         /// What came of it.
         record: &'event IterationRecord,
         /// Largest final position error of all scenarios (m).
@@ -61,8 +75,8 @@ pub enum Event<'event> {
     Resumed {
         /// Homotopy iterations that it has finished.
         done: usize,
-        /// How many there are.
-        count: usize,
+        /// How many there are, at most.
+        most: usize,
         /// Whether it had begun to refine.
         refining: bool,
     },

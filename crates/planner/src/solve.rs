@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use nlp::{Control, SolveStatus, Start};
-use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration};
+use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, IterationEnd};
 
 use crate::error::{PlannerError, Unusable};
 use crate::files::{Checkpoint, PlanFolder};
@@ -18,14 +18,15 @@ use crate::variant::Variant;
 /// run of the same problem are not solved again.
 ///
 /// # Errors
-/// When a linear solver or a file fails; a solve that does not converge is a plan whose status says so.
+/// When a linear solver or a file fails, or the session's deadline passes before there is a plan. A solve that does not
+/// converge is a plan whose status says so.
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
     let variant = Variant::of_scene(problem);
     let earlier = earlier_work(problem, &variant, session)?;
-    let count = variant.settings.iterations;
+    let most = variant.settings.most_iterations();
     let (mut iterations, start, mut finished) = match earlier {
         Some(Earlier { iterations, checkpoint }) => {
-            session.tell(Event::Resumed { done: iterations.len(), count, refining: false });
+            session.tell(Event::Resumed { done: iterations.len(), most, refining: false });
             let start = Some(Start::Warm(checkpoint.iterate()));
             (iterations, start, Finished { records: checkpoint.iterations, tables: checkpoint.tables })
         }
@@ -34,7 +35,7 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
     let mut kept = Ok(());
     let on_finished = |number: usize, iteration: &HomotopyIteration| {
         let record = IterationRecord::from(iteration);
-        announce(session, number, count, &record, iteration);
+        announce(session, number, most, &record, iteration);
         finished.records.push(record);
         if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_interrupted(iteration)) {
             kept = finished.keep(folder, problem, &variant, iteration);
@@ -42,35 +43,49 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
     };
     let observe = |event: &SolverEvent| {
         session.tell(Event::Iteration(*event));
-        if session.is_interrupted() { Control::Stop } else { Control::Continue }
+        if session.is_interrupted() || session.is_over() { Control::Stop } else { Control::Continue }
     };
     require_threads(session.threads)?;
-    let new = run_homotopy(&variant, session.threads, iterations.len(), start, observe, on_finished)?;
+    let mut new = run_homotopy(&variant, session.threads, &iterations, start, observe, on_finished)?;
     kept?;
-    let interrupted = new.last().is_some_and(is_interrupted);
+    let is_cut = new.last().is_some_and(is_interrupted);
+    let interrupted = is_cut && session.is_interrupted();
+    if is_cut && !interrupted {
+        new.pop();
+    }
     iterations.extend(new.into_iter().map(PlanIteration::from));
+    let is_coarse = |iteration: &PlanIteration| iteration.record.is_coarse(&variant.task);
+    if !interrupted && iterations.iter().all(is_coarse) {
+        return Err(PlannerError::OutOfTime);
+    }
     Ok(Plan::new(problem, variant, iterations, session.threads, interrupted))
 }
 
-/// Runs the homotopy of a variant on some threads after its first `done` iterations, from a given start or the
-/// variant's own.
+/// Runs the homotopy of a variant on some threads after its `earlier` iterations, from a given start or the variant's
+/// own.
 pub(crate) fn run_homotopy(
     variant: &Variant,
     threads: usize,
-    done: usize,
+    earlier: &[PlanIteration],
     start: Option<Start>,
     mut observe: impl FnMut(&SolverEvent) -> Control,
     finished: impl FnMut(usize, &HomotopyIteration),
 ) -> Result<Vec<HomotopyIteration>, PlannerError> {
-    let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone()).with_threads(threads);
-    let transcription = homotopy.transcription();
+    let mut settings = variant.settings.clone();
+    if variant.near.is_some() {
+        // The motion is nearly a solution on the grid that it has.
+        settings.coarse_iterations = 0;
+    }
+    let mut homotopy = Homotopy::new(&variant.task, settings).with_threads(threads);
+    let transcription = homotopy.transcription(earlier.len() + 1);
     let start = start.unwrap_or_else(|| {
         Start::Cold(match &variant.near {
             None => transcription.initial_guess(),
             Some(motion) => transcription.point_at(motion),
         })
     });
-    Ok(homotopy.run_from(done, start, |event| observe(&event), finished)?)
+    let ends: Vec<IterationEnd> = earlier.iter().map(PlanIteration::end).collect();
+    Ok(homotopy.run_from(&ends, start, |event| observe(&event), finished)?)
 }
 
 /// Finished homotopy iterations of another run.
@@ -91,7 +106,7 @@ fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Resu
         }
     };
     let read = |(number, record): (usize, &IterationRecord)| {
-        let trajectory = folder.read_iteration(number, &variant.task)?;
+        let trajectory = folder.read_iteration(number, &record.task(&variant.task))?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
     };
     match (1..).zip(&checkpoint.iterations).map(read).collect() {
@@ -128,9 +143,9 @@ impl Finished {
     }
 }
 
-fn announce(session: &Session, number: usize, count: usize, record: &IterationRecord, iteration: &HomotopyIteration) {
+fn announce(session: &Session, number: usize, most: usize, record: &IterationRecord, iteration: &HomotopyIteration) {
     let (position_error, _) = iteration.trajectory.worst_errors();
-    session.tell(Event::HomotopyIteration { number, count, record, position_error });
+    session.tell(Event::HomotopyIteration { number, most, record, position_error });
 }
 
 fn is_interrupted(iteration: &HomotopyIteration) -> bool {

@@ -18,7 +18,7 @@ fn corner(success: Success) -> Problem {
 }
 
 fn quietly<T>(run: impl FnOnce(&Session) -> T) -> T {
-    run(&Session { observer: &|_: &Event| {}, interrupted: &AtomicBool::new(false), folder: None, threads: 1 })
+    run(&Session::new(&|_: &Event| {}, &AtomicBool::new(false)))
 }
 
 /// A plan of the corner scene that a variant with half the time step and two homotopy iterations has made.
@@ -43,7 +43,7 @@ fn refined(position: f64, target: &RobustnessTarget) -> Plan {
 
 /// Nothing is changed.
 fn impatient() -> RobustnessTarget {
-    RobustnessTarget { frictions: vec![0.0], patience: 0, threads: 1, ..RobustnessTarget::default() }
+    RobustnessTarget { frictions: vec![0.0], patience: 0, ..RobustnessTarget::default() }
 }
 
 fn result(plan: &Plan) -> PlanResult {
@@ -106,7 +106,7 @@ fn times_and_accelerations_are_those_of_the_plan_not_of_the_scene() {
 fn a_variant_of_two_homotopy_iterations_counts_as_converged() {
     let plan = refined(0.0009, &impatient());
     assert_eq!(plan.problem.homotopy().iterations, 5);
-    assert!(plan.iterations.len() == 2 && plan.last().record.converged);
+    assert!(plan.iterations.len() == 2 && plan.chosen().record.converged);
     assert!(plan.is_converged() && result(&plan).converged);
     let cut = Plan { iterations: plan.iterations[..1].to_vec(), ..plan };
     assert!(!cut.is_converged(), "one of its two homotopy iterations did not run");
@@ -150,7 +150,7 @@ fn any_reference_can_be_refined_without_a_plan() {
     let mut beside = task.goal;
     beside[0] += 0.005;
     let push = Reference::straight(&task.start, &beside, task.horizon);
-    let target = RobustnessTarget { frictions: vec![0.0], threads: 2, ..RobustnessTarget::default() };
+    let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
     let (refined, report) = quietly(|session| refine_reference(&problem, push.clone(), &target, session)).unwrap();
     assert!(report.is_reached() && report.kept_changes > 0, "{report:?}");
     assert_eq!(refined.start(), push.start());

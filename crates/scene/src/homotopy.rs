@@ -38,7 +38,7 @@ pub fn load_homotopy(path: &Path) -> Result<HomotopySettings, SceneError> {
     parse_homotopy(Source { file: path, text: &text })
 }
 
-/// Reads a homotopy from text. Keys that are not given have the values of the paper's peg experiments.
+/// Reads a homotopy from text. Keys that are not given have the values of the built-in one.
 ///
 /// # Errors
 /// The first thing that is wrong, with its place.
@@ -51,6 +51,8 @@ pub fn tables(settings: &HomotopySettings) -> (toml::Table, toml::Table) {
     let mut homotopy = toml::Table::new();
     let mut insert = |key: &str, value: toml::Value| homotopy.insert(key.to_owned(), value);
     insert("iterations", toml::Value::Integer(settings.iterations as i64));
+    insert("further_iterations", toml::Value::Integer(settings.further_iterations as i64));
+    insert("coarse_iterations", toml::Value::Integer(settings.coarse_iterations as i64));
     insert("tau", settings.tau.into());
     insert("sigma", settings.sigma.into());
     insert("mu_init", settings.mu_init.into());
@@ -104,6 +106,8 @@ fn of_file(entry: &Entry, file: &str) -> Result<HomotopySettings, SceneError> {
 fn settings(table: &Table, ipopt: &Table) -> Result<HomotopySettings, SceneError> {
     Ok(HomotopySettings {
         iterations: table.integer("iterations")? as usize,
+        further_iterations: table.integer("further_iterations")? as usize,
+        coarse_iterations: table.integer("coarse_iterations")? as usize,
         tau: table.number("tau")?,
         sigma: table.number("sigma")?,
         mu_init: table.number("mu_init")?,

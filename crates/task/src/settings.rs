@@ -85,8 +85,12 @@ pub enum IpoptValue {
 /// Homotopy parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HomotopySettings {
-    /// Number of homotopy iterations `n_hom`.
+    /// Number of homotopy iterations `n_hom`, at least.
     pub iterations: usize,
+    /// So many more follow, at most, as long as they make contact harder.
+    pub further_iterations: usize,
+    /// So many of the first iterations have half of the steps.
+    pub coarse_iterations: usize,
     /// Smoothing of the distances in the first iteration, `tau_1` (N m, the barrier parameter of Eq. KKTsystem).
     pub tau: f64,
     /// Relaxation of complementarity in the first iteration, `sigma_1` (N m).
@@ -121,7 +125,17 @@ pub struct Smoothing {
 }
 
 impl HomotopySettings {
-    /// Smoothing of every iteration: `tau_n = kappa_tau^(n-1) tau_1`, and so on.
+    /// Largest number of homotopy iterations.
+    pub fn most_iterations(&self) -> usize {
+        self.iterations + self.further_iterations
+    }
+
+    /// Number of iterations with half of the steps; the last wanted one always has all.
+    pub fn coarse_iterations(&self) -> usize {
+        self.coarse_iterations.min(self.iterations - 1)
+    }
+
+    /// Smoothing of every iteration there may be: `tau_n = kappa_tau^(n-1) tau_1`, and so on.
     pub fn schedule(&self) -> impl Iterator<Item = Smoothing> + use<> {
         let first = Smoothing { tau: self.tau, sigma: self.sigma, mu_init: self.mu_init };
         let (tau_rate, sigma_rate, mu_rate) = (self.tau_rate, self.sigma_rate, self.mu_rate);
@@ -132,6 +146,6 @@ impl HomotopySettings {
                 mu_init: last.mu_init * mu_rate,
             })
         })
-        .take(self.iterations)
+        .take(self.most_iterations())
     }
 }

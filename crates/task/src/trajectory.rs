@@ -65,12 +65,6 @@ impl Trajectory {
     pub fn keeps(&self) -> Limits {
         self.scenarios.iter().fold(self.reference_keeps, |limits, scenario| limits.max(&scenario.keeps))
     }
-
-    /// Deepest overlap of the exact shapes in any scenario (m), 0 when there is none.
-    pub fn max_penetration(&self) -> f64 {
-        let peaks = self.scenarios.iter().filter_map(|scenario| scenario.quality.penetration);
-        peaks.map(|peak| peak.value).fold(0.0, f64::max)
-    }
 }
 
 impl ScenarioTrajectory {

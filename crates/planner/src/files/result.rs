@@ -43,7 +43,9 @@ pub struct PlanResult {
     pub versions: Versions,
     /// Iterations of the solver in all homotopy iterations.
     pub iterations: usize,
-    /// Cost of the last homotopy iteration.
+    /// Number, from 1, of the homotopy iteration that is the plan, unless it was refined.
+    pub chosen_stage: usize,
+    /// Its cost.
     #[serde(with = "or_null")]
     pub objective: f64,
     /// Wall time of all homotopy iterations.
@@ -208,7 +210,7 @@ impl PlanResult {
     pub fn new(plan: &Plan, files: BTreeMap<String, String>) -> Self {
         let status = plan.status();
         let records = || plan.iterations.iter().map(|iteration| &iteration.record);
-        let last = &plan.last().record;
+        let chosen = &plan.chosen().record;
         Self {
             done: status == crate::PlanStatus::Done,
             status: status.to_string(),
@@ -218,7 +220,7 @@ impl PlanResult {
             start: plan.problem.start().name.clone(),
             delta_m: plan.problem.delta(),
             made_from: MadeFrom::from(&plan.problem),
-            linear_solver: last.linear_solver.clone(),
+            linear_solver: chosen.linear_solver.clone(),
             linear_solver_fallbacks: records().map(IterationRecord::fallbacks).sum(),
             threads: plan.threads,
             versions: Versions {
@@ -226,7 +228,8 @@ impl PlanResult {
                 ipopt: nlp::IPOPT_VERSION.to_owned(),
             },
             iterations: records().map(|record| record.iterations).sum(),
-            objective: last.objective,
+            chosen_stage: plan.chosen_stage(),
+            objective: chosen.objective,
             wall_s: records().map(|record| record.wall_s).sum(),
             quaternion_drift: plan.trajectory.quaternion_drift,
             time_step_s: plan.trajectory.time_step,

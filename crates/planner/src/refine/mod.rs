@@ -60,6 +60,7 @@ const TRAINING_SHARE: f64 = 0.8;
 /// whose status says so; a plan that was interrupted comes back as it is.
 pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Result<Plan, PlannerError> {
     target.validate()?;
+    require_threads(session.threads)?;
     if plan.interrupted {
         return Ok(plan);
     }
@@ -91,11 +92,12 @@ pub fn refine_reference(
     session: &Session,
 ) -> Result<(Reference, RobustnessReport), PlannerError> {
     target.validate()?;
+    require_threads(session.threads)?;
     let session = Session { folder: None, ..*session };
     let evaluator = Evaluator::new(&problem.world(), &target.frictions, problem.success());
     let mut refiner = Refiner::new(problem, target, &evaluator, &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
-    refiner.judge_first(variant, Vec::new(), reference);
+    refiner.judge_first(variant, Vec::new(), 0, reference);
     let until = refiner.clock.end();
     while refiner.goes_on(until) {
         refiner.refine_best(until)?;
@@ -161,15 +163,15 @@ impl<'run> Refiner<'run> {
     fn refine_own(&mut self, plan: Plan) -> Result<(), PlannerError> {
         if let Some(kept) = self.earlier_work()?.and_then(|checkpoint| self.restore(checkpoint, &plan)) {
             let count = plan.iterations.len();
-            self.session.tell(Event::Resumed { done: count, count, refining: true });
+            self.session.tell(Event::Resumed { done: count, most: count, refining: true });
             self.best = Some(kept);
             return self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE));
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.clock = Clock::new(self.session, spent, self.target.time_limit);
-        let last = plan.reference();
+        let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let Plan { variant, iterations, .. } = plan;
-        self.judge_first(variant.clone(), iterations.clone(), last);
+        self.judge_first(variant.clone(), iterations.clone(), chosen, last);
         let until = self.clock.share(self.clock.end(), OWN_SHARE);
         if self.goes_on(until)
             && let Some(candidate) = self.candidate(variant, iterations, true, until)
@@ -181,12 +183,11 @@ impl<'run> Refiner<'run> {
     }
 
     /// Evaluates a reference that was not refined, and keeps it.
-    fn judge_first(&mut self, variant: Variant, iterations: Vec<PlanIteration>, reference: Reference) {
+    fn judge_first(&mut self, variant: Variant, iterations: Vec<PlanIteration>, chosen: usize, reference: Reference) {
         let judgement = self.judge(&reference, self.clock.end());
         let (rate, failing) = (judgement.rates.overall(), judgement.failing());
         self.session.tell(Event::Evaluated { rate });
         self.before = judgement.rates.clone();
-        let chosen = iterations.len();
         self.rounds.push(Round { rate: Some(rate), ..Round::new(&variant, &iterations, chosen, &[]) });
         self.best = Some(Kept {
             variant,
@@ -206,7 +207,7 @@ impl<'run> Refiner<'run> {
     fn refine_best(&mut self, until: Deadline) -> Result<(), PlannerError> {
         let Some(best) = self.best.clone().filter(|_| self.goes_on(until)) else { return Ok(()) };
         let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(&best.reference, &self.training, self.target.threads, &stop);
+        let results = self.evaluator.evaluate_all(&best.reference, &self.training, self.session.threads, &stop);
         let Some(results) = results else { return Ok(()) };
         let Kept { mut variant, iterations, reference, is_scenes_own, chosen, .. } = best;
         if !variant.name.ends_with(CONTINUED) {
@@ -218,8 +219,8 @@ impl<'run> Refiner<'run> {
         self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until)
     }
 
-    /// The candidate of a solved problem: the reference of the homotopy iteration that passes most training trials; of
-    /// equals the later, which is smoothed less. `None` without iterations or time.
+    /// The candidate of a solved problem: of the homotopy iterations with all steps, the one whose reference passes most
+    /// training trials; of equals the later, which is smoothed less. `None` without such iterations or time.
     fn candidate(
         &self,
         variant: Variant,
@@ -227,11 +228,13 @@ impl<'run> Refiner<'run> {
         is_scenes_own: bool,
         until: Deadline,
     ) -> Option<Candidate<'run>> {
+        let fine: Vec<usize> =
+            (0..iterations.len()).filter(|&index| !iterations[index].record.is_coarse(&variant.task)).collect();
         let references: Vec<Reference> =
-            iterations.iter().map(|iteration| candidate::reference(&iteration.trajectory)).collect();
+            fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
         let stop = || self.clock.is_over(until);
-        let best = race::race(self.evaluator, &references, &self.training, self.target.threads, &stop)?;
-        let mut round = Round::new(&variant, &iterations, best.index + 1, &best.results);
+        let best = race::race(self.evaluator, &references, &self.training, self.session.threads, &stop)?;
+        let mut round = Round::new(&variant, &iterations, fine[best.index] + 1, &best.results);
         round.rollouts = best.rollouts;
         let reference = references[best.index].clone();
         let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), best.results, self.seed);
@@ -247,7 +250,7 @@ impl<'run> Refiner<'run> {
         // What failed elsewhere since it became a candidate.
         let new = self.training[refinement.trials().len()..].to_vec();
         let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(refinement.reference(), &new, self.target.threads, &stop);
+        let results = self.evaluator.evaluate_all(refinement.reference(), &new, self.session.threads, &stop);
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
             let passes = self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
@@ -288,7 +291,7 @@ impl<'run> Refiner<'run> {
         let (mut vain, mut last) = (0, refinement.score());
         let stop = || self.clock.is_over(until);
         while refinement.score().0 > 0 && vain < self.target.patience && !stop() {
-            *changes += usize::from(refinement.improve(self.target.threads, &stop));
+            *changes += usize::from(refinement.improve(self.session.threads, &stop));
             let (failing, miss) = refinement.score();
             if failing < last.0 || miss < CREEPING * last.1 {
                 (vain, last) = (0, (failing, miss));
@@ -307,7 +310,7 @@ impl<'run> Refiner<'run> {
         let tolerance = GraspTolerance { delta: self.problem.delta(), turn: self.target.turn };
         let evaluation = Evaluation::new(self.problem.task(), tolerance, &self.target.frictions, EVALUATION, seed);
         let stop = || self.clock.is_over(until);
-        evaluation.judge(self.evaluator, reference, self.target.wanted_rate, self.target.threads, &stop)
+        evaluation.judge(self.evaluator, reference, self.target.wanted_rate, self.session.threads, &stop)
     }
 
     /// Keeps a plan in memory and in the session's folder if it is better than the best so far.

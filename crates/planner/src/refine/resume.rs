@@ -6,7 +6,7 @@ use simulation::{Reference, Trial};
 
 use crate::error::{PlannerError, Unusable};
 use crate::files::{BestRecord, RefinementCheckpoint, TrialRecord};
-use crate::iteration::PlanIteration;
+use crate::iteration::{IterationRecord, PlanIteration};
 use crate::plan::Plan;
 use crate::refine::Refiner;
 use crate::refine::candidate::Kept;
@@ -79,8 +79,9 @@ impl Refiner<'_> {
         variant.settings.iterations = best.homotopy_iterations;
         let iterations = match (best.is_scenes_own, self.session.folder) {
             (false, Some(folder)) => {
-                let read = |(number, record)| {
-                    let trajectory = folder.read_refined_iteration(best.round, number, &variant.task)?;
+                let read = |(number, record): (usize, IterationRecord)| {
+                    let task = record.task(&variant.task);
+                    let trajectory = folder.read_refined_iteration(best.round, number, &task)?;
                     Ok(PlanIteration { record, trajectory })
                 };
                 let iterations: Result<_, PlannerError> = (1..).zip(best.iterations).map(read).collect();

@@ -17,8 +17,6 @@ pub struct RobustnessTarget {
     pub time_limit: Duration,
     /// Changes in a row without improvement after which the refinement of a plan is stuck.
     pub patience: usize,
-    /// Threads; they change nothing but the time it takes.
-    pub threads: usize,
 }
 
 impl Default for RobustnessTarget {
@@ -29,7 +27,6 @@ impl Default for RobustnessTarget {
             turn: 0.0,
             time_limit: Duration::from_secs(300),
             patience: 150,
-            threads: std::thread::available_parallelism().map_or(1, Into::into),
         }
     }
 }
@@ -54,8 +51,7 @@ impl RobustnessTarget {
             "must lie between 0 and 1",
         )?;
         require_frictions(&self.frictions)?;
-        require_turn(self.turn)?;
-        require_threads(self.threads)
+        require_turn(self.turn)
     }
 
     /// The smallest friction: that of the motions which the plan shows.

@@ -34,7 +34,7 @@ impl Plan {
     /// contact.
     pub fn own_warnings(&self) -> Vec<String> {
         let mut warnings = limits::warnings(&self.task.limits, &self.trajectory.keeps());
-        if self.robustness.is_none() && self.last().record.converged {
+        if self.robustness.is_none() && self.chosen().record.converged {
             warnings.extend(smoothing::warning(self));
         }
         warnings

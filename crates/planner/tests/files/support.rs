@@ -25,7 +25,7 @@ pub fn plan() -> &'static Plan {
 
 /// Solves a problem, with a folder for unfinished work.
 pub fn solve(delta: f64, folder: Option<&PlanFolder>, interrupted: &AtomicBool) -> Plan {
-    let session = Session { observer: &|_: &Event| {}, interrupted, folder, threads: 1 };
+    let session = Session { folder, ..Session::new(&|_: &Event| {}, interrupted) };
     planner::solve(&problem(delta), &session).unwrap()
 }
 

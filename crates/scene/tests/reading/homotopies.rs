@@ -20,12 +20,11 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
 }
 
-/// A scene of the project with other lines in the place of `homotopy = "..."`, and more at its end.
+/// A scene of the project with more lines after its title, and more at its end.
 fn scene_with(lines: &str, more: &str) -> Result<Scene, SceneError> {
     let file = folder("scenes/corner.toml");
     let text = std::fs::read_to_string(&file).unwrap();
-    let line = text.lines().find(|line| line.starts_with("homotopy = ")).unwrap();
-    let text = format!("{}\n{more}", text.replacen(line, lines, 1));
+    let text = format!("{}\n{more}", text.replacen('\n', &format!("\n{lines}\n"), 1));
     Scene::parse(Source { file: &file, text: &text })
 }
 
@@ -57,7 +56,7 @@ const SETTINGS: &[(&str, usize, &str)] = &[
     ("taw = 1.0", 1, "unknown key `taw`, did you mean `tau`?"),
     ("tau = 1\ntau = 2", 1, "`tau` is given twice"),
     ("max_iter = 5", 1, "unknown key `max_iter` here: it belongs to [ipopt]"),
-    ("steps = 5", 1, "unknown key `steps`; valid are: iterations, tau, sigma, mu_init, tau_rate, sigma_rate, mu_rate, complementarity, hessian, linear_solver"),
+    ("steps = 5", 1, "unknown key `steps`; valid are: iterations, further_iterations, coarse_iterations, tau, sigma, mu_init, tau_rate, sigma_rate, mu_rate, complementarity, hessian, linear_solver"),
 ];
 
 #[test]
@@ -265,9 +264,16 @@ fn every_homotopy_file_of_the_project_loads() {
 }
 
 #[test]
-fn the_default_homotopy_is_that_of_the_pegs() {
-    let peg = load_homotopy(&folder("configs/homotopy_peg.toml")).unwrap();
-    assert_eq!(default_homotopy(), peg);
+fn files_that_repeat_the_paper_neither_go_on_nor_begin_coarse() {
+    let mut paths = files(&folder("scripts/reproduction/studies/homotopies"));
+    paths.extend(
+        ["homotopy_peg", "homotopy_clamp", "homotopy_clamp_wide"].map(|name| folder(&format!("configs/{name}.toml"))),
+    );
+    for path in paths {
+        let homotopy = load_homotopy(&path).unwrap();
+        let beyond = [homotopy.further_iterations, homotopy.coarse_iterations];
+        assert_eq!((beyond, homotopy.mu_init, homotopy.mu_rate), ([0, 0], 1.0, 0.1), "{}", path.display());
+    }
 }
 
 #[test]

@@ -1,0 +1,119 @@
+//! Coarse and fine grids of time: the first homotopy iterations are solved with fewer steps, and their primal-dual point
+//! is carried over to all steps.
+//!
+//! Of a stage, poses and velocities are values at its time, and the multipliers of their dynamics are costates: all of
+//! these are interpolated. Contact forces and the multipliers of all other constraints and bounds belong to the step that
+//! leads to the stage. A force is held for the whole step; a multiplier is shared out among the fine steps.
+
+use kkt::{Class, Label, Owner};
+use nlp::Iterate;
+use task::{AssemblyTask, CostWeights, Horizon, STATE, at_rest};
+
+use crate::layout::Layout;
+use crate::term::Owners;
+use crate::transcription::Transcription;
+
+/// Fewest steps of a coarse grid.
+const FEWEST_STEPS: usize = 25;
+
+/// The task on half of the steps (rounded up) of the same horizon, if these are enough. Running costs are sums over
+/// steps, so that each of the fewer steps has a larger weight.
+pub fn coarsened(task: &AssemblyTask) -> Option<AssemblyTask> {
+    let Horizon { steps: fine, time_step } = task.horizon;
+    let steps = fine.div_ceil(2);
+    if steps < FEWEST_STEPS {
+        return None;
+    }
+    let ratio = fine as f64 / steps as f64;
+    let mut coarse = task.clone();
+    coarse.horizon = Horizon { steps, time_step: time_step * ratio };
+    coarse.cost.reference = heavier(&task.cost.reference, ratio);
+    coarse.cost.compliant = heavier(&task.cost.compliant, ratio);
+    Some(coarse)
+}
+
+fn heavier(weights: &CostWeights, ratio: f64) -> CostWeights {
+    CostWeights {
+        translational_velocity: weights.translational_velocity * ratio,
+        rotational_velocity: weights.rotational_velocity * ratio,
+        ..*weights
+    }
+}
+
+/// A primal-dual point of one transcription on the grid of another one of the same task.
+pub fn carried_over(point: &Iterate, from: &Transcription, to: &Transcription) -> Iterate {
+    let (coarse, fine) = (from.layout(), to.layout());
+    let share = coarse.steps as f64 / fine.steps as f64;
+    let (variables, multipliers) = (fine.variable_labels(), fine.multiplier_labels());
+    let on_fine = |values: &[f64], initial: &[f64], labels: &[Label], rule: &dyn Fn(Class) -> Rule| {
+        let length = initial.len();
+        let value = |(index, label): (usize, &Label)| {
+            let member = index % length;
+            // The end of the fine step lies in a coarse step, at this fraction of it.
+            let passed = label.stage * coarse.steps;
+            let stage = passed.div_ceil(fine.steps);
+            let fraction = passed as f64 / fine.steps as f64 - (stage - 1) as f64;
+            let after = values[(stage - 1) * length + member];
+            match rule(label.class) {
+                Rule::Interpolate if stage == 1 => initial[member] + fraction * (after - initial[member]),
+                Rule::Interpolate => {
+                    let before = values[(stage - 2) * length + member];
+                    before + fraction * (after - before)
+                }
+                Rule::Hold => after,
+                Rule::Share => share * after,
+            }
+        };
+        labels.iter().enumerate().map(value).collect()
+    };
+    let stage = |values: &[f64]| values[..values.len() / coarse.steps].to_vec();
+    let of_bounds = |values: &[f64]| on_fine(values, &stage(values), &variables, &|_| Rule::Share);
+    Iterate {
+        x: on_fine(&point.x, &initial_stage(from, stage(&point.x)), &variables, &of_variable),
+        constraint_multipliers: on_fine(
+            &point.constraint_multipliers,
+            &stage(&point.constraint_multipliers),
+            &multipliers,
+            &of_multiplier,
+        ),
+        lower_multipliers: of_bounds(&point.lower_multipliers),
+        upper_multipliers: of_bounds(&point.upper_multipliers),
+    }
+}
+
+/// How a value is carried over.
+enum Rule {
+    /// Linearly between the ends of the coarse step.
+    Interpolate,
+    /// The same in all fine steps of the coarse step.
+    Hold,
+    /// Shared out among the fine steps of the coarse step.
+    Share,
+}
+
+fn of_variable(class: Class) -> Rule {
+    match class {
+        Class::Pose | Class::Velocity => Rule::Interpolate,
+        _ => Rule::Hold,
+    }
+}
+
+fn of_multiplier(class: Class) -> Rule {
+    match class {
+        Class::PoseMultiplier | Class::VelocityMultiplier => Rule::Interpolate,
+        _ => Rule::Share,
+    }
+}
+
+/// The variables of the first stage with the states before the first step.
+fn initial_stage(transcription: &Transcription, mut variables: Vec<f64>) -> Vec<f64> {
+    let layout: &Layout = transcription.layout();
+    for (stage, owner) in layout.stages_of(Owners::All).take_while(|&(stage, _)| stage == 1) {
+        let state = match owner {
+            Owner::Reference => at_rest(&transcription.task().start),
+            Owner::Scenario(scenario) => transcription.initial_compliant()[scenario],
+        };
+        variables[layout.state(stage, owner)..][..STATE].copy_from_slice(&state);
+    }
+    variables
+}
