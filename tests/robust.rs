@@ -30,9 +30,18 @@ fn a_plan_is_refined_until_unplanned_offsets_succeed() {
 }
 
 #[test]
-fn without_time_the_best_plan_is_kept_and_the_exit_code_says_so() {
+fn without_time_for_a_plan_there_is_none_and_work_is_kept() {
     let dir = Dir::new();
-    dir.run(&format!("{SOLVE} --time-limit 0.001 --wanted-rate 1")).code(1);
+    dir.run(&format!("{SOLVE} --time-limit 0.001"))
+        .code(1)
+        .says("the time limit ended before the first plan was found");
+    assert!(!dir.exists("out/result.json"));
+}
+
+#[test]
+fn a_plan_that_is_not_robust_is_written_and_the_exit_code_says_so() {
+    let dir = Dir::new();
+    dir.run(&format!("{SOLVE} --patience 0 --wanted-rate 1")).code(1);
     let result = dir.result("out");
     assert_eq!(result["status"], "the wanted success rate is not reached");
     assert_eq!((&result["robust"]["reached"], &result["done"]), (&false.into(), &false.into()));

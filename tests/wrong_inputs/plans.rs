@@ -16,7 +16,7 @@ pub const ROWS: &[Row] = &[
     ("simulate scene.toml plan", &[("plan/result.json", "\"reference.csv\"", "\"../scene.toml\"")], "which is no file of a plan"),
     ("simulate scene.toml plan", &[("plan/result.json", "\"reference.csv\"", "\"/etc/passwd\"")], "which is no file of a plan"),
     ("simulate scene.toml plan", &[("plan/result.json", "\"reference.csv\"", "\"stages/1/../reference.csv\"")], "which is no file of a plan"),
-    ("simulate scene.toml plan", &[("plan/result.json", "\"reference.csv\"", "\"stages/2/reference.csv\"")], "belongs to the plan and cannot be read"),
+    ("simulate scene.toml plan", &[("plan/result.json", "\"reference.csv\"", "\"stages/99/reference.csv\"")], "belongs to the plan and cannot be read"),
     ("simulate scene.toml plan", &[("plan/reference.csv", "", "")], "plan/reference.csv: was changed since the plan was written"),
     ("simulate scene.toml plan", &[("plan/reference.csv", "", "time_s\n")], "plan/reference.csv: was changed"),
     ("simulate scene.toml plan", &[("plan/reference.csv", "\n0.3,", "\n0.3,1e300")], "plan/reference.csv: was changed"),

@@ -43,7 +43,6 @@ pub const ROWS: &[Row] = &[
     ("solve scene.toml --out out --patience 5", &[], "--robust"),
     ("solve scene.toml --out out --friction 0", &[], "--robust"),
     ("solve scene.toml --out out --turn 0.1", &[], "--robust"),
-    ("solve scene.toml --out out --jobs 2", &[], "--robust"),
     ("solve scene.toml --out out --jobs=2 --robust=yes", &[], "--robust"),
     ("solve scene.toml --out out --verbose", &[], "--verbose"),
     ("solve scene.toml --out out --resume --cell x", &[], "is not the one of the manifest"),

@@ -97,7 +97,7 @@ pub fn refine_reference(
     let evaluator = Evaluator::new(&problem.world(), &target.frictions, problem.success());
     let mut refiner = Refiner::new(problem, target, &evaluator, &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
-    refiner.judge_first(variant, Vec::new(), 0, reference);
+    refiner.judge_first(variant, Vec::new(), 0, reference)?;
     let until = refiner.clock.end();
     while refiner.goes_on(until) {
         refiner.refine_best(until)?;
@@ -171,7 +171,7 @@ impl<'run> Refiner<'run> {
         self.clock = Clock::new(self.session, spent, self.target.time_limit);
         let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let Plan { variant, iterations, .. } = plan;
-        self.judge_first(variant.clone(), iterations.clone(), chosen, last);
+        self.judge_first(variant.clone(), iterations.clone(), chosen, last)?;
         let until = self.clock.share(self.clock.end(), OWN_SHARE);
         if self.goes_on(until)
             && let Some(candidate) = self.candidate(variant, iterations, true, until)
@@ -183,13 +183,19 @@ impl<'run> Refiner<'run> {
     }
 
     /// Evaluates a reference that was not refined, and keeps it.
-    fn judge_first(&mut self, variant: Variant, iterations: Vec<PlanIteration>, chosen: usize, reference: Reference) {
+    fn judge_first(
+        &mut self,
+        variant: Variant,
+        iterations: Vec<PlanIteration>,
+        chosen: usize,
+        reference: Reference,
+    ) -> Result<(), PlannerError> {
         let judgement = self.judge(&reference, self.clock.end());
         let (rate, failing) = (judgement.rates.overall(), judgement.failing());
         self.session.tell(Event::Evaluated { rate });
         self.before = judgement.rates.clone();
-        self.rounds.push(Round { rate: Some(rate), ..Round::new(&variant, &iterations, chosen, &[]) });
-        self.best = Some(Kept {
+        let round = Round { rate: Some(rate), ..Round::new(&variant, &iterations, chosen, &[]) };
+        let kept = Kept {
             variant,
             iterations,
             reference,
@@ -200,7 +206,10 @@ impl<'run> Refiner<'run> {
             chosen,
             changes: 0,
             is_scenes_own: true,
-        });
+        };
+        self.keep_if_best(kept, &round)?;
+        self.rounds.push(round);
+        Ok(())
     }
 
     /// Goes on with the best plan so far, with other changes than before.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, parse_homotopy, resolved};
+use scene::{Scene, SceneError, Source, load_homotopy, parse_homotopy, resolved};
 use task::{Complementarity, HessianKind, HomotopySettings, IpoptValue, LinearSolver};
 
 use crate::support::{assert_place, folder};
