@@ -72,7 +72,7 @@ fn where_refinement_is_stuck_other_problems_are_solved() {
     let result = dir.result("out");
     let rounds = list(&result["robust"], "rounds");
     let names: Vec<&str> = rounds.iter().map(|round| round["planned"].as_str().unwrap()).collect();
-    assert_eq!((names.len(), names[0], names[11]), (12, "the scene as it is", "the scene as it is, continued"));
+    assert_eq!((names.len(), names[0], names[14]), (15, "the scene as it is", "the scene as it is, continued"));
     for round in rounds {
         assert_eq!(round["training_failures"], round["training_trials"], "{round}");
         assert_eq!(round["rate"], 0.0, "{round}");

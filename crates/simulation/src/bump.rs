@@ -28,6 +28,10 @@ const LASTING: f64 = 0.2;
 const SPREAD: f64 = 0.8;
 /// Typical turn as a multiple of the orientation tolerance. It is small because turns act through levers.
 const TURN: f64 = 0.3;
+/// Width of the interval of time, as a fraction of the duration, in which varied changes lie.
+const LATER: f64 = 0.1;
+/// Fraction of another change that is added to a varied one.
+const MIXED: f64 = 0.3;
 /// Fraction of the duration over which a change fades in, so that the start does not change.
 const FADE: f64 = 0.05;
 
@@ -46,6 +50,18 @@ impl Bump {
         let shift = vector(success.position, kind != 1);
         let turn = vector(TURN * success.orientation, kind != 0);
         Self { center, width, lasting, shift, turn }
+    }
+
+    /// A change like this one: at about the same time and in about the same direction, of another size; `other` is added
+    /// in part.
+    pub fn varied(&self, other: &Self, random: &mut Rng) -> Self {
+        let size = (SPREAD * normal(random)).exp();
+        Self {
+            center: self.center + LATER * (random.f64() - 0.5),
+            shift: self.shift * size + other.shift * MIXED,
+            turn: self.turn * size + other.turn * MIXED,
+            ..*self
+        }
     }
 
     /// Fraction of the change that applies at a fraction of the duration.

@@ -1,5 +1,5 @@
 //! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more trials pass are
-//! kept.
+//! kept. Half of them resemble changes that have helped before.
 //!
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
 //! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
@@ -18,11 +18,18 @@ pub struct Refinement<'evaluator> {
     trials: Vec<Trial>,
     results: Vec<TrialResult>,
     rollouts: usize,
+    /// The last changes that helped.
+    helped: Vec<Bump>,
 }
 
-/// Number of trials in a batch, independent of the number of threads, so that the results are, too. A change is dropped
-/// after the first batch if the sum of the misses there did not decrease.
-const BATCH: usize = 6;
+/// Number of trials in a batch, independent of the number of threads, so that the results are, too.
+const BATCH: usize = 8;
+/// Number of trials in the first batch. A change is dropped after it if the sum of the misses there did not decrease.
+const FIRST_BATCH: usize = 4;
+/// Fraction of changes that resemble earlier ones.
+const LEARNED: f64 = 0.5;
+/// Number of helpful changes that are remembered.
+const REMEMBERED: usize = 6;
 
 impl<'evaluator> Refinement<'evaluator> {
     /// Of a reference whose results in the trials are known, in the order of the trials.
@@ -37,7 +44,7 @@ impl<'evaluator> Refinement<'evaluator> {
         seed: u64,
     ) -> Self {
         assert_eq!(trials.len(), results.len(), "every trial has a result");
-        Self { evaluator, random: Rng::with_seed(seed), reference, trials, results, rollouts: 0 }
+        Self { evaluator, random: Rng::with_seed(seed), reference, trials, results, rollouts: 0, helped: Vec::new() }
     }
 
     /// The best reference so far.
@@ -73,7 +80,27 @@ impl<'evaluator> Refinement<'evaluator> {
     /// takes to see that the change is no improvement. A change that breaks a limit is dropped, and so is the current
     /// one when `stop` returns true.
     pub fn improve(&mut self, jobs: usize, stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        let reference = self.reference.bent(&Bump::random(&mut self.random, self.evaluator.success()));
+        let change = self.propose();
+        let is_better = self.attempt(self.reference.bent(&change), jobs, stop);
+        if is_better {
+            self.helped.push(change);
+            self.helped.drain(..self.helped.len().saturating_sub(REMEMBERED));
+        }
+        is_better
+    }
+
+    /// A random change, or one that resembles a change which has helped.
+    fn propose(&mut self) -> Bump {
+        let new = Bump::random(&mut self.random, self.evaluator.success());
+        if self.helped.is_empty() || self.random.f64() >= LEARNED {
+            return new;
+        }
+        let helpful = self.helped[self.random.usize(..self.helped.len())];
+        helpful.varied(&new, &mut self.random)
+    }
+
+    /// Takes over a reference if it is better than the best so far.
+    fn attempt(&mut self, reference: Reference, jobs: usize, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         if !self.evaluator.allows(&reference) {
             return false;
         }
@@ -81,9 +108,10 @@ impl<'evaluator> Refinement<'evaluator> {
         let (failing, passing) = self.shuffled();
         // Change of the sum of misses, and of the number of failing trials.
         let (mut miss, mut count) = (0.0, 0_isize);
-        let batches = failing.chunks(BATCH).chain(passing.chunks(BATCH));
+        let (first, rest) = failing.split_at(FIRST_BATCH.min(failing.len()));
+        let batches = std::iter::once(first).chain(rest.chunks(BATCH)).chain(passing.chunks(BATCH));
         // After these only trials follow that the change can lose.
-        let failing_batches = failing.len().div_ceil(BATCH);
+        let failing_batches = 1 + rest.len().div_ceil(BATCH);
         for (batches_done, batch) in (1..).zip(batches) {
             let trials: Vec<Trial> = batch.iter().map(|&index| self.trials[index]).collect();
             let Some(new) = self.evaluator.evaluate_all(&reference, &trials, jobs, stop) else { return false };

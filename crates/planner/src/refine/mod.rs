@@ -37,8 +37,8 @@ pub use target::RobustnessTarget;
 pub(crate) use target::{require, require_frictions, require_threads, require_turn};
 
 /// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so
-/// that few are needed.
-const TRAINING: usize = 4;
+/// that one is enough. More cost more rollouts than they save.
+const TRAINING: usize = 1;
 /// Random offsets per friction and magnitude of an evaluation.
 const EVALUATION: usize = 50;
 /// Misses that shrink by less than this factor are no improvement: refinement could creep until the time is over.
@@ -47,6 +47,8 @@ const CREEPING: f64 = 0.99;
 const SEED: u64 = 1;
 /// Distance between the seeds of evaluations, which need one per magnitude.
 const SEED_STRIDE: u64 = 100;
+/// How often the refinement of a plan that is stuck begins anew, before other problems are solved.
+const REPETITIONS: usize = 3;
 /// Share of the time for the plan of the scene itself, before other problems are solved.
 const OWN_SHARE: f64 = 0.5;
 /// Share of the time for changes; the rest is for the evaluation that follows.
@@ -165,7 +167,7 @@ impl<'run> Refiner<'run> {
             let count = plan.iterations.len();
             self.session.tell(Event::Resumed { done: count, most: count, refining: true });
             self.best = Some(kept);
-            return self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE));
+            return self.refine_again(self.clock.share(self.clock.end(), OWN_SHARE));
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.clock = Clock::new(self.session, spent, self.target.time_limit);
@@ -179,7 +181,7 @@ impl<'run> Refiner<'run> {
             self.rounds.clear();
             self.refine(candidate, until)?;
         }
-        Ok(())
+        self.refine_again(until)
     }
 
     /// Evaluates a reference that was not refined, and keeps it.
@@ -210,6 +212,12 @@ impl<'run> Refiner<'run> {
         self.keep_if_best(kept, &round)?;
         self.rounds.push(round);
         Ok(())
+    }
+
+    /// Goes on with the best plan so far a few times: other changes often help where some did not, and they cost less
+    /// than another problem.
+    fn refine_again(&mut self, until: Deadline) -> Result<(), PlannerError> {
+        (0..REPETITIONS).try_for_each(|_| self.refine_best(until))
     }
 
     /// Goes on with the best plan so far, with other changes than before.
@@ -283,12 +291,12 @@ impl<'run> Refiner<'run> {
                 is_scenes_own,
             };
             self.keep_if_best(kept, &round)?;
-            if is_last {
-                break;
-            }
             round.added_trials += judgement.failures.len();
             self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
             refinement.add(judgement.failures);
+            if is_last {
+                break;
+            }
         }
         self.least_failing = self.least_failing.min(refinement.failing_fraction());
         self.rounds.push(round);
