@@ -11,10 +11,8 @@ STEPS, SCENARIOS, PAIRS = 100, 3, 6
 
 
 def load(file: pathlib.Path) -> dict:
-    """A scene with the tables of its homotopy file in it."""
-    scene = tomllib.loads(file.read_text())
-    homotopy = tomllib.loads((file.parent / scene.pop("homotopy")).read_text())
-    return scene | homotopy
+    """A scene, which is solved with the default homotopy."""
+    return tomllib.loads(file.read_text())
 
 
 def with_steps(scene: dict, steps: int) -> dict:
