@@ -117,3 +117,60 @@ fn initial_stage(transcription: &Transcription, mut variables: Vec<f64>) -> Vec<
     }
     variables
 }
+
+#[cfg(test)]
+mod tests {
+    use task::{Complementarity, HessianKind};
+
+    use super::*;
+
+    fn task(steps: usize) -> AssemblyTask {
+        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+        let mut task = scene::Scene::load(&file).unwrap().task(None, None).unwrap();
+        task.horizon = Horizon { steps, time_step: 0.02 };
+        task
+    }
+
+    #[test]
+    fn a_coarse_grid_covers_the_same_time_with_half_of_the_steps() {
+        let coarse = coarsened(&task(61)).unwrap();
+        assert_eq!(coarse.horizon.steps, 31);
+        assert!((coarse.horizon.time_step * 31.0 - 0.02 * 61.0).abs() < 1e-12);
+        let ratio = coarse.cost.compliant.translational_velocity / task(61).cost.compliant.translational_velocity;
+        assert!((ratio * 31.0 - 61.0).abs() < 1e-9, "running costs keep their sum");
+        assert!(coarsened(&task(48)).is_none(), "too few steps");
+    }
+
+    #[test]
+    fn motions_at_constant_velocity_and_constant_forces_are_carried_over_exactly() {
+        let fine_task = task(61);
+        let coarse_task = coarsened(&fine_task).unwrap();
+        let transcribe = |task| Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
+        let (from, to) = (transcribe(&coarse_task), transcribe(&fine_task));
+        // Poses and velocities grow with time, everything else is one.
+        let filled = |transcription: &Transcription| -> Vec<f64> {
+            let (layout, start) = (transcription.layout(), initial_stage(transcription, transcription.initial_guess()));
+            let labels = layout.variable_labels();
+            let length = labels.len() / layout.steps;
+            let value = |(index, label): (usize, &Label)| match label.class {
+                Class::Pose | Class::Velocity => start[index % length] + label.stage as f64 / layout.steps as f64,
+                _ => 1.0,
+            };
+            labels.iter().enumerate().map(value).collect()
+        };
+        let x = filled(&from);
+        let constraint_multipliers = vec![61.0; from.layout().constraint_count()];
+        let bounds = vec![61.0; x.len()];
+        let point = Iterate { x, constraint_multipliers, lower_multipliers: bounds.clone(), upper_multipliers: bounds };
+        let carried = carried_over(&point, &from, &to);
+        for (value, expected) in carried.x.iter().zip(filled(&to)) {
+            assert!((value - expected).abs() < 1e-12, "{value} {expected}");
+        }
+        assert!(carried.lower_multipliers.iter().all(|multiplier| (multiplier - 31.0).abs() < 1e-9));
+        for (label, multiplier) in to.layout().multiplier_labels().iter().zip(&carried.constraint_multipliers) {
+            let is_costate = matches!(label.class, Class::PoseMultiplier | Class::VelocityMultiplier);
+            let expected = if is_costate { 61.0 } else { 31.0 };
+            assert!((multiplier - expected).abs() < 1e-9);
+        }
+    }
+}

@@ -44,3 +44,26 @@ impl<'run> Clock<'run> {
         self.session.is_interrupted() || self.elapsed() > until.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use super::*;
+    use crate::session::Event;
+
+    #[test]
+    fn shares_are_of_the_time_that_is_left() {
+        let stopped = AtomicBool::new(false);
+        let session = Session::new(&|_: &Event| {}, &stopped);
+        let seconds = Duration::from_secs;
+        let clock = Clock::new(&session, seconds(40), seconds(100));
+        let half = clock.share(clock.end(), 0.5);
+        assert!(half >= Deadline(seconds(70)) && half < Deadline(seconds(71)));
+        assert!(!clock.is_over(half) && clock.is_over(Deadline(seconds(40))));
+        let late = Clock::new(&session, seconds(200), seconds(100));
+        assert!(late.is_over(late.share(late.end(), 0.5)));
+        stopped.store(true, std::sync::atomic::Ordering::Relaxed);
+        assert!(clock.is_over(half), "the user has interrupted");
+    }
+}

@@ -42,3 +42,33 @@ pub fn race(
     let (index, results) = running.pop()?;
     Some(Winner { index, results, rollouts })
 }
+
+#[cfg(test)]
+mod tests {
+    use simulation::{GraspError, Success};
+    use task::at_rest;
+
+    use super::*;
+    use crate::problem::{Choices, Problem};
+
+    #[test]
+    fn the_reference_that_passes_most_trials_wins_with_few_rollouts() {
+        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+        let problem = Problem::load(&scene, &Choices::default()).unwrap();
+        let task = problem.task();
+        let evaluator = Evaluator::new(&problem.world(), &[0.0], Success::default());
+        let resting = Reference::new(0.1, &[at_rest(&task.start); 3]);
+        let push = Reference::straight(&task.start, &task.goal, task.horizon);
+        let trials = [Trial { friction: 0, grasp: GraspError::default() }; 30];
+        let references = [resting.clone(), push.clone(), resting.clone(), resting];
+        let winner = race(&evaluator, &references, &trials, 2, &|| false).unwrap();
+        assert_eq!((winner.index, winner.results.len()), (1, trials.len()));
+        assert!(winner.results.iter().all(|result| result.passed));
+        // Six trials of all four, six more of two, then the others of one.
+        assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
+        let equals = [push.clone(), push];
+        assert_eq!(race(&evaluator, &equals, &trials, 1, &|| false).unwrap().index, 1, "of equals the later");
+        assert!(race(&evaluator, &references, &trials, 1, &|| true).is_none(), "no time");
+        assert!(race(&evaluator, &[], &trials, 1, &|| false).is_none(), "no references");
+    }
+}
