@@ -47,6 +47,8 @@ const CREEPING: f64 = 0.99;
 const SEED: u64 = 1;
 /// Distance between the seeds of evaluations, which need one per magnitude.
 const SEED_STRIDE: u64 = 100;
+/// How often a robust plan is refined in the few trials that it fails.
+const POLISHES: usize = 2;
 /// How often the refinement of a plan that is stuck begins anew, before other problems are solved.
 const REPETITIONS: usize = 3;
 /// Share of the time for the plan of the scene itself, before other problems are solved.
@@ -258,12 +260,14 @@ impl<'run> Refiner<'run> {
         Some(Candidate { variant, iterations, refinement, round, is_scenes_own })
     }
 
-    /// Refines a reference and evaluates it, until it is good enough, stuck, or the time is over.
+    /// Refines a reference and evaluates it, until it is good enough, stuck, or the time is over. What is robust, but fails
+    /// in some trials, is refined in these a few times more: simulators differ, and so does reality.
     fn refine(&mut self, candidate: Candidate<'run>, until: Deadline) -> Result<(), PlannerError> {
         let begin = Instant::now();
         let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
         self.session.tell(Event::Refining { planned: &round.planned });
         let chosen_with = round.rollouts;
+        let mut polished = 0;
         // What failed elsewhere since it became a candidate.
         let new = self.training[refinement.trials().len()..].to_vec();
         let stop = || self.clock.is_over(until);
@@ -274,7 +278,9 @@ impl<'run> Refiner<'run> {
             let judgement = self.judge(refinement.reference(), until);
             let rate = judgement.rates.overall();
             self.session.tell(Event::Refined { rate });
-            let is_last = judgement.reached || !passes || self.clock.is_over(until);
+            polished += usize::from(judgement.reached);
+            let is_good = judgement.reached && (judgement.failures.is_empty() || polished > POLISHES);
+            let is_last = is_good || !passes || self.clock.is_over(until);
             round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
             round.rollouts = chosen_with + refinement.rollouts();
             round.refinement_s = begin.elapsed().as_secs_f64();
