@@ -27,7 +27,7 @@ static FINE: LazyLock<Plan> = LazyLock::new(|| {
     let mut scene = problem.scene().clone();
     (scene.horizon.steps, scene.horizon.time_step) = (40, 0.04);
     let mut settings = problem.homotopy().clone();
-    settings.iterations = 2;
+    (settings.iterations, settings.further_iterations) = (2, 0);
     let fine = Problem::new(scene, None, None, settings, Success::default()).unwrap();
     let plan = quietly(|session| solve(&fine, session)).unwrap();
     let variant = Variant { name: "half the time step".to_owned(), ..plan.variant };
@@ -136,10 +136,10 @@ fn a_limit_that_the_solve_has_used_up_leaves_the_plan_unjudged() {
 fn lost_evaluations_end_early_and_whole_ones_decide() {
     let rollouts =
         |plan: &Plan| plan.robustness.as_ref().unwrap().after.0.iter().map(|group| group.rollouts).sum::<usize>();
-    // 50 random offsets at each of four magnitudes, one without magnitude for each of them, two planned ones.
+    // 100 random offsets at each of five magnitudes, of which the first is zero, and two planned ones.
     let (robust, lost) = (refined(0.1, &impatient()), refined(1e-5, &impatient()));
     assert!(robust.robustness.as_ref().unwrap().is_reached());
-    assert_eq!(rollouts(&robust), 252);
+    assert_eq!(rollouts(&robust), 502);
     assert_eq!(rollouts(&lost), 24, "the first rollouts show that it cannot succeed");
 }
 
