@@ -26,7 +26,7 @@ fn main() -> Result<(), PlannerError> {
     Ok(())
 }
 
-/// Success rates of four references, and the times they took.
+/// Success rates and forces of four references, and the times they took.
 fn row(scene: &Path) -> Result<String, PlannerError> {
     let problem = Problem::load(scene, &Choices::default())?;
     let target = RobustnessTarget::default();
@@ -45,23 +45,21 @@ fn row(scene: &Path) -> Result<String, PlannerError> {
     let (refined_push, pushed) = planner::refine_reference(&problem, push.clone(), &same_time, &session)?;
     let found_after = if pushed.is_reached() { Duration::from_secs_f64(pushed.wall_s) } else { robust_time };
 
-    let rates = [&push, &refined_push, &plain, &robust.reference()].map(|reference| rate(&problem, reference, &target));
-    let [push, refined_push, plain, robust] = rates;
+    let play = |reference: &Reference| played(&problem, reference, &target);
+    let (push, refined_push, plain, robust) =
+        (play(&push)?, play(&refined_push)?, play(&plain)?, play(&robust.reference())?);
     Ok(format!(
-        "| {} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} |",
+        "| {} | {push} | {refined_push} | {:.1} | {plain} | {:.1} | {robust} | {:.1} |",
         problem.scene().title,
-        100.0 * push?,
-        100.0 * refined_push?,
         found_after.as_secs_f64(),
-        100.0 * plain?,
         solve_time.as_secs_f64(),
-        100.0 * robust?,
         robust_time.as_secs_f64()
     ))
 }
 
-/// Success rate at random offsets and the planned ones, all frictions together.
-fn rate(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -> Result<f64, PlannerError> {
+/// Success rate at random offsets and the planned ones, all frictions together, and the largest contact force, as two
+/// cells of a table.
+fn played(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -> Result<String, PlannerError> {
     let delta = problem.delta();
     let random = GraspErrors {
         offsets: OffsetSource::Hull(OFFSETS),
@@ -70,12 +68,14 @@ fn rate(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -> 
         turn: 0.0,
     };
     let motions = [(Motion::Plan, reference.clone())];
-    let (mut rollouts, mut successes) = (0, 0);
+    let mut rollouts = Vec::new();
     for errors in [random, GraspErrors::default()] {
         let request = SimulationRequest { errors, frictions: target.frictions.clone(), ..SimulationRequest::default() };
-        let played = planner::simulate(problem, &motions, &request)?;
-        rollouts += played.len();
-        successes += played.iter().filter(|rollout| rollout.success).count();
+        rollouts.extend(planner::simulate(problem, &motions, &request)?);
     }
-    Ok(successes as f64 / rollouts as f64)
+    // Beside every rollout of the plan there is one of the push.
+    rollouts.retain(|rollout| rollout.motion == Motion::Plan);
+    let successes = rollouts.iter().filter(|rollout| rollout.success).count();
+    let force = rollouts.iter().map(|rollout| rollout.outcome.max_force).fold(0.0, f64::max);
+    Ok(format!("{:.1} | {force:.0}", 100.0 * successes as f64 / rollouts.len() as f64))
 }
