@@ -71,12 +71,7 @@ pub(crate) fn run_homotopy(
     mut observe: impl FnMut(&SolverEvent) -> Control,
     finished: impl FnMut(usize, &HomotopyIteration),
 ) -> Result<Vec<HomotopyIteration>, PlannerError> {
-    let mut settings = variant.settings.clone();
-    if variant.near.is_some() {
-        // The motion is nearly a solution on the grid that it has.
-        settings.coarse_iterations = 0;
-    }
-    let mut homotopy = Homotopy::new(&variant.task, settings).with_threads(threads);
+    let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone()).with_threads(threads);
     let transcription = homotopy.transcription(earlier.len() + 1);
     let start = start.unwrap_or_else(|| {
         Start::Cold(match &variant.near {

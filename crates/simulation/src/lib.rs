@@ -69,7 +69,6 @@ mod success;
 pub use bump::Bump;
 pub use evaluator::{Evaluator, Trial, TrialResult};
 pub use grasp_error::GraspError;
-pub use parallel::in_parallel;
 pub use reference::{Knot, Reference};
 pub use refinement::Refinement;
 pub use rollout::{Outcome, Rollout, TimedState};

@@ -197,7 +197,9 @@ impl<'run> Refiner<'run> {
     ) -> Result<(), PlannerError> {
         let judgement = self.judge(&reference, self.clock.end());
         let (rate, failing) = (judgement.rates.overall(), judgement.failing());
-        self.session.tell(Event::Evaluated { rate });
+        if judgement.rates.rollouts() > 0 {
+            self.session.tell(Event::Evaluated { rate });
+        }
         self.before = judgement.rates.clone();
         let round = Round { rate: Some(rate), ..Round::new(&variant, &iterations, chosen, &[]) };
         let kept = Kept {
@@ -276,15 +278,19 @@ impl<'run> Refiner<'run> {
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
             let passes = self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
+            round.rollouts = chosen_with + refinement.rollouts();
+            round.refinement_s = begin.elapsed().as_secs_f64();
             let judgement = self.judge(refinement.reference(), until);
+            if judgement.rates.rollouts() == 0 {
+                // The time is over.
+                break;
+            }
             let rate = judgement.rates.overall();
             self.session.tell(Event::Refined { rate });
             polished += usize::from(judgement.reached);
             let is_good = judgement.reached && (judgement.failures.is_empty() || polished > POLISHES);
             let is_last = is_good || !passes || self.clock.is_over(until);
             round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
-            round.rollouts = chosen_with + refinement.rollouts();
-            round.refinement_s = begin.elapsed().as_secs_f64();
             let kept = Kept {
                 variant: variant.clone(),
                 iterations: iterations.clone(),

@@ -62,6 +62,10 @@ impl Recipe {
             Self::FailingOffsetsFromRefinedPlan => Some(refined.clone()),
             _ => None,
         };
+        if first_guess.is_some() {
+            // It is a motion on all steps.
+            variant.settings.coarse_iterations = 0;
+        }
         variant.near = first_guess.map(|reference| {
             Rollout::new(task, Settings::default()).trajectory(&reference, &task.offsets, variant.settings.tau)
         });
