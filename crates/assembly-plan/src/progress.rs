@@ -75,6 +75,9 @@ fn line(event: &Event) -> String {
             record.objective,
             1e3 * position_error
         ),
+        Event::Attempt { planned, position_error } => {
+            format!("the plan misses the goal by {:.2} mm; trying: {planned}", 1e3 * position_error)
+        }
         Event::Resumed { refining: true, .. } => "going on with the refinement of an earlier run".to_owned(),
         Event::Resumed { done, most, .. } => {
             format!("going on after homotopy iteration {done} of at most {most} of an earlier run")

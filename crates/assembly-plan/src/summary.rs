@@ -18,6 +18,16 @@ pub fn summary(result: &PlanResult) -> String {
             count => format!(" ({count} systems left to the general solver)"),
         }
     )];
+    for attempt in &result.attempts {
+        lines.push(format!(
+            "  tried {}: {}, ends {:.2} mm from the goal, {} iterations, {:.1} s",
+            attempt.planned,
+            attempt.status,
+            1e3 * attempt.position_error_m,
+            attempt.iterations,
+            attempt.wall_s
+        ));
+    }
     for (number, scenario) in (1..).zip(&result.scenarios) {
         let [x, y, z] = scenario.offset_m.map(|component| 1e3 * component);
         lines.push(format!(

@@ -116,14 +116,14 @@ impl Homotopy {
     }
 
     /// Runs all homotopy iterations, each from the final primal-dual point of the one before, whether that converged or
-    /// not. An interrupted one is the last.
+    /// not. An interrupted one is the last, and one after which `finished` stops.
     ///
     /// # Errors
     /// When an option or the linear solver is rejected. Numerical failure is a status.
     pub fn run(
         &mut self,
         observe: impl FnMut(Event) -> Control,
-        finished: impl FnMut(usize, &HomotopyIteration),
+        finished: impl FnMut(usize, &HomotopyIteration) -> Control,
     ) -> Result<Vec<HomotopyIteration>, SolveError> {
         self.run_from(&[], Start::Cold(self.transcription(1).initial_guess()), observe, finished)
     }
@@ -138,7 +138,7 @@ impl Homotopy {
         earlier: &[IterationEnd],
         mut start: Start,
         mut observe: impl FnMut(Event) -> Control,
-        mut finished: impl FnMut(usize, &HomotopyIteration),
+        mut finished: impl FnMut(usize, &HomotopyIteration) -> Control,
     ) -> Result<Vec<HomotopyIteration>, SolveError> {
         let mut iterations: Vec<HomotopyIteration> = Vec::new();
         for (index, smoothing) in self.settings.schedule().enumerate().skip(earlier.len()) {
@@ -170,11 +170,11 @@ impl Homotopy {
                 self.settings.linear_solver,
                 &mut observer,
             )?;
-            finished(index + 1, &result);
+            let control = finished(index + 1, &result);
             start = Start::Warm(result.iterate.clone());
             let interrupted = result.status == SolveStatus::Interrupted;
             iterations.push(result);
-            if interrupted {
+            if interrupted || matches!(control, Control::Stop) {
                 break;
             }
         }

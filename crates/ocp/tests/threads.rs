@@ -17,7 +17,7 @@ fn threads_change_no_bit_of_a_homotopy() {
         let mut homotopy = Homotopy::new(&task, settings.clone()).with_threads(threads);
         // A part of a solve has all that a whole one has.
         let observe = |event: ocp::Event| if event.progress.iteration < 40 { Control::Continue } else { Control::Stop };
-        let iteration = homotopy.run(observe, |_, _| {}).unwrap().remove(0);
+        let iteration = homotopy.run(observe, |_, _| Control::Continue).unwrap().remove(0);
         assert!(iteration.stage_solver.is_some_and(|report| report.early_exits > 0), "no wrong inertia");
         (iteration.iterate, iteration.objective, iteration.iterations)
     };

@@ -22,9 +22,9 @@ impl PlanIteration {
     }
 }
 
-impl From<HomotopyIteration> for PlanIteration {
-    fn from(iteration: HomotopyIteration) -> Self {
-        Self { record: IterationRecord::from(&iteration), trajectory: iteration.trajectory }
+impl From<&HomotopyIteration> for PlanIteration {
+    fn from(iteration: &HomotopyIteration) -> Self {
+        Self { record: IterationRecord::from(iteration), trajectory: iteration.trajectory.clone() }
     }
 }
 

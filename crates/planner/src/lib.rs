@@ -42,6 +42,7 @@
 //! | homotopy, Sec. V-D | `Sec. ocp:homotopy` | [`solve()`] |
 //! | Fig. 12, success by modelled and injected offset | `Fig. realworldresults` | [`SuccessTable`] |
 
+mod attempt;
 pub mod batch;
 pub mod check;
 mod error;
@@ -60,6 +61,7 @@ mod success_table;
 mod variant;
 mod warnings;
 
+pub use attempt::AttemptRecord;
 pub use error::{Fault, PlannerError, Unusable};
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
 pub use ocp::Event as SolverEvent;

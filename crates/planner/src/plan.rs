@@ -5,6 +5,7 @@ use std::fmt;
 use simulation::Reference;
 use task::{AssemblyTask, Trajectory};
 
+use crate::attempt::AttemptRecord;
 use crate::iteration::PlanIteration;
 use crate::problem::Problem;
 use crate::robustness::RobustnessReport;
@@ -14,8 +15,10 @@ use crate::variant::Variant;
 /// scenarios or other smoothing than the problem's own.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// What was asked for.
+    /// What was asked for, with the homotopy and the horizon of the attempt that was kept.
     pub problem: Problem,
+    /// What was tried until a plan reached the goal.
+    pub attempts: Vec<AttemptRecord>,
     /// What the homotopy has really solved.
     pub variant: Variant,
     /// All homotopy iterations that ran.
@@ -76,7 +79,17 @@ impl Plan {
         let trajectory = iterations[iterations.len() - 1].trajectory.clone();
         let task = variant.task.clone();
         let problem = problem.clone();
-        let mut plan = Self { problem, variant, iterations, trajectory, task, robustness: None, threads, interrupted };
+        let mut plan = Self {
+            problem,
+            attempts: Vec::new(),
+            variant,
+            iterations,
+            trajectory,
+            task,
+            robustness: None,
+            threads,
+            interrupted,
+        };
         plan.trajectory = plan.chosen().trajectory.clone();
         plan
     }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use scene::{Scene, StartPose, TaskError, resolved};
 use simulation::Success;
-use task::{AssemblyTask, HomotopySettings, LinearSolver};
+use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver};
 
 use crate::error::PlannerError;
 use crate::files::hash;
@@ -79,6 +79,28 @@ impl Problem {
         Ok(Self { scene, start, delta, success, task, homotopy, resolved, identity })
     }
 
+    /// Whether nothing but the linear solver was chosen of the homotopy.
+    pub(crate) fn has_default_homotopy(&self) -> bool {
+        let default = scene::default_homotopy();
+        HomotopySettings { linear_solver: default.linear_solver, ..self.homotopy.clone() } == default
+    }
+
+    /// The same problem, solved in another way.
+    pub(crate) fn with_homotopy(&self, homotopy: HomotopySettings) -> Self {
+        let resolved = resolved(&self.scene, &self.start, self.delta, &homotopy);
+        Self { homotopy, resolved, ..self.clone() }
+    }
+
+    /// The same problem on twice as many steps of half the length.
+    pub(crate) fn with_half_the_time_step(&self) -> Self {
+        let mut problem = self.clone();
+        for horizon in [&mut problem.scene.horizon, &mut problem.task.horizon] {
+            *horizon = Horizon { steps: 2 * horizon.steps, time_step: 0.5 * horizon.time_step };
+        }
+        problem.resolved = resolved(&problem.scene, &problem.start, problem.delta, &problem.homotopy);
+        problem
+    }
+
     /// The scene.
     pub fn scene(&self) -> &Scene {
         &self.scene
@@ -119,8 +141,8 @@ impl Problem {
         &self.resolved
     }
 
-    /// What makes two problems the same one: a hash (hexadecimal) of [`Self::resolved`] and of the program's version.
-    /// Comments and file names do not change it, a mesh's content does.
+    /// What makes two problems the same one: a hash (hexadecimal) of the `resolved.toml` of what was asked for and of
+    /// the program's version. Comments and file names do not change it, a mesh's content does.
     pub fn identity(&self) -> &str {
         &self.identity
     }

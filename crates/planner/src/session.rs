@@ -71,6 +71,13 @@ pub enum Event<'event> {
         /// Largest final position error of all scenarios (m).
         position_error: f64,
     },
+    /// The plan so far misses the goal: another way to solve the problem is tried.
+    Attempt {
+        /// Which, in words.
+        planned: &'static str,
+        /// Largest final position error of the best plan so far (m).
+        position_error: f64,
+    },
     /// An earlier run is continued.
     Resumed {
         /// Homotopy iterations that it has finished.

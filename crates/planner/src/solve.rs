@@ -2,63 +2,108 @@
 
 use std::collections::BTreeMap;
 
-use nlp::{Control, SolveStatus, Start};
+use nlp::{Control, Iterate, SolveStatus, Start};
 use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, IterationEnd};
 
+use crate::attempt::{AttemptRecord, Change, is_better, leads_away};
 use crate::error::{PlannerError, Unusable};
 use crate::files::{Checkpoint, PlanFolder};
 use crate::iteration::{IterationRecord, PlanIteration};
-use crate::plan::Plan;
+use crate::plan::{Plan, PlanStatus};
 use crate::problem::Problem;
 use crate::refine::require_threads;
 use crate::session::{Event, Session};
 use crate::variant::Variant;
 
-/// Plans a problem. With a folder in the session, finished homotopy iterations are kept there, and those of an earlier
-/// run of the same problem are not solved again.
+/// Plans a problem. Where the built-in homotopy misses the goal, others are tried, and the best plan is kept. With a
+/// folder in the session, finished homotopy iterations are kept there, and those of an earlier run of the same problem
+/// are not solved again.
 ///
 /// # Errors
 /// When a linear solver or a file fails, or the session's deadline passes before there is a plan. A solve that does not
 /// converge is a plan whose status says so.
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
-    let variant = Variant::of_scene(problem);
-    let earlier = earlier_work(problem, &variant, session)?;
-    let most = variant.settings.most_iterations();
-    let (mut iterations, start, mut finished) = match earlier {
-        Some(Earlier { iterations, checkpoint }) => {
-            session.tell(Event::Resumed { done: iterations.len(), most, refining: false });
-            let start = Some(Start::Warm(checkpoint.iterate()));
-            (iterations, start, Finished { records: checkpoint.iterations, tables: checkpoint.tables })
-        }
-        None => (Vec::new(), None, Finished::default()),
-    };
-    let mut kept = Ok(());
-    let on_finished = |number: usize, iteration: &HomotopyIteration| {
-        let record = IterationRecord::from(iteration);
-        announce(session, number, most, &record, iteration);
-        finished.records.push(record);
-        if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_interrupted(iteration)) {
-            kept = finished.keep(folder, problem, &variant, iteration);
-        }
-    };
-    let observe = |event: &SolverEvent| {
-        session.tell(Event::Iteration(*event));
-        if session.is_interrupted() || session.is_over() { Control::Stop } else { Control::Continue }
-    };
     require_threads(session.threads)?;
-    let mut new = run_homotopy(&variant, session.threads, &iterations, start, observe, on_finished)?;
-    kept?;
-    let is_cut = new.last().is_some_and(is_interrupted);
-    let interrupted = is_cut && session.is_interrupted();
-    if is_cut && !interrupted {
-        new.pop();
+    let changes = Change::all(problem);
+    let mut earlier = earlier_work(problem, changes, session)?;
+    // Attempts before the one that an earlier run has begun have missed the goal: they come last.
+    let first = earlier.as_ref().map_or(0, |earlier| earlier.attempt);
+    let order = (first..changes.len()).chain(0..first);
+    let mut best: Option<Plan> = None;
+    let mut attempts = BTreeMap::new();
+    for (index, is_last) in order.enumerate().map(|(count, index)| (index, count + 1 == changes.len())) {
+        let attempt = Attempt { index, problem: changes[index].of(problem), gives_up: !is_last };
+        if let Some(best) = &best {
+            let position_error = best.trajectory.worst_errors().0;
+            session.tell(Event::Attempt { planned: changes[index].name(), position_error });
+        }
+        let plan = match attempt.solve(earlier.take(), session) {
+            Err(PlannerError::OutOfTime) if best.is_some() => break,
+            plan => plan?,
+        };
+        attempts.insert(index, AttemptRecord::new(changes[index], &plan));
+        let ends = plan.interrupted || plan.status() == PlanStatus::Done || session.is_over();
+        if best.as_ref().is_none_or(|best| plan.interrupted || is_better(&plan, best)) {
+            best = Some(plan);
+        }
+        if ends {
+            break;
+        }
     }
-    iterations.extend(new.into_iter().map(PlanIteration::from));
-    let is_coarse = |iteration: &PlanIteration| iteration.record.is_coarse(&variant.task);
-    if !interrupted && iterations.iter().all(is_coarse) {
-        return Err(PlannerError::OutOfTime);
+    let best = best.ok_or(PlannerError::Internal("attempts"))?;
+    Ok(Plan { attempts: attempts.into_values().collect(), ..best })
+}
+
+/// A way to solve a problem.
+struct Attempt {
+    /// Among all changes of the problem.
+    index: usize,
+    problem: Problem,
+    /// Whether it ends as soon as it leads away from the goal.
+    gives_up: bool,
+}
+
+impl Attempt {
+    fn solve(&self, earlier: Option<Earlier>, session: &Session) -> Result<Plan, PlannerError> {
+        let variant = Variant::of_scene(&self.problem);
+        let most = variant.settings.most_iterations();
+        let (start, mut finished) = match earlier {
+            Some(Earlier { start, finished, .. }) => {
+                session.tell(Event::Resumed { done: finished.iterations.len(), most, refining: false });
+                (Some(Start::Warm(start)), finished)
+            }
+            None => (None, Finished::default()),
+        };
+        let is_lost =
+            |iterations: &[PlanIteration]| self.gives_up && leads_away(self.problem.success().position, iterations);
+        if !is_lost(&finished.iterations) {
+            let earlier = finished.iterations.clone();
+            let mut kept = Ok(());
+            let on_finished = |number: usize, iteration: &HomotopyIteration| {
+                finished.iterations.push(PlanIteration::from(iteration));
+                announce(session, number, most, &finished.iterations[number - 1]);
+                if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_interrupted(iteration)) {
+                    kept = finished.keep(folder, self, &variant, iteration);
+                }
+                if is_lost(&finished.iterations) { Control::Stop } else { Control::Continue }
+            };
+            let observe = |event: &SolverEvent| {
+                session.tell(Event::Iteration(*event));
+                if session.is_interrupted() || session.is_over() { Control::Stop } else { Control::Continue }
+            };
+            let new = run_homotopy(&variant, session.threads, &earlier, start, observe, on_finished)?;
+            kept?;
+            let is_cut = new.last().is_some_and(is_interrupted);
+            if is_cut && session.is_interrupted() {
+                return Ok(Plan::new(&self.problem, variant, finished.iterations, session.threads, true));
+            }
+            finished.iterations.truncate(finished.iterations.len() - usize::from(is_cut));
+        }
+        if finished.iterations.iter().all(|iteration| iteration.record.is_coarse(&variant.task)) {
+            return Err(PlannerError::OutOfTime);
+        }
+        Ok(Plan::new(&self.problem, variant, finished.iterations, session.threads, false))
     }
-    Ok(Plan::new(problem, variant, iterations, session.threads, interrupted))
 }
 
 /// Runs the homotopy of a variant on some threads after its `earlier` iterations, from a given start or the variant's
@@ -69,7 +114,7 @@ pub(crate) fn run_homotopy(
     earlier: &[PlanIteration],
     start: Option<Start>,
     mut observe: impl FnMut(&SolverEvent) -> Control,
-    finished: impl FnMut(usize, &HomotopyIteration),
+    finished: impl FnMut(usize, &HomotopyIteration) -> Control,
 ) -> Result<Vec<HomotopyIteration>, PlannerError> {
     let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone()).with_threads(threads);
     let transcription = homotopy.transcription(earlier.len() + 1);
@@ -83,41 +128,44 @@ pub(crate) fn run_homotopy(
     Ok(homotopy.run_from(&ends, start, |event| observe(&event), finished)?)
 }
 
-/// Finished homotopy iterations of another run.
+/// What another run has finished of an attempt.
 struct Earlier {
-    iterations: Vec<PlanIteration>,
-    checkpoint: Checkpoint,
+    attempt: usize,
+    finished: Finished,
+    start: Iterate,
 }
 
-fn earlier_work(problem: &Problem, variant: &Variant, session: &Session) -> Result<Option<Earlier>, PlannerError> {
+fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Result<Option<Earlier>, PlannerError> {
     let Some(folder) = session.folder else { return Ok(None) };
+    let discard = |reason: Unusable| {
+        session.tell(Event::Discarded { reason });
+        folder.discard().map(|_| None)
+    };
     let checkpoint = match folder.checkpoint(problem.identity()) {
         Ok(Some(checkpoint)) => checkpoint,
         Ok(None) => return Ok(None),
-        Err(reason) => {
-            session.tell(Event::Discarded { reason });
-            folder.discard()?;
-            return Ok(None);
-        }
+        Err(reason) => return discard(reason),
     };
+    let Some(change) = changes.get(checkpoint.attempt) else { return discard(Unusable::DamagedCheckpoint) };
+    let task = change.of(problem).task().clone();
     let read = |(number, record): (usize, &IterationRecord)| {
-        let trajectory = folder.read_iteration(number, &record.task(&variant.task))?;
+        let trajectory = folder.read_iteration(number, &record.task(&task))?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
     };
     match (1..).zip(&checkpoint.iterations).map(read).collect() {
-        Ok(iterations) => Ok(Some(Earlier { iterations, checkpoint })),
-        Err(_) => {
-            session.tell(Event::Discarded { reason: Unusable::DamagedTables });
-            folder.discard()?;
-            Ok(None)
-        }
+        Ok(iterations) => Ok(Some(Earlier {
+            attempt: checkpoint.attempt,
+            start: checkpoint.iterate(),
+            finished: Finished { iterations, tables: checkpoint.tables },
+        })),
+        Err(_) => discard(Unusable::DamagedTables),
     }
 }
 
 /// What is known of the finished homotopy iterations.
 #[derive(Default)]
 struct Finished {
-    records: Vec<IterationRecord>,
+    iterations: Vec<PlanIteration>,
     /// Hashes of their tables, by their paths in the folder.
     tables: BTreeMap<String, String>,
 }
@@ -127,20 +175,21 @@ impl Finished {
     fn keep(
         &mut self,
         folder: &PlanFolder,
-        problem: &Problem,
+        attempt: &Attempt,
         variant: &Variant,
         last: &HomotopyIteration,
     ) -> Result<(), PlannerError> {
-        self.tables.extend(folder.keep_iteration(self.records.len(), &last.trajectory, &variant.task)?);
-        let mut checkpoint = Checkpoint::new(problem.identity(), self.records.clone(), &last.iterate);
+        self.tables.extend(folder.keep_iteration(self.iterations.len(), &last.trajectory, &variant.task)?);
+        let records = self.iterations.iter().map(|iteration| iteration.record.clone()).collect();
+        let mut checkpoint = Checkpoint::new(attempt.problem.identity(), attempt.index, records, &last.iterate);
         checkpoint.tables.clone_from(&self.tables);
         folder.keep_checkpoint(&checkpoint)
     }
 }
 
-fn announce(session: &Session, number: usize, most: usize, record: &IterationRecord, iteration: &HomotopyIteration) {
+fn announce(session: &Session, number: usize, most: usize, iteration: &PlanIteration) {
     let (position_error, _) = iteration.trajectory.worst_errors();
-    session.tell(Event::HomotopyIteration { number, most, record, position_error });
+    session.tell(Event::HomotopyIteration { number, most, record: &iteration.record, position_error });
 }
 
 fn is_interrupted(iteration: &HomotopyIteration) -> bool {

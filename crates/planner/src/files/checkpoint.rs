@@ -20,6 +20,8 @@ pub const CHECKPOINT: &str = "checkpoint.json";
 pub struct Checkpoint {
     /// [`crate::Problem::identity`] of the problem.
     pub identity: String,
+    /// Index of the attempt among those at the problem.
+    pub attempt: usize,
     /// All finished iterations.
     pub iterations: Vec<IterationRecord>,
     /// Hash (SHA-256, hexadecimal) of each of their tables, by its path in the folder.
@@ -31,11 +33,12 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// After the finished iterations of a problem, which ended at a primal-dual point.
-    pub fn new(identity: &str, iterations: Vec<IterationRecord>, iterate: &Iterate) -> Self {
+    /// After the finished iterations of an attempt at a problem, which ended at a primal-dual point.
+    pub fn new(identity: &str, attempt: usize, iterations: Vec<IterationRecord>, iterate: &Iterate) -> Self {
         let Iterate { x, constraint_multipliers, lower_multipliers, upper_multipliers } = iterate.clone();
         Self {
             identity: identity.to_owned(),
+            attempt,
             iterations,
             tables: BTreeMap::new(),
             x,

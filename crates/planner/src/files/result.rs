@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
+use crate::attempt::AttemptRecord;
 use crate::iteration::IterationRecord;
 use crate::or_null;
 use crate::plan::Plan;
@@ -61,6 +62,9 @@ pub struct PlanResult {
     pub limits: LimitsRecord,
     /// Largest components of the reference and of all scenarios.
     pub reached: LimitsRecord,
+    /// What was tried until a plan reached the goal, where it was more than one thing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub attempts: Vec<AttemptRecord>,
     /// Homotopy iterations.
     pub stages: Vec<IterationRecord>,
     /// Every planned offset.
@@ -236,6 +240,7 @@ impl PlanResult {
             warnings: plan.warnings(),
             limits: plan.task.limits.into(),
             reached: plan.trajectory.keeps().into(),
+            attempts: plan.attempts.iter().filter(|_| plan.attempts.len() > 1).cloned().collect(),
             stages: records().cloned().collect(),
             scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),
             robust: plan.robustness.clone(),

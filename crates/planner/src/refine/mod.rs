@@ -71,7 +71,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     }
     let mut world = plan.problem.world();
     let evaluator = Evaluator::new(&world, &target.frictions, plan.problem.success());
-    let (problem, threads) = (plan.problem.clone(), plan.threads);
+    let (problem, attempts, threads) = (plan.problem.clone(), plan.attempts.clone(), plan.threads);
     let mut refiner = Refiner::new(&problem, target, &evaluator, session);
     let best = refiner.run(plan)?;
     let report = refiner.report(&best);
@@ -82,7 +82,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     let trajectory = rollout.trajectory(&best.reference, &world.offsets, tau);
     let Kept { variant, iterations, .. } = best;
     let (robustness, interrupted) = (Some(report), session.is_interrupted());
-    Ok(Plan { problem, variant, iterations, trajectory, task: world, robustness, threads, interrupted })
+    Ok(Plan { problem, attempts, variant, iterations, trajectory, task: world, robustness, threads, interrupted })
 }
 
 /// Refines any reference of a problem in the same way for the whole time limit, but solves nothing: what the optimal

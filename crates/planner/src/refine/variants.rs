@@ -57,11 +57,11 @@ impl<'run> Refiner<'run> {
         self.session.tell(Event::Variant { name: &variant.name, number, count: PORTFOLIO.len() });
         let solving = self.clock.share(until, SOLVING_SHARE);
         let observe = |_: &ocp::Event| if self.clock.is_over(solving) { Control::Stop } else { Control::Continue };
-        let iterations = run_homotopy(&variant, self.session.threads, &[], None, observe, |_, _| {})?;
+        let iterations = run_homotopy(&variant, self.session.threads, &[], None, observe, |_, _| Control::Continue)?;
         let status = iterations.last().map_or_else(String::new, |last| last.status.to_string());
         self.session.tell(Event::VariantSolved { status: &status });
         // What an interrupted homotopy has finished may do.
-        let finished = iterations.into_iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
+        let finished = iterations.iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
         let candidate = self.candidate(variant, finished.map(PlanIteration::from).collect(), false, until);
         if let Some(Candidate { round, .. }) = &candidate {
             let (failing, trials) = (round.training_failures, round.training_trials);

@@ -54,7 +54,7 @@ fn a_checkpoint_is_read_back_exactly_and_only_for_its_own_problem() {
         upper_multipliers: vec![],
     };
     let records = plan().iterations.iter().map(|iteration| iteration.record.clone()).collect();
-    let checkpoint = Checkpoint::new("identity", records, &iterate);
+    let checkpoint = Checkpoint::new("identity", 0, records, &iterate);
     checkpoint.save(folder.path()).unwrap();
     let again = Checkpoint::load(folder.path(), "identity").unwrap().unwrap();
     assert_eq!(again, checkpoint);

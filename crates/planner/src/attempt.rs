@@ -1,0 +1,113 @@
+//! What is planned, one after the other, until a plan reaches the goal: the problem as it is and, where its homotopy is
+//! the built-in one, the same problem with slower tightening and with shorter steps. Which homotopy reaches the goal
+//! differs from scene to scene, and a miss shows early.
+
+use serde::{Deserialize, Serialize};
+use task::HomotopySettings;
+
+use crate::iteration::PlanIteration;
+use crate::or_null;
+use crate::plan::{Plan, PlanStatus};
+use crate::problem::Problem;
+
+/// `tau_1` (N m) of the homotopy that tightens slowly.
+const SLOW_TAU: f64 = 0.004;
+/// Its `kappa_tau`.
+const SLOW_RATE: f64 = 0.5;
+/// Iterations of a homotopy after which a goal error that grows tells a miss: before, smoothing moves the goal itself.
+const EARLIEST_MISS: usize = 3;
+
+/// What makes an attempt differ from the problem as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Change {
+    Nothing,
+    SlowerTightening,
+    ShorterSteps,
+}
+
+impl Change {
+    /// All that is tried for a problem.
+    pub fn all(problem: &Problem) -> &'static [Self] {
+        match problem.has_default_homotopy() {
+            true => &[Self::Nothing, Self::SlowerTightening, Self::ShorterSteps],
+            false => &[Self::Nothing],
+        }
+    }
+
+    /// The problem with this change. It keeps its identity: it is another way to the same plan.
+    pub fn of(self, problem: &Problem) -> Problem {
+        match self {
+            Self::Nothing => problem.clone(),
+            Self::SlowerTightening => problem.with_homotopy(HomotopySettings {
+                tau: SLOW_TAU,
+                sigma: 0.5 * SLOW_TAU,
+                tau_rate: SLOW_RATE,
+                ..problem.homotopy().clone()
+            }),
+            Self::ShorterSteps => problem.with_half_the_time_step(),
+        }
+    }
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Nothing => "the scene as it is",
+            Self::SlowerTightening => "slower tightening of the smoothing",
+            Self::ShorterSteps => "half the time step",
+        }
+    }
+}
+
+/// What came of an attempt.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct AttemptRecord {
+    /// What was planned, in words.
+    pub planned: String,
+    /// What came of it, in words.
+    pub status: String,
+    /// Largest final distance of all scenarios from the goal.
+    #[serde(with = "or_null")]
+    pub position_error_m: f64,
+    /// Iterations of the solver.
+    pub iterations: usize,
+    /// Wall time of the solver.
+    pub wall_s: f64,
+}
+
+impl AttemptRecord {
+    /// Of an attempt whose homotopy has ended.
+    pub(crate) fn new(change: Change, plan: &Plan) -> Self {
+        let records = || plan.iterations.iter().map(|iteration| &iteration.record);
+        Self {
+            planned: change.name().to_owned(),
+            status: match is_given_up(plan) {
+                true => {
+                    format!("given up after homotopy iteration {}, which led away from the goal", plan.iterations.len())
+                }
+                false => plan.status().to_string(),
+            },
+            position_error_m: plan.trajectory.worst_errors().0,
+            iterations: records().map(|record| record.iterations).sum(),
+            wall_s: records().map(|record| record.wall_s).sum(),
+        }
+    }
+}
+
+/// Whether the homotopy leads away from the goal: an error beyond the tolerance (m) that grows with less smoothing.
+pub(crate) fn leads_away(tolerance: f64, iterations: &[PlanIteration]) -> bool {
+    let [.., before, last] = iterations else { return false };
+    let error = |iteration: &PlanIteration| iteration.trajectory.worst_errors().0;
+    iterations.len() >= EARLIEST_MISS && last.record.converged && error(last) > tolerance.max(error(before))
+}
+
+/// Whether a plan is nearer to what was asked for than another one.
+pub(crate) fn is_better(plan: &Plan, other: &Plan) -> bool {
+    let worth = |plan: &Plan| (plan.status() == PlanStatus::Done, plan.is_converged(), !is_given_up(plan));
+    let error = |plan: &Plan| plan.trajectory.worst_errors().0;
+    worth(plan).cmp(&worth(other)).then(error(other).total_cmp(&error(plan))).is_gt()
+}
+
+/// Whether the homotopy ended before the wanted number of iterations, although the last of them converged.
+fn is_given_up(plan: &Plan) -> bool {
+    !plan.is_converged() && plan.chosen().record.converged
+}
