@@ -1,0 +1,148 @@
+//! Few large convex pieces instead of the cells of a partition.
+
+use crate::cell::{Bound, Cell};
+use crate::geometry::{Vector, boxes_meet};
+use crate::partition::Partition;
+
+/// Corners may be this many tolerances in front of a plane that bounds the same piece.
+const INSIDE: f64 = 2.0;
+
+/// Enlarges cells with material into whatever has material and leaves out those that others cover. Pieces overlap.
+pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
+    let free: Vec<(&Cell, [Vector; 2])> = partition.free.iter().map(|cell| (cell, cell.bounding_box())).collect();
+    let mut leaves: Vec<(&Cell, f64)> = partition.solid.iter().map(|cell| (cell, cell.volume())).collect();
+    leaves.sort_by(|one, other| other.1.total_cmp(&one.1));
+    let grower = Grower { free, used: &partition.used, root, tolerance };
+    let mut candidates: Vec<(Cell, Vec<bool>)> = Vec::new();
+    for (index, (leaf, _)) in leaves.iter().enumerate() {
+        let known = candidates.iter().filter(|(_, covers)| covers[index]).count();
+        // A leaf that several pieces cover needs no more of them.
+        for order in Order::ALL.into_iter().skip(known) {
+            let piece = grower.grow(leaf, order);
+            let covers = leaves.iter().map(|(leaf, _)| contains(&piece, leaf, INSIDE * tolerance)).collect();
+            candidates.push((piece, covers));
+        }
+    }
+    select(candidates, &leaves.iter().map(|(_, volume)| *volume).collect::<Vec<_>>())
+}
+
+fn contains(piece: &Cell, leaf: &Cell, tolerance: f64) -> bool {
+    piece.bounds.iter().all(|bound| leaf.is_behind(&bound.plane, tolerance))
+}
+
+/// Which of the planes around a piece is dropped first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Order {
+    /// The one with the largest polygon.
+    LargestFirst,
+    /// The one with the smallest polygon.
+    SmallestFirst,
+    /// The one behind which most volume is gained.
+    MostGained,
+}
+
+impl Order {
+    const ALL: [Self; 3] = [Self::MostGained, Self::LargestFirst, Self::SmallestFirst];
+}
+
+struct Grower<'a> {
+    free: Vec<(&'a Cell, [Vector; 2])>,
+    used: &'a [Bound],
+    root: &'a Cell,
+    tolerance: f64,
+}
+
+impl Grower<'_> {
+    /// A largest convex cell around a leaf that meets no free cell.
+    fn grow(&self, leaf: &Cell, order: Order) -> Cell {
+        let is_around = |bound: &Bound| leaf.is_behind(&bound.plane, self.tolerance);
+        let both = self.used.iter().flat_map(|bound| [*bound, bound.flipped()]);
+        let mut around: Vec<Bound> = both.filter(is_around).collect();
+        let mut cell = leaf.clone();
+        // What is in the way stays in the way as the cell grows.
+        let mut fixed: Vec<Bound> = self.root.bounds.clone();
+        loop {
+            let loose =
+                cell.bounds.iter().zip(&cell.polygons).filter(|(bound, _)| !fixed.iter().any(|other| other.is(bound)));
+            let mut loose: Vec<(Bound, f64)> = loose
+                .map(|(bound, polygon)| {
+                    let area = crate::geometry::area_vector(polygon).norm();
+                    let rating = match order {
+                        Order::LargestFirst => area,
+                        Order::SmallestFirst => -area,
+                        Order::MostGained => self.beyond(bound, &around).map_or(0.0, |gain| gain.volume()),
+                    };
+                    (*bound, rating)
+                })
+                .collect();
+            loose.sort_by(|one, other| other.1.total_cmp(&one.1));
+            let mut is_grown = false;
+            for (bound, _) in loose {
+                if self.beyond(&bound, &around).is_some_and(|gain| self.meets_free(&gain)) {
+                    fixed.push(bound);
+                    continue;
+                }
+                around.retain(|other| !other.is(&bound));
+                let Some(grown) = self.root.cut_by(&around, self.tolerance) else { return cell };
+                cell = grown;
+                is_grown = true;
+                break;
+            }
+            if !is_grown {
+                return cell;
+            }
+        }
+    }
+
+    /// What is gained when a bound is dropped.
+    fn beyond(&self, bound: &Bound, around: &[Bound]) -> Option<Cell> {
+        let others = around.iter().filter(|other| !other.is(bound));
+        self.root.cut(&bound.flipped(), self.tolerance)?.cut_by(others, self.tolerance)
+    }
+
+    fn meets_free(&self, gain: &Cell) -> bool {
+        let bounds = gain.bounding_box();
+        let depth = INSIDE * self.tolerance;
+        self.free.iter().filter(|(_, other)| boxes_meet(&bounds, other, -depth)).any(|(free, _)| {
+            let is_apart = |one: &Cell, other: &Cell| {
+                one.bounds.iter().any(|bound| other.corners().all(|corner| bound.plane.height(corner) >= -depth))
+            };
+            !is_apart(gain, free) && !is_apart(free, gain) && {
+                let shrunk: Vec<Bound> = gain.bounds.iter().map(|bound| bound.moved(-depth)).collect();
+                free.cut_by(&shrunk, self.tolerance).is_some()
+            }
+        })
+    }
+}
+
+/// Few of the pieces that together cover all leaves.
+fn select(mut candidates: Vec<(Cell, Vec<bool>)>, volumes: &[f64]) -> Vec<Cell> {
+    let mut is_covered = vec![false; volumes.len()];
+    let mut chosen: Vec<(Cell, Vec<bool>)> = Vec::new();
+    loop {
+        let gain = |covers: &[bool]| -> (usize, f64) {
+            let gained = (0..volumes.len()).filter(|&leaf| covers[leaf] && !is_covered[leaf]);
+            gained.fold((0, 0.0), |(count, volume), leaf| (count + 1, volume + volumes[leaf]))
+        };
+        let gains = candidates.iter().enumerate().map(|(index, (_, covers))| (index, gain(covers)));
+        let best = gains.max_by(|one, other| one.1.1.total_cmp(&other.1.1).then(other.0.cmp(&one.0)));
+        let Some((index, (1.., _))) = best else { break };
+        let (piece, covers) = candidates.swap_remove(index);
+        is_covered.iter_mut().zip(&covers).for_each(|(is_covered, covers)| *is_covered |= covers);
+        chosen.push((piece, covers));
+    }
+    // Later choices may have made earlier ones superfluous.
+    let mut index = 0;
+    while index < chosen.len() {
+        let is_needed = (0..volumes.len()).any(|leaf| {
+            chosen[index].1[leaf]
+                && !chosen.iter().enumerate().any(|(other, (_, covers))| other != index && covers[leaf])
+        });
+        if is_needed {
+            index += 1;
+        } else {
+            chosen.remove(index);
+        }
+    }
+    chosen.into_iter().map(|(piece, _)| piece).collect()
+}
