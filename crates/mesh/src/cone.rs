@@ -85,8 +85,8 @@ const STEPS: usize = 12;
 
 impl Cone {
     /// The cone nearest to points of a smooth region with these face normals (times areas), and the largest distance of
-    /// a point from it (m).
-    pub fn near(points: &[Vector], normals: &[Vector]) -> Option<(Self, f64)> {
+    /// a point from it (m). `None` when that is more than the rounding (m).
+    pub fn near(points: &[Vector], normals: &[Vector], rounding: f64) -> Option<(Self, f64)> {
         let area: f64 = normals.iter().map(Vector::norm).sum();
         let middle = normals.iter().sum::<Vector>() / area;
         // The normals of a cone keep their angle with its axis.
@@ -105,8 +105,13 @@ impl Cone {
         for _ in 0..STEPS {
             cone = cone.improved(points)?;
         }
+        let size = points.iter().map(|point| (point - cone.origin).norm()).fold(0.0, f64::max);
+        let axis = snapped(&cone.axis, size, rounding);
+        // A change of the radius within the rounding is none.
+        let slope = if cone.slope.abs() * size <= rounding { 0.0 } else { cone.slope };
+        let cone = Self { axis, across: across(&axis), slope, ..cone };
         let deviation = points.iter().map(|point| cone.deviation(point)).fold(0.0, f64::max);
-        deviation.is_finite().then_some((cone, deviation))
+        (deviation <= rounding).then_some((cone, deviation))
     }
 
     /// One Gauss-Newton step for the distances of points: shift and tilt of the axis, radius and slope.
@@ -166,11 +171,15 @@ fn direction(rims: &[&[Vector]; 2], rounding: f64) -> Option<Vector> {
         let eigen = spread.symmetric_eigen();
         eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned().try_normalize(0.0)?
     };
-    // An axis along a coordinate axis within the rounding is that axis.
     let length = lines.iter().map(Vector::norm).fold(0.0, f64::max).max(spread_of(rims));
+    Some(snapped(&axis, length, rounding))
+}
+
+/// An axis that is along a coordinate axis within the rounding (m) over a length (m) made so, seen along the largest
+/// component, so that parallel axes are equal.
+fn snapped(axis: &Vector, length: f64, rounding: f64) -> Vector {
     let snapped = axis.map(|component| if component.abs() * length <= rounding { 0.0 } else { component }).normalize();
-    // Seen along the larger direction of the coordinate axes, so that parallel axes are equal.
-    Some(if snapped[snapped.iamax()] < 0.0 { -snapped } else { snapped })
+    if snapped[snapped.iamax()] < 0.0 { -snapped } else { snapped }
 }
 
 fn spread_of(rims: &[&[Vector]; 2]) -> f64 {

@@ -67,9 +67,11 @@ impl Cover {
     pub fn of(solid: &Solid, settings: &CoverSettings) -> Result<Self, MeshError> {
         check(settings)?;
         let elements = Elements::of(solid, settings).ok_or(MeshError::NothingLeft)?;
-        let partition =
-            if elements.is_convex() { whole(&elements) } else { partition(&elements, solid, settings.tolerance)? };
-        let merged = merge(&partition, &elements.root, elements.tolerance);
+        let merged = if elements.is_convex() {
+            whole(&elements).into_iter().collect()
+        } else {
+            merge(&partition(&elements, solid, settings.tolerance)?, &elements.root, elements.tolerance)
+        };
         if merged.len() > MOST_PIECES {
             return Err(MeshError::TooManyPieces { most: MOST_PIECES, curved: solid.curved.len() });
         }

@@ -1,12 +1,12 @@
 //! Cylinders and cones of a mesh.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
 use crate::cone::Cone;
 use crate::edges::{Edges, directed, undirected};
 use crate::faces::{Faces, NONE};
-use crate::geometry::Vector;
+use crate::geometry::{Vector, area_vector, mean};
 use crate::strips::{LARGEST_ANGLE, Sides, Strip, rims};
 
 /// A curved surface has at least this many facets in the mesh.
@@ -15,6 +15,9 @@ const LEAST_FACETS: usize = 4;
 const SAME_ANGLE: f64 = 1e-4;
 /// A plane that leaves a curved surface at a smaller angle (rad) is its tangent plane.
 const TANGENT: f64 = 0.02;
+
+/// The strips of an arc are longer than wide by this.
+const SLIM: f64 = 1.5;
 
 /// A curved surface of a mesh with its faces.
 #[derive(Debug, Clone)]
@@ -77,14 +80,66 @@ pub fn recognise(mesh: &Mesh) -> Vec<Curved> {
                 if strips.iter().any(|strip| is_taken[strip.face]) {
                     continue;
                 }
-                if let Some(surface) = surface(&strips, &mut is_taken, mesh) {
+                if let Some(surface) = surface_of_strips(&strips, &mut is_taken, mesh) {
                     curved.push(surface);
                 }
             }
         }
     }
+    for region in smooth_regions(&is_taken, mesh) {
+        if let Some((cone, deviation)) = fit_region(&region, mesh) {
+            curved.extend(surface(region, cone, deviation, &mut is_taken, mesh));
+        }
+    }
     curved.sort_by_key(|surface| !surface.is_full());
     curved
+}
+
+/// Faces that no surface has, joined where they meet smoothly.
+fn smooth_regions(is_taken: &[bool], mesh: &Mesh) -> Vec<Vec<usize>> {
+    let mut is_known = is_taken.to_vec();
+    let mut regions = Vec::new();
+    for first in 0..is_known.len() {
+        if std::mem::replace(&mut is_known[first], true) {
+            continue;
+        }
+        let mut region = vec![first];
+        let mut next = 0;
+        while let Some(&face) = region.get(next) {
+            next += 1;
+            for other in neighbors(face, mesh) {
+                let cosine = mesh.faces.faces[face].plane.normal.dot(&mesh.faces.faces[other].plane.normal);
+                if cosine > LARGEST_ANGLE.cos() && !std::mem::replace(&mut is_known[other], true) {
+                    region.push(other);
+                }
+            }
+        }
+        if region.len() >= LEAST_FACETS {
+            regions.push(region);
+        }
+    }
+    regions
+}
+
+fn fit_region(region: &[usize], mesh: &Mesh) -> Option<(Cone, f64)> {
+    let triangles = region.iter().flat_map(|&face| &mesh.faces.faces[face].triangles);
+    let corners = |triangle: usize| mesh.triangles[triangle].map(|corner| mesh.vertices[corner]);
+    let area = |face: &usize| {
+        let triangles = mesh.faces.faces[*face].triangles.iter();
+        let area: f64 = triangles.map(|&triangle| area_vector(&corners(triangle)).norm()).sum();
+        mesh.faces.faces[*face].plane.normal * area
+    };
+    let vertices: BTreeSet<usize> = triangles.flat_map(|&triangle| mesh.triangles[triangle]).collect();
+    let points: Vec<Vector> = vertices.into_iter().map(|vertex| mesh.vertices[vertex]).collect();
+    Cone::near(&points, &region.iter().map(area).collect::<Vec<_>>(), mesh.tolerance)
+}
+
+/// Faces across the edges of a face, some several times.
+fn neighbors<'a>(face: usize, mesh: &'a Mesh) -> impl Iterator<Item = usize> + 'a {
+    let triangles = mesh.faces.faces[face].triangles.iter();
+    let edges = triangles.flat_map(|&triangle| directed(mesh.triangles[triangle]));
+    let sides = edges.flat_map(|edge| &mesh.edges[&undirected(edge)]);
+    sides.map(|side| mesh.faces.of_triangle[side.triangle]).filter(move |&other| other != NONE && other != face)
 }
 
 fn fit(strips: &[Strip], mesh: &Mesh) -> Option<(Cone, f64)> {
@@ -124,30 +179,29 @@ fn runs(strips: &[Strip], is_closed: bool, mesh: &Mesh) -> Vec<Vec<Strip>> {
     runs
 }
 
-/// The surface of a run of strips, with the smooth neighbours that lie on it.
-fn surface(strips: &[Strip], is_taken: &mut [bool], mesh: &Mesh) -> Option<Curved> {
+/// The surface of a run of strips.
+fn surface_of_strips(strips: &[Strip], is_taken: &mut [bool], mesh: &Mesh) -> Option<Curved> {
     let (cone, deviation) = fit(strips, mesh)?;
-    let normal_outward = |face: usize| {
-        let middle = face_middle(face, mesh);
-        mesh.faces.faces[face].plane.normal.dot(&cone.normal(cone.coordinates(&middle).0))
-    };
-    let outward: Vec<f64> = strips.iter().map(|strip| normal_outward(strip.face)).collect();
-    let is_convex = outward[0] > 0.0;
-    let steepest = LARGEST_ANGLE.cos();
-    if outward.iter().any(|cosine| cosine.abs() < steepest || (*cosine > 0.0) != is_convex) {
+    let faces: Vec<usize> = strips.iter().map(|strip| strip.face).collect();
+    let extents: Vec<(f64, f64)> = faces.iter().map(|&face| extent(face, &cone, mesh)).collect();
+    // The small facets of a sphere lie on cones too, but these are no strips.
+    let [near, far] = rims(strips, mesh.vertices);
+    let width = |rim: &[Vector]| rim.windows(2).map(|pair| (pair[1] - pair[0]).norm()).fold(0.0, f64::max);
+    let length = near.iter().zip(&far).map(|(from, to)| (to - from).norm()).fold(f64::INFINITY, f64::min);
+    if union(&extents).1 < TAU - SAME_ANGLE && length < SLIM * width(&near).max(width(&far)) {
         return None;
     }
-    let mut faces: Vec<usize> = strips.iter().map(|strip| strip.face).collect();
-    let extents: Vec<(f64, f64)> = faces.iter().map(|&face| extent(face, &cone, mesh)).collect();
-    // Blobs of small facets, as those of a sphere, are no strips.
-    let (_, covered) = union(&extents);
-    let lengths = rims(strips, mesh.vertices);
-    let is_long = lengths[0].iter().zip(&lengths[1]).zip(lengths[0].windows(2).zip(lengths[1].windows(2))).all(
-        |((from, to), (one, other))| {
-            (to - from).norm() > 1.5 * (one[1] - one[0]).norm().max((other[1] - other[0]).norm())
-        },
-    );
-    if covered < TAU - SAME_ANGLE && !is_long {
+    surface(faces, cone, deviation, is_taken, mesh)
+}
+
+/// The surface of faces that lie on a cone, with the smooth neighbours that do.
+fn surface(mut faces: Vec<usize>, cone: Cone, deviation: f64, is_taken: &mut [bool], mesh: &Mesh) -> Option<Curved> {
+    let outward = |&face: &usize| {
+        mesh.faces.faces[face].plane.normal.dot(&cone.normal(cone.coordinates(&face_middle(face, mesh)).0))
+    };
+    let is_convex = faces.first().map(outward)? > 0.0;
+    let sign = if is_convex { 1.0 } else { -1.0 };
+    if faces.iter().any(|face| sign * outward(face) < LARGEST_ANGLE.cos()) {
         return None;
     }
     faces.iter().for_each(|&face| is_taken[face] = true);
@@ -170,7 +224,7 @@ fn face_points<'a>(faces: &'a [usize], mesh: &'a Mesh) -> impl Iterator<Item = V
 
 fn face_middle(face: usize, mesh: &Mesh) -> Vector {
     let points: Vec<Vector> = face_points(&[face], mesh).collect();
-    crate::geometry::mean(&points)
+    mean(&points)
 }
 
 /// Takes the neighbours that lie on the cone.
@@ -186,13 +240,10 @@ fn adopt(faces: &mut Vec<usize>, is_taken: &mut [bool], cone: &Cone, is_convex: 
     let mut next = 0;
     while let Some(&face) = faces.get(next) {
         next += 1;
-        for &triangle in &mesh.faces.faces[face].triangles {
-            let sides = directed(mesh.triangles[triangle]).map(|edge| &mesh.edges[&undirected(edge)]);
-            for other in sides.into_iter().flatten().map(|side| mesh.faces.of_triangle[side.triangle]) {
-                if other != NONE && !is_taken[other] && belongs(other) {
-                    is_taken[other] = true;
-                    faces.push(other);
-                }
+        for other in neighbors(face, mesh) {
+            if !is_taken[other] && belongs(other) {
+                is_taken[other] = true;
+                faces.push(other);
             }
         }
     }
@@ -238,12 +289,12 @@ fn tangents(curved: &Curved, mesh: &Mesh) -> [bool; 2] {
     let ends = [curved.start, curved.start + curved.extent];
     let sign = if curved.is_convex { 1.0 } else { -1.0 };
     let mut is_tangent = [false; 2];
-    let own: BTreeMap<usize, ()> = curved.faces.iter().map(|&face| (face, ())).collect();
+    let own: BTreeSet<usize> = curved.faces.iter().copied().collect();
     for &triangle in curved.faces.iter().flat_map(|&face| &mesh.faces.faces[face].triangles) {
         for edge in directed(mesh.triangles[triangle]) {
             let points = [edge.0, edge.1].map(|vertex| mesh.vertices[vertex]);
             for other in mesh.edges[&undirected(edge)].iter().map(|side| mesh.faces.of_triangle[side.triangle]) {
-                if other == NONE || own.contains_key(&other) {
+                if other == NONE || own.contains(&other) {
                     continue;
                 }
                 let normal = sign * mesh.faces.faces[other].plane.normal;

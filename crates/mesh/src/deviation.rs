@@ -11,6 +11,9 @@ const SURFACE_POINTS: f64 = 20_000.0;
 /// Points in the box for the volumes.
 const VOLUME_POINTS: usize = 20_000;
 
+/// Facets of pieces are boundary where no piece is this many tolerances in front of them: thinner gaps are none.
+const IN_FRONT: f64 = 4.0;
+
 /// How a cover differs from the mesh it covers, within the crop box. Distances are sampled at the corners and at about
 /// 20 000 points of each surface. A clearance counts as a difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,14 +51,18 @@ impl Deviation {
             outside_volume: 0.0,
             volume_error: 0.0,
         };
-        for point in mesh.samples().filter(is_inside) {
+        for (point, normal) in mesh.samples().filter(|(point, _)| is_inside(point)) {
+            // Where bodies touch, triangles are no surface.
+            if mesh.contains(&(point + normal * (IN_FRONT * cover.tolerance))) {
+                continue;
+            }
             let distance = boundary.distance(&point);
             deviation.mesh_to_cover = deviation.mesh_to_cover.max(distance);
             if depth(cover, &point) < -cover.tolerance {
                 deviation.uncovered = deviation.uncovered.max(distance);
             }
         }
-        for point in boundary.samples() {
+        for (point, _) in boundary.samples() {
             deviation.cover_to_mesh = deviation.cover_to_mesh.max(mesh.distance(&point));
         }
         deviation.measure_volumes(&mesh, cover);
@@ -111,10 +118,10 @@ fn boundary(cover: &Cover) -> Vec<[Vector; 3]> {
                 continue;
             }
             // Just in front of the facet, so that one on the boundary of another piece is inside of that or not.
-            let shift = bound.plane.normal * (2.0 * tolerance);
+            let shift = bound.plane.normal * (IN_FRONT * tolerance);
             let mut open = vec![polygon.iter().map(|corner| corner + shift).collect::<Vec<_>>()];
             for (other, piece) in cover.cells.iter().enumerate() {
-                if other != index && boxes_meet(&boxes[index], &boxes[other], 2.0 * tolerance) {
+                if other != index && boxes_meet(&boxes[index], &boxes[other], IN_FRONT * tolerance) {
                     open = open.iter().flat_map(|polygon| outside(polygon, piece, tolerance)).collect();
                 }
             }
@@ -160,8 +167,8 @@ impl Triangles {
         self.tree.nearest(point, to).sqrt()
     }
 
-    /// The corners, the middles and evenly spaced points of all triangles.
-    fn samples(&self) -> impl Iterator<Item = Vector> {
+    /// The corners, the middles and evenly spaced points of all triangles, with the normals.
+    fn samples(&self) -> impl Iterator<Item = (Vector, Vector)> {
         let area = |triangle: &[Vector; 3]| area_vector(triangle).norm();
         let total: f64 = self.triangles.iter().map(area).sum();
         self.triangles.iter().flat_map(move |triangle| {
@@ -174,7 +181,8 @@ impl Triangles {
                     a + (b - a) * share(i) + (c - a) * share(j)
                 })
             });
-            grid.chain([middle])
+            let normal = area_vector(triangle).try_normalize(0.0).unwrap_or_default();
+            grid.chain([middle]).map(move |point| (point, normal))
         })
     }
 

@@ -1,11 +1,13 @@
 //! Outer shells, voids and bodies in voids.
 
 use crate::error::MeshError;
-use crate::geometry::{Vector, bounds, boxes_meet, mean};
+use crate::geometry::{Vector, area_vector, bounds, boxes_meet, mean};
 use crate::repair::{Surface, shells_of};
 
 /// Triangles of a shell that are asked whether they are inside of another.
 const WITNESSES: usize = 16;
+/// They are asked this many tolerances away from the surface.
+const NEAR: f64 = 10.0;
 
 /// The solid angle under which a triangle is seen from a point, positive from behind (sr).
 pub fn solid_angle(point: &Vector, triangle: &[Vector; 3]) -> f64 {
@@ -33,17 +35,22 @@ pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<usize
         .collect();
     let mut depths = Vec::with_capacity(shells.len());
     for (index, shell) in shells.iter().enumerate() {
-        let points: Vec<Vector> = shell.iter().take(WITNESSES).map(|&triangle| mean(&corners(triangle))).collect();
+        // On both sides of a triangle: where shells touch, one of the two is inside and tells nothing.
+        let sides = |&triangle: &usize| {
+            let corners = corners(triangle);
+            let step = area_vector(&corners).try_normalize(0.0).unwrap_or_default() * (NEAR * tolerance);
+            [mean(&corners) - step, mean(&corners) + step]
+        };
+        let points: Vec<[Vector; 2]> = shell.iter().take(WITNESSES).map(sides).collect();
         let contains = |other: &usize| {
             if *other == index || !boxes_meet(&boxes[index], &boxes[*other], 0.0) {
                 return false;
             }
-            let around = |point: &Vector| {
-                winding_number(point, shells[*other].iter().map(|&triangle| corners(triangle))).abs()
+            let is_around = |point: &Vector| {
+                winding_number(point, shells[*other].iter().map(|&triangle| corners(triangle))).abs() > 0.5
             };
-            // Where shells touch, their points say nothing.
-            let decisive = points.iter().map(around).find(|turns| (turns - 0.5).abs() > 0.25);
-            decisive.is_some_and(|turns| turns > 0.5)
+            let mut both = points.iter().map(|sides| sides.each_ref().map(is_around));
+            both.find(|[behind, before]| behind == before).is_some_and(|[behind, _]| behind)
         };
         depths.push((0..shells.len()).filter(contains).count());
     }
