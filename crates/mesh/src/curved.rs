@@ -49,6 +49,15 @@ impl Curved {
         self.heights.map(|height| self.cone.radius_at(height)).into_iter().fold(0.0, f64::max)
     }
 
+    /// Whether both are convex or both concave around the same axis, within a tolerance (m).
+    pub fn is_coaxial(&self, other: &Self, tolerance: f64) -> bool {
+        let is_near = |height: &f64| {
+            let point = other.cone.origin + other.cone.axis * *height;
+            self.cone.coordinates(&point).2 <= tolerance
+        };
+        self.is_convex == other.is_convex && other.heights.iter().all(is_near)
+    }
+
     /// Angle of the widest facet of the mesh (rad).
     pub fn widest(&self) -> f64 {
         self.strips.iter().map(|strip| strip.1).fold(0.0, f64::max)

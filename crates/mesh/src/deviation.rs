@@ -117,11 +117,16 @@ fn boundary(cover: &Cover) -> Vec<[Vector; 3]> {
             if cover.crop_planes.iter().any(|side| side.is(bound)) {
                 continue;
             }
+            let margin = IN_FRONT * tolerance;
+            let polygon = cover
+                .crop_planes
+                .iter()
+                .fold(polygon.clone(), |polygon, side| clip(&polygon, &side.plane.moved(-2.0 * margin), 0.0));
             // Just in front of the facet, so that one on the boundary of another piece is inside of that or not.
-            let shift = bound.plane.normal * (IN_FRONT * tolerance);
+            let shift = bound.plane.normal * margin;
             let mut open = vec![polygon.iter().map(|corner| corner + shift).collect::<Vec<_>>()];
             for (other, piece) in cover.cells.iter().enumerate() {
-                if other != index && boxes_meet(&boxes[index], &boxes[other], IN_FRONT * tolerance) {
+                if other != index && boxes_meet(&boxes[index], &boxes[other], margin) {
                     open = open.iter().flat_map(|polygon| outside(polygon, piece, tolerance)).collect();
                 }
             }

@@ -3,7 +3,7 @@
 use crate::cell::{Bound, Cell, is_wide};
 use crate::cover::CoverSettings;
 use crate::curved::Curved;
-use crate::facets::facets;
+use crate::facets::{Sector, sectors};
 use crate::geometry::{Plane, Vector, bounds, clip};
 use crate::planes::Planes;
 use crate::solid::Solid;
@@ -28,6 +28,14 @@ pub struct Elements {
     pub is_cropped: [bool; 6],
     /// Distance (m) below which a point is on a plane.
     pub tolerance: f64,
+}
+
+/// A curved surface cut into sectors.
+struct Faceted<'a> {
+    curved: &'a Curved,
+    sectors: Vec<(Sector, Vec<Vec<Vector>>)>,
+    /// See [`Sector::corner_factor`].
+    factor: f64,
 }
 
 /// Roundings of vertices, fits of faces and of planes add up.
@@ -55,8 +63,16 @@ impl Elements {
         let root = Cell::of_box(&box_, sides);
         let mut elements = Self { elements: Vec::new(), planes, root, is_cropped, tolerance };
         elements.add_planar(solid, &box_);
-        for curved in &solid.curved {
-            elements.add_curved(solid, curved, settings.facets, &box_);
+        let faceted: Vec<Faceted> =
+            solid.curved.iter().map(|curved| elements.faceted(solid, curved, settings.facets, &box_)).collect();
+        // Surfaces around the same axis meet in the corners of their facets when they have one factor.
+        let factor = |one: &Faceted| {
+            let alike = faceted.iter().filter(|other| other.curved.is_coaxial(one.curved, tolerance));
+            alike.map(|other| other.factor).fold(one.factor, f64::min)
+        };
+        let factors: Vec<f64> = faceted.iter().map(factor).collect();
+        for (faceted, factor) in faceted.into_iter().zip(factors) {
+            elements.add_curved(faceted, factor);
         }
         Some(elements)
     }
@@ -75,22 +91,25 @@ impl Elements {
         }
     }
 
-    fn add_curved(&mut self, solid: &Solid, curved: &Curved, count: usize, box_: &[Vector; 2]) {
+    fn faceted<'a>(&self, solid: &Solid, curved: &'a Curved, count: usize, box_: &[Vector; 2]) -> Faceted<'a> {
         let triangles = curved.faces.iter().flat_map(|&face| &solid.faces.faces[face].triangles);
         let polygons = self.inside(triangles.map(|&triangle| solid.corners(triangle)), box_);
-        let mut facets = facets(curved, count);
-        for facet in &mut facets {
-            let shares: Vec<Vec<Vector>> = polygons
-                .iter()
-                .map(|polygon| facet.share(curved, polygon, self.tolerance))
-                .filter(|share| is_wide(share, self.tolerance))
-                .collect();
-            if shares.is_empty() {
-                continue;
-            }
+        let shares = |sector: &Sector| -> Vec<Vec<Vector>> {
+            let shares = polygons.iter().map(|polygon| sector.share(curved, polygon, self.tolerance));
+            shares.filter(|share| is_wide(share, self.tolerance)).collect()
+        };
+        let sectors: Vec<(Sector, Vec<Vec<Vector>>)> =
+            sectors(curved, count).into_iter().map(|sector| (sector, shares(&sector))).collect();
+        let factors = sectors.iter().map(|(sector, shares)| sector.corner_factor(curved, shares.iter().flatten()));
+        Faceted { factor: factors.fold(1.0, f64::min), curved, sectors }
+    }
+
+    fn add_curved(&mut self, faceted: Faceted, factor: f64) {
+        for (sector, shares) in faceted.sectors.into_iter().filter(|(_, shares)| !shares.is_empty()) {
+            let plane = sector.plane(faceted.curved, factor);
             // Vertices that are not exactly on the surface must not be in front of the facet either.
-            let (_, high) = facet.plane.heights(shares.iter().flatten());
-            let plane = if high > self.tolerance { facet.plane.moved(high) } else { facet.plane };
+            let (_, high) = plane.heights(shares.iter().flatten());
+            let plane = if high > self.tolerance { plane.moved(high) } else { plane };
             let shadow: Vec<Vector> =
                 shares.iter().flatten().map(|point| point - plane.normal * plane.height(point)).collect();
             let bound = self.planes.bound(&plane, &shadow, self.tolerance);

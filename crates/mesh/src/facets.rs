@@ -8,32 +8,28 @@ use crate::geometry::{Plane, Vector, clip};
 /// Angles (rad) closer than this are equal.
 const SAME_ANGLE: f64 = 1e-4;
 
-/// A plane that stands for a curved surface between two angles.
+/// The part of a curved surface for which one facet stands.
 #[derive(Debug, Clone, Copy)]
-pub struct Facet {
-    /// Outward of the material.
-    pub plane: Plane,
+pub struct Sector {
+    /// Angle of the facet's normal (rad).
     middle: f64,
-    sector: [f64; 2],
+    /// Angles between which it lies (rad).
+    ends: [f64; 2],
 }
 
-/// Facets of a curved surface with `count` of them per full turn.
+/// Sectors of a curved surface with `count` of them per full turn.
 ///
-/// Those of full turns have normals at multiples of the angle from +x across the axis. So have those of arcs that meet
-/// other surfaces at an angle; those of arcs that planes continue divide the arc, and the planes serve as facets.
-pub fn facets(curved: &Curved, count: usize) -> Vec<Facet> {
+/// Those of full turns have their middles at multiples of the angle from +x across the axis. So have those of arcs that
+/// meet other surfaces at an angle; arcs that planes continue are divided evenly, and the planes serve as facets.
+pub fn sectors(curved: &Curved, count: usize) -> Vec<Sector> {
     let step = TAU / count as f64;
-    let is_tangent = curved.is_tangent.contains(&true) && !curved.is_full();
-    let sectors: Vec<(f64, [f64; 2])> = if !is_tangent {
-        let all = (0..count)
-            .map(|index| step * index as f64)
-            .map(|middle| (middle, [middle - 0.5 * step, middle + 0.5 * step]));
-        all.filter(|(middle, _)| overlaps(curved, *middle, 0.5 * step)).collect()
-    } else {
-        divided(curved, step)
-    };
-    let factor = corner_factor(curved, &sectors);
-    sectors.into_iter().map(|(middle, sector)| facet(curved, middle, sector, factor)).collect()
+    if curved.is_tangent.contains(&true) && !curved.is_full() {
+        return divided(curved, step);
+    }
+    let all = (0..count).map(|index| step * index as f64);
+    all.filter(|middle| overlaps(curved, *middle, 0.5 * step))
+        .map(|middle| Sector { middle, ends: [middle - 0.5 * step, middle + 0.5 * step] })
+        .collect()
 }
 
 fn overlaps(curved: &Curved, middle: f64, half: f64) -> bool {
@@ -44,63 +40,61 @@ fn overlaps(curved: &Curved, middle: f64, half: f64) -> bool {
 }
 
 /// Equal sectors of an arc. Planes tangent to its ends are facets already, of half a sector.
-fn divided(curved: &Curved, step: f64) -> Vec<(f64, [f64; 2])> {
-    let ends = if curved.is_convex {
-        curved.is_tangent.map(|is_tangent| if is_tangent { 0.5 } else { 0.0 })
-    } else {
-        [0.0; 2]
-    };
-    let halves = ends[0] + ends[1];
+fn divided(curved: &Curved, step: f64) -> Vec<Sector> {
+    let is_shared = curved.is_tangent.map(|is_tangent| is_tangent && curved.is_convex);
+    let halves = is_shared.iter().filter(|is_shared| **is_shared).count() as f64 / 2.0;
     let least = if halves < 1.0 { 1.0 } else { 0.0 };
     let own = (curved.extent / step - halves - SAME_ANGLE).ceil().max(least);
     let width = curved.extent / (own + halves);
-    let mut sectors = Vec::new();
-    let mut from = curved.start;
-    if ends[0] > 0.0 {
-        sectors.push((from, [from, from + 0.5 * width]));
-        from += 0.5 * width;
-    }
-    for _ in 0..own as usize {
-        sectors.push((from + 0.5 * width, [from, from + width]));
-        from += width;
-    }
-    if ends[1] > 0.0 {
-        sectors.push((from + 0.5 * width, [from, from + 0.5 * width]));
-    }
-    sectors
+    let end = curved.start + curved.extent;
+    let from = curved.start + if is_shared[0] { 0.5 * width } else { 0.0 };
+    let own = (0..own as usize).map(|index| {
+        let start = from + width * index as f64;
+        Sector { middle: start + 0.5 * width, ends: [start, start + width] }
+    });
+    let first =
+        is_shared[0].then_some(Sector { middle: curved.start, ends: [curved.start, curved.start + 0.5 * width] });
+    let last = is_shared[1].then_some(Sector { middle: end, ends: [end - 0.5 * width, end] });
+    first.into_iter().chain(own).chain(last).collect()
 }
 
-/// Concave facets have their corners on the facets of the mesh: the smallest distance of these from the axis there,
-/// relative to the radius.
-fn corner_factor(curved: &Curved, sectors: &[(f64, [f64; 2])]) -> f64 {
-    let at = |angle: f64| {
-        let strips = curved.strips.iter().map(|(start, extent)| (turn(angle - start - 0.5 * extent), 0.5 * extent));
-        strips
-            .filter(|(from_middle, half)| from_middle.abs() <= half + SAME_ANGLE)
-            .map(|(from_middle, half)| half.cos() / from_middle.abs().min(half).cos())
-            .fold(1.0, f64::min)
-    };
-    sectors.iter().flat_map(|(_, sector)| *sector).map(at).fold(1.0, f64::min)
-}
-
-fn facet(curved: &Curved, middle: f64, sector: [f64; 2], factor: f64) -> Facet {
-    let cone = &curved.cone;
-    let half = (sector[1] - middle).max(middle - sector[0]);
-    let scale = if curved.is_convex { 1.0 } else { factor * half.cos() };
-    let outward = cone.outward(middle);
-    let normal = (outward - cone.axis * (cone.slope * scale)).normalize();
-    let plane = Plane::through(&(cone.origin + outward * (cone.radius * scale)), normal);
-    Facet { plane: if curved.is_convex { plane } else { plane.flipped() }, middle, sector }
-}
-
-impl Facet {
-    /// The part of a polygon on the curved surface that belongs to this facet.
+impl Sector {
+    /// The part of a polygon on the curved surface that belongs to this sector.
     pub fn share(&self, curved: &Curved, polygon: &[Vector], tolerance: f64) -> Vec<Vector> {
         let cone = &curved.cone;
-        // Sectors are narrower than half a turn, so that their two sides and the half around their middle bound them.
+        // Sectors are narrower than half a turn: two sides and the half of the space around the middle bound them.
         let across = |angle: f64| Plane::through(&cone.origin, cone.outward(angle));
-        let part = clip(polygon, &across(self.sector[1] + 0.5 * PI), tolerance);
-        let part = clip(&part, &across(self.sector[0] - 0.5 * PI), tolerance);
+        let part = clip(polygon, &across(self.ends[1] + 0.5 * PI), tolerance);
+        let part = clip(&part, &across(self.ends[0] - 0.5 * PI), tolerance);
         clip(&part, &across(self.middle).flipped(), tolerance)
+    }
+
+    fn half_cosine(&self) -> f64 {
+        (self.ends[1] - self.middle).max(self.middle - self.ends[0]).cos()
+    }
+
+    /// Where facets of a concave surface have their corners, as a part of the radius, so that points of the surface in
+    /// the sector are behind the facet: one when the mesh has vertices at the corners, else those are on its facets.
+    pub fn corner_factor<'a>(&self, curved: &Curved, points: impl Iterator<Item = &'a Vector>) -> f64 {
+        let cone = &curved.cone;
+        let outward = cone.outward(self.middle);
+        let least = 1e-3 * curved.radius();
+        let factor = |point: &Vector| {
+            let from = point - cone.origin;
+            let radius = cone.radius_at(cone.axis.dot(&from));
+            if radius < least { 1.0 } else { outward.dot(&from) / (radius * self.half_cosine()) }
+        };
+        points.map(factor).fold(1.0, f64::min)
+    }
+
+    /// The plane of the facet, normal out of the material: tangent to a convex surface, through corners at the factor
+    /// times the radius of a concave one.
+    pub fn plane(&self, curved: &Curved, factor: f64) -> Plane {
+        let cone = &curved.cone;
+        let scale = if curved.is_convex { 1.0 } else { factor * self.half_cosine() };
+        let outward = cone.outward(self.middle);
+        let normal = (outward - cone.axis * (cone.slope * scale)).normalize();
+        let plane = Plane::through(&(cone.origin + outward * (cone.radius * scale)), normal);
+        if curved.is_convex { plane } else { plane.flipped() }
     }
 }

@@ -7,18 +7,22 @@ use crate::partition::Partition;
 /// Corners may be this many tolerances in front of a plane that bounds the same piece.
 const INSIDE: f64 = 2.0;
 
+/// With more cells than this there is no time to try several ways.
+const FEW: usize = 200;
+
 /// Enlarges cells with material into whatever has material and leaves out those that others cover. Pieces overlap.
 pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
     let free: Vec<(&Cell, [Vector; 2])> = partition.free.iter().map(|cell| (cell, cell.bounding_box())).collect();
     let mut leaves: Vec<(&Cell, f64)> = partition.solid.iter().map(|cell| (cell, cell.volume())).collect();
     leaves.sort_by(|one, other| other.1.total_cmp(&one.1));
+    let orders = if leaves.len() <= FEW { &Order::ALL[..] } else { &Order::ALL[1..2] };
     let grower = Grower { free, used: &partition.used, root, tolerance };
     let mut candidates: Vec<(Cell, Vec<bool>)> = Vec::new();
     for (index, (leaf, _)) in leaves.iter().enumerate() {
         let known = candidates.iter().filter(|(_, covers)| covers[index]).count();
         // A leaf that several pieces cover needs no more of them.
-        for order in Order::ALL.into_iter().skip(known) {
-            let piece = grower.grow(leaf, order);
+        for order in orders.iter().skip(known) {
+            let piece = grower.grow(leaf, *order);
             let covers = leaves.iter().map(|(leaf, _)| contains(&piece, leaf, INSIDE * tolerance)).collect();
             candidates.push((piece, covers));
         }

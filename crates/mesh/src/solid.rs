@@ -93,11 +93,3 @@ impl Solid {
         self.triangles[triangle].map(|corner| self.vertices[corner])
     }
 }
-impl Solid { pub fn debug(&self) {
-  let mut n=0;
-  for f in &self.faces.faces { let pts: Vec<Vector> = f.triangles.iter().flat_map(|&t| self.corners(t)).collect();
-   let [lo,hi]=bounds(&pts);
-   let r = pts.iter().map(|p| p.x.hypot(p.y)).fold(0.0,f64::max);
-   if r<0.00452 && n<30 && lo.z < 0.0269 && hi.z>0.0031 { n+=1; println!("{} tris, z {:.5} {:.5}, angle {:.2} corners {:?}", f.triangles.len(), lo.z, hi.z, f.plane.normal.y.atan2(f.plane.normal.x).to_degrees(), f.corners.iter().map(|&c| {let v=self.vertices[c]; format!("{:.3},{:.2},{:.3}", v.y.atan2(v.x).to_degrees(), v.z*1e3, v.x.hypot(v.y)*1e3)}).collect::<Vec<_>>()); } }
-  println!("{}", self.tolerance);
-} }
