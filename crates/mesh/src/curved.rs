@@ -213,6 +213,10 @@ fn surface(mut faces: Vec<usize>, cone: Cone, deviation: f64, is_taken: &mut [bo
     if faces.iter().any(|face| sign * outward(face) < LARGEST_ANGLE.cos()) {
         return None;
     }
+    // The facets of a prism or a pyramid.
+    if faces.iter().any(|&face| extent(face, &cone, mesh).1 > LARGEST_ANGLE) {
+        return None;
+    }
     faces.iter().for_each(|&face| is_taken[face] = true);
     adopt(&mut faces, is_taken, &cone, is_convex, deviation, mesh);
     let strips: Vec<(f64, f64)> = faces.iter().map(|&face| extent(face, &cone, mesh)).collect();
