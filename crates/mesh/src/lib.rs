@@ -21,6 +21,7 @@ mod planes;
 mod precision;
 mod read;
 mod repair;
+mod set_cover;
 mod shells;
 mod solid;
 mod strips;

@@ -3,6 +3,7 @@
 use crate::cell::{Bound, Cell};
 use crate::geometry::{Vector, boxes_meet};
 use crate::partition::Partition;
+use crate::set_cover::set_cover;
 
 /// Corners may be this many tolerances in front of a plane that bounds the same piece.
 const INSIDE: f64 = 2.0;
@@ -17,17 +18,24 @@ pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
     leaves.sort_by(|one, other| other.1.total_cmp(&one.1));
     let orders = if leaves.len() <= FEW { &Order::ALL[..] } else { &Order::ALL[1..2] };
     let grower = Grower { free, used: &partition.used, root, tolerance };
-    let mut candidates: Vec<(Cell, Vec<bool>)> = Vec::new();
+    let mut pieces: Vec<Cell> = Vec::new();
+    let mut covers: Vec<Vec<usize>> = Vec::new();
+    let mut known = vec![0; leaves.len()];
     for (index, (leaf, _)) in leaves.iter().enumerate() {
-        let known = candidates.iter().filter(|(_, covers)| covers[index]).count();
         // A leaf that several pieces cover needs no more of them.
-        for order in orders.iter().skip(known) {
+        for order in orders.iter().skip(known[index]) {
             let piece = grower.grow(leaf, *order);
-            let covers = leaves.iter().map(|(leaf, _)| contains(&piece, leaf, INSIDE * tolerance)).collect();
-            candidates.push((piece, covers));
+            let is_covered = |other: &usize| *other == index || contains(&piece, leaves[*other].0, INSIDE * tolerance);
+            let covered: Vec<usize> = (0..leaves.len()).filter(is_covered).collect();
+            covered.iter().for_each(|&leaf| known[leaf] += 1);
+            pieces.push(piece);
+            covers.push(covered);
         }
     }
-    select(candidates, &leaves.iter().map(|(_, volume)| *volume).collect::<Vec<_>>())
+    let volumes: Vec<f64> = leaves.iter().map(|(_, volume)| *volume).collect();
+    let mut chosen = set_cover(&covers, &volumes);
+    chosen.sort_unstable();
+    chosen.into_iter().map(|piece| pieces[piece].clone()).collect()
 }
 
 fn contains(piece: &Cell, leaf: &Cell, tolerance: f64) -> bool {
@@ -117,36 +125,4 @@ impl Grower<'_> {
             }
         })
     }
-}
-
-/// Few of the pieces that together cover all leaves.
-fn select(mut candidates: Vec<(Cell, Vec<bool>)>, volumes: &[f64]) -> Vec<Cell> {
-    let mut is_covered = vec![false; volumes.len()];
-    let mut chosen: Vec<(Cell, Vec<bool>)> = Vec::new();
-    loop {
-        let gain = |covers: &[bool]| -> (usize, f64) {
-            let gained = (0..volumes.len()).filter(|&leaf| covers[leaf] && !is_covered[leaf]);
-            gained.fold((0, 0.0), |(count, volume), leaf| (count + 1, volume + volumes[leaf]))
-        };
-        let gains = candidates.iter().enumerate().map(|(index, (_, covers))| (index, gain(covers)));
-        let best = gains.max_by(|one, other| one.1.1.total_cmp(&other.1.1).then(other.0.cmp(&one.0)));
-        let Some((index, (1.., _))) = best else { break };
-        let (piece, covers) = candidates.swap_remove(index);
-        is_covered.iter_mut().zip(&covers).for_each(|(is_covered, covers)| *is_covered |= covers);
-        chosen.push((piece, covers));
-    }
-    // Later choices may have made earlier ones superfluous.
-    let mut index = 0;
-    while index < chosen.len() {
-        let is_needed = (0..volumes.len()).any(|leaf| {
-            chosen[index].1[leaf]
-                && !chosen.iter().enumerate().any(|(other, (_, covers))| other != index && covers[leaf])
-        });
-        if is_needed {
-            index += 1;
-        } else {
-            chosen.remove(index);
-        }
-    }
-    chosen.into_iter().map(|(piece, _)| piece).collect()
 }
