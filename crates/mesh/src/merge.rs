@@ -11,6 +11,9 @@ const INSIDE: f64 = 2.0;
 /// With more cells than this there is no time to try several ways.
 const FEW: usize = 200;
 
+/// A piece that falls into more parts counts as not covered.
+const MOST_PARTS: usize = 300;
+
 /// Enlarges cells with material into whatever has material and leaves out those that others cover. Pieces overlap.
 pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
     let free: Vec<(&Cell, [Vector; 2])> = partition.free.iter().map(|cell| (cell, cell.bounding_box())).collect();
@@ -35,7 +38,52 @@ pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
     let volumes: Vec<f64> = leaves.iter().map(|(_, volume)| *volume).collect();
     let mut chosen = set_cover(&covers, &volumes);
     chosen.sort_unstable();
-    chosen.into_iter().map(|piece| pieces[piece].clone()).collect()
+    let chosen = chosen.into_iter().map(|piece| pieces[piece].clone()).collect();
+    without_covered(chosen, INSIDE * tolerance)
+}
+
+/// Without pieces that the others cover together: no single one may contain a cell of these.
+fn without_covered(mut pieces: Vec<Cell>, tolerance: f64) -> Vec<Cell> {
+    let mut order: Vec<(usize, f64)> = pieces.iter().map(Cell::volume).enumerate().collect();
+    order.sort_by(|one, other| one.1.total_cmp(&other.1));
+    let boxes: Vec<[Vector; 2]> = pieces.iter().map(Cell::bounding_box).collect();
+    let mut is_kept = vec![true; pieces.len()];
+    for (index, _) in order {
+        let is_other = |other: &usize| *other != index && is_kept[*other];
+        let others = (0..pieces.len()).filter(is_other).filter(|&other| boxes_meet(&boxes[index], &boxes[other], 0.0));
+        is_kept[index] = !is_covered(&pieces[index], others.map(|other| &pieces[other]), tolerance);
+    }
+    let mut kept = is_kept.iter();
+    pieces.retain(|_| kept.next() == Some(&true));
+    pieces
+}
+
+fn is_covered<'a>(piece: &Cell, others: impl Iterator<Item = &'a Cell>, tolerance: f64) -> bool {
+    let mut open = vec![piece.clone()];
+    for other in others {
+        open = open.iter().flat_map(|part| outside(part, other, tolerance)).collect();
+        if open.is_empty() {
+            return true;
+        }
+        if open.len() > MOST_PARTS {
+            return false;
+        }
+    }
+    false
+}
+
+/// The parts of a cell that are not in another one.
+fn outside(cell: &Cell, other: &Cell, tolerance: f64) -> Vec<Cell> {
+    let mut parts = Vec::new();
+    let mut inside = cell.clone();
+    for bound in &other.bounds {
+        parts.extend(inside.cut(&bound.flipped(), tolerance));
+        match inside.cut(bound, tolerance) {
+            Some(left) => inside = left,
+            None => return vec![cell.clone()],
+        }
+    }
+    parts
 }
 
 fn contains(piece: &Cell, leaf: &Cell, tolerance: f64) -> bool {
