@@ -118,7 +118,24 @@ impl Cell {
 
     /// The part behind all of the bounds.
     pub fn cut_by<'a>(&self, bounds: impl IntoIterator<Item = &'a Bound>, tolerance: f64) -> Option<Self> {
-        bounds.into_iter().try_fold(self.clone(), |cell, bound| cell.cut(bound, tolerance))
+        let mut cell = std::borrow::Cow::Borrowed(self);
+        let mut ball = cell.ball();
+        for bound in bounds {
+            // Most bounds are far away: no need to look at all corners, or to copy the cell, for them.
+            let is_far = bound.plane.height(&ball.0) + ball.1 <= tolerance;
+            if !is_far && !cell.is_behind(&bound.plane, tolerance) {
+                cell = std::borrow::Cow::Owned(cell.cut(bound, tolerance)?);
+                ball = cell.ball();
+            }
+        }
+        Some(cell.into_owned())
+    }
+
+    /// Centre and radius (m) of a ball around the cell.
+    fn ball(&self) -> (Vector, f64) {
+        let center = self.center();
+        let radius = self.corners().map(|corner| (corner - center).norm()).fold(0.0, f64::max);
+        (center, radius)
     }
 }
 

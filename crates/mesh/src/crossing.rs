@@ -3,30 +3,49 @@
 use robust::{Coord3D, orient3d};
 
 use crate::bvh::BoxTree;
+use crate::edges::edges;
 use crate::error::MeshError;
-use crate::geometry::{Plane, Vector, area_vector, bounds};
+use crate::geometry::{Plane, Vector, area_vector, bounds, boxes_meet};
+use crate::repair::Surface;
 
 /// Refuses a surface whose triangles properly cross: an edge of one passes through the inside of another by more than
-/// the tolerance (m), which is that of the vertices. Signs are exact.
+/// the tolerance (m), which is that of the vertices; or one is folded back onto its neighbour. Signs are exact.
 ///
 /// # Errors
-/// With a crossing and the number of them.
-pub fn refuse_crossings(triangles: &[[Vector; 3]], scale: f64, tolerance: f64) -> Result<(), MeshError> {
+/// With the place of a crossing and the number of them.
+pub fn refuse_crossings(surface: &Surface, scale: f64, tolerance: f64) -> Result<(), MeshError> {
+    let corners = |triangle: &[usize; 3]| triangle.map(|corner| surface.vertices[corner]);
+    let triangles: Vec<[Vector; 3]> = surface.triangles.iter().map(corners).collect();
     let boxes: Vec<[Vector; 2]> = triangles.iter().map(bounds).collect();
     let tree = BoxTree::new(&boxes);
-    let mut count = 0;
-    let mut place = None;
+    let mut places = folds(surface, &triangles, tolerance);
     for (index, triangle) in triangles.iter().enumerate() {
         tree.near(&boxes[index], 0.0, |other| {
-            if other > index && crate::geometry::boxes_meet(&boxes[index], &boxes[other], 0.0) {
-                let crossing = pierced(triangle, &triangles[other], tolerance)
-                    .or_else(|| pierced(&triangles[other], triangle, tolerance));
-                count += usize::from(crossing.is_some());
-                place = place.or(crossing);
+            if other > index && boxes_meet(&boxes[index], &boxes[other], 0.0) {
+                let crossing = pierced(triangle, &triangles[other], tolerance);
+                places.extend(crossing.or_else(|| pierced(&triangles[other], triangle, tolerance)));
             }
         });
     }
-    place.map_or(Ok(()), |place| Err(MeshError::SelfIntersecting { place: (place / scale).into(), count }))
+    let crossing = |place: &Vector| MeshError::SelfIntersecting { place: (place / scale).into(), count: places.len() };
+    places.first().map_or(Ok(()), |place| Err(crossing(place)))
+}
+
+/// Middles of the edges at which a triangle lies on its only neighbour.
+fn folds(surface: &Surface, triangles: &[[Vector; 3]], tolerance: f64) -> Vec<Vector> {
+    let mut folds = Vec::new();
+    for ((from, to), sides) in edges(&surface.triangles) {
+        let [one, other] = sides[..] else { continue };
+        let [one, other] = [one.triangle, other.triangle];
+        let areas = [one, other].map(|triangle| area_vector(&triangles[triangle]));
+        let is_wide = [one, other].map(|triangle| crate::cell::is_wide(&triangles[triangle], 2.0 * tolerance));
+        let plane = Plane::through(&triangles[one][0], areas[0].try_normalize(0.0).unwrap_or_default());
+        let is_flat = triangles[other].iter().all(|corner| plane.height(corner).abs() <= tolerance);
+        if is_wide == [true; 2] && is_flat && areas[0].dot(&areas[1]) < 0.0 {
+            folds.push(0.5 * (surface.vertices[from] + surface.vertices[to]));
+        }
+    }
+    folds
 }
 
 /// A point in which an edge of one triangle passes through the other.

@@ -41,19 +41,32 @@ struct Faceted<'a> {
 /// Roundings of vertices, fits of faces and of planes add up.
 const ON_PLANE: f64 = 2.0;
 
+/// How much larger than the part the box is (m), so that it cuts neither corners of facets around convex surfaces nor
+/// what pieces grow.
+fn margin(solid: &Solid, settings: &CoverSettings) -> f64 {
+    const GENEROUS: f64 = 4.0;
+    let convex = solid.curved_surfaces().into_iter().filter(|surface| surface.is_convex);
+    let error = convex.map(|surface| surface.error(settings.facets)).fold(0.0, f64::max);
+    GENEROUS * (error + settings.tolerance)
+}
+
 impl Elements {
     pub fn of(solid: &Solid, settings: &CoverSettings) -> Option<Self> {
         let tolerance = ON_PLANE * solid.tolerance;
         let whole = solid.bounds();
         let crop = settings.crop.map(|corners| corners.map(Vector::from)).unwrap_or(whole);
-        let box_ = [whole[0].sup(&crop[0]), whole[1].inf(&crop[1])];
+        let is_cropped = [0, 1, 2, 3, 4, 5].map(|face| match (face / 3, face % 3) {
+            (0, axis) => crop[0][axis] > whole[0][axis] + tolerance,
+            (_, axis) => crop[1][axis] < whole[1][axis] - tolerance,
+        });
+        let margin = margin(solid, settings);
+        let box_: [Vector; 2] = std::array::from_fn(|side| {
+            let outer = whole[side].add_scalar(if side == 0 { -margin } else { margin });
+            Vector::from_fn(|axis, _| if is_cropped[3 * side + axis] { crop[side][axis] } else { outer[axis] })
+        });
         if (box_[1] - box_[0]).min() <= 2.0 * tolerance {
             return None;
         }
-        let is_cropped = std::array::from_fn(|face| {
-            let (axis, side) = (face % 3, face / 3);
-            (box_[side][axis] - whole[side][axis]).abs() > tolerance
-        });
         let mut planes = Planes::default();
         let sides = std::array::from_fn(|face| {
             let (axis, side) = (face % 3, face / 3);

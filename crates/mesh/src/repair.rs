@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::crossing::refuse_crossings;
 use crate::edges::{Edges, components, directed, edges, undirected};
 use crate::error::MeshError;
 use crate::geometry::{Plane, Vector, area_vector, mean};
@@ -93,9 +94,21 @@ pub fn repair(mesh: &TriangleMesh) -> Result<Surface, MeshError> {
     let rewound = wind(&mut surface, mesh.scale)?;
     note(&mut surface.repairs, rewound, |triangles| Repair::Rewound { triangles });
     close(&mut surface, mesh.scale, tolerance)?;
+    refuse_flat(&surface, tolerance)?;
+    refuse_crossings(&surface, mesh.scale, tolerance)?;
     let inverted = shells::orient(&mut surface, mesh.scale, tolerance)?;
     note(&mut surface.repairs, inverted, |shells| Repair::Inverted { shells });
     Ok(surface)
+}
+
+fn refuse_flat(surface: &Surface, tolerance: f64) -> Result<(), MeshError> {
+    let corners = surface.triangles.iter().map(|triangle| triangle.map(|corner| surface.vertices[corner]));
+    let areas = corners.clone().map(|corners| (area_vector(&corners), corners[0]));
+    let largest = areas.max_by(|one, other| one.0.norm().total_cmp(&other.0.norm()));
+    let (area, point) = largest.ok_or(MeshError::Flat)?;
+    let plane = Plane::through(&point, area.try_normalize(0.0).ok_or(MeshError::Flat)?);
+    let (low, high) = plane.heights(corners.collect::<Vec<_>>().as_flattened());
+    if high - low <= 2.0 * tolerance { Err(MeshError::Flat) } else { Ok(()) }
 }
 
 fn note(repairs: &mut Vec<Repair>, count: usize, repair: impl Fn(usize) -> Repair) {

@@ -1,6 +1,5 @@
 //! A closed surface with what is known about it.
 
-use crate::crossing::refuse_crossings;
 use crate::curved::{Curved, Mesh, recognise};
 use crate::edges::edges;
 use crate::error::MeshError;
@@ -34,7 +33,6 @@ impl Solid {
         let tolerance = SAME * mesh.rounding;
         let corners: Vec<[Vector; 3]> =
             surface.triangles.iter().map(|triangle| triangle.map(|corner| surface.vertices[corner])).collect();
-        refuse_crossings(&corners, mesh.scale, tolerance)?;
         let edges = edges(&surface.triangles);
         let faces = Faces::of(&surface.vertices, &surface.triangles, &edges, tolerance);
         let curved = recognise(&Mesh {

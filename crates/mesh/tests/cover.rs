@@ -134,7 +134,7 @@ fn a_tolerance_saves_halfspaces_and_grows_by_less() {
     let tolerance = 0.5e-3;
     let coarse = Cover::of(&solid, &CoverSettings { tolerance, ..CoverSettings::default() }).unwrap();
     assert_eq!((exact.growth(), exact.pieces()[0].normals.len()), (0.0, 26));
-    assert!(coarse.pieces()[0].normals.len() < 20, "{}", coarse.pieces()[0].normals.len());
+    assert!(coarse.pieces()[0].normals.len() <= 22, "{}", coarse.pieces()[0].normals.len());
     assert!(coarse.growth() > 0.0 && coarse.growth() <= tolerance);
     let deviation = Deviation::measure(&solid, &coarse);
     assert!(deviation.uncovered < 1e-8, "{deviation:?}");
