@@ -97,10 +97,10 @@ pub enum MeshError {
     },
     /// The cover would be too large to plan with.
     #[error(
-        "the part needs more than {most} convex pieces: crop it to where the motion is, use fewer facets for curved surfaces ({curved} of them) or a coarser tolerance"
+        "the part needs more than {most} convex pieces, or cells to find them: crop it to where the motion is, use fewer facets for curved surfaces ({curved} of them) or a coarser tolerance"
     )]
     TooManyPieces {
-        /// Largest number of pieces.
+        /// Largest number of pieces or cells.
         most: usize,
         /// Number of curved surfaces.
         curved: usize,

@@ -130,7 +130,7 @@ impl Grower<'_> {
                     let rating = match order {
                         Order::LargestFirst => area,
                         Order::SmallestFirst => -area,
-                        Order::MostGained => self.beyond(bound, &around).map_or(0.0, |gain| gain.volume()),
+                        Order::MostGained => self.beyond(&cell, bound, &around).map_or(0.0, |gain| gain.volume()),
                     };
                     (*bound, rating)
                 })
@@ -138,12 +138,16 @@ impl Grower<'_> {
             loose.sort_by(|one, other| other.1.total_cmp(&one.1));
             let mut is_grown = false;
             for (bound, _) in loose {
-                if self.beyond(&bound, &around).is_some_and(|gain| self.meets_free(&gain)) {
+                let gain = self.beyond(&cell, &bound, &around);
+                if gain.as_ref().is_some_and(|gain| self.meets_free(gain)) {
                     fixed.push(bound);
                     continue;
                 }
                 around.retain(|other| !other.is(&bound));
-                let Some(grown) = self.root.cut_by(&around, self.tolerance) else { return cell };
+                // The planes of both parts first: few others cut what these leave.
+                let near = cell.bounds.iter().chain(gain.iter().flat_map(|gain| &gain.bounds));
+                let near = near.filter(|other| other.id != bound.id);
+                let Some(grown) = self.root.cut_by(near.chain(&around), self.tolerance) else { return cell };
                 cell = grown;
                 is_grown = true;
                 break;
@@ -155,8 +159,8 @@ impl Grower<'_> {
     }
 
     /// What is gained when a bound is dropped.
-    fn beyond(&self, bound: &Bound, around: &[Bound]) -> Option<Cell> {
-        let others = around.iter().filter(|other| !other.is(bound));
+    fn beyond(&self, cell: &Cell, bound: &Bound, around: &[Bound]) -> Option<Cell> {
+        let others = cell.bounds.iter().chain(around).filter(|other| !other.is(bound));
         self.root.cut(&bound.flipped(), self.tolerance)?.cut_by(others, self.tolerance)
     }
 

@@ -10,7 +10,7 @@ use crate::shells::winding_number;
 use crate::solid::Solid;
 
 /// More cells take too long to merge.
-pub const MOST_CELLS: usize = 4000;
+pub const MOST_CELLS: usize = 2500;
 /// Planes that are compared, and elements by which they are, at each split.
 const CANDIDATES: usize = 32;
 const SAMPLE: usize = 400;

@@ -135,16 +135,24 @@ fn without_duplicates(triangles: Vec<[usize; 3]>) -> Vec<[usize; 3]> {
     triangles.into_iter().zip(is_kept).filter(|(_, is_kept)| *is_kept).map(|(corners, _)| corners).collect()
 }
 
+/// A triangle across an edge, and whether it is wound alike.
+#[derive(Debug, Clone, Copy)]
+struct Neighbor {
+    triangle: usize,
+    is_same: bool,
+    edge: (usize, usize),
+}
+
 /// Winds triangles like their neighbours, each component as most of it was. Returns the number of those turned around.
 fn wind(surface: &mut Surface, scale: f64) -> Result<usize, MeshError> {
     let edges = edges(&surface.triangles);
     let place = |edge: (usize, usize)| (0.5 * (surface.vertices[edge.0] + surface.vertices[edge.1]) / scale).into();
-    let mut neighbors: Vec<Vec<(usize, bool, (usize, usize))>> = vec![Vec::new(); surface.triangles.len()];
+    let mut neighbors: Vec<Vec<Neighbor>> = vec![Vec::new(); surface.triangles.len()];
     for (&edge, sides) in &edges {
         if let [one, other] = sides[..] {
             let is_same = one.is_forward != other.is_forward;
-            neighbors[one.triangle].push((other.triangle, is_same, edge));
-            neighbors[other.triangle].push((one.triangle, is_same, edge));
+            neighbors[one.triangle].push(Neighbor { triangle: other.triangle, is_same, edge });
+            neighbors[other.triangle].push(Neighbor { triangle: one.triangle, is_same, edge });
         }
     }
     let mut is_turned: Vec<Option<bool>> = vec![None; surface.triangles.len()];
@@ -157,7 +165,7 @@ fn wind(surface: &mut Surface, scale: f64) -> Result<usize, MeshError> {
         let mut next = 0;
         while let Some(&triangle) = component.get(next) {
             next += 1;
-            for &(neighbor, is_same, edge) in &neighbors[triangle] {
+            for &Neighbor { triangle: neighbor, is_same, edge } in &neighbors[triangle] {
                 let wanted = is_turned[triangle] == Some(is_same);
                 // Wound alike, a neighbour is turned when this one is; otherwise when this one is not.
                 match is_turned[neighbor] {
