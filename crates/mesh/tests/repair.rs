@@ -5,7 +5,7 @@ mod shapes;
 use std::path::Path;
 
 use mesh::{CoverSettings, Deviation, MeshError, Repair, Solid, TriangleMesh};
-use shapes::{CROSS, Shape, block_with_hole, chamfered_peg, cube, prism, rotation, square, stack};
+use shapes::{CROSS, Shape, block_with_hole, chamfered_peg, countersunk_block, cube, prism, rotation, square, stack};
 
 fn assert_volume(solid: &Solid, cubic_millimetres: f64) {
     let volume = solid.mass_properties().volume;
@@ -100,6 +100,14 @@ fn crossing_bodies_are_refused_with_a_place_of_both() {
     assert!(count > 1);
     let inside = |low: f64, coordinate: f64| coordinate >= low - 1e-6 && coordinate <= 10.0 + 1e-6;
     assert!(inside(5.0, place[0]) && inside(4.0, place[1]) && inside(3.0, place[2]), "{place:?}");
+}
+
+#[test]
+fn folds_are_refused() {
+    // A corner of the rim pulled through the wall of the hole below it.
+    let mut shape = countersunk_block(20);
+    shape.vertices[29][2] = 0.0;
+    assert!(matches!(refused(&shape), MeshError::SelfIntersecting { .. }), "{}", refused(&shape));
 }
 
 #[test]
