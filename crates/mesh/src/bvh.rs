@@ -1,0 +1,94 @@
+//! A tree of boxes for finding triangles near a point, a line or each other.
+
+use crate::geometry::{Vector, boxes_meet};
+
+/// Boxes per leaf.
+const LEAF: usize = 4;
+
+struct Node {
+    bounds: [Vector; 2],
+    /// The boxes below, as places in the order of the tree.
+    items: std::ops::Range<usize>,
+    /// Second child; the first one follows its parent. Leaves have none.
+    second: Option<usize>,
+}
+
+/// Boxes in a binary tree.
+pub struct BoxTree {
+    nodes: Vec<Node>,
+    order: Vec<usize>,
+}
+
+impl BoxTree {
+    pub fn new(boxes: &[[Vector; 2]]) -> Self {
+        let mut tree = Self { nodes: Vec::new(), order: (0..boxes.len()).collect() };
+        if !boxes.is_empty() {
+            tree.build(boxes, 0..boxes.len());
+        }
+        tree
+    }
+
+    fn build(&mut self, boxes: &[[Vector; 2]], items: std::ops::Range<usize>) {
+        let bounds = self.order[items.clone()]
+            .iter()
+            .map(|&item| boxes[item])
+            .reduce(|[low, high], [next_low, next_high]| [low.inf(&next_low), high.sup(&next_high)])
+            .unwrap_or_default();
+        let node = self.nodes.len();
+        self.nodes.push(Node { bounds, items: items.clone(), second: None });
+        if items.len() <= LEAF {
+            return;
+        }
+        let axis = (bounds[1] - bounds[0]).imax();
+        let middle = items.start + items.len() / 2;
+        let center = |item: &usize| boxes[*item][0][axis] + boxes[*item][1][axis];
+        self.order[items.clone()]
+            .select_nth_unstable_by(items.len() / 2, |one, other| center(one).total_cmp(&center(other)));
+        self.build(boxes, items.start..middle);
+        self.nodes[node].second = Some(self.nodes.len());
+        self.build(boxes, middle..items.end);
+    }
+
+    /// Calls `found` for the boxes in all leaves whose bounds `enters` accepts.
+    pub fn visit(&self, mut enters: impl FnMut(&[Vector; 2]) -> bool, mut found: impl FnMut(usize)) {
+        let mut waiting: Vec<usize> = (!self.nodes.is_empty()).then_some(0).into_iter().collect();
+        while let Some(index) = waiting.pop() {
+            let node = &self.nodes[index];
+            if !enters(&node.bounds) {
+                continue;
+            }
+            match node.second {
+                Some(second) => waiting.extend([second, index + 1]),
+                None => self.order[node.items.clone()].iter().for_each(|&item| found(item)),
+            }
+        }
+    }
+
+    /// Calls `found` for the boxes near a box.
+    pub fn near(&self, bounds: &[Vector; 2], distance: f64, found: impl FnMut(usize)) {
+        self.visit(|other| boxes_meet(bounds, other, distance), found);
+    }
+
+    /// The smallest of the squared distances of items from a point, `INFINITY` without items.
+    pub fn nearest(&self, point: &Vector, squared_distance: impl Fn(usize) -> f64) -> f64 {
+        let mut nearest = f64::INFINITY;
+        let to_box = |bounds: &[Vector; 2]| (point - point.sup(&bounds[0]).inf(&bounds[1])).norm_squared();
+        let mut waiting: Vec<(usize, f64)> =
+            self.nodes.first().map(|root| (0, to_box(&root.bounds))).into_iter().collect();
+        while let Some((index, distance)) = waiting.pop() {
+            if distance >= nearest {
+                continue;
+            }
+            let node = &self.nodes[index];
+            let Some(second) = node.second else {
+                let items = self.order[node.items.clone()].iter();
+                nearest = items.map(|&item| squared_distance(item)).fold(nearest, f64::min);
+                continue;
+            };
+            let mut children = [index + 1, second].map(|child| (child, to_box(&self.nodes[child].bounds)));
+            children.sort_by(|one, other| other.1.total_cmp(&one.1));
+            waiting.extend(children);
+        }
+        nearest
+    }
+}

@@ -1,0 +1,200 @@
+//! Convex pieces that cover a part.
+
+use crate::cell::{Bound, Cell, is_wide};
+use crate::coarsen::coarsen;
+use crate::elements::{Element, Elements};
+use crate::error::MeshError;
+use crate::geometry::{Vector, clip};
+use crate::merge::merge;
+use crate::partition::partition;
+use crate::solid::Solid;
+use crate::surface::CurvedSurface;
+
+/// Covers with more pieces are refused.
+pub const MOST_PIECES: usize = 1000;
+const FACETS: std::ops::RangeInclusive<usize> = 3..=360;
+
+/// How to cover a part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoverSettings {
+    /// Facets per full turn of curved surfaces, 3 to 360.
+    pub facets: usize,
+    /// Distance (m) by which pieces may be larger than the faceted part to have fewer halfspaces; zero for none.
+    pub tolerance: f64,
+    /// Lower and upper corner (m) of a box outside of which the part is left out.
+    pub crop: Option<[[f64; 3]; 2]>,
+    /// Distance (m) by which all surfaces are moved into the material.
+    pub clearance: f64,
+}
+
+impl Default for CoverSettings {
+    fn default() -> Self {
+        Self { facets: 24, tolerance: 0.0, crop: None, clearance: 0.0 }
+    }
+}
+
+/// A convex piece `{p | normals p <= offsets}`, rows of unit length, none redundant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// Unit outward normals.
+    pub normals: Vec<[f64; 3]>,
+    /// Offsets (m).
+    pub offsets: Vec<f64>,
+    /// Corners (m).
+    pub vertices: Vec<[f64; 3]>,
+    /// For each halfspace whether part of the surface lies on its facet; others are cuts.
+    pub is_surface: Vec<bool>,
+}
+
+/// Convex pieces that overlap and together contain a part.
+#[derive(Debug, Clone)]
+pub struct Cover {
+    pieces: Vec<Piece>,
+    surfaces: Vec<(CurvedSurface, f64)>,
+    growth: f64,
+    vanished: usize,
+    pub(crate) cells: Vec<Cell>,
+    pub(crate) crop_planes: Vec<Bound>,
+    pub(crate) box_: [Vector; 2],
+    pub(crate) tolerance: f64,
+}
+
+impl Cover {
+    /// Covers a solid.
+    ///
+    /// # Errors
+    /// When a setting is out of range, the part needs too many pieces or nothing is left of it.
+    pub fn of(solid: &Solid, settings: &CoverSettings) -> Result<Self, MeshError> {
+        check(settings)?;
+        let elements = Elements::of(solid, settings).ok_or(MeshError::NothingLeft)?;
+        let merged = if elements.is_convex() {
+            whole(&elements).into_iter().collect()
+        } else {
+            merge(&partition(&elements, solid, settings.tolerance)?, &elements.root, elements.tolerance)
+        };
+        if merged.len() > MOST_PIECES {
+            return Err(MeshError::TooManyPieces { most: MOST_PIECES, curved: solid.curved.len() });
+        }
+        let mut cover = Self {
+            pieces: Vec::new(),
+            surfaces: solid
+                .curved_surfaces()
+                .into_iter()
+                .map(|surface| (surface, surface.error(settings.facets)))
+                .collect(),
+            growth: 0.0,
+            vanished: 0,
+            cells: Vec::new(),
+            crop_planes: crop_planes(&elements),
+            box_: elements.root.bounding_box(),
+            tolerance: elements.tolerance,
+        };
+        for cell in merged {
+            cover.add(&cell, &elements, settings);
+        }
+        if cover.pieces.is_empty() { Err(MeshError::NothingLeft) } else { Ok(cover) }
+    }
+
+    fn add(&mut self, cell: &Cell, elements: &Elements, settings: &CoverSettings) {
+        let (cell, growth) = if settings.tolerance > 0.0 {
+            coarsen(cell, &elements.root, settings.tolerance, self.tolerance)
+        } else {
+            (cell.clone(), 0.0)
+        };
+        self.growth = self.growth.max(growth);
+        let is_surface: Vec<bool> = cell.bounds.iter().map(|bound| has_surface(&cell, bound, elements)).collect();
+        let inward =
+            |(bound, is_surface): (&Bound, &bool)| bound.moved(if *is_surface { -settings.clearance } else { 0.0 });
+        let bounds: Vec<Bound> = cell.bounds.iter().zip(&is_surface).map(inward).collect();
+        let is_same = settings.clearance == 0.0;
+        let shrunk = if is_same { Some(cell.clone()) } else { elements.root.cut_by(&bounds, self.tolerance) };
+        let Some(shrunk) = shrunk.filter(|shrunk| shrunk.thickness() > self.tolerance) else {
+            self.vanished += 1;
+            return;
+        };
+        let flags = shrunk
+            .bounds
+            .iter()
+            .map(|bound| cell.bounds.iter().zip(&is_surface).any(|(other, is_surface)| other.is(bound) && *is_surface));
+        let mut vertices: Vec<Vector> = Vec::new();
+        for corner in shrunk.corners() {
+            if vertices.iter().all(|other| (other - corner).norm() > self.tolerance) {
+                vertices.push(*corner);
+            }
+        }
+        self.pieces.push(Piece {
+            normals: shrunk.bounds.iter().map(|bound| bound.plane.normal.into()).collect(),
+            offsets: shrunk.bounds.iter().map(|bound| bound.plane.offset).collect(),
+            vertices: vertices.into_iter().map(Into::into).collect(),
+            is_surface: flags.collect(),
+        });
+        self.cells.push(shrunk);
+    }
+
+    /// The pieces.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The curved surfaces of the part, also those outside of the crop box, with the error of the facets that stand for
+    /// them (m), see [`CurvedSurface::error`].
+    pub fn curved_surfaces(&self) -> &[(CurvedSurface, f64)] {
+        &self.surfaces
+    }
+
+    /// How far pieces reach beyond halfspaces that were dropped for having fewer (m).
+    pub fn growth(&self) -> f64 {
+        self.growth
+    }
+
+    /// Number of pieces that were thinner than the tolerance or vanished with the clearance.
+    pub fn vanished(&self) -> usize {
+        self.vanished
+    }
+
+    /// Distance (m) below which points of the file count as on a plane; thinner pieces are dropped.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+}
+
+fn check(settings: &CoverSettings) -> Result<(), MeshError> {
+    if !FACETS.contains(&settings.facets) {
+        return Err(MeshError::Setting { name: "facets", value: settings.facets as f64, range: "3 to 360" });
+    }
+    for (name, value) in [("tolerance", settings.tolerance), ("clearance", settings.clearance)] {
+        if !(value >= 0.0 && value.is_finite()) {
+            return Err(MeshError::Setting { name, value, range: "zero or a positive length" });
+        }
+    }
+    let not_finite = settings.crop.iter().flatten().flatten().find(|coordinate| coordinate.is_nan());
+    not_finite.map_or(Ok(()), |&value| Err(MeshError::Setting { name: "crop", value, range: "two corners of a box" }))
+}
+
+/// A convex part is one cell.
+fn whole(elements: &Elements) -> Option<Cell> {
+    let mut bounds: Vec<Bound> = Vec::new();
+    for element in &elements.elements {
+        if !bounds.iter().any(|bound| bound.is(&element.bound)) {
+            bounds.push(element.bound);
+        }
+    }
+    elements.root.cut_by(&bounds, elements.tolerance)
+}
+
+/// Whether some of the surface lies on a facet of a piece.
+fn has_surface(cell: &Cell, bound: &Bound, elements: &Elements) -> bool {
+    let others: Vec<&Bound> = cell.bounds.iter().filter(|other| !other.is(bound)).collect();
+    let overlaps = |element: &Element| {
+        let clipped = others
+            .iter()
+            .fold(element.polygon.clone(), |polygon, other| clip(&polygon, &other.plane, elements.tolerance));
+        is_wide(&clipped, elements.tolerance)
+    };
+    elements.elements.iter().filter(|element| element.bound.is(bound)).any(overlaps)
+}
+
+fn crop_planes(elements: &Elements) -> Vec<Bound> {
+    let sides = elements.root.bounds.iter().zip(elements.is_cropped);
+    sides.filter(|(_, is_cropped)| *is_cropped).map(|(bound, _)| *bound).collect()
+}

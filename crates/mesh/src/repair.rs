@@ -1,0 +1,285 @@
+//! Meshes made closed and consistent where it is certain how.
+
+use std::collections::BTreeMap;
+
+use crate::crossing::refuse_crossings;
+use crate::edges::{Edges, components, directed, edges, undirected};
+use crate::error::MeshError;
+use crate::geometry::{Plane, Vector, area_vector, mean};
+use crate::read::TriangleMesh;
+use crate::shells;
+use crate::triangulate::triangulate;
+use crate::weld::weld;
+
+/// Points of a file are the same, and in a plane, within this many roundings: each of two coordinates, in space.
+pub const SAME: f64 = 4.0;
+/// A hole that takes this share of the surface is not small.
+const SMALL_HOLE: f64 = 0.02;
+/// A hole with more edges is not capped.
+const MOST_EDGES: usize = 2000;
+
+/// What was changed in a mesh. Places are in the unit of the file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Repair {
+    /// Triangles two of whose corners are the same point within the precision of the file were dropped.
+    Collapsed {
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// Triangles that are there several times were dropped.
+    Duplicates {
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// Triangles wound against their neighbours were turned around.
+    Rewound {
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// Shells whose outside was inside were turned around.
+    Inverted {
+        /// Number of shells.
+        shells: usize,
+    },
+    /// A planar hole, or a gap of zero width beside a corner in the middle of an edge, was closed.
+    Capped {
+        /// Middle of the hole's corners.
+        place: [f64; 3],
+        /// Number of its edges.
+        edges: usize,
+        /// Its area (m^2).
+        area: f64,
+    },
+}
+
+impl std::fmt::Display for Repair {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Collapsed { triangles } => write!(formatter, "{triangles} triangles without area dropped"),
+            Self::Duplicates { triangles } => write!(formatter, "{triangles} duplicate triangles dropped"),
+            Self::Rewound { triangles } => write!(formatter, "{triangles} triangles wound the wrong way turned around"),
+            Self::Inverted { shells } => write!(formatter, "{shells} shells turned inside out"),
+            Self::Capped { place: [x, y, z], edges, area } => write!(
+                formatter,
+                "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed, area {:.3} mm^2",
+                1e6 * area
+            ),
+        }
+    }
+}
+
+/// A closed and consistently wound surface.
+pub struct Surface {
+    pub vertices: Vec<Vector>,
+    pub triangles: Vec<[usize; 3]>,
+    pub repairs: Vec<Repair>,
+}
+
+/// Repairs a mesh.
+///
+/// # Errors
+/// When it is open, not orientable or does not enclose a volume.
+pub fn repair(mesh: &TriangleMesh) -> Result<Surface, MeshError> {
+    let tolerance = SAME * mesh.rounding;
+    let (vertices, index) = weld(&mesh.vertices, tolerance);
+    let welded: Vec<[usize; 3]> = mesh.triangles.iter().map(|corners| corners.map(|corner| index[corner])).collect();
+    let mut repairs = Vec::new();
+    let mut triangles: Vec<[usize; 3]> =
+        welded.iter().copied().filter(|[a, b, c]| a != b && b != c && c != a).collect();
+    note(&mut repairs, welded.len() - triangles.len(), |triangles| Repair::Collapsed { triangles });
+    let count = triangles.len();
+    triangles = without_duplicates(triangles);
+    note(&mut repairs, count - triangles.len(), |triangles| Repair::Duplicates { triangles });
+    let mut surface = Surface { vertices, triangles, repairs };
+    let rewound = wind(&mut surface, mesh.scale)?;
+    note(&mut surface.repairs, rewound, |triangles| Repair::Rewound { triangles });
+    close(&mut surface, mesh.scale, tolerance)?;
+    refuse_flat(&surface, tolerance)?;
+    refuse_crossings(&surface, mesh.scale, tolerance)?;
+    let inverted = shells::orient(&mut surface, mesh.scale, tolerance)?;
+    note(&mut surface.repairs, inverted, |shells| Repair::Inverted { shells });
+    Ok(surface)
+}
+
+fn refuse_flat(surface: &Surface, tolerance: f64) -> Result<(), MeshError> {
+    let corners = surface.triangles.iter().map(|triangle| triangle.map(|corner| surface.vertices[corner]));
+    let areas = corners.clone().map(|corners| (area_vector(&corners), corners[0]));
+    let largest = areas.max_by(|one, other| one.0.norm().total_cmp(&other.0.norm()));
+    let (area, point) = largest.ok_or(MeshError::Flat)?;
+    let plane = Plane::through(&point, area.try_normalize(0.0).ok_or(MeshError::Flat)?);
+    let (low, high) = plane.heights(corners.collect::<Vec<_>>().as_flattened());
+    if high - low <= 2.0 * tolerance { Err(MeshError::Flat) } else { Ok(()) }
+}
+
+fn note(repairs: &mut Vec<Repair>, count: usize, repair: impl Fn(usize) -> Repair) {
+    if count > 0 {
+        repairs.push(repair(count));
+    }
+}
+
+/// Of triangles with the same corners, one is left where its edges need it and none where the surface is closed without.
+fn without_duplicates(triangles: Vec<[usize; 3]>) -> Vec<[usize; 3]> {
+    let mut copies: BTreeMap<[usize; 3], Vec<usize>> = BTreeMap::new();
+    for (triangle, corners) in triangles.iter().enumerate() {
+        let mut key = *corners;
+        key.sort_unstable();
+        copies.entry(key).or_default().push(triangle);
+    }
+    let edges = edges(&triangles);
+    let mut is_kept = vec![true; triangles.len()];
+    for same in copies.values().filter(|same| same.len() > 1) {
+        let others = directed(triangles[same[0]]).map(|edge| edges[&undirected(edge)].len() - same.len());
+        let is_needed = others.iter().filter(|&&others| others % 2 == 1).count() >= 2;
+        same.iter().skip(usize::from(is_needed)).for_each(|&triangle| is_kept[triangle] = false);
+    }
+    triangles.into_iter().zip(is_kept).filter(|(_, is_kept)| *is_kept).map(|(corners, _)| corners).collect()
+}
+
+/// A triangle across an edge, and whether it is wound alike.
+#[derive(Debug, Clone, Copy)]
+struct Neighbor {
+    triangle: usize,
+    is_same: bool,
+    edge: (usize, usize),
+}
+
+/// Winds triangles like their neighbours, each component as most of it was. Returns the number of those turned around.
+fn wind(surface: &mut Surface, scale: f64) -> Result<usize, MeshError> {
+    let edges = edges(&surface.triangles);
+    let place = |edge: (usize, usize)| (0.5 * (surface.vertices[edge.0] + surface.vertices[edge.1]) / scale).into();
+    let mut neighbors: Vec<Vec<Neighbor>> = vec![Vec::new(); surface.triangles.len()];
+    for (&edge, sides) in &edges {
+        if let [one, other] = sides[..] {
+            let is_same = one.is_forward != other.is_forward;
+            neighbors[one.triangle].push(Neighbor { triangle: other.triangle, is_same, edge });
+            neighbors[other.triangle].push(Neighbor { triangle: one.triangle, is_same, edge });
+        }
+    }
+    let mut is_turned: Vec<Option<bool>> = vec![None; surface.triangles.len()];
+    for first in 0..surface.triangles.len() {
+        if is_turned[first].is_some() {
+            continue;
+        }
+        is_turned[first] = Some(false);
+        let mut component = vec![first];
+        let mut next = 0;
+        while let Some(&triangle) = component.get(next) {
+            next += 1;
+            for &Neighbor { triangle: neighbor, is_same, edge } in &neighbors[triangle] {
+                let wanted = is_turned[triangle] == Some(is_same);
+                // Wound alike, a neighbour is turned when this one is; otherwise when this one is not.
+                match is_turned[neighbor] {
+                    None => {
+                        is_turned[neighbor] = Some(wanted);
+                        component.push(neighbor);
+                    }
+                    Some(turned) if turned != wanted => return Err(MeshError::OneSided { place: place(edge) }),
+                    Some(_) => {}
+                }
+            }
+        }
+        let turned = component.iter().filter(|&&triangle| is_turned[triangle] == Some(true)).count();
+        if 2 * turned > component.len() {
+            component.iter().for_each(|&triangle| is_turned[triangle] = is_turned[triangle].map(|turned| !turned));
+        }
+    }
+    let turned = surface.triangles.iter_mut().zip(&is_turned).filter(|(_, turned)| **turned == Some(true));
+    Ok(turned.map(|(corners, _)| corners.swap(1, 2)).count())
+}
+
+/// Closes holes.
+fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshError> {
+    let edges = edges(&surface.triangles);
+    for (edge, sides) in &edges {
+        let forward = sides.iter().filter(|side| side.is_forward).count();
+        if sides.len() > 1 && 2 * forward != sides.len() {
+            let place = 0.5 * (surface.vertices[edge.0] + surface.vertices[edge.1]) / scale;
+            return Err(MeshError::NonManifold { place: place.into(), count: sides.len() });
+        }
+    }
+    let corners = |triangle: &[usize; 3]| triangle.map(|corner| surface.vertices[corner]);
+    let total: f64 = surface.triangles.iter().map(|triangle| area_vector(&corners(triangle)).norm()).sum();
+    let mut caps = Vec::new();
+    for hole in holes(&edges) {
+        let points: Vec<Vector> = hole.iter().map(|&corner| surface.vertices[corner]).collect();
+        let length: f64 = (0..points.len()).map(|at| (points[at] - points[(at + 1) % points.len()]).norm()).sum();
+        let area = area_vector(&points).norm();
+        let is_certain = is_gap(&points, area, tolerance)
+            || (is_planar(&points, tolerance)
+                && (area <= SMALL_HOLE * total || continues(surface, &edges, &hole, &points, tolerance)));
+        if !is_certain || hole.len() > MOST_EDGES {
+            return Err(MeshError::Open {
+                place: (points[0] / scale).into(),
+                length: length / scale,
+                edges: hole.len(),
+            });
+        }
+        caps.extend(triangulate(&points).into_iter().map(|triangle| triangle.map(|place| hole[place])));
+        let place = (mean(&points) / scale).into();
+        surface.repairs.push(Repair::Capped { place, edges: hole.len(), area });
+    }
+    surface.triangles.extend(caps);
+    Ok(())
+}
+
+/// Loops of vertices that close the surface, in the direction of the missing triangles.
+fn holes(edges: &Edges) -> Vec<Vec<usize>> {
+    let mut next: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (&(low, high), sides) in edges {
+        if let [side] = sides[..] {
+            let (from, to) = if side.is_forward { (high, low) } else { (low, high) };
+            next.entry(from).or_default().push(to);
+        }
+    }
+    let mut holes = Vec::new();
+    while let Some(&first) = next.iter().find(|(_, ends)| !ends.is_empty()).map(|(start, _)| start) {
+        let mut path = vec![first];
+        while let Some(end) = path.last().and_then(|last| next.get_mut(last)).and_then(Vec::pop) {
+            // A path that touches itself is several holes.
+            match path.iter().position(|&vertex| vertex == end) {
+                Some(start) => {
+                    holes.push(path.split_off(start));
+                    path.push(end);
+                }
+                None => path.push(end),
+            }
+        }
+        next.retain(|_, ends| !ends.is_empty());
+    }
+    holes
+}
+
+/// Whether a loop runs to and fro along a line.
+fn is_gap(points: &[Vector], area: f64, tolerance: f64) -> bool {
+    let farthest = points.iter().map(|point| (point - points[0]).norm()).fold(0.0, f64::max);
+    let end = points.iter().find(|point| (*point - points[0]).norm() == farthest).unwrap_or(&points[0]);
+    let direction = (end - points[0]) / farthest;
+    let is_on_line = |point: &Vector| (point - points[0]).cross(&direction).norm() <= 2.0 * tolerance;
+    area <= 2.0 * tolerance * farthest && points.iter().all(is_on_line)
+}
+
+fn is_planar(points: &[Vector], tolerance: f64) -> bool {
+    let normal = area_vector(points).normalize();
+    let (low, high) = Plane::through(&points[0], normal).heights(points);
+    high - low <= 2.0 * tolerance
+}
+
+/// Whether a hole lies in the plane of a triangle at its rim.
+fn continues(surface: &Surface, edges: &Edges, hole: &[usize], points: &[Vector], tolerance: f64) -> bool {
+    let normal = area_vector(points).normalize();
+    let plane = Plane::through(&points[0], normal);
+    (0..hole.len()).any(|at| {
+        let edge = undirected((hole[at], hole[(at + 1) % hole.len()]));
+        edges[&edge].iter().any(|side| {
+            let corners = surface.triangles[side.triangle].map(|corner| surface.vertices[corner]);
+            let area = area_vector(&corners);
+            let (low, high) = plane.heights(&corners);
+            low.abs().max(high.abs()) <= 2.0 * tolerance && area.dot(&normal) > 0.99 * area.norm()
+        })
+    })
+}
+
+/// Triangles (indices) of each shell.
+pub fn shells_of(surface: &Surface) -> Vec<Vec<usize>> {
+    components(surface.triangles.len(), &edges(&surface.triangles))
+}

@@ -1,0 +1,95 @@
+//! Outer shells, voids and bodies in voids.
+
+use crate::error::MeshError;
+use crate::geometry::{Vector, area_vector, bounds, boxes_meet, mean};
+use crate::repair::{Surface, shells_of};
+
+/// Triangles of a shell that are asked whether they are inside of another.
+const WITNESSES: usize = 16;
+/// They are asked this many tolerances away from the surface.
+const NEAR: f64 = 10.0;
+
+/// The solid angle under which a triangle is seen from a point, positive from behind (sr).
+pub fn solid_angle(point: &Vector, triangle: &[Vector; 3]) -> f64 {
+    let [a, b, c] = triangle.map(|corner| corner - point);
+    let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+    let volume = a.dot(&b.cross(&c));
+    2.0 * volume.atan2(la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb)
+}
+
+/// How often a closed surface runs around a point.
+pub fn winding_number(point: &Vector, triangles: impl Iterator<Item = [Vector; 3]>) -> f64 {
+    triangles.map(|triangle| solid_angle(point, &triangle)).sum::<f64>() / (4.0 * std::f64::consts::PI)
+}
+
+/// Turns shells whose outside is inside. Returns their number.
+///
+/// # Errors
+/// When nothing is enclosed, or an inner shell is oriented like the one around it.
+pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<usize, MeshError> {
+    let shells = shells_of(surface);
+    let corners = |triangle: usize| surface.triangles[triangle].map(|corner| surface.vertices[corner]);
+    let boxes: Vec<[Vector; 2]> = shells
+        .iter()
+        .map(|shell| bounds(&shell.iter().flat_map(|&triangle| corners(triangle)).collect::<Vec<_>>()))
+        .collect();
+    let mut depths = Vec::with_capacity(shells.len());
+    for (index, shell) in shells.iter().enumerate() {
+        // On both sides of a triangle: where shells touch, one of the two is inside and tells nothing.
+        let sides = |&triangle: &usize| {
+            let corners = corners(triangle);
+            let step = area_vector(&corners).try_normalize(0.0).unwrap_or_default() * (NEAR * tolerance);
+            [mean(&corners) - step, mean(&corners) + step]
+        };
+        let points: Vec<[Vector; 2]> = shell.iter().take(WITNESSES).map(sides).collect();
+        let contains = |other: &usize| {
+            if *other == index || !boxes_meet(&boxes[index], &boxes[*other], 0.0) {
+                return false;
+            }
+            let is_around = |point: &Vector| {
+                winding_number(point, shells[*other].iter().map(|&triangle| corners(triangle))).abs() > 0.5
+            };
+            let mut both = points.iter().map(|sides| sides.each_ref().map(is_around));
+            both.find(|[behind, before]| behind == before).is_some_and(|[behind, _]| behind)
+        };
+        depths.push((0..shells.len()).filter(contains).count());
+    }
+    let volume = |shell: &Vec<usize>, bounds: &[Vector; 2]| {
+        let center = 0.5 * (bounds[0] + bounds[1]);
+        let tetrahedra = shell.iter().map(|&triangle| corners(triangle).map(|corner| corner - center));
+        tetrahedra.map(|[a, b, c]| a.dot(&b.cross(&c)) / 6.0).sum::<f64>()
+    };
+    let volumes: Vec<f64> = shells.iter().zip(&boxes).map(|(shell, bounds)| volume(shell, bounds)).collect();
+    let is_flat = |index: usize| {
+        let size = (boxes[index][1] - boxes[index][0]).amax();
+        volumes[index].abs() <= tolerance * size * size * 0.1
+    };
+    let solid: Vec<usize> = (0..shells.len()).filter(|&index| !is_flat(index)).collect();
+    if solid.is_empty() {
+        return Err(MeshError::Flat);
+    }
+    let is_outward = |index: usize| (volumes[index] > 0.0) == (depths[index] % 2 == 0);
+    let outer: Vec<usize> = solid.iter().copied().filter(|&index| depths[index] == 0).collect();
+    let is_inverted = !outer.is_empty() && outer.iter().all(|&index| !is_outward(index));
+    let mut turned: Vec<usize> = Vec::new();
+    for &index in &solid {
+        if is_outward(index) {
+            if is_inverted && depths[index] > 0 {
+                return Err(MeshError::Nested { place: (corners(shells[index][0])[0] / scale).into() });
+            }
+        } else if depths[index] == 0 || is_inverted {
+            turned.push(index);
+        } else {
+            return Err(MeshError::Nested { place: (corners(shells[index][0])[0] / scale).into() });
+        }
+    }
+    for &index in &turned {
+        shells[index].iter().for_each(|&triangle| surface.triangles[triangle].swap(1, 2));
+    }
+    // Shells without volume, such as those of doubled triangles, are no part of the solid.
+    let mut is_kept = vec![false; surface.triangles.len()];
+    solid.iter().flat_map(|&index| &shells[index]).for_each(|&triangle| is_kept[triangle] = true);
+    let mut kept = is_kept.iter();
+    surface.triangles.retain(|_| kept.next() == Some(&true));
+    Ok(turned.len())
+}

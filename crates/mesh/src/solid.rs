@@ -1,0 +1,93 @@
+//! A closed surface with what is known about it.
+
+use crate::curved::{Curved, Mesh, recognise};
+use crate::edges::edges;
+use crate::error::MeshError;
+use crate::faces::Faces;
+use crate::geometry::{Vector, bounds};
+use crate::mass::MassProperties;
+use crate::read::TriangleMesh;
+use crate::repair::{Repair, SAME, repair};
+use crate::surface::CurvedSurface;
+
+/// A closed, consistently oriented mesh with its planar faces and curved surfaces.
+#[derive(Debug, Clone)]
+pub struct Solid {
+    pub(crate) vertices: Vec<Vector>,
+    pub(crate) triangles: Vec<[usize; 3]>,
+    pub(crate) faces: Faces,
+    pub(crate) curved: Vec<Curved>,
+    /// Distance (m) within which points of the file are on the same plane.
+    pub(crate) tolerance: f64,
+    repairs: Vec<Repair>,
+    mass_properties: MassProperties,
+}
+
+impl Solid {
+    /// Repairs a mesh where it is certain how and recognises its surfaces.
+    ///
+    /// # Errors
+    /// When the surface is open, crosses itself or does not separate inside from outside.
+    pub fn of(mesh: &TriangleMesh) -> Result<Self, MeshError> {
+        let surface = repair(mesh)?;
+        let tolerance = SAME * mesh.rounding;
+        let corners: Vec<[Vector; 3]> =
+            surface.triangles.iter().map(|triangle| triangle.map(|corner| surface.vertices[corner])).collect();
+        let edges = edges(&surface.triangles);
+        let faces = Faces::of(&surface.vertices, &surface.triangles, &edges, tolerance);
+        let curved = recognise(&Mesh {
+            vertices: &surface.vertices,
+            triangles: &surface.triangles,
+            edges: &edges,
+            faces: &faces,
+            tolerance,
+        });
+        Ok(Self {
+            faces,
+            curved,
+            tolerance,
+            repairs: surface.repairs,
+            mass_properties: MassProperties::of(&corners),
+            vertices: surface.vertices,
+            triangles: surface.triangles,
+        })
+    }
+
+    /// What was changed in the mesh.
+    pub fn repairs(&self) -> &[Repair] {
+        &self.repairs
+    }
+
+    /// Number of triangles after repairs.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Number of planar regions, those of curved surfaces included.
+    pub fn face_count(&self) -> usize {
+        self.faces.faces.len()
+    }
+
+    /// Cylinders and cones, full turns first.
+    pub fn curved_surfaces(&self) -> Vec<CurvedSurface> {
+        self.curved.iter().map(CurvedSurface::of).collect()
+    }
+
+    /// Volume, centre and inertia of the mesh.
+    pub fn mass_properties(&self) -> &MassProperties {
+        &self.mass_properties
+    }
+
+    /// Lower and upper corner (m).
+    pub fn bounding_box(&self) -> [[f64; 3]; 2] {
+        self.bounds().map(Into::into)
+    }
+
+    pub(crate) fn bounds(&self) -> [Vector; 2] {
+        bounds(self.triangles.iter().flatten().map(|&corner| &self.vertices[corner]))
+    }
+
+    pub(crate) fn corners(&self, triangle: usize) -> [Vector; 3] {
+        self.triangles[triangle].map(|corner| self.vertices[corner])
+    }
+}
