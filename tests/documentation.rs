@@ -44,6 +44,7 @@ fn sandbox() -> tempfile::TempDir {
     write("my.toml", &page("docs/scene.md").blocks_of("toml")[0]);
     write("my_homotopy.toml", &page("docs/homotopy.md").blocks_of("toml")[0]);
     write("housing.stl", TETRAHEDRON);
+    write("socket.stl", TETRAHEDRON);
     let run = run(folder.path(), &["solve", "scenes/corner.toml", "--out", "out/corner"]);
     assert!(run.status.success(), "{}", text(&run.stderr));
     folder

@@ -262,6 +262,56 @@ fn check_explains_a_scene() {
 }
 
 #[test]
+fn check_measures_play_and_looks_for_a_way() {
+    let dir = Dir::new();
+    dir.add_scene("peg1");
+    let run = dir.run("check peg1.toml --json").code(0);
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(report["way"]["found"], "straight");
+    let at_goal = &list(&report, "insertion")[0];
+    for axis in &list(at_goal, "axes")[..2] {
+        for side in ["backward_m", "forward_m"] {
+            assert!((8e-4..1e-3).contains(&number(axis, side)), "{axis}");
+        }
+    }
+    assert!((1e-3..1.5e-3).contains(&number(&report, "farthest_rest_m")));
+    let shaft = &list(&report, "body")[0];
+    assert!(number(shaft, "volume_m3") > 3e-4 && number(shaft, "thickness_m") < number(shaft, "size_m"));
+
+    // A goal in a wall is said with the pair, and that there is no way to it.
+    dir.write(
+        "deep.toml",
+        dir.read("corner.toml").replace("position = [0.051, 0.0, 0.031]", "position = [0.051, 0.0, 0.02]"),
+    );
+    dir.run("check deep.toml").code(0).says("overlap at the goal: box/floor").says("no way from start to goal");
+}
+
+#[test]
+fn a_part_from_cad_is_planned_with_nothing_but_its_unit() {
+    let dir = Dir::new();
+    // A floor with a step, as one OBJ file in millimetres: an L that the box slides into.
+    let mut mesh = String::new();
+    let outline = [(0, -50), (300, -50), (300, 0), (50, 0), (50, 200), (0, 200)].map(|(x, z)| (x - 50, z));
+    for y in [-100, 100] {
+        outline.iter().for_each(|(x, z)| mesh += &format!("v {x} {y} {z}\n"));
+    }
+    mesh += "f 1 2 3 4 5 6\nf 12 11 10 9 8 7\n";
+    (0..6).for_each(|side| {
+        mesh += &format!("f {} {} {} {}\n", side + 7, (side + 1) % 6 + 7, (side + 1) % 6 + 1, side + 1)
+    });
+    dir.write("corner.obj", mesh);
+    let scene = dir.read("corner.toml");
+    let (head, rest) = scene.split_once("[[environment.part]]").unwrap();
+    let tail = rest.split_once("[[start]]").unwrap().1;
+    let part = "[[environment.part]]\nname = \"corner\"\nmesh = \"corner.obj\"\nunit = \"mm\"\n\n[[start]]";
+    dir.write("cad.toml", format!("{head}{part}{tail}"));
+    dir.run("check cad.toml").code(0).says("2 convex parts").says("corner.2").keeps_silent_about("no way");
+    dir.run("solve cad.toml --out out").code(0).says("done");
+    let pairs: Vec<String> = dir.table("out/contacts.csv").rows.iter().map(|row| row[2].clone()).collect();
+    assert!(pairs.contains(&"box/corner.1".to_owned()) && pairs.contains(&"box/corner.2".to_owned()));
+}
+
+#[test]
 fn check_explains_the_largest_scene_in_a_moment() {
     let dir = Dir::new();
     let directions = vec!["[1.0, 0.0, 0.0]"; 1000].join(", ");

@@ -140,11 +140,10 @@ fn require_finite(what: &str, values: impl IntoIterator<Item = f64>) {
 fn check(folder: &Path) -> Result<(), PlannerError> {
     for homotopy in [None, Some(folder.join("homotopy.toml"))] {
         let problem = Problem::load(&folder.join("scene.toml"), &Choices { homotopy, ..Choices::default() })?;
-        let explanation = explain(&problem);
-        require_finite("clearance", [explanation.goal_clearance, explanation.start_clearance]);
-        for (offset, clearance) in explanation.offset_clearances {
-            require_finite("offset", offset.into_iter().chain([clearance]));
-        }
+        let explanation = explain(&problem, problem.homotopy().tau)?;
+        require_finite("clearance", explanation.insertion.iter().map(|play| play.clearance_m));
+        require_finite("rest", [explanation.farthest_rest_m]);
+        require_finite("overlap", explanation.overlaps.iter().map(|overlap| overlap.distance_m));
         for pair in pair_reports(&problem, &problem.task().start, problem.homotopy().tau)? {
             require_finite("distances", [pair.smoothed_distance_m, pair.exact_distance_m]);
             require_finite("normal", pair.normal);

@@ -197,7 +197,7 @@ pub struct CheckArguments {
     /// Smoothing of the distances [default: the first of the scene's homotopy]
     #[arg(long, value_name = "T")]
     pub tau: Option<f64>,
-    /// Print the distances as JSON (at the start pose unless --pose is given)
+    /// Print everything as JSON
     #[arg(long)]
     pub json: bool,
 }

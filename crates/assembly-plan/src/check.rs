@@ -1,30 +1,36 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::check::{Explanation, PairReport, explain, pair_reports};
+use planner::check::{Explanation, MeshReport, PairReport, Way, explain, pair_reports};
 use planner::{PlannerError, Problem};
+use serde::Serialize;
 
 use crate::arguments::CheckArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
+use crate::values::Pose;
 
 /// Checks a scene and prints what it says.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.task.choices())?;
     let tau = arguments.tau.unwrap_or(problem.homotopy().tau);
-    let pose = arguments.pose.map(|pose| pose.0);
-    if arguments.json {
-        problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
-        let reports = pair_reports(&problem, &pose.unwrap_or(problem.task().start), tau)?;
-        let json = serde_json::to_string_pretty(&reports).map_err(|_| PlannerError::Internal("a report"))?;
-        say!("{json}");
-    } else if let Some(pose) = pose {
-        problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
-        print_pairs(&pair_reports(&problem, &pose, tau)?, tau);
-    } else {
-        pair_reports(&problem, &problem.task().start, tau)?;
-        print_explanation(&problem, &explain(&problem));
+    match arguments.pose {
+        Some(Pose(pose)) => {
+            problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
+            let reports = pair_reports(&problem, &pose, tau)?;
+            if arguments.json { print_json(&reports)? } else { print_pairs(&reports, tau) }
+        }
+        None => {
+            let explanation = explain(&problem, tau)?;
+            if arguments.json { print_json(&explanation)? } else { print_explanation(&problem, &explanation) }
+        }
     }
     Ok(Exit::Done)
+}
+
+fn print_json(value: &impl Serialize) -> Result<(), PlannerError> {
+    let json = serde_json::to_string_pretty(value).map_err(|_| PlannerError::Internal("a report"))?;
+    say!("{json}");
+    Ok(())
 }
 
 fn print_pairs(reports: &[PairReport], tau: f64) {
@@ -43,37 +49,114 @@ fn print_pairs(reports: &[PairReport], tau: f64) {
 
 fn print_explanation(problem: &Problem, explanation: &Explanation) {
     let (scene, task) = (problem.scene(), problem.task());
-    say!("{}: {} pairs of parts may touch", scene.title, task.pairs.len());
-    for (parent, parts) in [("body", &scene.body), ("environment", &scene.environment)] {
-        say!("\n{parent}");
+    say!("{}: {} pairs of parts may touch{}", explanation.title, explanation.pairs, left_out(explanation));
+    for (parent, parts) in [("body", &explanation.body), ("environment", &explanation.environment)] {
+        say!("\n{parent:<24} {:>10} {:>12} {:>12} {:>7} {:>8}", "longest", "thinnest", "volume", "facets", "corners");
         for part in parts {
-            let (facets, vertices) = (part.shape.normals().len(), part.shape.vertices().len());
-            say!("  {:<16} {:8.2} mm long, {facets} facets, {vertices} vertices", part.name, 1e3 * part.shape.size());
+            say!(
+                "  {:<22} {:7.2} mm {:9.3} mm {:8.2} cm3 {:>7} {:>8}",
+                part.name,
+                1e3 * part.size_m,
+                1e3 * part.thickness_m,
+                1e6 * part.volume_m3,
+                part.facets,
+                part.corners
+            );
         }
+    }
+    explanation.meshes.iter().for_each(print_mesh);
+    if let Some(fit) = explanation.fit {
+        say!(
+            "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %)",
+            1e3 * fit.hole_radius_m,
+            1e3 * fit.gap_m,
+            1e3 * fit.lost_m,
+            100.0 * fit.lost_m / fit.gap_m
+        );
     }
     let starts: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).collect();
     say!("\nstarts: {}", starts.join(", "));
-    say!("\nsmallest exact distance (negative: overlap)");
-    say!("  goal                            {:8.3} mm", 1e3 * explanation.goal_clearance);
-    say!("  start                           {:8.3} mm", 1e3 * explanation.start_clearance);
-    for (number, (offset, distance)) in (1..).zip(&explanation.offset_clearances) {
-        let [x, y, z] = offset.map(|component| 1e3 * component);
-        say!("  start, offset {number} ({x:6.2} {y:6.2} {z:6.2}) {:7.3} mm", 1e3 * distance);
+    print_insertion(explanation);
+    for overlap in &explanation.overlaps {
+        say!("overlap at the {}: {} by {:.3} mm", overlap.pose, overlap.pair, -1e3 * overlap.distance_m);
     }
     for (name, unit, limit) in task.limits.named() {
         if limit.is_finite() {
             say!("limit: {name} {limit} {unit}");
         }
     }
+    let size = explanation.size;
     say!(
-        "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy iterations",
-        explanation.steps,
-        task.horizon.time_step,
-        explanation.scenarios,
-        explanation.variables,
-        explanation.constraints,
+        "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy iterations; about \
+         {:.0} s and {:.0} MB",
+        size.steps,
+        size.time_step_s,
+        size.scenarios,
+        size.variables,
+        size.constraints,
         problem.homotopy().iterations,
-        problem.homotopy().most_iterations()
+        problem.homotopy().most_iterations(),
+        size.seconds.max(1.0),
+        size.megabytes
     );
     explanation.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
+}
+
+fn left_out(explanation: &Explanation) -> String {
+    match explanation.far_pairs.len() {
+        0 => String::new(),
+        count => format!("; {count} never come near each other and are left out (--json lists them)"),
+    }
+}
+
+fn print_mesh(mesh: &MeshReport) {
+    let deviation = &mesh.deviation;
+    say!("\nmesh of `{}`: {} ({} triangles, {:.3} cm3)", mesh.name, mesh.file, mesh.triangles, 1e6 * mesh.volume_m3);
+    mesh.repairs.iter().for_each(|repair| say!("  repaired: {repair}"));
+    for surface in &mesh.round_surfaces {
+        let [first, second] = surface.radii_m.map(|radius| 1e3 * radius);
+        let side = if surface.is_convex { "outside" } else { "inside" };
+        say!(
+            "  {} {side}, radius {first:.3} to {second:.3} mm, {:.0} degrees: {} facets of a full turn, error {:.4} mm",
+            surface.kind,
+            surface.angle_rad.to_degrees(),
+            mesh.facets_per_turn,
+            1e3 * surface.error_m
+        );
+    }
+    let dropped = match mesh.pieces_dropped {
+        0 => String::new(),
+        count => format!(" ({count} too thin, dropped)"),
+    };
+    say!(
+        "  {} convex parts{dropped}, up to {:.4} mm from the mesh, the mesh up to {:.4} mm from them, {:.4} mm uncovered",
+        mesh.pieces,
+        1e3 * deviation.parts_to_mesh_m,
+        1e3 * deviation.mesh_to_parts_m,
+        1e3 * deviation.uncovered_m
+    );
+    say!(
+        "  volume missing {:.2} mm3, outside {:.2} mm3 (+- {:.2} mm3)",
+        1e9 * deviation.missing_m3,
+        1e9 * deviation.outside_m3,
+        1e9 * deviation.volume_error_m3
+    );
+}
+
+fn print_insertion(explanation: &Explanation) {
+    let length =
+        |length: Option<f64>| length.map_or_else(|| "free".to_owned(), |length| format!("{:.3}", 1e3 * length));
+    say!("\nplay in mm, from the goal straight back to the start (free: nothing within reach)");
+    say!("  {:>10} {:>10} {:>18} {:>18} {:>18}", "from goal", "clearance", "-x, +x", "-y, +y", "-z, +z");
+    for play in &explanation.insertion {
+        let axes = play.axes.iter().map(|axis| format!("{}, {}", length(axis.backward_m), length(axis.forward_m)));
+        let axes: Vec<String> = axes.map(|axis| format!("{axis:>18}")).collect();
+        say!("  {:>10.2} {:>10.3} {}", 1e3 * play.distance_from_goal_m, 1e3 * play.clearance_m, axes.join(" "));
+    }
+    say!("play lets the body rest up to {:.2} mm from its goal", 1e3 * explanation.farthest_rest_m);
+    match explanation.way {
+        Way::Straight => say!("the straight motion from start to goal touches nothing"),
+        Way::OnGrid { step_m } => say!("the goal can be reached in clearance, in steps of {:.2} mm", 1e3 * step_m),
+        Way::None { .. } => {}
+    }
 }

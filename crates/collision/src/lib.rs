@@ -40,6 +40,7 @@ mod hull;
 mod interior;
 mod interior_point;
 mod lane;
+mod measures;
 mod newton;
 mod pair;
 mod polytope;

@@ -1,10 +1,11 @@
 //! Convex pieces that cover a part.
 
-use crate::cell::{Bound, Cell, is_wide};
+use crate::cell::{Bound, Cell};
 use crate::coarsen::coarsen;
-use crate::elements::{Element, Elements};
+use crate::elements::Elements;
 use crate::error::MeshError;
-use crate::geometry::{Vector, clip};
+use crate::facing::{Place, Places, surface_on};
+use crate::geometry::Vector;
 use crate::merge::merge;
 use crate::partition::partition;
 use crate::solid::Solid;
@@ -54,6 +55,9 @@ pub struct Cover {
     growth: f64,
     vanished: usize,
     pub(crate) cells: Vec<Cell>,
+    /// Where it covers the solid, and which cells of the partition have surface there: none where it is everywhere.
+    pub(crate) places: Places,
+    pub(crate) leaves: Vec<Cell>,
     pub(crate) crop_planes: Vec<Bound>,
     pub(crate) box_: [Vector; 2],
     pub(crate) tolerance: f64,
@@ -65,12 +69,30 @@ impl Cover {
     /// # Errors
     /// When a setting is out of range, the part needs too many pieces or nothing is left of it.
     pub fn of(solid: &Solid, settings: &CoverSettings) -> Result<Self, MeshError> {
+        Self::facing(solid, settings, &[])
+    }
+
+    /// Covers what of a solid has surface in convex places; what stays in these can touch nothing else. No places mean
+    /// everywhere.
+    ///
+    /// # Errors
+    /// As [`Cover::of`].
+    pub fn facing(solid: &Solid, settings: &CoverSettings, places: &[Place]) -> Result<Self, MeshError> {
         check(settings)?;
-        let elements = Elements::of(solid, settings).ok_or(MeshError::NothingLeft)?;
-        let merged = if elements.is_convex() {
-            whole(&elements).into_iter().collect()
+        let whole_solid =
+            Elements::of(solid, &CoverSettings { crop: None, ..*settings }).ok_or(MeshError::NothingLeft)?;
+        let is_convex = whole_solid.is_convex();
+        // A convex part is one piece: cut at a box it would have more halfspaces.
+        let elements =
+            if is_convex { whole_solid } else { Elements::of(solid, settings).ok_or(MeshError::NothingLeft)? };
+        let places = Places::new(places, elements.tolerance);
+        let (leaves, merged) = if is_convex {
+            (Vec::new(), whole(&elements).into_iter().collect())
         } else {
-            merge(&partition(&elements, solid, settings.tolerance)?, &elements.root, elements.tolerance)
+            let mut partition = partition(&elements, solid, settings.tolerance)?;
+            partition.solid.retain(|cell| places.face(cell, &elements));
+            let merged = merge(&partition, &elements.root, elements.tolerance);
+            (partition.solid, merged)
         };
         if merged.len() > MOST_PIECES {
             return Err(MeshError::TooManyPieces { most: MOST_PIECES, curved: solid.curved.len() });
@@ -85,6 +107,8 @@ impl Cover {
             growth: 0.0,
             vanished: 0,
             cells: Vec::new(),
+            leaves: if places.are_everywhere() { Vec::new() } else { leaves },
+            places,
             crop_planes: crop_planes(&elements),
             box_: elements.root.bounding_box(),
             tolerance: elements.tolerance,
@@ -102,7 +126,8 @@ impl Cover {
             (cell.clone(), 0.0)
         };
         self.growth = self.growth.max(growth);
-        let is_surface: Vec<bool> = cell.bounds.iter().map(|bound| has_surface(&cell, bound, elements)).collect();
+        let is_surface: Vec<bool> =
+            cell.bounds.iter().map(|bound| surface_on(&cell, bound, elements).next().is_some()).collect();
         let inward =
             |(bound, is_surface): (&Bound, &bool)| bound.moved(if *is_surface { -settings.clearance } else { 0.0 });
         let bounds: Vec<Bound> = cell.bounds.iter().zip(&is_surface).map(inward).collect();
@@ -180,18 +205,6 @@ fn whole(elements: &Elements) -> Option<Cell> {
         }
     }
     elements.root.cut_by(&bounds, elements.tolerance)
-}
-
-/// Whether some of the surface lies on a facet of a piece.
-fn has_surface(cell: &Cell, bound: &Bound, elements: &Elements) -> bool {
-    let others: Vec<&Bound> = cell.bounds.iter().filter(|other| !other.is(bound)).collect();
-    let overlaps = |element: &Element| {
-        let clipped = others
-            .iter()
-            .fold(element.polygon.clone(), |polygon, other| clip(&polygon, &other.plane, elements.tolerance));
-        is_wide(&clipped, elements.tolerance)
-    };
-    elements.elements.iter().filter(|element| element.bound.is(bound)).any(overlaps)
 }
 
 fn crop_planes(elements: &Elements) -> Vec<Bound> {

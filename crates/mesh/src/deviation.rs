@@ -14,7 +14,7 @@ const VOLUME_POINTS: usize = 20_000;
 /// Facets of pieces are boundary where no piece is this many tolerances in front of them: thinner gaps are none.
 const IN_FRONT: f64 = 4.0;
 
-/// How a cover differs from the mesh it covers, within the crop box. Distances are sampled at the corners and at about
+/// How a cover differs from the mesh it covers, within the crop box and where it covers it. Distances are sampled at the corners and at about
 /// 20 000 points of each surface. A clearance counts as a difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
@@ -51,7 +51,7 @@ impl Deviation {
             outside_volume: 0.0,
             volume_error: 0.0,
         };
-        for (point, normal) in mesh.samples().filter(|(point, _)| is_inside(point)) {
+        for (point, normal) in mesh.samples().filter(|(point, _)| is_inside(point) && cover.places.contain(point)) {
             // Where bodies touch, triangles are no surface.
             if mesh.contains(&(point + normal * (IN_FRONT * cover.tolerance))) {
                 continue;
@@ -62,7 +62,9 @@ impl Deviation {
                 deviation.uncovered = deviation.uncovered.max(distance);
             }
         }
-        for (point, _) in boundary.samples() {
+        // Where not all is covered, pieces end inside of the material.
+        let is_boundary = |point: &Vector| cover.places.are_everywhere() || !mesh.contains(point);
+        for (point, _) in boundary.samples().filter(|(point, _)| is_boundary(point)) {
             deviation.cover_to_mesh = deviation.cover_to_mesh.max(mesh.distance(&point));
         }
         deviation.measure_volumes(&mesh, cover);
@@ -73,6 +75,9 @@ impl Deviation {
         let extent = cover.box_[1] - cover.box_[0];
         let volume = extent.x * extent.y * extent.z;
         let (mut missing, mut outside) = (0, 0);
+        let is_in = |leaf: &Cell, point: &Vector| leaf.bounds.iter().all(|bound| bound.plane.height(point) <= 0.0);
+        let is_wanted =
+            |point: &Vector| cover.places.are_everywhere() || cover.leaves.iter().any(|leaf| is_in(leaf, point));
         for index in 0..VOLUME_POINTS {
             let point = cover.box_[0] + extent.component_mul(&quasi_random(index));
             let depth = depth(cover, &point);
@@ -80,7 +85,7 @@ impl Deviation {
                 continue;
             }
             match (mesh.contains(&point), depth > 0.0) {
-                (true, false) => missing += 1,
+                (true, false) if is_wanted(&point) => missing += 1,
                 (false, true) => outside += 1,
                 _ => {}
             }

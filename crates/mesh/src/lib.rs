@@ -13,6 +13,7 @@
 //! | facets | N per turn, outside of the material: r (1 / cos(pi/N) - 1) if convex, r (1 - cos(pi/N)) if concave | [`CurvedSurface::error`] |
 //! | partition | the box of the part, or the crop box, is split by the planes until no cell has surface inside, other than within its facet's error behind a plane | none beyond the facets' |
 //! | merge | cells with material grow as long as they meet no free cell; superfluous ones go | pieces meet free cells by at most 2 tolerances, gaps between them are thinner than that |
+//! | places | pieces are kept only for cells that have surface where something moves ([`Cover::facing`]) | none there |
 //! | coarsen | halfspaces are dropped | outward, [`Cover::growth`], at most the tolerance that is asked for |
 //! | clearance | surfaces, not cuts, move into the material | exactly the clearance |
 //!
@@ -38,6 +39,7 @@ mod elements;
 mod error;
 mod faces;
 mod facets;
+mod facing;
 mod geometry;
 mod mass;
 mod merge;
@@ -57,6 +59,7 @@ mod weld;
 pub use cover::{Cover, CoverSettings, Piece};
 pub use deviation::Deviation;
 pub use error::MeshError;
+pub use facing::Place;
 pub use mass::MassProperties;
 pub use read::TriangleMesh;
 pub use repair::Repair;

@@ -39,19 +39,25 @@ pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
     let mut chosen = set_cover(&covers, &volumes);
     chosen.sort_unstable();
     let chosen = chosen.into_iter().map(|piece| pieces[piece].clone()).collect();
-    without_covered(chosen, INSIDE * tolerance)
+    without_superfluous(chosen, &partition.solid, INSIDE * tolerance)
 }
 
-/// Without pieces that the others cover together: no single one may contain a cell of these.
-fn without_covered(mut pieces: Vec<Cell>, tolerance: f64) -> Vec<Cell> {
+/// Without pieces for which the others together cover all cells: no single one may contain a cell.
+fn without_superfluous(mut pieces: Vec<Cell>, leaves: &[Cell], tolerance: f64) -> Vec<Cell> {
     let mut order: Vec<(usize, f64)> = pieces.iter().map(Cell::volume).enumerate().collect();
     order.sort_by(|one, other| one.1.total_cmp(&other.1));
     let boxes: Vec<[Vector; 2]> = pieces.iter().map(Cell::bounding_box).collect();
+    let leaves: Vec<(&Cell, [Vector; 2])> = leaves.iter().map(|leaf| (leaf, leaf.bounding_box())).collect();
     let mut is_kept = vec![true; pieces.len()];
     for (index, _) in order {
         let is_other = |other: &usize| *other != index && is_kept[*other];
-        let others = (0..pieces.len()).filter(is_other).filter(|&other| boxes_meet(&boxes[index], &boxes[other], 0.0));
-        is_kept[index] = !is_covered(&pieces[index], others.map(|other| &pieces[other]), tolerance);
+        let others: Vec<usize> =
+            (0..pieces.len()).filter(is_other).filter(|&other| boxes_meet(&boxes[index], &boxes[other], 0.0)).collect();
+        let mut own = leaves.iter().filter(|(_, bounds)| boxes_meet(&boxes[index], bounds, 0.0));
+        is_kept[index] = !own.all(|(leaf, bounds)| {
+            let near = others.iter().filter(|&&other| boxes_meet(bounds, &boxes[other], 0.0));
+            is_covered(leaf, near.map(|&other| &pieces[other]), tolerance)
+        });
     }
     let mut kept = is_kept.iter();
     pieces.retain(|_| kept.next() == Some(&true));

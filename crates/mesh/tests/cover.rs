@@ -118,12 +118,10 @@ fn a_clearance_moves_surfaces_by_itself() {
 
 #[test]
 fn cuts_do_not_move() {
-    let solid = cube(10.0).solid();
+    let solid = block_with_hole(4, 0.0).solid();
     let crop = Some([[-1.0, -1.0, -1.0], [0.004, 1.0, 1.0]]);
     let cover = Cover::of(&solid, &CoverSettings { crop, clearance: 1e-3, ..CoverSettings::default() }).unwrap();
-    let [piece] = cover.pieces() else { panic!("{} pieces", cover.pieces().len()) };
-    assert_eq!(piece.is_surface.iter().filter(|is_surface| !**is_surface).count(), 1);
-    let farthest = piece.vertices.iter().map(|vertex| vertex[0]).fold(0.0, f64::max);
+    let farthest = cover.pieces().iter().flat_map(|piece| &piece.vertices).map(|vertex| vertex[0]).fold(0.0, f64::max);
     assert!((farthest - 0.004).abs() < 1e-12);
 }
 
@@ -148,6 +146,38 @@ fn settings_are_checked() {
     assert!(matches!(refused(CoverSettings { facets: 2, ..default }), MeshError::Setting { name: "facets", .. }));
     assert!(matches!(refused(CoverSettings { clearance: -1.0, ..default }), MeshError::Setting { .. }));
     assert!(matches!(refused(CoverSettings { tolerance: f64::NAN, ..default }), MeshError::Setting { .. }));
-    let far = Some([[1.0; 3], [2.0; 3]]);
-    assert_eq!(refused(CoverSettings { crop: far, ..default }), MeshError::NothingLeft);
+    let far = CoverSettings { crop: Some([[1.0; 3], [2.0; 3]]), ..default };
+    assert_eq!(Cover::of(&block_with_hole(4, 0.0).solid(), &far).unwrap_err(), MeshError::NothingLeft);
+    assert_eq!(Cover::of(&solid, &far).unwrap().pieces().len(), 1, "a convex part is whole");
+}
+
+#[test]
+fn only_what_faces_a_place_is_covered() {
+    // A block of 30 mm with a blind hole: a place in the hole sees its walls and its floor, one above the block its top.
+    let solid = block_with_hole(6, 0.0).solid();
+    let settings = CoverSettings::default();
+    let [low, high] = solid.bounding_box();
+    let side = |axis: usize, sign: f64, offset: f64| {
+        let mut normal = [0.0; 3];
+        normal[axis] = sign;
+        (normal, offset)
+    };
+    let place = |from: [f64; 3], to: [f64; 3]| -> Vec<([f64; 3], f64)> {
+        (0..3).flat_map(|axis| [side(axis, 1.0, to[axis]), side(axis, -1.0, -from[axis])]).collect()
+    };
+    let middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.0];
+    let size = high[0] - low[0];
+    let all = Cover::of(&solid, &settings).unwrap();
+    assert_eq!(all.pieces().len(), 7);
+    let column = place(
+        [middle[0] - 0.3 * size, middle[1] - 0.3 * size, low[2] - 1.0],
+        [middle[0] + 0.3 * size, middle[1] + 0.3 * size, high[2] + 1.0],
+    );
+    assert_eq!(Cover::facing(&solid, &settings, &[column]).unwrap().pieces().len(), 7);
+    let beside = place([high[0] - 1e-4, low[1], low[2]], [high[0] + 1.0, high[1], high[2]]);
+    let cover = Cover::facing(&solid, &settings, &[beside]).unwrap();
+    assert!(cover.pieces().len() < 7, "{}", cover.pieces().len());
+    assert!(Deviation::measure(&solid, &cover).uncovered < 1e-8);
+    let away = place([high[0] + 1.0, low[1], low[2]], [high[0] + 2.0, high[1], high[2]]);
+    assert_eq!(Cover::facing(&solid, &settings, &[away]).unwrap_err(), MeshError::NothingLeft);
 }

@@ -93,11 +93,14 @@ impl AttemptRecord {
     }
 }
 
-/// Whether the homotopy leads away from the goal: an error beyond the tolerance (m) that grows with less smoothing.
-pub(crate) fn leads_away(tolerance: f64, iterations: &[PlanIteration]) -> bool {
+/// Whether the homotopy leads away from the goal: an error beyond the tolerance and beyond the reach of the smoothing,
+/// which grows with less smoothing.
+pub(crate) fn leads_away(problem: &Problem, iterations: &[PlanIteration]) -> bool {
     let [.., before, last] = iterations else { return false };
     let error = |iteration: &PlanIteration| iteration.trajectory.worst_errors().0;
-    iterations.len() >= EARLIEST_MISS && last.record.converged && error(last) > tolerance.max(error(before))
+    let rows = problem.task().pairs.iter().map(|pair| pair.shapes.row_count()).max().unwrap_or(0);
+    let explained = problem.success().position.max(last.record.tau * rows as f64);
+    iterations.len() >= EARLIEST_MISS && last.record.converged && error(last) > explained.max(error(before))
 }
 
 /// Whether a plan is nearer to what was asked for than another one.

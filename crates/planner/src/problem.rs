@@ -81,7 +81,7 @@ impl Problem {
 
     /// Whether nothing but the linear solver was chosen of the homotopy.
     pub(crate) fn has_default_homotopy(&self) -> bool {
-        let default = scene::default_homotopy();
+        let default = default_homotopy(&self.scene);
         HomotopySettings { linear_solver: default.linear_solver, ..self.homotopy.clone() } == default
     }
 
@@ -166,6 +166,20 @@ impl Problem {
     }
 }
 
+/// Reach of the first smoothing in sizes of the body: beyond that, everything overlaps and nothing is learnt.
+const FIRST_REACH: f64 = 1.2;
+
+/// The built-in homotopy; for small parts and for many facets with less smoothing.
+fn default_homotopy(scene: &Scene) -> HomotopySettings {
+    let settings = scene::default_homotopy();
+    let rows = |&(part, other): &(usize, usize)| {
+        scene.body[part].shape.normals().len() + scene.environment[other].shape.normals().len()
+    };
+    let most = scene.pairs.iter().map(rows).max().unwrap_or(1);
+    let tau = settings.tau.min(FIRST_REACH * scene.body_size() / most as f64);
+    HomotopySettings { tau, ..settings }
+}
+
 /// The homotopy of a file, else of the scene, else the built-in one.
 ///
 /// # Errors
@@ -177,7 +191,7 @@ pub fn homotopy(
 ) -> Result<HomotopySettings, PlannerError> {
     let mut homotopy = match file {
         Some(file) => scene::load_homotopy(file)?,
-        None => scene.homotopy.clone().unwrap_or_else(scene::default_homotopy),
+        None => scene.homotopy.clone().unwrap_or_else(|| default_homotopy(scene)),
     };
     homotopy.linear_solver = linear_solver.unwrap_or(homotopy.linear_solver);
     Ok(homotopy)

@@ -74,8 +74,7 @@ impl Attempt {
             }
             None => (None, Finished::default()),
         };
-        let is_lost =
-            |iterations: &[PlanIteration]| self.gives_up && leads_away(self.problem.success().position, iterations);
+        let is_lost = |iterations: &[PlanIteration]| self.gives_up && leads_away(&self.problem, iterations);
         if !is_lost(&finished.iterations) {
             let earlier = finished.iterations.clone();
             let mut kept = Ok(());

@@ -6,7 +6,8 @@ use toml::Spanned;
 use toml::de::{DeString, DeValue};
 
 use crate::error::{SceneError, Source};
-use crate::keys::{Key, MAX_NAME_LENGTH, Values};
+use crate::keys::{Key, MAX_NAME_LENGTH, UNITS, Values};
+use crate::mesh::SCALES;
 use crate::range::Range;
 use crate::words::{clipped, suggest};
 
@@ -74,6 +75,25 @@ impl<'text> Entry<'text> {
     /// A number in the key's range.
     pub fn number(&self) -> Result<f64, SceneError> {
         self.number_of(self.value, self.key.bounds())
+    }
+
+    /// A length (m) in the key's range: a number, or a text with its unit such as `"0.02 mm"`.
+    pub fn length(&self) -> Result<f64, SceneError> {
+        let Some(text) = self.value.get_ref().as_str() else { return self.number() };
+        let wanted = || {
+            let units = UNITS.join(", ");
+            self.refuse(format!(
+                "{} must be a number (m) or a number with its unit ({units}), as \"0.02 mm\"",
+                self.path
+            ))
+        };
+        let text = text.trim();
+        let end = text.find(|letter: char| letter.is_ascii_alphabetic() && letter != 'e').ok_or_else(wanted)?;
+        let unit = UNITS.iter().position(|unit| *unit == &text[end..]).ok_or_else(wanted)?;
+        let number: f64 = text[..end].trim().parse().map_err(|_| wanted())?;
+        let length = number * SCALES[unit];
+        let range = self.key.bounds();
+        if range.contains(length) { Ok(length) } else { Err(self.refuse(format!("{} must lie {range} m", self.path))) }
     }
 
     /// An integer in the key's range.

@@ -7,12 +7,15 @@
 
 mod entry;
 mod error;
+mod facets;
 mod file;
 mod homotopy;
 mod ipopt;
 mod keys;
 mod limits;
 mod mesh;
+mod motion_region;
+mod pairs;
 mod parse;
 mod part;
 mod plain_words;
@@ -21,16 +24,20 @@ mod range;
 mod resolved;
 mod scene;
 mod sections;
+mod shapes;
 mod table;
 mod task_error;
 mod warnings;
 mod words;
 
 pub use error::{SceneError, Source};
+pub use facets::{Fit, SHARE};
 pub use file::read_text;
 pub use homotopy::{default_homotopy, load_homotopy, parse_homotopy};
 pub use keys::{Absent, Key, MAX_CONTACT_FORCES, MAX_NAME_LENGTH, Values, key, keys};
 pub use limits::OutOfReach;
+pub use mesh::MeshPart;
+pub use motion_region::MotionRegion;
 pub use part::Part;
 pub use range::Range;
 pub use resolved::resolved;

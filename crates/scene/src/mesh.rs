@@ -1,90 +1,175 @@
-//! Convex meshes from STL files.
+//! Parts whose shape is a triangle mesh: convex parts that cover it.
 
-use std::fs::File;
-use std::io::BufReader;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 use collision::Polytope;
-use toml::Spanned;
+use mesh::{Cover, CoverSettings, MeshError, Place, Solid, TriangleMesh};
+use nalgebra::Isometry3;
 
-use crate::error::{SceneError, Source};
+use crate::entry::Entry;
+use crate::error::SceneError;
+use crate::keys::UNITS;
+use crate::motion_region::MotionRegion;
+use crate::part::{Part, corners_of};
+use crate::table::Table;
 
-/// A surface this far inside the convex hull, relative to the part's size, makes a mesh not convex.
-const CONVEXITY_TOLERANCE: f64 = 1e-4;
+/// Keys that only a mesh has.
+pub const MESH_KEYS: [&str; 4] = ["unit", "facets", "clearance", "density"];
 
-/// Distance, relative to the largest coordinate, below which the single precision of the file says nothing: points are
-/// rounded by up to half of `f32::EPSILON` along each axis.
-const ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
+/// The units of lengths (m), in the order of their names.
+pub const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
+const _: () = assert!(SCALES.len() == UNITS.len());
 
-/// Longer files are refused.
-const MOST_TRIANGLES: usize = 200_000;
+/// Share of the error of curved surfaces by which pieces may grow so that they have fewer facets.
+const COARSENING: f64 = 0.5;
 
-type Triangle = [[f64; 3]; 3];
-
-/// The shape (m) of a closed convex mesh whose file name is relative to the scene and whose unit is `scale` metres.
-///
-/// # Errors
-/// When the file cannot be read, is too long, or its surface is not that of its convex hull.
-pub fn shape(source: Source, mesh: &Spanned<String>, scale: f64) -> Result<Polytope, SceneError> {
-    let path = source.file.parent().unwrap_or(source.file).join(mesh.get_ref());
-    let refuse = |reason: String| source.error(mesh.span(), format!("mesh {}: {reason}", path.display()));
-    let file = File::open(&path).map_err(|error| refuse(error.to_string()))?;
-    let triangles = triangles(file).map_err(refuse)?;
-    let vertices: Vec<[f64; 3]> =
-        triangles.iter().flatten().map(|vertex| vertex.map(|coordinate| coordinate * scale)).collect();
-    let farthest = vertices.as_flattened().iter().fold(0.0, |farthest: f64, coordinate| farthest.max(coordinate.abs()));
-    let hull =
-        Polytope::from_vertices_within(&vertices, ROUNDING * farthest).map_err(|error| refuse(error.to_string()))?;
-    let (depth, place) = deepest(&hull, &triangles, scale);
-    if depth > CONVEXITY_TOLERANCE * hull.size() {
-        let [x, y, z] = place;
-        return Err(refuse(format!(
-            "not convex: at ({x:.4}, {y:.4}, {z:.4}) in the unit of the file, its surface lies {:.3} mm inside its \
-             convex hull; split it into convex parts",
-            1e3 * depth
-        )));
-    }
-    Ok(hull)
+/// A part whose shape is a mesh, and the convex parts that stand for it.
+#[derive(Debug, Clone)]
+pub struct MeshPart {
+    /// Name in the scene. The convex parts are called `name.1`, `name.2` and so on; one alone has the name itself.
+    pub name: String,
+    /// The mesh file.
+    pub file: PathBuf,
+    /// Metres per unit of the file.
+    pub scale: f64,
+    /// Its surface, in the part's own frame (m).
+    pub solid: Arc<Solid>,
+    /// The convex pieces that cover it, likewise.
+    pub cover: Arc<Cover>,
+    /// How they were made.
+    pub settings: CoverSettings,
+    /// From its own frame to its parent's.
+    pub placement: Isometry3<f64>,
+    /// Indices of its convex parts among those of its parent.
+    pub parts: Range<usize>,
 }
 
-/// The triangles in the unit of the file.
-fn triangles(mut file: File) -> Result<Vec<Triangle>, String> {
-    if file.metadata().is_ok_and(|metadata| metadata.len() == 0) {
-        return Err("the file is empty".to_owned());
-    }
-    let mut reader = BufReader::new(&mut file);
-    let mut triangles = Vec::new();
-    for triangle in stl_io::create_stl_reader(&mut reader).map_err(|error| error.to_string())? {
-        let vertices = triangle.map_err(|error| error.to_string())?.vertices;
-        if triangles.len() == MOST_TRIANGLES {
-            return Err(format!("more than {MOST_TRIANGLES} triangles; simplify it"));
+/// A mesh as the scene gives it.
+pub struct MeshDraft<'text> {
+    /// Place of the file's name.
+    entry: Entry<'text>,
+    file: PathBuf,
+    scale: f64,
+    pub solid: Arc<Solid>,
+    facets: Option<usize>,
+    pub clearance: f64,
+    /// kg/m^3
+    pub density: Option<f64>,
+}
+
+impl<'text> MeshDraft<'text> {
+    /// Reads the keys of a mesh and its file, whose name is relative to the scene.
+    pub fn read(table: &Table<'text>) -> Result<Self, SceneError> {
+        let entry = table.require("mesh")?;
+        let name = entry.text()?;
+        if name.is_empty() {
+            return Err(entry.refuse(format!("{} is empty", entry.path())));
         }
-        let triangle: Triangle = vertices.map(|vertex| vertex.0.map(f64::from));
-        if triangle.as_flattened().iter().any(|coordinate| !coordinate.is_finite()) {
-            return Err(format!("triangle {} has a coordinate that is not a finite number", triangles.len() + 1));
+        let Some(unit) = table.find("unit") else {
+            return Err(entry.refuse(format!("a mesh needs its `unit`: one of \"{}\"", UNITS.join("\", \""))));
+        };
+        let scale = SCALES[unit.choice()?];
+        let facets = table.find("facets").map(|facets| facets.integer()).transpose()?;
+        let clearance = table.find("clearance").map_or(Ok(0.0), |clearance| clearance.length())?;
+        let density = table.find("density").map(|density| density.number()).transpose()?;
+        let scene = entry.source().file;
+        let file = scene.parent().unwrap_or(scene).join(name);
+        let solid = TriangleMesh::read(&file, scale).and_then(|mesh| Solid::of(&mesh));
+        let solid = Arc::new(solid.map_err(|error| refused(&entry, &file, &error))?);
+        let facets = facets.map(|facets| facets as usize);
+        Ok(Self { entry, file, scale, solid, facets, clearance, density })
+    }
+
+    /// Corners of its bounding box (m).
+    pub fn corners(&self) -> [[f64; 3]; 8] {
+        corners_of(&self.solid.bounding_box())
+    }
+
+    /// Longest edge of its bounding box (m).
+    pub fn size(&self) -> f64 {
+        let [low, high] = self.solid.bounding_box();
+        (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max)
+    }
+
+    /// An error about the mesh.
+    pub fn refuse(&self, message: &str) -> SceneError {
+        self.entry.refuse(format!("mesh {}: {message}", self.file.display()))
+    }
+
+    /// The convex parts that stand for the mesh: curved surfaces with `facets` per full turn unless the scene says how
+    /// many; where there is a region of motion, only what has surface there.
+    pub fn cover(
+        &self,
+        name: &str,
+        placement: &Isometry3<f64>,
+        facets: usize,
+        region: Option<&MotionRegion>,
+    ) -> Result<(MeshPart, Vec<Part>), SceneError> {
+        let facets = self.facets.unwrap_or(facets);
+        let errors = self.solid.curved_surfaces().into_iter().map(|surface| surface.error(facets));
+        let settings = CoverSettings {
+            facets,
+            tolerance: COARSENING * errors.reduce(f64::min).unwrap_or(0.0),
+            crop: region.map(|region| in_frame(&region.extent, placement)),
+            clearance: self.clearance,
+        };
+        let places: Vec<Place> =
+            region.iter().flat_map(|region| &region.places).map(|place| place_in_frame(place, placement)).collect();
+        let cover = match Cover::facing(&self.solid, &settings, &places) {
+            // No motion comes near: all of it is there, and its pairs are left out.
+            Err(MeshError::NothingLeft) if region.is_some() => {
+                Cover::of(&self.solid, &CoverSettings { crop: None, ..settings })
+            }
+            cover => cover,
+        };
+        let cover = cover.map_err(|error| refused(&self.entry, &self.file, &error))?;
+        let count = cover.pieces().len();
+        let part = |(number, piece): (usize, &mesh::Piece)| {
+            let shape = Polytope::from_halfspaces(&piece.normals, &piece.offsets)
+                .map_err(|error| self.refuse(&format!("piece {number}: {error}")))?;
+            let name = if count == 1 { name.to_owned() } else { format!("{name}.{number}") };
+            let rotation = placement.rotation.quaternion();
+            let orientation = [rotation.w, rotation.i, rotation.j, rotation.k];
+            Ok(Part { name, shape: shape.placed(placement.translation.vector.into(), orientation) })
+        };
+        let parts: Vec<Part> = (1..).zip(cover.pieces()).map(part).collect::<Result<_, SceneError>>()?;
+        let mesh = MeshPart {
+            name: name.to_owned(),
+            file: self.file.clone(),
+            scale: self.scale,
+            solid: Arc::clone(&self.solid),
+            cover: Arc::new(cover),
+            settings,
+            placement: *placement,
+            parts: 0..count,
+        };
+        Ok((mesh, parts))
+    }
+}
+
+fn refused(entry: &Entry, file: &std::path::Path, error: &MeshError) -> SceneError {
+    entry.refuse(format!("mesh {}: {error}", file.display()))
+}
+
+/// The smallest box along the axes of a frame that holds a box of its parent.
+fn in_frame(parent: &[[f64; 3]; 2], placement: &Isometry3<f64>) -> [[f64; 3]; 2] {
+    let mut frame = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+    for corner in corners_of(parent) {
+        let point = placement.inverse_transform_point(&corner.into());
+        for axis in 0..3 {
+            frame[0][axis] = frame[0][axis].min(point[axis]);
+            frame[1][axis] = frame[1][axis].max(point[axis]);
         }
-        triangles.push(triangle);
     }
-    if triangles.is_empty() {
-        return Err("it has no triangles".to_owned());
-    }
-    Ok(triangles)
+    frame
 }
 
-/// How far the surface lies inside the hull (m), and where it does so most, in the unit of the file.
-///
-/// A closed mesh is convex when each of its triangles lies in a facet of the hull. Unlike its vertices, the centre of a
-/// triangle lies there only if all of it does. Slivers have a centre but no reliable plane: nothing else is asked of them.
-fn deepest(hull: &Polytope, triangles: &[Triangle], scale: f64) -> (f64, [f64; 3]) {
-    let center = |[a, b, c]: &Triangle| -> [f64; 3] { std::array::from_fn(|axis| (a[axis] + b[axis] + c[axis]) / 3.0) };
-    let places = triangles.iter().flat_map(|triangle| [center(triangle), triangle[0], triangle[1], triangle[2]]);
-    let depths = places.map(|place| (depth(hull, &place.map(|coordinate| coordinate * scale)), place));
-    depths.fold((0.0, [0.0; 3]), |deepest, next| if next.0 > deepest.0 { next } else { deepest })
-}
-
-/// Distance of a point inside from the nearest facet (m).
-fn depth(hull: &Polytope, point: &[f64; 3]) -> f64 {
-    let facets = hull.normals().iter().zip(hull.offsets());
-    facets
-        .map(|(normal, offset)| offset - normal.iter().zip(point).map(|(n, p)| n * p).sum::<f64>())
-        .fold(f64::INFINITY, f64::min)
+/// The halfspaces of a place of the parent.
+fn place_in_frame(place: &Polytope, placement: &Isometry3<f64>) -> Place {
+    let back = placement.inverse();
+    let rotation = back.rotation.quaternion();
+    let place = place.placed(back.translation.vector.into(), [rotation.w, rotation.i, rotation.j, rotation.k]);
+    place.normals().iter().copied().zip(place.offsets().iter().copied()).collect()
 }

@@ -8,10 +8,13 @@ use crate::file::read_text;
 use crate::homotopy;
 use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
 use crate::limits::limits;
-use crate::part::parts;
+use crate::motion_region::Motions;
+use crate::pairs::{Side, pairs};
+use crate::part::{Draft, drafts};
 use crate::pose::{directions, pose};
 use crate::scene::Scene;
 use crate::sections;
+use crate::shapes::{Shapes, shapes};
 use crate::table::{self, Table};
 use crate::warnings::warnings;
 
@@ -42,27 +45,45 @@ impl Scene {
 
     fn read(file: &Path, table: &Table) -> Result<Self, SceneError> {
         let body_table = table.require_table("body")?;
-        let body = parts(&body_table)?;
-        let environment = parts(&table.require_table("environment")?)?;
-        let inertia = sections::inertia(&body_table)?;
         let robustness = table.require_table("robustness")?;
+        let title = match table.find("title") {
+            Some(title) => title.name()?,
+            None => title_of(file),
+        };
+        let (body, environment) = (drafts(&body_table)?, drafts(&table.require_table("environment")?)?);
+        let (starts, goal) = (sections::starts(table)?, pose(&table.require_table("goal")?)?);
+        let offset_magnitude = robustness.number("offset_magnitude")?;
+        let offset_directions = directions(&robustness.require("offset_directions")?)?;
+        let inertia = sections::inertia(&body_table, &body)?;
+        let points: Vec<[f64; 3]> = body.iter().flat_map(Draft::points).collect();
+        let motions = Motions::new(&starts, &goal, offset_magnitude, &points);
+        let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
+            shapes(&body, &environment, &motions, &goal)?;
+        let (pairs, far_pairs) = pairs(
+            table,
+            Side { parent: "body", parts: &body, meshes: &body_meshes },
+            Side { parent: "environment", parts: &environment, meshes: &environment_meshes },
+            &motions,
+        )?;
         let scene = Self {
-            title: match table.find("title") {
-                Some(title) => title.name()?,
-                None => title_of(file),
-            },
-            pairs: sections::pairs(table, &body, &environment)?,
-            starts: sections::starts(table)?,
-            goal: pose(&table.require_table("goal")?)?,
+            title,
             impedance: sections::impedance(&table.require_table("impedance")?, &inertia)?,
-            offset_magnitude: robustness.number("offset_magnitude")?,
-            offset_directions: directions(&robustness.require("offset_directions")?)?,
             horizon: sections::horizon(&table.require_table("horizon")?)?,
             cost: sections::cost(table)?,
             limits: limits(&table.table("limits")?)?,
             homotopy: homotopy::of_scene(table)?,
             body,
             environment,
+            body_meshes,
+            environment_meshes,
+            fit,
+            region,
+            pairs,
+            far_pairs,
+            starts,
+            goal,
+            offset_magnitude,
+            offset_directions,
             inertia,
             warnings: Vec::new(),
         };

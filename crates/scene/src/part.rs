@@ -1,12 +1,13 @@
 //! Shapes of parts.
 
-use collision::{Polytope, PolytopeError};
+use collision::Polytope;
+use nalgebra::Isometry3;
 use toml::Spanned;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::keys::UNITS;
-use crate::pose::{norm, orientation};
+use crate::mesh::{MESH_KEYS, MeshDraft};
+use crate::pose::{isometry, norm, orientation};
 use crate::table::Table;
 
 /// A named convex part, placed in its parent's frame.
@@ -17,10 +18,6 @@ pub struct Part {
     /// Shape in the frame of the body, or of the world for the environment.
     pub shape: Polytope,
 }
-
-/// The units of mesh files (m), in the order of their names.
-const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
-const _: () = assert!(SCALES.len() == UNITS.len());
 
 /// Smallest length of a part, and largest coordinate of one that is placed (m).
 const SMALLEST: f64 = 1e-5;
@@ -33,47 +30,93 @@ const SHORTEST_NORMAL: f64 = 1e-6;
 /// Keys that give a part its shape.
 const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
 
-/// Builds the parts of a body or environment.
-pub fn parts(parent: &Table) -> Result<Vec<Part>, SceneError> {
-    let mut parts: Vec<Part> = Vec::new();
-    for table in parent.tables("part", "part")? {
-        let part = part(&table)?;
-        if parts.iter().any(|other| other.name == part.name) {
-            let message = format!("part name `{}` is used twice", part.name);
-            return Err(table.require("name")?.refuse(message));
-        }
-        parts.push(part);
-    }
-    Ok(parts)
+/// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes.
+pub struct Draft<'text> {
+    pub name: String,
+    pub shape: Shape<'text>,
+    pub position: [f64; 3],
+    pub orientation: [f64; 4],
 }
 
-fn part(table: &Table) -> Result<Part, SceneError> {
+/// Shape of a part in its own frame.
+pub enum Shape<'text> {
+    Convex(Polytope),
+    Mesh(MeshDraft<'text>),
+}
+
+/// Reads the parts of a body or environment.
+pub fn drafts<'text>(parent: &Table<'text>) -> Result<Vec<Draft<'text>>, SceneError> {
+    let mut drafts: Vec<Draft> = Vec::new();
+    for table in parent.tables("part", "part")? {
+        let draft = draft(&table)?;
+        if drafts.iter().any(|other| other.name == draft.name) {
+            let message = format!("part name `{}` is used twice", draft.name);
+            return Err(table.require("name")?.refuse(message));
+        }
+        drafts.push(draft);
+    }
+    Ok(drafts)
+}
+
+fn draft<'text>(table: &Table<'text>) -> Result<Draft<'text>, SceneError> {
     let name = table.require("name")?.name()?;
     let (place, shape) = shape(table, &name)?;
-    let refuse = |message: String| place.refuse(format!("part `{name}`: {message}"));
-    let shape = shape.map_err(|error| refuse(error.to_string()))?;
-    if shape.size() < SMALLEST {
-        return Err(refuse(format!("it is {:.1e} m long; parts must be longer than {SMALLEST:.0e} m", shape.size())));
-    }
     let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
     let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
-    let shape = shape.placed(position, orientation);
-    if !shape.vertices().iter().flatten().all(|coordinate| (-FARTHEST..=FARTHEST).contains(coordinate)) {
-        return Err(refuse(format!("a corner is more than {FARTHEST} m from the origin along an axis")));
+    let draft = Draft { name, shape, position, orientation };
+    let refuse = |message: String| Err(place.refuse(format!("part `{}`: {message}", draft.name)));
+    let size = draft.size();
+    if size < SMALLEST {
+        return refuse(format!("it is {size:.1e} m long; parts must be longer than {SMALLEST:.0e} m"));
     }
-    Ok(Part { shape, name })
+    if !draft.points().iter().flatten().all(|coordinate| (-FARTHEST..=FARTHEST).contains(coordinate)) {
+        return refuse(format!("a corner is more than {FARTHEST} m from the origin along an axis"));
+    }
+    Ok(draft)
+}
+
+impl Draft<'_> {
+    /// Points (m) of the parent's frame in whose convex hull the part lies.
+    pub fn points(&self) -> Vec<[f64; 3]> {
+        let points = match &self.shape {
+            Shape::Convex(shape) => shape.vertices().to_vec(),
+            Shape::Mesh(mesh) => mesh.corners().to_vec(),
+        };
+        let placed = self.placement();
+        points.into_iter().map(|point| placed.transform_point(&point.into()).coords.into()).collect()
+    }
+
+    /// From the part's frame to its parent's.
+    pub fn placement(&self) -> Isometry3<f64> {
+        isometry(&self.position, &self.orientation)
+    }
+
+    /// Its mesh, if it has one.
+    pub fn mesh(&self) -> Option<&MeshDraft<'_>> {
+        match &self.shape {
+            Shape::Convex(_) => None,
+            Shape::Mesh(mesh) => Some(mesh),
+        }
+    }
+
+    fn size(&self) -> f64 {
+        match &self.shape {
+            Shape::Convex(shape) => shape.size(),
+            Shape::Mesh(mesh) => mesh.size(),
+        }
+    }
 }
 
 /// The one shape that a part gives, with its place in the file.
-fn shape<'text>(
-    table: &Table<'text>,
-    name: &str,
-) -> Result<(Entry<'text>, Result<Polytope, PolytopeError>), SceneError> {
+fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Shape<'text>), SceneError> {
     if let (Some(offsets), None) = (table.find("offsets"), table.find("normals")) {
         return Err(offsets.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
     }
-    if let (Some(unit), None) = (table.find("unit"), table.find("mesh")) {
-        return Err(unit.refuse("`unit` belongs to `mesh`; everything else is in metres"));
+    let of_meshes = MESH_KEYS.iter().find_map(|key| table.find(key));
+    if let (Some(entry), None) = (of_meshes, table.find("mesh")) {
+        let name = entry.key().name;
+        let hint = if name == "unit" { "; everything else is in metres" } else { "" };
+        return Err(entry.refuse(format!("`{name}` belongs to `mesh`{hint}")));
     }
     let mut given = SHAPES.into_iter().filter_map(|key| Some((key, table.find(key)?)));
     let (Some((key, entry)), None) = (given.next(), given.next()) else {
@@ -83,7 +126,7 @@ fn shape<'text>(
     let shape = match key {
         "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
         "box" => Polytope::from_box(edge_lengths(&entry)?),
-        "mesh" => Ok(mesh(table, &entry)?),
+        "mesh" => return Ok((entry, Shape::Mesh(MeshDraft::read(table)?))),
         _ => {
             let Some(offsets) = table.find("offsets") else {
                 return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
@@ -91,7 +134,10 @@ fn shape<'text>(
             Polytope::from_halfspaces(&normals(&entry)?, &offsets.numbers()?)
         }
     };
-    Ok((entry, shape))
+    match shape {
+        Ok(shape) => Ok((entry, Shape::Convex(shape))),
+        Err(error) => Err(entry.refuse(format!("part `{name}`: {error}"))),
+    }
 }
 
 fn edge_lengths(entry: &Entry) -> Result<[f64; 3], SceneError> {
@@ -114,16 +160,11 @@ fn normals(entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
     }
 }
 
-/// Shape of a mesh (m).
-fn mesh(table: &Table, entry: &Entry) -> Result<Polytope, SceneError> {
-    let file = Spanned::new(entry.span(), entry.text()?.to_owned());
-    if file.get_ref().is_empty() {
-        return Err(entry.refuse(format!("{} is empty", entry.path())));
-    }
-    let Some(unit) = table.find("unit") else {
-        return Err(entry.refuse(format!("a mesh needs its `unit`: one of \"{}\"", UNITS.join("\", \""))));
-    };
-    crate::mesh::shape(entry.source(), &file, SCALES[unit.choice()?])
+/// Corners of a box, given by its lower and upper one.
+pub fn corners_of(&[low, high]: &[[f64; 3]; 2]) -> [[f64; 3]; 8] {
+    std::array::from_fn(|corner| {
+        std::array::from_fn(|axis| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] })
+    })
 }
 
 fn values<T>(entries: Vec<Spanned<T>>) -> Vec<T> {

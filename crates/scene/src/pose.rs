@@ -1,5 +1,6 @@
 //! Positions, orientations and numbers with a range.
 
+use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
 use toml::Spanned;
 
 use crate::entry::Entry;
@@ -39,6 +40,12 @@ pub fn directions(entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
         Err(entry.source().error(direction.span(), message))
     };
     entry.vectors()?.into_iter().map(direction).collect()
+}
+
+/// From a frame to the one in which it has this position (m) and unit quaternion (w x y z).
+pub fn isometry(position: &[f64; 3], &[w, x, y, z]: &[f64; 4]) -> Isometry3<f64> {
+    let rotation = UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z));
+    Isometry3::from_parts(Vector3::from(*position).into(), rotation)
 }
 
 /// Euclidean norm.

@@ -2,9 +2,12 @@
 
 use task::{AssemblyTask, ContactPair, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
 
+use crate::facets::Fit;
 use crate::keys::key;
 use crate::limits::{OutOfReach, check_reach};
-use crate::part::Part;
+use crate::mesh::MeshPart;
+use crate::motion_region::MotionRegion;
+use crate::part::{Extent, Part};
 use crate::task_error::TaskError;
 use crate::words::nearest;
 
@@ -22,12 +25,22 @@ pub struct StartPose {
 pub struct Scene {
     /// Title, by default the file's name.
     pub title: String,
-    /// Parts of the moved body, in its frame.
+    /// Convex parts of the moved body, in its frame.
     pub body: Vec<Part>,
-    /// Parts of the environment, in the world frame.
+    /// Convex parts of the environment, in the world frame.
     pub environment: Vec<Part>,
+    /// Parts of the body whose shape is a mesh.
+    pub body_meshes: Vec<MeshPart>,
+    /// Parts of the environment whose shape is a mesh.
+    pub environment_meshes: Vec<MeshPart>,
+    /// The tightest fit of a round part of the body in a round hole at the goal.
+    pub fit: Option<Fit>,
+    /// Where the body goes: only what has surface there stands for meshes of the environment, if there are any.
+    pub region: Option<MotionRegion>,
     /// Pairs that may touch, as indices into body and environment.
     pub pairs: Vec<(usize, usize)>,
+    /// Pairs that are left out because no motion from start to goal comes near to them.
+    pub far_pairs: Vec<(usize, usize)>,
     /// Start poses; the first is the default.
     pub starts: Vec<StartPose>,
     /// Goal pose.
@@ -113,6 +126,11 @@ impl Scene {
             cost: self.cost,
             limits: self.limits,
         })
+    }
+
+    /// Longest edge of the box around the body, along the axes of its frame (m).
+    pub fn body_size(&self) -> f64 {
+        Extent::of(&self.body).size()
     }
 
     /// All pairs of a body part and an environment part, including those that the scene leaves out.

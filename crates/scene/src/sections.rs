@@ -1,19 +1,19 @@
 //! The tables of a scene that are not shapes.
 
-use nalgebra::{Matrix3, SymmetricEigen};
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::keys::key;
-use crate::part::Part;
-use crate::pose::pose;
+use crate::part::Draft;
+use crate::pose::{norm, pose};
 use crate::scene::StartPose;
 use crate::table::Table;
-use crate::words::{clipped, suggest};
 
 /// Relative difference of two numbers of a matrix that counts as rounding.
 const ROUNDING: f64 = 1e-9;
+/// Distance of the centre of mass from the origin, in sizes of the body, that makes no difference.
+const CENTERED: f64 = 0.01;
 
 /// The start poses.
 pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
@@ -29,13 +29,51 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
     Ok(starts)
 }
 
-/// Mass and rotational inertia.
-pub fn inertia(body: &Table) -> Result<Inertia, SceneError> {
-    let mass = body.number("mass")?;
-    let Some(entry) = body.find("inertia") else {
-        return Ok(Inertia { mass, rotational: Matrix3::identity() * body.number("inertia")? });
+/// Mass and rotational inertia: those given, else of the density of the parts, else the defaults.
+pub fn inertia(body: &Table, parts: &[Draft]) -> Result<Inertia, SceneError> {
+    let material = of_density(parts)?;
+    let mass = match (&material, body.find("mass")) {
+        (Some(material), None) => material.mass,
+        _ => body.number("mass")?,
     };
-    Ok(Inertia { mass, rotational: symmetric(&entry)? })
+    let rotational = match (material, body.find("inertia")) {
+        (_, Some(entry)) => symmetric(&entry)?,
+        (Some(material), None) => material.rotational,
+        (None, None) => Matrix3::identity() * body.number("inertia")?,
+    };
+    Ok(Inertia { mass, rotational })
+}
+
+/// Of a body whose parts are meshes with a density. Its origin must be the centre of mass.
+fn of_density(parts: &[Draft]) -> Result<Option<Inertia>, SceneError> {
+    let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.density.is_some())) else {
+        return Ok(None);
+    };
+    let (mut mass, mut moment, mut about_origin) = (0.0, Vector3::zeros(), Matrix3::zeros());
+    for part in parts {
+        let Some((mesh, density)) = part.mesh().and_then(|mesh| Some((mesh, mesh.density?))) else {
+            return Err(first.refuse(&format!("`density` is given here but not for part `{}`", part.name)));
+        };
+        let (properties, placement) = (mesh.solid.mass_properties(), part.placement());
+        let own = density * properties.volume;
+        let center = placement.transform_point(&properties.center.into()).coords;
+        let turn = placement.rotation.to_rotation_matrix();
+        let rows = Matrix3::from_fn(|row, column| properties.inertia[row][column]);
+        mass += own;
+        moment += own * center;
+        about_origin += density * (turn * rows * turn.inverse())
+            + own * (Matrix3::identity() * center.norm_squared() - center * center.transpose());
+    }
+    let center = moment / mass;
+    let size = parts.iter().flat_map(Draft::points).map(|point| norm(&point)).fold(0.0, f64::max);
+    if center.norm() > CENTERED * size {
+        let [x, y, z] = (-center).into();
+        return Err(first.refuse(&format!(
+            "the centre of mass must be the body's origin: move its parts by position = [{x:.6}, {y:.6}, {z:.6}], and \
+             start and goal accordingly, or leave `density` out"
+        )));
+    }
+    Ok(Some(Inertia { mass, rotational: about_origin }))
 }
 
 /// A symmetric matrix with its principal values in the key's range. Where zero is in the range, rounding may make it
@@ -106,39 +144,4 @@ fn weights(table: &Table) -> Result<CostWeights, SceneError> {
         terminal_position: table.number("terminal_position")?,
         terminal_orientation: table.number("terminal_orientation")?,
     })
-}
-
-/// The pairs that are listed, else every body part with every environment part.
-pub fn pairs(scene: &Table, body: &[Part], environment: &[Part]) -> Result<Vec<(usize, usize)>, SceneError> {
-    let Some(entry) = scene.table("contact")?.find("pairs") else {
-        let most = *key("contact", "pairs").count().map_or(&usize::MAX, |count| count.end());
-        if body.len() * environment.len() > most {
-            return Err(scene.require("environment")?.refuse(format!(
-                "{} body parts and {} environment parts make more than {most} pairs: list those that may touch as \
-                 pairs in [contact]",
-                body.len(),
-                environment.len()
-            )));
-        }
-        let all = (0..body.len()).flat_map(|part| (0..environment.len()).map(move |other| (part, other)));
-        return Ok(all.collect());
-    };
-    let mut pairs = Vec::new();
-    for pair in entry.pairs()? {
-        let refuse = |message: String| entry.source().error(pair.span(), message);
-        let find = |parts: &[Part], parent: &str, name: &str| {
-            parts.iter().position(|part| part.name == name).ok_or_else(|| {
-                let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
-                let name = clipped(name);
-                refuse(format!("[{parent}] has no part `{name}`{}", suggest(&name, &names)))
-            })
-        };
-        let [first, second] = *pair.get_ref();
-        let indices = (find(body, "body", first)?, find(environment, "environment", second)?);
-        if pairs.contains(&indices) {
-            return Err(refuse(format!("the pair `{first}`, `{second}` is listed twice")));
-        }
-        pairs.push(indices);
-    }
-    Ok(pairs)
 }

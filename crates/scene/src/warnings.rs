@@ -53,10 +53,15 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
 
 /// Remarks on parts that are very large or very small.
 fn sizes(parent: &Table, parts: &[Part], warnings: &mut Vec<String>) -> Result<(), SceneError> {
-    for (table, part) in parent.tables("part", "part")?.iter().zip(parts) {
-        let size = part.shape.size();
+    for table in parent.tables("part", "part")? {
+        let name = table.require("name")?.name()?;
+        // A mesh has several.
+        let is_of =
+            |part: &&Part| part.name == name || part.name.strip_prefix(&name).is_some_and(|rest| rest.starts_with('.'));
+        let own: Vec<Part> = parts.iter().filter(is_of).cloned().collect();
+        let size = Extent::of(&own).size();
         if !USUAL_SIZES.contains(&size) {
-            let message = format!("part `{}` is {size} m long: are these metres?", part.name);
+            let message = format!("part `{name}` is {size} m long: are these metres?");
             warnings.push(table.require("name")?.refuse(message).headline());
         }
     }

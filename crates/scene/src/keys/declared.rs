@@ -2,8 +2,8 @@
 
 use super::Absent::{Means, Number as Default, Refused};
 use super::Values::{
-    Choice, Directions, File, FileOrTable, Integer, Matrix, Name, Number, NumberOrMatrix, Numbers, Pairs, Quaternion,
-    Table, Tables, Vector, Vectors,
+    Choice, Directions, File, FileOrTable, Integer, Length, Matrix, Name, Number, NumberOrMatrix, Numbers, Pairs,
+    Quaternion, Table, Tables, Vector, Vectors,
 };
 use super::{Absent, Key, Values};
 use crate::range::Range;
@@ -62,8 +62,11 @@ pub const KEYS: &[Key] = &[
     key("part", "box", Vector(LENGTH), "m", Means("another shape"), "edge lengths of a box with its centre at the part's origin"),
     key("part", "normals", Vectors(NORMAL, 4..=10_000), "", Means("another shape"), "outward normals of the halfspaces whose intersection is the part, of any length"),
     key("part", "offsets", Numbers(OFFSET, 4..=10_000), "m", Means("another shape"), "one per normal: all points p with `normal . p <= offset`; metres for unit normals"),
-    key("part", "mesh", File, "", Means("another shape"), "an STL file with a convex mesh"),
+    key("part", "mesh", File, "", Means("another shape"), "a closed triangle mesh, convex or not: an STL or OBJ file; [what becomes of it](meshes.md)"),
     key("part", "unit", Choice(UNITS), "", Means("no mesh"), "unit of the mesh file; needed with `mesh`, refused without"),
+    key("part", "facets", Integer(Range::closed(3.0, 360.0)), "", Means("chosen from the gap"), "facets of a full turn that stand for round surfaces of the mesh"),
+    key("part", "clearance", Length(Range::closed(0.0, 0.1)), "m", Means("nothing"), "length by which all surfaces of the mesh are moved into the material, for parts that are modelled without their fit; a number, or a text with its unit as `\"0.02 mm\"`"),
+    key("part", "density", Number(Range::closed(1e-3, 1e6)), "kg/m^3", Means("`mass` and `inertia` of the body hold"), "density of the material of a mesh: gives the body its mass and inertia"),
     key("part", "position", Vector(COORDINATE), "m", Means("`[0, 0, 0]`"), "moves the part, after it was turned"),
     key("part", "orientation", Quaternion, "", Means("`[1, 0, 0, 0]`"), "turns the part about its origin"),
 

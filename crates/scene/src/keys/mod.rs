@@ -35,6 +35,8 @@ pub enum Values {
     Number(Range),
     /// One integer.
     Integer(Range),
+    /// A number of metres, or a text with a number and its unit.
+    Length(Range),
     /// Three numbers.
     Vector(Range),
     /// A list of numbers.
@@ -142,6 +144,7 @@ impl Key {
         match self.values {
             Values::Number(range)
             | Values::Integer(range)
+            | Values::Length(range)
             | Values::Vector(range)
             | Values::Numbers(range, _)
             | Values::Vectors(range, _)

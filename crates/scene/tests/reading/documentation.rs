@@ -31,6 +31,7 @@ fn values(values: &Values) -> String {
     match values {
         Values::Number(range) => format!("number {range}"),
         Values::Integer(range) => format!("integer {range}"),
+        Values::Length(range) => format!("number {range}, or text with its unit"),
         Values::Vector(range) => format!("3 numbers {range}"),
         Values::Numbers(range, entries) => format!("list of {} numbers {range}", count(entries)),
         Values::Vectors(range, entries) => format!("list of {} times 3 numbers {range}", count(entries)),

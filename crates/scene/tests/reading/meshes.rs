@@ -1,4 +1,4 @@
-//! Meshes that are convex, that are not, and files that are none.
+//! Parts from meshes: convex or not, round or not, and files that are none.
 
 use std::f64::consts::TAU;
 
@@ -10,10 +10,15 @@ type Triangle = [[f64; 3]; 3];
 
 /// The scene with a mesh file of these bytes.
 fn load(bytes: &[u8]) -> Result<Scene, SceneError> {
+    load_with(bytes, "unit = \"mm\"")
+}
+
+/// Likewise, with these keys of the mesh.
+fn load_with(bytes: &[u8], keys: &str) -> Result<Scene, SceneError> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("wall.stl"), bytes).unwrap();
     let wall = "box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]";
-    let text = replaced(wall, "mesh = \"wall.stl\"\nunit = \"mm\"");
+    let text = replaced(wall, &format!("mesh = \"wall.stl\"\n{keys}"));
     Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
 }
 
@@ -94,41 +99,82 @@ fn pocket(depth: f64) -> Vec<Triangle> {
 }
 
 #[test]
-fn a_tessellated_cylinder_is_convex_in_both_orientations() {
+fn a_round_part_has_as_many_facets_as_asked_for() {
     for sides in [16, 64, 300] {
         let triangles = cylinder(sides);
         for triangles in [inverted(&triangles), triangles] {
-            assert_eq!(size(&binary(&triangles)), (sides + 2, 2 * sides));
+            let scene = load_with(&binary(&triangles), "unit = \"mm\"\nfacets = 12").unwrap();
+            let [part] = &scene.environment[..] else { panic!("{}", scene.environment.len()) };
+            assert_eq!((part.name.as_str(), part.shape.normals().len()), ("wall", 14));
+            // Around the cylinder: 2 n tan(pi / n) of r^2 h / 2.
+            let volume = 12.0 * (TAU / 24.0).tan() * 0.01 * 0.01 * 0.03;
+            assert!((part.shape.volume() / volume - 1.0).abs() < 1e-3, "{} {volume}", part.shape.volume());
         }
     }
 }
 
 #[test]
-fn shapes_whose_vertices_all_lie_on_the_hull_are_not_convex_for_that() {
+fn what_is_not_convex_becomes_several_parts() {
     let l = [[0.0, 0.0], [20.0, 0.0], [20.0, 5.0], [5.0, 5.0], [5.0, 20.0], [0.0, 20.0]];
     let l = prism(&l, &fan(6), 60.0);
     let u = [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [20.0, 20.0], [20.0, 5.0], [10.0, 5.0], [10.0, 20.0], [0.0, 20.0]];
     let u = prism(&u, &[[0, 5, 6], [0, 6, 7], [0, 4, 5], [0, 1, 4], [1, 2, 4], [2, 3, 4]], 60.0);
-    for (triangles, depth, place) in [(l, "5.000 mm", "(10.0000, 5.0000, "), (u, "10.000 mm", "(10.0000, ")] {
+    for (triangles, count) in [(l, 2), (u, 3), (pocket(4.0), 5)] {
         for triangles in [inverted(&triangles), triangles] {
-            let message = refusal(&binary(&triangles));
-            assert!(message.contains("not convex: at ") && message.contains("split it into convex parts"), "{message}");
-            assert!(message.contains(depth) && message.contains(place), "{message}");
+            let scene = load(&binary(&triangles)).unwrap();
+            let names: Vec<&str> = scene.environment.iter().map(|part| part.name.as_str()).collect();
+            let right: Vec<String> = (1..=count).map(|number| format!("wall.{number}")).collect();
+            assert_eq!(names, right);
+            assert_eq!(scene.environment_meshes[0].parts, 0..count);
         }
     }
 }
 
 #[test]
-fn a_pocket_is_found_unless_it_is_a_scratch() {
-    for triangles in [pocket(4.0), inverted(&pocket(4.0))] {
-        let message = refusal(&binary(&triangles));
-        assert!(
-            message.contains("0000, 16.0000) in the unit of the file, its surface lies 4.000 mm inside"),
-            "{message}"
-        );
+fn pairs_may_name_a_mesh_or_one_of_its_parts() {
+    let listed = |pairs: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("wall.stl"), binary(&pocket(4.0))).unwrap();
+        let wall = "box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]";
+        let text = replaced(wall, "mesh = \"wall.stl\"\nunit = \"mm\"");
+        let text = format!("{text}\n[contact]\npairs = {pairs}\n");
+        Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
+    };
+    assert_eq!(listed("[[\"shaft\", \"wall\"]]").unwrap().pairs.len(), 5);
+    assert_eq!(listed("[[\"shaft\", \"wall.2\"]]").unwrap().pairs, [(0, 1)]);
+    let error = listed("[[\"shaft\", \"wall.7\"]]").unwrap_err();
+    assert!(error.message().contains("no part `wall.7`"), "{error}");
+}
+
+#[test]
+fn a_clearance_moves_all_surfaces_inwards() {
+    let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]];
+    let cube = binary(&prism(&square, &fan(4), 20.0));
+    for clearance in ["\"0.5 mm\"", "\"0.05cm\"", "0.0005", "\"5e-4 m\""] {
+        let scene = load_with(&cube, &format!("unit = \"mm\"\nclearance = {clearance}")).unwrap();
+        assert!((scene.environment[0].shape.size() - 0.019).abs() < 1e-9, "{clearance}");
     }
-    assert!(refusal(&binary(&pocket(0.01))).contains("lies 0.010 mm inside"));
-    assert_eq!(size(&binary(&pocket(0.001))), (6, 8));
+    for wrong in ["\"0.5\"", "\"half a mm\"", "\"0.5 km\"", "-1.0", "\"200 mm\""] {
+        let error = load_with(&cube, &format!("unit = \"mm\"\nclearance = {wrong}")).unwrap_err();
+        assert!(error.message().contains("part.clearance"), "{error}");
+    }
+}
+
+#[test]
+fn density_gives_the_body_its_mass_when_it_is_centred() {
+    let load = |position: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]];
+        std::fs::write(folder.path().join("cube.stl"), binary(&prism(&square, &fan(4), 20.0))).unwrap();
+        let shape = format!("mesh = \"cube.stl\"\nunit = \"mm\"\ndensity = 1000\nposition = {position}");
+        let text = replaced("box = [0.02, 0.02, 0.1]", &shape);
+        Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
+    };
+    let inertia = load("[-0.01, -0.01, -0.01]").unwrap().inertia;
+    assert!((inertia.mass / 0.008 - 1.0).abs() < 1e-6, "{}", inertia.mass);
+    assert!((inertia.rotational[(1, 1)] / (0.008 * 0.02 * 0.02 / 6.0) - 1.0).abs() < 1e-6);
+    let error = load("[0.0, 0.0, 0.0]").unwrap_err();
+    assert!(error.message().contains("position = [-0.010000, -0.010000, -0.010000]"), "{error}");
 }
 
 #[test]
@@ -136,19 +182,18 @@ fn files_that_are_no_mesh_are_refused() {
     let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]];
     let cube = prism(&square, &fan(4), 20.0);
     assert_eq!(size(&binary(&cube)), (6, 8));
-    assert!(refusal(b"").contains("the file is empty"));
+    assert!(refusal(b"").contains("cannot be read"));
     assert!(refusal(b"solid nothing\nendsolid nothing\n").contains("it has no triangles"));
     assert!(refusal(&binary(&[])).contains("it has no triangles"));
     assert!(refusal(&binary(&cube)[..300]).contains("wall.stl"));
-    for broken in [f64::NAN, f64::INFINITY] {
+    for broken in [f64::NAN, f64::INFINITY, 1e12] {
         let mut triangles = cube.clone();
         triangles[4][1][2] = broken;
-        assert!(refusal(&binary(&triangles)).contains("triangle 5 has a coordinate that is not a finite number"));
+        assert!(refusal(&binary(&triangles)).contains("has a coordinate that is not a finite number"));
     }
-    let mut far = cube.clone();
-    far[4][1][2] = 1e12;
-    assert!(refusal(&binary(&far)).contains("lengths are in metres"));
-    assert!(refusal(&binary(&cube[..2])).contains("the part is flat"));
+    assert!(refusal(&binary(&cube[..2])).contains("the surface is open"));
+    let repaired = load(&binary(&cube[..11])).unwrap();
+    assert_eq!((repaired.environment_meshes[0].solid.repairs().len(), repaired.environment.len()), (1, 1));
     let many: Vec<Triangle> = cube.iter().copied().cycle().take(200_001).collect();
-    assert!(refusal(&binary(&many)).contains("more than 200000 triangles"));
+    assert!(refusal(&binary(&many)).contains("200001 triangles are too many"));
 }

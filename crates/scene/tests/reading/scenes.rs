@@ -165,7 +165,7 @@ fn stl(corner: f64) -> String {
 }
 
 #[test]
-fn meshes_are_read_in_their_unit_and_must_be_convex() {
+fn meshes_are_read_in_their_unit() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("scene.toml");
     let text = SCENE.replacen("box = [0.1, 0.1, 0.1]", "mesh = \"wall.stl\"\nunit = \"mm\"", 1);
@@ -175,6 +175,4 @@ fn meshes_are_read_in_their_unit_and_must_be_convex() {
     let scene = parse().unwrap();
     assert_eq!(scene.environment[0].shape.normals().len(), 6);
     assert!((scene.environment[0].shape.size() - 0.02).abs() < 1e-9);
-    std::fs::write(folder.path().join("wall.stl"), stl(5.0)).unwrap();
-    assert!(parse().unwrap_err().message().contains("not convex"));
 }

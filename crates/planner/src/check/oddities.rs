@@ -1,0 +1,147 @@
+//! What is odd about a scene, and which key to change.
+
+use task::AssemblyTask;
+
+use crate::check::{Explanation, Play, Way};
+use crate::problem::Problem;
+
+/// Share of the gap of a round fit that facets may take.
+const FACETS_SHARE: f64 = scene::SHARE;
+/// Overlap that counts as hard contact, as a fraction of the clearance at the goal.
+const HARD: f64 = 0.1;
+/// Distance from the mesh that is worth a word: in errors of its facets, and in sizes of the part.
+const DEVIATION: f64 = 3.0;
+const DEVIATION_IN_SIZES: f64 = 3e-4;
+
+/// A step this many times as long as the play is worth a word.
+const LONG_STEP: f64 = 2.0;
+
+/// Everything odd, in the words of the scene.
+pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
+    let task = problem.task();
+    let own = [
+        overlap(explanation),
+        facets(explanation),
+        deviation(explanation),
+        rest(problem, explanation),
+        way(explanation),
+        first_smoothing(task, problem.homotopy().tau),
+        last_smoothing(problem, explanation),
+        step(task, explanation),
+    ];
+    own.into_iter().flatten().collect()
+}
+
+fn overlap(explanation: &Explanation) -> Option<String> {
+    let worst = explanation.overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m))?;
+    let (pose, pair, depth) = (&worst.pose, &worst.pair, -1e3 * worst.distance_m);
+    let cure = if pose == "goal" {
+        "it cannot be reached: move [goal] or, where CAD is size on size, state the fit by `clearance` of a mesh"
+    } else {
+        "move that start, or lower robustness.offset_magnitude"
+    };
+    Some(format!("at the {pose} {pair} overlap by {depth:.3} mm, more than any other pair; {cure}"))
+}
+
+fn facets(explanation: &Explanation) -> Option<String> {
+    let fit = explanation.fit?;
+    if fit.gap_m <= 0.0 {
+        return Some(format!(
+            "a round part is {:.3} mm larger than its hole: state the fit by `clearance` of one of the meshes",
+            -1e3 * fit.gap_m
+        ));
+    }
+    (fit.lost_m > FACETS_SHARE * fit.gap_m).then(|| {
+        format!(
+            "facets take {:.3} mm of a gap of {:.3} mm between a round part and its hole: raise `facets` of the meshes",
+            1e3 * fit.lost_m,
+            1e3 * fit.gap_m
+        )
+    })
+}
+
+/// A mesh that its parts stand for badly.
+fn deviation(explanation: &Explanation) -> Option<String> {
+    explanation.meshes.iter().find_map(|mesh| {
+        let errors = mesh.round_surfaces.iter().map(|surface| surface.error_m);
+        let expected = errors.fold(0.0, f64::max) + mesh.growth_m + mesh.clearance_m;
+        let found = mesh.deviation.parts_to_mesh_m;
+        (found > DEVIATION * expected + DEVIATION_IN_SIZES * mesh.volume_m3.cbrt()).then(|| {
+            format!(
+                "convex parts of `{}` are up to {:.3} mm away from the mesh, more than its facets explain: check it \
+                 against the CAD program",
+                mesh.name,
+                1e3 * found
+            )
+        })
+    })
+}
+
+fn rest(problem: &Problem, explanation: &Explanation) -> Option<String> {
+    let tolerance = problem.success().position;
+    (explanation.farthest_rest_m > tolerance).then(|| {
+        format!(
+            "play lets the body rest {:.2} mm from its goal, more than the tolerance of {:.2} mm: it may be missed \
+             whatever the plan; raise --position-tolerance",
+            1e3 * explanation.farthest_rest_m,
+            1e3 * tolerance
+        )
+    })
+}
+
+fn way(explanation: &Explanation) -> Option<String> {
+    let Way::None { step_m, nearest_m } = explanation.way else { return None };
+    Some(format!(
+        "no way from start to goal was found in clearance, in steps of {:.2} mm and without turning: the search ends {:.1} \
+         mm from the start; check the goal, the fit and the axis of insertion",
+        1e3 * step_m,
+        1e3 * nearest_m
+    ))
+}
+
+/// The first smoothing is smaller than the offset: the plan may then end in a wrong optimum. It often does not, and
+/// success is not monotone in the first smoothing, so that this is no more than a hint.
+fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
+    let norm = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
+    let largest = task.offsets.iter().map(norm).fold(0.0, f64::max);
+    let rows = task.pairs.iter().map(|pair| pair.shapes.row_count()).min()?;
+    let reach = tau * rows as f64;
+    (reach < 1.5 * largest).then(|| {
+        format!(
+            "the first smoothing reaches {:.1} mm, the offset is {:.1} mm; if plans miss the goal, try a larger \
+             homotopy.tau",
+            1e3 * reach,
+            1e3 * largest
+        )
+    })
+}
+
+/// The last smoothing must be small beside the clearance.
+fn last_smoothing(problem: &Problem, explanation: &Explanation) -> Option<String> {
+    let last = problem.homotopy().schedule().last()?;
+    let rows = problem.task().pairs.iter().map(|pair| pair.shapes.row_count()).max()?;
+    let clearance = explanation.insertion.first()?.clearance_m;
+    let reach = last.tau * rows as f64;
+    (clearance > 0.0 && reach > HARD * clearance).then(|| {
+        format!(
+            "the last smoothing reaches {:.3} mm, the clearance at the goal is {:.3} mm: raise homotopy.further_iterations",
+            1e3 * reach,
+            1e3 * clearance
+        )
+    })
+}
+
+/// Distances are linearised in each step: it must not be long beside the play.
+fn step(task: &AssemblyTask, explanation: &Explanation) -> Option<String> {
+    let path = explanation.insertion.last()?.distance_from_goal_m;
+    let per_step = path / task.horizon.steps as f64;
+    let narrowest = explanation.insertion.iter().filter_map(Play::narrowest).fold(f64::INFINITY, f64::min);
+    (narrowest > 0.0 && narrowest.is_finite() && per_step > LONG_STEP * narrowest).then(|| {
+        format!(
+            "the body moves {:.2} mm in a step on average, the play is {:.2} mm: more and shorter steps ([horizon]) find \
+             ways that these miss",
+            1e3 * per_step,
+            1e3 * narrowest
+        )
+    })
+}

@@ -1,0 +1,142 @@
+//! Parts, and what became of meshes.
+
+use mesh::{CurvedKind, Deviation};
+use scene::{MeshPart, Part};
+use serde::Serialize;
+
+/// A convex part.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PartReport {
+    /// Its name.
+    pub name: String,
+    /// Longest edge of its bounding box.
+    pub size_m: f64,
+    /// Smallest distance between a facet and the corner farthest from it.
+    pub thickness_m: f64,
+    /// Its volume.
+    pub volume_m3: f64,
+    /// Its halfspaces.
+    pub facets: usize,
+    /// Its corners.
+    pub corners: usize,
+}
+
+impl From<&Part> for PartReport {
+    fn from(part: &Part) -> Self {
+        Self {
+            name: part.name.clone(),
+            size_m: part.shape.size(),
+            thickness_m: part.shape.thickness(),
+            volume_m3: part.shape.volume(),
+            facets: part.shape.normals().len(),
+            corners: part.shape.vertices().len(),
+        }
+    }
+}
+
+/// A part whose shape is a mesh, and how well its convex parts stand for it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MeshReport {
+    /// Name of the part.
+    pub name: String,
+    /// The file.
+    pub file: String,
+    /// Its triangles, after repairs.
+    pub triangles: usize,
+    /// What was repaired, in words.
+    pub repairs: Vec<String>,
+    /// Volume of the whole mesh.
+    pub volume_m3: f64,
+    /// Its round surfaces.
+    pub round_surfaces: Vec<RoundSurface>,
+    /// Facets of a full turn that stand for them.
+    pub facets_per_turn: usize,
+    /// Length by which its surfaces were moved into the material.
+    pub clearance_m: f64,
+    /// Convex parts.
+    pub pieces: usize,
+    /// Convex parts that were thinner than the precision of the file.
+    pub pieces_dropped: usize,
+    /// How far convex parts reach beyond facets that were left out to have fewer.
+    pub growth_m: f64,
+    /// Comparison of the convex parts with the mesh, made independently.
+    pub deviation: DeviationReport,
+}
+
+/// A cylinder or cone of a mesh, or a sector of one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RoundSurface {
+    /// `cylinder` or `cone`.
+    pub kind: &'static str,
+    /// Whether the material is inside of it.
+    pub is_convex: bool,
+    /// Radii at both ends.
+    pub radii_m: [f64; 2],
+    /// Points of the axis at both ends, in the part's own frame.
+    pub axis_m: [[f64; 3]; 2],
+    /// Extent around the axis.
+    pub angle_rad: f64,
+    /// Largest distance of its facets from it.
+    pub error_m: f64,
+}
+
+/// Distances and volumes between a mesh and its convex parts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DeviationReport {
+    /// Largest distance of the mesh from the surface of the convex parts.
+    pub mesh_to_parts_m: f64,
+    /// Largest distance of that from the mesh.
+    pub parts_to_mesh_m: f64,
+    /// Largest distance of the mesh from convex parts that do not contain it.
+    pub uncovered_m: f64,
+    /// Volume of the mesh outside of the convex parts.
+    pub missing_m3: f64,
+    /// Volume of the convex parts outside of the mesh.
+    pub outside_m3: f64,
+    /// Standard deviation of both volumes, which are estimated at points.
+    pub volume_error_m3: f64,
+}
+
+impl From<&MeshPart> for MeshReport {
+    fn from(part: &MeshPart) -> Self {
+        let (solid, cover) = (&part.solid, &part.cover);
+        let round = |(surface, error): &(mesh::CurvedSurface, f64)| RoundSurface {
+            kind: match surface.kind {
+                CurvedKind::Cylinder => "cylinder",
+                CurvedKind::Cone => "cone",
+            },
+            is_convex: surface.is_convex,
+            radii_m: surface.radii,
+            axis_m: surface.axis,
+            angle_rad: surface.angle,
+            error_m: *error,
+        };
+        Self {
+            name: part.name.clone(),
+            file: part.file.display().to_string(),
+            triangles: solid.triangle_count(),
+            repairs: solid.repairs().iter().map(ToString::to_string).collect(),
+            volume_m3: solid.mass_properties().volume,
+            round_surfaces: cover.curved_surfaces().iter().map(round).collect(),
+            facets_per_turn: part.settings.facets,
+            clearance_m: part.settings.clearance,
+            pieces: cover.pieces().len(),
+            pieces_dropped: cover.vanished(),
+            growth_m: cover.growth(),
+            deviation: Deviation::measure(solid, cover).into(),
+        }
+    }
+}
+
+impl From<Deviation> for DeviationReport {
+    fn from(deviation: Deviation) -> Self {
+        Self {
+            mesh_to_parts_m: deviation.mesh_to_cover,
+            parts_to_mesh_m: deviation.cover_to_mesh,
+            uncovered_m: deviation.uncovered,
+            missing_m3: deviation.missing_volume,
+            outside_m3: deviation.outside_volume,
+            volume_error_m3: deviation.volume_error,
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! How many facets stand for curved surfaces, where the scene does not say it.
+
+use std::f64::consts::TAU;
+
+use mesh::{CurvedSurface, Solid};
+use nalgebra::{Isometry3, Point3, Vector3};
+
+/// Facets per full turn of which the least is taken that is fine enough.
+const CHOICES: [usize; 8] = [8, 12, 16, 24, 32, 40, 48, 64];
+/// Where nothing round goes into anything round.
+const DEFAULT: usize = 24;
+/// Share of the gap between a round part and its hole that facets may take.
+pub const SHARE: f64 = 0.05;
+/// Cosine of the angle between axes that are parallel.
+const PARALLEL: f64 = 0.9999;
+
+/// A round part in a round hole.
+#[derive(Debug, Clone, Copy)]
+pub struct Fit {
+    /// Radius (m) of the hole.
+    pub hole: f64,
+    /// Difference of the radii (m); negative where the part is larger.
+    pub gap: f64,
+}
+
+impl Fit {
+    /// What facets take of the gap (m): flat sides of the hole against flat sides of the part, or corners against
+    /// corners, whichever is more.
+    pub fn lost(&self, facets: usize) -> f64 {
+        let cosine = (0.5 * TAU / facets as f64).cos();
+        (self.hole * (1.0 - cosine)).max((self.hole - self.gap) * (1.0 / cosine - 1.0))
+    }
+}
+
+/// A mesh with its place in the world.
+#[derive(Clone, Copy)]
+pub struct Placed<'mesh> {
+    pub solid: &'mesh Solid,
+    pub placement: Isometry3<f64>,
+    /// Distance (m) that its surface is moved inwards.
+    pub clearance: f64,
+}
+
+/// The tightest fit of a cylinder of the body in one of the environment when the body is at its goal.
+pub fn tightest_fit(body: &[Placed], environment: &[Placed]) -> Option<Fit> {
+    let pegs: Vec<Cylinder> = body.iter().flat_map(|part| cylinders(part, true)).collect();
+    let holes: Vec<Cylinder> = environment.iter().flat_map(|part| cylinders(part, false)).collect();
+    let fits = pegs.iter().flat_map(|peg| holes.iter().filter_map(|hole| peg.fit(hole)));
+    fits.min_by(|one, other| one.gap.total_cmp(&other.gap))
+}
+
+/// Number of facets for a fit.
+pub fn facets(fit: Option<Fit>) -> usize {
+    let Some(fit) = fit.filter(|fit| fit.gap > 0.0) else { return DEFAULT };
+    let is_fine = |&facets: &usize| fit.lost(facets) <= SHARE * fit.gap;
+    CHOICES.into_iter().find(is_fine).unwrap_or(CHOICES[CHOICES.len() - 1])
+}
+
+struct Cylinder {
+    middle: Point3<f64>,
+    axis: Vector3<f64>,
+    length: f64,
+    radius: f64,
+}
+
+fn cylinders(part: &Placed, convex: bool) -> Vec<Cylinder> {
+    let sign = if convex { -1.0 } else { 1.0 };
+    let of = |surface: CurvedSurface| {
+        let [begin, end] = surface.axis.map(|point| part.placement.transform_point(&point.into()));
+        let axis = end - begin;
+        let radius = 0.5 * (surface.radii[0] + surface.radii[1]) + sign * part.clearance;
+        Cylinder { middle: nalgebra::center(&begin, &end), axis: axis.normalize(), length: axis.norm(), radius }
+    };
+    let surfaces = part.solid.curved_surfaces().into_iter();
+    surfaces.filter(|surface| surface.is_convex == convex && surface.radii[0] == surface.radii[1]).map(of).collect()
+}
+
+impl Cylinder {
+    /// This cylinder in a hole, if that is around it.
+    fn fit(&self, hole: &Self) -> Option<Fit> {
+        let between = hole.middle - self.middle;
+        let along = between.dot(&hole.axis);
+        let aside = (between - along * hole.axis).norm();
+        let gap = hole.radius - self.radius;
+        let is_around = self.axis.dot(&hole.axis).abs() > PARALLEL
+            && along.abs() < 0.5 * (self.length + hole.length)
+            && aside < 0.1 * hole.radius
+            && gap.abs() < 0.5 * hole.radius;
+        is_around.then_some(Fit { hole: hole.radius, gap: gap - aside })
+    }
+}

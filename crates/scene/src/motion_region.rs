@@ -1,0 +1,104 @@
+//! Where the motion of the body can go, for what lies too far away to be touched.
+
+use collision::{Pair, Polytope};
+use nalgebra::{Isometry3, Point3};
+use task::pose;
+
+use crate::part::corners_of;
+use crate::pose::{isometry, norm};
+use crate::scene::StartPose;
+
+/// Poses between a start and the goal that are looked at.
+const SAMPLES: usize = 9;
+/// Turn (rad) of the body away from these poses.
+const TURN: f64 = 0.1;
+/// Offsets by which the body may move away from these poses.
+const OFFSETS: f64 = 1.0;
+/// Further distance, in sizes of the body.
+const MARGIN: f64 = 0.02;
+
+/// What is looked at around the region, in sizes of the body.
+const SURROUNDINGS: f64 = 0.5;
+
+/// A box (m, world frame): lower and upper corner.
+pub type Extent = [[f64; 3]; 2];
+
+/// Where a body can go.
+#[derive(Debug, Clone)]
+pub struct MotionRegion {
+    /// A box around all of it and as much as half the body on every side: walls there must not be thin.
+    pub extent: Extent,
+    /// Convex places (world frame) that together are all of it.
+    pub places: Vec<Polytope>,
+}
+
+/// Straight motions from all starts to the goal, and how far the body may leave them.
+pub struct Motions {
+    poses: Vec<Isometry3<f64>>,
+    margin: f64,
+    surroundings: f64,
+}
+
+impl Motions {
+    /// Of a body with points at these coordinates (m), with offsets of a magnitude (m).
+    pub fn new(starts: &[StartPose], goal: &[f64; 7], magnitude: f64, body: &[[f64; 3]]) -> Self {
+        let goal = of_pose(goal);
+        let poses = starts.iter().flat_map(|start| {
+            let start = of_pose(&start.pose);
+            (0..SAMPLES).map(move |sample| {
+                let share = sample as f64 / (SAMPLES - 1) as f64;
+                let rotation = start.rotation.try_slerp(&goal.rotation, share, 1e-9).unwrap_or(goal.rotation);
+                Isometry3::from_parts(start.translation.vector.lerp(&goal.translation.vector, share).into(), rotation)
+            })
+        });
+        let size = body.iter().map(|point| norm(point)).fold(0.0, f64::max);
+        Self { poses: poses.collect(), margin: OFFSETS * magnitude + MARGIN * size, surroundings: SURROUNDINGS * size }
+    }
+
+    /// The region of a body whose parts are the convex hulls of some points (m, body frame).
+    pub fn region(&self, parts: &[Vec<[f64; 3]>]) -> MotionRegion {
+        let mut extent = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for [low, high] in self.poses.iter().flat_map(|pose| parts.iter().flat_map(|part| self.reaches(pose, part))) {
+            for axis in 0..3 {
+                extent[0][axis] = extent[0][axis].min(low[axis]);
+                extent[1][axis] = extent[1][axis].max(high[axis]);
+            }
+        }
+        let [low, high] = &mut extent;
+        low.iter_mut().for_each(|coordinate| *coordinate -= self.surroundings);
+        high.iter_mut().for_each(|coordinate| *coordinate += self.surroundings);
+        MotionRegion { extent, places: parts.iter().flat_map(|part| self.swept(part)).collect() }
+    }
+
+    /// The places that the convex hull of points reaches: for each pair of neighbouring poses their convex hull.
+    pub fn swept(&self, points: &[[f64; 3]]) -> Vec<Polytope> {
+        let at = |pose: &Isometry3<f64>| -> Vec<[f64; 3]> {
+            self.reaches(pose, points).flat_map(|place| corners_of(&place)).collect()
+        };
+        let of_start = |poses: &[Isometry3<f64>]| -> Vec<Polytope> {
+            let hull = |pair: &[Isometry3<f64>]| Polytope::from_vertices(&[at(&pair[0]), at(&pair[1])].concat()).ok();
+            poses.windows(2).filter_map(hull).collect()
+        };
+        self.poses.chunks(SAMPLES).flat_map(of_start).collect()
+    }
+
+    /// Boxes in which points of the body are near a pose.
+    fn reaches<'a>(&'a self, pose: &'a Isometry3<f64>, points: &'a [[f64; 3]]) -> impl Iterator<Item = Extent> + 'a {
+        points.iter().map(move |point| {
+            let reach = self.margin + TURN * norm(point);
+            let place = pose.transform_point(&Point3::from(*point));
+            [-1.0, 1.0].map(|sign| std::array::from_fn(|axis| place[axis] + sign * reach))
+        })
+    }
+}
+
+/// Whether two parts, both in the world frame, have a point in common.
+pub fn meet(one: &Polytope, other: &Polytope) -> bool {
+    let pair = Pair::new(one.clone(), other.clone());
+    pair.exact_distance(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]) <= 0.0
+}
+
+fn of_pose(pose: &[f64; 7]) -> Isometry3<f64> {
+    let [x, y, z, quaternion @ ..] = pose::normalised(pose);
+    isometry(&[x, y, z], &quaternion)
+}

@@ -1,0 +1,79 @@
+//! Which parts may touch.
+
+use crate::error::SceneError;
+use crate::keys::key;
+use crate::mesh::MeshPart;
+use crate::motion_region::{Motions, meet};
+use crate::part::Part;
+use crate::table::Table;
+use crate::words::{clipped, suggest};
+
+/// The parts of the body or of the environment.
+#[derive(Clone, Copy)]
+pub struct Side<'scene> {
+    /// `body` or `environment`.
+    pub parent: &'static str,
+    pub parts: &'scene [Part],
+    pub meshes: &'scene [MeshPart],
+}
+
+/// Pairs as indices of a body and an environment part.
+pub type Pairs = Vec<(usize, usize)>;
+
+/// The pairs that are listed; else every body part with every environment part, without pieces of meshes that its motions
+/// do not come near to. Second, the pairs that are left out.
+pub fn pairs(scene: &Table, body: Side, environment: Side, motions: &Motions) -> Result<(Pairs, Pairs), SceneError> {
+    let Some(entry) = scene.table("contact")?.find("pairs") else {
+        let (mut near, mut far) = (Pairs::new(), Pairs::new());
+        for (index, part) in body.parts.iter().enumerate() {
+            let of_mesh = |other: &usize| environment.meshes.iter().any(|mesh| mesh.parts.contains(other));
+            let pieces: Vec<usize> = (0..environment.parts.len()).filter(of_mesh).collect();
+            let places = if pieces.is_empty() { Vec::new() } else { motions.swept(part.shape.vertices()) };
+            for (other, touched) in environment.parts.iter().enumerate() {
+                let is_near = !pieces.contains(&other) || places.iter().any(|place| meet(place, &touched.shape));
+                if is_near { near.push((index, other)) } else { far.push((index, other)) }
+            }
+        }
+        if near.is_empty() {
+            std::mem::swap(&mut near, &mut far);
+        }
+        let most = *key("contact", "pairs").count().map_or(&usize::MAX, |count| count.end());
+        if near.len() > most {
+            return Err(scene.require("environment")?.refuse(format!(
+                "{} body parts and {} environment parts make more than {most} pairs: list those that may touch as \
+                 pairs in [contact]",
+                body.parts.len(),
+                environment.parts.len()
+            )));
+        }
+        return Ok((near, far));
+    };
+    let mut pairs = Vec::new();
+    for pair in entry.pairs()? {
+        let refuse = |message: String| entry.source().error(pair.span(), message);
+        let [first, second] = *pair.get_ref();
+        let (firsts, seconds) = (body.named(first, refuse)?, environment.named(second, refuse)?);
+        for indices in firsts.iter().flat_map(|&part| seconds.iter().map(move |&other| (part, other))) {
+            if pairs.contains(&indices) {
+                return Err(refuse(format!("the pair `{first}`, `{second}` is listed twice")));
+            }
+            pairs.push(indices);
+        }
+    }
+    Ok((pairs, Vec::new()))
+}
+
+impl Side<'_> {
+    /// Indices of the part of a name, or of all parts of a mesh of that name.
+    fn named(&self, name: &str, refuse: impl Fn(String) -> SceneError) -> Result<Vec<usize>, SceneError> {
+        if let Some(mesh) = self.meshes.iter().find(|mesh| mesh.name == name) {
+            return Ok(mesh.parts.clone().collect());
+        }
+        let index = self.parts.iter().position(|part| part.name == name);
+        index.map(|index| vec![index]).ok_or_else(|| {
+            let names: Vec<&str> = self.parts.iter().map(|part| part.name.as_str()).collect();
+            let name = clipped(name);
+            refuse(format!("[{}] has no part `{name}`{}", self.parent, suggest(&name, &names)))
+        })
+    }
+}

@@ -1,0 +1,67 @@
+//! From parts as the scene gives them to convex parts.
+
+use nalgebra::Isometry3;
+use task::pose;
+
+use crate::error::SceneError;
+use crate::facets::{Fit, Placed, facets, tightest_fit};
+use crate::mesh::MeshPart;
+use crate::motion_region::{MotionRegion, Motions};
+use crate::part::{Draft, Part, Shape};
+use crate::pose::isometry;
+
+/// The convex parts of a scene, and what they were made from.
+pub struct Shapes {
+    pub body: Vec<Part>,
+    pub environment: Vec<Part>,
+    pub body_meshes: Vec<MeshPart>,
+    pub environment_meshes: Vec<MeshPart>,
+    pub fit: Option<Fit>,
+    /// Where the body goes: only what has surface there stands for meshes of the environment, if there are any.
+    pub region: Option<MotionRegion>,
+}
+
+/// Makes all parts convex.
+pub fn shapes(body: &[Draft], environment: &[Draft], motions: &Motions, goal: &[f64; 7]) -> Result<Shapes, SceneError> {
+    let [x, y, z, quaternion @ ..] = pose::normalised(goal);
+    let at_goal = isometry(&[x, y, z], &quaternion);
+    let fit = tightest_fit(&meshes(body, &at_goal), &meshes(environment, &Isometry3::identity()));
+    let facets = facets(fit);
+    let (body, body_meshes) = convex(body, facets, None)?;
+    let has_meshes = environment.iter().any(|draft| draft.mesh().is_some());
+    let points = || body.iter().map(|part| part.shape.vertices().to_vec()).collect::<Vec<_>>();
+    let region = has_meshes.then(|| motions.region(&points()));
+    let (environment, environment_meshes) = convex(environment, facets, region.as_ref())?;
+    Ok(Shapes { body, environment, body_meshes, environment_meshes, fit, region })
+}
+
+/// The meshes among some parts, whose parent has a place in the world.
+fn meshes<'draft>(drafts: &'draft [Draft], parent: &Isometry3<f64>) -> Vec<Placed<'draft>> {
+    let placed = |draft: &'draft Draft| {
+        let mesh = draft.mesh()?;
+        Some(Placed { solid: &mesh.solid, placement: parent * draft.placement(), clearance: mesh.clearance })
+    };
+    drafts.iter().filter_map(placed).collect()
+}
+
+fn convex(
+    drafts: &[Draft],
+    facets: usize,
+    region: Option<&MotionRegion>,
+) -> Result<(Vec<Part>, Vec<MeshPart>), SceneError> {
+    let (mut parts, mut meshes) = (Vec::new(), Vec::new());
+    for draft in drafts {
+        match &draft.shape {
+            Shape::Convex(shape) => {
+                let shape = shape.placed(draft.position, draft.orientation);
+                parts.push(Part { name: draft.name.clone(), shape });
+            }
+            Shape::Mesh(mesh) => {
+                let (mesh, pieces) = mesh.cover(&draft.name, &draft.placement(), facets, region)?;
+                meshes.push(MeshPart { parts: parts.len()..parts.len() + pieces.len(), ..mesh });
+                parts.extend(pieces);
+            }
+        }
+    }
+    Ok((parts, meshes))
+}
