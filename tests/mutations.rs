@@ -142,7 +142,7 @@ fn check(folder: &Path) -> Result<(), PlannerError> {
         let problem = Problem::load(&folder.join("scene.toml"), &Choices { homotopy, ..Choices::default() })?;
         let explanation = explain(&problem, problem.homotopy().tau)?;
         require_finite("clearance", explanation.insertion.iter().map(|play| play.clearance_m));
-        require_finite("rest", [explanation.farthest_rest_m]);
+        require_finite("rest", explanation.farthest_rest_m);
         require_finite("overlap", explanation.overlaps.iter().map(|overlap| overlap.distance_m));
         for pair in pair_reports(&problem, &problem.task().start, problem.homotopy().tau)? {
             require_finite("distances", [pair.smoothed_distance_m, pair.exact_distance_m]);

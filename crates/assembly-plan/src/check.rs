@@ -153,7 +153,9 @@ fn print_insertion(explanation: &Explanation) {
         let axes: Vec<String> = axes.map(|axis| format!("{axis:>18}")).collect();
         say!("  {:>10.2} {:>10.3} {}", 1e3 * play.distance_from_goal_m, 1e3 * play.clearance_m, axes.join(" "));
     }
-    say!("play lets the body rest up to {:.2} mm from its goal", 1e3 * explanation.farthest_rest_m);
+    if let Some(farthest) = explanation.farthest_rest_m {
+        say!("play lets the body rest up to {:.2} mm from its goal", 1e3 * farthest);
+    }
     match explanation.way {
         Way::Straight => say!("the straight motion from start to goal touches nothing"),
         Way::OnGrid { step_m } => say!("the goal can be reached in clearance, in steps of {:.2} mm", 1e3 * step_m),

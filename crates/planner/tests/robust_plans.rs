@@ -159,7 +159,7 @@ fn any_reference_can_be_refined_without_a_plan() {
 
 #[test]
 fn status_and_success_never_contradict_each_other() {
-    let plans = [1e-5, 1e-3, 2e-3, 1e-2, 0.1].into_iter().flat_map(|position| {
+    let plans = [1e-5, 5e-4, 2e-3, 1e-2, 0.1].into_iter().flat_map(|position| {
         let rates = [0.0, 0.5, 1.0].map(|wanted_rate| RobustnessTarget { wanted_rate, ..impatient() });
         let robust = rates.map(|target| refined(position, &target));
         let success = Success { position, ..Success::default() };

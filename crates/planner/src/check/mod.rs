@@ -65,8 +65,8 @@ pub struct Explanation {
     pub far_pairs: Vec<String>,
     /// Play at the goal and on the straight way back to the start.
     pub insertion: Vec<Play>,
-    /// How far play lets the body rest from its goal.
-    pub farthest_rest_m: f64,
+    /// How far play lets the body rest from its goal across the insertion; null where it is free to move there.
+    pub farthest_rest_m: Option<f64>,
     /// Pairs that overlap at the goal or at the start with an offset.
     pub overlaps: Vec<PoseOverlap>,
     /// Whether the body gets from start to goal in clearance.

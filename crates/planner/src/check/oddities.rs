@@ -79,14 +79,13 @@ fn deviation(explanation: &Explanation) -> Option<String> {
 
 fn rest(problem: &Problem, explanation: &Explanation) -> Option<String> {
     let tolerance = problem.success().position;
-    (explanation.farthest_rest_m > tolerance).then(|| {
-        format!(
-            "play lets the body rest {:.2} mm from its goal, more than the tolerance of {:.2} mm: it may be missed \
+    let farthest = explanation.farthest_rest_m.filter(|&farthest| farthest > tolerance)?;
+    Some(format!(
+        "play lets the body rest {:.2} mm from its goal, more than the tolerance of {:.2} mm: it may be missed \
              whatever the plan; raise --position-tolerance",
-            1e3 * explanation.farthest_rest_m,
-            1e3 * tolerance
-        )
-    })
+        1e3 * farthest,
+        1e3 * tolerance
+    ))
 }
 
 fn way(explanation: &Explanation) -> Option<String> {

@@ -12,8 +12,8 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 const TOUCHING: f64 = 1e-4;
 /// Steps along a direction, each as long as the smallest distance allows; along a wall they are short.
 const MOST_STEPS: usize = 200;
-/// Directions across the insertion, each looked at both ways.
-const DIRECTIONS: usize = 8;
+/// Directions across the insertion.
+const DIRECTIONS: usize = 16;
 /// Poses on the straight line from the goal to the start.
 const POSES: usize = 5;
 /// Travel that is looked at, in offsets and in sizes of the body's path.
@@ -103,18 +103,17 @@ pub fn travel(task: &AssemblyTask, pose: &[f64; 7], direction: &[f64; 3]) -> Opt
     None
 }
 
-/// The farthest that play lets the body rest from its goal (m): of all directions across the insertion in which
-/// something stops it both ways. Zero where nothing does.
-pub fn farthest_rest(task: &AssemblyTask) -> f64 {
-    let way = Vector3::from_fn(|axis, _| task.start[axis] - task.goal[axis]);
-    let Some(way) = way.try_normalize(f64::EPSILON) else { return 0.0 };
+/// The farthest that play lets the body rest from its goal (m): across the insertion, where something stops it in all
+/// directions.
+pub fn farthest_rest(task: &AssemblyTask) -> Option<f64> {
+    let way = Vector3::from_fn(|axis, _| task.start[axis] - task.goal[axis]).try_normalize(f64::EPSILON)?;
     let right = way.cross(&Vector3::ith(way.iamin(), 1.0)).normalize();
     let up = way.cross(&right);
-    let directions = (0..DIRECTIONS).map(|index| {
-        let angle = 0.5 * TAU * index as f64 / DIRECTIONS as f64;
-        right * angle.cos() + up * angle.sin()
-    });
-    let stop = |direction: Vector3<f64>| travel(task, &task.goal, &direction.into());
-    let stopped = directions.filter_map(|direction| Some(stop(direction)?.max(stop(-direction)?)));
-    stopped.fold(0.0, f64::max)
+    let mut farthest = 0.0f64;
+    for index in 0..DIRECTIONS {
+        let angle = TAU * index as f64 / DIRECTIONS as f64;
+        let direction = right * angle.cos() + up * angle.sin();
+        farthest = farthest.max(travel(task, &task.goal, &direction.into())?);
+    }
+    Some(farthest)
 }

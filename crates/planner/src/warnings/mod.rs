@@ -1,6 +1,7 @@
 //! What is odd about a problem or a plan, in plain words with the setting that cures it.
 
 mod limits;
+mod region;
 mod smoothing;
 
 use nlp::{IPOPT_VERSION, TAKES_OWN_SOLVER};
@@ -37,6 +38,7 @@ impl Plan {
         if self.robustness.is_none() && self.chosen().record.converged {
             warnings.extend(smoothing::warning(self));
         }
+        warnings.extend(region::warning(self));
         warnings
     }
 }
