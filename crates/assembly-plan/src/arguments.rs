@@ -43,6 +43,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
+    /// Print a JSON schema of scene files, with which editors complete and check them
+    Schema(SchemaArguments),
 }
 
 /// What to plan.
@@ -200,6 +202,13 @@ pub struct CheckArguments {
     /// Print the distances as JSON (at the start pose unless --pose is given)
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct SchemaArguments {
+    /// Print that of homotopy files
+    #[arg(long)]
+    pub homotopy: bool,
 }
 
 impl SolveArguments {

@@ -7,6 +7,7 @@ mod console;
 mod exit;
 mod interrupt;
 mod progress;
+mod schema;
 mod simulate;
 mod solve;
 mod summary;
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
     };
     let exit = outcome.unwrap_or_else(|error| {
         tell!("error: {error}");

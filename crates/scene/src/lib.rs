@@ -3,7 +3,8 @@
 //! [`Scene::load`] reads what an engineer writes: parts, poses, stiffness, offsets. A scene that is returned is valid:
 //! every number lies in the range that [`keys`] declares. An error names file, line, column and key, and says what
 //! would be valid. [`Scene::task`] returns the planning task of one start and offset magnitude, [`load_homotopy`] reads
-//! how to solve it, and [`resolved`] writes both into one file that reproduces the run.
+//! how to solve it, and [`resolved`] writes both into one file that reproduces the run. [`scene_schema`] and
+//! [`homotopy_schema`] are JSON schemas of the files.
 
 mod entry;
 mod error;
@@ -20,6 +21,7 @@ mod pose;
 mod range;
 mod resolved;
 mod scene;
+mod schema;
 mod sections;
 mod table;
 mod task_error;
@@ -35,4 +37,5 @@ pub use part::Part;
 pub use range::Range;
 pub use resolved::resolved;
 pub use scene::{Scene, StartPose};
+pub use schema::{homotopy_schema, scene_schema};
 pub use task_error::TaskError;

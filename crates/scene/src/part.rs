@@ -31,7 +31,9 @@ const FLATTEST: f64 = 1e-6;
 const SHORTEST_NORMAL: f64 = 1e-6;
 
 /// Keys that give a part its shape.
-const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
+pub const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
+/// Keys that need each other.
+pub const COMPANIONS: [(&str, &str); 2] = [("normals", "offsets"), ("mesh", "unit")];
 
 /// Builds the parts of a body or environment.
 pub fn parts(parent: &Table) -> Result<Vec<Part>, SceneError> {

@@ -6,6 +6,7 @@ mod homotopies;
 mod meshes;
 mod mutations;
 mod scenes;
+mod schemas;
 mod sizes;
 mod support;
 mod wrong_scenes;
