@@ -9,6 +9,7 @@ use simulation::{Settings, Success};
 use task::LinearSolver;
 
 use crate::batch::BatchArguments;
+use crate::generate::GenerateArguments;
 use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds, threads};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
@@ -43,6 +44,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
+    /// Write the scene of a peg and its hole: random, round, rectangular or keyed
+    Generate(GenerateArguments),
     /// Print a JSON schema of scene files, with which editors complete and check them
     Schema(SchemaArguments),
 }

@@ -5,6 +5,7 @@ mod batch;
 mod check;
 mod console;
 mod exit;
+mod generate;
 mod interrupt;
 mod progress;
 mod schema;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(arguments),
+        Command::Generate(arguments) => generate::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
     };
     let exit = outcome.unwrap_or_else(|error| {

@@ -6,9 +6,11 @@
 //! how to solve it, and [`resolved`] writes both into one file that reproduces the run. [`scene_schema`] and
 //! [`homotopy_schema`] are JSON schemas of the files.
 
+mod draft;
 mod entry;
 mod error;
 mod file;
+mod generate;
 mod homotopy;
 mod ipopt;
 mod keys;
@@ -30,6 +32,7 @@ mod words;
 
 pub use error::{SceneError, Source};
 pub use file::read_text;
+pub use generate::{Peg, PegError, PegKey, PegSection};
 pub use homotopy::{default_homotopy, load_homotopy, parse_homotopy};
 pub use keys::{Absent, Key, MAX_CONTACT_FORCES, MAX_NAME_LENGTH, Values, key, keys};
 pub use limits::OutOfReach;
