@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 use planner::{Choices, GraspErrors, OffsetSource, PlannerError, RobustnessTarget, SimulationRequest, files};
+use scene::Axis;
 use simulation::{Settings, Success};
 use task::LinearSolver;
 
@@ -44,6 +45,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
+    /// Write a scene to begin with, which is solved as it is
+    New(NewArguments),
     /// Write the scene of a peg and its hole: random, round, rectangular or keyed
     Generate(GenerateArguments),
     /// Print a JSON schema of scene files, with which editors complete and check them
@@ -205,6 +208,28 @@ pub struct CheckArguments {
     /// Print the distances as JSON (at the start pose unless --pose is given)
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// Scene file to write; paths in it are relative to its folder
+    pub file: PathBuf,
+    /// STL mesh of the body, in the pose that it shall reach [default: a square shaft and its hole]
+    #[arg(long, value_name = "MESH", requires_all = ["environment", "unit"])]
+    pub body: Option<PathBuf>,
+    /// STL mesh of the environment, in the same frame
+    #[arg(long, value_name = "MESH", requires_all = ["body", "unit"])]
+    pub environment: Option<PathBuf>,
+    /// Unit of both meshes: m, cm, mm or inch
+    #[arg(long, value_name = "UNIT", requires_all = ["body", "environment"])]
+    pub unit: Option<String>,
+    /// Direction in which the body is taken out: x, y, z, -x, -y or -z
+    #[arg(long, value_name = "AXIS", default_value = "z", value_parser = values::axis, allow_hyphen_values = true)]
+    #[arg(requires = "body")]
+    pub axis: Axis,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub force: bool,
 }
 
 #[derive(Debug, Args)]

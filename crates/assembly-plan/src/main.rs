@@ -7,6 +7,7 @@ mod console;
 mod exit;
 mod generate;
 mod interrupt;
+mod new;
 mod progress;
 mod schema;
 mod simulate;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(arguments),
+        Command::New(arguments) => new::run(arguments),
         Command::Generate(arguments) => generate::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
     };

@@ -20,12 +20,8 @@ pub struct Draft {
     pub goal: [f64; 7],
     /// Offset magnitude, above zero; the stiffness is chosen for it.
     pub offset: f64,
-    /// Directions of the offsets.
-    pub directions: Vec<[f64; 3]>,
-    /// Number of time steps.
-    pub steps: usize,
-    /// Length of a step (s).
-    pub time_step: f64,
+    /// Axis along which the body is put in: 0, 1, 2 for x, y, z. Offsets are across it.
+    pub axis: usize,
 }
 
 /// A part of a scene that is to be written.
@@ -48,20 +44,28 @@ pub enum DraftShape {
     Mesh(String, &'static str),
 }
 
+/// What stands above all scenes.
+const HELP: &str = "\
+#
+# Lengths are in metres, orientations are quaternions [w, x, y, z]. `assembly-plan check` explains this file,
+# `assembly-plan solve` plans it, docs/scene.md lists all keys. To use a line that begins with #key, remove the #.
+
+# name of the scene in results; without it, the name of this file
+#title = \"my scene\"
+";
+
 /// Force (N) with which the controller pushes a body that is off by the offset magnitude.
 const PUSH: f64 = 1.0;
 
 impl Draft {
     /// Text of the scene file.
     pub fn text(&self) -> String {
-        let mut text = String::new();
-        self.about.iter().for_each(|line| text += &format!("# {line}\n"));
-        text += "#\n# Lengths are in metres, orientations are quaternions [w, x, y, z]. `assembly-plan check` explains this file,\n";
-        text += "# `assembly-plan solve` plans it. Remove the # before a key to use it.\n\n";
-        text += "#title = \"my scene\"   # name of the scene in results; without it, the name of this file\n";
+        let mut text: String = self.about.iter().map(|line| format!("# {line}\n")).collect();
+        text += HELP;
         self.write_parts(&mut text);
         self.write_poses(&mut text);
         self.write_controller(&mut text);
+        self.write_robustness(&mut text);
         text
     }
 
@@ -69,12 +73,12 @@ impl Draft {
         *text += "\n[body]\n";
         entry(text, "body", "mass", "1.0", "0.5 to 20");
         entry(text, "body", "inertia", "[0.1, 0.1, 0.1]", "0.01 to 1");
-        *text += "\n# The convex parts of the body, in its frame. The frame's origin is the centre of mass.\n";
+        *text += "\n# The convex parts of the body, in its frame, whose origin is the centre of mass.\n";
         self.body.iter().for_each(|part| part.write("body", text));
-        *text += "\n# The convex parts of what does not move, in the world frame.\n";
+        *text += "# The convex parts of what does not move, in the world frame.\n";
         self.environment.iter().for_each(|part| part.write("environment", text));
         let name = |parts: &[DraftPart]| Value::from(parts[0].name.as_str()).to_string();
-        *text += "\n# Which parts may touch; without this table, all. Each pair costs time.\n#[contact]\n";
+        *text += "# Which parts may touch; without this table, all. Each pair costs time.\n#[contact]\n";
         *text += &format!("#pairs = [[{}, {}]]\n", name(&self.body), name(&self.environment));
     }
 
@@ -88,25 +92,27 @@ impl Draft {
 
     fn write_controller(&self, text: &mut String) {
         let translational = rounded(PUSH / self.offset);
-        // As soft against turns as the paper's pegs where the offset is theirs, 20 mm.
+        // The paper's pegs have 50 N/m and 5 Nm/rad.
         let rotational = rounded((translational / 2.0).sqrt());
-        *text += "\n# The robot's Cartesian impedance controller: what it is set to.\n[impedance]\n";
+        *text += "\n# The robot's Cartesian impedance controller, as it will be set.\n[impedance]\n";
         entry(text, "impedance", "translational_stiffness", &number(translational), "50 to 1000");
         entry(text, "impedance", "rotational_stiffness", &number(rotational), "5 to 50");
-        *text +=
-            "\n# How far the body may be off in the gripper: one plan works for all of these offsets.\n[robustness]\n";
+    }
+
+    fn write_robustness(&self, text: &mut String) {
+        // The hull of these offsets holds smaller ones in all directions across the axis.
+        let directions = [0.0f64, 120.0, 240.0].map(|angle| {
+            let mut direction = [0.0; 3];
+            (direction[(self.axis + 1) % 3], direction[(self.axis + 2) % 3]) =
+                (angle.to_radians().cos(), angle.to_radians().sin());
+            numbers(&direction)
+        });
+        *text += "\n# How far the body may be off in the gripper: one plan is made for all of these offsets.\n[robustness]\n";
         entry(text, "robustness", "offset_magnitude", &number(self.offset), "0.001 to 0.02");
-        let directions: Vec<String> = self.directions.iter().map(|direction| numbers(direction)).collect();
-        entry(
-            text,
-            "robustness",
-            "offset_directions",
-            &format!("[{}]", directions.join(", ")),
-            "3 or 4 around the axis",
-        );
+        entry(text, "robustness", "offset_directions", &format!("[{}]", directions.join(", ")), "3 or 4");
         *text += "\n[horizon]\n";
-        entry(text, "horizon", "steps", &self.steps.to_string(), "50 to 200");
-        entry(text, "horizon", "time_step", &number(self.time_step), "0.02 to 0.05");
+        entry(text, "horizon", "steps", "60", "50 to 200");
+        entry(text, "horizon", "time_step", "0.05", "0.02 to 0.08");
         *text += "\n# What the plan must not exceed; without this table, there are no limits.\n#[limits]\n";
         for (name, value, usual) in
             [("contact_force", "20.0", "5 to 50"), ("translational_velocity", "0.25", "0.05 to 1")]

@@ -19,7 +19,7 @@ pub struct Part {
 }
 
 /// The units of mesh files (m), in the order of their names.
-const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
+pub const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
 const _: () = assert!(SCALES.len() == UNITS.len());
 
 /// Smallest length of a part, and largest coordinate of one that is placed (m).

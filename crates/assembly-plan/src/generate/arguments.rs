@@ -109,10 +109,10 @@ pub struct KeyedArguments {
     #[arg(long, value_name = "M", value_parser = positive, requires = "width")]
     depth: Option<f64>,
     /// Width of the key (m)
-    #[arg(long, value_name = "M", default_value_t = 0.003, value_parser = positive)]
+    #[arg(long, value_name = "M", default_value_t = 0.002, value_parser = positive)]
     key_width: f64,
     /// How far the key stands out of the peg (m)
-    #[arg(long, value_name = "M", default_value_t = 0.0015, value_parser = positive)]
+    #[arg(long, value_name = "M", default_value_t = 0.001, value_parser = positive)]
     key_height: f64,
     #[command(flatten)]
     facets: FacetArguments,

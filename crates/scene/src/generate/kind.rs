@@ -79,19 +79,21 @@ impl PegSection {
         }
     }
 
-    /// The section itself.
-    pub(super) fn section(&self, rng: &mut Rng) -> Result<Section, PegError> {
+    /// The section itself. A random one is drawn such that its edges can be moved outwards by some distances (m).
+    pub(super) fn section(&self, rng: &mut Rng, moves: &[f64]) -> Result<Section, PegError> {
         let with_key = |core: Section, key: Option<PegKey>| match key {
             Some(key) => core.with_key(key.width, key.height),
             None => core,
         };
         match *self {
-            Self::Random { prisms, facets, diameter, .. } => {
-                random::section(rng, diameter, prisms, facets).ok_or_else(|| {
-                    let rule = format!("hardly any section with {facets} facets has so many; change facets or prisms");
+            Self::Random { prisms, facets, diameter, .. } => random::section(rng, diameter, prisms, facets, moves)
+                .ok_or_else(|| {
+                    let rule = format!(
+                        "hardly any section has so many, {facets} facets and these sizes; choose fewer prisms, other \
+                         facets, or less clearance and chamfer"
+                    );
                     PegError { name: "prisms", value: prisms.to_string(), rule }
-                })
-            }
+                }),
             Self::Round { diameter, facets, key } => Ok(with_key(Section::round(diameter, facets), key)),
             Self::Rectangular { width, depth, key } => Ok(with_key(Section::rectangle(width, depth), key)),
         }
@@ -124,22 +126,18 @@ impl PegSection {
     /// What the section is, in lines of text. `clearance` (m) is that of the hole.
     pub(super) fn about(&self, clearance: f64) -> Vec<String> {
         let keyed = |key: Option<PegKey>| match key {
-            Some(key) => format!("with a key of {} x {} m", short(key.width), short(key.height)),
+            Some(key) => format!("with a key of {} x {} m", key.width, key.height),
             None => "without a key".to_owned(),
         };
         match *self {
             Self::Random { seed, prisms, facets, diameter } => vec![format!(
                 "A random peg (seed {seed}): {prisms} convex prisms with {facets} sides, {} m in diameter.",
-                short(diameter)
+                diameter
             )],
             Self::Round { diameter, facets, key } => {
                 let hole = (diameter + 2.0 * clearance) / (PI / facets as f64).cos();
                 vec![
-                    format!(
-                        "A round peg of {} m, {}, as a prism with {facets} sides around it.",
-                        short(diameter),
-                        keyed(key)
-                    ),
+                    format!("A round peg of {} m, {}, as a prism with {facets} sides around it.", diameter, keyed(key)),
                     format!(
                         "The sides of its hole are inside a round hole of {hole:.6} m: the plan holds for this one"
                     ),
@@ -147,7 +145,7 @@ impl PegSection {
                 ]
             }
             Self::Rectangular { width, depth, key } => {
-                vec![format!("A rectangular peg of {} x {} m, {}.", short(width), short(depth), keyed(key))]
+                vec![format!("A rectangular peg of {} x {} m, {}.", width, depth, keyed(key))]
             }
         }
     }

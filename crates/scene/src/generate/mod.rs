@@ -69,9 +69,8 @@ impl Peg {
             PegSection::Random { seed, .. } => seed,
             _ => 0,
         });
-        let section = self.section.section(&mut rng)?;
-        // The hull of these offsets holds smaller ones in all directions across the peg.
-        let directions = [0.0f64, 120.0, 240.0].map(|angle| [angle.to_radians().cos(), angle.to_radians().sin(), 0.0]);
+        let section =
+            self.section.section(&mut rng, &[-self.chamfer, self.clearance, self.clearance + self.chamfer])?;
         let draft = Draft {
             about: self.about(),
             body: self.body(&section)?,
@@ -79,9 +78,7 @@ impl Peg {
             starts: self.starts(&section, &mut rng),
             goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
             offset,
-            directions: directions.to_vec(),
-            steps: 100,
-            time_step: 0.03,
+            axis: 2,
         };
         Ok(draft.text())
     }
@@ -164,9 +161,9 @@ impl Peg {
         let mut about = self.section.about(self.clearance);
         let chamfers = match self.chamfer {
             0.0 => "no chamfers".to_owned(),
-            chamfer => format!("chamfers of {} m", short(chamfer)),
+            chamfer => format!("chamfers of {chamfer} m"),
         };
-        let (length, clearance) = (short(self.length), short(self.clearance));
+        let Self { length, clearance, .. } = self;
         about.push(format!("It is {length} m long and has a gap of {clearance} m on every side and {chamfers}."));
         about
     }
@@ -177,7 +174,7 @@ fn moved(section: &Section, distance: f64, name: &'static str, size: f64) -> Res
     section.offset(distance).ok_or_else(|| PegError {
         name,
         value: short(size),
-        rule: "is too large for a section of this shape and size".to_owned(),
+        rule: "edges of the section would vanish; choose less, or a section with longer edges".to_owned(),
     })
 }
 

@@ -20,14 +20,20 @@ const STRAIGHTEST: f64 = PI / 18.0;
 /// Shortest edge, as a fraction of the diameter.
 const SHORTEST: f64 = 0.08;
 
-/// A section of so many convex pieces with so many edges, within a circle about the origin; none if there hardly is one.
-pub fn section(rng: &mut Rng, diameter: f64, prisms: usize, facets: usize) -> Option<Section> {
+/// A section of so many convex pieces with so many edges, within a circle about the origin, whose edges can be moved
+/// outwards by some distances (m); none if there hardly is one.
+pub fn section(rng: &mut Rng, diameter: f64, prisms: usize, facets: usize, moves: &[f64]) -> Option<Section> {
+    if facets < 2 * prisms {
+        return None;
+    }
     (0..DRAWS).find_map(|_| {
         let outline = outline(rng, 0.5 * diameter, prisms - 1, facets);
         let mut pieces = Vec::new();
         partition(&outline, (0..facets).collect(), &mut pieces)?;
         let section = Section { outline, pieces };
-        (section.pieces.len() == prisms && is_regular(&section, SHORTEST * diameter)).then_some(section)
+        let can_move = || moves.iter().all(|distance| section.offset(*distance).is_some());
+        let is_right = section.pieces.len() == prisms && is_regular(&section, SHORTEST * diameter) && can_move();
+        is_right.then_some(section)
     })
 }
 
