@@ -73,7 +73,8 @@ impl Draft {
         *text += "\n[body]\n";
         entry(text, "body", "mass", "1.0", "0.5 to 20");
         entry(text, "body", "inertia", "[0.1, 0.1, 0.1]", "0.01 to 1");
-        *text += "\n# The convex parts of the body, in its frame, whose origin is the centre of mass.\n";
+        *text += "\n# The convex parts of the body, in its frame, whose origin is the centre of mass. Each has one shape: `box` (edge\n\
+                  # lengths), `vertices` (corners), or `mesh` with `unit`; `position` and `orientation` place it.\n";
         self.body.iter().for_each(|part| part.write("body", text));
         *text += "# The convex parts of what does not move, in the world frame.\n";
         self.environment.iter().for_each(|part| part.write("environment", text));

@@ -6,8 +6,8 @@ use fastrand::Rng;
 
 use super::random;
 use super::section::Section;
-use super::{LENGTH, PegError, require, within};
-use crate::range::{Range, short};
+use super::{LENGTH, PegError, metres, require, within};
+use crate::range::Range;
 
 /// Cross-section of a peg. Lengths are in metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,10 +156,10 @@ impl PegKey {
     fn check(&self, width: f64) -> Result<(), PegError> {
         let most = WIDEST_KEY * width;
         require(self.width > 0.0 && self.width <= most, "key width", self.width, || {
-            format!("must be above 0 and at most {} m, four fifths of the peg's side", short(most))
+            format!("must be above 0 and at most {} m, four fifths of the peg's side", metres(most))
         })?;
         require(self.height > 0.0 && self.height <= width, "key height", self.height, || {
-            format!("must be above 0 and at most {} m, the peg's side", short(width))
+            format!("must be above 0 and at most {} m, the peg's side", metres(width))
         })
     }
 }

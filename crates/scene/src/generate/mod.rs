@@ -89,12 +89,12 @@ impl Peg {
         within(CLEARANCE, "clearance", self.clearance)?;
         let longest = 0.25 * self.length;
         require((0.0..=longest).contains(&self.chamfer), "chamfer", self.chamfer, || {
-            format!("must lie between 0 and {} m, a quarter of the length", short(longest))
+            format!("must lie between 0 and {} m, a quarter of the length", metres(longest))
         })?;
         let width = self.section.smallest_width();
         let offset = self.offset.unwrap_or_else(|| rounded(0.25 * width));
         require(offset > 0.0 && offset <= 0.5 * width, "offset", offset, || {
-            format!("must be above 0 and at most {} m, half of the peg's width", short(0.5 * width))
+            format!("must be above 0 and at most {} m, half of the peg's width", metres(0.5 * width))
         })?;
         Ok(offset)
     }
@@ -108,7 +108,7 @@ impl Peg {
                 (section.piece(piece), self.chamfer - half),
                 (section.piece(piece), half),
             ];
-            self.part(self.section.name_of(index), &layers[self.first_layer()..])
+            self.part(self.section.name_of(index), layers)
         };
         Ok(section.pieces.iter().enumerate().map(part).collect())
     }
@@ -120,29 +120,35 @@ impl Peg {
         let keyway = self.section.key().map(|_| section.key_edges()).unwrap_or_default();
         let part = |(edge, wall): (usize, &Wall)| {
             let layers = [
-                (wall.section(&rim, thickness), 0.0),
-                (wall.section(&hole, thickness), -self.chamfer),
-                (wall.section(&hole, thickness), -DEPTH * self.length),
+                (wall.section(&rim), 0.0),
+                (wall.section(&hole), -self.chamfer),
+                (wall.section(&hole), -DEPTH * self.length),
             ];
             let name = match keyway.contains(&edge) {
                 true => format!("keyway{}", edge - keyway.start + 1),
-                false => format!("wall{}", edge + 1),
+                false if edge < keyway.start => format!("wall{}", edge + 1),
+                false => format!("wall{}", edge + 1 - keyway.len()),
             };
-            self.part(name, &layers[self.first_layer()..])
+            self.part(name, layers)
         };
         Ok(Wall::around(&hole, thickness).iter().enumerate().map(part).collect())
     }
 
-    /// Without a chamfer, the first of the three layers of a part is the second one.
-    fn first_layer(&self) -> usize {
-        usize::from(self.chamfer == 0.0)
-    }
-
-    /// The convex hull of sections at some heights (m).
-    fn part(&self, name: String, layers: &[(Vec<Point>, f64)]) -> DraftPart {
-        let at_height =
-            |(corners, height): &(Vec<Point>, f64)| corners.iter().map(|&[x, y]| [x, y, *height]).collect::<Vec<_>>();
-        DraftPart { name, shape: DraftShape::Vertices(layers.iter().flat_map(at_height).collect()), position: None }
+    /// The convex hull of three sections at heights (m) in order.
+    fn part(&self, name: String, [first, middle, last]: [(Vec<Point>, f64); 3]) -> DraftPart {
+        let is_corner = |point: &Point| !(first.0.contains(point) && last.0.contains(point));
+        let middle = (middle.0.into_iter().filter(is_corner).collect(), middle.1);
+        let layers: Vec<(Vec<Point>, f64)> = match self.chamfer {
+            // The first section stands where the middle one does, and is the same.
+            0.0 => vec![first, last],
+            _ => vec![first, middle, last],
+        };
+        let at_height = |(corners, height): (Vec<Point>, f64)| corners.into_iter().map(move |[x, y]| [x, y, height]);
+        DraftPart {
+            name,
+            shape: DraftShape::Vertices(layers.into_iter().flat_map(at_height).collect()),
+            position: None,
+        }
     }
 
     fn starts(&self, section: &Section, rng: &mut Rng) -> Vec<[f64; 7]> {
@@ -173,9 +179,14 @@ impl Peg {
 fn moved(section: &Section, distance: f64, name: &'static str, size: f64) -> Result<Section, PegError> {
     section.offset(distance).ok_or_else(|| PegError {
         name,
-        value: short(size),
+        value: metres(size),
         rule: "edges of the section would vanish; choose less, or a section with longer edges".to_owned(),
     })
+}
+
+/// A length for a message, to the nanometre.
+fn metres(length: f64) -> String {
+    short((1e9 * length).round() / 1e9)
 }
 
 fn within(range: Range, name: &'static str, value: f64) -> Result<(), PegError> {

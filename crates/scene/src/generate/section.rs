@@ -78,9 +78,14 @@ impl Section {
         Line::through(self.outline[index], self.corner_after(index))
     }
 
-    /// Corners of a piece.
+    /// Corners of a piece, but for those in the middle of a straight side.
     pub fn piece(&self, piece: &[usize]) -> Vec<Point> {
-        piece.iter().map(|&index| self.outline[index]).collect()
+        let at = |place: usize| self.outline[piece[place % piece.len()]];
+        let is_corner = |place: &usize| {
+            let side = Line::through(at(place + piece.len() - 1), at(place + 1));
+            side.distance(at(*place)).abs() > ROUNDING
+        };
+        (0..piece.len()).filter(is_corner).map(at).collect()
     }
 
     /// The section whose edges are moved outwards by a distance (m), inwards by a negative one; none where edges would
@@ -97,7 +102,7 @@ impl Section {
     }
 
     fn is_convex(&self, piece: &[usize]) -> bool {
-        let corners = self.piece(piece);
+        let corners: Vec<Point> = piece.iter().map(|&index| self.outline[index]).collect();
         let count = corners.len();
         (0..count).all(|index| {
             let line = Line::through(corners[index], corners[(index + 1) % count]);
@@ -162,10 +167,10 @@ impl Line {
         for (index, &corner) in polygon.iter().enumerate() {
             let next = polygon[(index + 1) % polygon.len()];
             let (here, there) = (self.distance(corner), self.distance(next));
-            if here >= 0.0 {
+            if here >= -ROUNDING {
                 outside.push(corner);
             }
-            if (here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0) {
+            if here.min(there) < -ROUNDING && here.max(there) > ROUNDING {
                 let part = here / (here - there);
                 outside.push([corner[0] + part * (next[0] - corner[0]), corner[1] + part * (next[1] - corner[1])]);
             }

@@ -1,5 +1,7 @@
 //! Convex walls around a hole: one per edge of its outline.
 
+use std::iter;
+
 use super::section::{Line, Point, Section, area};
 
 /// Distance (m) that counts as rounding.
@@ -7,31 +9,32 @@ const ROUNDING: f64 = 1e-9;
 
 /// A wall along an edge of a hole's outline.
 pub struct Wall {
-    /// The edge.
-    edge: usize,
-    /// Pairs of corners of the outline. The wall is outside the lines through them, as it would reach into the hole
-    /// otherwise, where the hole is not convex.
-    clips: Vec<[usize; 2]>,
+    /// Counterclockwise corners (m) of a rectangle outside the edge.
+    slab: Vec<Point>,
+    /// Pairs of corners of the outline: the edge, and where the hole is not convex, sides of its pieces that the slab
+    /// reaches over. The wall is outside the lines through them.
+    bounds: Vec<[usize; 2]>,
 }
 
 impl Wall {
     /// One wall per edge, around a hole. Walls overlap each other, and not the hole.
     pub fn around(hole: &Section, thickness: f64) -> Vec<Self> {
-        (0..hole.outline.len())
-            .map(|edge| {
-                let (line, slab) = (hole.edge(edge), slab(hole, edge, thickness));
-                let reaches_beyond =
-                    |piece: &&Vec<usize>| hole.piece(piece).into_iter().any(|corner| line.distance(corner) > ROUNDING);
-                let clips = hole.pieces.iter().filter(reaches_beyond);
-                Self { edge, clips: clips.filter_map(|piece| separating(hole, piece, edge, &slab)).collect() }
-            })
-            .collect()
+        let wall = |edge: usize| {
+            let (line, slab) = (hole.edge(edge), slab(hole, edge, thickness));
+            let reaches_beyond =
+                |piece: &&Vec<usize>| hole.piece(piece).into_iter().any(|corner| line.distance(corner) > ROUNDING);
+            let others = hole.pieces.iter().filter(reaches_beyond);
+            let sides = others.filter_map(|piece| separating(hole, piece, edge, &slab));
+            let bounds = iter::once([edge, (edge + 1) % hole.outline.len()]).chain(sides).collect();
+            Self { slab, bounds }
+        };
+        (0..hole.outline.len()).map(wall).collect()
     }
 
-    /// Its section (m) around the hole that it was made for, or the same hole moved outwards.
-    pub fn section(&self, hole: &Section, thickness: f64) -> Vec<Point> {
-        let lines = self.clips.iter().map(|&[from, to]| Line::through(hole.outline[from], hole.outline[to]));
-        lines.fold(slab(hole, self.edge, thickness), |section, line| line.outside_of(&section))
+    /// Its section (m) around the hole that it was made for, or around the same hole with its edges moved outwards.
+    pub fn section(&self, hole: &Section) -> Vec<Point> {
+        let lines = self.bounds.iter().map(|&[from, to]| Line::through(hole.outline[from], hole.outline[to]));
+        lines.fold(self.slab.clone(), |section, line| line.outside_of(&section))
     }
 }
 
