@@ -31,7 +31,7 @@ pub struct PegArguments {
     /// Length of the peg (m) [default: 0.1 of a random one, else 0.04]
     #[arg(long, value_name = "M", value_parser = positive)]
     length: Option<f64>,
-    /// Gap on every side between peg and hole (m) [default: 0.0008 of a random one, else 0.0003]
+    /// Distance between the sides of peg and hole (m) [default: 0.0008 of a random one, else 0.0003]
     #[arg(long, value_name = "M", value_parser = positive)]
     clearance: Option<f64>,
     /// Bevel of the peg's lower and of the hole's upper edge (m)

@@ -25,7 +25,7 @@ pub struct Peg {
     pub section: PegSection,
     /// Length of the peg.
     pub length: f64,
-    /// Gap between peg and hole on every side when the peg is in the middle.
+    /// Distance between the sides of peg and hole, when the peg is in the middle.
     pub clearance: f64,
     /// Width and height of the bevels at the lower edge of the peg and at the upper edge of the hole; zero for none.
     pub chamfer: f64,
@@ -170,7 +170,7 @@ impl Peg {
             chamfer => format!("chamfers of {chamfer} m"),
         };
         let Self { length, clearance, .. } = self;
-        about.push(format!("It is {length} m long and has a gap of {clearance} m on every side and {chamfers}."));
+        about.push(format!("It is {length} m long and has a clearance of {clearance} m on every side and {chamfers}."));
         about
     }
 }
