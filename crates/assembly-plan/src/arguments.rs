@@ -29,6 +29,7 @@ const EXIT_CODES: &str = "\
 Exit codes: 0 done, 1 no converged plan or goal not reached, 2 wrong input or usage, 3 anything else, 130 interrupted.
 
 Examples:
+  assembly-plan new my.toml
   assembly-plan check scenes/peg1.toml
   assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
   assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1

@@ -114,6 +114,11 @@ impl PegSection {
         }
     }
 
+    /// Offset magnitude, as a fraction of the smallest width: of a random peg, that of the paper's.
+    pub(super) fn usual_offset(&self) -> f64 {
+        if matches!(self, Self::Random { .. }) { 0.22 } else { 0.25 }
+    }
+
     /// Name of the body part that a piece becomes.
     pub(super) fn name_of(&self, piece: usize) -> String {
         match (self, self.key()) {

@@ -29,7 +29,8 @@ pub struct Peg {
     pub clearance: f64,
     /// Width and height of the bevels at the lower edge of the peg and at the upper edge of the hole; zero for none.
     pub chamfer: f64,
-    /// How far the peg may be off in the gripper; by default a quarter of its smallest width.
+    /// How far the peg may be off in the gripper; by default a quarter of its smallest width, and 0.22 of the
+    /// diameter of a random one.
     pub offset: Option<f64>,
 }
 
@@ -92,7 +93,7 @@ impl Peg {
             format!("must lie between 0 and {} m, a quarter of the length", metres(longest))
         })?;
         let width = self.section.smallest_width();
-        let offset = self.offset.unwrap_or_else(|| rounded(0.25 * width));
+        let offset = self.offset.unwrap_or_else(|| rounded(self.section.usual_offset() * width));
         require(offset > 0.0 && offset <= 0.5 * width, "offset", offset, || {
             format!("must be above 0 and at most {} m, half of the peg's width", metres(0.5 * width))
         })?;
