@@ -80,7 +80,7 @@ pub const ROWS: &[Row] = &[
     (RECTANGULAR, "--width", &["nan", "-1", "0", "''", "x", "1e-4", "2"], "width"),
     (RECTANGULAR, "--depth", &["nan", "-1", "0", "''", "x", "1e-4", "2"], "depth"),
     (KEYED, "--key-width", &["nan", "-1", "0", "''", "x"], ""),
-    (KEYED, "--key-width", &["0.0065", "1e300"], "key width"),
+    (KEYED, "--key-width", &["0.0079", "1e300"], "key width"),
     (KEYED, "--key-height", &["nan", "-1", "0", "''", "x"], ""),
     (KEYED, "--key-height", &["0.0081", "1e300"], "key height"),
     (RANDOM, "--seed", &["-1", "nan", "1.5", "18446744073709551616", "''", "x"], ""),

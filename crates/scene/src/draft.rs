@@ -1,7 +1,5 @@
 //! Scenes as text that people read and change: every key has a comment with its meaning, unit and usual values.
 
-use std::fmt::Write;
-
 use toml::Value;
 
 use crate::keys::key;
@@ -152,7 +150,7 @@ fn entry(text: &mut String, table: &str, name: &str, value: &str, usual: &str) {
 fn comment(text: &mut String, table: &str, name: &str, usual: &str) {
     let key = key(table, name);
     let unit = if key.unit.is_empty() { String::new() } else { format!(" ({})", key.unit) };
-    writeln!(text, "# {}{unit}; usual: {usual}", key.meaning).expect("texts can be written to");
+    *text += &format!("# {}{unit}; usual: {usual}\n", key.meaning);
 }
 
 fn pose_lines(pose: &[f64; 7]) -> String {

@@ -54,8 +54,6 @@ pub struct PegKey {
 
 const FACETS: Range = Range::closed(3.0, 64.0);
 const PRISMS: Range = Range::closed(1.0, 8.0);
-/// Width of the widest key, as a fraction of the peg.
-const WIDEST_KEY: f64 = 0.8;
 
 impl PegSection {
     pub(super) fn check(&self) -> Result<(), PegError> {
@@ -79,23 +77,29 @@ impl PegSection {
         }
     }
 
-    /// The section itself. A random one is drawn such that its edges can be moved outwards by some distances (m).
-    pub(super) fn section(&self, rng: &mut Rng, moves: &[f64]) -> Result<Section, PegError> {
+    /// The section itself, such that there is a hole with this clearance and with these chamfers (m) around it.
+    pub(super) fn section(&self, rng: &mut Rng, clearance: f64, chamfer: f64) -> Result<Section, PegError> {
         let with_key = |core: Section, key: Option<PegKey>| match key {
-            Some(key) => core.with_key(key.width, key.height),
-            None => core,
+            Some(key) => core.with_key(key.width, key.height, clearance + chamfer).ok_or_else(|| PegError {
+                name: "key width",
+                value: metres(key.width),
+                rule: "leaves too little of the peg's side beside the key; choose a narrower key".to_owned(),
+            }),
+            None => Ok(core),
         };
         match *self {
-            Self::Random { prisms, facets, diameter, .. } => random::section(rng, diameter, prisms, facets, moves)
-                .ok_or_else(|| {
+            Self::Random { prisms, facets, diameter, .. } => {
+                let moves = [-chamfer, clearance, clearance + chamfer];
+                random::section(rng, diameter, prisms, facets, &moves).ok_or_else(|| {
                     let rule = format!(
                         "hardly any section has so many, {facets} facets and these sizes; choose fewer prisms, other \
                          facets, or less clearance and chamfer"
                     );
                     PegError { name: "prisms", value: prisms.to_string(), rule }
-                }),
-            Self::Round { diameter, facets, key } => Ok(with_key(Section::round(diameter, facets), key)),
-            Self::Rectangular { width, depth, key } => Ok(with_key(Section::rectangle(width, depth), key)),
+                })
+            }
+            Self::Round { diameter, facets, key } => with_key(Section::round(diameter, facets), key),
+            Self::Rectangular { width, depth, key } => with_key(Section::rectangle(width, depth), key),
         }
     }
 
@@ -159,9 +163,8 @@ impl PegSection {
 impl PegKey {
     /// Whether the key fits onto a peg of some width (m).
     fn check(&self, width: f64) -> Result<(), PegError> {
-        let most = WIDEST_KEY * width;
-        require(self.width > 0.0 && self.width <= most, "key width", self.width, || {
-            format!("must be above 0 and at most {} m, four fifths of the peg's side", metres(most))
+        require(self.width > 0.0 && self.width <= width, "key width", self.width, || {
+            format!("must be above 0 and at most {} m, the peg's side", metres(width))
         })?;
         require(self.height > 0.0 && self.height <= width, "key height", self.height, || {
             format!("must be above 0 and at most {} m, the peg's side", metres(width))

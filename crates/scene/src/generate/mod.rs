@@ -70,8 +70,7 @@ impl Peg {
             PegSection::Random { seed, .. } => seed,
             _ => 0,
         });
-        let section =
-            self.section.section(&mut rng, &[-self.chamfer, self.clearance, self.clearance + self.chamfer])?;
+        let section = self.section.section(&mut rng, self.clearance, self.chamfer)?;
         let draft = Draft {
             about: self.about(),
             body: self.body(&section)?,

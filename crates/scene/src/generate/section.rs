@@ -39,34 +39,30 @@ impl Section {
     }
 
     /// The section with a rectangular key across the positive x axis, `height` beyond its side. The key is the second
-    /// piece, its three sides are edges [`Self::key_edges`]. The section must be convex, symmetric about the x axis, and
-    /// wider than the key.
-    pub fn with_key(&self, width: f64, height: f64) -> Self {
+    /// piece, its three sides are edges [`Self::key_edges`]. The section must be convex and symmetric about the x axis;
+    /// beside the key, sides are longer than `shoulder`, if need be by extending the next one. None where the key is too
+    /// wide for that.
+    pub fn with_key(&self, width: f64, height: f64, shoulder: f64) -> Option<Self> {
         let half = 0.5 * width;
-        let tip = self.outline.iter().map(|[x, _]| *x).fold(0.0, f64::max) + height;
-        let root = self.right_side_at(half);
-        let is_beside = |[x, y]: &Point| *x < 0.0 || y.abs() > half + ROUNDING;
-        let mut outline: Vec<Point> = self.outline.iter().copied().filter(is_beside).collect();
-        let angle = |[x, y]: &Point| y.atan2(*x).rem_euclid(2.0 * PI);
-        outline.sort_by(|one, other| angle(one).total_cmp(&angle(other)));
-        let from = outline.len();
+        let count = self.outline.len();
+        let is_beside =
+            |index: &usize| self.outline[*index][0] < 0.0 || self.outline[*index][1].abs() > half + shoulder;
+        let angle = |index: &usize| self.outline[*index][1].atan2(self.outline[*index][0]).rem_euclid(2.0 * PI);
+        let mut beside: Vec<usize> = (0..count).filter(is_beside).collect();
+        beside.sort_by(|one, other| angle(one).total_cmp(&angle(other)));
+        let side = self.edge((beside.first()? + count - 1) % count);
+        let [root, _] = side.intersection(&Line::through([0.0, half], [-1.0, half]))?;
+        let tip = self.outline.iter().map(|[x, _]| *x).fold(root, f64::max) + height;
+        let from = beside.len();
+        let mut outline: Vec<Point> = beside.into_iter().map(|index| self.outline[index]).collect();
         outline.extend([[root, -half], [tip, -half], [tip, half], [root, half]]);
         let core = (0..=from).chain([from + 3]).collect();
-        Self { outline, pieces: vec![core, (from..from + 4).collect()] }
+        Some(Self { outline, pieces: vec![core, (from..from + 4).collect()] })
     }
 
     /// The edges of a key's sides in a section with a key.
     pub fn key_edges(&self) -> std::ops::Range<usize> {
         self.outline.len() - 4..self.outline.len() - 1
-    }
-
-    /// The largest x at a y within the section.
-    fn right_side_at(&self, y: f64) -> f64 {
-        let crossing = |index: usize| {
-            let ([x1, y1], [x2, y2]) = (self.outline[index], self.corner_after(index));
-            (y1 <= y && y < y2).then(|| x1 + (x2 - x1) * (y - y1) / (y2 - y1))
-        };
-        (0..self.outline.len()).filter_map(crossing).fold(f64::NEG_INFINITY, f64::max)
     }
 
     fn corner_after(&self, index: usize) -> Point {
@@ -152,7 +148,7 @@ impl Line {
         Self { offset: self.offset + distance, ..*self }
     }
 
-    /// The common point of two lines that are not parallel; of two parallel ones that lie on each other, the foot.
+    /// The common point of two lines that are not parallel.
     fn intersection(&self, other: &Self) -> Option<Point> {
         let ([a, b], [c, d]) = (self.normal, other.normal);
         let determinant = a * d - b * c;
