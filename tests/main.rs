@@ -10,5 +10,6 @@ mod outputs;
 mod resume;
 mod robust;
 mod simulate;
+mod starting;
 mod support;
 mod wrong_inputs;

@@ -17,6 +17,8 @@ mod scenes;
 mod simulate;
 #[path = "wrong_inputs/solve.rs"]
 mod solve;
+#[path = "wrong_inputs/starting.rs"]
+mod starting;
 use std::collections::VecDeque;
 use std::sync::{LazyLock, Mutex};
 use std::thread;
@@ -122,6 +124,10 @@ fn what_the_rows_change_is_right() {
         "simulate scene.toml plan --offsets offsets.csv --out tables",
         "batch expand scene.toml --homotopies homotopy.toml --out others",
         "batch expand --matrix matrix.toml --out more",
+        "new folder/new.toml",
+        "new scene.toml --force",
+        "generate round --out folder/round.toml",
+        "generate keyed --diameter 0.008 --out folder/keyed.toml",
         "batch status runs",
         "batch collect runs",
         "batch submit runs --slurm",
@@ -179,6 +185,11 @@ fn wrong_words_and_files_of_check_are_refused() {
 #[test]
 fn wrong_words_and_files_of_simulate_are_refused() {
     refused_as_listed(simulate::ROWS);
+}
+
+#[test]
+fn wrong_words_and_files_of_new_and_generate_are_refused() {
+    refused_as_listed(starting::ROWS);
 }
 
 #[test]

@@ -7,6 +7,10 @@ const SOLVE: &str = "solve scene.toml --out out";
 const ROBUST: &str = "solve scene.toml --robust --out out";
 const SIMULATE: &str = "simulate scene.toml plan";
 const CHECK: &str = "check scene.toml";
+const ROUND: &str = "generate round --out new.toml";
+const RECTANGULAR: &str = "generate rectangular --out new.toml";
+const KEYED: &str = "generate keyed --diameter 0.008 --out new.toml";
+const RANDOM: &str = "generate random --out new.toml";
 const EXPAND: &str = "batch expand scene.toml --out others";
 
 #[rustfmt::skip]
@@ -60,6 +64,32 @@ pub const ROWS: &[Row] = &[
     (CHECK, "--pose", &["'nan 0 0 1 0 0 0'", "'0 0 inf 1 0 0 0'", "'1e300 0 0 1 0 0 0'", "'0 0 0 nan 0 0 0'"], ""),
     (CHECK, "--pose", &["'0 0 0 1e-300 0 0 0'", "'0;0;0;1;0;0;0'", "'0 0 0 1e7 0 0 0'"], ""),
     (CHECK, "--json", &["1"], ""),
+    (ROUND, "--diameter", &["nan", "inf", "-1", "0", "''", "x", "'8 mm'"], ""),
+    (ROUND, "--diameter", &["1e-4", "8", "1e300"], "diameter"),
+    (ROUND, "--facets", &["-1", "nan", "1.5", "''", "x"], ""),
+    (ROUND, "--facets", &["0", "2", "65", "18446744073709551615"], "facets"),
+    (ROUND, "--length", &["nan", "inf", "-1", "0", "''", "x"], ""),
+    (ROUND, "--length", &["1e-4", "8", "1e300"], "length"),
+    (ROUND, "--clearance", &["nan", "inf", "-1", "0", "''", "x"], ""),
+    (ROUND, "--clearance", &["1e-9", "1", "1e300"], "clearance"),
+    (ROUND, "--chamfer", &["nan", "inf", "-1", "''", "x"], ""),
+    (ROUND, "--chamfer", &["0.005", "0.02", "1e300"], "chamfer"),
+    (ROUND, "--offset", &["nan", "inf", "-1", "0", "''", "x"], ""),
+    (ROUND, "--offset", &["0.0041", "1", "1e300"], "offset"),
+    (ROUND, "--force", &["1", "''"], ""),
+    (RECTANGULAR, "--width", &["nan", "-1", "0", "''", "x", "1e-4", "2"], "width"),
+    (RECTANGULAR, "--depth", &["nan", "-1", "0", "''", "x", "1e-4", "2"], "depth"),
+    (KEYED, "--key-width", &["nan", "-1", "0", "''", "x"], ""),
+    (KEYED, "--key-width", &["0.0079", "1e300"], "key width"),
+    (KEYED, "--key-height", &["nan", "-1", "0", "''", "x"], ""),
+    (KEYED, "--key-height", &["0.0081", "1e300"], "key height"),
+    (RANDOM, "--seed", &["-1", "nan", "1.5", "18446744073709551616", "''", "x"], ""),
+    (RANDOM, "--prisms", &["-1", "nan", "1.5", "''", "x"], ""),
+    (RANDOM, "--prisms", &["0", "9", "4"], "prisms"),
+    (RANDOM, "--facets", &["2", "65"], "facets"),
+    ("new new.toml --body scene.toml --environment scene.toml --unit mm", "--axis", &["w", "''", "xy", "--x", "1", "Z"], ""),
+    ("new new.toml --body scene.toml --environment scene.toml", "--unit", &["feet", "''", "MM"], "choose one of m, cm, mm, inch"),
+    ("schema", "--homotopy", &["1", "homotopy.toml"], ""),
     (EXPAND, "--deltas", &["x", "''", "0.01,x", ","], ""),
     (EXPAND, "--deltas", &["nan", "inf", "-1", "1e300", "0.01,-1"], "offset magnitude"),
     (EXPAND, "--deltas", &["0.01,0.01", "0,-0", "0.01,0.010"], "the same problem"),

@@ -5,10 +5,12 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 use planner::{Choices, GraspErrors, OffsetSource, PlannerError, RobustnessTarget, SimulationRequest, files};
+use scene::Axis;
 use simulation::{Settings, Success};
 use task::LinearSolver;
 
 use crate::batch::BatchArguments;
+use crate::generate::GenerateArguments;
 use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds, threads};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
@@ -27,6 +29,7 @@ const EXIT_CODES: &str = "\
 Exit codes: 0 done, 1 no converged plan or goal not reached, 2 wrong input or usage, 3 anything else, 130 interrupted.
 
 Examples:
+  assembly-plan new my.toml
   assembly-plan check scenes/peg1.toml
   assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
   assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1
@@ -43,6 +46,12 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
+    /// Write a scene to begin with, which is solved as it is
+    New(NewArguments),
+    /// Write the scene of a peg and its hole: random, round, rectangular or keyed
+    Generate(GenerateArguments),
+    /// Print a JSON schema of scene files, with which editors complete and check them
+    Schema(SchemaArguments),
 }
 
 /// What to plan.
@@ -200,6 +209,35 @@ pub struct CheckArguments {
     /// Print everything as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// Scene file to write; paths in it are relative to its folder
+    pub file: PathBuf,
+    /// STL mesh of the body, in the pose that it shall reach [default: a square shaft and its hole]
+    #[arg(long, value_name = "MESH", requires_all = ["environment", "unit"])]
+    pub body: Option<PathBuf>,
+    /// STL mesh of the environment, in the same frame
+    #[arg(long, value_name = "MESH", requires_all = ["body", "unit"])]
+    pub environment: Option<PathBuf>,
+    /// Unit of both meshes: m, cm, mm or inch
+    #[arg(long, value_name = "UNIT", requires_all = ["body", "environment"])]
+    pub unit: Option<String>,
+    /// Direction in which the body is taken out: x, y, z, -x, -y or -z
+    #[arg(long, value_name = "AXIS", default_value = "z", value_parser = values::axis, allow_hyphen_values = true)]
+    #[arg(requires = "body")]
+    pub axis: Axis,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub force: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct SchemaArguments {
+    /// Print that of homotopy files
+    #[arg(long)]
+    pub homotopy: bool,
 }
 
 impl SolveArguments {

@@ -5,8 +5,11 @@ mod batch;
 mod check;
 mod console;
 mod exit;
+mod generate;
 mod interrupt;
+mod new;
 mod progress;
+mod schema;
 mod simulate;
 mod solve;
 mod summary;
@@ -28,6 +31,9 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(arguments),
+        Command::New(arguments) => new::run(arguments),
+        Command::Generate(arguments) => generate::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
     };
     let exit = outcome.unwrap_or_else(|error| {
         tell!("error: {error}");

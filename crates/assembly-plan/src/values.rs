@@ -1,5 +1,6 @@
 //! Numbers on the command line, each with its range.
 
+use scene::Axis;
 use task::LinearSolver;
 
 /// A pose from the command line, its quaternion scaled to unit norm.
@@ -27,6 +28,11 @@ pub fn pose(text: &str) -> Result<Pose, String> {
 pub fn linear_solver(text: &str) -> Result<LinearSolver, String> {
     let names = LinearSolver::ALL.map(LinearSolver::name).join(", ");
     LinearSolver::from_name(text).ok_or_else(|| format!("unknown; choose one of {names}"))
+}
+
+/// A direction along an axis.
+pub fn axis(text: &str) -> Result<Axis, String> {
+    Axis::from_name(text).ok_or_else(|| "choose one of x, y, z, -x, -y, -z".to_owned())
 }
 
 /// A finite number above zero.

@@ -4,11 +4,11 @@ use task::{IpoptOption, IpoptValue};
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::keys::Values;
+use crate::keys::{Key, Values};
 use crate::table::Table;
 
 /// Most entries of a table.
-const MOST_ENTRIES: usize = 50;
+pub const MOST_ENTRIES: usize = 50;
 
 /// Options that a file may not set, with the reason and what to do instead. `*` stands for any text.
 const REFUSED: [(&str, &str); 21] = [
@@ -81,7 +81,7 @@ const REFUSED_CHOICES: [(&str, &str, &str); 2] = [
 ];
 
 /// Why an option may not be set.
-fn refusal(name: &str) -> Option<&'static str> {
+pub fn refusal(name: &str) -> Option<&'static str> {
     let fits = |pattern: &str| match pattern.split_once('*') {
         Some((start, end)) => name.starts_with(start) && name.ends_with(end),
         None => name == pattern,
@@ -90,8 +90,9 @@ fn refusal(name: &str) -> Option<&'static str> {
 }
 
 /// Why an option may not be set to this.
-fn refusal_of_choice(name: &str, text: &str) -> Option<&'static str> {
-    REFUSED_CHOICES.iter().find(|(option, choice, _)| (*option, *choice) == (name, text)).map(|(_, _, reason)| *reason)
+pub fn refusal_of_choice(option: &Key, text: &str) -> Option<&'static str> {
+    let found = REFUSED_CHOICES.iter().find(|(name, choice, _)| (*name, *choice) == (option.name, text));
+    found.filter(|_| option.table == "ipopt").map(|(_, _, reason)| *reason)
 }
 
 /// The options that a table gives, by name.
@@ -118,7 +119,7 @@ fn option(entry: &Entry) -> Result<IpoptOption, SceneError> {
         Values::Number(_) => IpoptValue::Number(entry.number()?),
         _ => {
             let word = entry.key().words()[entry.choice()?];
-            if let Some(reason) = refusal_of_choice(name, word) {
+            if let Some(reason) = refusal_of_choice(entry.key(), word) {
                 return Err(entry.refuse(format!("{path} cannot be `{word}`: {reason}")));
             }
             IpoptValue::Text(word.to_owned())

@@ -3,12 +3,15 @@
 //! [`Scene::load`] reads what an engineer writes: parts, poses, stiffness, offsets. A scene that is returned is valid:
 //! every number lies in the range that [`keys`] declares. An error names file, line, column and key, and says what
 //! would be valid. [`Scene::task`] returns the planning task of one start and offset magnitude, [`load_homotopy`] reads
-//! how to solve it, and [`resolved`] writes both into one file that reproduces the run.
+//! how to solve it, and [`resolved`] writes both into one file that reproduces the run. [`scene_schema`] and
+//! [`homotopy_schema`] are JSON schemas of the files.
 
+mod draft;
 mod entry;
 mod error;
 mod facets;
 mod file;
+mod generate;
 mod homotopy;
 mod ipopt;
 mod keys;
@@ -23,8 +26,10 @@ mod pose;
 mod range;
 mod resolved;
 mod scene;
+mod schema;
 mod sections;
 mod shapes;
+mod starter;
 mod table;
 mod task_error;
 mod warnings;
@@ -33,6 +38,7 @@ mod words;
 pub use error::{SceneError, Source};
 pub use facets::{Fit, SHARE};
 pub use file::read_text;
+pub use generate::{Peg, PegError, PegKey, PegSection};
 pub use homotopy::{default_homotopy, load_homotopy, parse_homotopy};
 pub use keys::{Absent, Key, MAX_CONTACT_FORCES, MAX_NAME_LENGTH, Values, key, keys};
 pub use limits::OutOfReach;
@@ -42,4 +48,6 @@ pub use part::Part;
 pub use range::Range;
 pub use resolved::resolved;
 pub use scene::{Scene, StartPose};
+pub use schema::{homotopy_schema, scene_schema};
+pub use starter::{Axis, MeshPair, starter_scene};
 pub use task_error::TaskError;

@@ -28,7 +28,9 @@ const FLATTEST: f64 = 1e-6;
 const SHORTEST_NORMAL: f64 = 1e-6;
 
 /// Keys that give a part its shape.
-const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
+pub const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
+/// Keys that need each other.
+pub const COMPANIONS: [(&str, &str); 2] = [("normals", "offsets"), ("mesh", "unit")];
 
 /// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes.
 pub struct Draft<'text> {

@@ -8,7 +8,7 @@ use crate::error::SceneError;
 use crate::table::Table;
 
 /// How far the norm of a quaternion or direction may be from 1: files are written with few digits.
-const NORM_TOLERANCE: f64 = 1e-3;
+pub const NORM_TOLERANCE: f64 = 1e-3;
 
 /// Position (m) and unit quaternion of a start or goal.
 pub fn pose(table: &Table) -> Result<[f64; 7], SceneError> {

@@ -201,6 +201,8 @@ impl PlanFolder {
                 rename(&from, &to)?;
             }
         }
+        // The lock goes last: without it the folder is not known as ours.
+        self.discard()?;
         fs::remove_dir_all(&self.work).map_err(PlannerError::written(&self.work))
     }
 

@@ -6,6 +6,7 @@
 //! | `scenarios.csv`, `wrench.csv`, `contacts.csv` | [`trajectory`] |
 //! | `result.json` | [`PlanResult`] |
 //! | unfinished work: `checkpoint.json`, `refinement.json` | [`Checkpoint`], [`RefinementCheckpoint`] |
+//! | new scenes | [`write_new_scene`] |
 //! | `manifest.jsonl` of a batch | [`Manifest`] |
 //! | `cells.csv`, `cells.json` of a batch | [`cells`] |
 //! | `rollouts.csv`, `success.csv` of a simulation | [`RolloutRow`], [`SuccessRow`] |
@@ -17,6 +18,7 @@ pub mod cells;
 mod checkpoint;
 mod folder;
 mod manifest;
+mod new_scene;
 mod refinement;
 mod result;
 mod rollouts;
@@ -29,6 +31,7 @@ pub use atomic::{hash, read_text, remove_file, require_folder, write_file};
 pub use checkpoint::Checkpoint;
 pub use folder::PlanFolder;
 pub use manifest::{Cell, Manifest};
+pub use new_scene::write_new_scene;
 pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
 pub use rollouts::{

@@ -4,6 +4,7 @@
 mod declared;
 mod options;
 
+use std::fmt;
 use std::ops::RangeInclusive;
 
 use crate::range::Range;
@@ -67,6 +68,35 @@ pub enum Values {
     Tables(RangeInclusive<usize>),
 }
 
+/// In words, as the documentation has them (Markdown).
+impl fmt::Display for Values {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let count = |count: &RangeInclusive<usize>| format!("{} to {}", count.start(), count.end());
+        let matrix = "3 numbers, or a symmetric 3x3 matrix; principal values";
+        match self {
+            Self::Number(range) => write!(formatter, "number {range}"),
+            Self::Integer(range) => write!(formatter, "integer {range}"),
+            Self::Length(range) => write!(formatter, "number {range}, or text with its unit"),
+            Self::Vector(range) => write!(formatter, "3 numbers {range}"),
+            Self::Numbers(range, entries) => write!(formatter, "list of {} numbers {range}", count(entries)),
+            Self::Vectors(range, entries) => write!(formatter, "list of {} times 3 numbers {range}", count(entries)),
+            Self::Directions(entries) => {
+                write!(formatter, "list of {} times 3 numbers of norm 1, or `[0, 0, 0]`", count(entries))
+            }
+            Self::Quaternion => formatter.write_str("4 numbers `[w, x, y, z]` of norm 1"),
+            Self::Matrix(range) => write!(formatter, "{matrix} {range}"),
+            Self::NumberOrMatrix(range) => write!(formatter, "number, {matrix} {range}"),
+            Self::Choice(words) => write!(formatter, "`\"{}\"`", words.join("\"`, `\"")),
+            Self::Name => write!(formatter, "text of 1 to {MAX_NAME_LENGTH} characters in one line"),
+            Self::File => formatter.write_str("file name"),
+            Self::FileOrTable => formatter.write_str("file name or table"),
+            Self::Pairs(entries) => write!(formatter, "list of {} pairs of names", count(entries)),
+            Self::Table => formatter.write_str("table"),
+            Self::Tables(entries) => write!(formatter, "{} tables", count(entries)),
+        }
+    }
+}
+
 /// What holds when a key is not given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Absent {
@@ -76,6 +106,17 @@ pub enum Absent {
     Number(f64),
     /// What the words say.
     Means(&'static str),
+}
+
+/// In words, as the documentation has them (Markdown).
+impl fmt::Display for Absent {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Refused => formatter.write_str("needed"),
+            Self::Number(default) => default.fmt(formatter),
+            Self::Means(words) => formatter.write_str(words),
+        }
+    }
 }
 
 /// Longest title or name, in characters.

@@ -26,39 +26,9 @@ fn places(page: &str) -> Vec<(&str, &str)> {
         .collect()
 }
 
-fn values(values: &Values) -> String {
-    let count = |count: &std::ops::RangeInclusive<usize>| format!("{} to {}", count.start(), count.end());
-    match values {
-        Values::Number(range) => format!("number {range}"),
-        Values::Integer(range) => format!("integer {range}"),
-        Values::Length(range) => format!("number {range}, or text with its unit"),
-        Values::Vector(range) => format!("3 numbers {range}"),
-        Values::Numbers(range, entries) => format!("list of {} numbers {range}", count(entries)),
-        Values::Vectors(range, entries) => format!("list of {} times 3 numbers {range}", count(entries)),
-        Values::Directions(entries) => format!("list of {} times 3 numbers of norm 1, or `[0, 0, 0]`", count(entries)),
-        Values::Quaternion => "4 numbers `[w, x, y, z]` of norm 1".to_owned(),
-        Values::Matrix(range) => format!("3 numbers, or a symmetric 3x3 matrix; principal values {range}"),
-        Values::NumberOrMatrix(range) => {
-            format!("number, 3 numbers, or a symmetric 3x3 matrix; principal values {range}")
-        }
-        Values::Choice(words) => format!("`\"{}\"`", words.join("\"`, `\"")),
-        Values::Name => format!("text of 1 to {} characters in one line", scene::MAX_NAME_LENGTH),
-        Values::File => "file name".to_owned(),
-        Values::FileOrTable => "file name or table".to_owned(),
-        Values::Pairs(entries) => format!("list of {} pairs of names", count(entries)),
-        Values::Table => "table".to_owned(),
-        Values::Tables(entries) => format!("{} tables", count(entries)),
-    }
-}
-
 fn row(key: &Key) -> String {
-    let absent = match key.absent {
-        Absent::Refused => "needed".to_owned(),
-        Absent::Number(default) => default.to_string(),
-        Absent::Means(words) => words.to_owned(),
-    };
-    let Key { name, unit, meaning, .. } = key;
-    format!("| `{name}` | {} | {unit} | {absent} | {meaning} |\n", values(&key.values))
+    let Key { name, values, unit, absent, meaning, .. } = key;
+    format!("| `{name}` | {values} | {unit} | {absent} | {meaning} |\n")
 }
 
 fn table(name: &str) -> String {

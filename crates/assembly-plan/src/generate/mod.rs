@@ -1,0 +1,19 @@
+//! `generate`: write the scene of a peg and its hole.
+
+mod arguments;
+
+use planner::files::write_new_scene;
+
+pub use arguments::GenerateArguments;
+
+use crate::console::say;
+use crate::exit::{CommandError, Exit};
+
+/// Writes the scene.
+pub fn run(arguments: &GenerateArguments) -> Result<Exit, CommandError> {
+    let (peg, file) = arguments.peg();
+    let scene = peg.scene().map_err(|error| CommandError::Usage(error.to_string()))?;
+    write_new_scene(&file.out, &scene, file.force)?;
+    say!("written to {}", file.out.display());
+    Ok(Exit::Done)
+}

@@ -1,0 +1,133 @@
+//! Scenes to begin with: they are solved as they are, and changed into one's own.
+
+mod bounding_box;
+mod relative;
+
+use std::path::{Path, PathBuf};
+
+use crate::draft::{Draft, DraftPart, DraftShape, rounded};
+use crate::error::SceneError;
+use crate::keys::UNITS;
+use crate::mesh::SCALES;
+use bounding_box::BoundingBox;
+use relative::relative_path;
+
+/// Two meshes in one frame, in the pose that the body shall reach.
+#[derive(Debug, Clone)]
+pub struct MeshPair {
+    /// STL file of the body.
+    pub body: PathBuf,
+    /// STL file of the environment.
+    pub environment: PathBuf,
+    /// Unit of both: one of the words of `part.unit`.
+    pub unit: String,
+    /// Direction in which the body is taken out.
+    pub axis: Axis,
+}
+
+/// A direction along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Axis {
+    /// 0, 1, 2 for x, y, z.
+    pub index: usize,
+    /// Whether it is the opposite direction.
+    pub is_negative: bool,
+}
+
+impl Axis {
+    /// Of a name such as `z` or `-x`.
+    pub fn from_name(name: &str) -> Option<Self> {
+        let (is_negative, letter) = name.strip_prefix('-').map_or((false, name), |letter| (true, letter));
+        let index = ["x", "y", "z"].iter().position(|known| *known == letter)?;
+        Some(Self { index, is_negative })
+    }
+}
+
+/// Text of a scene that is written to `file`: with two meshes, or with a square shaft and its hole.
+///
+/// # Errors
+/// When a mesh cannot be read.
+pub fn starter_scene(file: &Path, meshes: Option<&MeshPair>) -> Result<String, SceneError> {
+    match meshes {
+        Some(meshes) => mesh_draft(file, meshes).map(|draft| draft.text()),
+        None => Ok(shaft_draft().text()),
+    }
+}
+
+/// A square shaft goes into a square hole.
+fn shaft_draft() -> Draft {
+    const WIDTH: f64 = 0.02;
+    const LENGTH: f64 = 0.06;
+    const CLEARANCE: f64 = 0.0005;
+    const WALL: f64 = 0.02;
+    const DEPTH: f64 = 0.04;
+    let inside = WIDTH + 2.0 * CLEARANCE;
+    let middle = 0.5 * (inside + WALL);
+    let long = [inside + 2.0 * WALL, WALL, DEPTH];
+    let wall = |name: &str, edges: [f64; 3], [x, y]: [f64; 2]| DraftPart {
+        name: name.to_owned(),
+        shape: DraftShape::Box(edges),
+        position: Some([x, y, -0.5 * DEPTH]),
+    };
+    let lines = [
+        "A square shaft goes into a square hole, half a millimetre wider on every side. Solve it, then make it yours:",
+        "  1. body and environment: the shapes of your parts",
+        "  2. goal: where the body shall end; start: where it comes from, without touching anything",
+        "  3. impedance: the stiffness of your robot's controller",
+        "  4. robustness: how inaccurate the grasp is",
+    ];
+    Draft {
+        about: lines.map(str::to_owned).to_vec(),
+        body: vec![DraftPart { name: "shaft".into(), shape: DraftShape::Box([WIDTH, WIDTH, LENGTH]), position: None }],
+        environment: vec![
+            wall("left", [WALL, inside, DEPTH], [-middle, 0.0]),
+            wall("right", [WALL, inside, DEPTH], [middle, 0.0]),
+            wall("front", long, [0.0, -middle]),
+            wall("back", long, [0.0, middle]),
+        ],
+        starts: vec![[0.0, 0.0, LENGTH, 1.0, 0.0, 0.0, 0.0]],
+        goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+        offset: 0.005,
+        axis: 2,
+    }
+}
+
+fn mesh_draft(file: &Path, meshes: &MeshPair) -> Result<Draft, SceneError> {
+    /// Offset magnitude, as a fraction of the body's shortest edge, and the largest one (m).
+    const OFFSET: f64 = 0.1;
+    const LARGEST_OFFSET: f64 = 0.02;
+    let Some(unit) = UNITS.iter().position(|unit| *unit == meshes.unit) else {
+        let message = format!("unknown unit `{}`: choose one of {}", meshes.unit, UNITS.join(", "));
+        return Err(SceneError::about(file, message));
+    };
+    let body = BoundingBox::of_mesh(&meshes.body, SCALES[unit])?;
+    // Its parts must not be missing when the scene is read.
+    BoundingBox::of_mesh(&meshes.environment, SCALES[unit])?;
+    let part = |name: &str, mesh: &Path, position| -> Result<DraftPart, SceneError> {
+        let shape = DraftShape::Mesh(relative_path(mesh, file)?, UNITS[unit]);
+        Ok(DraftPart { name: name.to_owned(), shape, position })
+    };
+    let [x, y, z] = body.center();
+    let mut start = [x, y, z, 1.0, 0.0, 0.0, 0.0];
+    let height = body.edges()[meshes.axis.index];
+    start[meshes.axis.index] += if meshes.axis.is_negative { -height } else { height };
+    let shortest = body.edges().into_iter().fold(f64::INFINITY, f64::min);
+    let lines = [
+        "The body goes to where its mesh is in the frame of both meshes. Check what was guessed of them:",
+        "  1. goal: the pose of the body's centre when it is assembled",
+        "  2. start: above the goal by the body's height; the body must touch nothing there, and on its way to the goal",
+        "     nothing but what guides it",
+        "  3. impedance: the stiffness of your robot's controller",
+        "  4. robustness: how inaccurate the grasp is, across the direction in which the body is put in",
+    ];
+    Ok(Draft {
+        about: lines.map(str::to_owned).to_vec(),
+        // The frame of the body has its origin at the centre of mass, which is near the middle.
+        body: vec![part("body", &meshes.body, Some([-x, -y, -z]))?],
+        environment: vec![part("environment", &meshes.environment, None)?],
+        starts: vec![start],
+        goal: [x, y, z, 1.0, 0.0, 0.0, 0.0],
+        offset: rounded(OFFSET * shortest).min(LARGEST_OFFSET),
+        axis: meshes.axis.index,
+    })
+}

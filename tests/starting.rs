@@ -1,0 +1,96 @@
+//! Scenes that the program writes are solved as they are.
+
+use crate::support::Dir;
+
+/// Solves a scene and expects that the plan is done.
+#[track_caller]
+fn solved(dir: &Dir, scene: &str) {
+    dir.run(&format!("check {scene}")).code(0).keeps_silent_about("warning");
+    dir.run(&format!("solve {scene} --out out")).code(0);
+    assert_eq!(dir.result("out")["status"], "done");
+}
+
+#[test]
+fn the_starter_scene_is_solved_as_it_is() {
+    let dir = Dir::new();
+    dir.run("new begun/starter.toml").code(0).says("written to begun/starter.toml");
+    solved(&dir, "begun/starter.toml");
+}
+
+#[test]
+fn a_file_is_replaced_only_by_force() {
+    let dir = Dir::new();
+    for command in ["new scene.toml", "generate rectangular --out scene.toml"] {
+        dir.write("scene.toml", "my work");
+        dir.run(command).code(2).says("is there already");
+        assert_eq!(dir.read("scene.toml"), "my work");
+        dir.run(&format!("{command} --force")).code(0);
+        dir.run("check scene.toml").code(0);
+    }
+}
+
+#[test]
+fn a_scene_of_two_meshes_is_read_as_it_was_written() {
+    let dir = Dir::new();
+    let corners = "0 0 0,0 30 0,30 0 0;0 0 0,30 0 0,0 0 30;0 0 0,0 0 30,0 30 0;30 0 0,0 30 0,0 0 30";
+    let tetrahedron = |height: f64| {
+        let facet = |facet: &str| {
+            let vertex = |vertex: &str| {
+                let [x, y, z]: [f64; 3] =
+                    std::array::from_fn(|axis| vertex.split(' ').nth(axis).unwrap().parse().unwrap());
+                format!("vertex {x} {y} {}\n", z + height)
+            };
+            format!(
+                "facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n",
+                facet.split(',').map(vertex).collect::<String>()
+            )
+        };
+        format!("solid part\n{}endsolid part\n", corners.split(';').map(facet).collect::<String>())
+    };
+    dir.write("meshes/lid.stl", tetrahedron(31.0));
+    dir.write("meshes/pot.stl", tetrahedron(0.0));
+    let meshes = "--body meshes/lid.stl --environment meshes/pot.stl --unit mm";
+    dir.run(&format!("new scenes/pot.toml {meshes} --axis z")).code(0);
+    dir.run("check scenes/pot.toml").code(0).says("pot: 1 pairs of parts").keeps_silent_about("overlap at");
+    dir.run(&format!("new scenes/under.toml {meshes} --axis -z")).code(0);
+    dir.run("check scenes/under.toml").code(0).says("overlap at the start with offset 1");
+}
+
+#[test]
+fn a_round_peg_is_solved() {
+    let dir = Dir::new();
+    dir.run("generate round --facets 6 --chamfer 0.0005 --out peg.toml").code(0).says("written to peg.toml");
+    solved(&dir, "peg.toml");
+}
+
+#[test]
+fn a_rectangular_peg_is_solved() {
+    let dir = Dir::new();
+    dir.run("generate rectangular --width 0.01 --depth 0.008 --out peg.toml").code(0);
+    solved(&dir, "peg.toml");
+}
+
+#[test]
+fn a_keyed_peg_is_solved() {
+    let dir = Dir::new();
+    dir.run("generate keyed --width 0.008 --depth 0.008 --key-width 0.003 --out peg.toml").code(0);
+    solved(&dir, "peg.toml");
+}
+
+#[test]
+fn a_random_peg_is_solved() {
+    let dir = Dir::new();
+    dir.run("generate random --seed 2 --facets 5 --out peg.toml").code(0);
+    solved(&dir, "peg.toml");
+}
+
+#[test]
+fn schemas_are_printed() {
+    let dir = Dir::new();
+    for (line, table) in [("schema", "body"), ("schema --homotopy", "homotopy")] {
+        let run = dir.run(line).code(0);
+        let schema: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+        assert!(schema["properties"][table].is_object() && schema["additionalProperties"] == false);
+    }
+}
