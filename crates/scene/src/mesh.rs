@@ -47,7 +47,7 @@ pub struct MeshPart {
 }
 
 /// A mesh as the scene gives it.
-pub struct MeshDraft<'text> {
+pub struct GivenMesh<'text> {
     /// Place of the file's name.
     entry: Entry<'text>,
     file: PathBuf,
@@ -59,7 +59,7 @@ pub struct MeshDraft<'text> {
     pub density: Option<f64>,
 }
 
-impl<'text> MeshDraft<'text> {
+impl<'text> GivenMesh<'text> {
     /// Reads the keys of a mesh and its file, whose name is relative to the scene.
     pub fn read(table: &Table<'text>) -> Result<Self, SceneError> {
         let entry = table.require("mesh")?;

@@ -10,7 +10,7 @@ use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
 use crate::limits::limits;
 use crate::motion_region::Motions;
 use crate::pairs::{Side, pairs};
-use crate::part::{Draft, drafts};
+use crate::part::{GivenPart, given_parts};
 use crate::pose::{directions, pose};
 use crate::scene::Scene;
 use crate::sections;
@@ -50,12 +50,12 @@ impl Scene {
             Some(title) => title.name()?,
             None => title_of(file),
         };
-        let (body, environment) = (drafts(&body_table)?, drafts(&table.require_table("environment")?)?);
+        let (body, environment) = (given_parts(&body_table)?, given_parts(&table.require_table("environment")?)?);
         let (starts, goal) = (sections::starts(table)?, pose(&table.require_table("goal")?)?);
         let offset_magnitude = robustness.number("offset_magnitude")?;
         let offset_directions = directions(&robustness.require("offset_directions")?)?;
         let inertia = sections::inertia(&body_table, &body)?;
-        let points: Vec<[f64; 3]> = body.iter().flat_map(Draft::points).collect();
+        let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let motions = Motions::new(&starts, &goal, offset_magnitude, &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
             shapes(&body, &environment, &motions, &goal)?;

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::mesh::{MESH_KEYS, MeshDraft};
+use crate::mesh::{GivenMesh, MESH_KEYS};
 use crate::pose::{isometry, norm, orientation};
 use crate::table::Table;
 
@@ -33,7 +33,7 @@ pub const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
 pub const COMPANIONS: [(&str, &str); 2] = [("normals", "offsets"), ("mesh", "unit")];
 
 /// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes.
-pub struct Draft<'text> {
+pub struct GivenPart<'text> {
     pub name: String,
     pub shape: Shape<'text>,
     pub position: [f64; 3],
@@ -43,41 +43,41 @@ pub struct Draft<'text> {
 /// Shape of a part in its own frame.
 pub enum Shape<'text> {
     Convex(Polytope),
-    Mesh(MeshDraft<'text>),
+    Mesh(GivenMesh<'text>),
 }
 
 /// Reads the parts of a body or environment.
-pub fn drafts<'text>(parent: &Table<'text>) -> Result<Vec<Draft<'text>>, SceneError> {
-    let mut drafts: Vec<Draft> = Vec::new();
+pub fn given_parts<'text>(parent: &Table<'text>) -> Result<Vec<GivenPart<'text>>, SceneError> {
+    let mut given_parts: Vec<GivenPart> = Vec::new();
     for table in parent.tables("part", "part")? {
-        let draft = draft(&table)?;
-        if drafts.iter().any(|other| other.name == draft.name) {
-            let message = format!("part name `{}` is used twice", draft.name);
+        let given = given_part(&table)?;
+        if given_parts.iter().any(|other| other.name == given.name) {
+            let message = format!("part name `{}` is used twice", given.name);
             return Err(table.require("name")?.refuse(message));
         }
-        drafts.push(draft);
+        given_parts.push(given);
     }
-    Ok(drafts)
+    Ok(given_parts)
 }
 
-fn draft<'text>(table: &Table<'text>) -> Result<Draft<'text>, SceneError> {
+fn given_part<'text>(table: &Table<'text>) -> Result<GivenPart<'text>, SceneError> {
     let name = table.require("name")?.name()?;
     let (place, shape) = shape(table, &name)?;
     let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
     let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
-    let draft = Draft { name, shape, position, orientation };
-    let refuse = |message: String| Err(place.refuse(format!("part `{}`: {message}", draft.name)));
-    let size = draft.size();
+    let given = GivenPart { name, shape, position, orientation };
+    let refuse = |message: String| Err(place.refuse(format!("part `{}`: {message}", given.name)));
+    let size = given.size();
     if size < SMALLEST {
         return refuse(format!("it is {size:.1e} m long; parts must be longer than {SMALLEST:.0e} m"));
     }
-    if !draft.points().iter().flatten().all(|coordinate| (-FARTHEST..=FARTHEST).contains(coordinate)) {
+    if !given.points().iter().flatten().all(|coordinate| (-FARTHEST..=FARTHEST).contains(coordinate)) {
         return refuse(format!("a corner is more than {FARTHEST} m from the origin along an axis"));
     }
-    Ok(draft)
+    Ok(given)
 }
 
-impl Draft<'_> {
+impl GivenPart<'_> {
     /// Points (m) of the parent's frame in whose convex hull the part lies.
     pub fn points(&self) -> Vec<[f64; 3]> {
         let points = match &self.shape {
@@ -94,7 +94,7 @@ impl Draft<'_> {
     }
 
     /// Its mesh, if it has one.
-    pub fn mesh(&self) -> Option<&MeshDraft<'_>> {
+    pub fn mesh(&self) -> Option<&GivenMesh<'_>> {
         match &self.shape {
             Shape::Convex(_) => None,
             Shape::Mesh(mesh) => Some(mesh),
@@ -120,15 +120,15 @@ fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Shape
         let hint = if name == "unit" { "; everything else is in metres" } else { "" };
         return Err(entry.refuse(format!("`{name}` belongs to `mesh`{hint}")));
     }
-    let mut given = SHAPES.into_iter().filter_map(|key| Some((key, table.find(key)?)));
-    let (Some((key, entry)), None) = (given.next(), given.next()) else {
+    let mut chosen = SHAPES.into_iter().filter_map(|key| Some((key, table.find(key)?)));
+    let (Some((key, entry)), None) = (chosen.next(), chosen.next()) else {
         let choices = "exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`";
         return Err(table.refuse(format!("part `{name}` needs {choices}")));
     };
     let shape = match key {
         "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
         "box" => Polytope::from_box(edge_lengths(&entry)?),
-        "mesh" => return Ok((entry, Shape::Mesh(MeshDraft::read(table)?))),
+        "mesh" => return Ok((entry, Shape::Mesh(GivenMesh::read(table)?))),
         _ => {
             let Some(offsets) = table.find("offsets") else {
                 return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));

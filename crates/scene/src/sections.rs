@@ -5,7 +5,7 @@ use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::part::Draft;
+use crate::part::GivenPart;
 use crate::pose::{norm, pose};
 use crate::scene::StartPose;
 use crate::table::Table;
@@ -30,7 +30,7 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
 }
 
 /// Mass and rotational inertia: those given, else of the density of the parts, else the defaults.
-pub fn inertia(body: &Table, parts: &[Draft]) -> Result<Inertia, SceneError> {
+pub fn inertia(body: &Table, parts: &[GivenPart]) -> Result<Inertia, SceneError> {
     let material = of_density(parts)?;
     let mass = match (&material, body.find("mass")) {
         (Some(material), None) => material.mass,
@@ -45,7 +45,7 @@ pub fn inertia(body: &Table, parts: &[Draft]) -> Result<Inertia, SceneError> {
 }
 
 /// Of a body whose parts are meshes with a density. Its origin must be the centre of mass.
-fn of_density(parts: &[Draft]) -> Result<Option<Inertia>, SceneError> {
+fn of_density(parts: &[GivenPart]) -> Result<Option<Inertia>, SceneError> {
     let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.density.is_some())) else {
         return Ok(None);
     };
@@ -65,7 +65,7 @@ fn of_density(parts: &[Draft]) -> Result<Option<Inertia>, SceneError> {
             + own * (Matrix3::identity() * center.norm_squared() - center * center.transpose());
     }
     let center = moment / mass;
-    let size = parts.iter().flat_map(Draft::points).map(|point| norm(&point)).fold(0.0, f64::max);
+    let size = parts.iter().flat_map(GivenPart::points).map(|point| norm(&point)).fold(0.0, f64::max);
     if center.norm() > CENTERED * size {
         let [x, y, z] = (-center).into();
         return Err(first.refuse(&format!(

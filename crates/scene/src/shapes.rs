@@ -7,7 +7,7 @@ use crate::error::SceneError;
 use crate::facets::{Fit, Placed, facets, tightest_fit};
 use crate::mesh::MeshPart;
 use crate::motion_region::{MotionRegion, Motions};
-use crate::part::{Draft, Part, Shape};
+use crate::part::{GivenPart, Part, Shape};
 use crate::pose::isometry;
 
 /// The convex parts of a scene, and what they were made from.
@@ -22,13 +22,18 @@ pub struct Shapes {
 }
 
 /// Makes all parts convex.
-pub fn shapes(body: &[Draft], environment: &[Draft], motions: &Motions, goal: &[f64; 7]) -> Result<Shapes, SceneError> {
+pub fn shapes(
+    body: &[GivenPart],
+    environment: &[GivenPart],
+    motions: &Motions,
+    goal: &[f64; 7],
+) -> Result<Shapes, SceneError> {
     let [x, y, z, quaternion @ ..] = pose::normalised(goal);
     let at_goal = isometry(&[x, y, z], &quaternion);
     let fit = tightest_fit(&meshes(body, &at_goal), &meshes(environment, &Isometry3::identity()));
     let facets = facets(fit);
     let (body, body_meshes) = convex(body, facets, None)?;
-    let has_meshes = environment.iter().any(|draft| draft.mesh().is_some());
+    let has_meshes = environment.iter().any(|given| given.mesh().is_some());
     let points = || body.iter().map(|part| part.shape.vertices().to_vec()).collect::<Vec<_>>();
     let region = has_meshes.then(|| motions.region(&points()));
     let (environment, environment_meshes) = convex(environment, facets, region.as_ref())?;
@@ -36,28 +41,28 @@ pub fn shapes(body: &[Draft], environment: &[Draft], motions: &Motions, goal: &[
 }
 
 /// The meshes among some parts, whose parent has a place in the world.
-fn meshes<'draft>(drafts: &'draft [Draft], parent: &Isometry3<f64>) -> Vec<Placed<'draft>> {
-    let placed = |draft: &'draft Draft| {
-        let mesh = draft.mesh()?;
-        Some(Placed { solid: &mesh.solid, placement: parent * draft.placement(), clearance: mesh.clearance })
+fn meshes<'given>(given_parts: &'given [GivenPart], parent: &Isometry3<f64>) -> Vec<Placed<'given>> {
+    let placed = |given: &'given GivenPart| {
+        let mesh = given.mesh()?;
+        Some(Placed { solid: &mesh.solid, placement: parent * given.placement(), clearance: mesh.clearance })
     };
-    drafts.iter().filter_map(placed).collect()
+    given_parts.iter().filter_map(placed).collect()
 }
 
 fn convex(
-    drafts: &[Draft],
+    given_parts: &[GivenPart],
     facets: usize,
     region: Option<&MotionRegion>,
 ) -> Result<(Vec<Part>, Vec<MeshPart>), SceneError> {
     let (mut parts, mut meshes) = (Vec::new(), Vec::new());
-    for draft in drafts {
-        match &draft.shape {
+    for given in given_parts {
+        match &given.shape {
             Shape::Convex(shape) => {
-                let shape = shape.placed(draft.position, draft.orientation);
-                parts.push(Part { name: draft.name.clone(), shape });
+                let shape = shape.placed(given.position, given.orientation);
+                parts.push(Part { name: given.name.clone(), shape });
             }
             Shape::Mesh(mesh) => {
-                let (mesh, pieces) = mesh.cover(&draft.name, &draft.placement(), facets, region)?;
+                let (mesh, pieces) = mesh.cover(&given.name, &given.placement(), facets, region)?;
                 meshes.push(MeshPart { parts: parts.len()..parts.len() + pieces.len(), ..mesh });
                 parts.extend(pieces);
             }

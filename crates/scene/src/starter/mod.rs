@@ -96,6 +96,9 @@ fn mesh_draft(file: &Path, meshes: &MeshPair) -> Result<Draft, SceneError> {
     /// Offset magnitude, as a fraction of the body's shortest edge, and the largest one (m).
     const OFFSET: f64 = 0.1;
     const LARGEST_OFFSET: f64 = 0.02;
+    /// Height (m) of the goal above the place of the mesh, where parts touch; at most this fraction of the body's height.
+    const LIFT: f64 = 2e-4;
+    const LARGEST_LIFT: f64 = 0.01;
     let Some(unit) = UNITS.iter().position(|unit| *unit == meshes.unit) else {
         let message = format!("unknown unit `{}`: choose one of {}", meshes.unit, UNITS.join(", "));
         return Err(SceneError::about(file, message));
@@ -108,13 +111,16 @@ fn mesh_draft(file: &Path, meshes: &MeshPair) -> Result<Draft, SceneError> {
         Ok(DraftPart { name: name.to_owned(), shape, position })
     };
     let [x, y, z] = body.center();
-    let mut start = [x, y, z, 1.0, 0.0, 0.0, 0.0];
     let height = body.edges()[meshes.axis.index];
-    start[meshes.axis.index] += if meshes.axis.is_negative { -height } else { height };
+    let above = |distance: f64| {
+        let mut pose = [x, y, z, 1.0, 0.0, 0.0, 0.0];
+        pose[meshes.axis.index] += if meshes.axis.is_negative { -distance } else { distance };
+        pose
+    };
     let shortest = body.edges().into_iter().fold(f64::INFINITY, f64::min);
     let lines = [
         "The body goes to where its mesh is in the frame of both meshes. Check what was guessed of them:",
-        "  1. goal: the pose of the body's centre when it is assembled",
+        "  1. goal: the pose of the body's centre when it is assembled, lifted a little so that it touches nothing",
         "  2. start: above the goal by the body's height; the body must touch nothing there, and on its way to the goal",
         "     nothing but what guides it",
         "  3. impedance: the stiffness of your robot's controller",
@@ -125,8 +131,8 @@ fn mesh_draft(file: &Path, meshes: &MeshPair) -> Result<Draft, SceneError> {
         // The frame of the body has its origin at the centre of mass, which is near the middle.
         body: vec![part("body", &meshes.body, Some([-x, -y, -z]))?],
         environment: vec![part("environment", &meshes.environment, None)?],
-        starts: vec![start],
-        goal: [x, y, z, 1.0, 0.0, 0.0, 0.0],
+        starts: vec![above(height)],
+        goal: above(LIFT.min(LARGEST_LIFT * height)),
         offset: rounded(OFFSET * shortest).min(LARGEST_OFFSET),
         axis: meshes.axis.index,
     })

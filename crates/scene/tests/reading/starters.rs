@@ -88,10 +88,12 @@ fn poses_of_meshes_are_those_of_their_boxes() {
         let close = pose.iter().zip(position).all(|(one, other)| (one - other).abs() < 1e-9);
         assert!(close && pose[3..] == [1.0, 0.0, 0.0, 0.0], "{pose:?}");
     };
-    near(&scene.goal, [0.1, 0.015, 0.026]);
+    near(&scene.goal, [0.1, 0.015, 0.0262]);
     near(&scene.starts[0].pose, [0.1, 0.015, 0.076]);
     let task = scene.task(None, None).unwrap();
-    assert!((task.clearance(&scene.goal) - 0.001).abs() < 1e-6, "the body is where its mesh is");
+    let mut mated = scene.goal;
+    mated[2] -= 2e-4;
+    assert!((task.clearance(&mated) - 0.001).abs() < 1e-6, "the body is where its mesh is, but for a little lift");
     assert!(scene.body[0].shape.center().iter().all(|coordinate| coordinate.abs() < 1e-6));
     assert!((scene.offset_magnitude - 0.002).abs() < 1e-9, "a tenth of the shortest edge");
     assert!(scene.offset_directions.iter().all(|direction| direction[2] == 0.0));
