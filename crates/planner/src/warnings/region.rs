@@ -1,7 +1,7 @@
-//! Whether the body leaves the region for which meshes of the environment were made convex parts.
+//! Whether the body leaves the region for which meshes of the environment were made convex parts, near such a mesh.
 
 use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion, Vector3};
-use scene::MotionRegion;
+use scene::{MeshPart, MotionRegion};
 
 use crate::plan::Plan;
 
@@ -13,7 +13,9 @@ pub fn warning(plan: &Plan) -> Option<String> {
         scene.body.iter().flat_map(|part| part.shape.vertices()).map(|vertex| Point3::from(*vertex)).collect();
     let leaves = |pose: &[f64; 7]| {
         let placement = isometry(pose);
-        corners.iter().any(|corner| !contains(region, &placement.transform_point(corner)))
+        let mut points = corners.iter().map(|corner| placement.transform_point(corner));
+        points
+            .any(|point| !contains(region, &point) && scene.environment_meshes.iter().any(|mesh| is_near(mesh, &point)))
     };
     let steps = plan.trajectory.scenarios.iter().enumerate().filter_map(|(scenario, motion)| {
         let step = motion.states.iter().position(|state| leaves(&std::array::from_fn(|index| state[index])))?;
@@ -33,6 +35,13 @@ fn contains(region: &MotionRegion, point: &Point3<f64>) -> bool {
         let sides = place.normals().iter().zip(place.offsets());
         sides.into_iter().all(|(normal, offset)| Vector3::from(*normal).dot(&point.coords) <= *offset)
     })
+}
+
+/// Whether a point is in the bounding box of a mesh.
+fn is_near(mesh: &MeshPart, point: &Point3<f64>) -> bool {
+    let [low, high] = mesh.solid.bounding_box();
+    let point = mesh.placement.inverse_transform_point(point);
+    (0..3).all(|axis| (low[axis]..=high[axis]).contains(&point[axis]))
 }
 
 fn isometry(&[x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
