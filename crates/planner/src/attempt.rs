@@ -10,8 +10,8 @@ use crate::or_null;
 use crate::plan::{Plan, PlanStatus};
 use crate::problem::Problem;
 
-/// `tau_1` (N m) of the homotopy that tightens slowly.
-const SLOW_TAU: f64 = 0.004;
+/// Factor of `tau_1` and of `sigma_1` of the homotopy that tightens slowly.
+const SLOW_FIRST: f64 = 4.0 / 3.0;
 /// Its `kappa_tau`.
 const SLOW_RATE: f64 = 0.5;
 /// Iterations of a homotopy after which a goal error that grows tells a miss: before, smoothing moves the goal itself.
@@ -39,8 +39,8 @@ impl Change {
         match self {
             Self::Nothing => problem.clone(),
             Self::SlowerTightening => problem.with_homotopy(HomotopySettings {
-                tau: SLOW_TAU,
-                sigma: 0.5 * SLOW_TAU,
+                tau: SLOW_FIRST * problem.homotopy().tau,
+                sigma: SLOW_FIRST * problem.homotopy().sigma,
                 tau_rate: SLOW_RATE,
                 ..problem.homotopy().clone()
             }),
@@ -98,8 +98,7 @@ impl AttemptRecord {
 pub(crate) fn leads_away(problem: &Problem, iterations: &[PlanIteration]) -> bool {
     let [.., before, last] = iterations else { return false };
     let error = |iteration: &PlanIteration| iteration.trajectory.worst_errors().0;
-    let rows = problem.task().pairs.iter().map(|pair| pair.shapes.row_count()).max().unwrap_or(0);
-    let explained = problem.success().position.max(last.record.tau * rows as f64);
+    let explained = problem.success().position.max(problem.task().reach(last.record.tau));
     iterations.len() >= EARLIEST_MISS && last.record.converged && error(last) > explained.max(error(before))
 }
 

@@ -1,7 +1,8 @@
 //! Parts whose shape is a triangle mesh: convex parts that cover it.
 
+use std::fmt::Display;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use collision::Polytope;
@@ -32,8 +33,6 @@ pub struct MeshPart {
     pub name: String,
     /// The mesh file.
     pub file: PathBuf,
-    /// Metres per unit of the file.
-    pub scale: f64,
     /// Its surface, in the part's own frame (m).
     pub solid: Arc<Solid>,
     /// The convex pieces that cover it, likewise.
@@ -51,7 +50,6 @@ pub struct GivenMesh<'text> {
     /// Place of the file's name.
     entry: Entry<'text>,
     file: PathBuf,
-    scale: f64,
     pub solid: Arc<Solid>,
     facets: Option<usize>,
     pub clearance: f64,
@@ -77,9 +75,9 @@ impl<'text> GivenMesh<'text> {
         let scene = entry.source().file;
         let file = scene.parent().unwrap_or(scene).join(name);
         let solid = TriangleMesh::read(&file, scale).and_then(|mesh| Solid::of(&mesh));
-        let solid = Arc::new(solid.map_err(|error| refused(&entry, &file, &error))?);
+        let solid = Arc::new(solid.map_err(|error| refused(&entry, &file, error))?);
         let facets = facets.map(|facets| facets as usize);
-        Ok(Self { entry, file, scale, solid, facets, clearance, density })
+        Ok(Self { entry, file, solid, facets, clearance, density })
     }
 
     /// Corners of its bounding box (m).
@@ -95,7 +93,7 @@ impl<'text> GivenMesh<'text> {
 
     /// An error about the mesh.
     pub fn refuse(&self, message: &str) -> SceneError {
-        self.entry.refuse(format!("mesh {}: {message}", self.file.display()))
+        refused(&self.entry, &self.file, message)
     }
 
     /// The convex parts that stand for the mesh: curved surfaces with `facets` per full turn unless the scene says how
@@ -115,8 +113,8 @@ impl<'text> GivenMesh<'text> {
             crop: region.map(|region| in_frame(&region.extent, placement)),
             clearance: self.clearance,
         };
-        let places: Vec<Place> =
-            region.iter().flat_map(|region| &region.places).map(|place| place_in_frame(place, placement)).collect();
+        let places = region.iter().flat_map(|region| region.places.iter().flatten());
+        let places: Vec<Place> = places.map(|place| place_in_frame(place, placement)).collect();
         let cover = match Cover::facing(&self.solid, &settings, &places) {
             // No motion comes near: all of it is there, and its pairs are left out.
             Err(MeshError::NothingLeft) if region.is_some() => {
@@ -124,7 +122,7 @@ impl<'text> GivenMesh<'text> {
             }
             cover => cover,
         };
-        let cover = cover.map_err(|error| refused(&self.entry, &self.file, &error))?;
+        let cover = cover.map_err(|error| refused(&self.entry, &self.file, error))?;
         let count = cover.pieces().len();
         let part = |(number, piece): (usize, &mesh::Piece)| {
             let shape = Polytope::from_halfspaces(&piece.normals, &piece.offsets)
@@ -138,7 +136,6 @@ impl<'text> GivenMesh<'text> {
         let mesh = MeshPart {
             name: name.to_owned(),
             file: self.file.clone(),
-            scale: self.scale,
             solid: Arc::clone(&self.solid),
             cover: Arc::new(cover),
             settings,
@@ -149,8 +146,8 @@ impl<'text> GivenMesh<'text> {
     }
 }
 
-fn refused(entry: &Entry, file: &std::path::Path, error: &MeshError) -> SceneError {
-    entry.refuse(format!("mesh {}: {error}", file.display()))
+fn refused(entry: &Entry, file: &Path, problem: impl Display) -> SceneError {
+    entry.refuse(format!("mesh {}: {problem}", file.display()))
 }
 
 /// The smallest box along the axes of a frame that holds a box of its parent.

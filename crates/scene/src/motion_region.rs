@@ -28,8 +28,8 @@ pub type Extent = [[f64; 3]; 2];
 pub struct MotionRegion {
     /// A box around all of it and as much as half the body on every side: walls there must not be thin.
     pub extent: Extent,
-    /// Convex places (world frame) that together are all of it.
-    pub places: Vec<Polytope>,
+    /// For each part of the body convex places (world frame) that together are all it reaches.
+    pub places: Vec<Vec<Polytope>>,
 }
 
 /// Straight motions from all starts to the goal, and how far the body may leave them.
@@ -67,11 +67,11 @@ impl Motions {
         let [low, high] = &mut extent;
         low.iter_mut().for_each(|coordinate| *coordinate -= self.surroundings);
         high.iter_mut().for_each(|coordinate| *coordinate += self.surroundings);
-        MotionRegion { extent, places: parts.iter().flat_map(|part| self.swept(part)).collect() }
+        MotionRegion { extent, places: parts.iter().map(|part| self.swept(part)).collect() }
     }
 
     /// The places that the convex hull of points reaches: for each pair of neighbouring poses their convex hull.
-    pub fn swept(&self, points: &[[f64; 3]]) -> Vec<Polytope> {
+    fn swept(&self, points: &[[f64; 3]]) -> Vec<Polytope> {
         let at = |pose: &Isometry3<f64>| -> Vec<[f64; 3]> {
             self.reaches(pose, points).flat_map(|place| corners_of(&place)).collect()
         };

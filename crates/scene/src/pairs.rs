@@ -1,9 +1,11 @@
 //! Which parts may touch.
 
+use collision::Polytope;
+
 use crate::error::SceneError;
 use crate::keys::key;
 use crate::mesh::MeshPart;
-use crate::motion_region::{Motions, meet};
+use crate::motion_region::{MotionRegion, meet};
 use crate::part::Part;
 use crate::table::Table;
 use crate::words::{clipped, suggest};
@@ -22,17 +24,22 @@ pub type Pairs = Vec<(usize, usize)>;
 
 /// The pairs that are listed; else every body part with every environment part, without pieces of meshes that its motions
 /// do not come near to. Second, the pairs that are left out.
-pub fn pairs(scene: &Table, body: Side, environment: Side, motions: &Motions) -> Result<(Pairs, Pairs), SceneError> {
+pub fn pairs(
+    scene: &Table,
+    body: Side,
+    environment: Side,
+    region: Option<&MotionRegion>,
+) -> Result<(Pairs, Pairs), SceneError> {
     let Some(entry) = scene.table("contact")?.find("pairs") else {
         let (mut near, mut far) = (Pairs::new(), Pairs::new());
-        for (index, part) in body.parts.iter().enumerate() {
-            let of_mesh = |other: &usize| environment.meshes.iter().any(|mesh| mesh.parts.contains(other));
-            let pieces: Vec<usize> = (0..environment.parts.len()).filter(of_mesh).collect();
-            let places = if pieces.is_empty() { Vec::new() } else { motions.swept(part.shape.vertices()) };
-            for (other, touched) in environment.parts.iter().enumerate() {
-                let is_near = !pieces.contains(&other) || places.iter().any(|place| meet(place, &touched.shape));
-                if is_near { near.push((index, other)) } else { far.push((index, other)) }
-            }
+        let is_piece = |other: usize| environment.meshes.iter().any(|mesh| mesh.parts.contains(&other));
+        let is_far = |part: usize, other: usize| {
+            let meets = |place: &Polytope| meet(place, &environment.parts[other].shape);
+            is_piece(other) && region.is_some_and(|region| !region.places[part].iter().any(meets))
+        };
+        for pair in (0..body.parts.len()).flat_map(|part| (0..environment.parts.len()).map(move |other| (part, other)))
+        {
+            if is_far(pair.0, pair.1) { far.push(pair) } else { near.push(pair) }
         }
         if near.is_empty() {
             std::mem::swap(&mut near, &mut far);

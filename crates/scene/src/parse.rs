@@ -63,7 +63,7 @@ impl Scene {
             table,
             Side { parent: "body", parts: &body, meshes: &body_meshes },
             Side { parent: "environment", parts: &environment, meshes: &environment_meshes },
-            &motions,
+            region.as_ref(),
         )?;
         let scene = Self {
             title,

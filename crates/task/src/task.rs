@@ -32,6 +32,13 @@ impl AssemblyTask {
     pub fn clearance(&self, pose: &[f64; 7]) -> f64 {
         self.pairs.iter().map(|pair| pair.shapes.exact_distance(pose)).fold(f64::INFINITY, f64::min)
     }
+
+    /// The reach of a smoothing `tau`: how far shapes of any pair overlap, at most, when their smoothed distance is zero
+    /// (m).
+    pub fn reach(&self, tau: f64) -> f64 {
+        let most = self.pairs.iter().map(|pair| pair.shapes.row_count()).max().unwrap_or(0);
+        tau * most as f64
+    }
 }
 
 /// One pair of parts that may touch.

@@ -1,14 +1,12 @@
 //! What is odd about a scene, and which key to change.
 
-use task::AssemblyTask;
+use task::{AssemblyTask, Overlap};
 
 use crate::check::{Explanation, Play, Way};
 use crate::problem::Problem;
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;
-/// Overlap that counts as hard contact, as a fraction of the clearance at the goal.
-const HARD: f64 = 0.1;
 /// Distance from the mesh that is worth a word: in errors of its facets, and in sizes of the part.
 const DEVIATION: f64 = 3.0;
 const DEVIATION_IN_SIZES: f64 = 3e-4;
@@ -118,10 +116,9 @@ fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
 /// The last smoothing must be small beside the clearance.
 fn last_smoothing(problem: &Problem, explanation: &Explanation) -> Option<String> {
     let last = problem.homotopy().schedule().last()?;
-    let rows = problem.task().pairs.iter().map(|pair| pair.shapes.row_count()).max()?;
     let clearance = explanation.insertion.first()?.clearance_m;
-    let reach = last.tau * rows as f64;
-    (clearance > 0.0 && reach > HARD * clearance).then(|| {
+    let reach = problem.task().reach(last.tau);
+    (clearance > 0.0 && Overlap::excess(problem.task(), reach) > 1.0).then(|| {
         format!(
             "the last smoothing reaches {:.3} mm, the clearance at the goal is {:.3} mm: raise homotopy.further_iterations",
             1e3 * reach,
