@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Matrix6};
 use nlp::{Problem, check_derivatives};
 use ocp::Transcription;
-use task::{AssemblyTask, Complementarity, HessianKind, Limits};
+use task::{AssemblyTask, Complementarity, HessianKind, Inertia, Limits};
 
 /// A deterministic number in (-1, 1).
 fn noise(index: usize) -> f64 {
@@ -57,6 +57,14 @@ fn full_damping_matrices() {
     task.impedance.rotational_damping = Matrix3::new(1.2, 0.3, -0.2, 0.3, 0.9, 0.1, -0.2, 0.1, 1.5);
     check(&task);
     check(&AssemblyTask { limits: Limits { force: 6.0, torque: 0.7, ..Limits::NONE }, ..task });
+}
+
+#[test]
+fn full_inertia() {
+    let mut task = task("clamp1", 2, 3);
+    let factor = Matrix6::from_fn(|row, column| 0.3 * noise(7 * row + column) + f64::from(u8::from(row == column)));
+    task.inertia = Inertia::from_matrix(factor * factor.transpose());
+    check(&task);
 }
 
 #[test]

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use kkt::Fallbacks;
+use nalgebra::{Matrix6, Vector3, Vector6};
 use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Mumps, Options, SolveStatus, Start};
 use ocp::{Transcription, TranscriptionSolver};
-use task::{AssemblyTask, Complementarity, HessianKind, Limits};
+use task::{AssemblyTask, Complementarity, HessianKind, Impedance, Inertia, Limits};
 use workers::Workers;
 
 fn task(scene: &str, steps: usize) -> AssemblyTask {
@@ -136,10 +137,13 @@ const PLAIN: Case = Case {
     options: &[],
 };
 
-/// Solves with both solvers side by side and expects the same inertia of every matrix.
 fn compare(case: Case) -> (Compared, kkt::Report) {
-    let task = AssemblyTask { limits: case.limits, ..task(case.scene, case.steps) };
-    let mut transcription = transcribe(&task, case.complementarity, case.hessian);
+    compare_on(&AssemblyTask { limits: case.limits, ..task(case.scene, case.steps) }, case)
+}
+
+/// Solves a task with both solvers side by side and expects the same inertia of every matrix.
+fn compare_on(task: &AssemblyTask, case: Case) -> (Compared, kkt::Report) {
+    let mut transcription = transcribe(task, case.complementarity, case.hessian);
     let mut solver = Compared::new(&transcription);
     let mut options = options();
     for &(name, value) in case.options {
@@ -170,6 +174,20 @@ fn smoothing_agrees_with_mumps() {
 fn many_pairs_and_three_scenarios_agree_with_mumps() {
     let (_, report) = compare(Case { scene: "peg2", steps: 15, ..PLAIN });
     assert!(report.early_exits > 0);
+}
+
+/// An arm's apparent inertia (kg, kg m, kg m^2): the arm's mass is not at the part.
+#[test]
+fn an_arm_agrees_with_mumps() {
+    let lever = Vector3::new(0.02, -0.1, 0.3).cross_matrix() * 8.0;
+    let mut matrix = Matrix6::from_diagonal(&Vector6::new(12.0, 7.0, 8.0, 1.5, 1.2, 0.8));
+    matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&-lever);
+    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&lever);
+    assert!(matrix.cholesky().is_some());
+    let inertia = Inertia::from_matrix(matrix);
+    let impedance = Impedance::critically_damped(400.0, 40.0, &inertia);
+    let (_, report) = compare_on(&AssemblyTask { inertia, impedance, ..task(PLAIN.scene, PLAIN.steps) }, PLAIN);
+    assert_eq!(report.general_path, 0);
 }
 
 /// Limits; those of velocity, acceleration and wrench are active in the corner.

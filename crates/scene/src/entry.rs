@@ -156,6 +156,17 @@ impl<'text> Entry<'text> {
         Ok(matrix)
     }
 
+    /// The rows of a square matrix of numbers in the key's range.
+    pub fn rows<const N: usize>(&self) -> Result<[[f64; N]; N], SceneError> {
+        let rows = self.fixed(self.value, &self.path, N, "rows")?;
+        let label = format!("each row of {}", self.path);
+        let mut matrix = [[0.0; N]; N];
+        for (row, value) in matrix.iter_mut().zip(rows) {
+            *row = self.vector_of(value, &label, self.key.bounds())?;
+        }
+        Ok(matrix)
+    }
+
     /// A text.
     pub fn text(&self) -> Result<&'text str, SceneError> {
         self.text_of(self.value)

@@ -13,6 +13,7 @@ mod facets;
 mod file;
 mod generate;
 mod homotopy;
+mod inertia;
 mod ipopt;
 mod keys;
 mod limits;

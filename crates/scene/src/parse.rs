@@ -6,6 +6,7 @@ use crate::entry::is_control;
 use crate::error::{SceneError, Source};
 use crate::file::read_text;
 use crate::homotopy;
+use crate::inertia::inertia;
 use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
 use crate::limits::limits;
 use crate::motion_region::Motions;
@@ -54,7 +55,7 @@ impl Scene {
         let (starts, goal) = (sections::starts(table)?, pose(&table.require_table("goal")?)?);
         let offset_magnitude = robustness.number("offset_magnitude")?;
         let offset_directions = directions(&robustness.require("offset_directions")?)?;
-        let inertia = sections::inertia(&body_table, &body)?;
+        let inertia = inertia(table, &body_table, &body, &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let motions = Motions::new(&starts, &goal, offset_magnitude, &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =

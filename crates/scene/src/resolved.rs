@@ -1,6 +1,6 @@
 //! Writes a scene and a homotopy into one file that reproduces a run.
 
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, SMatrix};
 use task::{CostWeights, HomotopySettings, Limits};
 use toml::{Table, Value};
 
@@ -12,8 +12,11 @@ use crate::scene::{Scene, StartPose};
 /// the tables of the homotopy.
 pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotopy: &HomotopySettings) -> String {
     let (homotopy, ipopt) = homotopy::tables(homotopy);
-    let mut body = table([("mass", scene.inertia.mass.into()), ("inertia", rows(&scene.inertia.rotational))]);
-    body.insert("part".into(), parts(&scene.body));
+    let mut body = table([("part", parts(&scene.body))]);
+    let mass = scene.inertia.mass();
+    if let Some(mass) = mass {
+        body.extend(table([("mass", mass.into()), ("inertia", rows(&scene.inertia.rotational()))]));
+    }
     let pairs = scene
         .pairs
         .iter()
@@ -64,6 +67,9 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("homotopy", homotopy.into()),
         ("ipopt", ipopt.into()),
     ]);
+    if mass.is_none() {
+        document.insert("robot".into(), table([("apparent_inertia", rows(scene.inertia.matrix()))]).into());
+    }
     if scene.limits != Limits::NONE {
         document.insert("limits".into(), limits(&scene.limits).into());
     }
@@ -78,7 +84,7 @@ fn numbers<'number>(numbers: impl IntoIterator<Item = &'number f64>) -> Value {
     Value::Array(numbers.into_iter().map(|&number| Value::Float(number)).collect())
 }
 
-fn rows(matrix: &Matrix3<f64>) -> Value {
+fn rows<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Value {
     Value::Array(matrix.row_iter().map(|row| numbers(row.iter())).collect())
 }
 

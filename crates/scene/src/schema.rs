@@ -103,6 +103,7 @@ fn values(key: &Key) -> Value {
         Values::Quaternion => list(number(component), 4..=4),
         Values::Matrix(range) => json!({ "anyOf": [vector(*range), matrix(*range)] }),
         Values::NumberOrMatrix(range) => json!({ "anyOf": [number(*range), vector(*range), matrix(*range)] }),
+        Values::Inertia(range) => list(list(number(*range), 6..=6), 6..=6),
         Values::Choice(words) => {
             let possible = words.iter().filter(|word| ipopt::refusal_of_choice(key, word).is_none());
             json!({ "type": "string", "enum": possible.collect::<Vec<_>>() })

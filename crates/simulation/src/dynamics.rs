@@ -1,6 +1,6 @@
 //! One time step of the body: impedance control, contacts, motion.
 
-use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Matrix6, UnitQuaternion, Vector3};
 use task::{Impedance, Inertia};
 
 use crate::contact::{Contact, ContactFinder};
@@ -44,7 +44,6 @@ impl Body {
 /// middle pose, so that they are about as accurate.
 #[derive(Debug, Clone)]
 pub struct Stepper {
-    inertia: Inertia,
     impedance: Impedance,
     friction: f64,
     /// Every length is twice the one before.
@@ -67,6 +66,9 @@ struct Length {
     weight: f64,
     /// For the weighted part of the step.
     metric: Metric,
+    /// Multiplies the velocity before the step: `M / w - (1 / w - 1) (M + w h D + w^2 h^2 K)` with the weight `w` makes
+    /// of the weighted part of a step the whole of it.
+    carried: Matrix6<f64>,
 }
 
 /// Smaller overlaps (m), as integration leaves them, are not corrected.
@@ -92,13 +94,14 @@ impl Stepper {
         let length = |doublings: u32| {
             let (time_step, weight) =
                 (time_step * f64::from(1_u32 << doublings), if doublings == 0 { 1.0 } else { 0.5 });
-            Some(Length { time_step, weight, metric: Metric::new(weight * time_step, inertia, impedance)? })
+            let metric = Metric::new(weight * time_step, inertia, impedance)?;
+            let carried = inertia.matrix() / weight - metric.effective() * (1.0 / weight - 1.0);
+            Some(Length { time_step, weight, metric, carried })
         };
         let is_short = |length: &Option<Length>| {
             length.as_ref().is_none_or(|length| length.weight == 1.0 || length.time_step * rate <= SMOOTH)
         };
         Some(Self {
-            inertia: inertia.clone(),
             impedance: impedance.clone(),
             friction,
             lengths: (0..=count.ilog2().min(DOUBLINGS)).map(length).take_while(is_short).collect::<Option<_>>()?,
@@ -169,7 +172,7 @@ impl Stepper {
     ) -> (f64, f64) {
         let before = *body;
         let free = self.free_velocity(body, length, target, offset);
-        let Length { time_step, weight, metric } = &self.lengths[length];
+        let Length { time_step, weight, metric, .. } = &self.lengths[length];
         let (time_step, weight, radius) = (*time_step, *weight, finder.radius());
         let speed = |velocity: &Vector3<f64>, angular: &Vector3<f64>| velocity.norm() + radius * angular.norm();
         let reach = if length == 0 {
@@ -206,23 +209,24 @@ impl Stepper {
 
     /// The scaled velocity that the body would have without contacts.
     fn free_velocity(&self, body: &Body, length: usize, target: &Knot, offset: &Vector3<f64>) -> Vector6 {
-        let (Length { time_step, weight, metric }, impedance) = (&self.lengths[length], &self.impedance);
-        let h = weight * time_step;
+        let (Length { time_step, weight, metric, carried }, impedance) = (&self.lengths[length], &self.impedance);
         // Eq. impedancewrench at the believed pose: k_t (rho_r - rho_c) + D_t nu_r and 2 k_r eta eps + D_r omega_r. The
         // body's own damping is in the effective inertia.
-        let turned = offset + body.angular_velocity.cross(offset) * (time_step - h);
+        let turned = offset + body.angular_velocity.cross(offset) * ((1.0 - weight) * time_step);
         let tracked = body.pose.translation.vector + body.pose.rotation * turned;
         let force = (target.pose.translation.vector - tracked) * impedance.translational_stiffness;
         let error = body.pose.rotation.inverse() * target.pose.rotation;
         let torque = error.imag() * (2.0 * impedance.rotational_stiffness * error.w);
-        let momentum =
-            body.velocity * self.inertia.mass + (force + impedance.translational_damping * target.velocity) * h;
-        let angular = self.inertia.rotational * body.angular_velocity
-            + (torque + impedance.rotational_damping * target.angular_velocity) * h;
-        // What the weighted part of the step makes of the velocity goes on to the end of the step.
-        let (from, angular_from) = metric.momentum(&body.velocity, &body.angular_velocity);
-        let on = 1.0 / weight;
-        metric.scale(&(momentum * on - from * (on - 1.0)), &(angular * on - angular_from * (on - 1.0)))
+        let (velocity, angular_velocity) = (&body.velocity, &body.angular_velocity);
+        let twist = Vector6::from_fn(|row, _| if row < 3 { velocity[row] } else { angular_velocity[row - 3] });
+        let momentum = carried * twist;
+        // What the weighted part of the step adds to the momentum is added once more for the rest of the step.
+        let force = force + impedance.translational_damping * target.velocity;
+        let torque = torque + impedance.rotational_damping * target.angular_velocity;
+        metric.scale(
+            &(momentum.fixed_rows::<3>(0) + force * *time_step),
+            &(momentum.fixed_rows::<3>(3) + torque * *time_step),
+        )
     }
 
     /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by
@@ -279,9 +283,9 @@ fn fastest_rate(inertia: &Inertia, impedance: &Impedance) -> f64 {
     let rate = |inertia: f64, damping: &Matrix3<f64>, stiffness: f64| {
         (damping.symmetric_eigenvalues().max() / inertia).max((stiffness / inertia).sqrt())
     };
-    let lightest = inertia.rotational.symmetric_eigenvalues().min();
-    let linear = rate(inertia.mass, &impedance.translational_damping, impedance.translational_stiffness);
-    linear.max(rate(lightest, &impedance.rotational_damping, impedance.rotational_stiffness))
+    let (mass, rotational) = inertia.lightest();
+    let linear = rate(mass, &impedance.translational_damping, impedance.translational_stiffness);
+    linear.max(rate(rotational, &impedance.rotational_damping, impedance.rotational_stiffness))
 }
 
 /// A pose shifted in the world frame and turned in the body frame.
@@ -310,7 +314,7 @@ mod tests {
 
     /// The lengths of the steps of an interval, for a body of 1 kg that is `lag` (m) behind a reference at rest.
     fn lengths(lag: f64, stiffness: f64) -> Vec<usize> {
-        let inertia = Inertia { mass: 1.0, rotational: Matrix3::identity() };
+        let inertia = Inertia::of_body(1.0, Matrix3::identity());
         let impedance = Impedance::critically_damped(stiffness, stiffness, &inertia);
         let mut stepper = Stepper::new(TIME_STEP, COUNT, &inertia, &impedance, 0.0).unwrap();
         let shapes = Shapes::new(&[]);

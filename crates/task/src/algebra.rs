@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use nalgebra::Matrix3;
+use nalgebra::SMatrix;
 
 /// The number type of an equation: `f64`, or an expression that is recorded for its derivatives.
 pub trait Number:
@@ -15,10 +15,10 @@ impl<T> Number for T where
 {
 }
 
-/// A matrix times a vector.
-pub fn apply<T: Number>(matrix: &Matrix3<f64>, vector: &[T]) -> [T; 3] {
+/// A square matrix times a vector.
+pub fn apply<T: Number, const N: usize>(matrix: &SMatrix<f64, N, N>, vector: &[T]) -> [T; N] {
     std::array::from_fn(|row| {
-        vector[0] * matrix[(row, 0)] + vector[1] * matrix[(row, 1)] + vector[2] * matrix[(row, 2)]
+        (1..N).fold(vector[0] * matrix[(row, 0)], |sum, column| sum + vector[column] * matrix[(row, column)])
     })
 }
 

@@ -20,14 +20,16 @@ pub struct Impedance {
 }
 
 impl Impedance {
-    /// Critical damping for the given inertia: `D_t = 2 sqrt(k_t m)`, `D_r = 2 sqrt(k_r I_jj)` per axis.
+    /// Critical damping for the given inertia: `D_t = 2 sqrt(k_t m)`, or the matrix square root of a mass that differs
+    /// from axis to axis, and `D_r = 2 sqrt(k_r I_jj)` per axis.
     pub fn critically_damped(translational_stiffness: f64, rotational_stiffness: f64, inertia: &Inertia) -> Self {
-        let translational = 2.0 * (translational_stiffness * inertia.mass).sqrt();
-        let rotational = inertia.rotational.diagonal().map(|axis| 2.0 * (rotational_stiffness * axis).sqrt());
+        let mut masses = inertia.translational().symmetric_eigen();
+        masses.eigenvalues.apply(|mass| *mass = 2.0 * (translational_stiffness * *mass).sqrt());
+        let rotational = inertia.rotational().diagonal().map(|axis| 2.0 * (rotational_stiffness * axis).sqrt());
         Self {
             translational_stiffness,
             rotational_stiffness,
-            translational_damping: Matrix3::from_diagonal_element(translational),
+            translational_damping: masses.recompose(),
             rotational_damping: Matrix3::from_diagonal(&rotational),
         }
     }

@@ -158,9 +158,7 @@ pub fn initial_states(task: &AssemblyTask) -> Vec<[f64; STATE]> {
 
 /// `M^-1` times a wrench: the acceleration (6).
 pub fn accelerate<'tape>(inertia: &Inertia, wrench: &[Expression<'tape>; TWIST]) -> [Expression<'tape>; TWIST] {
-    let inverse = inertia.rotational.try_inverse().expect("a validated rotational inertia is positive definite");
-    let rotational = apply(&inverse, &wrench[3..]);
-    std::array::from_fn(|axis| if axis < 3 { wrench[axis] * (1.0 / inertia.mass) } else { rotational[axis - 3] })
+    apply(&inertia.inverse().expect("a validated inertia is positive definite"), wrench)
 }
 
 /// `q - q_prev - dt Q(q_at) v` with `Q = blkdiag(I, E(xi) / 2)`: 7 expressions.

@@ -12,7 +12,7 @@ pub struct ViscousDrag {
 impl ViscousDrag {
     /// With a coefficient `c` (Ns/m).
     pub fn new(task: &AssemblyTask, coefficient: f64) -> Self {
-        Self { factor: task.horizon.time_step * coefficient / task.inertia.mass }
+        Self { factor: task.horizon.time_step * coefficient / task.inertia.mass().unwrap() }
     }
 }
 

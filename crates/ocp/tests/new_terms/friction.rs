@@ -23,8 +23,8 @@ impl RegularisedCoulomb {
     pub fn new(task: &AssemblyTask, coefficient: f64, regularisation: f64) -> Self {
         Self {
             time_step: task.horizon.time_step,
-            mass: task.inertia.mass,
-            rotational: std::array::from_fn(|axis| task.inertia.rotational[(axis, axis)]),
+            mass: task.inertia.mass().unwrap(),
+            rotational: std::array::from_fn(|axis| task.inertia.rotational()[(axis, axis)]),
             starts: task.offsets.iter().map(|offset| task::pose::without_offset(&task.start, offset)).collect(),
             coefficient,
             regularisation,

@@ -106,7 +106,7 @@ fn a_term_adds_to_the_rows_of_another_one() {
         let twist = with.layout().state(stage, owner) + POSE;
         let row = with.layout().row(VELOCITY_DYNAMICS, stage, owner);
         for axis in 0..3 {
-            expected[row + axis] += task.horizon.time_step * 3.0 / task.inertia.mass * x[twist + axis];
+            expected[row + axis] += task.horizon.time_step * 3.0 / task.inertia.mass().unwrap() * x[twist + axis];
         }
     }
     let largest = expected.iter().zip(&after).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);

@@ -27,7 +27,7 @@ pub struct TiltedContacts {
 impl TiltedContacts {
     /// With a coefficient of friction.
     pub fn new(task: &AssemblyTask, coefficient: f64) -> Self {
-        let (time_step, mass, pairs) = (task.horizon.time_step, task.inertia.mass, task.pairs.len());
+        let (time_step, mass, pairs) = (task.horizon.time_step, task.inertia.mass().unwrap(), task.pairs.len());
         Self { time_step, mass, pairs, coefficient, sigma: f64::NAN }
     }
 

@@ -2,8 +2,8 @@
 
 use super::Absent::{Means, Number as Default, Refused};
 use super::Values::{
-    Choice, Directions, File, FileOrTable, Integer, Length, Matrix, Name, Number, NumberOrMatrix, Numbers, Pairs,
-    Quaternion, Table, Tables, Vector, Vectors,
+    Choice, Directions, File, FileOrTable, Inertia, Integer, Length, Matrix, Name, Number, NumberOrMatrix, Numbers,
+    Pairs, Quaternion, Table, Tables, Vector, Vectors,
 };
 use super::{Absent, Key, Values};
 use crate::range::Range;
@@ -47,13 +47,14 @@ pub const KEYS: &[Key] = &[
     key("", "goal", Table, "", Refused, "pose of the body at the end"),
     key("", "impedance", Table, "", Refused, "the robot's Cartesian impedance controller"),
     key("", "robustness", Table, "", Refused, "errors of position to be borne"),
+    key("", "robot", Table, "", Means("a free body"), "the arm that moves the body"),
     key("", "horizon", Table, "", Refused, "time grid of the plan"),
     key("", "cost", Table, "", Means("default weights"), "weights of the cost"),
     key("", "limits", Table, "", Means("no limits"), "what the plan must not exceed"),
 
     key("body", "mass", Number(Range::closed(1e-6, 1e6)), "kg", Default(1.0), "mass that the controller makes the robot feel like"),
     key("body", "inertia", Matrix(Range::closed(1e-12, 1e6)), "kg m^2", Default(0.1), "rotational inertia about the centre of mass: diagonal, or 3x3 matrix; by default the same about every axis"),
-    key("body", "part", Tables(1..=1000), "", Refused, "convex parts of the body, in its frame; the frame's origin is the centre of mass"),
+    key("body", "part", Tables(1..=1000), "", Refused, "convex parts of the body, in its frame; its origin is the centre of mass unless the parts have a `density`"),
 
     key("environment", "part", Tables(1..=1000), "", Refused, "convex parts of the environment, in the world frame"),
 
@@ -66,7 +67,7 @@ pub const KEYS: &[Key] = &[
     key("part", "unit", Choice(UNITS), "", Means("no mesh"), "unit of the mesh file; needed with `mesh`, refused without"),
     key("part", "facets", Integer(Range::closed(3.0, 360.0)), "", Means("chosen from the gap"), "facets of a full turn that stand for round surfaces of the mesh"),
     key("part", "clearance", Length(Range::closed(0.0, 0.1)), "m", Means("nothing"), "length by which all surfaces of the mesh are moved into the material, for parts that are modelled without their fit; a number, or a text with its unit as `\"0.02 mm\"`"),
-    key("part", "density", Number(Range::closed(1e-3, 1e6)), "kg/m^3", Means("`mass` and `inertia` of the body hold"), "density of the material of a mesh: gives the body its mass and inertia"),
+    key("part", "density", Number(Range::closed(1e-3, 1e6)), "kg/m^3", Means("`mass` and `inertia` of the body hold"), "density of the material of a mesh: gives the body its mass, centre of mass and inertia"),
     key("part", "position", Vector(COORDINATE), "m", Means("`[0, 0, 0]`"), "moves the part, after it was turned"),
     key("part", "orientation", Quaternion, "", Means("`[1, 0, 0, 0]`"), "turns the part about its origin"),
 
@@ -86,6 +87,8 @@ pub const KEYS: &[Key] = &[
 
     key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be"),
     key("robustness", "offset_directions", Directions(1..=1000), "", Refused, "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
+
+    key("robot", "apparent_inertia", Inertia(Range::closed(-1e6, 1e6)), "kg, kg m, kg m^2", Means("that of the body"), "inertia that a force on the body meets at the goal: for its velocity in the world frame and its angular velocity in the body frame; replaces `mass` and `inertia` of the body"),
 
     key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Refused, "number of time steps"),
     key("horizon", "time_step", Number(Range::closed(1e-5, 10.0)), "s", Refused, "length of a step"),

@@ -52,6 +52,8 @@ pub enum Values {
     Matrix(Range),
     /// One number, three numbers or a symmetric 3x3 matrix; the range is that of the principal values.
     NumberOrMatrix(Range),
+    /// A symmetric positive definite 6x6 matrix; the range is that of its entries.
+    Inertia(Range),
     /// One of several words.
     Choice(&'static [&'static str]),
     /// A text of 1 to [`MAX_NAME_LENGTH`] characters in one line.
@@ -86,6 +88,7 @@ impl fmt::Display for Values {
             Self::Quaternion => formatter.write_str("4 numbers `[w, x, y, z]` of norm 1"),
             Self::Matrix(range) => write!(formatter, "{matrix} {range}"),
             Self::NumberOrMatrix(range) => write!(formatter, "number, {matrix} {range}"),
+            Self::Inertia(range) => write!(formatter, "symmetric positive definite 6x6 matrix of numbers {range}"),
             Self::Choice(words) => write!(formatter, "`\"{}\"`", words.join("\"`, `\"")),
             Self::Name => write!(formatter, "text of 1 to {MAX_NAME_LENGTH} characters in one line"),
             Self::File => formatter.write_str("file name"),
@@ -190,6 +193,7 @@ impl Key {
             | Values::Numbers(range, _)
             | Values::Vectors(range, _)
             | Values::Matrix(range)
+            | Values::Inertia(range)
             | Values::NumberOrMatrix(range) => Some(range),
             _ => None,
         }

@@ -6,6 +6,7 @@ mod homotopies;
 mod meshes;
 mod mutations;
 mod pegs;
+mod robots;
 mod scenes;
 mod schemas;
 mod sizes;

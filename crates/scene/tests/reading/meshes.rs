@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::Matrix3;
 use scene::{Scene, SceneError, Source};
 
 use crate::support::replaced;
@@ -161,20 +162,27 @@ fn a_clearance_moves_all_surfaces_inwards() {
 }
 
 #[test]
-fn density_gives_the_body_its_mass_when_it_is_centred() {
-    let load = |position: &str| {
+fn density_gives_the_body_its_mass_wherever_its_origin_is() {
+    let load = |position: &str, goal: &str| {
         let folder = tempfile::tempdir().unwrap();
         let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]];
         std::fs::write(folder.path().join("cube.stl"), binary(&prism(&square, &fan(4), 20.0))).unwrap();
         let shape = format!("mesh = \"cube.stl\"\nunit = \"mm\"\ndensity = 1000\nposition = {position}");
-        let text = replaced("box = [0.02, 0.02, 0.1]", &shape);
-        Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
+        let text = replaced("box = [0.02, 0.02, 0.1]", &shape).replace("mass = 1.0\n", "");
+        let (before, after) = text.split_once("[goal]").unwrap();
+        let text = format!("{before}[goal]{}", after.replacen("[1, 0, 0, 0]", goal, 1));
+        Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text }).unwrap().inertia
     };
-    let inertia = load("[-0.01, -0.01, -0.01]").unwrap().inertia;
-    assert!((inertia.mass / 0.008 - 1.0).abs() < 1e-6, "{}", inertia.mass);
-    assert!((inertia.rotational[(1, 1)] / (0.008 * 0.02 * 0.02 / 6.0) - 1.0).abs() < 1e-6);
-    let error = load("[0.0, 0.0, 0.0]").unwrap_err();
-    assert!(error.message().contains("position = [-0.010000, -0.010000, -0.010000]"), "{error}");
+    let inertia = load("[-0.01, -0.01, -0.01]", "[1.0, 0.0, 0.0, 0.0]");
+    assert!((inertia.mass().unwrap() / 0.008 - 1.0).abs() < 1e-6, "{inertia:?}");
+    let own = 0.008 * 0.02 * 0.02 / 6.0;
+    assert!((inertia.rotational()[(1, 1)] / own - 1.0).abs() < 1e-6);
+    // Its centre of mass is 1 cm along x from its origin, and at the goal along y of the world.
+    let inertia = load("[0.0, -0.01, -0.01]", "[0.70710678118654757, 0.0, 0.0, 0.70710678118654757]");
+    assert!((inertia.rotational()[(1, 1)] / (own + 0.008 * 0.01 * 0.01) - 1.0).abs() < 1e-6);
+    // Turning about z moves it along -x, against the turn about y.
+    let coupling = Matrix3::new(0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0) * (0.008 * 0.01);
+    assert!((inertia.coupling() - coupling).amax() < 1e-9, "{}", inertia.coupling());
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn a_small_scene_gets_the_defaults() {
     assert_eq!(scene.title, "test");
     assert_eq!(scene.pairs, [(0, 0)]);
     let task = scene.task(None, None).unwrap();
-    assert_eq!(task.inertia.mass, 1.0);
+    assert_eq!(task.inertia.mass(), Some(1.0));
     assert!((task.impedance.translational_damping[(2, 2)] - 2.0 * 50f64.sqrt()).abs() < 1e-12);
     assert!((task.impedance.rotational_damping[(1, 1)] - 2.0 * (5.0f64 * 0.1).sqrt()).abs() < 1e-12);
     assert_eq!(task.cost.compliant.terminal_position, 10_000.0);

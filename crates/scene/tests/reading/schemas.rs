@@ -6,7 +6,7 @@ use scene::{
 };
 use serde_json::Value;
 
-use crate::support::{SCENE, folder, parse, replaced};
+use crate::support::{SCENE, apparent_inertia, folder, parse, replaced};
 
 fn validator(schema: &Value) -> Validator {
     assert!(jsonschema::meta::is_valid(schema));
@@ -145,8 +145,11 @@ fn wrong_homotopies_are_refused() {
 
 /// A scene in which every table is given, and nearly every key.
 fn complete() -> Value {
-    let limits = format!("{SCENE}[limits]\nforce = 100\n");
-    let scene = Scene::parse(Source { file: "test.toml".as_ref(), text: &limits }).unwrap();
+    let text = format!(
+        "{SCENE}[limits]\nforce = 100\n[robot]\napparent_inertia = {}\n",
+        apparent_inertia([7.0, 7.0, 8.0, 1.0, 1.0, 1.0])
+    );
+    let scene = Scene::parse(Source { file: "test.toml".as_ref(), text: &text }).unwrap();
     json(&resolved(&scene, &scene.starts[0], scene.offset_magnitude, &default_homotopy()))
 }
 

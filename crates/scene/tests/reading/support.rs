@@ -52,3 +52,10 @@ pub fn assert_place(error: &SceneError, words: &str, place: (usize, usize)) {
     assert!(error.message().contains(words), "{error}");
     assert_eq!((error.line(), error.column()), (Some(place.0), Some(place.1)), "{error}");
 }
+
+/// A diagonal apparent inertia as a scene gives it.
+pub fn apparent_inertia(diagonal: [f64; 6]) -> String {
+    let row =
+        |row: usize| format!("{:?}", [0, 1, 2, 3, 4, 5].map(|column| if column == row { diagonal[row] } else { 0.0 }));
+    format!("[{}]", [0, 1, 2, 3, 4, 5].map(row).join(", "))
+}

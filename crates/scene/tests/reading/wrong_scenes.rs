@@ -68,7 +68,7 @@ const CASES: &[(&str, &str, usize, &str)] = &[
     ("title = 'base'", "title =", 1, "a value is missing"),
     ("title = 'base'", "= 'base'", 1, "a key is missing"),
     ("title = 'base'", "steps = 10", 1, "unknown key `steps` here: it belongs to [horizon]"),
-    ("title = 'base'", "robot = 1", 1, "unknown key `robot`, did you mean `robustness`?"),
+    ("title = 'base'", "robust = 1", 1, "unknown key `robust`, did you mean `robustness`?"),
     ("[body]", "[bodi]", 2, "unknown key `bodi`, did you mean `body`?"),
     ("[body]", "[[body]]", 2, "body is a single table: write [body], not [[body]]"),
     ("[body]", "[body", 2, "the closing bracket `]` of a header is missing"),

@@ -1,6 +1,7 @@
 //! Absurd input: nothing panics or hangs.
 
 use simulation::{Bump, Evaluator, GraspError, Reference, Refinement, Rollout, Settings, Success, Trial, offsets};
+use task::Inertia;
 
 use crate::world::{at_rest, block, hole, task, through};
 
@@ -62,10 +63,12 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
             evaluator.evaluate(&short(), &Trial { friction: 1, grasp });
         }
         let mut absurd = world();
-        (absurd.inertia.mass, absurd.impedance.translational_stiffness) = (value, value);
+        absurd.inertia = Inertia::of_body(value, absurd.inertia.rotational());
+        absurd.impedance.translational_stiffness = value;
         Rollout::new(&absurd, settings).play(&short(), [0.0; 3], |_, _| {});
         let mut absurd = world();
-        (absurd.inertia.rotational, absurd.impedance.rotational_stiffness) = (absurd.inertia.rotational * value, value);
+        absurd.inertia = Inertia::from_matrix(absurd.inertia.matrix() * value);
+        absurd.impedance.rotational_stiffness = value;
         Rollout::new(&absurd, settings).play(&short(), [0.0; 3], |_, _| {});
         offsets::ball(value, 10, 1);
         offsets::hull(&[[value; 3]; 2], 10, 1);

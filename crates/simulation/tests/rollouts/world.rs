@@ -37,7 +37,7 @@ pub fn hole(width: f64) -> Vec<Polytope> {
 
 /// A body among obstacles, with its goal at the origin. Fields that rollouts do not use are zero.
 pub fn task(body: &Polytope, obstacles: &[Polytope]) -> AssemblyTask {
-    let inertia = Inertia { mass: MASS, rotational: Matrix3::identity() * INERTIA };
+    let inertia = Inertia::of_body(MASS, Matrix3::identity() * INERTIA);
     let pair = |obstacle: &Polytope| ContactPair {
         body: "body".into(),
         environment: "obstacle".into(),

@@ -1,0 +1,145 @@
+//! The apparent inertia of the body: the robot's, else that of the body's own mass.
+
+use nalgebra::{Matrix3, Matrix6, SMatrix, SymmetricEigen, UnitQuaternion, Vector3};
+use task::Inertia;
+
+use crate::entry::Entry;
+use crate::error::SceneError;
+use crate::part::GivenPart;
+use crate::pose::norm;
+use crate::table::Table;
+
+/// Relative difference of two numbers of a matrix that counts as rounding.
+const ROUNDING: f64 = 1e-9;
+/// Distance of the centre of mass from the origin, in sizes of the body, that counts as rounding.
+const CENTERED: f64 = 1e-6;
+/// Ratio of the largest to the smallest principal value of an apparent inertia, scaled by masses and lengths, beyond
+/// which nothing can be computed with it.
+const WORST_CONDITION: f64 = 1e8;
+
+/// The apparent inertia: of the robot, if the scene gives it, else that of the body at its goal.
+pub fn inertia(scene: &Table, body: &Table, parts: &[GivenPart], goal: &[f64; 7]) -> Result<Inertia, SceneError> {
+    match scene.table("robot")?.find("apparent_inertia") {
+        Some(entry) => apparent(&entry),
+        None => of_body(body, parts, goal),
+    }
+}
+
+/// An apparent inertia that the scene gives as a matrix.
+fn apparent(entry: &Entry) -> Result<Inertia, SceneError> {
+    let path = entry.path();
+    let matrix = equal_to_transpose::<6>(entry, &entry.rows()?)?;
+    // Velocities and angular velocities have other units: of the diagonal, only ratios of like entries mean something.
+    let scale = matrix.diagonal().map(|entry| 1.0 / entry.max(f64::MIN_POSITIVE).sqrt());
+    let scaled = Matrix6::from_fn(|row, column| matrix[(row, column)] * scale[row] * scale[column]);
+    let principal = principal_values(scaled);
+    let (least, most) = principal.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &v| (low.min(v), high.max(v)));
+    let is_definite = matrix.diagonal().min() > 0.0 && least * WORST_CONDITION > most;
+    if !is_definite {
+        return Err(entry.refuse(format!("{path} must be positive definite")));
+    }
+    Ok(Inertia::from_matrix(matrix))
+}
+
+/// Mass and rotational inertia: those given, else of the density of the parts, else the defaults.
+fn of_body(body: &Table, parts: &[GivenPart], goal: &[f64; 7]) -> Result<Inertia, SceneError> {
+    let material = Material::of(parts)?;
+    match (material, body.find("mass"), body.find("inertia")) {
+        (Some(material), None, None) => Ok(material.inertia(parts, goal)),
+        (Some(_), Some(given), _) | (Some(_), None, Some(given)) => {
+            Err(given
+                .refuse(format!("{} is given, and `density` of the parts too: leave one of them out", given.path())))
+        }
+        (None, _, Some(rotational)) => Ok(Inertia::of_body(body.number("mass")?, symmetric(&rotational)?)),
+        (None, _, None) => Ok(Inertia::of_body(body.number("mass")?, Matrix3::identity() * body.number("inertia")?)),
+    }
+}
+
+/// Parts of known density.
+struct Material {
+    mass: f64,
+    center: Vector3<f64>,
+    /// About the origin.
+    rotational: Matrix3<f64>,
+}
+
+impl Material {
+    /// Of a body whose parts are meshes with a density, if any of them has one.
+    fn of(parts: &[GivenPart]) -> Result<Option<Self>, SceneError> {
+        let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.density.is_some())) else {
+            return Ok(None);
+        };
+        let (mut mass, mut moment, mut rotational) = (0.0, Vector3::zeros(), Matrix3::zeros());
+        for part in parts {
+            let Some((mesh, density)) = part.mesh().and_then(|mesh| Some((mesh, mesh.density?))) else {
+                return Err(first.refuse(&format!("`density` is given here but not for part `{}`", part.name)));
+            };
+            let (properties, placement) = (mesh.solid.mass_properties(), part.placement());
+            let own = density * properties.volume;
+            let center = placement.transform_point(&properties.center.into()).coords;
+            let turn = placement.rotation.to_rotation_matrix();
+            let rows = Matrix3::from_fn(|row, column| properties.inertia[row][column]);
+            mass += own;
+            moment += own * center;
+            rotational += density * (turn * rows * turn.inverse())
+                + own * (Matrix3::identity() * center.norm_squared() - center * center.transpose());
+        }
+        Ok(Some(Self { mass, center: moment / mass, rotational }))
+    }
+
+    /// About the origin of the body's frame. Beside its centre of mass `c`, the momentum `m (nu + R (omega x c))` depends
+    /// on the angular velocity and, as the apparent inertia is constant, on the orientation `R` at the goal.
+    fn inertia(&self, parts: &[GivenPart], goal: &[f64; 7]) -> Inertia {
+        let mut matrix = *Inertia::of_body(self.mass, self.rotational).matrix();
+        let size = parts.iter().flat_map(GivenPart::points).map(|point| norm(&point)).fold(0.0, f64::max);
+        if self.center.norm() > CENTERED * size {
+            let [.., w, x, y, z] = *goal;
+            let turn = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z)).to_rotation_matrix();
+            let coupling = turn.matrix() * self.center.cross_matrix() * -self.mass;
+            matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&coupling);
+            matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&coupling.transpose());
+        }
+        Inertia::from_matrix(matrix)
+    }
+}
+
+/// A symmetric matrix with its principal values in the key's range. Where zero is in the range, rounding may make it
+/// negative.
+pub fn symmetric(entry: &Entry) -> Result<Matrix3<f64>, SceneError> {
+    let matrix = equal_to_transpose::<3>(entry, &entry.matrix()?)?;
+    let (path, unit, range) = (entry.path(), entry.key().unit, entry.key().bounds());
+    let rounding = ROUNDING * matrix.amax();
+    let may_be_zero = range.contains(0.0);
+    let principal = principal_values(matrix);
+    let is_within = |value: f64| range.contains(value) || may_be_zero && range.contains(value + rounding);
+    match principal.iter().find(|value| !is_within(**value)) {
+        None if may_be_zero || matrix.cholesky().is_some() => Ok(matrix),
+        outside => {
+            let definite = if may_be_zero { "semidefinite" } else { "definite" };
+            let value = outside.map_or(String::new(), |value| format!("; one is {value:.1e}"));
+            Err(entry
+                .refuse(format!("{path} must be positive {definite}, with principal values {range} {unit}{value}")))
+        }
+    }
+}
+
+/// A matrix of given rows that equals its transpose up to rounding.
+fn equal_to_transpose<const N: usize>(entry: &Entry, rows: &[[f64; N]; N]) -> Result<SMatrix<f64, N, N>, SceneError> {
+    let matrix = SMatrix::<f64, N, N>::from_fn(|row, column| rows[row][column]);
+    if (matrix - matrix.transpose()).amax() > ROUNDING * matrix.amax() {
+        return Err(entry.refuse(format!("{} must be symmetric ({})", entry.path(), entry.key().unit)));
+    }
+    Ok(matrix)
+}
+
+/// Principal values of a symmetric matrix; those of a diagonal one are exact.
+fn principal_values<const N: usize>(matrix: SMatrix<f64, N, N>) -> Vec<f64> {
+    const ITERATIONS: usize = 1000;
+    let diagonal = matrix.diagonal();
+    if matrix == SMatrix::from_diagonal(&diagonal) {
+        return diagonal.iter().copied().collect();
+    }
+    let dynamic = nalgebra::DMatrix::from_fn(N, N, |row, column| matrix[(row, column)]);
+    let eigen = SymmetricEigen::try_new(dynamic, f64::EPSILON, ITERATIONS);
+    eigen.map_or(vec![f64::NAN; N], |eigen| eigen.eigenvalues.iter().copied().collect())
+}
