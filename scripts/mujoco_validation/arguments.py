@@ -49,12 +49,11 @@ def parse_arguments() -> argparse.Namespace:
     add(
         "--position-tolerance",
         type=positive(float),
-        default=0.003,
         metavar="M",
-        help="largest final position error [default: 0.003 m, with which `solve` judges its scenarios]",
+        help="largest final position error [default: that with which `solve` judges its scenarios]",
     )
     add(
-        "--angle-tolerance", type=positive(float), default=0.1, metavar="RAD", help="largest final angle [default: 0.1]"
+        "--angle-tolerance", type=positive(float), metavar="RAD", help="largest final angle [default: likewise]"
     )
     add("--settling-time", type=positive(float), default=1.0, metavar="S", help="rest before judging [default: 1 s]")
     add("--time-step", type=positive(float), default=0.0005, metavar="S", help="of the simulation [default: 0.0005 s]")

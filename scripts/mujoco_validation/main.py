@@ -50,7 +50,7 @@ class Rollouts:
         if friction not in self.players:
             model = world.build(self.plan, world.Contact(friction, self.time_step))
             window = max(1, round(self.plan.reference.interval() / self.time_step))
-            self.players[friction] = Player(model, self.plan.inertia, self.plan.impedance, window)
+            self.players[friction] = Player(model, self.plan, window)
         return self.players[friction]
 
     def play(self, motion: str, friction: float, offset: np.ndarray) -> Outcome:
@@ -128,12 +128,14 @@ def compare(arguments: argparse.Namespace) -> None:
     for plan, theirs in zip(loaded, known):
         ours = play_all(arguments, plan, [(other.motion, other.friction, other.offset) for other in theirs])
         print(f"### {plan.title}, start {plan.start_name}: {len(theirs)} motions in both simulators\n")
-        print(comparison.table(theirs, ours, tolerance_of(arguments)) + "\n", flush=True)
+        print(comparison.table(theirs, ours, tolerance_of(arguments, loaded)) + "\n", flush=True)
 
 
-def tolerance_of(arguments: argparse.Namespace) -> results.Tolerance:
-    """What counts as success."""
-    return results.Tolerance(arguments.position_tolerance, arguments.angle_tolerance)
+def tolerance_of(arguments: argparse.Namespace, loaded: list[Plan]) -> results.Tolerance:
+    """What counts as success: what the arguments say, else the narrowest of the plans' own tolerances."""
+    position = arguments.position_tolerance or min(plan.position_tolerance for plan in loaded)
+    angle = arguments.angle_tolerance or min(plan.angle_tolerance for plan in loaded)
+    return results.Tolerance(position, angle)
 
 
 def print_tables(arguments: argparse.Namespace) -> None:
@@ -143,7 +145,7 @@ def print_tables(arguments: argparse.Namespace) -> None:
         raise InputError(f"--csv {arguments.csv}: the folder {arguments.csv.parent} does not exist; make it first")
     loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
     models = [world.build(plan, world.Contact(0.0, arguments.time_step)) for plan in loaded]
-    tolerance = tolerance_of(arguments)
+    tolerance = tolerance_of(arguments, loaded)
     print(
         f"Success: within {1e3 * tolerance.position:g} mm and {tolerance.angle:g} rad of the goal, "
         f"{arguments.settling_time:g} s after the end of the reference; intervals of 95 % (Wilson). "

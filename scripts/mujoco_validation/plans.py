@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from shapes import part_vertices
+from shapes import part_vertices, rotation_matrix
 
 TIME_COLUMN = "time_s"
 STATE_COLUMNS = "px_m py_m pz_m qw qx qy qz vx_m_s vy_m_s vz_m_s wx_rad_s wy_rad_s wz_rad_s".split()
@@ -70,7 +70,8 @@ class Reference:
 
 @dataclasses.dataclass(frozen=True)
 class Plan:
-    """Everything needed to play a plan. `offsets` (n x 3, m, body frame) are those of the planned scenarios."""
+    """Everything needed to play a plan. `offsets` (n x 3, m, body frame) are those of the planned scenarios; `center` is
+    the centre of mass in the body frame (m), `inertia` the rotational inertia about it."""
 
     folder: pathlib.Path
     title: str
@@ -79,10 +80,13 @@ class Plan:
     body: list[np.ndarray]
     environment: list[np.ndarray]
     mass: float
+    center: np.ndarray
     inertia: np.ndarray
     impedance: Impedance
     start: np.ndarray
     goal: np.ndarray
+    position_tolerance: float
+    angle_tolerance: float
     delta: float
     offsets: np.ndarray
     reference: Reference
@@ -123,6 +127,7 @@ def plan(
     """Puts a plan together from its parsed files."""
     document, mesh_folder = shapes
     impedance = resolved["impedance"]
+    mass, center, inertia = inertia_of(resolved)
     return Plan(
         folder=folder,
         title=resolved["title"],
@@ -130,8 +135,9 @@ def plan(
         status=result["status"],
         body=[part_vertices(part, mesh_folder) for part in document["body"]["part"]],
         environment=[part_vertices(part, mesh_folder) for part in document["environment"]["part"]],
-        mass=resolved["body"]["mass"],
-        inertia=np.array(resolved["body"]["inertia"]),
+        mass=mass,
+        center=center,
+        inertia=inertia,
         impedance=Impedance(
             impedance["translational_stiffness"],
             impedance["rotational_stiffness"],
@@ -140,10 +146,26 @@ def plan(
         ),
         start=pose(resolved["start"][0]),
         goal=pose(resolved["goal"]),
+        position_tolerance=resolved["goal"]["position_tolerance"],
+        angle_tolerance=resolved["goal"]["angle_tolerance"],
         delta=result["delta_m"],
         offsets=np.array([scenario["offset_m"] for scenario in result["scenarios"]]),
         reference=reference,
     )
+
+
+def inertia_of(resolved: dict[str, Any]) -> tuple[float, np.ndarray, np.ndarray]:
+    """Mass, centre of mass and rotational inertia about it of a free body."""
+    if "mass" in resolved["body"]:
+        return resolved["body"]["mass"], np.zeros(3), np.array(resolved["body"]["inertia"])
+    apparent = np.array(resolved["robot"]["apparent_inertia"])
+    mass = apparent[0, 0]
+    # Of a body with its centre of mass c, the coupling is -m R [c]x at the goal.
+    lever = -rotation_matrix(pose(resolved["goal"])[3:]).T @ apparent[:3, 3:] / mass
+    scale = 1e-9 * np.abs(apparent).max()
+    if not np.allclose(apparent[:3, :3], mass * np.eye(3), atol=scale) or not np.allclose(lever, -lever.T, atol=1e-9):
+        raise ValueError("the apparent inertia is that of an arm, which no free body has")
+    return mass, np.array([lever[2, 1], lever[0, 2], lever[1, 0]]), apparent[3:, 3:] + mass * lever @ lever
 
 
 def read_reference(path: pathlib.Path) -> Reference:

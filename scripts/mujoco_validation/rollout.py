@@ -6,7 +6,7 @@ from collections.abc import Callable
 import mujoco
 import numpy as np
 
-from plans import Impedance
+from plans import Impedance, Plan
 from shapes import rotation_matrix
 
 State = list[float]
@@ -88,14 +88,17 @@ def gyroscopic_torque(inertia: list[list[float]], spin: State) -> tuple[float, f
 class Player:
     """Plays motions on one model. Forces are means over `window` steps."""
 
-    def __init__(self, model: mujoco.MjModel, inertia: np.ndarray, impedance: Impedance, window: int) -> None:
+    def __init__(self, model: mujoco.MjModel, plan: Plan, window: int) -> None:
         self.model = model
         self.window = window
         self.data = mujoco.MjData(model)
+        self.plan = plan
+        inertia = plan.inertia
         self.inertia = inertia.tolist()
+        self.is_centered = not plan.center.any()
         # Isotropic inertia has no gyroscopic term; leaving it out saves time.
         self.isotropic = np.allclose(inertia, inertia[0, 0] * np.eye(3))
-        self.impedance = impedance
+        self.impedance = plan.impedance
         # MuJoCo would write warnings to a file in the working directory; they are counted in `data` all the same.
         mujoco.set_mju_user_warning(lambda message: None)
 
@@ -120,6 +123,11 @@ class Player:
                 # The model of the plan has no gyroscopic term, MuJoCo has: it is cancelled.
                 spin = gyroscopic_torque(self.inertia, velocity[3:])
                 wrench = (*wrench[:3], *(torque + term for torque, term in zip(wrench[3:], spin)))
+            if not self.is_centered:
+                # Likewise what the centre of mass does as it goes around the origin.
+                turning = np.cross(velocity[3:], np.cross(velocity[3:], self.plan.center)) * self.plan.mass
+                force, torque = rotation_matrix(np.array(pose[3:])) @ turning, np.cross(self.plan.center, turning)
+                wrench = tuple(np.add(wrench, [*force, *torque]))
             data.qfrc_applied[:] = wrench
             mujoco.mj_step(model, data)
             record.add(data)

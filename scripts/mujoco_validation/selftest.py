@@ -62,10 +62,13 @@ def example(**changes: object) -> Plan:
         body=[shapes.part_vertices({"box": BOX}, pathlib.Path())],
         environment=[shapes.part_vertices(floor, pathlib.Path())],
         mass=MASS,
+        center=np.zeros(3),
         inertia=inertia,
         impedance=Impedance(STIFFNESS, 6.0, damping_matrix(2 * math.sqrt(STIFFNESS * MASS)), damping_matrix(1.5)),
         start=rest[:7],
         goal=rest[:7],
+        position_tolerance=0.003,
+        angle_tolerance=0.1,
         delta=0.0,
         offsets=np.zeros((1, 3)),
         reference=Reference(np.array([0.0, 1.0]), np.array([rest, rest])),
@@ -79,7 +82,7 @@ def play(
     """Rows of time, pose and velocity of the plan's motion from an initial state, and its contacts."""
     model = world.build(plan, world.Contact(friction, TIME_STEP))
     rows: list[list[float]] = []
-    record = Player(model, plan.inertia, plan.impedance, FORCE_WINDOW).play(
+    record = Player(model, plan, FORCE_WINDOW).play(
         plan.reference.sample(TIME_STEP, 1.0).tolist(),
         offset.tolist(),
         initial,

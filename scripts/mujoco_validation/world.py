@@ -31,13 +31,13 @@ class Contact:
 
 
 def build(plan: Plan, contact: Contact) -> mujoco.MjModel:
-    """The body as a free joint with its inertia at its origin, the environment fixed, and every pair of parts able to
+    """The body as a free joint with its inertia at its centre of mass, the environment fixed, and every pair of parts able to
     touch: also those that the plan left out."""
     check_time_step(plan, contact.time_step)
     spec = mujoco.MjSpec()
     set_options(spec.option, contact)
     # Without a position the orientation of the inertia is silently dropped.
-    body = spec.worldbody.add_body(name="body", explicitinertial=True, mass=plan.mass, ipos=[0.0, 0.0, 0.0])
+    body = spec.worldbody.add_body(name="body", explicitinertial=True, mass=plan.mass, ipos=plan.center)
     body.fullinertia = plan.inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
     body.add_freejoint()
     for parent, parts, name in ((body, plan.body, "body"), (spec.worldbody, plan.environment, "environment")):
@@ -97,7 +97,7 @@ def check_model(model: mujoco.MjModel, plan: Plan) -> None:
     body = model.body("body")
     rotation = rotation_matrix(body.iquat)
     inertia = rotation @ np.diag(body.inertia) @ rotation.T
-    assert np.allclose(body.mass, plan.mass) and np.allclose(body.ipos, 0), "mass or its centre was changed"
+    assert np.allclose(body.mass, plan.mass) and np.allclose(body.ipos, plan.center), "mass or its centre was changed"
     assert np.allclose(inertia, plan.inertia, atol=1e-9 * plan.inertia.max()), "the inertia was changed"
     for geom, vertices in geoms(model, plan):
         mesh = geom.dataid[0]

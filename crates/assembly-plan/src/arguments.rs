@@ -6,7 +6,7 @@ use std::time::Duration;
 use clap::{Args, Parser, Subcommand};
 use planner::{Choices, GraspErrors, OffsetSource, PlannerError, RobustnessTarget, SimulationRequest, files};
 use scene::Axis;
-use simulation::{Settings, Success};
+use simulation::Settings;
 use task::LinearSolver;
 
 use crate::batch::BatchArguments;
@@ -100,18 +100,12 @@ pub struct SolveArguments {
 /// What counts as success.
 #[derive(Debug, Args)]
 pub struct ToleranceArguments {
-    /// Largest final position error of a success (m)
-    #[arg(long, value_name = "M", default_value_t = Success::default().position, value_parser = positive)]
-    pub position_tolerance: f64,
-    /// Largest final angle to the goal of a success (rad)
-    #[arg(long, value_name = "RAD", default_value_t = Success::default().orientation, value_parser = positive)]
-    pub angle_tolerance: f64,
-}
-
-impl From<&ToleranceArguments> for Success {
-    fn from(arguments: &ToleranceArguments) -> Self {
-        Self { position: arguments.position_tolerance, orientation: arguments.angle_tolerance }
-    }
+    /// Largest final position error of a success (m) [default: the scene's]
+    #[arg(long, value_name = "M", value_parser = positive)]
+    pub position_tolerance: Option<f64>,
+    /// Largest final angle to the goal of a success (rad) [default: the scene's]
+    #[arg(long, value_name = "RAD", value_parser = positive)]
+    pub angle_tolerance: Option<f64>,
 }
 
 /// How a plan is made robust.
@@ -246,7 +240,8 @@ impl SolveArguments {
         Choices {
             homotopy: self.homotopy.clone(),
             linear_solver: self.linear_solver,
-            success: Success::from(&self.tolerance),
+            position_tolerance: self.tolerance.position_tolerance,
+            angle_tolerance: self.tolerance.angle_tolerance,
             ..self.task.choices()
         }
     }

@@ -99,6 +99,11 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
         size.seconds.max(1.0),
         size.megabytes
     );
+    let tolerance = problem.success();
+    say!("success: to end within {:.2} mm and {} rad of the goal", 1e3 * tolerance.position, tolerance.orientation);
+    if !explanation.chosen.is_empty() {
+        say!("chosen, as the scene does not say it: {}", explanation.chosen.join(", "));
+    }
     explanation.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
 }
 

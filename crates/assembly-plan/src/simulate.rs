@@ -8,7 +8,7 @@ use planner::files::{
     write_file, write_rollout_tables,
 };
 use planner::{Choices, Motion, PlannerError, Problem, SimulationRequest, SuccessTable, simulate};
-use simulation::{Reference, Rollout, Success, TimedState};
+use simulation::{Reference, Rollout, TimedState};
 
 use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
@@ -48,13 +48,15 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     if let (Some(file), Some(rows)) = (&arguments.trace, trace) {
         write_file(file, &to_csv(rows)?)?;
     }
-    let title = played.first().map_or("", |(_, problem)| &problem.scene().title);
-    say!(
-        "{title}: success is to end within {} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, \
-         overlap and force are the largest of all rollouts\n\n{table}",
-        1e3 * arguments.tolerance.position_tolerance,
-        arguments.tolerance.angle_tolerance
-    );
+    if let Some((_, problem)) = played.first() {
+        say!(
+            "{}: success is to end within {:.2} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, \
+             overlap and force are the largest of all rollouts\n\n{table}",
+            problem.scene().title,
+            1e3 * problem.success().position,
+            problem.success().orientation
+        );
+    }
     let (rate, threads) = (60.0 * rollouts.len() as f64 / seconds, request.threads);
     let in_words = if threads == 1 { "thread" } else { "threads" };
     say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}", rollouts.len());
@@ -67,7 +69,8 @@ fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(Stored
     let choices = Choices {
         start: Some(plan.result.start.clone()),
         delta: Some(plan.result.delta_m),
-        success: Success::from(&arguments.tolerance),
+        position_tolerance: arguments.tolerance.position_tolerance,
+        angle_tolerance: arguments.tolerance.angle_tolerance,
         ..Choices::default()
     };
     let problem = Problem::load(&arguments.scene, &choices)

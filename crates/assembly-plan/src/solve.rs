@@ -21,6 +21,9 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     require_cell(arguments, &problem)?;
     let target = arguments.robust_target();
     target.iter().try_for_each(RobustnessTarget::validate)?;
+    if !problem.scene().chosen.is_empty() {
+        tell!("chosen, as the scene does not say it: {}", problem.scene().chosen.join(", "));
+    }
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;

@@ -6,6 +6,7 @@ use scene::{Scene, StartPose, TaskError, resolved};
 use simulation::Success;
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver};
 
+use crate::check::play::farthest_rest;
 use crate::error::PlannerError;
 use crate::files::hash;
 
@@ -20,8 +21,10 @@ pub struct Choices {
     pub homotopy: Option<PathBuf>,
     /// Linear solver instead of the homotopy's.
     pub linear_solver: Option<LinearSolver>,
-    /// What counts as reaching the goal.
-    pub success: Success,
+    /// Largest final distance from the goal of a success (m); the scene's where none is given.
+    pub position_tolerance: Option<f64>,
+    /// Largest final angle to the goal of a success (rad), likewise.
+    pub angle_tolerance: Option<f64>,
 }
 
 /// One start and one offset magnitude of a scene, with the homotopy that solves it. All of it is valid: whoever has a
@@ -46,15 +49,18 @@ impl Problem {
     pub fn load(file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
         let scene = Scene::load(file)?;
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
-        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, choices.success).map_err(
-            |error| match error {
-                PlannerError::Task(source @ TaskError::OffsetMagnitude { .. }) => {
-                    PlannerError::Choice { name: "delta", problem: source.to_string() }
-                }
-                PlannerError::Task(source) => PlannerError::file(file, source.to_string()),
-                other => other,
-            },
-        )
+        let own = success(&scene)?;
+        let success = Success {
+            position: choices.position_tolerance.unwrap_or(own.position),
+            orientation: choices.angle_tolerance.unwrap_or(own.orientation),
+        };
+        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, success).map_err(|error| match error {
+            PlannerError::Task(source @ TaskError::OffsetMagnitude { .. }) => {
+                PlannerError::Choice { name: "delta", problem: source.to_string() }
+            }
+            PlannerError::Task(source) => PlannerError::file(file, source.to_string()),
+            other => other,
+        })
     }
 
     /// Of a scene, by default with its first start and its own offset magnitude (m).
@@ -62,7 +68,7 @@ impl Problem {
     /// # Errors
     /// When the scene has no such start, the magnitude is not possible, or the installed Ipopt cannot run these settings.
     pub fn new(
-        scene: Scene,
+        mut scene: Scene,
         start: Option<&str>,
         delta: Option<f64>,
         homotopy: HomotopySettings,
@@ -74,8 +80,12 @@ impl Problem {
         let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
         let task = scene.task(Some(&start.name), Some(delta))?;
         ocp::check_settings(&homotopy)?;
+        // What counts as success does not change how the problem is solved.
+        (scene.position_tolerance, scene.angle_tolerance) = (None, 0.0);
+        let solved = resolved(&scene, &start, delta, &homotopy);
+        let identity = hash(format!("{}\n{solved}", env!("CARGO_PKG_VERSION")).as_bytes());
+        (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
         let resolved = resolved(&scene, &start, delta, &homotopy);
-        let identity = hash(format!("{}\n{resolved}", env!("CARGO_PKG_VERSION")).as_bytes());
         Ok(Self { scene, start, delta, success, task, homotopy, resolved, identity })
     }
 
@@ -142,7 +152,7 @@ impl Problem {
     }
 
     /// What makes two problems the same one: a hash (hexadecimal) of the `resolved.toml` of what was asked for and of
-    /// the program's version. Comments and file names do not change it, a mesh's content does.
+    /// the program's version. Comments, file names and tolerances do not change it, a mesh's content does.
     pub fn identity(&self) -> &str {
         &self.identity
     }
@@ -178,6 +188,27 @@ fn default_homotopy(scene: &Scene) -> HomotopySettings {
     let most = scene.pairs.iter().map(rows).max().unwrap_or(1);
     let tau = settings.tau.min(FIRST_REACH * scene.body_size() / most as f64);
     HomotopySettings { tau, ..settings }
+}
+
+/// Largest position tolerance that is chosen (m), also in sizes of the body, and the smallest in distances that play
+/// lets the body rest from its goal.
+const TOLERANCE: f64 = 3e-3;
+const TOLERANCE_IN_SIZES: f64 = 0.05;
+const TOLERANCE_IN_RESTS: f64 = 1.2;
+
+/// What counts as reaching the goal: what the scene says, else what size and play of the body allow.
+///
+/// # Errors
+/// When the limits of the scene are too tight for its first start.
+pub fn success(scene: &Scene) -> Result<Success, PlannerError> {
+    let position = match scene.position_tolerance {
+        Some(tolerance) => tolerance,
+        None => {
+            let rest = farthest_rest(&scene.task(None, None)?).unwrap_or(0.0);
+            TOLERANCE.min(TOLERANCE_IN_SIZES * scene.body_size()).max(TOLERANCE_IN_RESTS * rest)
+        }
+    };
+    Ok(Success { position, orientation: scene.angle_tolerance })
 }
 
 /// The homotopy of a file, else of the scene, else the built-in one.

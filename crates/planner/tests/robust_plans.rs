@@ -13,8 +13,13 @@ use simulation::{Reference, Success};
 use task::{STATE, TWIST};
 
 fn corner(success: Success) -> Problem {
+    let choices = Choices {
+        position_tolerance: Some(success.position),
+        angle_tolerance: Some(success.orientation),
+        ..Choices::default()
+    };
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
-    Problem::load(&scene, &Choices { success, ..Choices::default() }).unwrap()
+    Problem::load(&scene, &choices).unwrap()
 }
 
 fn quietly<T>(run: impl FnOnce(&Session) -> T) -> T {

@@ -1,8 +1,11 @@
 //! Scenes as text that people read and change: every key has a comment with its meaning, unit and usual values.
 
+use task::Horizon;
 use toml::Value;
 
+use crate::chosen;
 use crate::keys::key;
+use crate::pose::norm;
 
 /// What a scene that is to be written does not share with all others. Lengths are in metres.
 pub struct Draft {
@@ -18,8 +21,6 @@ pub struct Draft {
     pub goal: [f64; 7],
     /// Offset magnitude, above zero; the stiffness is chosen for it.
     pub offset: f64,
-    /// Axis along which the body is put in: 0, 1, 2 for x, y, z. Offsets are across it.
-    pub axis: usize,
 }
 
 /// A part of a scene that is to be written.
@@ -52,8 +53,8 @@ const HELP: &str = "\
 #title = \"my scene\"
 ";
 
-/// Force (N) with which the controller pushes a body that is off by the offset magnitude.
-const PUSH: f64 = 1.0;
+/// Mass (kg) of the body.
+const MASS: f64 = 1.0;
 
 impl Draft {
     /// Text of the scene file.
@@ -69,7 +70,7 @@ impl Draft {
 
     fn write_parts(&self, text: &mut String) {
         *text += "\n[body]\n";
-        entry(text, "body", "mass", "1.0", "0.5 to 20");
+        entry(text, "body", "mass", &number(MASS), "0.5 to 20");
         entry(text, "body", "inertia", "[0.1, 0.1, 0.1]", "0.01 to 1");
         *text += "\n# The convex parts of the body, in its frame, whose origin is the centre of mass. Each has one shape: `box` (edge\n\
                   # lengths), `vertices` (corners), or `mesh` with `unit`; `position` and `orientation` place it.\n";
@@ -90,28 +91,33 @@ impl Draft {
     }
 
     fn write_controller(&self, text: &mut String) {
-        let translational = rounded(PUSH / self.offset);
-        // The paper's pegs have 50 N/m and 5 Nm/rad.
-        let rotational = rounded((translational / 2.0).sqrt());
+        let translational = self.stiffness();
+        let rotational = rounded(chosen::rotational_stiffness(translational, MASS));
         *text += "\n# The robot's Cartesian impedance controller, as it will be set.\n[impedance]\n";
         entry(text, "impedance", "translational_stiffness", &number(translational), "50 to 1000");
         entry(text, "impedance", "rotational_stiffness", &number(rotational), "5 to 50");
     }
 
+    fn stiffness(&self) -> f64 {
+        rounded(chosen::translational_stiffness(self.offset, MASS))
+    }
+
+    fn horizon(&self) -> Horizon {
+        let path = |start: &[f64; 7]| norm(&[0, 1, 2].map(|axis| start[axis] - self.goal[axis]));
+        let longest = self.starts.iter().map(path).fold(0.0, f64::max);
+        chosen::horizon(chosen::duration(longest, (MASS / self.stiffness()).sqrt()), None, None)
+    }
+
     fn write_robustness(&self, text: &mut String) {
-        // The hull of these offsets holds smaller ones in all directions across the axis.
-        let directions = [0.0f64, 120.0, 240.0].map(|angle| {
-            let mut direction = [0.0; 3];
-            (direction[(self.axis + 1) % 3], direction[(self.axis + 2) % 3]) =
-                (angle.to_radians().cos(), angle.to_radians().sin());
-            numbers(&direction)
-        });
+        let directions: Vec<String> =
+            chosen::directions(&self.starts[0], &self.goal).iter().map(|direction| numbers(direction)).collect();
         *text += "\n# How far the body may be off in the gripper: one plan is made for all of these offsets.\n[robustness]\n";
         entry(text, "robustness", "offset_magnitude", &number(self.offset), "0.001 to 0.02");
         entry(text, "robustness", "offset_directions", &format!("[{}]", directions.join(", ")), "3 or 4");
         *text += "\n[horizon]\n";
-        entry(text, "horizon", "steps", "60", "50 to 200");
-        entry(text, "horizon", "time_step", "0.05", "0.02 to 0.08");
+        let horizon = self.horizon();
+        entry(text, "horizon", "steps", &horizon.steps.to_string(), "50 to 200");
+        entry(text, "horizon", "time_step", &number(horizon.time_step), "0.02 to 0.08");
         *text += "\n# What the plan must not exceed; without this table, there are no limits.\n#[limits]\n";
         for (name, value, usual) in
             [("contact_force", "20.0", "5 to 50"), ("translational_velocity", "0.25", "0.05 to 1")]

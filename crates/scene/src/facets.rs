@@ -11,6 +11,8 @@ const CHOICES: [usize; 8] = [8, 12, 16, 24, 32, 40, 48, 64];
 const DEFAULT: usize = 24;
 /// Share of the gap between a round part and its hole that facets may take.
 pub const SHARE: f64 = 0.05;
+/// Share beyond which a plan for the facets says nothing about the part.
+pub const LARGEST_SHARE: f64 = 0.25;
 /// Cosine of the angle between axes that are parallel.
 const PARALLEL: f64 = 0.9999;
 

@@ -6,6 +6,7 @@
 //! how to solve it, and [`resolved`] writes both into one file that reproduces the run. [`scene_schema`] and
 //! [`homotopy_schema`] are JSON schemas of the files.
 
+mod chosen;
 mod draft;
 mod entry;
 mod error;

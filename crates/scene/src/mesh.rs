@@ -51,7 +51,7 @@ pub struct GivenMesh<'text> {
     entry: Entry<'text>,
     file: PathBuf,
     pub solid: Arc<Solid>,
-    facets: Option<usize>,
+    pub facets: Option<usize>,
     pub clearance: f64,
     /// kg/m^3
     pub density: Option<f64>,

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::chosen;
 use crate::entry::is_control;
 use crate::error::{SceneError, Source};
 use crate::file::read_text;
@@ -12,7 +13,7 @@ use crate::limits::limits;
 use crate::motion_region::Motions;
 use crate::pairs::{Side, pairs};
 use crate::part::{GivenPart, given_parts};
-use crate::pose::{directions, pose};
+use crate::pose::pose;
 use crate::scene::Scene;
 use crate::sections;
 use crate::shapes::{Shapes, shapes};
@@ -40,7 +41,7 @@ impl Scene {
         }
         table::read(source, Form::scene(), |table| {
             let scene = Self::read(source.file, table)?;
-            Ok(Self { warnings: warnings(table, &scene)?, ..scene })
+            Ok(Self { warnings: warnings(table, &scene)?, chosen: chosen::remarks(table, &scene)?, ..scene })
         })
     }
 
@@ -52,9 +53,10 @@ impl Scene {
             None => title_of(file),
         };
         let (body, environment) = (given_parts(&body_table)?, given_parts(&table.require_table("environment")?)?);
-        let (starts, goal) = (sections::starts(table)?, pose(&table.require_table("goal")?)?);
+        let (starts, goal_table) = (sections::starts(table)?, table.require_table("goal")?);
+        let goal = pose(&goal_table)?;
         let offset_magnitude = robustness.number("offset_magnitude")?;
-        let offset_directions = directions(&robustness.require("offset_directions")?)?;
+        let offset_directions = sections::offset_directions(&robustness, offset_magnitude, (&starts[0], &goal))?;
         let inertia = inertia(table, &body_table, &body, &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let motions = Motions::new(&starts, &goal, offset_magnitude, &points);
@@ -66,10 +68,13 @@ impl Scene {
             Side { parent: "environment", parts: &environment, meshes: &environment_meshes },
             region.as_ref(),
         )?;
+        let impedance = sections::impedance(table, &inertia, offset_magnitude)?;
         let scene = Self {
             title,
-            impedance: sections::impedance(&table.require_table("impedance")?, &inertia)?,
-            horizon: sections::horizon(&table.require_table("horizon")?)?,
+            horizon: sections::horizon(table, (&starts, &goal), (&inertia, &impedance))?,
+            impedance,
+            position_tolerance: goal_table.find("position_tolerance").map(|entry| entry.number()).transpose()?,
+            angle_tolerance: goal_table.number("angle_tolerance")?,
             cost: sections::cost(table)?,
             limits: limits(&table.table("limits")?)?,
             homotopy: homotopy::of_scene(table)?,
@@ -86,6 +91,7 @@ impl Scene {
             offset_magnitude,
             offset_directions,
             inertia,
+            chosen: Vec::new(),
             warnings: Vec::new(),
         };
         scene.check_size(table)?;
@@ -100,7 +106,11 @@ impl Scene {
         if forces <= MAX_CONTACT_FORCES {
             return Ok(());
         }
-        Err(table.require_table("horizon")?.require("steps")?.refuse(format!(
+        let place = match table.table("horizon")?.find("steps") {
+            Some(steps) => steps,
+            None => table.require_table("robustness")?.require("offset_magnitude")?,
+        };
+        Err(place.refuse(format!(
             "{steps} steps x {offsets} offset directions x {pairs} contact pairs make {forces} contact forces, more \
              than {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
         )))

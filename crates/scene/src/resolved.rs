@@ -29,7 +29,7 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("environment", table([("part", parts(&scene.environment))]).into()),
         ("contact", table([("pairs", Value::Array(pairs.collect()))]).into()),
         ("start", Value::Array(vec![start_table.into()])),
-        ("goal", pose(&scene.goal).into()),
+        ("goal", goal(scene).into()),
         (
             "impedance",
             table([
@@ -102,6 +102,13 @@ fn shortest(matrix: &Matrix3<f64>) -> Value {
 
 fn pose(pose: &[f64; 7]) -> Table {
     table([("position", numbers(&pose[..3])), ("orientation", numbers(&pose[3..]))])
+}
+
+fn goal(scene: &Scene) -> Table {
+    let mut table = pose(&scene.goal);
+    table.extend(scene.position_tolerance.map(|tolerance| ("position_tolerance".to_owned(), tolerance.into())));
+    table.insert("angle_tolerance".into(), scene.angle_tolerance.into());
+    table
 }
 
 fn parts(parts: &[Part]) -> Value {

@@ -45,6 +45,10 @@ pub struct Scene {
     pub starts: Vec<StartPose>,
     /// Goal pose.
     pub goal: [f64; 7],
+    /// Largest final distance (m) from the goal of a success, if the scene says it.
+    pub position_tolerance: Option<f64>,
+    /// Largest final angle (rad) to the goal of a success.
+    pub angle_tolerance: f64,
     /// Mass and inertia of the body.
     pub inertia: Inertia,
     /// The robot's controller.
@@ -61,6 +65,8 @@ pub struct Scene {
     pub limits: Limits,
     /// The homotopy that the scene names or contains, if any.
     pub homotopy: Option<HomotopySettings>,
+    /// What was chosen because the scene does not say it, each as `key = value`.
+    pub chosen: Vec<String>,
     /// Remarks on what looks like a mistake, each with file, line and column.
     pub warnings: Vec<String>,
 }

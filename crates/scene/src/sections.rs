@@ -2,9 +2,10 @@
 
 use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 
+use crate::chosen;
 use crate::error::SceneError;
 use crate::inertia::symmetric;
-use crate::pose::pose;
+use crate::pose::{directions, norm, pose};
 use crate::scene::StartPose;
 use crate::table::Table;
 
@@ -22,9 +23,15 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
     Ok(starts)
 }
 
-/// The controller, critically damped where the scene does not say otherwise.
-pub fn impedance(table: &Table, inertia: &Inertia) -> Result<Impedance, SceneError> {
-    let (translational, rotational) = (table.number("translational_stiffness")?, table.number("rotational_stiffness")?);
+/// The controller: as stiff as offsets and mass need it and critically damped, where the scene does not say otherwise.
+pub fn impedance(scene: &Table, inertia: &Inertia, offset_magnitude: f64) -> Result<Impedance, SceneError> {
+    let table = &scene.table("impedance")?;
+    let mass = chosen::mean_mass(inertia);
+    let given = |name: &str| table.find(name).map(|entry| entry.number()).transpose();
+    let translational =
+        given("translational_stiffness")?.unwrap_or_else(|| chosen::translational_stiffness(offset_magnitude, mass));
+    let rotational =
+        given("rotational_stiffness")?.unwrap_or_else(|| chosen::rotational_stiffness(translational, mass));
     let mut impedance = Impedance::critically_damped(translational, rotational, inertia);
     if let Some(damping) = table.find("translational_damping") {
         impedance.translational_damping = symmetric(&damping)?;
@@ -35,9 +42,33 @@ pub fn impedance(table: &Table, inertia: &Inertia) -> Result<Impedance, SceneErr
     Ok(impedance)
 }
 
-/// The time grid.
-pub fn horizon(table: &Table) -> Result<Horizon, SceneError> {
-    Ok(Horizon { steps: table.integer("steps")? as usize, time_step: table.number("time_step")? })
+/// The time grid: that of the scene, or one in which the controlled body can cover the longest way to the goal.
+pub fn horizon(
+    scene: &Table,
+    (starts, goal): (&[StartPose], &[f64; 7]),
+    (inertia, impedance): (&Inertia, &Impedance),
+) -> Result<Horizon, SceneError> {
+    let table = scene.table("horizon")?;
+    let steps = table.find("steps").map(|entry| entry.integer()).transpose()?.map(|steps| steps as usize);
+    let time_step = table.find("time_step").map(|entry| entry.number()).transpose()?;
+    let way = |start: &StartPose| norm(&[0, 1, 2].map(|axis| start.pose[axis] - goal[axis]));
+    let path = starts.iter().map(way).fold(0.0, f64::max);
+    let time_constant = (chosen::mean_mass(inertia) / impedance.translational_stiffness).sqrt();
+    Ok(chosen::horizon(chosen::duration(path, time_constant), steps, time_step))
+}
+
+/// Directions of the offsets: those of the scene, or some across the way from the first start to the goal. Without a
+/// magnitude, there is one scenario.
+pub fn offset_directions(
+    robustness: &Table,
+    offset_magnitude: f64,
+    (start, goal): (&StartPose, &[f64; 7]),
+) -> Result<Vec<[f64; 3]>, SceneError> {
+    match robustness.find("offset_directions") {
+        Some(entry) => directions(&entry),
+        None if offset_magnitude == 0.0 => Ok(vec![[0.0; 3]]),
+        None => Ok(chosen::directions(&start.pose, goal)),
+    }
 }
 
 /// The weights.

@@ -4,7 +4,7 @@ use nalgebra::Isometry3;
 use task::pose;
 
 use crate::error::SceneError;
-use crate::facets::{Fit, Placed, facets, tightest_fit};
+use crate::facets::{Fit, LARGEST_SHARE, Placed, facets, tightest_fit};
 use crate::mesh::MeshPart;
 use crate::motion_region::{MotionRegion, Motions};
 use crate::part::{GivenPart, Part, Shape};
@@ -32,6 +32,7 @@ pub fn shapes(
     let at_goal = isometry(&[x, y, z], &quaternion);
     let fit = tightest_fit(&meshes(body, &at_goal), &meshes(environment, &Isometry3::identity()));
     let facets = facets(fit);
+    require_fine(fit, facets, body.iter().chain(environment))?;
     let (body, body_meshes) = convex(body, facets, None)?;
     let has_meshes = environment.iter().any(|given| given.mesh().is_some());
     let points = || body.iter().map(|part| part.shape.vertices().to_vec()).collect::<Vec<_>>();
@@ -47,6 +48,27 @@ fn meshes<'given>(given_parts: &'given [GivenPart], parent: &Isometry3<f64>) -> 
         Some(Placed { solid: &mesh.solid, placement: parent * given.placement(), clearance: mesh.clearance })
     };
     given_parts.iter().filter_map(placed).collect()
+}
+
+/// Refuses facets that take too much of the gap of a round fit.
+fn require_fine<'given>(
+    fit: Option<Fit>,
+    chosen: usize,
+    given_parts: impl Iterator<Item = &'given GivenPart<'given>>,
+) -> Result<(), SceneError> {
+    let meshes = given_parts.filter_map(GivenPart::mesh);
+    let coarsest = meshes.map(|mesh| (mesh.facets.unwrap_or(chosen), mesh)).min_by_key(|(facets, _)| *facets);
+    let (Some(fit), Some((facets, mesh))) = (fit.filter(|fit| fit.gap > 0.0), coarsest) else { return Ok(()) };
+    if fit.lost(facets) <= LARGEST_SHARE * fit.gap {
+        return Ok(());
+    }
+    Err(mesh.refuse(&format!(
+        "{facets} facets of a full turn take {:.4} mm of the gap of {:.4} mm between a round part and its hole, more than \
+         {:.0} %: raise `facets` of the meshes, or state a larger `clearance`",
+        1e3 * fit.lost(facets),
+        1e3 * fit.gap,
+        1e2 * LARGEST_SHARE
+    )))
 }
 
 fn convex(

@@ -3,12 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use scene::Scene;
-use simulation::Success;
 
 use crate::batch::matrix::{Key, Matrix, Starts};
 use crate::error::PlannerError;
 use crate::files::Cell;
-use crate::problem::{Problem, homotopy};
+use crate::problem::{Problem, homotopy, success};
 
 /// More cells than anyone solves.
 const MOST_CELLS: usize = 100_000;
@@ -46,6 +45,7 @@ fn add_scene(
 ) -> Result<(), PlannerError> {
     let scene = Scene::load(file)?;
     warnings.extend(scene.warnings.iter().cloned());
+    let success = success(&scene)?;
     let mut homotopies = Vec::new();
     for file in &matrix.homotopies {
         homotopies.push((Some(absolute(file)?), homotopy(&scene, Some(file), matrix.linear_solver)?));
@@ -61,12 +61,11 @@ fn add_scene(
     for start in starts {
         for &delta_m in deltas {
             for (homotopy_file, homotopy) in &homotopies {
-                let problem =
-                    Problem::new(scene.clone(), Some(&start), Some(delta_m), homotopy.clone(), Success::default())
-                        .map_err(|error| match error {
-                            PlannerError::Task(_) => matrix.refuse(Key::Deltas, &error.to_string()),
-                            other => other,
-                        })?;
+                let problem = Problem::new(scene.clone(), Some(&start), Some(delta_m), homotopy.clone(), success)
+                    .map_err(|error| match error {
+                        PlannerError::Task(_) => matrix.refuse(Key::Deltas, &error.to_string()),
+                        other => other,
+                    })?;
                 cells.push(Cell {
                     index: 0,
                     scene: absolute(file)?,

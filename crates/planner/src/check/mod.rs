@@ -2,7 +2,7 @@
 
 mod oddities;
 mod parts;
-mod play;
+pub(crate) mod play;
 mod way;
 
 use ocp::{Layout, standard_terms};
@@ -73,6 +73,8 @@ pub struct Explanation {
     pub way: Way,
     /// How large the optimal control problem is.
     pub size: SizeReport,
+    /// What is chosen because the scene does not say it.
+    pub chosen: Vec<String>,
     /// What is odd.
     pub warnings: Vec<String>,
 }
@@ -166,6 +168,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         overlaps: overlaps(task),
         way: way::find(task),
         size: size(problem),
+        chosen: scene.chosen.clone(),
         warnings: problem.warnings(),
     };
     let oddities = oddities(problem, &explanation);

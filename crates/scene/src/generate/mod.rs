@@ -78,7 +78,6 @@ impl Peg {
             starts: self.starts(&section, &mut rng),
             goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
             offset,
-            axis: 2,
         };
         Ok(draft.text())
     }

@@ -45,10 +45,10 @@ pub const KEYS: &[Key] = &[
     key("", "contact", Table, "", Means("all pairs"), "which parts may touch"),
     key("", "start", Tables(1..=1000), "", Refused, "poses to start from; the first is the default"),
     key("", "goal", Table, "", Refused, "pose of the body at the end"),
-    key("", "impedance", Table, "", Refused, "the robot's Cartesian impedance controller"),
+    key("", "impedance", Table, "", Means("chosen"), "the robot's Cartesian impedance controller"),
     key("", "robustness", Table, "", Refused, "errors of position to be borne"),
     key("", "robot", Table, "", Means("a free body"), "the arm that moves the body"),
-    key("", "horizon", Table, "", Refused, "time grid of the plan"),
+    key("", "horizon", Table, "", Means("chosen"), "time grid of the plan"),
     key("", "cost", Table, "", Means("default weights"), "weights of the cost"),
     key("", "limits", Table, "", Means("no limits"), "what the plan must not exceed"),
 
@@ -79,19 +79,21 @@ pub const KEYS: &[Key] = &[
 
     key("goal", "position", Vector(COORDINATE), "m", Refused, "position of the body's frame in the world"),
     key("goal", "orientation", Quaternion, "", Refused, "orientation of the body's frame in the world"),
+    key("goal", "position_tolerance", Number(Range::closed(1e-9, 1e3)), "m", Means("0.003, less for small bodies, more where play lets the body rest farther away"), "largest final distance from the goal of a success"),
+    key("goal", "angle_tolerance", Number(Range::closed(1e-9, 10.0)), "rad", Default(0.1), "largest final angle to the goal of a success"),
 
-    key("impedance", "translational_stiffness", Number(STIFFNESS), "N/m", Refused, "stiffness along every axis"),
-    key("impedance", "rotational_stiffness", Number(STIFFNESS), "Nm/rad", Refused, "stiffness about every axis"),
+    key("impedance", "translational_stiffness", Number(STIFFNESS), "N/m", Means("1 m/s^2 x mass / offset_magnitude, 50 to 1000 N/m per kg"), "stiffness along every axis"),
+    key("impedance", "rotational_stiffness", Number(STIFFNESS), "Nm/rad", Means("5 beside 50 N/m for 1 kg, and as the root of the stiffness"), "stiffness about every axis"),
     key("impedance", "translational_damping", NumberOrMatrix(DAMPING), "Ns/m", Means("critical damping"), "damping in the world frame: along every axis, along each, or 3x3 matrix"),
     key("impedance", "rotational_damping", Matrix(DAMPING), "Nms/rad", Means("critical damping"), "damping in the body frame: about each axis, or 3x3 matrix"),
 
     key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be"),
-    key("robustness", "offset_directions", Directions(1..=1000), "", Refused, "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
+    key("robustness", "offset_directions", Directions(1..=1000), "", Means("three across the way from the first start to the goal"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
 
     key("robot", "apparent_inertia", Inertia(Range::closed(-1e6, 1e6)), "kg, kg m, kg m^2", Means("that of the body"), "inertia that a force on the body meets at the goal: for its velocity in the world frame and its angular velocity in the body frame; replaces `mass` and `inertia` of the body"),
 
-    key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Refused, "number of time steps"),
-    key("horizon", "time_step", Number(Range::closed(1e-5, 10.0)), "s", Refused, "length of a step"),
+    key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Means("enough for the way and the controller: 3 s or more"), "number of time steps"),
+    key("horizon", "time_step", Number(Range::closed(1e-5, 10.0)), "s", Means("0.04, or what makes `steps` last as long"), "length of a step"),
 
     key("cost", "reference", Table, "", Means("default weights"), "weights of the reference trajectory"),
     key("cost", "compliant", Table, "", Means("default weights"), "weights of the motion with each offset"),

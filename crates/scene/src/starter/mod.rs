@@ -88,7 +88,6 @@ fn shaft_draft() -> Draft {
         starts: vec![[0.0, 0.0, LENGTH, 1.0, 0.0, 0.0, 0.0]],
         goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
         offset: 0.005,
-        axis: 2,
     }
 }
 
@@ -134,6 +133,5 @@ fn mesh_draft(file: &Path, meshes: &MeshPair) -> Result<Draft, SceneError> {
         starts: vec![above(height)],
         goal: above(LIFT.min(LARGEST_LIFT * height)),
         offset: rounded(OFFSET * shortest).min(LARGEST_OFFSET),
-        axis: meshes.axis.index,
     })
 }

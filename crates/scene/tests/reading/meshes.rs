@@ -114,6 +114,42 @@ fn a_round_part_has_as_many_facets_as_asked_for() {
     }
 }
 
+/// A round hole of 10.1 mm in a round block, and a round peg of 10 mm in it.
+fn round_fit(keys: &str) -> Result<Scene, SceneError> {
+    let circle = |radius: f64, z: f64| {
+        (0..64)
+            .map(move |side| TAU * side as f64 / 64.0)
+            .map(move |angle| [radius * angle.cos(), radius * angle.sin(), z])
+    };
+    let ring = |from: Vec<[f64; 3]>, to: Vec<[f64; 3]>| {
+        (0..64).flat_map(move |side| {
+            let next = (side + 1) % 64;
+            quad([from[side], from[next], to[next], to[side]])
+        })
+    };
+    let corners = [(20.0, 0.0), (20.0, 30.0), (10.1, 30.0), (10.1, 0.0), (20.0, 0.0)];
+    let block: Vec<Triangle> = corners
+        .windows(2)
+        .flat_map(|pair| ring(circle(pair[0].0, pair[0].1).collect(), circle(pair[1].0, pair[1].1).collect()))
+        .collect();
+    let polygon: Vec<[f64; 2]> = circle(10.0, 0.0).map(|[x, y, _]| [x, y]).collect();
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("block.stl"), binary(&block)).unwrap();
+    std::fs::write(folder.path().join("peg.stl"), binary(&prism(&polygon, &fan(64), 30.0))).unwrap();
+    let mesh = |name: &str| format!("mesh = \"{name}.stl\"\nunit = \"mm\"\n{keys}");
+    let text = replaced("box = [0.02, 0.02, 0.1]", &mesh("peg"));
+    let text = text.replacen("box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]", &mesh("block"), 1);
+    Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
+}
+
+#[test]
+fn facets_that_take_the_gap_of_a_round_fit_are_refused() {
+    // 64 facets take 0.012 mm, 12 take 0.34 mm of the gap of 0.1 mm.
+    assert_eq!(round_fit("").unwrap().environment_meshes[0].settings.facets, 64);
+    let error = round_fit("facets = 12").unwrap_err();
+    assert!(error.message().contains("12 facets of a full turn take 0.3528 mm of the gap of 0.1000 mm"), "{error}");
+}
+
 #[test]
 fn what_is_not_convex_becomes_several_parts() {
     let l = [[0.0, 0.0], [20.0, 0.0], [20.0, 5.0], [5.0, 5.0], [5.0, 20.0], [0.0, 20.0]];

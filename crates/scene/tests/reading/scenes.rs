@@ -32,6 +32,22 @@ fn a_small_scene_gets_the_defaults() {
 }
 
 #[test]
+fn a_scene_may_leave_controller_horizon_and_directions_to_the_program() {
+    let (begin, _) = SCENE.split_once("[impedance]").unwrap();
+    let scene = parse(&format!("{begin}[robustness]\noffset_magnitude = 0.02\n")).unwrap();
+    assert_eq!(scene.chosen.len(), 5, "{:?}", scene.chosen);
+    assert_eq!((scene.impedance.translational_stiffness, scene.horizon.steps), (50.0, 99));
+    assert!(scene.offset_directions.iter().all(|direction| direction[2] == 0.0), "across the way from the start");
+    let text = resolved(&scene, &scene.starts[0], scene.offset_magnitude, &default_homotopy());
+    let again = parse(&text).unwrap();
+    assert_eq!((again.horizon, again.impedance), (scene.horizon, scene.impedance));
+    assert_eq!((again.offset_directions, again.chosen), (scene.offset_directions, Vec::new()));
+    assert_eq!(parse(&replaced("offset_magnitude = 0.02", "offset_magnitude = 0")).unwrap().chosen, [""; 0]);
+    let certain = parse(&format!("{begin}[robustness]\noffset_magnitude = 0\n")).unwrap();
+    assert_eq!(certain.offset_directions, [[0.0; 3]]);
+}
+
+#[test]
 fn an_unknown_key_names_the_nearest_valid_one() {
     let (error, line) = error("steps", "stepps");
     assert_eq!(line, "stepps = 10");

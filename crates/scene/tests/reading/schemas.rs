@@ -75,7 +75,6 @@ fn wrong_scenes_are_refused() {
         // Keys: unknown, missing, not together.
         ("steps = 10", "steps = 10\nstepps = 10"),
         (TITLE, "\nunits = \"mm\"\n[[body.part]]"),
-        ("steps = 10\n", ""),
         ("[goal]\nposition = [0, 0, 0]", "[goal]"),
         ("name = \"shaft\"\n", ""),
         (SHAFT, ""),

@@ -1,0 +1,143 @@
+//! What is chosen where a scene does not say it.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use task::{Horizon, Inertia};
+
+use crate::error::SceneError;
+use crate::keys::key;
+use crate::pose::isometry;
+use crate::scene::Scene;
+use crate::table::Table;
+
+/// Acceleration (m/s^2) of a body that is off by the offset magnitude.
+const PULL: f64 = 1.0;
+/// Softest and stiffest controllers per kilogram of the body (N/m kg).
+const SOFTEST: f64 = 50.0;
+const STIFFEST: f64 = 1000.0;
+/// Length of a step (s).
+const TIME_STEP: f64 = 0.04;
+/// Most steps that are chosen.
+const MOST_STEPS: f64 = 1000.0;
+/// Shortest plan (s), and in time constants of the controlled body.
+const SHORTEST: f64 = 3.0;
+const TIME_CONSTANTS: f64 = 28.0;
+/// Mean speed (m/s) beyond [`NEAR`] (m) from the goal.
+const SPEED: f64 = 0.1;
+const NEAR: f64 = 0.1;
+/// Directions of offsets: the hull of three holds smaller ones in all directions of a plane.
+const DIRECTIONS: usize = 3;
+
+/// Stiffness (N/m) with which a body that is off by the offset magnitude (m) is pulled back by 1 m/s^2, within usual
+/// limits.
+pub fn translational_stiffness(offset_magnitude: f64, mass: f64) -> f64 {
+    let bounds = key("impedance", "translational_stiffness").bounds();
+    (mass * (PULL / offset_magnitude).clamp(SOFTEST, STIFFEST)).clamp(bounds.low, bounds.high)
+}
+
+/// Rotational stiffness (Nm/rad) beside a translational one (N/m) for a mass (kg). The published experiments have 5 Nm/rad
+/// beside 50 N/m for 1 kg.
+pub fn rotational_stiffness(translational: f64, mass: f64) -> f64 {
+    let bounds = key("impedance", "rotational_stiffness").bounds();
+    (mass * (0.5 * translational / mass).sqrt()).clamp(bounds.low, bounds.high)
+}
+
+/// The mass (kg) for which a stiffness is chosen: the mean of an inertia that differs from axis to axis.
+pub fn mean_mass(inertia: &Inertia) -> f64 {
+    inertia.translational().trace() / 3.0
+}
+
+/// A duration (s) in which the controlled body settles and covers a path (m), in steps of a length that is known to be
+/// fine enough.
+pub fn duration(path: f64, time_constant: f64) -> f64 {
+    let far = (path - NEAR).max(0.0) / SPEED;
+    SHORTEST.max(TIME_CONSTANTS * time_constant) + far
+}
+
+/// A time grid of a duration (s), with the length of a step (s) or their number if these are given.
+pub fn horizon(duration: f64, steps: Option<usize>, time_step: Option<f64>) -> Horizon {
+    let longest = key("horizon", "time_step").bounds().high;
+    let time_step = time_step.unwrap_or_else(|| match steps {
+        Some(steps) => (duration / steps as f64).min(longest),
+        None => TIME_STEP.max(duration / MOST_STEPS).min(longest),
+    });
+    let steps = steps.unwrap_or_else(|| (duration / time_step).ceil().clamp(1.0, MOST_STEPS) as usize);
+    Horizon { steps, time_step }
+}
+
+/// What was chosen for a scene, in its own words.
+pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> {
+    let Scene { impedance, horizon, offset_directions, .. } = scene;
+    let values = [
+        ("impedance", "translational_stiffness", format!("{:.1} N/m", impedance.translational_stiffness)),
+        ("impedance", "rotational_stiffness", format!("{:.2} Nm/rad", impedance.rotational_stiffness)),
+        ("robustness", "offset_directions", format!("{} directions", offset_directions.len())),
+        ("horizon", "steps", horizon.steps.to_string()),
+        ("horizon", "time_step", format!("{:.4} s", horizon.time_step)),
+    ];
+    let mut remarks = Vec::new();
+    for (name, key, value) in values {
+        if table.table(name)?.find(key).is_none() {
+            remarks.push(format!("{name}.{key} = {value}"));
+        }
+    }
+    Ok(remarks)
+}
+
+/// Directions (body frame) at equal angles across the way from start to goal; without a way, across the body's z axis.
+pub fn directions(start: &[f64; 7], goal: &[f64; 7]) -> Vec<[f64; 3]> {
+    let [start, goal] = [start, goal].map(|pose| {
+        let [x, y, z, orientation @ ..] = *pose;
+        isometry(&[x, y, z], &orientation)
+    });
+    let way = start.translation.vector - goal.translation.vector;
+    let way = goal.rotation.inverse() * way.try_normalize(f64::EPSILON).unwrap_or(goal.rotation * Vector3::z());
+    let first = way.cross(&Vector3::ith(way.iamin(), 1.0)).normalize();
+    let turned = |index: usize| {
+        let angle = TAU * index as f64 / DIRECTIONS as f64;
+        UnitQuaternion::from_scaled_axis(way * angle) * first
+    };
+    (0..DIRECTIONS).map(|index| turned(index).map(rounded).into()).collect()
+}
+
+/// Without the last digits, so that what is zero stays it.
+fn rounded(component: f64) -> f64 {
+    (1e12 * component).round() / 1e12 + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_peg_of_the_paper_is_chosen_as_published() {
+        let stiffness = translational_stiffness(0.02, 1.0);
+        assert_eq!((stiffness, rotational_stiffness(stiffness, 1.0)), (50.0, 5.0));
+        let horizon = horizon(duration(0.09, (1.0 / stiffness).sqrt()), None, None);
+        assert_eq!(horizon, Horizon { steps: 99, time_step: 0.04 });
+    }
+
+    #[test]
+    fn given_steps_or_their_length_are_kept() {
+        assert_eq!(horizon(4.0, Some(50), None), Horizon { steps: 50, time_step: 0.08 });
+        assert_eq!(horizon(4.0, None, Some(0.5)), Horizon { steps: 8, time_step: 0.5 });
+        assert_eq!(horizon(4.0, Some(3), Some(0.5)), Horizon { steps: 3, time_step: 0.5 });
+    }
+
+    #[test]
+    fn directions_are_unit_vectors_across_the_way() {
+        let goal = [0.0, 0.0, 0.0, 0.6, 0.0, 0.8, 0.0];
+        for start in [[0.1, 0.2, -0.3], [0.0, 0.0, 0.1], [0.0; 3]] {
+            let [x, y, z] = start;
+            let directions = directions(&[x, y, z, 1.0, 0.0, 0.0, 0.0], &goal);
+            let directions: Vec<Vector3<f64>> = directions.into_iter().map(Vector3::from).collect();
+            let way = isometry(&[0.0; 3], &[0.6, 0.0, 0.8, 0.0]).rotation.inverse() * Vector3::from(start);
+            let sum: Vector3<f64> = directions.iter().sum();
+            assert!(sum.norm() < 1e-9, "{directions:?}");
+            for direction in directions {
+                assert!((direction.norm() - 1.0).abs() < 1e-9 && direction.dot(&way).abs() < 1e-9, "{direction}");
+            }
+        }
+    }
+}
