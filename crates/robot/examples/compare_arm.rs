@@ -20,10 +20,9 @@ fn main() {
         println!("largest difference of {quantity}: {difference:.1e}");
     }
     for state in &record.states {
-        match record.arm.posture(&state.position).apparent_inertia() {
-            Some(inertia) => {
-                println!("apparent mass along x, y, z (kg): {:.3}", inertia.diagonal().fixed_rows::<3>(0).transpose())
-            }
+        let inertia = record.arm.posture(&state.position).apparent_inertia();
+        match inertia.map(|inertia| [inertia.m11, inertia.m22, inertia.m33]) {
+            Some([x, y, z]) => println!("apparent mass along x, y, z: {x:.3}, {y:.3}, {z:.3} kg"),
             None => println!("singular"),
         }
     }

@@ -18,9 +18,10 @@ impl Similarity {
     /// kg m^2) for the same velocities. `None` if one of them is not positive definite.
     ///
     /// With generalised eigenvalues `s_i` of `apparent v = s planned v`, the arm is `s_i` times as heavy as the plan along
-    /// `v_i`. The factor is their geometric mean `(det apparent / det planned)^(1/6)`: the multiple of the planned inertia
-    /// with the smallest `sum_i ln(s_i / s)^2`, so with the smallest relative errors of frequencies and damping ratios.
-    /// It depends neither on units nor on the frame. If all `s_i` are equal, the arm moves exactly as planned.
+    /// `v_i`. The factor is their mean, `trace(planned^-1 apparent) / 6`: with it, the plan's kinetic energy is that of the
+    /// arm on average over these directions, and `factor planned` is the multiple nearest to `apparent` when both are
+    /// measured in the planned metric. It depends neither on units nor on the frame. Heavy directions count most, and it
+    /// is these that oscillate with gains that are too soft. If all `s_i` are equal, the arm moves exactly as planned.
     pub fn new(planned: &Matrix6<f64>, apparent: &Matrix6<f64>) -> Option<Self> {
         let lower = Cholesky::new(*planned)?.l();
         let half = lower.solve_lower_triangular(apparent)?;
@@ -30,8 +31,7 @@ impl Similarity {
         }
         let ratios = ((ratio + ratio.transpose()) * 0.5).symmetric_eigenvalues();
         let (smallest, largest) = (ratios.min(), ratios.max());
-        let factor = ratios.map(f64::ln).mean().exp();
-        (smallest > 0.0).then_some(Self { factor, smallest, largest })
+        (smallest > 0.0).then_some(Self { factor: ratios.mean(), smallest, largest })
     }
 
     /// Smallest and largest damping ratio, over that of the plan, with gains of the plan times `factor`: a direction with

@@ -20,7 +20,7 @@ pub struct Demand {
 pub enum Refusal {
     /// Joint friction asks for more than contact forces allow.
     #[error(
-        "the deadband needs a stiffness of {smallest:.4} or more, and the contact force allows {largest:.4} or less; allow a larger deadband or force, or let the reference press less"
+        "the deadband needs a stiffness of {smallest:.2} or more, and the contact force allows {largest:.2} or less; allow a larger deadband or force, or let the reference press less"
     )]
     Force {
         /// That keeps the deadband.
@@ -30,7 +30,7 @@ pub enum Refusal {
     },
     /// Joint friction asks for more than the controller accepts.
     #[error(
-        "the deadband needs a stiffness of {smallest:.4} or more, and the controller accepts {highest:.4} or less; allow a larger deadband"
+        "the deadband needs a stiffness of {smallest:.2} or more, and the controller accepts {highest:.2} or less; allow a larger deadband"
     )]
     TooStiff {
         /// That keeps the deadband.
@@ -40,7 +40,7 @@ pub enum Refusal {
     },
     /// Contact forces ask for less than the controller accepts.
     #[error(
-        "the contact force allows a stiffness of {largest:.4} or less, and the controller accepts {lowest:.4} or more; allow a larger force, or let the reference press less"
+        "the contact force allows a stiffness of {largest:.2} or less, and the controller accepts {lowest:.2} or more; allow a larger force, or let the reference press less"
     )]
     TooSoft {
         /// That keeps the contact force.
@@ -50,7 +50,7 @@ pub enum Refusal {
     },
     /// No one factor suits translations and rotations.
     #[error(
-        "translations need gains of {:.4} to {:.4} times the plan's, rotations of {:.4} to {:.4} times; plan with another ratio of rotational to translational stiffness", translations[0], translations[1], rotations[0], rotations[1]
+        "translations need gains of {:.2} to {:.2} times the plan's, rotations of {:.2} to {:.2} times; plan with another ratio of rotational to translational stiffness", translations[0], translations[1], rotations[0], rotations[1]
     )]
     Proportion {
         /// Smallest and largest factor for translations.
