@@ -16,7 +16,7 @@ use crate::urdf::Urdf;
 /// Largest number of moving joints.
 pub const MOST_JOINTS: usize = 8;
 /// Larger files (bytes) are a mistake.
-const LARGEST_FILE: u64 = 1 << 24;
+const LARGEST_FILE: u64 = 1 << 20;
 
 /// One number per joint, from the base to the tip. Rows beyond the last joint are ignored as input and zero as output.
 pub type JointVector = SVector<f64, MOST_JOINTS>;
@@ -49,7 +49,7 @@ pub enum ArmError {
         joints: Vec<String>,
     },
     /// A position that is no number or beyond a limit.
-    #[error("joint `{joint}` cannot be at {position}: its range is {lower} to {upper}")]
+    #[error("joint `{joint}` cannot be at {position} {unit}: its range is {lower} to {upper} {unit}")]
     Position {
         /// Name of the joint.
         joint: String,
@@ -59,14 +59,20 @@ pub enum ArmError {
         lower: f64,
         /// Highest position (rad or m).
         upper: f64,
+        /// Unit of these.
+        unit: &'static str,
     },
     /// A rotor inertia that is no number or negative.
-    #[error("joint `{joint}` cannot have a rotor inertia of {inertia}: give a finite number that is not negative")]
+    #[error(
+        "joint `{joint}` cannot have a rotor inertia of {inertia} {unit}: give a finite number that is not negative"
+    )]
     RotorInertia {
         /// Name of the joint.
         joint: String,
         /// What was given (kg m^2 or kg).
         inertia: f64,
+        /// Its unit.
+        unit: &'static str,
     },
 }
 
@@ -119,7 +125,8 @@ impl Arm {
         self.check_count(inertias)?;
         for (joint, &inertia) in self.joints.iter_mut().zip(inertias) {
             if !(inertia >= 0.0 && inertia.is_finite()) {
-                return Err(ArmError::RotorInertia { joint: joint.name.clone(), inertia });
+                let unit = joint.kind.inertia_unit();
+                return Err(ArmError::RotorInertia { joint: joint.name.clone(), inertia, unit });
             }
             joint.rotor_inertia = inertia;
         }
@@ -150,9 +157,13 @@ impl Arm {
     pub fn check_limits(&self, configuration: &JointVector) -> Result<(), ArmError> {
         let beyond = |(joint, position): &(&Joint, &f64)| !(position.is_finite() && joint.allows(**position));
         match self.joints.iter().zip(configuration.iter()).find(beyond) {
-            Some((Joint { name, lower, upper, .. }, &position)) => {
-                Err(ArmError::Position { joint: name.clone(), position, lower: *lower, upper: *upper })
-            }
+            Some((joint, &position)) => Err(ArmError::Position {
+                joint: joint.name.clone(),
+                position,
+                lower: joint.lower,
+                upper: joint.upper,
+                unit: joint.kind.unit(),
+            }),
             None => Ok(()),
         }
     }
@@ -195,7 +206,7 @@ fn read_text(path: &Path) -> Result<String, Fault> {
     let mut bytes = Vec::new();
     file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     if bytes.len() as u64 > LARGEST_FILE {
-        return Err(Fault::somewhere("the file is larger than 16 MiB: a URDF without meshes is not"));
+        return Err(Fault::somewhere("the file is larger than 1 MiB: remove what is not links and joints"));
     }
     String::from_utf8(bytes).map_err(|_| Fault::somewhere("the file is not UTF-8 text: save it as UTF-8"))
 }

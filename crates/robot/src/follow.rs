@@ -47,7 +47,9 @@ pub enum FollowReason {
     #[error(transparent)]
     Pose(#[from] InverseError),
     /// A joint would have to move faster than it can.
-    #[error("joint `{joint}` would need {speed:.3} per second, and its limit is {limit:.3}; give the motion more time")]
+    #[error(
+        "joint `{joint}` would need {speed:.3} {unit}/s, and its limit is {limit:.3} {unit}/s; give the motion more time"
+    )]
     Speed {
         /// Name of the joint.
         joint: String,
@@ -55,6 +57,8 @@ pub enum FollowReason {
         speed: f64,
         /// Its limit (rad/s or m/s).
         limit: f64,
+        /// Unit of its positions.
+        unit: &'static str,
     },
     /// Times do not increase.
     #[error("the time of a pose must be after that of the pose before")]
@@ -98,14 +102,16 @@ impl Arm {
         (start, from): &(f64, JointVector),
         (end, to): &(f64, JointVector),
     ) -> Result<JointExtreme, FollowReason> {
-        if !(end > start) {
+        let duration = end - start;
+        if duration.is_nan() || duration <= 0.0 {
             return Err(FollowReason::Time);
         }
         let mut fastest = JointExtreme { value: 0.0, joint: 0, time: *end };
         for (index, joint) in self.joints().iter().enumerate() {
-            let speed = (to[index] - from[index]).abs() / (end - start);
+            let speed = (to[index] - from[index]).abs() / duration;
             if speed > joint.velocity {
-                return Err(FollowReason::Speed { joint: joint.name.clone(), speed, limit: joint.velocity });
+                let (name, limit, unit) = (joint.name.clone(), joint.velocity, joint.kind.unit());
+                return Err(FollowReason::Speed { joint: name, speed, limit, unit });
             }
             if speed > fastest.value {
                 fastest = JointExtreme { value: speed, joint: index, ..fastest };

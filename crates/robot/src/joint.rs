@@ -56,6 +56,22 @@ impl Joint {
 }
 
 impl JointKind {
+    /// Unit of positions.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Revolute => "rad",
+            Self::Prismatic => "m",
+        }
+    }
+
+    /// Unit of rotor inertias.
+    pub fn inertia_unit(self) -> &'static str {
+        match self {
+            Self::Revolute => "kg m^2",
+            Self::Prismatic => "kg",
+        }
+    }
+
     /// Displacement along or about an axis by a position (m or rad).
     pub(crate) fn motion(self, axis: &Unit<Vector3<f64>>, position: f64) -> IsometryMatrix3<f64> {
         match self {

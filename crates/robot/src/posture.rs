@@ -20,6 +20,8 @@ pub struct Posture<'arm> {
 
 /// Length (m) by which translations are divided where they are compared with rotations.
 pub const CHARACTERISTIC_LENGTH: f64 = 0.5;
+/// Largest number of iterations for singular values, which take about ten.
+const ITERATIONS: usize = 1000;
 
 impl<'arm> Posture<'arm> {
     pub(crate) fn new(arm: &'arm Arm, configuration: &JointVector) -> Self {
@@ -75,11 +77,14 @@ impl<'arm> Posture<'arm> {
     }
 
     /// Smallest singular value of the Jacobian, with velocities divided by [`CHARACTERISTIC_LENGTH`]; unitless for revolute
-    /// joints. Zero where the part cannot move in every direction, so always with fewer than six joints.
+    /// joints. Zero where the part cannot move in every direction, so always with fewer than six joints,
+    /// and at positions that are no numbers.
     pub fn smallest_singular_value(&self) -> f64 {
         let mut jacobian = self.jacobian();
         jacobian.fixed_rows_mut::<3>(0).unscale_mut(CHARACTERISTIC_LENGTH);
-        jacobian.singular_values().min()
+        // Without a bound, numbers that are none would be iterated for ever.
+        let decomposition = jacobian.try_svd(false, false, f64::EPSILON, ITERATIONS);
+        decomposition.map_or(0.0, |decomposition| decomposition.singular_values.min())
     }
 
     /// Position of the part in the frame of the base (m).

@@ -248,25 +248,28 @@ fn required<'node>(node: &Node<'node, '_>, name: &str, owner: &str) -> Result<&'
 
 fn number(node: &Node, name: &str, owner: &str) -> Result<f64, Fault> {
     let written = required(node, name, owner)?;
-    finite(written).ok_or_else(|| {
+    in_range(written).ok_or_else(|| {
         let element = node.tag_name().name();
-        Fault::at(line(node), format!("{owner}`{name}` of <{element}> is `{written}`: give a finite number"))
+        Fault::at(line(node), format!("{owner}`{name}` of <{element}> is `{written}`: give a number from -1e9 to 1e9"))
     })
 }
 
 fn optional_vector(node: &Node, name: &str, owner: &str) -> Result<Option<[f64; 3]>, Fault> {
     let Some(written) = node.attribute(name) else { return Ok(None) };
-    let numbers: Option<Vec<f64>> = written.split_whitespace().map(finite).collect();
+    let numbers: Option<Vec<f64>> = written.split_whitespace().map(in_range).collect();
     let vector = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
     vector.map(Some).ok_or_else(|| {
         let element = node.tag_name().name();
-        Fault::at(line(node), format!("{owner}`{name}` of <{element}> is `{written}`: give three finite numbers"))
+        Fault::at(
+            line(node),
+            format!("{owner}`{name}` of <{element}> is `{written}`: give three numbers from -1e9 to 1e9"),
+        )
     })
 }
 
-/// The largest number that is taken for a length, an angle, a mass or a limit in SI units.
+/// Larger numbers are a mistake.
 const LARGEST: f64 = 1e9;
 
-fn finite(written: &str) -> Option<f64> {
+fn in_range(written: &str) -> Option<f64> {
     written.trim().parse().ok().filter(|number: &f64| number.abs() <= LARGEST)
 }

@@ -67,7 +67,7 @@ fn a_motion_that_is_too_fast_is_refused() {
     assert!(matches!(&error.reason, FollowReason::Speed { limit: 3.1, speed, .. } if *speed > 3.1), "{error}");
     let message = error.to_string();
     assert!(message.starts_with("at 0.0002 s: joint `"), "{message}");
-    assert!(message.ends_with(" per second, and its limit is 3.100; give the motion more time"), "{message}");
+    assert!(message.ends_with(" rad/s, and its limit is 3.100 rad/s; give the motion more time"), "{message}");
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn a_pose_beyond_a_limit_is_refused() {
     let beginning = "the arm reaches the pose only beyond a limit: joint `x` cannot be at 0.6";
     assert!(message.starts_with(beginning), "{message}");
     assert!(
-        message.ends_with(": its range is -0.6 to 0.6; move the base or begin with another configuration"),
+        message.ends_with(" m: its range is -0.6 to 0.6 m; move the base or begin with another configuration"),
         "{message}"
     );
 }

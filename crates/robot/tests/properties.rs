@@ -186,6 +186,16 @@ fn a_wrist_with_two_axes_in_line_is_singular() {
 }
 
 #[test]
+fn positions_that_are_no_numbers_are_a_failure_and_no_endless_loop() {
+    let nowhere = JointVector::from_element(f64::NAN);
+    let posture = SIX.posture(&nowhere);
+    assert_eq!(posture.smallest_singular_value(), 0.0);
+    assert_eq!(posture.apparent_inertia(), None);
+    assert!(SIX.inverse_kinematics(&posture.pose(), &JointVector::zeros()).is_err());
+    assert!(SIX.inverse_kinematics(&SIX.pose(&JointVector::zeros()), &nowhere).is_err());
+}
+
+#[test]
 fn a_rotation_of_the_grasp_turns_the_apparent_inertia() {
     let position = JointVector::from_column_slice(&[0.3, -1.2, 1.5, -0.8, -1.3, 0.4, 0.0, 0.0]);
     let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.3, -0.8, 0.5));
