@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use nalgebra::{Matrix3, Vector3};
-use robot::{Arm, RigidInertia, RobotError};
+use proptest::prelude::*;
+use robot::{Arm, JointVector, RigidInertia, RobotError};
 
 fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/arms").join(name)
@@ -275,4 +276,40 @@ fn numbers_that_do_not_fit_the_arm_are_refused() {
         rotors(&[0.1, -0.1, 0.1, 0.1, 0.1, 0.1]),
         "joint `lift` cannot have a rotor inertia of -0.1 kg m^2: give a finite number that is not negative"
     );
+}
+
+/// Pieces of URDF files in places where they do not belong.
+const PIECES: [&str; 12] =
+    ["", "\"", "<", ">", "/>", "é", "1e300", "-7", "NaN", "tip", "<link name=\"a\"/>", "<mimic joint=\"pan\"/>"];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn a_damaged_file_is_refused_or_read_to_finite_numbers(
+        damages in prop::collection::vec((0.0..1.0f64, 0usize..40, prop::sample::select(&PIECES[..])), 1..4),
+    ) {
+        let mut text = six();
+        for (place, length, piece) in damages {
+            let boundary = |index: usize| (0..=index.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap();
+            let start = boundary((place * text.len() as f64) as usize);
+            text.replace_range(start..boundary(start + length), piece);
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("arm.urdf");
+        fs::write(&file, &text).unwrap();
+        match Arm::read(&file, "tip") {
+            Ok(arm) => {
+                let mass_matrix = arm.posture(&JointVector::from_element(0.3)).mass_matrix();
+                prop_assert!(mass_matrix.iter().all(|entry| entry.is_finite()));
+            }
+            Err(error) => prop_assert!(!error.message().is_empty()),
+        }
+    }
+}
+
+#[test]
+fn elements_in_elements_without_end_are_refused() {
+    let (message, _) = refusal(&("<robot>".to_owned() + &"<a>".repeat(300_000)), "a");
+    assert!(message.starts_with("this is not valid XML: "), "{message}");
 }
