@@ -27,14 +27,13 @@ pub enum InverseError {
 const TOLERANCE: f64 = 1e-10;
 /// Largest number of steps. Poses nearby take less than ten.
 const STEPS: usize = 200;
-/// Largest change of a joint in a step (rad or m), so that the arm does not jump to another branch.
-const LARGEST_STEP: f64 = 0.2;
 /// Damping when the pose is reached: bounds steps where the arm is singular, and is too little to slow others down.
 const LEAST_DAMPING: f64 = 1e-12;
 
 impl Arm {
     /// Joint positions (rad or m) with the part at `pose` in the world frame, on the branch of `near`: damped Newton steps
-    /// (Levenberg-Marquardt) lead there from these positions. A redundant arm takes the shortest steps.
+    /// (Levenberg-Marquardt) lead there from these positions. A redundant arm takes the shortest steps. Another branch may
+    /// be nearer to positions that are more than about 0.3 rad off.
     ///
     /// The damping is half of the squared error (Sugihara, 2011), with translations over [`CHARACTERISTIC_LENGTH`]: steps
     /// are careful far away and converge quadratically at the pose.
@@ -54,7 +53,7 @@ impl Arm {
             }
             let step = newton_step(&posture, &error).filter(|_| steps < STEPS);
             let step = step.ok_or(InverseError::NotReached { distance, angle })?;
-            configuration += step * (LARGEST_STEP / step.amax()).min(1.0);
+            configuration += step;
             steps += 1;
         }
     }
