@@ -1,4 +1,5 @@
-//! Kinematics of an arm at one configuration.
+//! Kinematics of an arm at one configuration. The crate `k` has these for an older nalgebra, with allocations and without
+//! dynamics.
 
 use nalgebra::{Isometry3, IsometryMatrix3, Vector3, Vector6};
 
