@@ -1,0 +1,212 @@
+//! An arm that holds a part.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use nalgebra::{Isometry3, IsometryMatrix3, SMatrix, SVector};
+
+use crate::chain::Chain;
+use crate::error::{Fault, RobotError};
+use crate::inertia::RigidInertia;
+use crate::joint::Joint;
+use crate::posture::Posture;
+use crate::urdf::Urdf;
+
+/// Largest number of moving joints.
+pub const MOST_JOINTS: usize = 8;
+/// Larger files (bytes) are a mistake.
+const LARGEST_FILE: u64 = 1 << 20;
+
+/// One number per joint, from the base to the tip. Rows beyond the last joint are ignored as input and zero as output.
+pub type JointVector = SVector<f64, MOST_JOINTS>;
+/// Rows and columns as in [`JointVector`].
+pub type JointMatrix = SMatrix<f64, MOST_JOINTS, MOST_JOINTS>;
+/// Velocity of the part's origin in the world frame (m/s), then its angular velocity in the body frame (rad/s), per speed
+/// of each joint. Columns as in [`JointVector`].
+pub type Jacobian = SMatrix<f64, 6, MOST_JOINTS>;
+
+/// A serial arm with fixed base whose tip holds a part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arm {
+    joints: Vec<Joint>,
+    /// In the frame of the last moving link.
+    tip: IsometryMatrix3<f64>,
+    base: IsometryMatrix3<f64>,
+    grasp: IsometryMatrix3<f64>,
+    payload: RigidInertia,
+}
+
+/// Why numbers do not fit an arm.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ArmError {
+    /// Not one number per joint.
+    #[error("{given} numbers for {}: give one per joint, from the base to the tip", joints.join(", "))]
+    Count {
+        /// How many were given.
+        given: usize,
+        /// Names of all joints.
+        joints: Vec<String>,
+    },
+    /// A position that is no number or beyond a limit.
+    #[error("joint `{joint}` cannot be at {position} {unit}: its range is {lower} to {upper} {unit}")]
+    Position {
+        /// Name of the joint.
+        joint: String,
+        /// What was given (rad or m).
+        position: f64,
+        /// Lowest position (rad or m).
+        lower: f64,
+        /// Highest position (rad or m).
+        upper: f64,
+        /// Unit of these.
+        unit: &'static str,
+    },
+    /// A rotor inertia that is no number or negative.
+    #[error(
+        "joint `{joint}` cannot have a rotor inertia of {inertia} {unit}: give a finite number that is not negative"
+    )]
+    RotorInertia {
+        /// Name of the joint.
+        joint: String,
+        /// What was given (kg m^2 or kg).
+        inertia: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+}
+
+impl Arm {
+    /// Reads the joints between the root of a URDF file and the link `tip`, of which at most [`MOST_JOINTS`] may move. The
+    /// part's frame is that of the tip, the base is at the origin of the world; there is no payload.
+    ///
+    /// Links that hang on the arm beside its chain, or behind the tip, add their inertia to the link that carries them;
+    /// their joints stay at zero, or at the limit next to it. Damping and friction in the file are not used.
+    ///
+    /// # Errors
+    /// When the file cannot be read, is no URDF, has no such tip, or a joint or inertia that an arm cannot have.
+    pub fn read(path: &Path, tip: &str) -> Result<Self, RobotError> {
+        let text = read_text(path).map_err(|fault| RobotError::new(path, fault))?;
+        Self::from_urdf(&text, tip).map_err(|fault| RobotError::new(path, fault))
+    }
+
+    fn from_urdf(text: &str, tip: &str) -> Result<Self, Fault> {
+        let Chain { joints, tip } = Chain::to_tip(&Urdf::parse(text)?, tip)?;
+        Ok(Self {
+            joints,
+            tip,
+            base: IsometryMatrix3::identity(),
+            grasp: IsometryMatrix3::identity(),
+            payload: RigidInertia::zero(),
+        })
+    }
+
+    /// With the frame of its root link at `base` in the world frame.
+    pub fn with_base(self, base: &Isometry3<f64>) -> Self {
+        Self { base: nalgebra::convert(*base), ..self }
+    }
+
+    /// With the part's frame at `grasp` in the frame of the tip.
+    pub fn with_grasp(self, grasp: &Isometry3<f64>) -> Self {
+        Self { grasp: nalgebra::convert(*grasp), ..self }
+    }
+
+    /// With a part of this inertia, which is given in the part's frame.
+    pub fn with_payload(self, payload: RigidInertia) -> Self {
+        Self { payload, ..self }
+    }
+
+    /// With inertias of motors and gears as the joints feel them: gear ratio squared times the rotor's (kg m^2, kg for a
+    /// prismatic joint), one per joint.
+    ///
+    /// # Errors
+    /// When there is not one number per joint, or one is negative or not finite.
+    pub fn with_rotor_inertia(mut self, inertias: &[f64]) -> Result<Self, ArmError> {
+        self.check_count(inertias)?;
+        for (joint, &inertia) in self.joints.iter_mut().zip(inertias) {
+            if !(inertia >= 0.0 && inertia.is_finite()) {
+                let unit = joint.kind.inertia_unit();
+                return Err(ArmError::RotorInertia { joint: joint.name.clone(), inertia, unit });
+            }
+            joint.rotor_inertia = inertia;
+        }
+        Ok(self)
+    }
+
+    /// The moving joints from the base to the tip.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// Joint positions (rad or m) as one vector.
+    ///
+    /// # Errors
+    /// When there is not one number per joint, or one is beyond its joint's limits or not finite.
+    pub fn configuration(&self, positions: &[f64]) -> Result<JointVector, ArmError> {
+        self.check_count(positions)?;
+        let mut configuration = JointVector::zeros();
+        configuration.as_mut_slice()[..positions.len()].copy_from_slice(positions);
+        self.check_limits(&configuration)?;
+        Ok(configuration)
+    }
+
+    /// Checks that all joints are within their limits.
+    ///
+    /// # Errors
+    /// At the first joint that is not.
+    pub fn check_limits(&self, configuration: &JointVector) -> Result<(), ArmError> {
+        let beyond = |(joint, position): &(&Joint, &f64)| !(position.is_finite() && joint.allows(**position));
+        match self.joints.iter().zip(configuration.iter()).find(beyond) {
+            Some((joint, &position)) => Err(ArmError::Position {
+                joint: joint.name.clone(),
+                position,
+                lower: joint.lower,
+                upper: joint.upper,
+                unit: joint.kind.unit(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// The arm at joint positions (rad or m), which may be beyond limits.
+    pub fn posture(&self, configuration: &JointVector) -> Posture<'_> {
+        Posture::new(self, configuration)
+    }
+
+    /// Pose of the part in the world frame.
+    pub fn pose(&self, configuration: &JointVector) -> Isometry3<f64> {
+        self.posture(configuration).pose()
+    }
+
+    /// Frame of the part in that of the last moving link.
+    pub(crate) fn part_frame(&self) -> IsometryMatrix3<f64> {
+        self.tip * self.grasp
+    }
+
+    pub(crate) fn base(&self) -> &IsometryMatrix3<f64> {
+        &self.base
+    }
+
+    pub(crate) fn payload(&self) -> &RigidInertia {
+        &self.payload
+    }
+
+    fn check_count(&self, numbers: &[f64]) -> Result<(), ArmError> {
+        if numbers.len() == self.joints.len() {
+            return Ok(());
+        }
+        let joints = self.joints.iter().map(|joint| joint.name.clone()).collect();
+        Err(ArmError::Count { given: numbers.len(), joints })
+    }
+}
+
+fn read_text(path: &Path) -> Result<String, Fault> {
+    let unreadable = |error: std::io::Error| Fault::somewhere(format!("cannot be read: {error}"));
+    let file = File::open(path).map_err(unreadable)?;
+    let mut bytes = Vec::new();
+    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(Fault::somewhere("the file is larger than 1 MiB: remove what is not links and joints"));
+    }
+    String::from_utf8(bytes).map_err(|_| Fault::somewhere("the file is not UTF-8 text: save it as UTF-8"))
+}

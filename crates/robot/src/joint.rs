@@ -1,0 +1,85 @@
+//! Joints of an arm.
+
+use nalgebra::{IsometryMatrix3, Rotation3, Unit, Vector3};
+
+use crate::inertia::RigidInertia;
+
+/// A joint that moves, with the link behind it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// Its name in the file.
+    pub name: String,
+    /// How it moves.
+    pub kind: JointKind,
+    /// Lowest position (rad, m for a prismatic joint); minus infinity without one.
+    pub lower: f64,
+    /// Highest position (rad or m); infinity without one.
+    pub upper: f64,
+    /// Largest speed (rad/s or m/s); infinity without a limit.
+    pub velocity: f64,
+    /// Largest torque (Nm, N for a prismatic joint); infinity without a limit.
+    pub effort: f64,
+    /// The joint in the frame of the link before.
+    pub(crate) before: IsometryMatrix3<f64>,
+    /// In the frame of the joint, and in that of its link.
+    pub(crate) axis: Unit<Vector3<f64>>,
+    /// Of the link and of all that is fixed to it, in the frame of the link.
+    pub(crate) link_inertia: RigidInertia,
+    /// Reflected to the joint (kg m^2, kg for a prismatic joint).
+    pub(crate) rotor_inertia: f64,
+}
+
+/// How a joint moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JointKind {
+    /// Turns about its axis; joints without limits are of this kind too.
+    Revolute,
+    /// Slides along its axis.
+    Prismatic,
+}
+
+impl Joint {
+    /// Frame of the joint's link at a position (rad or m), in the frame of the link before.
+    pub(crate) fn link_frame(&self, position: f64) -> IsometryMatrix3<f64> {
+        self.before * self.kind.motion(&self.axis, position)
+    }
+
+    /// Whether a position (rad or m) is within the limits.
+    pub fn allows(&self, position: f64) -> bool {
+        (self.lower..=self.upper).contains(&position)
+    }
+
+    /// Distance of a position to the nearest limit (rad or m), negative beyond; infinity without limits.
+    pub fn limit_distance(&self, position: f64) -> f64 {
+        (position - self.lower).min(self.upper - position)
+    }
+}
+
+impl JointKind {
+    /// Unit of positions.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Revolute => "rad",
+            Self::Prismatic => "m",
+        }
+    }
+
+    /// Unit of rotor inertias.
+    pub fn inertia_unit(self) -> &'static str {
+        match self {
+            Self::Revolute => "kg m^2",
+            Self::Prismatic => "kg",
+        }
+    }
+
+    /// Displacement along or about an axis by a position (m or rad).
+    pub(crate) fn motion(self, axis: &Unit<Vector3<f64>>, position: f64) -> IsometryMatrix3<f64> {
+        match self {
+            Self::Revolute => {
+                let rotation = Rotation3::from_axis_angle(axis, position);
+                IsometryMatrix3::from_parts(Vector3::zeros().into(), rotation)
+            }
+            Self::Prismatic => IsometryMatrix3::from_parts(axis.scale(position).into(), Rotation3::identity()),
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Serial arms from URDF files: kinematics, dynamics, apparent inertia, and gains for execution.
+//!
+//! An [`Arm`] stands on a fixed base and holds a part in its tip. At joint positions it has a [`Posture`], which answers
+//! everything else. Poses, velocities and wrenches are those of the part, as in plans: positions, velocities and forces
+//! in the world frame, angular velocities and torques in the body frame, torques about the part's origin.
+//!
+//! | question | answer | from |
+//! |---|---|---|
+//! | where is the part? | [`Posture::pose`] | product of the joints' frames |
+//! | how fast is it? | [`Posture::jacobian`], [`Posture::velocity_product`] | screws of the joints; Featherstone (2008), ch. 2 |
+//! | what moves the arm? | [`Posture::mass_matrix`], [`Posture::bias`], [`Posture::gravity`], [`Posture::required_torque`] | composite rigid bodies and recursive Newton-Euler; Featherstone, ch. 5 and 6 |
+//! | how heavy does the part seem? | [`Posture::apparent_inertia`] | `(J M^-1 J')^-1`; Khatib (1987) |
+//! | which joint positions? | [`Arm::inverse_kinematics`], [`Arm::follow`] | Levenberg-Marquardt; Sugihara (2011) |
+//! | which gains? | [`gains`] | dynamic similarity, statics of joint friction |
+//!
+//! All of a posture is computed without allocations, in arrays for up to [`MOST_JOINTS`] joints, and can be asked for
+//! several hundred thousand times per second. Elasticity, damping and friction of joints are not modelled.
+
+mod arm;
+mod chain;
+mod dynamics;
+mod error;
+mod follow;
+pub mod gains;
+mod inertia;
+mod inverse;
+mod joint;
+mod posture;
+mod spatial;
+mod urdf;
+
+pub use arm::{Arm, ArmError, Jacobian, JointMatrix, JointVector, MOST_JOINTS};
+pub use error::RobotError;
+pub use follow::{FollowError, FollowReason, JointExtreme, JointPath};
+pub use inertia::{InertiaError, RigidInertia};
+pub use inverse::InverseError;
+pub use joint::{Joint, JointKind};
+pub use posture::{CHARACTERISTIC_LENGTH, Posture};
