@@ -8,7 +8,7 @@ use crate::transcription::Transcription;
 /// Distance from a bound that is zero, below which the bound is active (in the unit of the row).
 const ACTIVE: f64 = 1e-6;
 /// The same for other bounds, as a fraction of the bound.
-const RELATIVELY_ACTIVE: f64 = 1e-3;
+const RELATIVELY_ACTIVE: f64 = 1e-2;
 
 /// A constraint row, or a bounded variable, at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,7 +53,7 @@ impl Residual {
         (self.lower - self.value).max(self.value - self.upper).max(0.0)
     }
 
-    /// Which bound is active: reached within 1e-6, or a thousandth of the bound, or violated.
+    /// Which bound is active: reached within 1e-6, or a hundredth of the bound, or violated.
     pub fn activity(&self) -> Option<Activity> {
         let slack = |bound: f64| if bound == 0.0 { ACTIVE } else { RELATIVELY_ACTIVE * bound.abs() };
         if self.lower == self.upper {
