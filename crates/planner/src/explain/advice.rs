@@ -13,6 +13,10 @@ use crate::plan::Plan;
 const OVERLAP: f64 = 1e-4;
 /// Share of the steps in which a limit that matters is reached.
 const OFTEN: f64 = 0.1;
+/// More steps than these are no advice.
+const MOST_STEPS: f64 = 1e4;
+/// More steps are at least this share of those there are.
+const MORE_STEPS: f64 = 0.5;
 /// Poses on the straight way from where a scenario ends to the goal.
 const POSES: usize = 50;
 /// Time in which a critically damped controller closes all but 4 % of a distance, in `sqrt(mass / stiffness)`.
@@ -21,21 +25,24 @@ const SETTLING: f64 = 5.0;
 /// What to try, the surest first.
 pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]) -> Vec<String> {
     let case = Case { plan, stuck };
-    let obstacles = [case.overlap_at_goal(), case.overlap_at_start(), case.way_blocked()];
-    let mut advice: Vec<String> = obstacles.into_iter().flatten().collect();
-    let is_free = advice.is_empty();
-    advice.extend(limits.iter().filter(|limit| limit.steps as f64 >= OFTEN * limit.of as f64).map(limit_advice));
+    let often = |limit: &&ActiveLimitRecord| limit.steps as f64 >= OFTEN * limit.of as f64;
+    let is_fast = limits.iter().filter(often).any(|limit| limit.limit == "translational_velocity");
+    let mut advice: Vec<String> =
+        [case.overlap_at_goal(), case.overlap_at_start(), case.way_blocked(), case.play(), case.reach_of_the_end()]
+            .into_iter()
+            .flatten()
+            .collect();
+    let is_unexplained = advice.is_empty();
+    advice.extend(limits.iter().filter(often).map(limit_advice));
     let others = [
-        is_free.then(|| case.longer_horizon()).flatten(),
-        case.shorter_steps(),
-        case.slow_controller(),
-        case.more_iterations(),
-        case.play(),
-        case.reach_of_the_end(),
-        case.smaller_offset(),
-        (!stuck.is_empty()).then(|| first_smoothing(&plan.task, plan.variant.settings.tau)).flatten(),
+        is_unexplained.then(|| case.longer_horizon()),
+        is_fast.then(|| case.slow_controller()),
+        Some(case.shorter_steps()),
+        Some(case.more_iterations()),
+        Some(case.smaller_offset()),
+        (!stuck.is_empty()).then(|| first_smoothing(&plan.task, plan.variant.settings.tau)),
     ];
-    advice.extend(others.into_iter().flatten());
+    advice.extend(others.into_iter().flatten().flatten());
     if advice.is_empty() && plan.is_converged() {
         advice.push(
             "[homotopy]: the motion found is a local optimum: try half and twice the first tau, or another [[start]]"
@@ -96,14 +103,14 @@ impl Case<'_> {
             let states = &plan.trajectory.scenarios[stuck.scenario - 1].states;
             let before = position_error(&states[steps - quarter], &plan.task.goal);
             let speed = (before - stuck.end.position_error_m) / (quarter as f64 * time_step);
-            let more = (stuck.end.position_error_m / (speed * time_step)).ceil();
-            (speed > 0.0 && more <= 1e5).then_some((stuck.scenario, speed, more as usize))
+            let more = (stuck.end.position_error_m / (speed * time_step)).max(MORE_STEPS * steps as f64).ceil();
+            (speed > 0.0 && more <= MOST_STEPS).then_some((stuck.scenario, speed, more as usize))
         };
         let still_coming = self.stuck.iter().filter(|stuck| stuck.end.from_s.is_none() && stuck.end.held_by.is_empty());
         let (scenario, speed, more) = still_coming.filter_map(missing).max_by_key(|&(_, _, more)| more)?;
         Some(format!(
-            "[horizon]: scenario {scenario} still comes nearer at the end, with {:.1} mm/s: set steps = {} instead of \
-             {steps}",
+            "[horizon]: scenario {scenario} still comes nearer at the end, with {:.1} mm/s: set steps = {} and time_step = \
+             {time_step}",
             1e3 * speed,
             steps + more
         ))
@@ -115,7 +122,7 @@ impl Case<'_> {
         (!self.plan.is_converged()).then(|| step(task, &along_insertion(task)))?
     }
 
-    /// More stiffness where nothing holds a body that lags behind its reference.
+    /// More stiffness where the body lags behind a reference that may not be faster, and nothing holds it.
     fn slow_controller(&self) -> Option<String> {
         let plan = self.plan;
         let (mass, stiffness) = (plan.task.inertia.mass, plan.task.impedance.translational_stiffness);

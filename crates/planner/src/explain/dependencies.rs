@@ -14,7 +14,7 @@ use task::AssemblyTask;
 use crate::explain::factorisation::{Column, factorise};
 use crate::explain::words::constraint_at;
 
-/// Dependencies that are looked at, and that are kept.
+/// Dependencies that are looked at, and that are told.
 const MOST: usize = 50;
 const KEPT: usize = 3;
 /// Constraints of a dependency that are named.
@@ -37,7 +37,7 @@ pub struct DependencyRecord {
     pub contradict: bool,
 }
 
-/// The dependencies among the active constraints of a point `x`, those that contradict first. Without the feature `spqr`,
+/// The dependencies among the active constraints of a point `x`, those that contradict most first. Without the feature `spqr`,
 /// only near the largest violations. `None` where a distance has no value.
 pub fn find(transcription: &mut Transcription, x: &[f64], residuals: &[Residual]) -> Option<Vec<DependencyRecord>> {
     let active: Vec<&Residual> = residuals.iter().filter(|residual| residual.activity().is_some()).collect();
@@ -50,11 +50,10 @@ pub fn find(transcription: &mut Transcription, x: &[f64], residuals: &[Residual]
         .filter_map(|(residual, gradient)| ActiveConstraint::new(residual, gradient))
         .unzip();
     let vectors = factorise(x.len(), &columns)?.null_vectors(MOST);
-    let mut found: Vec<DependencyRecord> =
-        vectors.iter().map(|weights| dependency(transcription.task(), &active, weights)).collect();
-    found.sort_by_key(|dependency| (!dependency.contradict, dependency.constraints.len() + dependency.more));
-    found.truncate(KEPT);
-    Some(found)
+    let mut found: Vec<Dependency> = vectors.iter().map(|weights| Dependency::new(&active, weights)).collect();
+    found.sort_by(|one, other| other.left.total_cmp(&one.left).then(one.weighed.len().cmp(&other.weighed.len())));
+    let records = found.iter().take(KEPT).map(|dependency| dependency.record(transcription.task()));
+    Some(records.collect())
 }
 
 /// An active constraint whose gradient is scaled to unit length.
@@ -92,21 +91,36 @@ fn near_violations<'point>(active: &[&'point Residual]) -> Vec<&'point Residual>
     active.iter().filter(is_near).copied().collect()
 }
 
-fn dependency(task: &AssemblyTask, active: &[ActiveConstraint], weights: &[f64]) -> DependencyRecord {
-    let largest = weights.iter().fold(0.0, |largest: f64, weight| largest.max(weight.abs()));
-    let mut weighed: Vec<(&ActiveConstraint, f64)> = active.iter().zip(weights.iter().copied()).collect();
-    weighed.retain(|(_, weight)| weight.abs() > MINOR * largest);
-    weighed.sort_by(|(_, one), (_, other)| other.abs().total_cmp(&one.abs()));
-    let named = weighed.iter().take(NAMED).map(|(constraint, _)| constraint_at(&constraint.residual.member, task));
-    DependencyRecord {
-        constraints: named.collect(),
-        more: weighed.len().saturating_sub(NAMED),
-        contradict: contradict(&weighed),
+/// Constraints whose gradients, with weights, sum up to zero.
+struct Dependency<'point> {
+    /// Those with weights that matter, the largest first.
+    weighed: Vec<(&'point ActiveConstraint, f64)>,
+    /// What is left of their violations, at least, after any small change; 0 where they do not contradict.
+    left: f64,
+}
+
+impl<'point> Dependency<'point> {
+    fn new(active: &'point [ActiveConstraint], weights: &[f64]) -> Self {
+        let largest = weights.iter().fold(0.0, |largest: f64, weight| largest.max(weight.abs()));
+        let mut weighed: Vec<(&ActiveConstraint, f64)> = active.iter().zip(weights.iter().copied()).collect();
+        weighed.retain(|(_, weight)| weight.abs() > MINOR * largest);
+        weighed.sort_by(|(_, one), (_, other)| other.abs().total_cmp(&one.abs()));
+        let left = violation_left(&weighed);
+        Self { weighed, left }
+    }
+
+    fn record(&self, task: &AssemblyTask) -> DependencyRecord {
+        let named = self.weighed.iter().take(NAMED);
+        DependencyRecord {
+            constraints: named.map(|(constraint, _)| constraint_at(&constraint.residual.member, task)).collect(),
+            more: self.weighed.len().saturating_sub(NAMED),
+            contradict: self.left > 0.0,
+        }
     }
 }
 
-/// Whether no small change satisfies all of some dependent constraints.
-fn contradict(weighed: &[(&ActiveConstraint, f64)]) -> bool {
+/// The largest violation, at least, that some dependent constraints have after any small change.
+fn violation_left(weighed: &[(&ActiveConstraint, f64)]) -> f64 {
     let sum: f64 = weighed.iter().map(|(constraint, weight)| weight * constraint.missing).sum();
     let total: f64 = weighed.iter().map(|(_, weight)| weight.abs()).sum();
     let worst = weighed.iter().fold(0.0, |worst: f64, (constraint, _)| worst.max(constraint.missing.abs()));
@@ -115,7 +129,8 @@ fn contradict(weighed: &[(&ActiveConstraint, f64)]) -> bool {
         Activity::Lower => weight * sum > 0.0,
         Activity::Upper => weight * sum < 0.0,
     };
-    sum.abs() > CONTRADICTION * worst * total && weighed.iter().all(pushes)
+    let left = sum.abs() / total;
+    if left > CONTRADICTION * worst && weighed.iter().all(pushes) { left } else { 0.0 }
 }
 
 impl std::fmt::Display for DependencyRecord {

@@ -111,14 +111,15 @@ impl MotionEnd {
     }
 }
 
-/// Indices of the pairs that hold a body at a pose, the largest force (N) first: those that push, and those that touch
-/// on the side of the goal, which lies in the direction `missing`.
+/// Indices of the pairs that hold a body at a pose, the largest force (N) first: those that push, those that overlap, and
+/// those that touch on the side of the goal, which lies in the direction `missing`.
 fn holding(task: &AssemblyTask, pose: &[f64; POSE], forces: &[f64], missing: &[f64; 3]) -> Vec<usize> {
     let largest = forces.iter().copied().fold(0.0, f64::max);
     let is_in_the_way = |pair: usize| {
+        let distance = task.pairs[pair].shapes.exact_distance(pose);
         let normal = normal(task, pose, pair);
         let along: f64 = (0..3).map(|axis| normal[axis] * missing[axis]).sum();
-        along < AGAINST * norm(missing) && task.pairs[pair].shapes.exact_distance(pose) < TOUCHING
+        distance < -TOUCHING || distance < TOUCHING && along < AGAINST * norm(missing)
     };
     let holds = |&pair: &usize| forces[pair] >= PUSHING.max(MINOR * largest) || is_in_the_way(pair);
     let mut pairs: Vec<usize> = (0..forces.len()).filter(holds).collect();
