@@ -47,7 +47,12 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
     let groups = best.rates.by_friction().min_by(|one, other| rate(one).total_cmp(&rate(other)))?;
     let rate_of = |group: &SuccessRate| rate(std::slice::from_ref(group));
     let lossy = groups.iter().filter(|group| group.successes < group.rollouts);
-    let worst = lossy.min_by(|one, other| rate_of(one).total_cmp(&rate_of(other)))?.clone();
+    let order = |group: &&SuccessRate| (rate_of(group), group.rollouts);
+    let worst = lossy.min_by(|one, other| {
+        let ((one, few), (other, many)) = (order(one), order(other));
+        one.total_cmp(&other).then(many.cmp(&few))
+    });
+    let worst = worst?.clone();
     let is_worst = |trial: &&Trial| frictions.get(trial.friction) == Some(&worst.friction);
     let failing: Vec<Trial> = best.failing.iter().filter(is_worst).copied().collect();
     let mut world = problem.world();
