@@ -227,7 +227,7 @@ fn flags(text: &str) -> BTreeSet<String> {
 #[test]
 fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
     /// Flags of cargo, sbatch and hq.
-    const FOREIGN: [&str; 6] = ["--no-deps", "--open", "--bench", "--partition", "--time", "--array"];
+    const FOREIGN: [&str; 7] = ["--no-deps", "--open", "--bench", "--features", "--partition", "--time", "--array"];
     let program = flags_of_program();
     let mut scripts = String::new();
     for folder in ["scripts", "scripts/mujoco_validation", "scripts/reproduction"] {
@@ -268,17 +268,29 @@ fn key_paths(value: &Value, prefix: &str, paths: &mut BTreeSet<String>) {
     }
 }
 
+/// The corner scene with a start inside of the floor and a limit that keeps the body from leaving it.
+fn contradiction(corner: &str) -> String {
+    let start = "position = [0.1, 0.0, 0.08]\norientation = [0.997188818, 0.0, 0.074929707, 0.0]";
+    let text = corner.replace(start, "position = [0.0, 0.0, 0.0]\norientation = [1, 0, 0, 0]");
+    let text = text.replace("position = [-0.05, 0.0, 0.2]", "position = [-0.25, 0.0, 0.2]");
+    assert_ne!(text, corner);
+    format!("{text}\n[limits]\ntranslational_velocity = 0.1\n")
+}
+
 #[test]
 fn every_key_of_a_result_is_documented_and_no_other() {
     let folder = tempfile::tempdir().unwrap();
     let scene = project("scenes/corner.toml");
-    let out = folder.path().join("out");
-    // A plan that was evaluated will do: it has all keys.
-    let arguments = ["solve", scene.to_str().unwrap(), "--robust", "--patience", "0", "--out", out.to_str().unwrap()];
-    run(folder.path(), &arguments);
-    let result: Value = serde_json::from_str(&fs::read_to_string(out.join("result.json")).unwrap()).unwrap();
+    let contradicting = folder.path().join("contradicting.toml");
+    fs::write(&contradicting, contradiction(&fs::read_to_string(&scene).unwrap())).unwrap();
     let mut real = BTreeSet::new();
-    key_paths(&result, "", &mut real);
+    // A plan that was evaluated and loses some rollouts, and one that does not converge: they have all keys.
+    let lossy = ["--robust", "--patience", "0", "--position-tolerance", "0.0005"];
+    for (scene, flags) in [(&scene, &lossy[..]), (&contradicting, &[])] {
+        run(folder.path(), &[&["solve", scene.to_str().unwrap(), "--out", "out"], flags].concat());
+        let result = fs::read_to_string(folder.path().join("out/result.json")).unwrap();
+        key_paths(&serde_json::from_str(&result).unwrap(), "", &mut real);
+    }
     // Nothing overlaps in rollouts, and so this is null.
     real.extend(["time_s", "step", "pair"].map(|key| format!("scenarios[].max_penetration_at.{key}")));
 

@@ -3,6 +3,7 @@
 mod batch;
 mod documentation;
 mod end_to_end;
+mod failures;
 mod limits;
 mod mujoco;
 mod mutations;

@@ -39,10 +39,34 @@ struct StageOrder {
 /// Order of the variables or rows that a stage has of one trajectory.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct TrajectoryOrder {
-    /// Names of the blocks with their first positions.
-    starts: Vec<(&'static str, usize)>,
+    /// The blocks, one after the other.
+    blocks: Vec<PlacedBlock>,
     /// Class and index of the label at every position.
     labels: Vec<(Class, usize)>,
+}
+
+/// A block among the variables or rows of a trajectory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct PlacedBlock {
+    name: &'static str,
+    start: usize,
+    count: usize,
+    per_pair: bool,
+}
+
+/// What a variable or a constraint row is: one of the numbers of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Member {
+    /// Name of the block.
+    pub block: &'static str,
+    /// Stage, 1 to `N`.
+    pub stage: usize,
+    /// Trajectory.
+    pub owner: Owner,
+    /// Contact pair, in a block whose members belong to pairs.
+    pub pair: Option<usize>,
+    /// Number in the block, or among those of the pair, from 0.
+    pub component: usize,
 }
 
 impl Layout {
@@ -131,6 +155,16 @@ impl Layout {
         self.labels(&self.rows)
     }
 
+    /// What all variables are.
+    pub fn variable_members(&self) -> Vec<Member> {
+        self.members(&self.variables)
+    }
+
+    /// What all constraint rows are.
+    pub fn row_members(&self) -> Vec<Member> {
+        self.members(&self.rows)
+    }
+
     fn bounds(&self, order: &StageOrder, blocks: impl Iterator<Item = Block>) -> Bounds {
         let count = self.steps * order.length(self.scenarios);
         let mut bounds = Bounds { lower: vec![f64::NAN; count], upper: vec![f64::NAN; count] };
@@ -151,6 +185,26 @@ impl Layout {
             labels.map(move |&(class, index)| Label { stage, owner, class, index })
         };
         trajectories.flat_map(label).collect()
+    }
+
+    fn members(&self, order: &StageOrder) -> Vec<Member> {
+        let members = |(stage, owner)| {
+            let blocks = order.of(owner).blocks.iter();
+            blocks.flat_map(move |block| {
+                (0..block.count).map(move |number| block.member(number, stage, owner, self.pairs))
+            })
+        };
+        self.stages_of(Owners::All).flat_map(members).collect()
+    }
+}
+
+impl PlacedBlock {
+    fn member(&self, number: usize, stage: usize, owner: Owner, pairs: usize) -> Member {
+        let (pair, component) = match self.per_pair {
+            true => (Some(number * pairs / self.count), number % (self.count / pairs)),
+            false => (None, number),
+        };
+        Member { block: self.name, stage, owner, pair, component }
     }
 }
 
@@ -191,10 +245,11 @@ impl TrajectoryOrder {
         // Rows of a leaf are eliminated in the order of their indices, those of pairs first.
         let mut next = pairs;
         for block in blocks {
-            let known = order.starts.iter().any(|&(name, _)| name == block.name);
+            let known = order.blocks.iter().any(|known| known.name == block.name);
             assert!(!known, "two terms declare the block \"{}\"", block.name);
-            order.starts.push((block.name, order.labels.len()));
             let count = block.bounds.lower.len();
+            let start = order.labels.len();
+            order.blocks.push(PlacedBlock { name: block.name, start, count, per_pair: block.per_pair });
             let index = |member: usize| match (block.class.is_leaf(), block.per_pair) {
                 (true, true) => member * pairs / count,
                 (true, false) => next + member,
@@ -209,8 +264,8 @@ impl TrajectoryOrder {
     }
 
     fn start(&self, name: &str) -> usize {
-        let found = self.starts.iter().find(|(known, _)| *known == name);
-        found.unwrap_or_else(|| panic!("no term declares the block \"{name}\"")).1
+        let found = self.blocks.iter().find(|block| block.name == name);
+        found.unwrap_or_else(|| panic!("no term declares the block \"{name}\"")).start
     }
 }
 

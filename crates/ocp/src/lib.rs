@@ -33,6 +33,9 @@
 //! | Section V-C | `Sec. ocp:cost` | running and terminal cost | `cost` |
 //! | Section V-D | `Sec. ocp:homotopy` | homotopy | [`Homotopy`], [`task::HomotopySettings::schedule`] |
 //!
+//! [`Transcription::residuals`] says how far every constraint is from what it must be at a point, and what it is
+//! ([`Member`]): that is where failures are explained from.
+//!
 //! Limits of velocities, accelerations, forces and wrenches ([`task::Limits`]) are an addition.
 
 mod cost;
@@ -44,6 +47,7 @@ mod layout;
 mod least_squares;
 mod motion;
 mod pattern;
+mod residuals;
 mod stage_solver;
 mod term;
 mod term_function;
@@ -52,11 +56,12 @@ mod transcription;
 
 pub use distances::MissingDistance;
 pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationEnd, IterationTiming, check_settings};
-pub use layout::{CONTACT, Layout};
+pub use layout::{CONTACT, Layout, Member};
+pub use residuals::{Activity, ConstraintIndex, Residual};
 pub use stage_solver::TranscriptionSolver;
 pub use term::{Block, Owners, Point, Points, Source, StepTerm};
 pub use terms::{
-    CONTACT_FORCE, GAP, POSE_DYNAMICS, POSE_VARIABLES, PRODUCT, REFERENCE_KINEMATICS, TWIST_VARIABLES,
-    VELOCITY_DYNAMICS, standard_terms,
+    ACCELERATION, CONTACT_FORCE, GAP, POSE_DYNAMICS, POSE_VARIABLES, PRODUCT, REFERENCE_KINEMATICS, TWIST_VARIABLES,
+    VELOCITY_DYNAMICS, WRENCH, standard_terms,
 };
 pub use transcription::Transcription;

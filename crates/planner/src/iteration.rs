@@ -1,5 +1,8 @@
 //! Homotopy iterations as plans, `result.json` and checkpoints have them.
 
+use std::sync::Arc;
+
+use nlp::Iterate;
 use ocp::{HomotopyIteration, IterationEnd, IterationTiming};
 use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Horizon, Trajectory};
@@ -13,6 +16,8 @@ pub struct PlanIteration {
     pub record: IterationRecord,
     /// The motion it found, for the task of the plan's [`crate::Variant`].
     pub trajectory: Trajectory,
+    /// The primal-dual point where it ended. An earlier run leaves only that of its last iteration.
+    pub point: Option<Arc<Iterate>>,
 }
 
 impl PlanIteration {
@@ -24,7 +29,8 @@ impl PlanIteration {
 
 impl From<&HomotopyIteration> for PlanIteration {
     fn from(iteration: &HomotopyIteration) -> Self {
-        Self { record: IterationRecord::from(iteration), trajectory: iteration.trajectory.clone() }
+        let point = Some(Arc::new(iteration.iterate.clone()));
+        Self { record: IterationRecord::from(iteration), trajectory: iteration.trajectory.clone(), point }
     }
 }
 

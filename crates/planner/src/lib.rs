@@ -30,6 +30,7 @@
 //! | [`Problem`] | one start and offset magnitude of a scene with its homotopy: the one gate for all input |
 //! | [`solve`], [`refine`](mod@refine) | from a problem to a [`Plan`], and to a robust one |
 //! | [`simulate`](mod@simulate) | rollouts of plans, success rates |
+//! | [`explain`] | why a plan is not done |
 //! | [`check`](mod@check) | what a scene says, without solving it |
 //! | [`batch`] | every start, offset magnitude and homotopy of some scenes |
 //! | [`files`] | every file that is written or read |
@@ -46,6 +47,7 @@ mod attempt;
 pub mod batch;
 pub mod check;
 mod error;
+pub mod explain;
 pub mod files;
 mod iteration;
 mod or_null;

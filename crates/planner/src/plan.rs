@@ -98,7 +98,7 @@ impl Plan {
     /// number made the plan worse: then it is the last that converged and reaches the goal, or at least converged.
     pub fn chosen_stage(&self) -> usize {
         let worth = |&number: &usize| {
-            let PlanIteration { record, trajectory } = &self.iterations[number - 1];
+            let PlanIteration { record, trajectory, .. } = &self.iterations[number - 1];
             let (position, orientation) = trajectory.worst_errors();
             (record.converged, record.converged && self.problem.success().reached(position, orientation))
         };

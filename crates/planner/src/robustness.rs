@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use simulation::TrialResult;
 
+use crate::explain::LossRecord;
 use crate::iteration::PlanIteration;
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
@@ -32,6 +33,9 @@ pub struct RobustnessReport {
     pub kept_changes: usize,
     /// All rounds.
     pub rounds: Vec<Round>,
+    /// What the refined plan loses most, where it is not robust.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss: Option<LossRecord>,
 }
 
 /// One planning problem, its solution and the refinement of that.

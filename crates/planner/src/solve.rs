@@ -1,6 +1,7 @@
 //! One plan of a problem: the homotopy, from where an earlier run has left it.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use nlp::{Control, Iterate, SolveStatus, Start};
 use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, IterationEnd};
@@ -149,16 +150,16 @@ fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Res
     let task = change.of(problem).task().clone();
     let read = |(number, record): (usize, &IterationRecord)| {
         let trajectory = folder.read_iteration(number, &record.task(&task))?;
-        Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory })
+        Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory, point: None })
     };
-    match (1..).zip(&checkpoint.iterations).map(read).collect() {
-        Ok(iterations) => Ok(Some(Earlier {
-            attempt: checkpoint.attempt,
-            start: checkpoint.iterate(),
-            finished: Finished { iterations, tables: checkpoint.tables },
-        })),
-        Err(_) => discard(Unusable::DamagedTables),
+    let iterations: Result<Vec<PlanIteration>, _> = (1..).zip(&checkpoint.iterations).map(read).collect();
+    let Ok(mut iterations) = iterations else { return discard(Unusable::DamagedTables) };
+    let start = checkpoint.iterate();
+    if let Some(last) = iterations.last_mut() {
+        last.point = Some(Arc::new(start.clone()));
     }
+    let finished = Finished { iterations, tables: checkpoint.tables };
+    Ok(Some(Earlier { attempt: checkpoint.attempt, start, finished }))
 }
 
 /// What is known of the finished homotopy iterations.

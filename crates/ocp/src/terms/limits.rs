@@ -9,9 +9,9 @@ use crate::layout::Layout;
 use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
 
 /// Rows: limited axes of the acceleration of a step.
-const ACCELERATION: &str = "acceleration";
+pub const ACCELERATION: &str = "acceleration";
 /// Rows: limited axes of the impedance wrench at the end of a step.
-const WRENCH: &str = "wrench";
+pub const WRENCH: &str = "wrench";
 
 /// Limited accelerations of all trajectories.
 pub struct AccelerationLimits {

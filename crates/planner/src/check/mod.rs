@@ -12,13 +12,14 @@ use task::pose::without_offset;
 use task::{AssemblyTask, ContactPair};
 
 use crate::check::oddities::oddities;
-use crate::check::play::{along_insertion, farthest_rest};
 use crate::error::PlannerError;
 use crate::problem::Problem;
 use crate::refine::require;
 
+pub(crate) use oddities::{first_smoothing, rest, step};
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
 pub use play::{AxisPlay, Play};
+pub(crate) use play::{along_insertion, farthest_rest};
 pub use way::Way;
 
 /// What plain solves of the shipped scenes took on two cores.

@@ -21,11 +21,11 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
         overlap(explanation),
         facets(explanation),
         deviation(explanation),
-        rest(problem, explanation),
+        rest(problem, explanation.farthest_rest_m),
         way(explanation),
         first_smoothing(task, problem.homotopy().tau),
         last_smoothing(problem, explanation),
-        step(task, explanation),
+        step(task, &explanation.insertion),
     ];
     own.into_iter().flatten().collect()
 }
@@ -75,9 +75,10 @@ fn deviation(explanation: &Explanation) -> Option<String> {
     })
 }
 
-fn rest(problem: &Problem, explanation: &Explanation) -> Option<String> {
+/// Play at the goal lets the body rest farther from it than the tolerance.
+pub fn rest(problem: &Problem, farthest_rest: Option<f64>) -> Option<String> {
     let tolerance = problem.success().position;
-    let farthest = explanation.farthest_rest_m.filter(|&farthest| farthest > tolerance)?;
+    let farthest = farthest_rest.filter(|&farthest| farthest > tolerance)?;
     Some(format!(
         "play lets the body rest {:.2} mm from its goal, more than the tolerance of {:.2} mm: it may be missed \
              whatever the plan; raise --position-tolerance",
@@ -98,7 +99,7 @@ fn way(explanation: &Explanation) -> Option<String> {
 
 /// The first smoothing is smaller than the offset: the plan may then end in a wrong optimum. It often does not, and
 /// success is not monotone in the first smoothing, so that this is no more than a hint.
-fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
+pub fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
     let norm = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
     let largest = task.offsets.iter().map(norm).fold(0.0, f64::max);
     let rows = task.pairs.iter().map(|pair| pair.shapes.row_count()).min()?;
@@ -128,10 +129,10 @@ fn last_smoothing(problem: &Problem, explanation: &Explanation) -> Option<String
 }
 
 /// Distances are linearised in each step: it must not be long beside the play.
-fn step(task: &AssemblyTask, explanation: &Explanation) -> Option<String> {
-    let path = explanation.insertion.last()?.distance_from_goal_m;
+pub fn step(task: &AssemblyTask, insertion: &[Play]) -> Option<String> {
+    let path = insertion.last()?.distance_from_goal_m;
     let per_step = path / task.horizon.steps as f64;
-    let narrowest = explanation.insertion.iter().filter_map(Play::narrowest).fold(f64::INFINITY, f64::min);
+    let narrowest = insertion.iter().filter_map(Play::narrowest).fold(f64::INFINITY, f64::min);
     (narrowest > 0.0 && narrowest.is_finite() && per_step > LONG_STEP * narrowest).then(|| {
         format!(
             "the body moves {:.2} mm in a step on average, the play is {:.2} mm: more and shorter steps ([horizon]) find \

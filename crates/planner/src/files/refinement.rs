@@ -65,8 +65,8 @@ pub struct BestRecord {
     pub rates: SuccessRates,
     /// Whether they are what was wanted, after a whole evaluation.
     pub reached: bool,
-    /// Offsets at which it fails.
-    pub failing_m: Vec<[f64; 3]>,
+    /// Trials that it fails.
+    pub failing: Vec<TrialRecord>,
     /// Number of its round.
     pub round: usize,
     /// Homotopy iteration whose reference was refined.

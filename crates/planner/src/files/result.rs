@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
 use crate::attempt::AttemptRecord;
+use crate::explain::FailureExplanation;
 use crate::iteration::IterationRecord;
 use crate::or_null;
 use crate::plan::Plan;
@@ -69,6 +70,9 @@ pub struct PlanResult {
     pub stages: Vec<IterationRecord>,
     /// Every planned offset.
     pub scenarios: Vec<ScenarioRecord>,
+    /// Why the plan is not done; of `solve --robust`, that is in its own section.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub explanation: Option<FailureExplanation>,
     /// Of `solve --robust`; the scenarios are then rollouts with hard contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robust: Option<RobustnessReport>,
@@ -243,6 +247,7 @@ impl PlanResult {
             attempts: plan.attempts.iter().filter(|_| plan.attempts.len() > 1).cloned().collect(),
             stages: records().cloned().collect(),
             scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),
+            explanation: plan.explanation(),
             robust: plan.robustness.clone(),
             files,
         }

@@ -1,6 +1,6 @@
 //! Plans on the way to a robust one.
 
-use simulation::{Reference, Refinement};
+use simulation::{Reference, Refinement, Trial};
 use task::Trajectory;
 
 use crate::iteration::PlanIteration;
@@ -28,8 +28,8 @@ pub struct Kept {
     pub rates: SuccessRates,
     /// Whether they are what is wanted, after a whole evaluation.
     pub reached: bool,
-    /// Offsets (m) at which it fails.
-    pub failing: Vec<[f64; 3]>,
+    /// Trials that it fails.
+    pub failing: Vec<Trial>,
     /// Number of its round, from 1.
     pub round: usize,
     /// The homotopy iteration whose reference was refined, from 1.

@@ -51,9 +51,9 @@ pub struct Judgement {
 }
 
 impl Judgement {
-    /// Offsets (m) of the trials that failed.
-    pub fn failing(&self) -> Vec<[f64; 3]> {
-        self.failures.iter().map(|(trial, _)| trial.grasp.offset).collect()
+    /// The trials that failed.
+    pub fn failing(&self) -> Vec<Trial> {
+        self.failures.iter().map(|(trial, _)| *trial).collect()
     }
 }
 

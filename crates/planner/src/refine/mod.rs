@@ -22,10 +22,11 @@ use std::time::{Duration, Instant};
 use simulation::{Evaluator, Reference, Refinement, Rollout, Settings, Trial};
 
 use crate::error::PlannerError;
+use crate::explain::loss;
 use crate::iteration::PlanIteration;
 use crate::plan::Plan;
 use crate::problem::Problem;
-use crate::refine::candidate::{Candidate, Kept};
+use crate::refine::candidate::Candidate;
 use crate::refine::clock::{Clock, Deadline};
 use crate::refine::evaluation::{Evaluation, GraspTolerance, Judgement};
 use crate::robustness::{RobustnessReport, Round};
@@ -33,6 +34,7 @@ use crate::session::{Event, Session};
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
+pub(crate) use candidate::Kept;
 pub use target::RobustnessTarget;
 pub(crate) use target::{require, require_frictions, require_threads, require_turn};
 
@@ -384,6 +386,7 @@ impl<'run> Refiner<'run> {
             kept_stage: best.chosen,
             kept_changes: best.changes,
             rounds: self.rounds.clone(),
+            loss: (!best.reached).then(|| loss(self.problem, &self.target.frictions, best)).flatten(),
         }
     }
 }

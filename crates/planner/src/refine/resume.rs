@@ -39,7 +39,7 @@ impl Refiner<'_> {
                 reference: kept.reference.states(),
                 rates: kept.rates.clone(),
                 reached: kept.reached,
-                failing_m: kept.failing.clone(),
+                failing: kept.failing.iter().map(TrialRecord::from).collect(),
                 round: kept.round,
                 chosen_stage: kept.chosen,
                 changes: kept.changes,
@@ -82,7 +82,7 @@ impl Refiner<'_> {
                 let read = |(number, record): (usize, IterationRecord)| {
                     let task = record.task(&variant.task);
                     let trajectory = folder.read_refined_iteration(best.round, number, &task)?;
-                    Ok(PlanIteration { record, trajectory })
+                    Ok(PlanIteration { record, trajectory, point: None })
                 };
                 let iterations: Result<_, PlannerError> = (1..).zip(best.iterations).map(read).collect();
                 if iterations.is_err() {
@@ -104,7 +104,7 @@ impl Refiner<'_> {
             iterations,
             rates: best.rates,
             reached: best.reached,
-            failing: best.failing_m,
+            failing: best.failing.iter().map(Trial::from).collect(),
             round: best.round,
             chosen: best.chosen_stage,
             changes: best.changes,

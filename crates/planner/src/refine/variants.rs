@@ -53,7 +53,8 @@ impl<'run> Refiner<'run> {
         until: Deadline,
     ) -> Result<Option<Candidate<'run>>, PlannerError> {
         let Some(best) = &self.best else { return Ok(None) };
-        let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &best.failing);
+        let failing: Vec<[f64; 3]> = best.failing.iter().map(|trial| trial.grasp.offset).collect();
+        let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &failing);
         self.session.tell(Event::Variant { name: &variant.name, number, count: PORTFOLIO.len() });
         let solving = self.clock.share(until, SOLVING_SHARE);
         let observe = |_: &ocp::Event| if self.clock.is_over(solving) { Control::Stop } else { Control::Continue };

@@ -1,0 +1,74 @@
+//! Why a plan is not done, in words of its scene: which constraints are violated most, where each scenario gets stuck,
+//! which constraints contradict each other, and what to try.
+
+mod advice;
+mod dependencies;
+mod factorisation;
+mod limits;
+mod residuals;
+mod rollouts;
+mod stuck;
+mod words;
+
+use ocp::{Residual, Transcription};
+use serde::{Deserialize, Serialize};
+
+use crate::plan::{Plan, PlanStatus};
+
+pub use dependencies::DependencyRecord;
+pub use limits::ActiveLimitRecord;
+pub use residuals::ResidualRecord;
+pub use rollouts::LossRecord;
+pub(crate) use rollouts::loss;
+pub use stuck::{HoldRecord, MotionEnd, StuckScenario};
+
+/// Why a plan is not done.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct FailureExplanation {
+    /// The largest violation of each kind of constraint, the largest first.
+    pub residuals: Vec<ResidualRecord>,
+    /// Constraints that contradict each other or depend on each other, those that contradict first.
+    pub dependencies: Vec<DependencyRecord>,
+    /// Where the scenarios that miss the goal get stuck.
+    pub scenarios: Vec<StuckScenario>,
+    /// Limits that the plan reaches.
+    pub active_limits: Vec<ActiveLimitRecord>,
+    /// What to try, each with the key of the scene or the flag.
+    pub advice: Vec<String>,
+}
+
+impl Plan {
+    /// Why the plan is not done. `None` where it is, and where it was interrupted or refined: what a refined plan loses
+    /// is in [`crate::RobustnessReport::loss`].
+    pub fn explanation(&self) -> Option<FailureExplanation> {
+        match self.status() {
+            PlanStatus::GoalMissed | PlanStatus::NotConverged { .. } => Some(explain(self)),
+            PlanStatus::Done | PlanStatus::NotRobust | PlanStatus::Interrupted => None,
+        }
+    }
+}
+
+fn explain(plan: &Plan) -> FailureExplanation {
+    let scenarios = stuck::of_plan(plan);
+    let active_limits = limits::active(&plan.task.limits, &plan.trajectory);
+    let (residuals, dependencies) = constraints(plan).unwrap_or_default();
+    let advice = advice::advice(plan, &scenarios, &active_limits);
+    FailureExplanation { residuals, dependencies, scenarios, active_limits, advice }
+}
+
+/// Violated and dependent constraints where the solver ended. Nothing where that point is not known any more, or a
+/// distance has no value there, which the solver has reported.
+fn constraints(plan: &Plan) -> Option<(Vec<ResidualRecord>, Vec<DependencyRecord>)> {
+    let chosen = plan.chosen();
+    let (point, record, settings) = (chosen.point.as_deref()?, &chosen.record, &plan.variant.settings);
+    let task = record.task(&plan.task);
+    let mut transcription = Transcription::new(&task, settings.complementarity, settings.hessian);
+    transcription.set_smoothing(record.tau, record.sigma);
+    let residuals: Vec<Residual> = transcription.residuals(point).ok()?;
+    let dependencies = match record.converged {
+        // What holds does not contradict.
+        true => Vec::new(),
+        false => dependencies::find(&mut transcription, &point.x, &residuals)?,
+    };
+    Some((residuals::largest(&task, &residuals), dependencies))
+}

@@ -1,0 +1,114 @@
+//! What a plan that is not robust loses: where, and what holds the body there.
+
+use serde::{Deserialize, Serialize};
+use simulation::{Rollout, Settings, Trial};
+use task::{ScenarioTrajectory, Trajectory};
+
+use crate::explain::stuck::MotionEnd;
+use crate::explain::words::{direction, norm};
+use crate::or_null;
+use crate::problem::Problem;
+use crate::refine::Kept;
+use crate::success_rates::{SuccessRate, rate};
+
+/// Failing trials that are played again.
+const PLAYED: usize = 8;
+/// Smoothing of the distances in rollouts, which say nothing here (N m).
+const TAU: f64 = 1e-6;
+/// Length of the mean of unit vectors from which on they have a direction in common.
+const COMMON: f64 = 0.5;
+/// Fraction of a limit by which a rollout may exceed it.
+const LIMIT_SLACK: f64 = 1e-3;
+
+/// What a plan loses most, and a rollout that shows it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct LossRecord {
+    /// Success rate at the friction where it is smallest.
+    pub rate: f64,
+    /// The group of rollouts at that friction with the smallest success rate.
+    pub worst: SuccessRate,
+    /// Axes of the body along which failing offsets at that friction lie; null where they have none in common.
+    pub offset_direction: Option<String>,
+    /// Offset of the failing rollout at that friction that ends farthest from the goal.
+    pub offset_m: [f64; 3],
+    /// Its turn.
+    pub turn_rad: [f64; 3],
+    /// Its largest contact force.
+    #[serde(with = "or_null")]
+    pub max_force_n: f64,
+    /// Whether that exceeds `limits.contact_force`.
+    pub exceeds_contact_force: bool,
+    /// How it ends.
+    pub end: MotionEnd,
+}
+
+/// What the best plan loses most. `None` where no rollout failed, as when time ended before any.
+pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRecord> {
+    let groups = best.rates.by_friction().min_by(|one, other| rate(one).total_cmp(&rate(other)))?;
+    let rate_of = |group: &SuccessRate| rate(std::slice::from_ref(group));
+    let lossy = groups.iter().filter(|group| group.successes < group.rollouts);
+    let order = |group: &&SuccessRate| (rate_of(group), group.rollouts);
+    let worst = lossy.min_by(|one, other| {
+        let ((one, few), (other, many)) = (order(one), order(other));
+        one.total_cmp(&other).then(many.cmp(&few))
+    });
+    let worst = worst?.clone();
+    let is_worst = |trial: &&Trial| frictions.get(trial.friction) == Some(&worst.friction);
+    let failing: Vec<Trial> = best.failing.iter().filter(is_worst).copied().collect();
+    let mut world = problem.world();
+    world.horizon = best.variant.task.horizon;
+    let rollout = Rollout::new(&world, Settings { friction: worst.friction, ..Settings::default() });
+    let grasps: Vec<_> = failing.iter().take(PLAYED).map(|trial| trial.grasp).collect();
+    let Trajectory { scenarios, time_step, .. } = rollout.trajectory(&best.reference, &grasps, TAU);
+    let error = |motion: &ScenarioTrajectory| motion.quality.position_error;
+    let shown = grasps.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
+    let (grasp, motion) = shown?;
+    Some(LossRecord {
+        rate: rate(groups),
+        worst,
+        offset_direction: common_direction(&failing),
+        offset_m: grasp.offset,
+        turn_rad: grasp.turn,
+        max_force_n: motion.quality.max_force,
+        exceeds_contact_force: motion.quality.max_force > (1.0 + LIMIT_SLACK) * world.limits.contact_force,
+        end: MotionEnd::new(&world, motion, time_step, &problem.success()),
+    })
+}
+
+fn common_direction(failing: &[Trial]) -> Option<String> {
+    let mut mean = [0.0; 3];
+    for trial in failing {
+        let length = norm(&trial.grasp.offset);
+        if length > 0.0 {
+            (0..3).for_each(|axis| mean[axis] += trial.grasp.offset[axis] / length / failing.len() as f64);
+        }
+    }
+    direction(&mean).filter(|_| norm(&mean) > COMMON)
+}
+
+impl LossRecord {
+    /// Two sentences without full stops: what is lost most, and how a rollout ends.
+    pub fn sentences(&self) -> [String; 2] {
+        let SuccessRate { friction, magnitude_m, planned, rollouts, successes } = self.worst;
+        let kind = if planned { "planned" } else { "random" };
+        let common = self.offset_direction.as_ref();
+        let common =
+            common.map_or_else(String::new, |axes| format!("; failing offsets lie towards {axes} of the body"));
+        let most = format!(
+            "most is lost at friction {friction}, where {:.1} % succeed, and there with {kind} offsets of {:.1} mm, \
+             {successes} of {rollouts}{common}",
+            100.0 * self.rate,
+            1e3 * magnitude_m
+        );
+        let [x, y, z] = self.offset_m.map(|component| 1e3 * component);
+        let turn = match norm(&self.turn_rad) {
+            0.0 => String::new(),
+            angle => format!(" and a turn of {angle:.3} rad"),
+        };
+        let force = match self.exceeds_contact_force {
+            true => format!("; pushes with {:.1} N, more than limits.contact_force", self.max_force_n),
+            false => String::new(),
+        };
+        [most, format!("with the offset {x:.1} {y:.1} {z:.1} mm{turn}, the body {}{force}", self.end)]
+    }
+}
