@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use task::{Horizon, Inertia};
+use task::Horizon;
 
 use crate::error::SceneError;
 use crate::keys::key;
@@ -41,11 +41,6 @@ pub fn translational_stiffness(offset_magnitude: f64, mass: f64) -> f64 {
 pub fn rotational_stiffness(translational: f64, mass: f64) -> f64 {
     let bounds = key("impedance", "rotational_stiffness").bounds();
     (mass * (0.5 * translational / mass).sqrt()).clamp(bounds.low, bounds.high)
-}
-
-/// The mass (kg) for which a stiffness is chosen: the mean of an inertia that differs from axis to axis.
-pub fn mean_mass(inertia: &Inertia) -> f64 {
-    inertia.translational().trace() / 3.0
 }
 
 /// A duration (s) in which the controlled body settles and covers a path (m), in steps of a length that is known to be

@@ -26,7 +26,7 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
 /// The controller: as stiff as offsets and mass need it and critically damped, where the scene does not say otherwise.
 pub fn impedance(scene: &Table, inertia: &Inertia, offset_magnitude: f64) -> Result<Impedance, SceneError> {
     let table = &scene.table("impedance")?;
-    let mass = chosen::mean_mass(inertia);
+    let mass = inertia.mean_mass();
     let given = |name: &str| table.find(name).map(|entry| entry.number()).transpose();
     let translational =
         given("translational_stiffness")?.unwrap_or_else(|| chosen::translational_stiffness(offset_magnitude, mass));
@@ -53,7 +53,7 @@ pub fn horizon(
     let time_step = table.find("time_step").map(|entry| entry.number()).transpose()?;
     let way = |start: &StartPose| norm(&[0, 1, 2].map(|axis| start.pose[axis] - goal[axis]));
     let path = starts.iter().map(way).fold(0.0, f64::max);
-    let time_constant = (chosen::mean_mass(inertia) / impedance.translational_stiffness).sqrt();
+    let time_constant = (inertia.mean_mass() / impedance.translational_stiffness).sqrt();
     Ok(chosen::horizon(chosen::duration(path, time_constant), steps, time_step))
 }
 

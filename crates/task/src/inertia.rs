@@ -49,6 +49,11 @@ impl Inertia {
         (self.translational() == Matrix3::from_diagonal_element(mass) && self.is_uncoupled()).then_some(mass)
     }
 
+    /// Mean of the masses (kg) along all axes.
+    pub fn mean_mass(&self) -> f64 {
+        self.translational().trace() / 3.0
+    }
+
     /// The inverse: from force (N, world frame) and torque (Nm, body frame) to accelerations. `None` unless it exists.
     pub fn inverse(&self) -> Option<Matrix6<f64>> {
         if !self.is_uncoupled() {

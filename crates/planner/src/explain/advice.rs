@@ -125,7 +125,7 @@ impl Case<'_> {
     /// More stiffness where the body lags behind a reference that may not be faster, and nothing holds it.
     fn slow_controller(&self) -> Option<String> {
         let plan = self.plan;
-        let (mass, stiffness) = (plan.task.inertia.mass, plan.task.impedance.translational_stiffness);
+        let (mass, stiffness) = (plan.task.inertia.mean_mass(), plan.task.impedance.translational_stiffness);
         let (time, settling) =
             (plan.task.horizon.steps as f64 * plan.task.horizon.time_step, SETTLING * (mass / stiffness).sqrt());
         let free = self.stuck.iter().find(|stuck| stuck.end.held_by.is_empty())?;
