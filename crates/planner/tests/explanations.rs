@@ -186,7 +186,7 @@ fn an_iteration_limit_is_named() {
 
 #[test]
 fn a_plan_that_is_not_robust_names_the_friction_and_an_error_that_fails_in_simulation() {
-    let choices = Choices { success: Success { position: 1.05e-3, ..Success::default() }, ..Choices::default() };
+    let choices = Choices { position_tolerance: Some(1.05e-3), ..Choices::default() };
     let sideways = ("offset_directions = [[0, 0, 0], [0, 0, 1]]", "offset_directions = [[0, 0, 0], [1, 0, 0]]");
     let problem = problem_with(&[sideways], "", &choices);
     let target = RobustnessTarget { frictions: vec![0.0, 0.5], patience: 0, ..RobustnessTarget::default() };
