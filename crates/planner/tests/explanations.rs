@@ -7,7 +7,6 @@ use planner::{
     Choices, Event, GraspErrors, Motion, OffsetSource, Plan, PlanStatus, Problem, RobustnessTarget, Session,
     SimulationRequest, refine, simulate, solve,
 };
-use simulation::Success;
 
 /// A flat box above the middle of a floor; a homotopy that tries nothing else.
 const SCENE: &str = r#"
