@@ -17,6 +17,7 @@ mod ipopt;
 mod keys;
 mod limits;
 mod mesh;
+mod model;
 mod motion_region;
 mod pairs;
 mod parse;

@@ -6,7 +6,8 @@ use toml::Spanned;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::mesh::{GivenMesh, MESH_KEYS};
+use crate::mesh::GivenMesh;
+use crate::model::link_shapes;
 use crate::pose::{isometry, norm, orientation};
 use crate::table::Table;
 
@@ -28,11 +29,20 @@ const FLATTEST: f64 = 1e-6;
 const SHORTEST_NORMAL: f64 = 1e-6;
 
 /// Keys that give a part its shape.
-pub const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
+pub const SHAPES: [&str; 5] = ["vertices", "box", "normals", "mesh", "model"];
+/// Keys that only some shapes have.
+const OWNERS: [(&str, &[&str]); 5] = [
+    ("unit", &["mesh"]),
+    ("link", &["model"]),
+    ("facets", &["mesh", "model"]),
+    ("clearance", &["mesh", "model"]),
+    ("density", &["mesh", "model"]),
+];
 /// Keys that need each other.
 pub const COMPANIONS: [(&str, &str); 2] = [("normals", "offsets"), ("mesh", "unit")];
 
-/// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes.
+/// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes. The shapes
+/// of a link are as many of them, one after the other, with the same name.
 pub struct GivenPart<'text> {
     pub name: String,
     pub shape: Shape<'text>,
@@ -50,22 +60,35 @@ pub enum Shape<'text> {
 pub fn given_parts<'text>(parent: &Table<'text>) -> Result<Vec<GivenPart<'text>>, SceneError> {
     let mut given_parts: Vec<GivenPart> = Vec::new();
     for table in parent.tables("part", "part")? {
-        let given = given_part(&table)?;
-        if given_parts.iter().any(|other| other.name == given.name) {
-            let message = format!("part name `{}` is used twice", given.name);
-            return Err(table.require("name")?.refuse(message));
+        let name = table.require("name")?.name()?;
+        if given_parts.iter().any(|other| other.name == name) {
+            return Err(table.require("name")?.refuse(format!("part name `{name}` is used twice")));
         }
-        given_parts.push(given);
+        let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
+        let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
+        let (entry, shape) = shape(&table, &name)?;
+        let Some(shape) = shape else {
+            let frame = isometry(&position, &orientation);
+            for (mesh, pose) in link_shapes(&table, &name)? {
+                let placement = frame * pose;
+                let turn = placement.rotation.quaternion();
+                let given = GivenPart {
+                    name: name.clone(),
+                    shape: Shape::Mesh(mesh),
+                    position: placement.translation.vector.into(),
+                    orientation: [turn.w, turn.i, turn.j, turn.k],
+                };
+                given_parts.push(checked(given, &entry)?);
+            }
+            continue;
+        };
+        given_parts.push(checked(GivenPart { name, shape, position, orientation }, &entry)?);
     }
     Ok(given_parts)
 }
 
-fn given_part<'text>(table: &Table<'text>) -> Result<GivenPart<'text>, SceneError> {
-    let name = table.require("name")?.name()?;
-    let (place, shape) = shape(table, &name)?;
-    let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
-    let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
-    let given = GivenPart { name, shape, position, orientation };
+/// Refuses a part that is too small or too far away.
+fn checked<'text>(given: GivenPart<'text>, place: &Entry) -> Result<GivenPart<'text>, SceneError> {
     let refuse = |message: String| Err(place.refuse(format!("part `{}`: {message}", given.name)));
     let size = given.size();
     if size < SMALLEST {
@@ -109,26 +132,27 @@ impl GivenPart<'_> {
     }
 }
 
-/// The one shape that a part gives, with its place in the file.
-fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Shape<'text>), SceneError> {
+/// The one shape that a part gives, with its place in the file; none for a link, which has several.
+fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Option<Shape<'text>>), SceneError> {
     if let (Some(offsets), None) = (table.find("offsets"), table.find("normals")) {
         return Err(offsets.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
     }
-    let of_meshes = MESH_KEYS.iter().find_map(|key| table.find(key));
-    if let (Some(entry), None) = (of_meshes, table.find("mesh")) {
-        let name = entry.key().name;
-        let hint = if name == "unit" { "; everything else is in metres" } else { "" };
-        return Err(entry.refuse(format!("`{name}` belongs to `mesh`{hint}")));
+    for (key, owners) in OWNERS {
+        if let (Some(entry), false) = (table.find(key), owners.iter().any(|owner| table.find(owner).is_some())) {
+            let hint = if key == "unit" { "; everything else is in metres" } else { "" };
+            return Err(entry.refuse(format!("`{key}` belongs to `{}`{hint}", owners.join("` or `"))));
+        }
     }
     let mut chosen = SHAPES.into_iter().filter_map(|key| Some((key, table.find(key)?)));
     let (Some((key, entry)), None) = (chosen.next(), chosen.next()) else {
-        let choices = "exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`";
+        let choices = "exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`, `model`";
         return Err(table.refuse(format!("part `{name}` needs {choices}")));
     };
     let shape = match key {
         "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
         "box" => Polytope::from_box(edge_lengths(&entry)?),
-        "mesh" => return Ok((entry, Shape::Mesh(GivenMesh::read(table)?))),
+        "mesh" => return Ok((entry, Some(Shape::Mesh(GivenMesh::read(table)?)))),
+        "model" => return Ok((entry, None)),
         _ => {
             let Some(offsets) = table.find("offsets") else {
                 return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
@@ -137,7 +161,7 @@ fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Shape
         }
     };
     match shape {
-        Ok(shape) => Ok((entry, Shape::Convex(shape))),
+        Ok(shape) => Ok((entry, Some(Shape::Convex(shape)))),
         Err(error) => Err(entry.refuse(format!("part `{name}`: {error}"))),
     }
 }

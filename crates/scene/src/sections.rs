@@ -46,13 +46,13 @@ pub fn inertia(body: &Table, parts: &[GivenPart]) -> Result<Inertia, SceneError>
 
 /// Of a body whose parts are meshes with a density. Its origin must be the centre of mass.
 fn of_density(parts: &[GivenPart]) -> Result<Option<Inertia>, SceneError> {
-    let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.density.is_some())) else {
+    let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.making.density.is_some())) else {
         return Ok(None);
     };
     let (mut mass, mut moment, mut about_origin) = (0.0, Vector3::zeros(), Matrix3::zeros());
     for part in parts {
-        let Some((mesh, density)) = part.mesh().and_then(|mesh| Some((mesh, mesh.density?))) else {
-            return Err(first.refuse(&format!("`density` is given here but not for part `{}`", part.name)));
+        let Some((mesh, density)) = part.mesh().and_then(|mesh| Some((mesh, mesh.making.density?))) else {
+            return Err(first.refuse(format!("`density` is given here but not for part `{}`", part.name)));
         };
         let (properties, placement) = (mesh.solid.mass_properties(), part.placement());
         let own = density * properties.volume;
@@ -68,7 +68,7 @@ fn of_density(parts: &[GivenPart]) -> Result<Option<Inertia>, SceneError> {
     let size = parts.iter().flat_map(GivenPart::points).map(|point| norm(&point)).fold(0.0, f64::max);
     if center.norm() > CENTERED * size {
         let [x, y, z] = (-center).into();
-        return Err(first.refuse(&format!(
+        return Err(first.refuse(format!(
             "the centre of mass must be the body's origin: move its parts by position = [{x:.6}, {y:.6}, {z:.6}], and \
              start and goal accordingly, or leave `density` out"
         )));
