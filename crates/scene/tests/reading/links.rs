@@ -173,7 +173,7 @@ fn what_is_wrong_with_a_model_is_said_where_it_is() {
         (urdf(&collision("gone", "", "<mesh filename='gone.stl'/>")), (2, 19), "part `wall`: shape `gone`: mesh "),
         (
             urdf(&collision("dae", "", "<mesh filename='a.dae'/>")),
-            (2, 20),
+            (2, 19),
             "'dae' is not a known format: use .stl or .obj",
         ),
         ("<robot>\n<link>".to_owned(), (1, 1), "part `wall`: is not well-formed XML"),
@@ -198,7 +198,7 @@ fn what_is_wrong_with_a_model_is_said_where_it_is() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn a_box_of_any_format_is_the_box_of_a_scene(
