@@ -64,31 +64,40 @@ pub fn given_parts<'text>(parent: &Table<'text>) -> Result<Vec<GivenPart<'text>>
         if given_parts.iter().any(|other| other.name == name) {
             return Err(table.require("name")?.refuse(format!("part name `{name}` is used twice")));
         }
+        let entry = shape_entry(&table, &name)?;
         let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
         let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
-        let (entry, shape) = shape(&table, &name)?;
-        let Some(shape) = shape else {
-            let frame = isometry(&position, &orientation);
-            for (mesh, pose) in link_shapes(&table, &name)? {
-                let placement = frame * pose;
-                let turn = placement.rotation.quaternion();
-                let given = GivenPart {
-                    name: name.clone(),
-                    shape: Shape::Mesh(mesh),
-                    position: placement.translation.vector.into(),
-                    orientation: [turn.w, turn.i, turn.j, turn.k],
-                };
-                given_parts.push(checked(given, &entry)?);
-            }
-            continue;
+        let own = match entry.key().name {
+            "model" => of_link(&table, &name, &isometry(&position, &orientation))?,
+            _ => vec![GivenPart { shape: shape(&entry, &table, &name)?, name, position, orientation }],
         };
-        given_parts.push(checked(GivenPart { name, shape, position, orientation }, &entry)?);
+        own.iter().try_for_each(|given| check(given, &entry))?;
+        given_parts.extend(own);
     }
     Ok(given_parts)
 }
 
+/// The shapes of a link whose frame has a pose in the parent's.
+fn of_link<'text>(
+    table: &Table<'text>,
+    name: &str,
+    frame: &Isometry3<f64>,
+) -> Result<Vec<GivenPart<'text>>, SceneError> {
+    let given = |(mesh, pose): (GivenMesh<'text>, Isometry3<f64>)| {
+        let placement = frame * pose;
+        let turn = placement.rotation.quaternion();
+        GivenPart {
+            name: name.to_owned(),
+            shape: Shape::Mesh(mesh),
+            position: placement.translation.vector.into(),
+            orientation: [turn.w, turn.i, turn.j, turn.k],
+        }
+    };
+    Ok(link_shapes(table, name)?.into_iter().map(given).collect())
+}
+
 /// Refuses a part that is too small or too far away.
-fn checked<'text>(given: GivenPart<'text>, place: &Entry) -> Result<GivenPart<'text>, SceneError> {
+fn check(given: &GivenPart, place: &Entry) -> Result<(), SceneError> {
     let refuse = |message: String| Err(place.refuse(format!("part `{}`: {message}", given.name)));
     let size = given.size();
     if size < SMALLEST {
@@ -97,7 +106,7 @@ fn checked<'text>(given: GivenPart<'text>, place: &Entry) -> Result<GivenPart<'t
     if !given.points().iter().flatten().all(|coordinate| (-FARTHEST..=FARTHEST).contains(coordinate)) {
         return refuse(format!("a corner is more than {FARTHEST} m from the origin along an axis"));
     }
-    Ok(given)
+    Ok(())
 }
 
 impl GivenPart<'_> {
@@ -132,8 +141,8 @@ impl GivenPart<'_> {
     }
 }
 
-/// The one shape that a part gives, with its place in the file; none for a link, which has several.
-fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Option<Shape<'text>>), SceneError> {
+/// The one key that gives a part its shape.
+fn shape_entry<'text>(table: &Table<'text>, name: &str) -> Result<Entry<'text>, SceneError> {
     if let (Some(offsets), None) = (table.find("offsets"), table.find("normals")) {
         return Err(offsets.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
     }
@@ -143,27 +152,28 @@ fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Optio
             return Err(entry.refuse(format!("`{key}` belongs to `{}`{hint}", owners.join("` or `"))));
         }
     }
-    let mut chosen = SHAPES.into_iter().filter_map(|key| Some((key, table.find(key)?)));
-    let (Some((key, entry)), None) = (chosen.next(), chosen.next()) else {
+    let mut chosen = SHAPES.into_iter().filter_map(|key| table.find(key));
+    let (Some(entry), None) = (chosen.next(), chosen.next()) else {
         let choices = "exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`, `model`";
         return Err(table.refuse(format!("part `{name}` needs {choices}")));
     };
-    let shape = match key {
+    Ok(entry)
+}
+
+/// The shape that a key gives to a part.
+fn shape<'text>(entry: &Entry<'text>, table: &Table<'text>, name: &str) -> Result<Shape<'text>, SceneError> {
+    let shape = match entry.key().name {
         "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
-        "box" => Polytope::from_box(edge_lengths(&entry)?),
-        "mesh" => return Ok((entry, Some(Shape::Mesh(GivenMesh::read(table)?)))),
-        "model" => return Ok((entry, None)),
+        "box" => Polytope::from_box(edge_lengths(entry)?),
+        "mesh" => return Ok(Shape::Mesh(GivenMesh::read(table)?)),
         _ => {
             let Some(offsets) = table.find("offsets") else {
                 return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
             };
-            Polytope::from_halfspaces(&normals(&entry)?, &offsets.numbers()?)
+            Polytope::from_halfspaces(&normals(entry)?, &offsets.numbers()?)
         }
     };
-    match shape {
-        Ok(shape) => Ok((entry, Some(Shape::Convex(shape)))),
-        Err(error) => Err(entry.refuse(format!("part `{name}`: {error}"))),
-    }
+    shape.map(Shape::Convex).map_err(|error| entry.refuse(format!("part `{name}`: {error}")))
 }
 
 fn edge_lengths(entry: &Entry) -> Result<[f64; 3], SceneError> {

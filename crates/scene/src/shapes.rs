@@ -60,9 +60,7 @@ fn convex(
 ) -> Result<(Vec<Part>, Vec<MeshPart>), SceneError> {
     let (mut parts, mut meshes) = (Vec::new(), Vec::new());
     for group in given_parts.chunk_by(|one, other| one.name == other.name) {
-        let first = parts.len();
-        let mut shapes = Vec::new();
-        let mut own_meshes = Vec::new();
+        let (mut shapes, mut own_meshes) = (Vec::new(), Vec::new());
         for given in group {
             shapes.push(match &given.shape {
                 Shape::Convex(shape) => vec![shape.placed(given.position, given.orientation)],
@@ -73,24 +71,28 @@ fn convex(
                 }
             });
         }
-        let shapes = without_contained(shapes);
-        let mut begin = first;
+        let shapes = without_contained(&shapes);
+        let mut begin = parts.len();
         for (mesh, pieces) in own_meshes.into_iter().zip(&shapes) {
             meshes.push(MeshPart { parts: begin..begin + pieces.len(), ..mesh });
             begin += pieces.len();
         }
-        let pieces: Vec<Polytope> = shapes.into_iter().flatten().collect();
-        let (name, is_alone) = (&group[0].name, pieces.len() == 1);
-        parts.extend((1..).zip(pieces).map(|(number, shape)| {
-            let name = if is_alone { name.clone() } else { format!("{name}.{number}") };
-            Part { name, shape }
-        }));
+        parts.extend(named(&group[0].name, shapes.concat()));
     }
     Ok((parts, meshes))
 }
 
+/// Parts of a name and a number, or of the name alone where there is only one.
+fn named(name: &str, shapes: Vec<Polytope>) -> impl Iterator<Item = Part> {
+    let is_alone = shapes.len() == 1;
+    (1..).zip(shapes).map(move |(number, shape)| {
+        let name = if is_alone { name.to_owned() } else { format!("{name}.{number}") };
+        Part { name, shape }
+    })
+}
+
 /// The pieces of some shapes without those that lie inside of a piece of another shape: they can touch nothing.
-fn without_contained(shapes: Vec<Vec<Polytope>>) -> Vec<Vec<Polytope>> {
+fn without_contained(shapes: &[Vec<Polytope>]) -> Vec<Vec<Polytope>> {
     let is_contained = |index: usize, piece: &Polytope| {
         let others = shapes.iter().enumerate().filter(|(other, _)| *other != index);
         others.flat_map(|(other, pieces)| pieces.iter().map(move |around| (other, around))).any(|(other, around)| {
