@@ -50,5 +50,5 @@ pub use range::Range;
 pub use resolved::resolved;
 pub use scene::{Scene, StartPose};
 pub use schema::{homotopy_schema, scene_schema};
-pub use starter::{Axis, MeshPair, starter_scene};
+pub use starter::{Axis, FilePair, starter_scene};
 pub use task_error::TaskError;

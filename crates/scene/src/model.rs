@@ -6,7 +6,7 @@ use std::sync::Arc;
 use collision::{Pair, Polytope};
 use link::{Geometry, Link, LinkShape, Model, ModelError};
 use mesh::{Solid, TriangleMesh};
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, Point3};
 
 use crate::error::{SceneError, Source};
 use crate::file::read_text;
@@ -53,24 +53,51 @@ pub fn link_shapes<'text>(
     Ok(shapes)
 }
 
+/// Points (m) in whose convex hull the only link of a model lies that has collision shapes.
+///
+/// # Errors
+/// When the model cannot be read, has several such links, or a shape is not supported.
+pub fn points_of_only_link(file: &Path) -> Result<Vec<[f64; 3]>, SceneError> {
+    let text = read_text(file, "model")?;
+    let source = Source { file, text: &text };
+    let in_model = |error: ModelError| source.error(error.span(), error.to_string());
+    let model = Model::parse(file, &text).map_err(in_model)?;
+    let links = model.links().map_err(in_model)?;
+    let link = only(&links, file).map_err(|message| SceneError::about(file, message))?;
+    let mut points = Vec::new();
+    for shape in link.shapes().map_err(in_model)? {
+        let solid = solid(&shape).map_err(|error| source.error(shape.span.clone(), error))?;
+        let corners = corners_of(&solid.bounding_box());
+        points.extend(corners.map(|corner| <[f64; 3]>::from((shape.pose * Point3::from(corner)).coords)));
+    }
+    Ok(points)
+}
+
+/// The only link.
+fn only<'links, 'model>(links: &'links [Link<'model>], file: &Path) -> Result<&'links Link<'model>, String> {
+    let file = file.display();
+    match links {
+        [only] => Ok(only),
+        [] => Err(format!("model {file} has no link with collision shapes")),
+        _ => {
+            let names: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
+            Err(format!("model {file} has several links; choose one with `link`: {}", listed(&names)))
+        }
+    }
+}
+
 /// The link that a part names, or the only one.
 fn chosen<'links, 'model>(
     links: &'links [Link<'model>],
     table: &Table,
     file: &Path,
 ) -> Result<&'links Link<'model>, SceneError> {
+    let Some(entry) = table.find("link") else {
+        let place = table.require("model")?;
+        return only(links, file).map_err(|message| place.refuse(message));
+    };
     let names: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
     let file = file.display();
-    let Some(entry) = table.find("link") else {
-        return match links {
-            [only] => Ok(only),
-            [] => Err(table.require("model")?.refuse(format!("model {file} has no link with collision shapes"))),
-            _ => {
-                let message = format!("model {file} has several links; choose one with `link`: {}", listed(&names));
-                Err(table.require("model")?.refuse(message))
-            }
-        };
-    };
     let name = entry.name()?;
     let named: Vec<&Link> = links.iter().filter(|link| link.name == name).collect();
     match named[..] {
@@ -100,8 +127,7 @@ fn solid(shape: &LinkShape) -> Result<Solid, String> {
 /// Refuses shapes whose boxes overlap: their material would be counted twice.
 fn refuse_overlaps(shapes: &[(GivenMesh, Isometry3<f64>)]) -> Result<(), SceneError> {
     let bounds = |(given, pose): &(GivenMesh, Isometry3<f64>)| {
-        let corners =
-            corners_of(&given.solid.bounding_box()).map(|corner| (pose * nalgebra::Point3::from(corner)).into());
+        let corners = corners_of(&given.solid.bounding_box()).map(|corner| (pose * Point3::from(corner)).into());
         Polytope::from_vertices(&corners).map_err(|error| given.refuse(error))
     };
     let bounds: Vec<Polytope> = shapes.iter().map(bounds).collect::<Result<_, _>>()?;
