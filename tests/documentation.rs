@@ -45,10 +45,18 @@ fn sandbox() -> tempfile::TempDir {
     write("my_homotopy.toml", &page("docs/homotopy.md").blocks_of("toml")[0]);
     write("housing.stl", TETRAHEDRON);
     write("socket.stl", TETRAHEDRON);
+    fs::create_dir(folder.path().join("SC_Plug")).unwrap();
+    write("SC_Plug/model.sdf", PLUG);
     let run = run(folder.path(), &["solve", "scenes/corner.toml", "--out", "out/corner"]);
     assert!(run.status.success(), "{}", text(&run.stderr));
     folder
 }
+
+const PLUG: &str = "\
+<sdf version='1.9'><model name='SC Plug'><link name='sc_plug_link'><collision name='housing'>
+<geometry><box><size>0.014 0.007 0.007</size></box></geometry>
+</collision></link></model></sdf>
+";
 
 const TETRAHEDRON: &str = "\
 solid housing

@@ -312,6 +312,32 @@ fn a_part_from_cad_is_planned_with_nothing_but_its_unit() {
 }
 
 #[test]
+fn links_of_models_are_planned_like_other_parts() {
+    let dir = Dir::new();
+    let collision = |name: &str, x: f64, z: f64, size: &str| {
+        format!(
+            "<collision name='{name}'><pose>{x} 0 {z} 0 0 0</pose><geometry><box><size>{size}</size></box></geometry></collision>"
+        )
+    };
+    // The same floor with a step as boxes.
+    let boxes = collision("floor", 0.1, -0.025, "0.3 0.2 0.05") + &collision("wall", -0.025, 0.1, "0.05 0.2 0.2");
+    dir.write(
+        "corner.sdf",
+        format!("<sdf version='1.9'><model name='m'><link name='corner'>{boxes}</link></model></sdf>"),
+    );
+    let scene = dir.read("corner.toml");
+    let (head, rest) = scene.split_once("[[environment.part]]").unwrap();
+    let tail = rest.split_once("[[start]]").unwrap().1;
+    let part = "[[environment.part]]\nname = \"corner\"\nmodel = \"corner.sdf\"\n\n[[start]]";
+    dir.write("model.toml", format!("{head}{part}{tail}"));
+    let check = dir.run("check model.toml").code(0).says("link of `corner`: corner.sdf").keeps_silent_about("no way");
+    check.says("corner.1               floor, up to 0.0000 mm from it").says("corner.2               wall");
+    dir.run("solve model.toml --out out").code(0).says("done");
+    let pairs: Vec<String> = dir.table("out/contacts.csv").rows.iter().map(|row| row[2].clone()).collect();
+    assert!(pairs.contains(&"box/corner.1".to_owned()) && pairs.contains(&"box/corner.2".to_owned()));
+}
+
+#[test]
 fn check_explains_the_largest_scene_in_a_moment() {
     let dir = Dir::new();
     let directions = vec!["[1.0, 0.0, 0.0]"; 1000].join(", ");

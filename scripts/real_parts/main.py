@@ -1,4 +1,4 @@
-"""Plans pairs of meshes with `solve --robust`, plays the plans in MuJoCo and writes docs/real-parts.md."""
+"""Plans pairs of parts with `solve --robust`, plays the plans in MuJoCo and writes docs/real-parts.md."""
 
 import argparse
 import csv
@@ -14,13 +14,11 @@ title = "{name}"
 
 [[body.part]]
 name = "body"
-mesh = "{body}"
-unit = "{unit}"
+{body}
 
 [[environment.part]]
 name = "socket"
-mesh = "{environment}"
-unit = "{unit}"
+{environment}
 
 [[start]]
 name = "1"
@@ -46,17 +44,20 @@ time_step = 0.03
 PAGE = """\
 # Real parts
 
-Pairs of meshes from public repositories (`scripts/real_parts/manifest.toml`), planned by `solve --robust` with nothing
+Pairs of parts from public repositories (`scripts/real_parts/manifest.toml`), planned by `solve --robust` with nothing
 but the two files, their unit, start, goal and offsets, for a body of 1 kg held with 400 N/m and 20 Nm/rad, and played in
-MuJoCo by `scripts/validate_mujoco`: 81 motions at each friction, offsets as in [robustness.md](robustness.md).
-`scripts/real-parts FOLDER` repeats all of it and writes this page. Seconds are those of `solve --robust --jobs {jobs}`
-on a shared machine: of the optimal control problem alone, and with everything.
+MuJoCo by `scripts/validate_mujoco`: 81 motions at each friction, offsets as in [robustness.md](robustness.md). Pairs in
+italics are not real: `generate` wrote their scenes. `scripts/real-parts FOLDER` repeats all of it and writes this page.
+Seconds are those of `solve --robust --jobs {jobs} --time-limit {time_limit}` on a machine that others used at the same
+time, so that they are upper bounds: of the optimal control problem alone, and with everything.
 
 | part | pairs | facets, body + most of a piece | round fit: gap, lost | plan, s | robust, s | own rollouts, % | MuJoCo, friction 0 | 0.1 | 0.3 | straight push 0, 0.1, 0.3 |
 |---|---|---|---|---|---|---|---|---|---|---|
 {rows}
 
 Refinement knows frictions of 0 and 0.1, its defaults; 0.3 was not asked for.
+
+{notes}
 """
 
 
@@ -72,18 +73,27 @@ def directions(axis: str) -> list[list[float]]:
     return result
 
 
-def run(arguments: argparse.Namespace, pair: dict, out: pathlib.Path) -> None:
-    """Plans and plays a pair, unless that is done."""
-    target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", arguments.root / "target"))
-    program = target / "release/assembly-plan"
-    out.mkdir(parents=True, exist_ok=True)
-    scene = out / "scene.toml"
+def part(keys: dict, folders: list[pathlib.Path]) -> str:
+    """The lines of a part with these keys. Its file is in one of the folders."""
+    lines = []
+    for key, value in keys.items():
+        if key in ("mesh", "model"):
+            value = str(next(folder / value for folder in folders if (folder / value).exists()))
+        lines.append(f"{key} = {json.dumps(value)}")
+    return "\n".join(lines)
+
+
+def write_scene(arguments: argparse.Namespace, program: pathlib.Path, pair: dict, scene: pathlib.Path) -> None:
+    """Writes the scene of a pair, which is generated or has two files."""
+    if "generate" in pair:
+        subprocess.run([program, "generate", *pair["generate"], "--out", scene, "--force"], check=True)
+        return
+    folders = [arguments.folder, arguments.root / "scripts/real_parts"]
     scene.write_text(
         SCENE.format(
             name=pair["name"],
-            body=arguments.folder / pair["body"],
-            environment=arguments.folder / pair["environment"],
-            unit=pair["unit"],
+            body=part(pair["body"], folders),
+            environment=part(pair["environment"], folders),
             start_position=pair["start"][:3],
             start_orientation=pair["start"][3:],
             goal_position=pair["goal"][:3],
@@ -92,12 +102,23 @@ def run(arguments: argparse.Namespace, pair: dict, out: pathlib.Path) -> None:
             directions=directions(pair["axis"]),
         )
     )
+
+
+def run(arguments: argparse.Namespace, pair: dict, out: pathlib.Path) -> None:
+    """Plans and plays a pair, unless that is done."""
+    target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", arguments.root / "target"))
+    program = target / "release/assembly-plan"
+    out.mkdir(parents=True, exist_ok=True)
+    scene = out / "scene.toml"
+    write_scene(arguments, program, pair, scene)
     if not (out / "check.json").exists():
         check = subprocess.run([program, "check", scene, "--json"], check=True, capture_output=True, text=True)
         (out / "check.json").write_text(check.stdout)
     plan = out / "plan"
     if not (plan / "result.json").exists():
-        subprocess.run([program, "solve", scene, "--robust", "--jobs", str(arguments.jobs), "--out", plan], check=False)
+        options = ["--jobs", str(arguments.jobs), "--time-limit", str(arguments.time_limit)]
+        options += ["--turn", str(pair["turn"])] if "turn" in pair else []
+        subprocess.run([program, "solve", scene, "--robust", *options, "--out", plan], check=False)
     if not (out / "mujoco.csv").exists():
         unfinished = out / "mujoco.unfinished.csv"
         options = ["--seed", "7", "--jobs", str(arguments.jobs), "--friction", ",".join(FRICTIONS), "--csv", unfinished]
@@ -120,7 +141,7 @@ def row(pair: dict, out: pathlib.Path) -> str:
     fit = check["fit"]
     most = [max(part["facets"] for part in check[parent]) for parent in ("body", "environment")]
     cells = [
-        pair["name"],
+        f"*{pair['name']}*" if "generate" in pair else pair["name"],
         str(check["pairs"]),
         f"{most[0]} + {most[1]}",
         f"{1e3 * fit['gap_m']:.3f} mm, {100 * fit['lost_m'] / fit['gap_m']:.1f} %" if fit else "-",
@@ -139,6 +160,7 @@ def main() -> None:
     parser.add_argument("folder", type=pathlib.Path, help="folder with the meshes of the manifest")
     parser.add_argument("--root", type=pathlib.Path, help=argparse.SUPPRESS)
     parser.add_argument("--jobs", type=int, default=2, help="threads of each solve, processes of MuJoCo [default: 2]")
+    parser.add_argument("--time-limit", type=int, default=900, help="of each solve (s) [default: 900]")
     arguments = parser.parse_args()
     arguments.folder = arguments.folder.resolve()
     manifest = tomllib.loads((arguments.root / "scripts/real_parts/manifest.toml").read_text())
@@ -148,7 +170,9 @@ def main() -> None:
         run(arguments, pair, out)
         lines.append(row(pair, out))
     page = arguments.root / "docs/real-parts.md"
-    page.write_text(PAGE.format(jobs=arguments.jobs, rows="\n".join(lines)))
+    settings = {"jobs": arguments.jobs, "time_limit": arguments.time_limit}
+    notes = "\n".join(f"- {pair['name']}: {pair['note']}" for pair in manifest["pair"] if "note" in pair)
+    page.write_text(PAGE.format(rows="\n".join(lines), notes=notes, **settings))
     print(f"written to {page}")
 
 

@@ -209,13 +209,14 @@ pub struct CheckArguments {
 pub struct NewArguments {
     /// Scene file to write; paths in it are relative to its folder
     pub file: PathBuf,
-    /// STL mesh of the body, in the pose that it shall reach [default: a square shaft and its hole]
-    #[arg(long, value_name = "MESH", requires_all = ["environment", "unit"])]
+    /// STL or OBJ mesh, or SDF, URDF or MJCF model of the body, in the pose that it shall reach [default: a square shaft
+    /// and its hole]
+    #[arg(long, value_name = "FILE", requires = "environment")]
     pub body: Option<PathBuf>,
-    /// STL mesh of the environment, in the same frame
-    #[arg(long, value_name = "MESH", requires_all = ["body", "unit"])]
+    /// Mesh or model of the environment, in the same frame
+    #[arg(long, value_name = "FILE", requires = "body")]
     pub environment: Option<PathBuf>,
-    /// Unit of both meshes: m, cm, mm or inch
+    /// Unit of meshes, which need one: m, cm, mm or inch
     #[arg(long, value_name = "UNIT", requires_all = ["body", "environment"])]
     pub unit: Option<String>,
     /// Direction in which the body is taken out: x, y, z, -x, -y or -z

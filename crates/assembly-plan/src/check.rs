@@ -64,7 +64,12 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
             );
         }
     }
-    explanation.meshes.iter().for_each(print_mesh);
+    for meshes in explanation.meshes.chunk_by(|one, other| one.name == other.name) {
+        match meshes {
+            [mesh] if mesh.shape.is_none() => print_mesh(mesh),
+            shapes => print_link(shapes),
+        }
+    }
     if let Some(fit) = explanation.fit {
         say!(
             "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %)",
@@ -146,6 +151,27 @@ fn print_mesh(mesh: &MeshReport) {
         1e9 * deviation.outside_m3,
         1e9 * deviation.volume_error_m3
     );
+}
+
+/// The shapes of a link, and the convex parts that stand for them.
+fn print_link(shapes: &[MeshReport]) {
+    let MeshReport { name, file, .. } = &shapes[0];
+    say!("\nlink of `{name}`: {file}");
+    let is_alone = shapes.iter().map(|shape| shape.pieces).sum::<usize>() == 1;
+    let mut first = 1;
+    for shape in shapes {
+        let last = first + shape.pieces - 1;
+        let parts = match shape.pieces {
+            0 => "(inside of others)".to_owned(),
+            1 if is_alone => name.clone(),
+            1 => format!("{name}.{first}"),
+            _ => format!("{name}.{first} to {last}"),
+        };
+        let distance = 1e3 * shape.deviation.parts_to_mesh_m;
+        say!("  {parts:<22} {}, up to {distance:.4} mm from it", shape.shape.as_deref().unwrap_or_default());
+        shape.repairs.iter().for_each(|repair| say!("    repaired: {repair}"));
+        first += shape.pieces;
+    }
 }
 
 fn print_insertion(explanation: &Explanation) {

@@ -81,7 +81,7 @@ fn describe(mesh: &TriangleMesh, solid: &Solid) {
     solid.repairs().iter().for_each(|repair| println!("repair: {repair}"));
     for surface in solid.curved_surfaces() {
         println!(
-            "{:?} {} r {:.4?} mm, {:.0} deg, {} facets, error {:.2} um, axis {:.4?} mm",
+            "{:?} {} r {:.7?} mm, {:.0} deg, {} facets, error {:.2} um, axis {:.4?} mm",
             surface.kind,
             if surface.is_convex { "convex" } else { "concave" },
             surface.radii.map(|radius| 1e3 * radius),

@@ -46,6 +46,7 @@ mod merge;
 mod partition;
 mod planes;
 mod precision;
+mod primitives;
 mod read;
 mod repair;
 mod set_cover;

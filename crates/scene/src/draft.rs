@@ -41,6 +41,8 @@ pub enum DraftShape {
     Vertices(Vec<[f64; 3]>),
     /// A file, relative to the scene, and its unit.
     Mesh(String, &'static str),
+    /// A file of a link, relative to the scene.
+    Model(String),
 }
 
 /// What stands above all scenes.
@@ -73,7 +75,7 @@ impl Draft {
         entry(text, "body", "mass", &number(MASS), "0.5 to 20");
         entry(text, "body", "inertia", "[0.1, 0.1, 0.1]", "0.01 to 1");
         *text += "\n# The convex parts of the body, in its frame, whose origin is the centre of mass. Each has one shape: `box` (edge\n\
-                  # lengths), `vertices` (corners), or `mesh` with `unit`; `position` and `orientation` place it.\n";
+                  # lengths), `vertices` (corners), `mesh` with `unit`, or `model`; `position` and `orientation` place it.\n";
         self.body.iter().for_each(|part| part.write("body", text));
         *text += "# The convex parts of what does not move, in the world frame.\n";
         self.environment.iter().for_each(|part| part.write("environment", text));
@@ -137,6 +139,7 @@ impl DraftPart {
                 let vertices: Vec<String> = vertices.iter().map(|vertex| numbers(vertex)).collect();
                 format!("vertices = [{}]\n", vertices.join(", "))
             }
+            DraftShape::Model(file) => format!("model = {}\n", Value::from(file.as_str())),
             DraftShape::Mesh(file, unit) => format!("mesh = {}\nunit = \"{unit}\"\n", Value::from(file.as_str())),
         };
         if let Some(position) = &self.position {

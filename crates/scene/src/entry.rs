@@ -1,6 +1,7 @@
 //! Values of a TOML file with their places, read as their declared keys want them.
 
 use std::ops::Range as Span;
+use std::path::PathBuf;
 
 use toml::Spanned;
 use toml::de::{DeString, DeValue};
@@ -170,6 +171,16 @@ impl<'text> Entry<'text> {
     /// A text.
     pub fn text(&self) -> Result<&'text str, SceneError> {
         self.text_of(self.value)
+    }
+
+    /// The path of a file, whose name is relative to the one that names it.
+    pub fn file(&self) -> Result<PathBuf, SceneError> {
+        let name = self.text()?;
+        if name.is_empty() {
+            return Err(self.refuse(format!("{} is empty", self.path)));
+        }
+        let scene = self.source.file;
+        Ok(scene.parent().unwrap_or(scene).join(name))
     }
 
     /// A text in one line that is neither empty nor too long.

@@ -66,13 +66,13 @@ struct Material {
 impl Material {
     /// Of a body whose parts are meshes with a density, if any of them has one.
     fn of(parts: &[GivenPart]) -> Result<Option<Self>, SceneError> {
-        let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.density.is_some())) else {
+        let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.making.density.is_some())) else {
             return Ok(None);
         };
         let (mut mass, mut moment, mut rotational) = (0.0, Vector3::zeros(), Matrix3::zeros());
         for part in parts {
-            let Some((mesh, density)) = part.mesh().and_then(|mesh| Some((mesh, mesh.density?))) else {
-                return Err(first.refuse(&format!("`density` is given here but not for part `{}`", part.name)));
+            let Some((mesh, density)) = part.mesh().and_then(|mesh| Some((mesh, mesh.making.density?))) else {
+                return Err(first.refuse(format!("`density` is given here but not for part `{}`", part.name)));
             };
             let (properties, placement) = (mesh.solid.mass_properties(), part.placement());
             let own = density * properties.volume;

@@ -1,8 +1,8 @@
-//! Parts whose shape is a triangle mesh: convex parts that cover it.
+//! Parts whose shape is a triangle mesh or one of a link: convex parts that cover it.
 
 use std::fmt::Display;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use collision::Polytope;
@@ -13,11 +13,8 @@ use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::keys::UNITS;
 use crate::motion_region::MotionRegion;
-use crate::part::{Part, corners_of};
+use crate::part::corners_of;
 use crate::table::Table;
-
-/// Keys that only a mesh has.
-pub const MESH_KEYS: [&str; 4] = ["unit", "facets", "clearance", "density"];
 
 /// The units of lengths (m), in the order of their names.
 pub const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
@@ -26,13 +23,16 @@ const _: () = assert!(SCALES.len() == UNITS.len());
 /// Share of the error of curved surfaces by which pieces may grow so that they have fewer facets.
 const COARSENING: f64 = 0.5;
 
-/// A part whose shape is a mesh, and the convex parts that stand for it.
+/// A part whose shape is a mesh or one of a link's, and the convex parts that stand for it.
 #[derive(Debug, Clone)]
 pub struct MeshPart {
-    /// Name in the scene. The convex parts are called `name.1`, `name.2` and so on; one alone has the name itself.
+    /// Name in the scene. The convex parts are called `name.1`, `name.2` and so on; one alone has the name itself. All
+    /// shapes of a link have the same name, and their convex parts go on counting.
     pub name: String,
-    /// The mesh file.
+    /// The file of the mesh or link.
     pub file: PathBuf,
+    /// Name of the shape among those of its link; none for a mesh.
+    pub shape: Option<String>,
     /// Its surface, in the part's own frame (m).
     pub solid: Arc<Solid>,
     /// The convex pieces that cover it, likewise.
@@ -41,43 +41,54 @@ pub struct MeshPart {
     pub settings: CoverSettings,
     /// From its own frame to its parent's.
     pub placement: Isometry3<f64>,
-    /// Indices of its convex parts among those of its parent.
+    /// Indices of its convex parts among those of its parent; none where other shapes of its link contain it.
     pub parts: Range<usize>,
 }
 
-/// A mesh as the scene gives it.
+/// A mesh or a shape of a link as the scene gives it.
 pub struct GivenMesh<'text> {
     /// Place of the file's name.
-    entry: Entry<'text>,
-    file: PathBuf,
+    pub entry: Entry<'text>,
+    pub file: PathBuf,
+    /// Name of a link's shape.
+    pub shape: Option<String>,
     pub solid: Arc<Solid>,
+    pub making: Making,
+}
+
+/// What the scene says of how a mesh becomes convex parts, and of its material.
+#[derive(Debug, Clone, Copy)]
+pub struct Making {
     pub facets: Option<usize>,
+    /// m
     pub clearance: f64,
     /// kg/m^3
     pub density: Option<f64>,
+}
+
+impl Making {
+    /// Reads it from the table of a part.
+    pub fn read(table: &Table) -> Result<Self, SceneError> {
+        let facets = table.find("facets").map(|facets| facets.integer()).transpose()?;
+        let clearance = table.find("clearance").map_or(Ok(0.0), |clearance| clearance.length())?;
+        let density = table.find("density").map(|density| density.number()).transpose()?;
+        Ok(Self { facets: facets.map(|facets| facets as usize), clearance, density })
+    }
 }
 
 impl<'text> GivenMesh<'text> {
     /// Reads the keys of a mesh and its file, whose name is relative to the scene.
     pub fn read(table: &Table<'text>) -> Result<Self, SceneError> {
         let entry = table.require("mesh")?;
-        let name = entry.text()?;
-        if name.is_empty() {
-            return Err(entry.refuse(format!("{} is empty", entry.path())));
-        }
+        let file = entry.file()?;
         let Some(unit) = table.find("unit") else {
             return Err(entry.refuse(format!("a mesh needs its `unit`: one of \"{}\"", UNITS.join("\", \""))));
         };
         let scale = SCALES[unit.choice()?];
-        let facets = table.find("facets").map(|facets| facets.integer()).transpose()?;
-        let clearance = table.find("clearance").map_or(Ok(0.0), |clearance| clearance.length())?;
-        let density = table.find("density").map(|density| density.number()).transpose()?;
-        let scene = entry.source().file;
-        let file = scene.parent().unwrap_or(scene).join(name);
+        let making = Making::read(table)?;
         let solid = TriangleMesh::read(&file, scale).and_then(|mesh| Solid::of(&mesh));
-        let solid = Arc::new(solid.map_err(|error| refused(&entry, &file, error))?);
-        let facets = facets.map(|facets| facets as usize);
-        Ok(Self { entry, file, solid, facets, clearance, density })
+        let solid = Arc::new(solid.map_err(|error| entry.refuse(format!("mesh {}: {error}", file.display())))?);
+        Ok(Self { entry, file, shape: None, solid, making })
     }
 
     /// Corners of its bounding box (m).
@@ -92,8 +103,12 @@ impl<'text> GivenMesh<'text> {
     }
 
     /// An error about the mesh.
-    pub fn refuse(&self, message: &str) -> SceneError {
-        refused(&self.entry, &self.file, message)
+    pub fn refuse(&self, problem: impl Display) -> SceneError {
+        let file = self.file.display();
+        self.entry.refuse(match &self.shape {
+            None => format!("mesh {file}: {problem}"),
+            Some(shape) => format!("model {file}, shape `{shape}`: {problem}"),
+        })
     }
 
     /// The convex parts that stand for the mesh: curved surfaces with `facets` per full turn unless the scene says how
@@ -104,14 +119,14 @@ impl<'text> GivenMesh<'text> {
         placement: &Isometry3<f64>,
         facets: usize,
         region: Option<&MotionRegion>,
-    ) -> Result<(MeshPart, Vec<Part>), SceneError> {
-        let facets = self.facets.unwrap_or(facets);
+    ) -> Result<(MeshPart, Vec<Polytope>), SceneError> {
+        let facets = self.making.facets.unwrap_or(facets);
         let errors = self.solid.curved_surfaces().into_iter().map(|surface| surface.error(facets));
         let settings = CoverSettings {
             facets,
             tolerance: COARSENING * errors.reduce(f64::min).unwrap_or(0.0),
             crop: region.map(|region| in_frame(&region.extent, placement)),
-            clearance: self.clearance,
+            clearance: self.making.clearance,
         };
         let places = region.iter().flat_map(|region| region.places.iter().flatten());
         let places: Vec<Place> = places.map(|place| place_in_frame(place, placement)).collect();
@@ -122,32 +137,27 @@ impl<'text> GivenMesh<'text> {
             }
             cover => cover,
         };
-        let cover = cover.map_err(|error| refused(&self.entry, &self.file, error))?;
-        let count = cover.pieces().len();
-        let part = |(number, piece): (usize, &mesh::Piece)| {
+        let cover = cover.map_err(|error| self.refuse(error))?;
+        let rotation = placement.rotation.quaternion();
+        let orientation = [rotation.w, rotation.i, rotation.j, rotation.k];
+        let piece = |(number, piece): (usize, &mesh::Piece)| {
             let shape = Polytope::from_halfspaces(&piece.normals, &piece.offsets)
-                .map_err(|error| self.refuse(&format!("piece {number}: {error}")))?;
-            let name = if count == 1 { name.to_owned() } else { format!("{name}.{number}") };
-            let rotation = placement.rotation.quaternion();
-            let orientation = [rotation.w, rotation.i, rotation.j, rotation.k];
-            Ok(Part { name, shape: shape.placed(placement.translation.vector.into(), orientation) })
+                .map_err(|error| self.refuse(format!("piece {number}: {error}")))?;
+            Ok(shape.placed(placement.translation.vector.into(), orientation))
         };
-        let parts: Vec<Part> = (1..).zip(cover.pieces()).map(part).collect::<Result<_, SceneError>>()?;
+        let pieces: Vec<Polytope> = (1..).zip(cover.pieces()).map(piece).collect::<Result<_, SceneError>>()?;
         let mesh = MeshPart {
             name: name.to_owned(),
             file: self.file.clone(),
+            shape: self.shape.clone(),
             solid: Arc::clone(&self.solid),
             cover: Arc::new(cover),
             settings,
             placement: *placement,
-            parts: 0..count,
+            parts: 0..pieces.len(),
         };
-        Ok((mesh, parts))
+        Ok((mesh, pieces))
     }
-}
-
-fn refused(entry: &Entry, file: &Path, problem: impl Display) -> SceneError {
-    entry.refuse(format!("mesh {}: {problem}", file.display()))
 }
 
 /// The smallest box along the axes of a frame that holds a box of its parent.

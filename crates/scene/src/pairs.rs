@@ -71,10 +71,12 @@ pub fn pairs(
 }
 
 impl Side<'_> {
-    /// Indices of the part of a name, or of all parts of a mesh of that name.
+    /// Indices of the part of a name, or of all parts of a mesh or link of that name.
     fn named(&self, name: &str, refuse: impl Fn(String) -> SceneError) -> Result<Vec<usize>, SceneError> {
-        if let Some(mesh) = self.meshes.iter().find(|mesh| mesh.name == name) {
-            return Ok(mesh.parts.clone().collect());
+        let of_meshes: Vec<usize> =
+            self.meshes.iter().filter(|mesh| mesh.name == name).flat_map(|mesh| mesh.parts.clone()).collect();
+        if !of_meshes.is_empty() {
+            return Ok(of_meshes);
         }
         let index = self.parts.iter().position(|part| part.name == name);
         index.map(|index| vec![index]).ok_or_else(|| {

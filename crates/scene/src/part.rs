@@ -6,7 +6,8 @@ use toml::Spanned;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::mesh::{GivenMesh, MESH_KEYS};
+use crate::mesh::GivenMesh;
+use crate::model::link_shapes;
 use crate::pose::{isometry, norm, orientation};
 use crate::table::Table;
 
@@ -28,11 +29,20 @@ const FLATTEST: f64 = 1e-6;
 const SHORTEST_NORMAL: f64 = 1e-6;
 
 /// Keys that give a part its shape.
-pub const SHAPES: [&str; 4] = ["vertices", "box", "normals", "mesh"];
+pub const SHAPES: [&str; 5] = ["vertices", "box", "normals", "mesh", "model"];
+/// Keys that only some shapes have.
+const OWNERS: [(&str, &[&str]); 5] = [
+    ("unit", &["mesh"]),
+    ("link", &["model"]),
+    ("facets", &["mesh", "model"]),
+    ("clearance", &["mesh", "model"]),
+    ("density", &["mesh", "model"]),
+];
 /// Keys that need each other.
 pub const COMPANIONS: [(&str, &str); 2] = [("normals", "offsets"), ("mesh", "unit")];
 
-/// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes.
+/// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes. The shapes
+/// of a link are as many of them, one after the other, with the same name.
 pub struct GivenPart<'text> {
     pub name: String,
     pub shape: Shape<'text>,
@@ -50,22 +60,44 @@ pub enum Shape<'text> {
 pub fn given_parts<'text>(parent: &Table<'text>) -> Result<Vec<GivenPart<'text>>, SceneError> {
     let mut given_parts: Vec<GivenPart> = Vec::new();
     for table in parent.tables("part", "part")? {
-        let given = given_part(&table)?;
-        if given_parts.iter().any(|other| other.name == given.name) {
-            let message = format!("part name `{}` is used twice", given.name);
-            return Err(table.require("name")?.refuse(message));
+        let name = table.require("name")?.name()?;
+        if given_parts.iter().any(|other| other.name == name) {
+            return Err(table.require("name")?.refuse(format!("part name `{name}` is used twice")));
         }
-        given_parts.push(given);
+        let entry = shape_entry(&table, &name)?;
+        let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
+        let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
+        let own = match entry.key().name {
+            "model" => of_link(&table, &name, &isometry(&position, &orientation))?,
+            _ => vec![GivenPart { shape: shape(&entry, &table, &name)?, name, position, orientation }],
+        };
+        own.iter().try_for_each(|given| check(given, &entry))?;
+        given_parts.extend(own);
     }
     Ok(given_parts)
 }
 
-fn given_part<'text>(table: &Table<'text>) -> Result<GivenPart<'text>, SceneError> {
-    let name = table.require("name")?.name()?;
-    let (place, shape) = shape(table, &name)?;
-    let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
-    let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
-    let given = GivenPart { name, shape, position, orientation };
+/// The shapes of a link whose frame has a pose in the parent's.
+fn of_link<'text>(
+    table: &Table<'text>,
+    name: &str,
+    frame: &Isometry3<f64>,
+) -> Result<Vec<GivenPart<'text>>, SceneError> {
+    let given = |(mesh, pose): (GivenMesh<'text>, Isometry3<f64>)| {
+        let placement = frame * pose;
+        let turn = placement.rotation.quaternion();
+        GivenPart {
+            name: name.to_owned(),
+            shape: Shape::Mesh(mesh),
+            position: placement.translation.vector.into(),
+            orientation: [turn.w, turn.i, turn.j, turn.k],
+        }
+    };
+    Ok(link_shapes(table, name)?.into_iter().map(given).collect())
+}
+
+/// Refuses a part that is too small or too far away.
+fn check(given: &GivenPart, place: &Entry) -> Result<(), SceneError> {
     let refuse = |message: String| Err(place.refuse(format!("part `{}`: {message}", given.name)));
     let size = given.size();
     if size < SMALLEST {
@@ -74,7 +106,7 @@ fn given_part<'text>(table: &Table<'text>) -> Result<GivenPart<'text>, SceneErro
     if !given.points().iter().flatten().all(|coordinate| (-FARTHEST..=FARTHEST).contains(coordinate)) {
         return refuse(format!("a corner is more than {FARTHEST} m from the origin along an axis"));
     }
-    Ok(given)
+    Ok(())
 }
 
 impl GivenPart<'_> {
@@ -109,37 +141,39 @@ impl GivenPart<'_> {
     }
 }
 
-/// The one shape that a part gives, with its place in the file.
-fn shape<'text>(table: &Table<'text>, name: &str) -> Result<(Entry<'text>, Shape<'text>), SceneError> {
+/// The one key that gives a part its shape.
+fn shape_entry<'text>(table: &Table<'text>, name: &str) -> Result<Entry<'text>, SceneError> {
     if let (Some(offsets), None) = (table.find("offsets"), table.find("normals")) {
         return Err(offsets.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
     }
-    let of_meshes = MESH_KEYS.iter().find_map(|key| table.find(key));
-    if let (Some(entry), None) = (of_meshes, table.find("mesh")) {
-        let name = entry.key().name;
-        let hint = if name == "unit" { "; everything else is in metres" } else { "" };
-        return Err(entry.refuse(format!("`{name}` belongs to `mesh`{hint}")));
+    for (key, owners) in OWNERS {
+        if let (Some(entry), false) = (table.find(key), owners.iter().any(|owner| table.find(owner).is_some())) {
+            let hint = if key == "unit" { "; everything else is in metres" } else { "" };
+            return Err(entry.refuse(format!("`{key}` belongs to `{}`{hint}", owners.join("` or `"))));
+        }
     }
-    let mut chosen = SHAPES.into_iter().filter_map(|key| Some((key, table.find(key)?)));
-    let (Some((key, entry)), None) = (chosen.next(), chosen.next()) else {
-        let choices = "exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`";
+    let mut chosen = SHAPES.into_iter().filter_map(|key| table.find(key));
+    let (Some(entry), None) = (chosen.next(), chosen.next()) else {
+        let choices = "exactly one of `vertices`, `box`, `normals` with `offsets`, `mesh`, `model`";
         return Err(table.refuse(format!("part `{name}` needs {choices}")));
     };
-    let shape = match key {
+    Ok(entry)
+}
+
+/// The shape that a key gives to a part.
+fn shape<'text>(entry: &Entry<'text>, table: &Table<'text>, name: &str) -> Result<Shape<'text>, SceneError> {
+    let shape = match entry.key().name {
         "vertices" => Polytope::from_vertices(&values(entry.vectors()?)),
-        "box" => Polytope::from_box(edge_lengths(&entry)?),
-        "mesh" => return Ok((entry, Shape::Mesh(GivenMesh::read(table)?))),
+        "box" => Polytope::from_box(edge_lengths(entry)?),
+        "mesh" => return Ok(Shape::Mesh(GivenMesh::read(table)?)),
         _ => {
             let Some(offsets) = table.find("offsets") else {
                 return Err(entry.refuse(format!("part `{name}` needs both `normals` and `offsets`")));
             };
-            Polytope::from_halfspaces(&normals(&entry)?, &offsets.numbers()?)
+            Polytope::from_halfspaces(&normals(entry)?, &offsets.numbers()?)
         }
     };
-    match shape {
-        Ok(shape) => Ok((entry, Shape::Convex(shape))),
-        Err(error) => Err(entry.refuse(format!("part `{name}`: {error}"))),
-    }
+    shape.map(Shape::Convex).map_err(|error| entry.refuse(format!("part `{name}`: {error}")))
 }
 
 fn edge_lengths(entry: &Entry) -> Result<[f64; 3], SceneError> {

@@ -1,6 +1,7 @@
 //! From parts as the scene gives them to convex parts.
 
-use nalgebra::Isometry3;
+use collision::Polytope;
+use nalgebra::{Isometry3, Vector3};
 use task::pose;
 
 use crate::error::SceneError;
@@ -9,6 +10,9 @@ use crate::mesh::MeshPart;
 use crate::motion_region::{MotionRegion, Motions};
 use crate::part::{GivenPart, Part, Shape};
 use crate::pose::isometry;
+
+/// Distance (m) that is no more than rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// The convex parts of a scene, and what they were made from.
 pub struct Shapes {
@@ -45,7 +49,7 @@ pub fn shapes(
 fn meshes<'given>(given_parts: &'given [GivenPart], parent: &Isometry3<f64>) -> Vec<Placed<'given>> {
     let placed = |given: &'given GivenPart| {
         let mesh = given.mesh()?;
-        Some(Placed { solid: &mesh.solid, placement: parent * given.placement(), clearance: mesh.clearance })
+        Some(Placed { solid: &mesh.solid, placement: parent * given.placement(), clearance: mesh.making.clearance })
     };
     given_parts.iter().filter_map(placed).collect()
 }
@@ -57,12 +61,12 @@ fn require_fine<'given>(
     given_parts: impl Iterator<Item = &'given GivenPart<'given>>,
 ) -> Result<(), SceneError> {
     let meshes = given_parts.filter_map(GivenPart::mesh);
-    let coarsest = meshes.map(|mesh| (mesh.facets.unwrap_or(chosen), mesh)).min_by_key(|(facets, _)| *facets);
+    let coarsest = meshes.map(|mesh| (mesh.making.facets.unwrap_or(chosen), mesh)).min_by_key(|(facets, _)| *facets);
     let (Some(fit), Some((facets, mesh))) = (fit.filter(|fit| fit.gap > 0.0), coarsest) else { return Ok(()) };
     if fit.lost(facets) <= LARGEST_SHARE * fit.gap {
         return Ok(());
     }
-    Err(mesh.refuse(&format!(
+    Err(mesh.refuse(format!(
         "{facets} facets of a full turn take {:.4} mm of the gap of {:.4} mm between a round part and its hole, more than \
          {:.0} %: raise `facets` of the meshes, or state a larger `clearance`",
         1e3 * fit.lost(facets),
@@ -77,18 +81,58 @@ fn convex(
     region: Option<&MotionRegion>,
 ) -> Result<(Vec<Part>, Vec<MeshPart>), SceneError> {
     let (mut parts, mut meshes) = (Vec::new(), Vec::new());
-    for given in given_parts {
-        match &given.shape {
-            Shape::Convex(shape) => {
-                let shape = shape.placed(given.position, given.orientation);
-                parts.push(Part { name: given.name.clone(), shape });
-            }
-            Shape::Mesh(mesh) => {
-                let (mesh, pieces) = mesh.cover(&given.name, &given.placement(), facets, region)?;
-                meshes.push(MeshPart { parts: parts.len()..parts.len() + pieces.len(), ..mesh });
-                parts.extend(pieces);
-            }
+    for group in given_parts.chunk_by(|one, other| one.name == other.name) {
+        let (mut shapes, mut own_meshes) = (Vec::new(), Vec::new());
+        for given in group {
+            shapes.push(match &given.shape {
+                Shape::Convex(shape) => vec![shape.placed(given.position, given.orientation)],
+                Shape::Mesh(mesh) => {
+                    let (mesh, pieces) = mesh.cover(&given.name, &given.placement(), facets, region)?;
+                    own_meshes.push(mesh);
+                    pieces
+                }
+            });
         }
+        let shapes = without_contained(&shapes);
+        let mut begin = parts.len();
+        for (mesh, pieces) in own_meshes.into_iter().zip(&shapes) {
+            meshes.push(MeshPart { parts: begin..begin + pieces.len(), ..mesh });
+            begin += pieces.len();
+        }
+        parts.extend(named(&group[0].name, shapes.concat()));
     }
     Ok((parts, meshes))
+}
+
+/// Parts of a name and a number, or of the name alone where there is only one.
+fn named(name: &str, shapes: Vec<Polytope>) -> impl Iterator<Item = Part> {
+    let is_alone = shapes.len() == 1;
+    (1..).zip(shapes).map(move |(number, shape)| {
+        let name = if is_alone { name.to_owned() } else { format!("{name}.{number}") };
+        Part { name, shape }
+    })
+}
+
+/// The pieces of some shapes without those that lie inside of a piece of another shape: they can touch nothing.
+fn without_contained(shapes: &[Vec<Polytope>]) -> Vec<Vec<Polytope>> {
+    let is_contained = |index: usize, piece: &Polytope| {
+        let others = shapes.iter().enumerate().filter(|(other, _)| *other != index);
+        others.flat_map(|(other, pieces)| pieces.iter().map(move |around| (other, around))).any(|(other, around)| {
+            // Of two that are equal the first stays.
+            contains(around, piece) && (other < index || !contains(piece, around))
+        })
+    };
+    let kept = shapes
+        .iter()
+        .enumerate()
+        .map(|(index, pieces)| pieces.iter().filter(|piece| !is_contained(index, piece)).cloned().collect());
+    kept.collect()
+}
+
+/// Whether a polytope lies in another one, but for rounding.
+fn contains(around: &Polytope, piece: &Polytope) -> bool {
+    piece.vertices().iter().all(|vertex| {
+        let mut sides = around.normals().iter().zip(around.offsets());
+        sides.all(|(normal, offset)| Vector3::from(*normal).dot(&Vector3::from(*vertex)) <= offset + ROUNDING)
+    })
 }

@@ -34,13 +34,15 @@ impl From<&Part> for PartReport {
     }
 }
 
-/// A part whose shape is a mesh, and how well its convex parts stand for it.
+/// A part whose shape is a mesh, or one of the shapes of a link, and how well its convex parts stand for it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MeshReport {
     /// Name of the part.
     pub name: String,
     /// The file.
     pub file: String,
+    /// Name of the link's shape; null for a mesh.
+    pub shape: Option<String>,
     /// Its triangles, after repairs.
     pub triangles: usize,
     /// What was repaired, in words.
@@ -53,7 +55,7 @@ pub struct MeshReport {
     pub facets_per_turn: usize,
     /// Length by which its surfaces were moved into the material.
     pub clearance_m: f64,
-    /// Convex parts.
+    /// Convex parts; none where other shapes of the link contain it.
     pub pieces: usize,
     /// Convex parts that were thinner than the precision of the file.
     pub pieces_dropped: usize,
@@ -114,13 +116,14 @@ impl From<&MeshPart> for MeshReport {
         Self {
             name: part.name.clone(),
             file: part.file.display().to_string(),
+            shape: part.shape.clone(),
             triangles: solid.triangle_count(),
             repairs: solid.repairs().iter().map(ToString::to_string).collect(),
             volume_m3: solid.mass_properties().volume,
             round_surfaces: cover.curved_surfaces().iter().map(round).collect(),
             facets_per_turn: part.settings.facets,
             clearance_m: part.settings.clearance,
-            pieces: cover.pieces().len(),
+            pieces: part.parts.len(),
             pieces_dropped: cover.vanished(),
             growth_m: cover.growth(),
             deviation: Deviation::measure(solid, cover).into(),

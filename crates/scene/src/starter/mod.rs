@@ -12,18 +12,21 @@ use crate::mesh::SCALES;
 use bounding_box::BoundingBox;
 use relative::relative_path;
 
-/// Two meshes in one frame, in the pose that the body shall reach.
+/// Two meshes or links in one frame, in the pose that the body shall reach. Links are those of SDF, URDF and MJCF files.
 #[derive(Debug, Clone)]
-pub struct MeshPair {
-    /// STL file of the body.
+pub struct FilePair {
+    /// File of the body.
     pub body: PathBuf,
-    /// STL file of the environment.
+    /// File of the environment.
     pub environment: PathBuf,
-    /// Unit of both: one of the words of `part.unit`.
-    pub unit: String,
+    /// Unit of meshes, which need one: one of the words of `part.unit`.
+    pub unit: Option<String>,
     /// Direction in which the body is taken out.
     pub axis: Axis,
 }
+
+/// Extensions of model files.
+const MODELS: [&str; 3] = ["sdf", "urdf", "xml"];
 
 /// A direction along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,13 +46,13 @@ impl Axis {
     }
 }
 
-/// Text of a scene that is written to `file`: with two meshes, or with a square shaft and its hole.
+/// Text of a scene that is written to `file`: with two files, or with a square shaft and its hole.
 ///
 /// # Errors
-/// When a mesh cannot be read.
-pub fn starter_scene(file: &Path, meshes: Option<&MeshPair>) -> Result<String, SceneError> {
-    match meshes {
-        Some(meshes) => mesh_draft(file, meshes).map(|draft| draft.text()),
+/// When a file cannot be read.
+pub fn starter_scene(file: &Path, files: Option<&FilePair>) -> Result<String, SceneError> {
+    match files {
+        Some(files) => file_draft(file, files).map(|draft| draft.text()),
         None => Ok(shaft_draft().text()),
     }
 }
@@ -91,34 +94,28 @@ fn shaft_draft() -> Draft {
     }
 }
 
-fn mesh_draft(file: &Path, meshes: &MeshPair) -> Result<Draft, SceneError> {
+fn file_draft(file: &Path, files: &FilePair) -> Result<Draft, SceneError> {
     /// Offset magnitude, as a fraction of the body's shortest edge, and the largest one (m).
     const OFFSET: f64 = 0.1;
     const LARGEST_OFFSET: f64 = 0.02;
     /// Height (m) of the goal above the place of the mesh, where parts touch; at most this fraction of the body's height.
     const LIFT: f64 = 2e-4;
     const LARGEST_LIFT: f64 = 0.01;
-    let Some(unit) = UNITS.iter().position(|unit| *unit == meshes.unit) else {
-        let message = format!("unknown unit `{}`: choose one of {}", meshes.unit, UNITS.join(", "));
-        return Err(SceneError::about(file, message));
+    let part = |name: &str, source: &Path| -> Result<(DraftPart, BoundingBox), SceneError> {
+        let (shape, bounds) = shape(source, files.unit.as_deref(), file)?;
+        Ok((DraftPart { name: name.to_owned(), shape, position: None }, bounds))
     };
-    let body = BoundingBox::of_mesh(&meshes.body, SCALES[unit])?;
-    // Its parts must not be missing when the scene is read.
-    BoundingBox::of_mesh(&meshes.environment, SCALES[unit])?;
-    let part = |name: &str, mesh: &Path, position| -> Result<DraftPart, SceneError> {
-        let shape = DraftShape::Mesh(relative_path(mesh, file)?, UNITS[unit]);
-        Ok(DraftPart { name: name.to_owned(), shape, position })
-    };
+    let ((body_part, body), (environment, _)) = (part("body", &files.body)?, part("environment", &files.environment)?);
     let [x, y, z] = body.center();
-    let height = body.edges()[meshes.axis.index];
+    let height = body.edges()[files.axis.index];
     let above = |distance: f64| {
         let mut pose = [x, y, z, 1.0, 0.0, 0.0, 0.0];
-        pose[meshes.axis.index] += if meshes.axis.is_negative { -distance } else { distance };
+        pose[files.axis.index] += if files.axis.is_negative { -distance } else { distance };
         pose
     };
     let shortest = body.edges().into_iter().fold(f64::INFINITY, f64::min);
     let lines = [
-        "The body goes to where its mesh is in the frame of both meshes. Check what was guessed of them:",
+        "The body goes to where its file has it in the frame of both files. Check what was guessed of them:",
         "  1. goal: the pose of the body's centre when it is assembled, lifted a little so that it touches nothing",
         "  2. start: above the goal by the body's height; the body must touch nothing there, and on its way to the goal",
         "     nothing but what guides it",
@@ -128,10 +125,27 @@ fn mesh_draft(file: &Path, meshes: &MeshPair) -> Result<Draft, SceneError> {
     Ok(Draft {
         about: lines.map(str::to_owned).to_vec(),
         // The frame of the body has its origin at the centre of mass, which is near the middle.
-        body: vec![part("body", &meshes.body, Some([-x, -y, -z]))?],
-        environment: vec![part("environment", &meshes.environment, None)?],
+        body: vec![DraftPart { position: Some([-x, -y, -z]), ..body_part }],
+        environment: vec![environment],
         starts: vec![above(height)],
         goal: above(LIFT.min(LARGEST_LIFT * height)),
         offset: rounded(OFFSET * shortest).min(LARGEST_OFFSET),
     })
+}
+
+/// The shape of a part that is a file, named relative to the scene, and its bounds.
+fn shape(source: &Path, unit: Option<&str>, scene: &Path) -> Result<(DraftShape, BoundingBox), SceneError> {
+    let extension = source.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+    if extension.is_some_and(|extension| MODELS.contains(&extension.as_str())) {
+        let bounds = BoundingBox::of_model(source)?;
+        return Ok((DraftShape::Model(relative_path(source, scene)?), bounds));
+    }
+    let Some(unit) = unit else {
+        return Err(SceneError::about(source, format!("a mesh needs its unit (--unit): {}", UNITS.join(", "))));
+    };
+    let Some(unit) = UNITS.iter().position(|known| *known == unit) else {
+        return Err(SceneError::about(scene, format!("unknown unit `{unit}`: choose one of {}", UNITS.join(", "))));
+    };
+    let bounds = BoundingBox::of_mesh(source, SCALES[unit])?;
+    Ok((DraftShape::Mesh(relative_path(source, scene)?, UNITS[unit]), bounds))
 }

@@ -3,6 +3,7 @@
 mod documentation;
 mod files;
 mod homotopies;
+mod links;
 mod meshes;
 mod mutations;
 mod pegs;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use scene::{Axis, MeshPair, Scene, SceneError, keys, scene_schema, starter_scene};
+use scene::{Axis, FilePair, Scene, SceneError, keys, scene_schema, starter_scene};
 
 use crate::support::parse;
 
@@ -30,16 +30,16 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-fn pair(folder: &Path, axis: &str) -> MeshPair {
-    MeshPair {
+fn pair(folder: &Path, axis: &str) -> FilePair {
+    FilePair {
         body: folder.join("meshes/body.stl"),
         environment: folder.join("meshes/plate.STL"),
-        unit: "mm".to_owned(),
+        unit: Some("mm".to_owned()),
         axis: Axis::from_name(axis).unwrap(),
     }
 }
 
-fn from_meshes(file: &Path, meshes: &MeshPair) -> Result<Scene, SceneError> {
+fn from_meshes(file: &Path, meshes: &FilePair) -> Result<Scene, SceneError> {
     let text = starter_scene(file, Some(meshes))?;
     std::fs::create_dir_all(file.parent().unwrap()).unwrap();
     std::fs::write(file, text).unwrap();
@@ -143,13 +143,42 @@ fn meshes_that_cannot_be_used_are_refused() {
     ] {
         let wrong = folder.path().join(name);
         for meshes in [
-            MeshPair { body: wrong.clone(), ..right.clone() },
-            MeshPair { environment: wrong.clone(), ..right.clone() },
+            FilePair { body: wrong.clone(), ..right.clone() },
+            FilePair { environment: wrong.clone(), ..right.clone() },
         ] {
             let error = starter_scene(&file, Some(&meshes)).expect_err(name).to_string();
             assert!(error.contains(words), "{error}");
         }
     }
-    let error = starter_scene(&file, Some(&MeshPair { unit: "feet".to_owned(), ..right })).unwrap_err().to_string();
+    let error =
+        starter_scene(&file, Some(&FilePair { unit: Some("feet".to_owned()), ..right })).unwrap_err().to_string();
     assert!(error.contains("unknown unit `feet`: choose one of m, cm, mm, inch"), "{error}");
+}
+
+#[test]
+fn models_need_no_unit() {
+    let folder = folder();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let link = |name: &str| {
+        format!(
+            "<link name='{name}'><collision><origin xyz='0.1 0.015 0.026' rpy='0 0 1.5707963267948966'/>
+             <geometry><box size='0.03 0.02 0.05'/></geometry></collision></link>"
+        )
+    };
+    write("body.urdf", &format!("<robot>{}</robot>", link("a")));
+    write("two.urdf", &format!("<robot>{}{}</robot>", link("a"), link("b")));
+    let right = pair(folder.path(), "z");
+    let body = |name: &str| FilePair { body: folder.path().join(name), ..right.clone() };
+    let scene = from_meshes(&folder.path().join("my.toml"), &body("body.urdf")).unwrap();
+    let of_mesh = from_meshes(&folder.path().join("mesh.toml"), &right).unwrap();
+    for (one, other) in [(scene.goal, of_mesh.goal), (scene.starts[0].pose, of_mesh.starts[0].pose)] {
+        assert!(one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-9), "{one:?} {other:?}");
+    }
+    let without_unit = FilePair { unit: None, environment: folder.path().join("body.urdf"), ..body("body.urdf") };
+    from_meshes(&folder.path().join("models.toml"), &without_unit).unwrap();
+    let refusal = |files: &FilePair| starter_scene("my.toml".as_ref(), Some(files)).unwrap_err().to_string();
+    assert!(
+        refusal(&FilePair { unit: None, ..right.clone() }).contains("a mesh needs its unit (--unit): m, cm, mm, inch")
+    );
+    assert!(refusal(&body("two.urdf")).contains("has several links; choose one with `link`: a, b"));
 }

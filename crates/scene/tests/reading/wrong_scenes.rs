@@ -153,7 +153,7 @@ const CASES: &[(&str, &str, usize, &str)] = &[
     ("box = [0.02, 0.02, 0.1]", "box = ['0.02', '0.02', '0.1']", 7, "body.part.box: '0.02' must be a number, not text in quotes"),
     ("box = [0.02, 0.02, 0.1]", "box = [[0.02, 0.02, 0.1]]", 7, "body.part.box must have 3 numbers, not 1"),
     ("box = [0.02, 0.02, 0.1]", "box = { x = 1, y = 1, z = 1 }", 7, "body.part.box must be a list of 3 numbers, not a table"),
-    ("box = [0.02, 0.02, 0.1]", "box = [0.02, 0.02, 0.1]\nqqq = 'red'", 8, "unknown key `qqq`; valid are: name, vertices, box, normals, offsets, mesh, unit, facets, clearance, density, position, orientation"),
+    ("box = [0.02, 0.02, 0.1]", "box = [0.02, 0.02, 0.1]\nqqq = 'red'", 8, "unknown key `qqq`; valid are: name, vertices, box, normals, offsets, mesh, model, link, unit, facets, clearance, density, position, orientation"),
     ("box = [0.02, 0.02, 0.1]", "cube = [0.02, 0.02, 0.1]", 7, "unknown key `cube`"),
     ("box = [0.02, 0.02, 0.1]", "box = [0.02, 0.02, 0.1]\nunit = 'mm'", 8, "`unit` belongs to `mesh`; everything else is in metres"),
     ("box = [0.02, 0.02, 0.1]", "mesh = 'part.stl'", 7, "a mesh needs its `unit`: one of \"m\", \"cm\", \"mm\", \"inch\""),
