@@ -94,9 +94,9 @@ impl Triangle {
 mod tests {
     use super::*;
 
-    /// Columns of unit length. The last but two are sums of two others.
+    /// Columns of unit length, of which the last `dependent` are sums of two others.
     fn columns(rows: usize, count: usize, dependent: usize) -> Vec<Column> {
-        let value = |row: usize, column: usize| f64::sin((1 + 7 * row + 31 * column * column) as f64);
+        let value = |row: usize, column: usize| f64::sin(((row + 1) * (row + 1) * (column + 3)) as f64);
         let mut columns: Vec<Column> = (0..count - dependent)
             .map(|column| {
                 (0..rows).filter(|row| (row + column) % 3 != 0).map(|row| (row, value(row, column))).collect()
