@@ -47,9 +47,9 @@ PAGE = """\
 Pairs of parts from public repositories (`scripts/real_parts/manifest.toml`), planned by `solve --robust` with nothing
 but the two files, their unit, start, goal and offsets, for a body of 1 kg held with 400 N/m and 20 Nm/rad, and played in
 MuJoCo by `scripts/validate_mujoco`: 81 motions at each friction, offsets as in [robustness.md](robustness.md). Pairs in
-italics are not real: `generate` wrote their scenes. `scripts/real-parts FOLDER` repeats all of it and writes this page.
-Seconds are those of `solve --robust --jobs {jobs} --time-limit {time_limit}` on a machine that others used at the same
-time, so that they are upper bounds: of the optimal control problem alone, and with everything.
+italics are not real: `generate` wrote their scenes, stiffness included. `scripts/real-parts FOLDER` repeats all of it and
+writes this page. Seconds are those of `solve --robust --jobs {jobs} --time-limit {time_limit}` on a machine that others
+used at the same time, so that they are upper bounds: of the optimal control problem alone, and with everything.
 
 | part | pairs | facets, body + most of a piece | round fit: gap, lost | plan, s | robust, s | own rollouts, % | MuJoCo, friction 0 | 0.1 | 0.3 | straight push 0, 0.1, 0.3 |
 |---|---|---|---|---|---|---|---|---|---|---|
