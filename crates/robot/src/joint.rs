@@ -26,7 +26,7 @@ pub struct Joint {
     /// Of the link and of all that is fixed to it, in the frame of the link.
     pub(crate) link_inertia: RigidInertia,
     /// Reflected to the joint (kg m^2, kg for a prismatic joint).
-    pub(crate) rotor_inertia: f64,
+    pub rotor_inertia: f64,
 }
 
 /// How a joint moves.

@@ -122,6 +122,11 @@ impl<'text> Entry<'text> {
         self.list()?.iter().map(|value| self.number_of(value, range)).collect()
     }
 
+    /// One number, or a list of numbers, in the key's range.
+    pub fn number_or_numbers(&self) -> Result<Vec<f64>, SceneError> {
+        if self.value.get_ref().is_array() { self.numbers() } else { Ok(vec![self.number()?]) }
+    }
+
     /// A list of three numbers each, with their places.
     pub fn vectors(&self) -> Result<Vec<Spanned<[f64; 3]>>, SceneError> {
         let range = self.key.range().unwrap_or(COMPONENT);

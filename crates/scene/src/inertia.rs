@@ -7,6 +7,7 @@ use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::part::GivenPart;
 use crate::pose::norm;
+use crate::robot::Robot;
 use crate::table::Table;
 
 /// Relative difference of two numbers of a matrix that counts as rounding.
@@ -17,11 +18,24 @@ const CENTERED: f64 = 1e-6;
 /// which nothing can be computed with it.
 const WORST_CONDITION: f64 = 1e8;
 
-/// The apparent inertia: of the robot, if the scene gives it, else that of the body at its goal.
-pub fn inertia(scene: &Table, body: &Table, parts: &[GivenPart], goal: &[f64; 7]) -> Result<Inertia, SceneError> {
-    match scene.table("robot")?.find("apparent_inertia") {
-        Some(entry) => apparent(&entry),
-        None => of_body(body, parts, goal),
+/// The apparent inertia: the one that the scene gives, else that of its arm at the goal, else that of the body there.
+pub fn inertia(
+    scene: &Table,
+    robot: Option<&Robot>,
+    (material, parts): (Option<&Material>, &[GivenPart]),
+    goal: &[f64; 7],
+) -> Result<Inertia, SceneError> {
+    let table = scene.table("robot")?;
+    match (table.find("apparent_inertia"), robot) {
+        (Some(entry), _) => apparent(&entry),
+        (None, Some(robot)) => {
+            let posture = robot.arm.posture(&robot.configuration);
+            let singular = || "the arm is singular at the goal: choose another configuration or base".to_owned();
+            let matrix = posture.apparent_inertia().ok_or_else(singular);
+            let configuration = table.require("configuration")?;
+            matrix.map(Inertia::from_matrix).map_err(|message| configuration.refuse(message))
+        }
+        (None, None) => of_body(&scene.require_table("body")?, material, parts, goal),
     }
 }
 
@@ -42,8 +56,12 @@ fn apparent(entry: &Entry) -> Result<Inertia, SceneError> {
 }
 
 /// Mass and rotational inertia: those given, else of the density of the parts, else the defaults.
-fn of_body(body: &Table, parts: &[GivenPart], goal: &[f64; 7]) -> Result<Inertia, SceneError> {
-    let material = Material::of(parts)?;
+fn of_body(
+    body: &Table,
+    material: Option<&Material>,
+    parts: &[GivenPart],
+    goal: &[f64; 7],
+) -> Result<Inertia, SceneError> {
     match (material, body.find("mass"), body.find("inertia")) {
         (Some(material), None, None) => Ok(material.inertia(parts, goal)),
         (Some(_), Some(given), _) | (Some(_), None, Some(given)) => {
@@ -56,16 +74,16 @@ fn of_body(body: &Table, parts: &[GivenPart], goal: &[f64; 7]) -> Result<Inertia
 }
 
 /// Parts of known density.
-struct Material {
-    mass: f64,
-    center: Vector3<f64>,
+pub struct Material {
+    pub mass: f64,
+    pub center: Vector3<f64>,
     /// About the origin.
-    rotational: Matrix3<f64>,
+    pub rotational: Matrix3<f64>,
 }
 
 impl Material {
     /// Of a body whose parts are meshes with a density, if any of them has one.
-    fn of(parts: &[GivenPart]) -> Result<Option<Self>, SceneError> {
+    pub fn of(parts: &[GivenPart]) -> Result<Option<Self>, SceneError> {
         let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.making.density.is_some())) else {
             return Ok(None);
         };

@@ -7,13 +7,14 @@ use crate::entry::is_control;
 use crate::error::{SceneError, Source};
 use crate::file::read_text;
 use crate::homotopy;
-use crate::inertia::inertia;
+use crate::inertia::{Material, inertia};
 use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
 use crate::limits::limits;
 use crate::motion_region::Motions;
 use crate::pairs::{Side, pairs};
 use crate::part::{GivenPart, given_parts};
 use crate::pose::pose;
+use crate::robot::{Robot, stiffness};
 use crate::scene::Scene;
 use crate::sections;
 use crate::shapes::{Shapes, shapes};
@@ -57,7 +58,9 @@ impl Scene {
         let goal = pose(&goal_table)?;
         let offset_magnitude = robustness.number("offset_magnitude")?;
         let offset_directions = sections::offset_directions(&robustness, offset_magnitude, (&starts[0], &goal))?;
-        let inertia = inertia(table, &body_table, &body, &goal)?;
+        let material = Material::of(&body)?;
+        let robot = Robot::read(&table.table("robot")?, material.as_ref(), (&starts, &goal))?;
+        let inertia = inertia(table, robot.as_ref(), (material.as_ref(), &body), &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let motions = Motions::new(&starts, &goal, offset_magnitude, &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
@@ -68,7 +71,8 @@ impl Scene {
             Side { parent: "environment", parts: &environment, meshes: &environment_meshes },
             region.as_ref(),
         )?;
-        let impedance = sections::impedance(table, &inertia, offset_magnitude)?;
+        let stiffness = stiffness(table, &inertia, offset_magnitude, robot.as_ref())?;
+        let impedance = sections::impedance(table, &inertia, stiffness)?;
         let scene = Self {
             title,
             horizon: sections::horizon(table, (&starts, &goal), (&inertia, &impedance))?,
@@ -91,6 +95,7 @@ impl Scene {
             offset_magnitude,
             offset_directions,
             inertia,
+            robot,
             chosen: Vec::new(),
             warnings: Vec::new(),
         };

@@ -6,6 +6,7 @@ use toml::{Table, Value};
 
 use crate::homotopy;
 use crate::part::Part;
+use crate::robot::Robot;
 use crate::scene::{Scene, StartPose};
 
 /// Text of a scene file that contains all defaults, the given start and offset magnitude (m), meshes as halfspaces, and
@@ -67,8 +68,12 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("homotopy", homotopy.into()),
         ("ipopt", ipopt.into()),
     ]);
-    if mass.is_none() {
-        document.insert("robot".into(), table([("apparent_inertia", rows(scene.inertia.matrix()))]).into());
+    let mut robot = scene.robot.as_ref().map_or(Table::new(), arm);
+    if mass.is_none() || scene.robot.is_some() {
+        robot.insert("apparent_inertia".into(), rows(scene.inertia.matrix()));
+    }
+    if !robot.is_empty() {
+        document.insert("robot".into(), robot.into());
     }
     if scene.limits != Limits::NONE {
         document.insert("limits".into(), limits(&scene.limits).into());
@@ -102,6 +107,21 @@ fn shortest(matrix: &Matrix3<f64>) -> Value {
 
 fn pose(pose: &[f64; 7]) -> Table {
     table([("position", numbers(&pose[..3])), ("orientation", numbers(&pose[3..]))])
+}
+
+/// The arm, with the path of its file as it was found and the joint positions at the goal.
+fn arm(robot: &Robot) -> Table {
+    let joints = robot.arm.joints().len();
+    table([
+        ("urdf", robot.urdf.to_string_lossy().into_owned().into()),
+        ("tip", robot.tip.clone().into()),
+        ("grasp", pose(&robot.grasp).into()),
+        ("base", pose(&robot.base).into()),
+        ("configuration", numbers(robot.configuration.iter().take(joints))),
+        ("rotor_inertia", numbers(&robot.rotor_inertia())),
+        ("joint_friction", numbers(&robot.joint_friction)),
+        ("control_period", robot.control_period.into()),
+    ])
 }
 
 fn goal(scene: &Scene) -> Table {

@@ -8,6 +8,7 @@ use crate::limits::{OutOfReach, check_reach};
 use crate::mesh::MeshPart;
 use crate::motion_region::MotionRegion;
 use crate::part::{Extent, Part};
+use crate::robot::Robot;
 use crate::task_error::TaskError;
 use crate::words::nearest;
 
@@ -51,6 +52,8 @@ pub struct Scene {
     pub angle_tolerance: f64,
     /// Mass and inertia of the body.
     pub inertia: Inertia,
+    /// The arm that moves the body, if the scene has a URDF file.
+    pub robot: Option<Robot>,
     /// The robot's controller.
     pub impedance: Impedance,
     /// `delta-hat` (m).

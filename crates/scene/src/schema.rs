@@ -98,6 +98,9 @@ fn values(key: &Key) -> Value {
         }
         Values::Vector(range) => vector(*range),
         Values::Numbers(range, count) => list(number(*range), count.clone()),
+        Values::NumberOrNumbers(range, count) => {
+            json!({ "anyOf": [number(*range), list(number(*range), count.clone())] })
+        }
         Values::Vectors(range, count) => list(vector(*range), count.clone()),
         Values::Directions(count) => list(vector(component), count.clone()),
         Values::Quaternion => list(number(component), 4..=4),

@@ -6,6 +6,7 @@ use crate::chosen;
 use crate::error::SceneError;
 use crate::inertia::symmetric;
 use crate::pose::{directions, norm, pose};
+use crate::robot::Stiffness;
 use crate::scene::StartPose;
 use crate::table::Table;
 
@@ -23,15 +24,10 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
     Ok(starts)
 }
 
-/// The controller: as stiff as offsets and mass need it and critically damped, where the scene does not say otherwise.
-pub fn impedance(scene: &Table, inertia: &Inertia, offset_magnitude: f64) -> Result<Impedance, SceneError> {
-    let table = &scene.table("impedance")?;
-    let mass = inertia.mean_mass();
-    let given = |name: &str| table.find(name).map(|entry| entry.number()).transpose();
-    let translational =
-        given("translational_stiffness")?.unwrap_or_else(|| chosen::translational_stiffness(offset_magnitude, mass));
-    let rotational =
-        given("rotational_stiffness")?.unwrap_or_else(|| chosen::rotational_stiffness(translational, mass));
+/// The controller, critically damped where the scene does not say otherwise.
+pub fn impedance(scene: &Table, inertia: &Inertia, stiffness: Stiffness) -> Result<Impedance, SceneError> {
+    let table = scene.table("impedance")?;
+    let Stiffness { translational, rotational } = stiffness;
     let mut impedance = Impedance::critically_damped(translational, rotational, inertia);
     if let Some(damping) = table.find("translational_damping") {
         impedance.translational_damping = symmetric(&damping)?;

@@ -1,8 +1,9 @@
-//! Remarks on what looks like a mistaken unit.
+//! Remarks on what looks like a mistake.
 
 use crate::error::SceneError;
 use crate::part::{Extent, Part};
 use crate::pose::norm;
+use crate::robot;
 use crate::scene::Scene;
 use crate::table::Table;
 
@@ -48,6 +49,7 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
         let entry = table.require_table("robustness")?.require("offset_magnitude")?;
         warnings.push(entry.refuse(message).headline());
     }
+    warnings.extend(robot::warnings(table, scene)?);
     Ok(warnings)
 }
 

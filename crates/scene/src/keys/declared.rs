@@ -2,8 +2,8 @@
 
 use super::Absent::{Means, Number as Default, Refused};
 use super::Values::{
-    Choice, Directions, File, FileOrTable, Inertia, Integer, Length, Matrix, Name, Number, NumberOrMatrix, Numbers,
-    Pairs, Quaternion, Table, Tables, Vector, Vectors,
+    Choice, Directions, File, FileOrTable, Inertia, Integer, Length, Matrix, Name, Number, NumberOrMatrix,
+    NumberOrNumbers, Numbers, Pairs, Quaternion, Table, Tables, Vector, Vectors,
 };
 use super::{Absent, Key, Values};
 use crate::range::Range;
@@ -92,7 +92,25 @@ pub const KEYS: &[Key] = &[
     key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be"),
     key("robustness", "offset_directions", Directions(1..=1000), "", Means("three across the way from the first start to the goal"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
 
-    key("robot", "apparent_inertia", Inertia(Range::closed(-1e6, 1e6)), "kg, kg m, kg m^2", Means("that of the body"), "inertia that a force on the body meets at the goal: for its velocity in the world frame and its angular velocity in the body frame; replaces `mass` and `inertia` of the body"),
+    key("robot", "urdf", File, "", Means("a free body"), "URDF file of the arm; the inertia is that of the arm at the goal"),
+    key("robot", "tip", Name, "", Means("needed with `urdf`"), "link that holds the body"),
+    key("robot", "grasp", Table, "", Means("the frame of the tip"), "pose of the body's frame in that of the tip"),
+    key("robot", "base", Table, "", Means("the world frame"), "pose of the arm's base in the world frame"),
+    key("robot", "configuration", Numbers(COORDINATE, 1..=8), "rad or m", Means("needed with `urdf`"), "joint positions near the goal, from the base on: they name the branch of the kinematics"),
+    key("robot", "rotor_inertia", NumberOrNumbers(Range::closed(0.0, 1e3), 1..=8), "kg m^2 or kg", Default(0.0), "inertia of rotors and gears as the joints feel it, for all joints or for each"),
+    key("robot", "joint_friction", NumberOrNumbers(Range::closed(0.0, 1e4), 1..=8), "Nm or N", Default(0.0), "friction that the controller leaves, for all joints or for each"),
+    key("robot", "control_period", Number(Range::closed(1e-5, 0.1)), "s", Default(0.002), "time between two commands of the controller"),
+    key("robot", "stiffness_range", Table, "", Means("any stiffness"), "stiffness that the controller accepts"),
+    key("robot", "apparent_inertia", Inertia(Range::closed(-1e6, 1e6)), "kg, kg m, kg m^2", Means("that of the arm, else of the body"), "inertia that a force on the body meets at the goal: for its velocity in the world frame and its angular velocity in the body frame; replaces `mass` and `inertia` of the body"),
+
+    key("robot.grasp", "position", Vector(COORDINATE), "m", Means("`[0, 0, 0]`"), "position in the frame of the tip"),
+    key("robot.grasp", "orientation", Quaternion, "", Means("`[1, 0, 0, 0]`"), "orientation in the frame of the tip"),
+
+    key("robot.base", "position", Vector(COORDINATE), "m", Means("`[0, 0, 0]`"), "position in the world frame"),
+    key("robot.base", "orientation", Quaternion, "", Means("`[1, 0, 0, 0]`"), "orientation in the world frame"),
+
+    key("robot.stiffness_range", "translational", Numbers(STIFFNESS, 2..=2), "N/m", Means("any stiffness"), "lowest and highest"),
+    key("robot.stiffness_range", "rotational", Numbers(STIFFNESS, 2..=2), "Nm/rad", Means("any stiffness"), "lowest and highest"),
 
     key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Means("enough for the way and the controller: 3 s or more"), "number of time steps"),
     key("horizon", "time_step", Number(Range::closed(1e-5, 10.0)), "s", Means("0.04, or what makes `steps` last as long"), "length of a step"),

@@ -42,6 +42,8 @@ pub enum Values {
     Vector(Range),
     /// A list of numbers.
     Numbers(Range, RangeInclusive<usize>),
+    /// One number, or a list of numbers.
+    NumberOrNumbers(Range, RangeInclusive<usize>),
     /// A list of three numbers each.
     Vectors(Range, RangeInclusive<usize>),
     /// A list of three numbers each, of norm 1 or all zero.
@@ -81,6 +83,9 @@ impl fmt::Display for Values {
             Self::Length(range) => write!(formatter, "number {range}, or text with its unit"),
             Self::Vector(range) => write!(formatter, "3 numbers {range}"),
             Self::Numbers(range, entries) => write!(formatter, "list of {} numbers {range}", count(entries)),
+            Self::NumberOrNumbers(range, entries) => {
+                write!(formatter, "number {range}, or list of {} such numbers", count(entries))
+            }
             Self::Vectors(range, entries) => write!(formatter, "list of {} times 3 numbers {range}", count(entries)),
             Self::Directions(entries) => {
                 write!(formatter, "list of {} times 3 numbers of norm 1, or `[0, 0, 0]`", count(entries))
@@ -191,6 +196,7 @@ impl Key {
             | Values::Length(range)
             | Values::Vector(range)
             | Values::Numbers(range, _)
+            | Values::NumberOrNumbers(range, _)
             | Values::Vectors(range, _)
             | Values::Matrix(range)
             | Values::Inertia(range)
@@ -203,6 +209,7 @@ impl Key {
     pub fn count(&self) -> Option<&RangeInclusive<usize>> {
         match &self.values {
             Values::Numbers(_, count)
+            | Values::NumberOrNumbers(_, count)
             | Values::Vectors(_, count)
             | Values::Directions(count)
             | Values::Pairs(count)

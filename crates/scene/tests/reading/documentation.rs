@@ -70,12 +70,16 @@ fn the_example_of_the_page_is_a_scene_without_remarks() {
         assert!(example.contains(name));
     }
     let fragments: Vec<&str> = page.split("```toml\n").skip(2).map(|rest| rest.split("```").next().unwrap()).collect();
-    assert_eq!(fragments.len(), 4);
+    assert_eq!(fragments.len(), 5);
     let without_mesh = fragments[0].replace("mesh = \"housing.stl\"\nunit = \"mm\"", "box = [0.1, 0.1, 0.1]");
-    for fragment in [&without_mesh, fragments[1], fragments[2]] {
+    for fragment in [&without_mesh, fragments[1], fragments[3]] {
         parse(&format!("{example}{fragment}")).unwrap_or_else(|error| panic!("{error}"));
     }
-    let homotopy = scene::Source { file: "h.toml".as_ref(), text: fragments[3] };
+    let robot: toml::Table = toml::from_str(fragments[2]).unwrap();
+    for name in robot["robot"].as_table().unwrap().keys() {
+        assert!(keys().iter().any(|key| (key.table, key.name) == ("robot", name)), "{name}");
+    }
+    let homotopy = scene::Source { file: "h.toml".as_ref(), text: fragments[4] };
     assert_eq!(parse_homotopy(homotopy), Ok(default_homotopy()));
 }
 

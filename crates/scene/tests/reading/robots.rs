@@ -1,8 +1,9 @@
 //! The arm that moves the body.
 
+use robot::Arm;
 use scene::{Scene, SceneError, Source, default_homotopy, resolved};
 
-use crate::support::{SCENE, apparent_inertia};
+use crate::support::{SCENE, apparent_inertia, folder};
 
 fn load(robot: &str) -> Result<Scene, SceneError> {
     Scene::parse(Source { file: "test.toml".as_ref(), text: &format!("{SCENE}[robot]\n{robot}\n") })
@@ -42,4 +43,96 @@ fn an_apparent_inertia_that_is_none_is_refused() {
         let error = load(&format!("apparent_inertia = {wrong}")).unwrap_err();
         assert!(error.message().contains(words), "{error}");
     }
+}
+
+const CONFIGURATION: [f64; 6] = [0.3, -1.2, 1.7, -1.9, -1.5, 0.4];
+
+/// Keys of an arm that holds the body at its goal.
+fn arm() -> String {
+    let urdf = folder("crates/robot/tests/arms/six.urdf");
+    let arm = Arm::read(&urdf, "tip").unwrap();
+    let base = arm.pose(&arm.configuration(&CONFIGURATION).unwrap()).inverse();
+    let (p, q) = (base.translation.vector, base.rotation);
+    format!(
+        "urdf = {urdf:?}\ntip = \"tip\"\nconfiguration = {CONFIGURATION:?}\nrotor_inertia = 0.1\nbase = {{ position = \
+         [{:?}, {:?}, {:?}], orientation = [{:?}, {:?}, {:?}, {:?}] }}",
+        p.x, p.y, p.z, q.w, q.i, q.j, q.k
+    )
+}
+
+/// The scene without controller and mass, with an arm and other lines of its robot.
+fn with_arm(arm: &str, lines: &str) -> Result<Scene, SceneError> {
+    let text = SCENE.replace("[impedance]\ntranslational_stiffness = 50.0\nrotational_stiffness = 5.0\n", "");
+    let text = format!("{text}[robot]\n{arm}\n{lines}\n");
+    Scene::parse(Source { file: "test.toml".as_ref(), text: &text })
+}
+
+#[test]
+fn an_arm_gives_the_body_its_inertia_and_its_controller_a_stiffness() {
+    let scene = with_arm(&arm(), "").unwrap();
+    let robot = scene.robot.as_ref().unwrap();
+    let posture = robot.arm.posture(&robot.configuration);
+    assert_eq!(scene.inertia.matrix(), &posture.apparent_inertia().unwrap());
+    let similar = 50.0 * scene.inertia.mean_mass();
+    assert!((scene.impedance.translational_stiffness / similar - 1.0).abs() < 1e-9);
+    let stiff = with_arm(&arm(), "joint_friction = 0.5").unwrap();
+    let holds = stiff.robot.as_ref().unwrap().friction_wrench.unwrap();
+    let deadband = holds.deadband(stiff.impedance.translational_stiffness, stiff.impedance.rotational_stiffness);
+    assert!(deadband.distance <= 3e-3 * 1.000001 && deadband.angle <= 0.03 * 1.000001, "{deadband:?}");
+    assert!(stiff.impedance.translational_stiffness > scene.impedance.translational_stiffness);
+
+    let text = resolved(&stiff, &stiff.starts[0], stiff.offset_magnitude, &default_homotopy());
+    let again = Scene::parse(Source { file: "resolved.toml".as_ref(), text: &text }).unwrap();
+    assert_eq!((again.inertia, again.impedance), (stiff.inertia, stiff.impedance));
+    assert_eq!(again.robot.unwrap().joint_friction, [0.5; 6]);
+}
+
+#[test]
+fn what_is_wrong_with_an_arm_is_said_where_it_stands() {
+    let arm = arm();
+    let force = "\n[limits]\ncontact_force = 1.0";
+    for (arm, lines, words) in [
+        ("tip = \"tip\"", "", "robot.tip needs `urdf`"),
+        (&*arm.replace("\"tip\"", "\"tipp\""), "", "did you mean `tip`?"),
+        (&*arm.replace("six.urdf", "none.urdf"), "", "none.urdf"),
+        (&*arm.replace("0.3, ", ""), "", "5"),
+        (&*arm.replace("[0.3, -1.2", "[99.0, -1.2"), "", "99"),
+        (
+            &*arm.replace("position = [", "position = [9"),
+            "",
+            "the arm does not reach the goal from these joint positions",
+        ),
+        (
+            &*arm,
+            "joint_friction = [0.1, 0.2]",
+            "robot.joint_friction has 2 numbers: one for all joints, or one for each of 6",
+        ),
+        (&*arm, "control_period = 0", "robot.control_period = 0: must lie between"),
+        (&*arm, "stiffness_range = { translational = [200, 100] }", "must be the lowest and the highest stiffness"),
+        (&*arm, "joint_friction = 5", "no stiffness suits this robot"),
+        (&*arm, &*format!("joint_friction = 0.5{force}"), "no stiffness suits this robot"),
+    ] {
+        let error = with_arm(arm, lines).map(|scene| scene.impedance).unwrap_err();
+        assert!(error.message().contains(words), "{words}: {error}");
+        assert!(error.line().is_some());
+    }
+    let far = SCENE.replace("position = [0, 0, 0.09]", "position = [0, 0, 3]");
+    let error =
+        Scene::parse(Source { file: "test.toml".as_ref(), text: &format!("{far}[robot]\n{arm}\n") }).unwrap_err();
+    assert!(error.message().contains("the arm does not reach start `a` on the straight way from the goal"), "{error}");
+    let given = format!("{SCENE}[robot]\n{arm}\nstiffness_range = {{ translational = [100, 3000] }}\n");
+    let error = Scene::parse(Source { file: "test.toml".as_ref(), text: &given }).unwrap_err();
+    assert!(error.message().contains("must lie in robot.stiffness_range, 100 to 3000"), "{error}");
+}
+
+#[test]
+fn what_an_arm_replaces_is_remarked() {
+    let text =
+        format!("{}[robot]\n{}\n", SCENE.replacen("[[body.part]]", "[body]\nmass = 2.0\n[[body.part]]", 1), arm());
+    let scene = Scene::parse(Source { file: "test.toml".as_ref(), text: &text }).unwrap();
+    assert!(
+        scene.warnings[0].contains("body.mass is not used: the robot's inertia replaces it"),
+        "{:?}",
+        scene.warnings
+    );
 }

@@ -149,7 +149,11 @@ fn complete() -> Value {
         apparent_inertia([7.0, 7.0, 8.0, 1.0, 1.0, 1.0])
     );
     let scene = Scene::parse(Source { file: "test.toml".as_ref(), text: &text }).unwrap();
-    json(&resolved(&scene, &scene.starts[0], scene.offset_magnitude, &default_homotopy()))
+    let mut complete = json(&resolved(&scene, &scene.starts[0], scene.offset_magnitude, &default_homotopy()));
+    for name in ["grasp", "base", "stiffness_range"] {
+        complete["robot"][name] = Value::Object(serde_json::Map::new());
+    }
+    complete
 }
 
 /// Where the tables are in a scene, by the names under which their keys are declared.

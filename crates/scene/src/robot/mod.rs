@@ -1,0 +1,161 @@
+//! The arm that moves the body.
+
+mod stiffness;
+mod warnings;
+
+use std::path::PathBuf;
+
+use ::robot::gains::FrictionWrench;
+use ::robot::{Arm, JointPath, JointVector, RigidInertia};
+use nalgebra::{Isometry3, Matrix3, Vector3};
+
+use crate::entry::Entry;
+use crate::error::SceneError;
+use crate::inertia::Material;
+use crate::pose::{isometry, orientation};
+use crate::scene::StartPose;
+use crate::table::Table;
+
+pub use stiffness::{Stiffness, stiffness};
+pub use warnings::warnings;
+
+/// Keys that only an arm of a URDF file has.
+const ARM_KEYS: [&str; 6] = ["tip", "grasp", "base", "configuration", "rotor_inertia", "joint_friction"];
+/// Poses on the straight way from the goal to a start at which the arm is looked at.
+const POSES: usize = 20;
+
+/// An arm of a URDF file, with the body in its gripper.
+#[derive(Debug, Clone)]
+pub struct Robot {
+    /// Its file.
+    pub urdf: PathBuf,
+    /// Link that holds the body.
+    pub tip: String,
+    /// Pose of the body's frame in that of the tip (position m, unit quaternion w x y z).
+    pub grasp: [f64; 7],
+    /// Pose of the arm's base in the world frame, likewise.
+    pub base: [f64; 7],
+    /// The arm, with base, grasp, rotors and payload.
+    pub arm: Arm,
+    /// Joint positions (rad or m) with the body at its goal.
+    pub configuration: JointVector,
+    /// What joint friction holds at the goal; `None` where the arm is singular there.
+    pub friction_wrench: Option<FrictionWrench>,
+    /// Friction of each joint (Nm or N) that the controller leaves.
+    pub joint_friction: Vec<f64>,
+    /// Time between two commands of the controller (s).
+    pub control_period: f64,
+    /// How close the arm comes to its limits and to singular postures on the straight ways between goal and starts.
+    pub ways: Vec<JointPath>,
+}
+
+impl Robot {
+    /// The arm of a scene, if its robot has a URDF file. Its payload is the body's material.
+    pub fn read(
+        table: &Table,
+        material: Option<&Material>,
+        (starts, goal): (&[StartPose], &[f64; 7]),
+    ) -> Result<Option<Self>, SceneError> {
+        let Some(urdf) = table.find("urdf") else {
+            return match ARM_KEYS.iter().find_map(|key| table.find(key)) {
+                Some(entry) => Err(entry.refuse_name(format!("{} needs `urdf`", entry.path()))),
+                None => Ok(None),
+            };
+        };
+        let tip = table.require("tip")?;
+        let (grasp, base) = (placement(&table.table("grasp")?)?, placement(&table.table("base")?)?);
+        let file = urdf.source().file;
+        let path = file.parent().unwrap_or(file).join(urdf.text()?);
+        let arm = Arm::read(&path, tip.text()?).map_err(|error| urdf.refuse(error.to_string()))?;
+        let count = arm.joints().len();
+        let rotor_inertia = per_joint(table, "rotor_inertia", count)?;
+        let payload = material.map_or(Ok(RigidInertia::zero()), payload).map_err(|error| urdf.refuse(error))?;
+        let arm = arm.with_base(&at(&base)).with_grasp(&at(&grasp)).with_payload(payload);
+        let arm = arm.with_rotor_inertia(&rotor_inertia).map_err(|error| urdf.refuse(error.to_string()))?;
+        let given = table.require("configuration")?;
+        let near = arm.configuration(&given.numbers()?).map_err(|error| given.refuse(error.to_string()))?;
+        let unreachable = |what: String, reason: String| {
+            given.refuse(format!(
+                "the arm does not reach {what} from these joint positions: {reason}; check base, grasp and configuration"
+            ))
+        };
+        let configuration = arm
+            .inverse_kinematics(&at(goal), &near)
+            .map_err(|error| unreachable("the goal".into(), error.to_string()))?;
+        let way = |start: &StartPose| {
+            let what = format!("start `{}` on the straight way from the goal", start.name);
+            arm.follow(&straight(goal, &start.pose), &configuration)
+                .map_err(|error| unreachable(what, error.reason.to_string()))
+        };
+        let ways = starts.iter().map(way).collect::<Result<_, _>>()?;
+        let joint_friction = per_joint(table, "joint_friction", count)?;
+        let friction_wrench = FrictionWrench::new(&arm.posture(&configuration).jacobian(), &joint_friction);
+        let (tip, control_period) = (tip.text()?.to_owned(), table.number("control_period")?);
+        let urdf = path.canonicalize().unwrap_or(path);
+        Ok(Some(Self {
+            urdf,
+            tip,
+            grasp,
+            base,
+            arm,
+            configuration,
+            friction_wrench,
+            joint_friction,
+            control_period,
+            ways,
+        }))
+    }
+
+    /// Reflected inertia of each joint's rotor (kg m^2 or kg).
+    pub fn rotor_inertia(&self) -> Vec<f64> {
+        self.arm.joints().iter().map(|joint| joint.rotor_inertia).collect()
+    }
+}
+
+/// A pose that a table gives in part: the identity where it does not.
+fn placement(table: &Table) -> Result<[f64; 7], SceneError> {
+    let [x, y, z] = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
+    let [w, i, j, k] = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
+    Ok([x, y, z, w, i, j, k])
+}
+
+/// One number for each joint: the same where the scene gives one only.
+fn per_joint(table: &Table, name: &str, joints: usize) -> Result<Vec<f64>, SceneError> {
+    let Some(entry) = table.find(name) else { return Ok(vec![table.number(name)?; joints]) };
+    let numbers = entry.number_or_numbers()?;
+    match numbers[..] {
+        [number] => Ok(vec![number; joints]),
+        _ if numbers.len() == joints => Ok(numbers),
+        _ => Err(wrong_count(&entry, numbers.len(), joints)),
+    }
+}
+
+fn wrong_count(entry: &Entry, given: usize, joints: usize) -> SceneError {
+    entry.refuse(format!("{} has {given} numbers: one for all joints, or one for each of {joints}", entry.path()))
+}
+
+/// The body itself, about its centre of mass.
+fn payload(material: &Material) -> Result<RigidInertia, String> {
+    let center = material.center;
+    let shifted = Matrix3::identity() * center.norm_squared() - center * center.transpose();
+    let rotational = material.rotational - shifted * material.mass;
+    RigidInertia::new(material.mass, center, rotational).map_err(|error| error.to_string())
+}
+
+fn at(pose: &[f64; 7]) -> Isometry3<f64> {
+    let [x, y, z, orientation @ ..] = *pose;
+    isometry(&[x, y, z], &orientation)
+}
+
+/// Poses on the straight way between two, a second apart.
+fn straight(from: &[f64; 7], to: &[f64; 7]) -> Vec<(f64, Isometry3<f64>)> {
+    let (from, to) = (at(from), at(to));
+    let turn = (from.rotation.inverse() * to.rotation).scaled_axis();
+    let pose = |index: usize| {
+        let share = index as f64 / (POSES - 1) as f64;
+        let position: Vector3<f64> = from.translation.vector.lerp(&to.translation.vector, share);
+        let rotation = from.rotation * nalgebra::UnitQuaternion::from_scaled_axis(turn * share);
+        (index as f64, Isometry3::from_parts(position.into(), rotation))
+    };
+    (0..POSES).map(pose).collect()
+}

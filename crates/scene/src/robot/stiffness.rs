@@ -1,0 +1,89 @@
+//! Which stiffness the robot's controller is to have.
+
+use ::robot::gains::{Demand, execution_factor};
+use task::Inertia;
+
+use super::Robot;
+use crate::chosen;
+use crate::error::SceneError;
+use crate::table::Table;
+
+/// Stiffness of translations (N/m) and rotations (Nm/rad).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stiffness {
+    pub translational: f64,
+    pub rotational: f64,
+}
+
+/// Largest error (m, rad) at which joint friction may hold the arm.
+const DEADBAND: f64 = 3e-3;
+const ANGULAR_DEADBAND: f64 = 0.03;
+/// Largest contact force (N) where the scene has no limit.
+const LARGEST_FORCE: f64 = 60.0;
+
+/// The stiffness that the scene gives. Where it leaves it out: the one that makes a body of this inertia move as light ones
+/// do under soft controllers, which is dynamic similarity; with an arm as stiff as joint friction demands, and as soft as
+/// the limit of contact forces and the controller's range allow.
+pub fn stiffness(
+    scene: &Table,
+    inertia: &Inertia,
+    offset_magnitude: f64,
+    robot: Option<&Robot>,
+) -> Result<Stiffness, SceneError> {
+    let table = scene.table("impedance")?;
+    let range = |name: &str| -> Result<[f64; 2], SceneError> {
+        let Some(entry) = scene.table("robot")?.table("stiffness_range")?.find(name) else {
+            return Ok([0.0, f64::INFINITY]);
+        };
+        match entry.numbers()?[..] {
+            [low, high] if low <= high => Ok([low, high]),
+            _ => Err(entry.refuse(format!("{} must be the lowest and the highest stiffness", entry.path()))),
+        }
+    };
+    let ranges = [range("translational")?, range("rotational")?];
+    let given = |name: &str, [low, high]: [f64; 2]| match table.find(name) {
+        None => Ok(None),
+        Some(entry) => match entry.number()? {
+            value if (low..=high).contains(&value) => Ok(Some(value)),
+            _ => Err(entry.refuse(format!("{} must lie in robot.stiffness_range, {low} to {high}", entry.path()))),
+        },
+    };
+    let translational = given("translational_stiffness", ranges[0])?;
+    let rotational = given("rotational_stiffness", ranges[1])?;
+    let mass = inertia.mean_mass();
+    let similar = translational.unwrap_or_else(|| chosen::translational_stiffness(offset_magnitude, mass));
+    let similar = Stiffness {
+        translational: similar,
+        rotational: rotational.unwrap_or_else(|| chosen::rotational_stiffness(similar, mass)),
+    };
+    if translational.is_some() || rotational.is_some() {
+        return Ok(similar);
+    }
+    let holds = robot.and_then(|robot| robot.friction_wrench);
+    let limit = scene.table("limits")?.find("contact_force").map(|entry| entry.number()).transpose()?;
+    let load = if robot.is_some() { limit.unwrap_or(LARGEST_FORCE) } else { f64::INFINITY };
+    let translation = Demand {
+        friction: holds.map_or(0.0, |wrench| wrench.force),
+        deadband: DEADBAND,
+        press: offset_magnitude,
+        load,
+        range: ranges[0],
+    };
+    let rotation = Demand {
+        friction: holds.map_or(0.0, |wrench| wrench.torque),
+        deadband: ANGULAR_DEADBAND,
+        press: 0.0,
+        load: f64::INFINITY,
+        range: ranges[1],
+    };
+    let factor = execution_factor(1.0, similar.translational, similar.rotational, &translation, &rotation);
+    match (factor, scene.find("robot")) {
+        (Ok(factor), _) => {
+            Ok(Stiffness { translational: factor * similar.translational, rotational: factor * similar.rotational })
+        }
+        (Err(refusal), Some(entry)) => {
+            Err(entry.refuse(format!("no stiffness suits this robot: {refusal}; or set impedance yourself")))
+        }
+        (Err(_), None) => Ok(similar),
+    }
+}
