@@ -40,6 +40,10 @@ pub fn summary(result: &PlanResult) -> String {
             scenario.max_force_n
         ));
     }
+    lines.push(format!(
+        "  execute with {:.0} N/m and {:.1} Nm/rad, and the damping of resolved.toml",
+        result.gains.translational_stiffness_n_m, result.gains.rotational_stiffness_nm_rad
+    ));
     lines.extend(limits(&result.limits, &result.reached));
     lines.extend(result.explanation.iter().flat_map(|explanation| failure(explanation, result.converged)));
     lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.chosen_stage)));

@@ -193,8 +193,8 @@ fn default_homotopy(scene: &Scene) -> HomotopySettings {
 /// Largest position tolerance that is chosen (m), also in sizes of the body, and the smallest in distances that play
 /// lets the body rest from its goal.
 const TOLERANCE: f64 = 3e-3;
-const TOLERANCE_IN_SIZES: f64 = 0.05;
-const TOLERANCE_IN_RESTS: f64 = 1.2;
+const TOLERANCE_IN_SIZES: f64 = 0.1;
+const TOLERANCE_IN_RESTS: f64 = 1.5;
 
 /// What counts as reaching the goal: what the scene says, else what size and play of the body allow.
 ///

@@ -57,6 +57,8 @@ pub struct PlanResult {
     pub quaternion_drift: f64,
     /// Time between two rows of the reference.
     pub time_step_s: f64,
+    /// Stiffness with which the robot is to execute the plan; `resolved.toml` has the damping too.
+    pub gains: Gains,
     /// What the user was warned of.
     pub warnings: Vec<String>,
     /// Largest components allowed, null where there is no limit.
@@ -78,6 +80,15 @@ pub struct PlanResult {
     pub robust: Option<RobustnessReport>,
     /// Hash (SHA-256, hexadecimal) of every other file of the plan, by its path in the folder.
     pub files: BTreeMap<String, String>,
+}
+
+/// Stiffness of the controller.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Gains {
+    /// Along every axis.
+    pub translational_stiffness_n_m: f64,
+    /// About every axis.
+    pub rotational_stiffness_nm_rad: f64,
 }
 
 /// What a plan was made from, as hashes (SHA-256, hexadecimal).
@@ -241,6 +252,10 @@ impl PlanResult {
             wall_s: records().map(|record| record.wall_s).sum(),
             quaternion_drift: plan.trajectory.quaternion_drift,
             time_step_s: plan.trajectory.time_step,
+            gains: Gains {
+                translational_stiffness_n_m: plan.task.impedance.translational_stiffness,
+                rotational_stiffness_nm_rad: plan.task.impedance.rotational_stiffness,
+            },
             warnings: plan.warnings(),
             limits: plan.task.limits.into(),
             reached: plan.trajectory.keeps().into(),

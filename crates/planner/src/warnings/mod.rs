@@ -1,5 +1,6 @@
 //! What is odd about a problem or a plan, in plain words with the setting that cures it.
 
+mod arm;
 mod limits;
 mod region;
 mod smoothing;
@@ -39,6 +40,7 @@ impl Plan {
             warnings.extend(smoothing::warning(self));
         }
         warnings.extend(region::warning(self));
+        warnings.extend(arm::warnings(self));
         warnings
     }
 }
