@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 use planner::{Choices, GraspErrors, OffsetSource, PlannerError, RobustnessTarget, SimulationRequest, files};
-use scene::Axis;
+use scene::{Axis, Scene};
 use simulation::Settings;
 use task::LinearSolver;
 
@@ -123,14 +123,15 @@ pub struct RobustArguments {
     /// With --robust: give up refining a plan after this many changes in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
     pub patience: u32,
-    /// With --robust: Coulomb friction coefficients
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0,0.1", value_parser = not_negative)]
+    /// With --robust: Coulomb friction coefficients [default: the scene's]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = not_negative)]
     #[arg(allow_negative_numbers = true, requires = "robust")]
-    pub friction: Vec<f64>,
-    /// With --robust: the part may also be turned in the gripper by up to this angle, about any axis (rad)
-    #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, requires = "robust")]
+    pub friction: Option<Vec<f64>>,
+    /// With --robust: the part may also be turned in the gripper by up to this angle, about any axis (rad) [default: the
+    /// scene's]
+    #[arg(long, value_name = "RAD", value_parser = not_negative, requires = "robust")]
     #[arg(allow_negative_numbers = true)]
-    pub turn: f64,
+    pub turn: Option<f64>,
 }
 
 /// How plans are played. At most one of --random, --grid and --offsets chooses the offsets.
@@ -248,14 +249,16 @@ impl SolveArguments {
     }
 
     /// How robust the plan is to be made, if at all.
-    pub fn robust_target(&self) -> Option<RobustnessTarget> {
+    pub fn robust_target(&self, scene: &Scene) -> Option<RobustnessTarget> {
         let arguments = &self.robust;
+        let own = RobustnessTarget::of(&scene.borne);
         arguments.robust.then(|| RobustnessTarget {
             wanted_rate: arguments.wanted_rate,
-            frictions: arguments.friction.clone(),
-            turn: arguments.turn,
+            frictions: arguments.friction.clone().unwrap_or(own.frictions),
+            turn: arguments.turn.unwrap_or(own.turn),
             time_limit: Duration::from_secs_f64(arguments.time_limit),
             patience: arguments.patience as usize,
+            ..own
         })
     }
 }

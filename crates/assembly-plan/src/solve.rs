@@ -19,7 +19,7 @@ use crate::values::threads;
 pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.choices())?;
     require_cell(arguments, &problem)?;
-    let target = arguments.robust_target();
+    let target = arguments.robust_target(problem.scene());
     target.iter().try_for_each(RobustnessTarget::validate)?;
     if !problem.scene().chosen.is_empty() {
         tell!("chosen, as the scene does not say it: {}", problem.scene().chosen.join(", "));

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use scene::{Scene, StartPose, TaskError, resolved};
+use scene::{Borne, Scene, StartPose, TaskError, resolved};
 use simulation::Success;
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver};
 
@@ -80,9 +80,9 @@ impl Problem {
         let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
         let task = scene.task(Some(&start.name), Some(delta))?;
         ocp::check_settings(&homotopy)?;
-        // What counts as success does not change how the problem is solved.
-        (scene.position_tolerance, scene.angle_tolerance) = (None, 0.0);
-        let solved = resolved(&scene, &start, delta, &homotopy);
+        // What counts as success and what refinement must bear do not change how the problem is solved.
+        let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, borne: Borne::default(), ..scene.clone() };
+        let solved = resolved(&solved, &start, delta, &homotopy);
         let identity = hash(format!("{}\n{solved}", env!("CARGO_PKG_VERSION")).as_bytes());
         (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
         let resolved = resolved(&scene, &start, delta, &homotopy);
@@ -152,7 +152,8 @@ impl Problem {
     }
 
     /// What makes two problems the same one: a hash (hexadecimal) of the `resolved.toml` of what was asked for and of
-    /// the program's version. Comments, file names and tolerances do not change it, a mesh's content does.
+    /// the program's version. Comments, file names, tolerances and what refinement must bear do not change it, a
+    /// mesh's content does.
     pub fn identity(&self) -> &str {
         &self.identity
     }

@@ -52,7 +52,7 @@ pub use part::Part;
 pub use range::Range;
 pub use resolved::resolved;
 pub use robot::Robot;
-pub use scene::{Scene, StartPose};
+pub use scene::{Borne, Scene, StartPose};
 pub use schema::{homotopy_schema, scene_schema};
 pub use starter::{Axis, FilePair, starter_scene};
 pub use task_error::TaskError;

@@ -95,6 +95,7 @@ impl Scene {
             offset_magnitude,
             offset_directions,
             inertia,
+            borne: sections::borne(&robustness)?,
             robot,
             chosen: Vec::new(),
             warnings: Vec::new(),

@@ -46,6 +46,11 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
             table([
                 ("offset_magnitude", offset_magnitude.into()),
                 ("offset_directions", Value::Array(scene.offset_directions.iter().map(numbers).collect())),
+                ("friction", numbers(&scene.borne.frictions)),
+                ("turn", scene.borne.turn.into()),
+                ("inertia_error", scene.borne.inertia_error.into()),
+                ("stiffness_error", scene.borne.stiffness_error.into()),
+                ("delay", scene.borne.delay.into()),
             ])
             .into(),
         ),

@@ -21,6 +21,27 @@ pub struct StartPose {
     pub pose: [f64; 7],
 }
 
+/// What a robust plan must bear besides offsets. Errors are relative, in both directions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Borne {
+    /// Coulomb coefficients of contacts, at least one.
+    pub frictions: Vec<f64>,
+    /// Turn of the body in the gripper, about any axis (rad).
+    pub turn: f64,
+    /// Error of the inertia.
+    pub inertia_error: f64,
+    /// Error of the stiffness.
+    pub stiffness_error: f64,
+    /// Delay of an arm's controller (s).
+    pub delay: f64,
+}
+
+impl Default for Borne {
+    fn default() -> Self {
+        Self { frictions: vec![0.0, 0.1], turn: 0.0, inertia_error: 0.0, stiffness_error: 0.0, delay: 0.0 }
+    }
+}
+
 /// A validated scene.
 #[derive(Debug, Clone)]
 pub struct Scene {
@@ -60,6 +81,8 @@ pub struct Scene {
     pub offset_magnitude: f64,
     /// Directions of the offsets; zero is the nominal scenario.
     pub offset_directions: Vec<[f64; 3]>,
+    /// What a robust plan must bear besides offsets.
+    pub borne: Borne,
     /// Time grid.
     pub horizon: Horizon,
     /// Weights.

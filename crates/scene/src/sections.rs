@@ -7,7 +7,7 @@ use crate::error::SceneError;
 use crate::inertia::symmetric;
 use crate::pose::{directions, norm, pose};
 use crate::robot::Stiffness;
-use crate::scene::StartPose;
+use crate::scene::{Borne, StartPose};
 use crate::table::Table;
 
 /// The start poses.
@@ -36,6 +36,21 @@ pub fn impedance(scene: &Table, inertia: &Inertia, stiffness: Stiffness) -> Resu
         impedance.rotational_damping = symmetric(&damping)?;
     }
     Ok(impedance)
+}
+
+/// What a robust plan must bear besides offsets.
+pub fn borne(robustness: &Table) -> Result<Borne, SceneError> {
+    let frictions = match robustness.find("friction") {
+        Some(entry) => entry.numbers()?,
+        None => Borne::default().frictions,
+    };
+    Ok(Borne {
+        frictions,
+        turn: robustness.number("turn")?,
+        inertia_error: robustness.number("inertia_error")?,
+        stiffness_error: robustness.number("stiffness_error")?,
+        delay: robustness.number("delay")?,
+    })
 }
 
 /// The time grid: that of the scene, or one in which the controlled body can cover the longest way to the goal.

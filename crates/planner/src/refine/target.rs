@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use scene::Borne;
+
 use crate::error::PlannerError;
 
 /// What a robust plan must bear, and how much time may be spent on it.
@@ -13,6 +15,12 @@ pub struct RobustnessTarget {
     pub frictions: Vec<f64>,
     /// Largest turn of the part in the gripper besides its offset, about any axis (rad).
     pub turn: f64,
+    /// Largest relative error of the inertia.
+    pub inertia_error: f64,
+    /// Largest relative error of the stiffness.
+    pub stiffness_error: f64,
+    /// Largest delay of an arm's controller (s).
+    pub delay: f64,
     /// When to stop refining, the time of the first solve included.
     pub time_limit: Duration,
     /// Changes in a row without improvement after which the refinement of a plan is stuck.
@@ -21,10 +29,21 @@ pub struct RobustnessTarget {
 
 impl Default for RobustnessTarget {
     fn default() -> Self {
+        Self::of(&Borne::default())
+    }
+}
+
+impl RobustnessTarget {
+    /// For what a scene says must be borne.
+    pub fn of(borne: &Borne) -> Self {
+        let Borne { frictions, turn, inertia_error, stiffness_error, delay } = borne.clone();
         Self {
             wanted_rate: 0.99,
-            frictions: vec![0.0, 0.1],
-            turn: 0.0,
+            frictions,
+            turn,
+            inertia_error,
+            stiffness_error,
+            delay,
             time_limit: Duration::from_secs(300),
             patience: 150,
         }
