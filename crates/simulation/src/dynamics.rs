@@ -1,11 +1,12 @@
 //! One time step of the body: impedance control, contacts, motion.
 
-use nalgebra::{Isometry3, Matrix3, Matrix6, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
 use task::{Impedance, Inertia};
 
-use crate::contact::{Contact, ContactFinder};
-use crate::least_distance::{Cone, LeastDistance, Vector6};
-use crate::metric::Metric;
+use crate::contact::ContactFinder;
+use crate::contact_solver::{ContactSolver, moved};
+use crate::least_distance::Vector6;
+use crate::metric::{Metric, effective_inertia};
 use crate::reference::Knot;
 
 /// Pose and twist of the body.
@@ -45,15 +46,13 @@ impl Body {
 #[derive(Debug, Clone)]
 pub struct Stepper {
     impedance: Impedance,
-    friction: f64,
+    /// Where the controller believes the body's origin (m, body frame).
+    offset: Vector3<f64>,
     /// Every length is twice the one before.
     lengths: Vec<Length>,
     /// Index of the longest step to try.
     longest: usize,
-    solver: LeastDistance,
-    cones: Vec<Cone>,
-    /// Pair and normal impulse (Ns) of contacts in the last step.
-    impulses: Vec<(usize, f64)>,
+    solver: ContactSolver,
 }
 
 /// What depends on the length of a step.
@@ -71,10 +70,6 @@ struct Length {
     carried: Matrix6<f64>,
 }
 
-/// Smaller overlaps (m), as integration leaves them, are not corrected.
-const OVERLAP: f64 = 1e-7;
-/// Largest number of corrections per step, each with new contacts.
-const CORRECTIONS: usize = 8;
 /// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
 const STEADY: f64 = 1.0;
 /// A body that touches with friction and moves by more than this part of the largest change of velocity slides.
@@ -87,15 +82,22 @@ const DOUBLINGS: u32 = 6;
 const SMOOTH: f64 = 0.5;
 
 impl Stepper {
-    /// For shortest steps of `time_step` seconds of which `count` make an interval, and a friction coefficient; `None`
-    /// unless the effective inertia is positive definite and finite.
-    pub fn new(time_step: f64, count: usize, inertia: &Inertia, impedance: &Impedance, friction: f64) -> Option<Self> {
+    /// For shortest steps of `time_step` seconds of which `count` make an interval, an offset of which the controller
+    /// does not know (m, body frame), and a friction coefficient; `None` unless the effective inertia is positive definite and finite.
+    pub fn new(
+        (time_step, count): (f64, usize),
+        inertia: &Inertia,
+        impedance: &Impedance,
+        offset: Vector3<f64>,
+        friction: f64,
+    ) -> Option<Self> {
         let rate = fastest_rate(inertia, impedance);
         let length = |doublings: u32| {
             let (time_step, weight) =
                 (time_step * f64::from(1_u32 << doublings), if doublings == 0 { 1.0 } else { 0.5 });
-            let metric = Metric::new(weight * time_step, inertia, impedance)?;
-            let carried = inertia.matrix() / weight - metric.effective() * (1.0 / weight - 1.0);
+            let effective = effective_inertia(weight * time_step, inertia, impedance);
+            let metric = Metric::of_inertia(&effective)?;
+            let carried = inertia.matrix() / weight - effective * (1.0 / weight - 1.0);
             Some(Length { time_step, weight, metric, carried })
         };
         let is_short = |length: &Option<Length>| {
@@ -103,12 +105,10 @@ impl Stepper {
         };
         Some(Self {
             impedance: impedance.clone(),
-            friction,
+            offset,
             lengths: (0..=count.ilog2().min(DOUBLINGS)).map(length).take_while(is_short).collect::<Option<_>>()?,
             longest: 0,
-            solver: LeastDistance::default(),
-            cones: Vec::new(),
-            impulses: Vec::new(),
+            solver: ContactSolver::new(friction),
         })
     }
 
@@ -120,7 +120,6 @@ impl Stepper {
         body: &mut Body,
         (done, count): (usize, usize),
         target: impl Fn(f64) -> Knot,
-        offset: &Vector3<f64>,
         finder: &mut ContactFinder,
         impulses: &mut [f64],
     ) -> (usize, f64) {
@@ -133,11 +132,10 @@ impl Stepper {
                 &mut next,
                 length,
                 &target(done as f64 + self.lengths[length].weight * taken as f64),
-                offset,
                 finder,
             );
             if length == 0 || change <= most {
-                for &(pair, impulse) in &self.impulses {
+                for (pair, impulse) in self.solver.impulses() {
                     impulses[pair] += impulse;
                 }
                 if 2.0 * change <= most {
@@ -162,26 +160,19 @@ impl Stepper {
 
     /// Moves the body by a step of some length. Returns the overlap (m) before, and how much the velocity (m/s) of any
     /// point has changed; infinite if a longer step would leave an overlap or slide with friction.
-    fn advance(
-        &mut self,
-        body: &mut Body,
-        length: usize,
-        target: &Knot,
-        offset: &Vector3<f64>,
-        finder: &mut ContactFinder,
-    ) -> (f64, f64) {
+    fn advance(&mut self, body: &mut Body, length: usize, target: &Knot, finder: &mut ContactFinder) -> (f64, f64) {
         let before = *body;
-        let free = self.free_velocity(body, length, target, offset);
+        let free = self.free_velocity(body, length, target);
         let Length { time_step, weight, metric, .. } = &self.lengths[length];
         let (time_step, weight, radius) = (*time_step, *weight, finder.radius());
         let speed = |velocity: &Vector3<f64>, angular: &Vector3<f64>| velocity.norm() + radius * angular.norm();
         let reach = if length == 0 {
             // Contacts only dissipate: with or without them, no point of the body moves further than this.
-            time_step * metric.fastest(&free, radius)
+            time_step * metric.fastest(free.norm(), radius)
         } else {
             time_step * (speed(&body.velocity, &body.angular_velocity) + self.largest_change())
         };
-        let overlap = self.correct(body, finder, reach);
+        let overlap = self.solver.correct(&self.lengths[0].metric, &mut body.pose, finder, reach);
         let start = body.pose;
         if length > 0 && !finder.contacts.is_empty() {
             // Contacts slide and turn meanwhile: forces are those of the middle of the step.
@@ -189,14 +180,15 @@ impl Stepper {
             body.pose = moved(&start, &(body.velocity * half), &(body.angular_velocity * half));
             finder.find(&body.pose, reach);
         }
-        let velocity = self.resolve(&free, body, length, &finder.contacts);
-        (body.velocity, body.angular_velocity) = self.lengths[length].metric.unscale(&velocity);
+        let metric = &self.lengths[length].metric;
+        self.solver.set(metric, &body.pose, time_step, &free, &finder.contacts);
+        (body.velocity, body.angular_velocity) = metric.unscale(&self.solver.resolve(&free));
         let mean = |from: &Vector3<f64>, to: &Vector3<f64>| from.lerp(to, weight) * time_step;
         let shift = mean(&before.velocity, &body.velocity);
         body.pose = moved(&start, &shift, &mean(&before.angular_velocity, &body.angular_velocity));
         let mut change = speed(&(body.velocity - before.velocity), &(body.angular_velocity - before.angular_velocity));
         // A body that slides with friction hovers, the higher the longer the step.
-        let touches_with_friction = self.friction > 0.0 && !self.impulses.is_empty();
+        let touches_with_friction = self.solver.friction > 0.0 && self.solver.pushes();
         if touches_with_friction && speed(&body.velocity, &body.angular_velocity) > REST * self.largest_change() {
             change = f64::INFINITY;
         }
@@ -208,8 +200,9 @@ impl Stepper {
     }
 
     /// The scaled velocity that the body would have without contacts.
-    fn free_velocity(&self, body: &Body, length: usize, target: &Knot, offset: &Vector3<f64>) -> Vector6 {
-        let (Length { time_step, weight, metric, carried }, impedance) = (&self.lengths[length], &self.impedance);
+    fn free_velocity(&self, body: &Body, length: usize, target: &Knot) -> Vector6 {
+        let Self { impedance, offset, .. } = self;
+        let Length { time_step, weight, metric, carried } = &self.lengths[length];
         // Eq. impedancewrench at the believed pose: k_t (rho_r - rho_c) + D_t nu_r and 2 k_r eta eps + D_r omega_r. The
         // body's own damping is in the effective inertia.
         let turned = offset + body.angular_velocity.cross(offset) * ((1.0 - weight) * time_step);
@@ -228,54 +221,6 @@ impl Stepper {
             &(momentum.fixed_rows::<3>(3) + torque * *time_step),
         )
     }
-
-    /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by
-    /// the shortest way and without changing its velocity. Returns the overlap before (m).
-    fn correct(&mut self, body: &mut Body, finder: &mut ContactFinder, reach: f64) -> f64 {
-        let before = -finder.find(&body.pose, reach);
-        let mut overlap = before;
-        for _ in 0..CORRECTIONS {
-            if overlap <= OVERLAP {
-                break;
-            }
-            let placed = self.lengths[0].metric.placed(&body.pose);
-            self.cones.clear();
-            for Contact { point, normal, gap, .. } in &finder.contacts {
-                self.cones.push(Cone { normal: placed.along(point, normal), tangents: None, bound: -gap });
-            }
-            let correction = self.solver.solve(&Vector6::zeros(), &self.cones);
-            let (shift, turn) = self.lengths[0].metric.unscale(&correction);
-            body.pose = moved(&body.pose, &shift, &turn);
-            overlap = -finder.find(&body.pose, reach);
-        }
-        before.max(0.0)
-    }
-
-    /// Eq. ts3 for all contacts at once: of all velocities with `gap + time_step normal' v >= 0` at every contact, the
-    /// one nearest to the free velocity in kinetic energy. With friction it is Anitescu's convex problem: a contact
-    /// force lies in a polyhedral friction cone, and `v` is reduced by the speed of sliding times the coefficient.
-    fn resolve(&mut self, free: &Vector6, body: &Body, length: usize, contacts: &[Contact]) -> Vector6 {
-        self.cones.clear();
-        self.impulses.clear();
-        if contacts.is_empty() {
-            return *free;
-        }
-        let Length { time_step, metric, .. } = &self.lengths[length];
-        let placed = metric.placed(&body.pose);
-        let (velocity, angular_velocity) = metric.unscale(free);
-        let angular_velocity = body.pose.rotation * angular_velocity;
-        for Contact { point, normal, gap, .. } in contacts {
-            let tangents = (self.friction > 0.0).then(|| {
-                let sliding = velocity + angular_velocity.cross(&(point - body.pose.translation.vector));
-                tangents(normal, &sliding).map(|tangent| placed.along(point, &tangent) * self.friction)
-            });
-            let bound = -gap.max(0.0) / time_step;
-            self.cones.push(Cone { normal: placed.along(point, normal), tangents, bound });
-        }
-        let resolved = self.solver.solve(free, &self.cones);
-        self.impulses.extend(self.solver.active.iter().map(|active| (contacts[active.cone].pair, active.multiplier)));
-        resolved
-    }
 }
 
 /// The fastest rate (1/s) at which a free body answers.
@@ -286,22 +231,6 @@ fn fastest_rate(inertia: &Inertia, impedance: &Impedance) -> f64 {
     let (mass, rotational) = inertia.lightest();
     let linear = rate(mass, &impedance.translational_damping, impedance.translational_stiffness);
     linear.max(rate(rotational, &impedance.rotational_damping, impedance.rotational_stiffness))
-}
-
-/// A pose shifted in the world frame and turned in the body frame.
-fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, turn: &Vector3<f64>) -> Isometry3<f64> {
-    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*turn);
-    rotation.renormalize_fast();
-    Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
-}
-
-/// Two unit tangents, at right angles. The first is along the tangential velocity, if there is one.
-fn tangents(normal: &Vector3<f64>, velocity: &Vector3<f64>) -> [Vector3<f64>; 2] {
-    let tangential = velocity - normal * normal.dot(velocity);
-    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-    let any = axes[normal.abs().imin()];
-    let first = tangential.try_normalize(1e-9).unwrap_or_else(|| normal.cross(&any).normalize());
-    [first, normal.cross(&first)]
 }
 
 #[cfg(test)]
@@ -316,7 +245,7 @@ mod tests {
     fn lengths(lag: f64, stiffness: f64) -> Vec<usize> {
         let inertia = Inertia::of_body(1.0, Matrix3::identity());
         let impedance = Impedance::critically_damped(stiffness, stiffness, &inertia);
-        let mut stepper = Stepper::new(TIME_STEP, COUNT, &inertia, &impedance, 0.0).unwrap();
+        let mut stepper = Stepper::new((TIME_STEP, COUNT), &inertia, &impedance, Vector3::zeros(), 0.0).unwrap();
         let shapes = Shapes::new(&[]);
         let mut finder = ContactFinder::new(&shapes);
         let still = |x: f64| Knot {
@@ -327,8 +256,7 @@ mod tests {
         let mut body = Body { pose: still(0.0).pose, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
         let (mut lengths, mut done) = (Vec::new(), 0);
         while done < COUNT {
-            let (taken, _) =
-                stepper.step(&mut body, (done, COUNT), |_| still(lag), &Vector3::zeros(), &mut finder, &mut []);
+            let (taken, _) = stepper.step(&mut body, (done, COUNT), |_| still(lag), &mut finder, &mut []);
             lengths.push(taken);
             done += taken;
         }

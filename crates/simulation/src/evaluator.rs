@@ -2,6 +2,8 @@
 
 use task::{AssemblyTask, Limits};
 
+use crate::arm_model::{ArmModel, ArmModelError};
+use crate::disturbance::{Disturbance, Injection};
 use crate::grasp_error::GraspError;
 use crate::parallel::in_parallel;
 use crate::reference::Reference;
@@ -16,6 +18,8 @@ pub struct Trial {
     pub friction: usize,
     /// Injected grasp error.
     pub grasp: GraspError,
+    /// How robot and controller differ from what they are taken for.
+    pub disturbance: Disturbance,
 }
 
 /// How a reference does in a trial.
@@ -50,6 +54,15 @@ impl Evaluator {
         Self { rollouts: frictions.iter().map(rollout).collect(), success, limits: task.limits }
     }
 
+    /// With an arm that holds the body.
+    ///
+    /// # Errors
+    /// As [`Rollout::with_arm`].
+    pub fn with_arm(self, model: &ArmModel) -> Result<Self, ArmModelError> {
+        let rollouts = self.rollouts.into_iter().map(|rollout| rollout.with_arm(model));
+        Ok(Self { rollouts: rollouts.collect::<Result<_, _>>()?, ..self })
+    }
+
     /// What counts as success.
     pub fn success(&self) -> &Success {
         &self.success
@@ -65,7 +78,8 @@ impl Evaluator {
     /// # Panics
     /// When the evaluator has no friction coefficient of the trial's index.
     pub fn evaluate(&self, reference: &Reference, trial: &Trial) -> TrialResult {
-        let outcome = self.rollouts[trial.friction].play(reference, trial.grasp, |_, _| {});
+        let injection = Injection { grasp: trial.grasp, disturbance: trial.disturbance };
+        let outcome = self.rollouts[trial.friction].play(reference, injection, |_, _| {});
         let excess = (outcome.max_force / self.limits.contact_force - 1.0).max(0.0);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
             return TrialResult { passed: true, miss: 0.0 };

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use task::Impedance;
 
 use crate::reference::Reference;
@@ -28,6 +28,11 @@ const SAME: f64 = 1e-9;
 impl GraspError {
     fn rotation(&self) -> UnitQuaternion<f64> {
         UnitQuaternion::from_scaled_axis(Vector3::from(self.turn))
+    }
+
+    /// The believed part in the frame of the part.
+    pub(crate) fn believed(&self) -> Isometry3<f64> {
+        Isometry3::from_parts(Vector3::from(self.offset).into(), self.rotation())
     }
 
     /// Pose of the part (position m, unit quaternion w x y z) when the robot believes it to be at the reference's

@@ -19,6 +19,19 @@
 //! }
 //! ```
 //!
+//! With an [`ArmModel`] ([`Rollout::with_arm`]), rollouts are those of the whole arm in joint space: its mass matrix,
+//! Coriolis torques, dry friction of the joints, and a controller that samples, is late and holds its torques. The part
+//! may sit elsewhere in the gripper than the arm believes, and a [`Disturbance`] makes arm and controller differ from
+//! their model. Left out are gravity, which the arm compensates, limits of joints and torques, and elasticity. A
+//! redundant arm has no torques for its other motions: only joint friction brakes them.
+//!
+//! | question | answer |
+//! |---|---|
+//! | how does the arm move? | semi-implicit Euler in joint space, a posture and a mass matrix in every step; `arm_dynamics` |
+//! | what do contacts see? | the part as a free body with the inertia `(J M^-1 J')^-1`: the same solver; `contact_solver` |
+//! | how do joints stick? | exactly: impulses within the box of Coulomb, by projected Gauss-Seidel; `joint_friction` |
+//! | when does the controller act? | `sampled_controller` |
+//!
 //! An [`Evaluator`] simulates a reference in several [`Trial`]s. A [`Refinement`] changes the reference until it passes
 //! all of them.
 //!
@@ -37,21 +50,27 @@
 //!
 //! | paper | label | here |
 //! |---|---|---|
-//! | Eq. (17), Moreau's time stepping | `Eq. ts` | [`Rollout::play`], `dynamics::Stepper::step` |
-//! | Eq. (17c), contacts without overlap | `Eq. ts3` | `dynamics::Stepper::resolve` |
+//! | Eq. (17), Moreau's time stepping | `Eq. ts` | [`Rollout::play`], `dynamics::Stepper::step`, `arm_dynamics::ArmStepper::step` |
+//! | Eq. (17c), contacts without overlap | `Eq. ts3` | `contact_solver::ContactSolver::resolve` |
 //! | Eq. (18), impedance law | `Eq. impedancewrench` | `dynamics::Stepper::free_velocity` |
 //! | zero level of Eq. (1), signed distance | `Eq. sdfopt` | `contact::ContactFinder::find` |
 //! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`GraspError::start`] |
 //! | Fig. 12, success rates under injected offsets | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
 
 mod arc;
+mod arm_dynamics;
+mod arm_model;
+mod arm_posture;
 mod axis;
 mod bump;
 mod candidates;
 mod contact;
+mod contact_solver;
+mod disturbance;
 mod dynamics;
 mod evaluator;
 mod grasp_error;
+mod joint_friction;
 mod least_distance;
 mod metric;
 mod motion;
@@ -61,12 +80,15 @@ mod patch;
 mod reference;
 mod refinement;
 mod rollout;
+mod sampled_controller;
 mod settings;
 mod settings_error;
 mod solid;
 mod success;
 
+pub use arm_model::{ArmModel, ArmModelError};
 pub use bump::Bump;
+pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, Trial, TrialResult};
 pub use grasp_error::GraspError;
 pub use reference::{Knot, Reference};

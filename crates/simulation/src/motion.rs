@@ -2,30 +2,36 @@
 
 use task::{AssemblyTask, Quality, ScenarioTrajectory, Trajectory};
 
-use crate::grasp_error::GraspError;
+use crate::disturbance::Injection;
 use crate::reference::Reference;
 use crate::rollout::Rollout;
 
 impl Rollout {
-    /// The motions of the body under some grasp errors or offsets (m, body frame): states and mean contact forces at the knots of the
-    /// reference. Distances are smoothed by `tau`; final errors and largest forces include the settling time. A rollout
+    /// The motions of the body under some injections, grasp errors or offsets (m, body frame): states and mean contact forces
+    /// at the knots of the reference. Distances are smoothed by `tau`; final errors and largest forces include the settling time. A rollout
     /// that diverges ends early.
-    pub fn trajectory<G: Copy + Into<GraspError>>(&self, reference: &Reference, grasps: &[G], tau: f64) -> Trajectory {
+    pub fn trajectory<G: Copy + Into<Injection>>(
+        &self,
+        reference: &Reference,
+        injections: &[G],
+        tau: f64,
+    ) -> Trajectory {
         Trajectory {
             time_step: reference.time_step(),
             reference: reference.states(),
             reference_keeps: reference.limits_kept(),
-            scenarios: grasps.iter().map(|&grasp| self.scenario(reference, grasp.into(), tau)).collect(),
+            scenarios: injections.iter().map(|&injection| self.scenario(reference, &injection.into(), tau)).collect(),
             quaternion_drift: 0.0,
         }
     }
 
-    fn scenario(&self, reference: &Reference, grasp: GraspError, tau: f64) -> ScenarioTrajectory {
+    fn scenario(&self, reference: &Reference, injection: &Injection, tau: f64) -> ScenarioTrajectory {
+        let Injection { grasp, disturbance } = injection;
         let (_, substeps) = self.settings.divide(reference.time_step());
         let mut states = vec![task::at_rest(&grasp.start(reference))];
         let mut forces: Vec<Vec<f64>> = Vec::with_capacity(reference.intervals());
         let mut steps = 0;
-        let outcome = self.play(reference, grasp, |body, impulses| {
+        let outcome = self.play(reference, *injection, |body, impulses| {
             steps += 1;
             if steps % substeps == 0 && forces.len() < reference.intervals() {
                 states.push(body.state());
@@ -33,7 +39,8 @@ impl Rollout {
             }
         });
         // What the robot tracks, in the frame of a part that is turned in the gripper.
-        let task = AssemblyTask { impedance: grasp.impedance(&self.task.impedance), ..self.task.clone() };
+        let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
+        let task = AssemblyTask { impedance, ..self.task.clone() };
         let motion = ScenarioTrajectory::new(
             &task,
             grasp.offset,

@@ -35,7 +35,8 @@ impl Knot {
         }
     }
 
-    fn state(&self) -> [f64; 13] {
+    /// Position, quaternion w x y z, velocity (world frame), angular velocity (body frame).
+    pub(crate) fn state(&self) -> [f64; 13] {
         let ([x, y, z, w, i, j, k], v, omega) = (coordinates(&self.pose), self.velocity, self.angular_velocity);
         [x, y, z, w, i, j, k, v.x, v.y, v.z, omega.x, omega.y, omega.z]
     }
@@ -132,7 +133,8 @@ impl Reference {
     }
 }
 
-fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) -> Isometry3<f64> {
+/// A pose on the straight way between two, turning about one axis.
+pub fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) -> Isometry3<f64> {
     let position = from.translation.vector.lerp(&to.translation.vector, fraction);
     // The scaled axis is that of the shorter way, also where the signs of the quaternions differ.
     let turn = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;

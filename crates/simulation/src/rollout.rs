@@ -1,13 +1,16 @@
 //! Closed-loop rollouts of plans under injected errors.
 
-use nalgebra::Vector3;
+use nalgebra::{Isometry3, Vector3};
+use robot::JointVector;
 use task::AssemblyTask;
 
+use crate::arm_dynamics::ArmStepper;
+use crate::arm_model::{ArmModel, ArmModelError};
 use crate::contact::{ContactFinder, Shapes};
+use crate::disturbance::Injection;
 use crate::dynamics::{Body, Stepper};
-use crate::grasp_error::GraspError;
 use crate::parallel::in_parallel;
-use crate::reference::{Reference, coordinates, isometry};
+use crate::reference::{Knot, Reference, coordinates, isometry};
 use crate::settings::Settings;
 use crate::success::Success;
 
@@ -17,6 +20,31 @@ pub struct Rollout {
     pub(crate) task: AssemblyTask,
     pub(crate) settings: Settings,
     shapes: Shapes,
+    /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
+    arm: Option<(ArmModel, JointVector)>,
+}
+
+/// What moves.
+enum Plant<'arm> {
+    Body(Box<Stepper>),
+    Arm(Box<ArmStepper<'arm>>),
+}
+
+impl Plant<'_> {
+    /// Moves the body by one step; as [`Stepper::step`].
+    fn step(
+        &mut self,
+        body: &mut Body,
+        (done, count): (usize, usize),
+        target: impl Fn(f64) -> Knot,
+        finder: &mut ContactFinder,
+        impulses: &mut [f64],
+    ) -> (usize, f64) {
+        match self {
+            Self::Body(stepper) => stepper.step(body, (done, count), target, finder, impulses),
+            Self::Arm(stepper) => (1, stepper.step(body, || target(done as f64), finder, impulses)),
+        }
+    }
 }
 
 /// How a rollout ended.
@@ -74,48 +102,58 @@ impl TimedState {
 impl Rollout {
     /// Prepares the shapes of a task. Callers validate the settings ([`Settings::validate_for`]).
     pub fn new(task: &AssemblyTask, settings: Settings) -> Self {
-        Self { task: task.clone(), settings, shapes: Shapes::new(&task.pairs) }
+        Self { task: task.clone(), settings, shapes: Shapes::new(&task.pairs), arm: None }
     }
 
-    /// One rollout of a reference per grasp error or offset (m, body frame), on `jobs` threads. Outcomes are in the
-    /// order of the errors and do not depend on the number of threads.
-    pub fn simulate<G: Copy + Into<GraspError> + Sync>(
+    /// With an arm that holds the body. The inertia is that of the arm then, not that of the task; the time step becomes
+    /// the largest divisor of the control period that is not longer than that of the settings.
+    ///
+    /// # Errors
+    /// When a number of the model is out of its range, or the arm does not reach goal, start and the straight way between
+    /// them on one branch.
+    pub fn with_arm(mut self, model: &ArmModel) -> Result<Self, ArmModelError> {
+        let start = model.start(&self.task)?;
+        self.settings.time_step = self.settings.divide(model.control_period).0;
+        self.arm = Some((model.clone(), start));
+        Ok(self)
+    }
+
+    /// One rollout of a reference per injection, grasp error or offset (m, body frame), on `jobs` threads. Outcomes are in
+    /// the order of these and do not depend on the number of threads.
+    pub fn simulate<G: Copy + Into<Injection> + Sync>(
         &self,
         reference: &Reference,
-        grasps: &[G],
+        injections: &[G],
         jobs: usize,
     ) -> Vec<Outcome> {
-        in_parallel(grasps.len(), jobs, |index| self.play(reference, grasps[index], |_, _| {}))
+        in_parallel(injections.len(), jobs, |index| self.play(reference, injections[index], |_, _| {}))
     }
 
-    /// One rollout of a reference with a grasp error or offset (m, body frame). The body starts at rest where it really
+    /// One rollout of a reference with an injection, grasp error or offset (m, body frame). The body starts at rest where it really
     /// is when the robot believes it to be at the reference's start; at its end the reference is held for the settling
     /// time. `observe` gets the state after every time step, and the normal impulse (Ns) of every pair since the last
     /// knot. Within time steps that are taken as one, states are interpolated, and impulses are those at its end.
     ///
-    /// A reference that [`Settings::validate_for`] refuses, or an inertia that is not positive definite, cannot be
-    /// simulated: the outcome has diverged at its start.
+    /// A reference that [`Settings::validate_for`] refuses, a disturbance out of its range, an inertia that is not positive
+    /// definite, or a start that the arm does not reach cannot be simulated: the outcome has diverged at its start.
     pub fn play(
         &self,
         reference: &Reference,
-        grasp: impl Into<GraspError>,
+        injection: impl Into<Injection>,
         mut observe: impl FnMut(&TimedState, &[f64]),
     ) -> Outcome {
-        let grasp = grasp.into();
+        let injection = injection.into();
         let mut body = Body {
-            pose: isometry(&grasp.start(reference)),
+            pose: isometry(&injection.grasp.start(reference)),
             velocity: Vector3::zeros(),
             angular_velocity: Vector3::zeros(),
         };
-        let (reference, impedance) = (&grasp.reference(reference), grasp.impedance(&self.task.impedance));
-        let (time_step, substeps) = self.settings.divide(reference.time_step());
-        let valid = self.settings.validate_for(reference).is_ok();
-        let stepper = Stepper::new(time_step, substeps, &self.task.inertia, &impedance, self.settings.friction);
-        let Some(mut stepper) = stepper.filter(|_| valid) else {
+        let Some(mut plant) = self.plant(reference, &body.pose, &injection) else {
             return Outcome { diverged: true, ..self.outcome(&body, 0.0, 0.0) };
         };
+        let reference = &injection.grasp.reference(reference);
+        let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut finder = ContactFinder::new(&self.shapes);
-        let offset = Vector3::from(grasp.offset);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
         let mut max_impulse = 0.0_f64;
         let mut impulses = vec![0.0; self.task.pairs.len()];
@@ -125,8 +163,7 @@ impl Rollout {
             while done < substeps {
                 let target = |count: f64| reference.at(interval, count / substeps as f64);
                 let before = body;
-                let (taken, overlap) =
-                    stepper.step(&mut body, (done, substeps), target, &offset, &mut finder, &mut impulses);
+                let (taken, overlap) = plant.step(&mut body, (done, substeps), target, &mut finder, &mut impulses);
                 max_penetration = max_penetration.max(overlap);
                 for moment in 1..=taken {
                     let time = (interval * substeps + done + moment) as f64 * time_step;
@@ -141,6 +178,28 @@ impl Rollout {
             }
         }
         self.outcome(&body, max_penetration, max_impulse / reference.time_step())
+    }
+
+    /// What moves from a pose of the body at rest; `None` if it cannot be simulated.
+    fn plant(&self, reference: &Reference, start: &Isometry3<f64>, injection: &Injection) -> Option<Plant<'_>> {
+        let Injection { grasp, disturbance } = injection;
+        self.settings.validate_for(reference).ok().and(disturbance.validate().ok())?;
+        let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
+        let (time_step, substeps) = self.settings.divide(reference.time_step());
+        let friction = self.settings.friction;
+        match &self.arm {
+            None => {
+                let inertia = disturbance.inertia(&self.task.inertia);
+                let offset = Vector3::from(grasp.offset);
+                let stepper = Stepper::new((time_step, substeps), &inertia, &impedance, offset, friction);
+                stepper.map(|stepper| Plant::Body(Box::new(stepper)))
+            }
+            Some((model, near)) => {
+                let control = (impedance, disturbance);
+                let stepper = ArmStepper::new(model, near, (start, grasp.believed()), control, time_step, friction);
+                stepper.map(|stepper| Plant::Arm(Box::new(stepper)))
+            }
+        }
     }
 
     fn outcome(&self, body: &Body, max_penetration: f64, max_force: f64) -> Outcome {

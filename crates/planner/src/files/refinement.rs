@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use simulation::{GraspError, Trial};
+use simulation::{Disturbance, GraspError, Trial};
 
 use crate::error::{PlannerError, Unusable};
 use crate::files::sealed::{unseal, write_sealed};
@@ -95,7 +95,8 @@ impl From<&Trial> for TrialRecord {
 
 impl From<&TrialRecord> for Trial {
     fn from(record: &TrialRecord) -> Self {
-        Self { friction: record.friction, grasp: GraspError { offset: record.offset_m, turn: record.turn_rad } }
+        let grasp = GraspError { offset: record.offset_m, turn: record.turn_rad };
+        Self { friction: record.friction, grasp, disturbance: Disturbance::default() }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
-use simulation::{Evaluator, GraspError, Reference, Trial, TrialResult, offsets};
+use simulation::{Disturbance, Evaluator, GraspError, Reference, Trial, TrialResult, offsets};
 use task::AssemblyTask;
 
 use crate::success_rates::{SuccessRate, SuccessRates};
@@ -65,7 +65,14 @@ impl Evaluation {
         for (index, &friction) in frictions.iter().enumerate() {
             let mut add = |magnitude_m: f64, planned: bool, errors: &mut dyn Iterator<Item = GraspError>| {
                 let errors = GraspError::distinct(errors);
-                let trial = |(place, grasp)| (!planned, place, groups.len(), Trial { friction: index, grasp });
+                let trial = |(place, grasp)| {
+                    (
+                        !planned,
+                        place,
+                        groups.len(),
+                        Trial { friction: index, grasp, disturbance: Disturbance::default() },
+                    )
+                };
                 placed.extend(errors.into_iter().enumerate().map(trial));
                 groups.push(SuccessRate { friction, magnitude_m, planned, rollouts: 0, successes: 0 });
             };
@@ -143,7 +150,7 @@ mod tests {
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
         let group = |planned| SuccessRate { friction: 0.0, magnitude_m: 0.01, planned, rollouts: 0, successes: 0 };
-        let trial = Trial { friction: 0, grasp: GraspError::default() };
+        let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
         Evaluation { groups: vec![group(true), group(false)], trials: vec![trial; numbers.len()], group: numbers }
     }

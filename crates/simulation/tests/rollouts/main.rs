@@ -1,6 +1,7 @@
 //! Rollouts in small worlds.
 
 mod absurd;
+mod arms;
 mod convergence;
 mod physics;
 mod properties;

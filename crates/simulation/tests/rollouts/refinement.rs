@@ -1,7 +1,7 @@
 //! References evaluated and refined.
 
 use nalgebra::Vector3;
-use simulation::{Bump, Evaluator, GraspError, Reference, Refinement, Success, Trial};
+use simulation::{Bump, Disturbance, Evaluator, GraspError, Reference, Refinement, Success, Trial};
 
 use crate::world::{STIFFNESS, block, floor, hole, task, through};
 
@@ -19,7 +19,11 @@ fn beside() -> Reference {
 
 fn trials() -> Vec<Trial> {
     let offsets = [[0.0; 3], [0.0005, 0.0, 0.0], [-0.0005, 0.0, 0.0]];
-    (0..2).flat_map(|friction| offsets.map(|offset| Trial { friction, grasp: offset.into() })).collect()
+    (0..2)
+        .flat_map(|friction| {
+            offsets.map(|offset| Trial { friction, grasp: offset.into(), disturbance: Disturbance::default() })
+        })
+        .collect()
 }
 
 fn refinement(evaluator: &Evaluator, seed: u64) -> Refinement<'_> {
@@ -76,7 +80,7 @@ fn changes_that_break_a_limit_are_refused() {
 
 #[test]
 fn a_push_beyond_the_limit_is_no_success() {
-    let trial = Trial { friction: 0, grasp: GraspError::default() };
+    let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
     const DEPTH: f64 = 1e-3;
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
     world.goal[2] = 0.04;

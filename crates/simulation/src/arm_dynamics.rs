@@ -1,0 +1,155 @@
+//! One time step of an arm that holds the body: control at samples, joint friction, contacts, motion.
+
+use nalgebra::{Isometry3, Vector3};
+use robot::{Arm, JointVector};
+use task::Impedance;
+
+use crate::arm_model::ArmModel;
+use crate::arm_posture::ArmPosture;
+use crate::contact::{Contact, ContactFinder};
+use crate::contact_solver::ContactSolver;
+use crate::disturbance::Disturbance;
+use crate::dynamics::Body;
+use crate::joint_friction::JointFriction;
+use crate::reference::{Knot, coordinates};
+use crate::sampled_controller::SampledController;
+
+/// Steps of an arm, semi-implicit Euler in joint space: `M (v+ - v) = h (torques - bias) + friction + J' contacts` with
+/// joint speeds `v` and impulses of joint friction and contacts, then positions move with `v+`. As torques hold between
+/// samples, the controller is explicit and may be unstable, as it would be on the arm.
+///
+/// Contacts see the velocity of the part only. Among all joint speeds with the same velocity of the part, the nearest in
+/// kinetic energy are those that an impulse on the part gives; so contacts are resolved as those of a free body with the
+/// apparent inertia. Impulses of contacts and joint friction follow each other until they agree: both minimise the same
+/// convex function, one block after the other.
+#[derive(Debug)]
+pub struct ArmStepper<'arm> {
+    arm: &'arm Arm,
+    time_step: f64,
+    impedance: Impedance,
+    /// The believed part in the frame of the part.
+    grasp: Isometry3<f64>,
+    /// Factor of the mass matrix, and with it of all inertia.
+    heaviness: f64,
+    controller: SampledController,
+    friction: JointFriction,
+    solver: ContactSolver,
+    steps: usize,
+    configuration: JointVector,
+    /// Joint speeds (rad/s or m/s).
+    velocity: JointVector,
+    posture: ArmPosture<'arm>,
+}
+
+/// Largest number of times that contacts and joint friction follow each other in a step.
+const ROUNDS: usize = 20;
+
+impl<'arm> ArmStepper<'arm> {
+    /// At rest, for steps of `time_step` seconds: `body` is where the part really is, `grasp` the believed part in its
+    /// frame, and `near` names the branch. `None` if the arm does not reach that pose, or a number is none.
+    pub fn new(
+        model: &'arm ArmModel,
+        near: &JointVector,
+        (body, grasp): (&Isometry3<f64>, Isometry3<f64>),
+        (impedance, disturbance): (Impedance, &Disturbance),
+        time_step: f64,
+        friction: f64,
+    ) -> Option<Self> {
+        let arm = &model.arm;
+        let configuration = arm.inverse_kinematics(&(body * grasp), near).ok()?;
+        let heaviness = 1.0 + disturbance.inertia;
+        let torques = model.joint_friction.iter().map(|torque| torque * (1.0 + disturbance.joint_friction));
+        Some(Self {
+            posture: ArmPosture::new(arm, &configuration, &grasp, heaviness)?,
+            arm,
+            time_step,
+            impedance,
+            grasp,
+            heaviness,
+            controller: SampledController::new(model.control_period, model.delay + disturbance.delay),
+            friction: JointFriction::new(torques, time_step),
+            solver: ContactSolver::new(friction),
+            steps: 0,
+            configuration,
+            velocity: JointVector::zeros(),
+        })
+    }
+
+    /// Moves the body by one step, with `target` the reference at its begin. Adds the normal impulse (Ns) of every pair to
+    /// `impulses`. Returns the overlap (m) that the previous step has left. Where the arm is singular, the velocity of the
+    /// body is no number any more.
+    pub fn step(
+        &mut self,
+        body: &mut Body,
+        target: impl FnOnce() -> Knot,
+        finder: &mut ContactFinder,
+        impulses: &mut [f64],
+    ) -> f64 {
+        let time = self.steps as f64 * self.time_step;
+        self.steps += 1;
+        let Self { posture, velocity, impedance, .. } = self;
+        let bias = posture.posture.bias(velocity);
+        let torque = self.controller.torque(time, || command(posture, velocity, impedance, &target()) + bias);
+        let acceleration = posture.mobility * (torque - bias * self.heaviness);
+        let free = *velocity + acceleration * self.time_step;
+        // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.
+        let norm = free.dot(&(posture.mass * free)).max(0.0).sqrt();
+        let reach = self.time_step * posture.metric.fastest(norm, finder.radius());
+        let mut pose = posture.pose;
+        let overlap = self.solver.correct(&posture.metric, &mut pose, finder, reach);
+        if overlap > 0.0 {
+            self.configuration += posture.correction(&pose);
+        }
+        self.resolve(&free, &pose, &finder.contacts);
+        for (pair, impulse) in self.solver.impulses() {
+            impulses[pair] += impulse;
+        }
+        self.configuration += self.velocity * self.time_step;
+        match ArmPosture::new(self.arm, &self.configuration, &self.grasp, self.heaviness) {
+            Some(posture) => {
+                let twist = posture.jacobian * self.velocity;
+                *body = Body {
+                    pose: posture.pose,
+                    velocity: twist.fixed_rows::<3>(0).into(),
+                    angular_velocity: twist.fixed_rows::<3>(3).into(),
+                };
+                self.posture = posture;
+            }
+            None => body.velocity = Vector3::repeat(f64::NAN),
+        }
+        overlap
+    }
+
+    /// Joint speeds after the step from those without contacts and joint friction.
+    fn resolve(&mut self, free: &JointVector, pose: &Isometry3<f64>, contacts: &[Contact]) {
+        let Self { posture, solver, friction, .. } = self;
+        for round in 1..=ROUNDS {
+            let without = free + posture.mobility * friction.impulses();
+            let scaled = posture.scaled(&without);
+            if round == 1 {
+                solver.set(&posture.metric, pose, self.time_step, &scaled, contacts);
+            }
+            let resolved = solver.resolve(&scaled);
+            self.velocity = without;
+            if solver.pushes() {
+                self.velocity += posture.change(&(resolved - scaled));
+            }
+            if round == ROUNDS || friction.is_zero() || !friction.brake(&posture.mobility, &mut self.velocity) {
+                break;
+            }
+            if contacts.is_empty() {
+                break;
+            }
+        }
+    }
+}
+
+/// Torques (Nm or N) of the impedance law at the believed pose.
+fn command(posture: &ArmPosture, velocity: &JointVector, impedance: &Impedance, target: &Knot) -> JointVector {
+    let mut state = [0.0; 13];
+    let believed = Isometry3::from_parts(posture.believed.into(), posture.pose.rotation);
+    state[..7].copy_from_slice(&coordinates(&believed));
+    state[7..].copy_from_slice((posture.tracked * velocity).as_slice());
+    let wrench = impedance.wrench(&target.state(), &state, &[0.0; 3]);
+    posture.tracked.tr_mul(&wrench.into())
+}

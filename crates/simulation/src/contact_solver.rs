@@ -1,0 +1,121 @@
+//! What contacts do to the velocity of the body, and how overlaps are removed.
+
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+
+use crate::contact::{Contact, ContactFinder};
+use crate::least_distance::{Cone, LeastDistance, Vector6};
+use crate::metric::Metric;
+
+/// Hard contacts without restitution, with friction.
+#[derive(Debug, Clone)]
+pub struct ContactSolver {
+    /// Coulomb's coefficient.
+    pub friction: f64,
+    solver: LeastDistance,
+    cones: Vec<Cone>,
+    /// Pair of every cone.
+    pairs: Vec<usize>,
+}
+
+/// Smaller overlaps (m), as integration leaves them, are not corrected.
+const OVERLAP: f64 = 1e-7;
+/// Largest number of corrections per step, each with new contacts.
+const CORRECTIONS: usize = 8;
+
+impl ContactSolver {
+    /// For a friction coefficient.
+    pub fn new(friction: f64) -> Self {
+        Self { friction, solver: LeastDistance::default(), cones: Vec::new(), pairs: Vec::new() }
+    }
+
+    /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by
+    /// the shortest way. Returns the overlap before (m).
+    pub fn correct(
+        &mut self,
+        metric: &Metric,
+        pose: &mut Isometry3<f64>,
+        finder: &mut ContactFinder,
+        reach: f64,
+    ) -> f64 {
+        let before = -finder.find(pose, reach);
+        let mut overlap = before;
+        for _ in 0..CORRECTIONS {
+            if overlap <= OVERLAP {
+                break;
+            }
+            let placed = metric.placed(pose);
+            self.cones.clear();
+            for Contact { point, normal, gap, .. } in &finder.contacts {
+                self.cones.push(Cone { normal: placed.along(point, normal), tangents: None, bound: -gap });
+            }
+            let correction = self.solver.solve(&Vector6::zeros(), &self.cones);
+            let (shift, turn) = metric.unscale(&correction);
+            *pose = moved(pose, &shift, &turn);
+            overlap = -finder.find(pose, reach);
+        }
+        before.max(0.0)
+    }
+
+    /// Takes over the contacts of a step of `time_step` seconds: a velocity is allowed if `gap + time_step normal' v >=
+    /// 0` at every contact. With friction it is Anitescu's convex problem: a contact force lies in a polyhedral friction
+    /// cone, which is built around the direction in which the `free` velocity slides, and `v` is reduced by the speed of
+    /// sliding times the coefficient.
+    pub fn set(
+        &mut self,
+        metric: &Metric,
+        pose: &Isometry3<f64>,
+        time_step: f64,
+        free: &Vector6,
+        contacts: &[Contact],
+    ) {
+        self.cones.clear();
+        self.pairs.clear();
+        if contacts.is_empty() {
+            return;
+        }
+        let placed = metric.placed(pose);
+        let (velocity, angular_velocity) = metric.unscale(free);
+        let angular_velocity = pose.rotation * angular_velocity;
+        for Contact { pair, point, normal, gap } in contacts {
+            let tangents = (self.friction > 0.0).then(|| {
+                let sliding = velocity + angular_velocity.cross(&(point - pose.translation.vector));
+                tangents(normal, &sliding).map(|tangent| placed.along(point, &tangent) * self.friction)
+            });
+            let bound = -gap.max(0.0) / time_step;
+            self.cones.push(Cone { normal: placed.along(point, normal), tangents, bound });
+            self.pairs.push(*pair);
+        }
+    }
+
+    /// Eq. ts3 for all contacts at once: of all velocities that are allowed, the one nearest to the free velocity in
+    /// kinetic energy.
+    pub fn resolve(&mut self, free: &Vector6) -> Vector6 {
+        self.solver.solve(free, &self.cones)
+    }
+
+    /// Pair and normal impulse (Ns) of the contacts that push, when the velocity was last resolved.
+    pub fn impulses(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.solver.active.iter().map(|active| (self.pairs[active.cone], active.multiplier))
+    }
+
+    /// Whether contacts push, when the velocity was last resolved.
+    pub fn pushes(&self) -> bool {
+        !self.solver.active.is_empty()
+    }
+}
+
+/// A pose shifted in the world frame and turned in the body frame.
+pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, turn: &Vector3<f64>) -> Isometry3<f64> {
+    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*turn);
+    rotation.renormalize_fast();
+    Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
+}
+
+/// Two unit tangents, at right angles. The first is along the tangential velocity, if there is one.
+fn tangents(normal: &Vector3<f64>, velocity: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let tangential = velocity - normal * normal.dot(velocity);
+    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+    let any = axes[normal.abs().imin()];
+    let first = tangential.try_normalize(1e-9).unwrap_or_else(|| normal.cross(&any).normalize());
+    [first, normal.cross(&first)]
+}

@@ -1,0 +1,70 @@
+//! What differs from the plan besides the grasp, and both together.
+
+use std::ops::RangeInclusive;
+
+use task::{Impedance, Inertia};
+
+use crate::grasp_error::GraspError;
+use crate::settings_error::{SettingsError, check};
+
+/// How robot and controller differ from what they are taken for. The default is that they do not.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Disturbance {
+    /// Relative error of the inertia of the body or, with an arm, of its mass matrix; -0.9 to 10.
+    pub inertia: f64,
+    /// Relative error of both stiffnesses of the controller, -0.9 to 10; the damping stays.
+    pub stiffness: f64,
+    /// Delay of the controller (s) beyond that of the arm's model, 0 to 0.1. A free body has none.
+    pub delay: f64,
+    /// Relative error of the joint friction of the arm's model, -1 to 10. A free body has none.
+    pub joint_friction: f64,
+}
+
+impl Disturbance {
+    /// Allowed relative errors of inertia and stiffness.
+    pub const ERRORS: RangeInclusive<f64> = -0.9..=10.0;
+    /// Allowed additional delays (s).
+    pub const DELAYS: RangeInclusive<f64> = 0.0..=0.1;
+    /// Allowed relative errors of joint friction.
+    pub const JOINT_FRICTIONS: RangeInclusive<f64> = -1.0..=10.0;
+
+    /// Whether every field lies in its range.
+    ///
+    /// # Errors
+    /// The first field that does not, with its value and its range.
+    pub fn validate(&self) -> Result<(), SettingsError> {
+        check("inertia", self.inertia, &Self::ERRORS, "")?;
+        check("stiffness", self.stiffness, &Self::ERRORS, "")?;
+        check("delay", self.delay, &Self::DELAYS, "s")?;
+        check("joint_friction", self.joint_friction, &Self::JOINT_FRICTIONS, "")
+    }
+
+    /// The inertia that a body really has.
+    pub(crate) fn inertia(&self, inertia: &Inertia) -> Inertia {
+        Inertia::from_matrix(inertia.matrix() * (1.0 + self.inertia))
+    }
+
+    /// The impedance law that the controller really has.
+    pub(crate) fn impedance(&self, impedance: Impedance) -> Impedance {
+        Impedance {
+            translational_stiffness: impedance.translational_stiffness * (1.0 + self.stiffness),
+            rotational_stiffness: impedance.rotational_stiffness * (1.0 + self.stiffness),
+            ..impedance
+        }
+    }
+}
+
+/// All errors that are injected into a rollout.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Injection {
+    /// Of the part in the gripper.
+    pub grasp: GraspError,
+    /// Of robot and controller.
+    pub disturbance: Disturbance,
+}
+
+impl<G: Into<GraspError>> From<G> for Injection {
+    fn from(grasp: G) -> Self {
+        Self { grasp: grasp.into(), disturbance: Disturbance::default() }
+    }
+}

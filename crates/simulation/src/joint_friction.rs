@@ -1,0 +1,92 @@
+//! Dry friction of joints.
+
+use robot::{JointMatrix, JointVector};
+
+/// Coulomb friction: in a step, each joint gets an impulse up to its largest one, which stops it or, if that is not
+/// enough, brakes it. A joint at rest sticks. These are the impulses that leave the least of kinetic energy and friction
+/// work, found by projected Gauss-Seidel sweeps from those of the step before.
+#[derive(Debug, Clone)]
+pub struct JointFriction {
+    /// Largest impulse of each joint (Nms or Ns).
+    largest: JointVector,
+    /// Impulse of each joint (Nms or Ns).
+    impulses: JointVector,
+    joints: usize,
+}
+
+/// Sweeps end when no joint's impulse changes by more than this part of its largest one.
+const TOLERANCE: f64 = 1e-7;
+/// Largest number of sweeps in a step. What is missing then is small, and the next step goes on from there.
+const SWEEPS: usize = 50;
+
+impl JointFriction {
+    /// For the friction torque of each joint (Nm or N), in steps of `time_step` seconds.
+    pub fn new(torques: impl ExactSizeIterator<Item = f64>, time_step: f64) -> Self {
+        let joints = torques.len();
+        let mut largest = JointVector::zeros();
+        largest.iter_mut().zip(torques).for_each(|(largest, torque)| *largest = torque * time_step);
+        Self { largest, impulses: JointVector::zeros(), joints }
+    }
+
+    /// Whether there is any.
+    pub fn is_zero(&self) -> bool {
+        self.largest == JointVector::zeros()
+    }
+
+    /// The impulses (Nms or Ns).
+    pub fn impulses(&self) -> &JointVector {
+        &self.impulses
+    }
+
+    /// Changes the impulses so that they suit the joint speeds `velocity` (rad/s or m/s), which contain those so far, and
+    /// the speeds with them. `mobility` is the inverse of the mass matrix. Returns whether they had to change.
+    pub fn brake(&mut self, mobility: &JointMatrix, velocity: &mut JointVector) -> bool {
+        for sweep in 0..SWEEPS {
+            let mut is_done = true;
+            for joint in 0..self.joints {
+                let (before, largest) = (self.impulses[joint], self.largest[joint]);
+                let stopping = before - velocity[joint] / mobility[(joint, joint)];
+                let impulse = stopping.max(-largest).min(largest);
+                let change = impulse - before;
+                is_done &= change.abs() <= TOLERANCE * largest;
+                self.impulses[joint] = impulse;
+                velocity.axpy(change, &mobility.column(joint), 1.0);
+            }
+            if is_done {
+                return sweep > 0;
+            }
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use robot::MOST_JOINTS;
+
+    use super::*;
+
+    proptest! {
+        /// Coulomb's law: a joint that moves is braked by all of its friction, one with less friction than that rests.
+        #[test]
+        fn impulses_are_those_of_coulomb(
+            entries in proptest::collection::vec(-1.0..1.0_f64, MOST_JOINTS * MOST_JOINTS),
+            free in proptest::collection::vec(-1.0..1.0_f64, MOST_JOINTS),
+            torques in proptest::collection::vec(0.0..300.0_f64, MOST_JOINTS),
+        ) {
+            let factor = JointMatrix::from_column_slice(&entries);
+            let mobility = factor * factor.transpose() + JointMatrix::identity() * 0.5;
+            let free = JointVector::from_column_slice(&free);
+            let mut friction = JointFriction::new(torques.iter().copied(), 1e-3);
+            let mut velocity = free;
+            while friction.brake(&mobility, &mut velocity) {}
+            prop_assert!((free + mobility * friction.impulses() - velocity).amax() < 1e-12);
+            for joint in 0..MOST_JOINTS {
+                let (impulse, largest, speed) = (friction.impulses()[joint], 1e-3 * torques[joint], velocity[joint]);
+                prop_assert!(impulse.abs() <= largest);
+                prop_assert!(speed.abs() < 1e-5 || impulse == -largest.copysign(speed), "{impulse} at {speed}");
+            }
+        }
+    }
+}
