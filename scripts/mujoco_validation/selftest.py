@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+import arm_selftest
 import results
 import shapes
 import world
@@ -41,6 +42,7 @@ def run() -> bool:
         shape_forms,
         interpolation,
         statistics,
+        whole_arms,
     ):
         for name, error, tolerance in check():
             verdict = "ok" if error <= tolerance else "FAILED"
@@ -101,6 +103,11 @@ def oscillator(times: np.ndarray, start: float, frequency: float, ratio: float) 
     damped = frequency * math.sqrt(1 - ratio**2)
     decay = ratio * frequency
     return start * np.exp(-decay * times) * (np.cos(damped * times) + decay / damped * np.sin(damped * times))
+
+
+def whole_arms() -> Iterator[Check]:
+    """Arms that hold the box."""
+    return arm_selftest.checks(example())
 
 
 def free_motion() -> Iterator[Check]:
