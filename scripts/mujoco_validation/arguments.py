@@ -21,7 +21,7 @@ Examples:
   scripts/validate_mujoco out/peg1-1 --position-tolerance 0.005 --friction 0,0.1,0.3
   scripts/validate_mujoco out/clamp1-* --magnitudes 0mm,2mm,4mm,5mm --jobs 2 --csv clamp1.csv
   scripts/validate_mujoco out/peg1-1 --arm --turn 0.02
-  scripts/validate_mujoco out/peg1-1 --arm --robot scenes/robots/six.toml --gain-factor 8.5"""
+  scripts/validate_mujoco out/peg1-1 --arm --robot scripts/mujoco_validation/arms/six.toml --gain-factor 8.5"""
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -89,8 +89,9 @@ def parse_arguments() -> argparse.Namespace:
     arguments = parser.parse_args()
     if not arguments.folders and not arguments.self_test:
         parser.error("name at least one folder, or --self-test")
-    given = arguments.robot or arguments.gain_factor != 1 or arguments.delay or arguments.turn or arguments.joint_friction
-    if given and not arguments.arm:
+    optional = (arguments.robot, arguments.joint_friction, arguments.turn)
+    is_given = optional != (None, None, None) or arguments.gain_factor != 1 or arguments.delay > 0
+    if is_given and not arguments.arm:
         parser.error("--robot, --gain-factor, --joint-friction, --delay and --turn need --arm")
     if arguments.compare and arguments.arm:
         parser.error("--compare plays free bodies, as `assembly-plan simulate` does; leave --arm out")

@@ -22,7 +22,7 @@ from shapes import rotation_matrix
 TIME_STEP = 0.0005
 FORCE_WINDOW = 20
 STIFFNESS = 800.0
-SCENES = pathlib.Path(__file__).parents[2] / "scenes/robots"
+ARM_FILES = pathlib.Path(__file__).parent / "arms"
 ARMS = ("six", "seven")
 UPRIGHT = [1.0, 0.0, 0.0, 0.0]
 NO_ERROR = GraspError(np.zeros(3), np.zeros(3))
@@ -43,7 +43,7 @@ def checks(example: Plan) -> Iterator[Check]:
 
 def held(example: Plan, arm: str) -> Plan:
     """The example with an arm that computes torques in every step."""
-    robot = dataclasses.replace(robots.read(SCENES / f"{arm}.toml"), control_period=TIME_STEP)
+    robot = dataclasses.replace(robots.read(ARM_FILES / f"{arm}.toml"), control_period=TIME_STEP)
     robot = dataclasses.replace(robot, joint_friction=0 * robot.joint_friction)
     impedance = Impedance(STIFFNESS, 60.0, damping_matrix(160.0), damping_matrix(12.0))
     return dataclasses.replace(example, robot=robot, impedance=impedance)

@@ -21,8 +21,8 @@ MOVING = (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE)
 
 
 def build(plan: Plan, contact: world.Contact) -> mujoco.MjModel:
-    """The arm on its base with gravity, the part without mass in its tip at the body `body`, which is where the site `grasp`
-    is until `model.body_pos` and `body_quat` say otherwise, and every pair of parts able to touch. Links touch nothing."""
+    """The arm on its base with gravity, and every pair of parts able to touch; links touch nothing. The part has no mass. It
+    is the body `body` in the tip: at the site `grasp`, until `model.body_pos` and `body_quat` say otherwise."""
     robot = plan.robot
     try:
         arm = read_arm(robot, contact.time_step)

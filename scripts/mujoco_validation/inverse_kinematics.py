@@ -37,7 +37,7 @@ def configuration_at(model: mujoco.MjModel, pose: np.ndarray, near: np.ndarray) 
         data.qpos += jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + damping * np.eye(6), error)
     raise InputError(
         f"the arm does not reach ({', '.join(f'{number:.3f}' for number in pose[:3])}) m: it stays "
-        f"{np.linalg.norm(shift):.1e} m and {np.linalg.norm(turn):.1e} rad away; move [robot] base or change configuration"
+        f"{np.linalg.norm(shift):.1e} m and {np.linalg.norm(turn):.1e} rad away; change base or configuration of [robot]"
     )
 
 
@@ -48,6 +48,6 @@ def check_limits(model: mujoco.MjModel, configuration: np.ndarray) -> None:
     if beyond.any():
         joint = int(np.argmax(beyond))
         raise InputError(
-            f"the arm reaches a pose only with {model.joint(joint).name} at {configuration[joint]:.3f}, beyond its limits "
-            f"{low[joint]:.3f} to {high[joint]:.3f}; move [robot] base or change configuration"
+            f"the arm reaches a pose only with {model.joint(joint).name} at {configuration[joint]:.3f}, beyond its range of "
+            f"{low[joint]:.3f} to {high[joint]:.3f}; change base or configuration of [robot]"
         )

@@ -12,8 +12,8 @@ IDENTITY = [1.0, 0.0, 0.0, 0.0]
 
 @dataclasses.dataclass(frozen=True)
 class Robot:
-    """An arm and its controller. Frames are position (m) and unit quaternion (w x y z): `grasp` is the part's in that of the
-    link `tip`, `base` the root link's in the world. Per joint from base to tip: `configuration` (rad) near the goal,
+    """An arm and its controller. Frames are position (m) and unit quaternion (w x y z): `grasp` is the part's in that of
+    the link `tip`, `base` the root link's in the world. Per joint from base to tip: `configuration` (rad) near the goal,
     `rotor_inertia` (kg m^2) and `joint_friction` (Nm). Torques are computed every `control_period` (s), held, and applied
     after `delay` (s)."""
 
@@ -33,7 +33,10 @@ def read(path: pathlib.Path) -> Robot:
     table = tomllib.loads(path.read_text()).get("robot", {})
     missing = [key for key in ("urdf", "tip", "configuration") if key not in table]
     if missing:
-        raise ValueError(f"[robot] lacks {', '.join(missing)}, so there is no arm to play; --robot names a file that has them")
+        raise ValueError(f"[robot] lacks {', '.join(missing)}: there is no arm to play; --robot takes one from another file")
+    for key, kind in (("urdf", str), ("tip", str), ("grasp", dict), ("base", dict)):
+        if not isinstance(table.get(key, kind()), kind):
+            raise ValueError(f"[robot] {key} is not a {'table' if kind is dict else 'string'}")
     configuration = per_joint(table, "configuration", None)
     robot = Robot(
         urdf=path.parent / table["urdf"],
@@ -43,9 +46,9 @@ def read(path: pathlib.Path) -> Robot:
         configuration=configuration,
         rotor_inertia=not_negative(per_joint(table, "rotor_inertia", len(configuration)), "rotor_inertia"),
         joint_friction=not_negative(per_joint(table, "joint_friction", len(configuration)), "joint_friction"),
-        control_period=float(table.get("control_period", 0.002)),
+        control_period=numbers([table.get("control_period", 0.002)], "control_period", 1)[0],
     )
-    if not 0 < robot.control_period < float("inf"):
+    if robot.control_period <= 0:
         raise ValueError(f"[robot] control_period = {robot.control_period:g} is not above zero")
     return robot
 
@@ -74,7 +77,7 @@ def numbers(values: Any, key: str, count: int | None) -> np.ndarray:
     except (TypeError, ValueError):
         array = np.array(np.nan)
     if array.ndim != 1 or not np.isfinite(array).all():
-        raise ValueError(f"[robot] {key} is not a list of numbers")
+        raise ValueError(f"[robot] {key} is not made of finite numbers")
     if count is not None and len(array) != count:
         raise ValueError(f"[robot] {key} has {len(array)} numbers; {count} are needed")
     return array

@@ -115,8 +115,8 @@ class Player:
         raise NotImplementedError
 
     def play(self, samples: list[State], observe: Callable[[], None] = lambda: None) -> ContactRecord:
-        """Tracks reference samples, one per time step, after `begin`. `observe` is called before every step. Stops early at
-        a warning."""
+        """Tracks reference samples, one per time step, after `begin`. `observe` is called before every step. Stops early
+        at a warning."""
         record = ContactRecord(self.model.ngeom, self.window)
         for step, reference in enumerate(samples):
             observe()
