@@ -39,6 +39,7 @@ def checks(example: Plan) -> Iterator[Check]:
         yield from free_motion(plan, arm)
         yield from press(plan, arm)
         yield from deadband(plan, arm)
+        yield from delay(plan, arm)
 
 
 def held(example: Plan, arm: str) -> Plan:
@@ -183,3 +184,16 @@ def deadband(plan: Plan, arm: str) -> Iterator[Check]:
             yield f"{arm}: rest beyond the deadband, m", max(0.0, 1e-6 - moved), 0.0
         else:
             yield f"{arm}: creep within the deadband, m", moved, 1e-6
+
+
+def delay(plan: Plan, arm: str) -> Iterator[Check]:
+    """Until the first torque arrives, the arm carries itself and does not move."""
+    wait = 10
+    robot = dataclasses.replace(plan.robot, delay=wait * TIME_STEP)
+    arm_player = player(dataclasses.replace(plan, robot=robot))
+    arm_player.release(configuration_at(arm_player.model, plan.goal, robot.configuration), NO_ERROR)
+    speeds: list[float] = []
+    samples = resting(np.array([0.01, 0.0, 0.0, *UPRIGHT]), 2 * wait * TIME_STEP)
+    arm_player.play(samples, lambda: speeds.append(np.abs(arm_player.data.qvel).max()))
+    # The first torque acts in the step after the delay, and its speed is seen before the next one.
+    yield f"{arm}: first motion with delay, steps", abs(int(np.argmax(np.array(speeds) > 1e-6)) - (wait + 1)), 0.0
