@@ -9,14 +9,19 @@ Plays plans of `assembly-plan solve` through MuJoCo and prints how often they su
 
 The body moves freely, driven by the impedance wrench alone, at offsets (errors of the part in the gripper, body frame)
 that are injected as in the plan: the body starts displaced by the offset and the controller never learns of it. After
-the last knot the reference rests for the settling time, then the final pose is judged."""
+the last knot the reference rests for the settling time, then the final pose is judged.
+
+With --arm a whole arm plays the plan: that of its [robot] table, with its rotor inertia, joint friction, gravity, and
+joint torques that are computed every control period."""
 
 EPILOG = """\
 Exit codes: 0 done, 1 the self-test failed, 2 wrong input or usage, 3 anything else, 130 interrupted.
 
 Examples:
   scripts/validate_mujoco out/peg1-1 --position-tolerance 0.005 --friction 0,0.1,0.3
-  scripts/validate_mujoco out/clamp1-* --magnitudes 0mm,2mm,4mm,5mm --jobs 2 --csv clamp1.csv"""
+  scripts/validate_mujoco out/clamp1-* --magnitudes 0mm,2mm,4mm,5mm --jobs 2 --csv clamp1.csv
+  scripts/validate_mujoco out/peg1-1 --arm --turn 0.02
+  scripts/validate_mujoco out/peg1-1 --arm --robot scripts/mujoco_validation/arms/six.toml --gain-factor 8.5"""
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -63,6 +68,7 @@ def parse_arguments() -> argparse.Namespace:
         default=True,
         help="also play an unplanned straight push from start to goal in the plan's time [default: yes]",
     )
+    add_arm(parser.add_argument_group("whole arm"))
     add("--scene", type=pathlib.Path, metavar="FILE", help="take shapes from this scene file, not from resolved.toml")
     add("--jobs", type=positive(int), default=1, metavar="N", help="processes [default: 1]")
     add("--csv", type=pathlib.Path, metavar="FILE", help="also write every motion's outcome")
@@ -83,7 +89,35 @@ def parse_arguments() -> argparse.Namespace:
     arguments = parser.parse_args()
     if not arguments.folders and not arguments.self_test:
         parser.error("name at least one folder, or --self-test")
+    optional = (arguments.robot, arguments.joint_friction, arguments.turn)
+    is_given = optional != (None, None, None) or arguments.gain_factor != 1 or arguments.delay > 0
+    if is_given and not arguments.arm:
+        parser.error("--robot, --gain-factor, --joint-friction, --delay and --turn need --arm")
+    if arguments.compare and arguments.arm:
+        parser.error("--compare plays free bodies, as `assembly-plan simulate` does; leave --arm out")
     return arguments
+
+
+def add_arm(group: argparse._ArgumentGroup) -> None:
+    """Flags of the whole arm."""
+    add = group.add_argument
+    add("--arm", action="store_true", help="play with the arm of the plan's [robot] table and the plan's gains")
+    add("--robot", type=pathlib.Path, metavar="FILE", help="take the [robot] table of this TOML file")
+    add(
+        "--gain-factor",
+        type=positive(float),
+        default=1.0,
+        metavar="F",
+        help="stiffness and damping times this, for plans of a body that is lighter than the arm seems [default: 1]",
+    )
+    add("--joint-friction", type=not_negative, metavar="NM", help="of every joint [default: the robot's]")
+    add("--delay", type=not_negative, default=0.0, metavar="S", help="of the torques [default: 0 s]")
+    add(
+        "--turn",
+        type=not_negative,
+        metavar="RAD",
+        help="the part is also turned in the gripper, at random, by up to this [default: the plan's, else 0]",
+    )
 
 
 def positive(kind: type) -> functools.partial:
@@ -96,4 +130,12 @@ def parse_positive(kind: type, text: str) -> float:
     number = kind(text)
     if not 0 < number < float("inf"):
         raise argparse.ArgumentTypeError(f"{text} is not above zero")
+    return number
+
+
+def not_negative(text: str) -> float:
+    """A number that is not below zero."""
+    number = float(text)
+    if not 0 <= number < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is below zero or no finite number")
     return number

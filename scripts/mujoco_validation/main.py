@@ -1,6 +1,7 @@
 """Plays plans in MuJoCo: what the command line asks for."""
 
 import argparse
+import dataclasses
 import multiprocessing
 import signal
 import sys
@@ -8,18 +9,25 @@ import sys
 import mujoco
 import numpy as np
 
+import arm_world
 import comparison
 import matrix
 import offsets
 import plans
 import results
+import robots
 import selftest
 import world
 from arguments import parse_arguments
+from arm import ArmPlayer
+from offsets import GraspError
 from plans import InputError, Plan
-from rollout import Outcome, Player, displaced
+from rollout import FreePlayer, Outcome, Player
 
 PLANNED, STRAIGHT = "plan", "straight push"
+
+# Time over which forces of an arm are averaged (s).
+ARM_FORCE_WINDOW = 0.01
 
 
 def parse_frictions(text: str) -> list[float]:
@@ -48,25 +56,25 @@ class Rollouts:
     def player(self, friction: float) -> Player:
         """The simulation at a friction, made on first use."""
         if friction not in self.players:
-            model = world.build(self.plan, world.Contact(friction, self.time_step))
-            window = max(1, round(self.plan.reference.interval() / self.time_step))
-            self.players[friction] = Player(model, self.plan, window)
+            contact = world.Contact(friction, self.time_step)
+            if self.plan.robot:
+                window = max(1, round(ARM_FORCE_WINDOW / self.time_step))
+                self.players[friction] = ArmPlayer(arm_world.build(self.plan, contact), self.plan, window)
+            else:
+                window = max(1, round(self.plan.reference.interval() / self.time_step))
+                self.players[friction] = FreePlayer(world.build(self.plan, contact), self.plan, window)
         return self.players[friction]
 
-    def play(self, motion: str, friction: float, offset: np.ndarray) -> Outcome:
+    def play(self, motion: str, friction: float, grasp_error: GraspError) -> Outcome:
         """One motion."""
-        return self.player(friction).outcome(self.samples[motion], offset, self.plan.goal)
+        return self.player(friction).outcome(self.samples[motion], grasp_error)
 
-    def trace(self, friction: float, offset: np.ndarray) -> list[list[float]]:
+    def trace(self, friction: float, grasp_error: GraspError) -> list[list[float]]:
         """Time and state at every step of the plan's motion."""
         rows: list[list[float]] = []
         player, samples = self.player(friction), self.samples[PLANNED]
-        player.play(
-            samples,
-            offset.tolist(),
-            displaced(np.array(samples[0]), offset),
-            lambda data: rows.append([data.time, *data.qpos.tolist(), *data.qvel.tolist()]),
-        )
+        player.begin(samples, grasp_error)
+        player.play(samples, lambda: rows.append([player.data.time, *player.state()]))
         return rows
 
 
@@ -80,13 +88,35 @@ def initialise(plan: Plan, time_step: float, settling_time: float) -> None:
     ROLLOUTS[:] = [Rollouts(plan, time_step, settling_time)]
 
 
-# Motion, friction and offset.
-Task = tuple[str, float, np.ndarray]
+# Motion, friction and grasp error.
+Task = tuple[str, float, GraspError]
 
 
 def run(task: Task) -> Outcome:
     """Plays a motion in a prepared process."""
     return ROLLOUTS[0].play(*task)
+
+
+def load(arguments: argparse.Namespace) -> list[Plan]:
+    """The plans of all folders, with the arm that shall play them if that is asked for."""
+    loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
+    return [with_arm(arguments, plan) for plan in loaded] if arguments.arm else loaded
+
+
+def with_arm(arguments: argparse.Namespace, plan: Plan) -> Plan:
+    """The plan with its robot, or that of `--robot`, and with what the arguments say instead of the plan."""
+    file = arguments.robot or plan.folder / "resolved.toml"
+    try:
+        robot = robots.read(file)
+    except OSError as error:
+        raise InputError(f"--robot {file} cannot be read: {error}") from error
+    except ValueError as error:
+        raise InputError(f"{file}: {error}") from error
+    robot = dataclasses.replace(robot, delay=arguments.delay)
+    if arguments.joint_friction is not None:
+        robot = dataclasses.replace(robot, joint_friction=np.full(len(robot.configuration), arguments.joint_friction))
+    turn = plan.turn if arguments.turn is None else arguments.turn
+    return dataclasses.replace(plan, robot=robot, turn=turn, impedance=plan.impedance.scaled(arguments.gain_factor))
 
 
 def play_all(arguments: argparse.Namespace, plan: Plan, tasks: list[Task]) -> list[Outcome]:
@@ -100,33 +130,35 @@ def validate(arguments: argparse.Namespace, plan: Plan, cells: list[offsets.Cell
     """Plays a plan at all frictions and offsets."""
     motions = [PLANNED, STRAIGHT] if arguments.baseline else [PLANNED]
     heads = [(motion, friction) for friction in parse_frictions(arguments.friction) for motion in motions]
-    tasks = [(*head, offset) for head in heads for cell in cells for offset in cell.offsets]
+    tasks = [(*head, grasp_error) for head in heads for cell in cells for grasp_error in cell.grasp_errors()]
     outcomes = iter(play_all(arguments, plan, tasks))
     return [results.Column(*head, [[next(outcomes) for _ in cell.offsets] for cell in cells]) for head in heads]
 
 
 def cells_of(arguments: argparse.Namespace, plan: Plan) -> list[offsets.Cell]:
-    """Offsets that the arguments ask for."""
-    return offsets.cells(plan, arguments.offsets, arguments.magnitudes, arguments.count, arguments.seed)
+    """Grasp errors that the arguments ask for; a free body is never turned."""
+    turn = plan.turn if plan.robot else 0.0
+    return offsets.cells(plan, arguments.offsets, arguments.magnitudes, arguments.count, arguments.seed, turn)
 
 
 def write_trace(arguments: argparse.Namespace) -> None:
     """`--trace`."""
-    plan = plans.load(arguments.folders[0], arguments.scene)
-    offset = cells_of(arguments, plan)[0].offsets[0]
+    plan = load(arguments)[0]
+    grasp_error = cells_of(arguments, plan)[0].grasp_errors()[0]
     friction = parse_frictions(arguments.friction)[0]
-    rows = Rollouts(plan, arguments.time_step, arguments.settling_time).trace(friction, offset)
+    rows = Rollouts(plan, arguments.time_step, arguments.settling_time).trace(friction, grasp_error)
     results.write_csv(arguments.trace, [plans.TIME_COLUMN, *plans.STATE_COLUMNS], rows)
-    x, y, z = 1e3 * offset
+    x, y, z = 1e3 * grasp_error.offset
     print(f"{arguments.trace}: {plan.title}, friction {friction:g}, offset ({x:g} {y:g} {z:g}) mm")
 
 
 def compare(arguments: argparse.Namespace) -> None:
     """`--compare`: plays what `assembly-plan simulate` played."""
-    loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
+    loaded = load(arguments)
     known = [comparison.read(arguments.compare, plan) for plan in loaded]
     for plan, theirs in zip(loaded, known):
-        ours = play_all(arguments, plan, [(other.motion, other.friction, other.offset) for other in theirs])
+        tasks = [(other.motion, other.friction, GraspError(other.offset, np.zeros(3))) for other in theirs]
+        ours = play_all(arguments, plan, tasks)
         print(f"### {plan.title}, start {plan.start_name}: {len(theirs)} motions in both simulators\n")
         print(comparison.table(theirs, ours, tolerance_of(arguments, loaded)) + "\n", flush=True)
 
@@ -143,25 +175,40 @@ def print_tables(arguments: argparse.Namespace) -> None:
     # What is wrong is to be said once and before hours of work.
     if arguments.csv and not arguments.csv.absolute().parent.is_dir():
         raise InputError(f"--csv {arguments.csv}: the folder {arguments.csv.parent} does not exist; make it first")
-    loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
-    models = [world.build(plan, world.Contact(0.0, arguments.time_step)) for plan in loaded]
+    loaded = load(arguments)
+    settings = (arguments.time_step, arguments.settling_time)
+    clearances = [Rollouts(plan, *settings).player(0.0).goal_clearance() for plan in loaded]
     tolerance = tolerance_of(arguments, loaded)
     print(
         f"Success: within {1e3 * tolerance.position:g} mm and {tolerance.angle:g} rad of the goal, "
         f"{arguments.settling_time:g} s after the end of the reference; intervals of 95 % (Wilson). "
         f"MuJoCo {mujoco.__version__}, steps of {1e3 * arguments.time_step:g} ms.\n"
     )
+    for plan in loaded if arguments.arm else []:
+        print(arm_line(plan))
     played = []
-    for plan, model in zip(loaded, models):
+    for plan, clearance in zip(loaded, clearances):
         cells = cells_of(arguments, plan)
         result = results.Result(plan, cells, validate(arguments, plan, cells))
-        print(results.table(result, tolerance, world.goal_clearance(model, plan)) + "\n", flush=True)
+        print(results.table(result, tolerance, clearance) + "\n", flush=True)
         played.append(result)
     if len(played) > 1:
         print(matrix.tables(played, tolerance))
     if arguments.csv:
         rows = [row for result in played for row in results.csv_rows(result, tolerance)]
         results.write_csv(arguments.csv, results.CSV_COLUMNS, rows)
+
+
+def arm_line(plan: Plan) -> str:
+    """What arm plays a plan, and how."""
+    robot, gains = plan.robot, plan.impedance
+    frictions = " ".join(f"{friction:g}" for friction in dict.fromkeys(robot.joint_friction.tolist()))
+    return (
+        f"{plan.folder}: whole arm {robot.urdf.name}, {gains.translational_stiffness:g} N/m and "
+        f"{gains.rotational_stiffness:g} Nm/rad, joint friction {frictions} Nm, turns up to {plan.turn:g} rad, torques "
+        f"every {1e3 * robot.control_period:g} ms after {1e3 * robot.delay:g} ms; forces are means over "
+        f"{1e3 * ARM_FORCE_WINDOW:g} ms.\n"
+    )
 
 
 def main() -> int:

@@ -13,37 +13,65 @@ MILLIMETRES = "mm"
 
 
 @dataclasses.dataclass(frozen=True)
+class GraspError:
+    """Where the part sits in the gripper: offset (m, body frame), and rotation vector (rad, body frame) from the part's
+    orientation to the believed one."""
+
+    offset: np.ndarray
+    turn: np.ndarray
+
+
+@dataclasses.dataclass(frozen=True)
 class Cell:
-    """Offsets (n x 3, m, body frame) that are counted together."""
+    """Offsets (n x 3, m, body frame), each with a turn (n x 3, rad), that are counted together."""
 
     label: str
     offsets: np.ndarray
+    turns: np.ndarray
+
+    def grasp_errors(self) -> list[GraspError]:
+        """All of them."""
+        return [GraspError(offset, turn) for offset, turn in zip(self.offsets, self.turns)]
 
 
-def cells(plan: Plan, source: str, magnitudes: str, count: int, seed: int) -> list[Cell]:
+def cells(plan: Plan, source: str, magnitudes: str, count: int, seed: int, turn: float = 0.0) -> list[Cell]:
     """One cell per magnitude, or a single one from a file.
 
     `planned`: the offsets of the plan's scenarios, scaled to the magnitude.
     `random`: convex combinations of these, weights uniform on the simplex; the same weights in every cell, so that
     cells differ by nothing but the magnitude.
+
+    Turns are random rotation vectors, uniform in the ball of radius `turn` (rad), the same in every cell.
     """
+    generator = np.random.default_rng(seed)
     if source not in ("planned", "random"):
         path = pathlib.Path(source)
-        return [Cell(path.name, read_offsets(path))]
+        offsets = read_offsets(path)
+        return [distinct(path.name, offsets, ball(generator, len(offsets), turn))]
     # Without magnitude there is nothing to scale, and nothing to divide by.
     directions = plan.offsets / plan.delta if plan.delta > 0 else 0 * plan.offsets
     if source == "random":
-        weights = np.random.default_rng(seed).dirichlet(np.ones(len(directions)), count)
+        weights = generator.dirichlet(np.ones(len(directions)), count)
         directions = weights @ directions
+    turns = ball(generator, len(directions), turn)
     return [
-        Cell(label, distinct(magnitude * directions)) for label, magnitude in parse_magnitudes(magnitudes, plan.delta)
+        distinct(label, magnitude * directions, turns)
+        for label, magnitude in parse_magnitudes(magnitudes, plan.delta)
     ]
 
 
-def distinct(offsets: np.ndarray) -> np.ndarray:
-    """The offsets without repetitions: the simulation is deterministic, so playing one twice says nothing."""
-    _, first = np.unique(offsets, axis=0, return_index=True)
-    return offsets[np.sort(first)]
+def ball(generator: np.random.Generator, count: int, radius: float) -> np.ndarray:
+    """Random points (count x 3), uniform in a ball."""
+    directions = generator.normal(size=(count, 3))
+    lengths = radius * generator.uniform(size=(count, 1)) ** (1 / 3)
+    return lengths * directions / np.linalg.norm(directions, axis=1, keepdims=True)
+
+
+def distinct(label: str, offsets: np.ndarray, turns: np.ndarray) -> Cell:
+    """A cell without repetitions: the simulation is deterministic, so playing an error twice says nothing."""
+    _, first = np.unique(np.hstack([offsets, turns]), axis=0, return_index=True)
+    kept = np.sort(first)
+    return Cell(label, offsets[kept], turns[kept])
 
 
 def parse_magnitudes(text: str, delta: float) -> list[tuple[str, float]]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from robots import Robot
 from shapes import part_vertices, rotation_matrix
 
 TIME_COLUMN = "time_s"
@@ -37,6 +38,15 @@ class Impedance:
     rotational_stiffness: float
     translational_damping: Matrix
     rotational_damping: Matrix
+
+    def scaled(self, factor: float) -> "Impedance":
+        """All gains times a factor."""
+        return Impedance(
+            factor * self.translational_stiffness,
+            factor * self.rotational_stiffness,
+            damping_matrix((factor * np.array(self.translational_damping)).tolist()),
+            damping_matrix((factor * np.array(self.rotational_damping)).tolist()),
+        )
 
 
 @dataclasses.dataclass(frozen=True)
@@ -69,9 +79,19 @@ class Reference:
 
 
 @dataclasses.dataclass(frozen=True)
+class FreeBody:
+    """Mass (kg), centre of mass in the body frame (m) and rotational inertia about it (kg m^2)."""
+
+    mass: float
+    center: np.ndarray
+    inertia: np.ndarray
+
+
+@dataclasses.dataclass(frozen=True)
 class Plan:
-    """Everything needed to play a plan. `offsets` (n x 3, m, body frame) are those of the planned scenarios; `center` is
-    the centre of mass in the body frame (m), `inertia` the rotational inertia about it."""
+    """Everything needed to play a plan. `offsets` (n x 3, m, body frame) are those of the planned scenarios, `turn` (rad)
+    is the largest turn in the gripper. `free_body` is None where no free body has the apparent inertia, `robot` is None
+    unless an arm shall play the plan."""
 
     folder: pathlib.Path
     title: str
@@ -79,9 +99,7 @@ class Plan:
     status: str
     body: list[np.ndarray]
     environment: list[np.ndarray]
-    mass: float
-    center: np.ndarray
-    inertia: np.ndarray
+    free_body: FreeBody | None
     impedance: Impedance
     start: np.ndarray
     goal: np.ndarray
@@ -89,7 +107,9 @@ class Plan:
     angle_tolerance: float
     delta: float
     offsets: np.ndarray
+    turn: float
     reference: Reference
+    robot: Robot | None = None
 
     def straight(self) -> Reference:
         """The unplanned baseline: straight from start to goal at constant speed, in the plan's time."""
@@ -127,7 +147,6 @@ def plan(
     """Puts a plan together from its parsed files."""
     document, mesh_folder = shapes
     impedance = resolved["impedance"]
-    mass, center, inertia = inertia_of(resolved)
     return Plan(
         folder=folder,
         title=resolved["title"],
@@ -135,9 +154,7 @@ def plan(
         status=result["status"],
         body=[part_vertices(part, mesh_folder) for part in document["body"]["part"]],
         environment=[part_vertices(part, mesh_folder) for part in document["environment"]["part"]],
-        mass=mass,
-        center=center,
-        inertia=inertia,
+        free_body=free_body(resolved),
         impedance=Impedance(
             impedance["translational_stiffness"],
             impedance["rotational_stiffness"],
@@ -150,22 +167,24 @@ def plan(
         angle_tolerance=resolved["goal"]["angle_tolerance"],
         delta=result["delta_m"],
         offsets=np.array([scenario["offset_m"] for scenario in result["scenarios"]]),
+        turn=resolved["robustness"].get("turn", 0.0),
         reference=reference,
     )
 
 
-def inertia_of(resolved: dict[str, Any]) -> tuple[float, np.ndarray, np.ndarray]:
-    """Mass, centre of mass and rotational inertia about it of a free body."""
+def free_body(resolved: dict[str, Any]) -> FreeBody | None:
+    """The free body that has the apparent inertia, if there is one."""
     if "mass" in resolved["body"]:
-        return resolved["body"]["mass"], np.zeros(3), np.array(resolved["body"]["inertia"])
+        return FreeBody(resolved["body"]["mass"], np.zeros(3), np.array(resolved["body"]["inertia"]))
     apparent = np.array(resolved["robot"]["apparent_inertia"])
     mass = apparent[0, 0]
     # Of a body with its centre of mass c, the coupling is -m R [c]x at the goal.
     lever = -rotation_matrix(pose(resolved["goal"])[3:]).T @ apparent[:3, 3:] / mass
     scale = 1e-9 * np.abs(apparent).max()
     if not np.allclose(apparent[:3, :3], mass * np.eye(3), atol=scale) or not np.allclose(lever, -lever.T, atol=1e-9):
-        raise ValueError("the apparent inertia is that of an arm, which no free body has")
-    return mass, np.array([lever[2, 1], lever[0, 2], lever[1, 0]]), apparent[3:, 3:] + mass * lever @ lever
+        return None
+    center = np.array([lever[2, 1], lever[0, 2], lever[1, 0]])
+    return FreeBody(mass, center, apparent[3:, 3:] + mass * lever @ lever)
 
 
 def read_reference(path: pathlib.Path) -> Reference:

@@ -131,7 +131,7 @@ def remarks(columns: list[Column], clearance: float) -> list[str]:
 
 CSV_COLUMNS = (
     "folder scene start motion friction offset x_m y_m z_m "
-    "position_error_m angle_error_rad overlap_m force_n warned success"
+    "position_error_m angle_error_rad overlap_m force_n warned success turn_x_rad turn_y_rad turn_z_rad"
 ).split()
 
 
@@ -142,11 +142,11 @@ def csv_rows(result: Result, tolerance: Tolerance) -> list[list[object]]:
         [
             *(plan.folder, plan.title, plan.start_name, column.motion, column.friction, cell.label, *offset),
             *(outcome.position_error, outcome.angle_error, outcome.overlap, outcome.force),
-            *(int(outcome.warned), int(tolerance.accepts(outcome))),
+            *(int(outcome.warned), int(tolerance.accepts(outcome)), *turn),
         ]
         for column in result.columns
         for cell, outcomes in zip(result.cells, column.outcomes)
-        for offset, outcome in zip(cell.offsets.tolist(), outcomes)
+        for offset, turn, outcome in zip(cell.offsets.tolist(), cell.turns.tolist(), outcomes)
     ]
 
 

@@ -1,4 +1,4 @@
-"""One motion played through MuJoCo: a free body driven by the impedance wrench alone."""
+"""One motion played through MuJoCo."""
 
 import dataclasses
 from collections.abc import Callable
@@ -6,8 +6,10 @@ from collections.abc import Callable
 import mujoco
 import numpy as np
 
+from offsets import GraspError
 from plans import Impedance, Plan
 from shapes import rotation_matrix
+from world import clearance
 
 State = list[float]
 
@@ -86,70 +88,105 @@ def gyroscopic_torque(inertia: list[list[float]], spin: State) -> tuple[float, f
 
 
 class Player:
-    """Plays motions on one model. Forces are means over `window` steps."""
+    """Plays motions on one model: what a free body and an arm have in common. Forces are means over `window` steps."""
 
     def __init__(self, model: mujoco.MjModel, plan: Plan, window: int) -> None:
         self.model = model
-        self.window = window
         self.data = mujoco.MjData(model)
         self.plan = plan
-        inertia = plan.inertia
-        self.inertia = inertia.tolist()
-        self.is_centered = not plan.center.any()
-        # Isotropic inertia has no gyroscopic term; leaving it out saves time.
-        self.isotropic = np.allclose(inertia, inertia[0, 0] * np.eye(3))
-        self.impedance = plan.impedance
+        self.window = window
         # MuJoCo would write warnings to a file in the working directory; they are counted in `data` all the same.
         mujoco.set_mju_user_warning(lambda message: None)
 
-    def play(
-        self,
-        samples: list[State],
-        offset: State,
-        initial: np.ndarray,
-        observe: Callable[[mujoco.MjData], None] = lambda data: None,
-    ) -> ContactRecord:
-        """Tracks reference samples, one per time step, from an initial state (13 numbers). `observe` sees the data
-        before every step. Stops early at a warning."""
-        model, data = self.model, self.data
-        mujoco.mj_resetData(model, data)
-        data.qpos[:], data.qvel[:] = initial[:7], initial[7:]
-        record = ContactRecord(model.ngeom, self.window)
-        for step, reference in enumerate(samples, start=1):
-            observe(data)
-            pose, velocity = data.qpos.tolist(), data.qvel.tolist()
-            wrench = impedance_wrench(self.impedance, reference, pose, velocity, offset)
-            if not self.isotropic:
-                # The model of the plan has no gyroscopic term, MuJoCo has: it is cancelled.
-                spin = gyroscopic_torque(self.inertia, velocity[3:])
-                wrench = (*wrench[:3], *(torque + term for torque, term in zip(wrench[3:], spin)))
-            if not self.is_centered:
-                # Likewise what the centre of mass does as it goes around the origin.
-                turning = np.cross(velocity[3:], np.cross(velocity[3:], self.plan.center)) * self.plan.mass
-                force, torque = rotation_matrix(np.array(pose[3:])) @ turning, np.cross(self.plan.center, turning)
-                wrench = tuple(np.add(wrench, [*force, *torque]))
-            data.qfrc_applied[:] = wrench
-            mujoco.mj_step(model, data)
-            record.add(data)
-            if step % self.window == 0:
+    def begin(self, samples: list[State], grasp_error: GraspError) -> None:
+        """Puts everything at rest where the robot believes the body to be at the first sample."""
+        raise NotImplementedError
+
+    def advance(self, step: int, reference: State) -> None:
+        """Applies what the controller makes of a sample of the reference, for one time step."""
+        raise NotImplementedError
+
+    def state(self) -> State:
+        """Pose and velocity of the body (13 numbers, as in `reference.csv`)."""
+        raise NotImplementedError
+
+    def goal_clearance(self) -> float:
+        """Smallest distance (m) of body and environment at the goal."""
+        raise NotImplementedError
+
+    def play(self, samples: list[State], observe: Callable[[], None] = lambda: None) -> ContactRecord:
+        """Tracks reference samples, one per time step, after `begin`. `observe` is called before every step. Stops early
+        at a warning."""
+        record = ContactRecord(self.model.ngeom, self.window)
+        for step, reference in enumerate(samples):
+            observe()
+            self.advance(step, reference)
+            record.add(self.data)
+            if (step + 1) % self.window == 0:
                 record.close_window()
                 if self.warned():
                     break
-        observe(data)
+        observe()
         return record
 
     def warned(self) -> bool:
         """Whether MuJoCo warned of anything since the start of the motion."""
         return bool(self.data.warning.number.any()) or not np.isfinite(self.data.qpos).all()
 
-    def outcome(self, samples: list[State], offset: np.ndarray, goal: np.ndarray) -> Outcome:
-        """Plays a motion from rest at its first pose, displaced by the offset, and measures where it ends."""
-        record = self.play(samples, offset.tolist(), displaced(np.array(samples[0]), offset))
-        position, quaternion = self.data.qpos[:3], self.data.qpos[3:]
-        cosine = abs(float(quaternion @ goal[3:])) / float(np.linalg.norm(quaternion) * np.linalg.norm(goal[3:]))
+    def outcome(self, samples: list[State], grasp_error: GraspError) -> Outcome:
+        """Plays a motion from rest and measures where it ends."""
+        self.begin(samples, grasp_error)
+        record = self.play(samples)
+        pose, goal = np.array(self.state()[:7]), self.plan.goal
+        cosine = abs(float(pose[3:] @ goal[3:])) / float(np.linalg.norm(pose[3:]) * np.linalg.norm(goal[3:]))
         angle = 2 * np.arccos(min(1.0, cosine))
-        distance = float(np.linalg.norm(position - goal[:3]))
+        distance = float(np.linalg.norm(pose[:3] - goal[:3]))
         return Outcome(distance, float(angle), record.overlap, record.force, self.warned())
+
+
+class FreePlayer(Player):
+    """A free body driven by the impedance wrench alone."""
+
+    def __init__(self, model: mujoco.MjModel, plan: Plan, window: int) -> None:
+        super().__init__(model, plan, window)
+        self.body = plan.free_body
+        self.inertia = self.body.inertia.tolist()
+        self.is_centered = not self.body.center.any()
+        # Isotropic inertia has no gyroscopic term; leaving it out saves time.
+        self.isotropic = np.allclose(self.body.inertia, self.body.inertia[0, 0] * np.eye(3))
+
+    def begin(self, samples: list[State], grasp_error: GraspError) -> None:
+        self.release(displaced(np.array(samples[0]), grasp_error.offset), grasp_error.offset)
+
+    def release(self, initial: np.ndarray, offset: np.ndarray) -> None:
+        """Puts the body into a state (13 numbers) with an offset (m) in the gripper."""
+        mujoco.mj_resetData(self.model, self.data)
+        self.data.qpos[:], self.data.qvel[:] = initial[:7], initial[7:]
+        self.offset = offset.tolist()
+
+    def advance(self, step: int, reference: State) -> None:
+        data, body = self.data, self.body
+        pose, velocity = data.qpos.tolist(), data.qvel.tolist()
+        wrench = impedance_wrench(self.plan.impedance, reference, pose, velocity, self.offset)
+        if not self.isotropic:
+            # The model of the plan has no gyroscopic term, MuJoCo has: it is cancelled.
+            spin = gyroscopic_torque(self.inertia, velocity[3:])
+            wrench = (*wrench[:3], *(torque + term for torque, term in zip(wrench[3:], spin)))
+        if not self.is_centered:
+            # Likewise what the centre of mass does as it goes around the origin.
+            turning = np.cross(velocity[3:], np.cross(velocity[3:], body.center)) * body.mass
+            force, torque = rotation_matrix(np.array(pose[3:])) @ turning, np.cross(body.center, turning)
+            wrench = tuple(np.add(wrench, [*force, *torque]))
+        data.qfrc_applied[:] = wrench
+        mujoco.mj_step(self.model, data)
+
+    def state(self) -> State:
+        return [*self.data.qpos.tolist(), *self.data.qvel.tolist()]
+
+    def goal_clearance(self) -> float:
+        self.data.qpos[:] = self.plan.goal
+        mujoco.mj_forward(self.model, self.data)
+        return clearance(self.model, self.data)
 
 
 def displaced(reference: np.ndarray, offset: np.ndarray) -> np.ndarray:

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+import arm_selftest
 import results
 import shapes
 import world
 from offsets import cells
-from plans import Impedance, Plan, Reference, damping_matrix, rotation_vector, slerp
-from rollout import ContactRecord, Player, displaced
+from plans import FreeBody, Impedance, Plan, Reference, damping_matrix, rotation_vector, slerp
+from rollout import ContactRecord, FreePlayer, displaced
 
 TIME_STEP = 0.0005
 # Steps over which forces are averaged.
@@ -41,6 +42,7 @@ def run() -> bool:
         shape_forms,
         interpolation,
         statistics,
+        whole_arms,
     ):
         for name, error, tolerance in check():
             verdict = "ok" if error <= tolerance else "FAILED"
@@ -61,9 +63,7 @@ def example(**changes: object) -> Plan:
         status="done",
         body=[shapes.part_vertices({"box": BOX}, pathlib.Path())],
         environment=[shapes.part_vertices(floor, pathlib.Path())],
-        mass=MASS,
-        center=np.zeros(3),
-        inertia=inertia,
+        free_body=FreeBody(MASS, np.zeros(3), inertia),
         impedance=Impedance(STIFFNESS, 6.0, damping_matrix(2 * math.sqrt(STIFFNESS * MASS)), damping_matrix(1.5)),
         start=rest[:7],
         goal=rest[:7],
@@ -71,6 +71,7 @@ def example(**changes: object) -> Plan:
         angle_tolerance=0.1,
         delta=0.0,
         offsets=np.zeros((1, 3)),
+        turn=0.0,
         reference=Reference(np.array([0.0, 1.0]), np.array([rest, rest])),
     )
     return dataclasses.replace(plan, **changes)
@@ -82,11 +83,10 @@ def play(
     """Rows of time, pose and velocity of the plan's motion from an initial state, and its contacts."""
     model = world.build(plan, world.Contact(friction, TIME_STEP))
     rows: list[list[float]] = []
-    record = Player(model, plan, FORCE_WINDOW).play(
-        plan.reference.sample(TIME_STEP, 1.0).tolist(),
-        offset.tolist(),
-        initial,
-        lambda data: rows.append([data.time, *data.qpos.tolist(), *data.qvel.tolist()]),
+    player = FreePlayer(model, plan, FORCE_WINDOW)
+    player.release(initial, offset)
+    record = player.play(
+        plan.reference.sample(TIME_STEP, 1.0).tolist(), lambda: rows.append([player.data.time, *player.state()])
     )
     return np.array(rows), record
 
@@ -105,13 +105,18 @@ def oscillator(times: np.ndarray, start: float, frequency: float, ratio: float) 
     return start * np.exp(-decay * times) * (np.cos(damped * times) + decay / damped * np.sin(damped * times))
 
 
+def whole_arms() -> Iterator[Check]:
+    """Arms that hold the box."""
+    return arm_selftest.checks(example())
+
+
 def free_motion() -> Iterator[Check]:
     """Released beside a resting reference, the body oscillates along and about each axis."""
     inertia = np.diag([0.12, 0.1, 0.08])
     for ratio in (1.0, 0.3):
         damping = 2 * ratio * np.sqrt(6.0 * np.diag(inertia))
         impedance = Impedance(STIFFNESS, 6.0, damping_matrix(2 * ratio * math.sqrt(STIFFNESS * MASS)), damping_matrix(damping))
-        plan = example(inertia=inertia, impedance=impedance)
+        plan = example(free_body=FreeBody(MASS, np.zeros(3), inertia), impedance=impedance)
         initial = np.zeros(13)
         initial[:7] = 0.02, -0.01, 0.03, *IDENTITY
         rows = trace(plan, np.zeros(3), initial)
@@ -130,7 +135,7 @@ def turning(plan: Plan, axis: int, ratio: float) -> Check:
     unit = np.eye(3)[axis]
     initial[3:7] = turned_by(TURNED, angle * unit)
     rows = trace(dataclasses.replace(plan, reference=reference), np.zeros(3), initial)
-    exact = oscillator(rows[:, 0], angle, math.sqrt(6.0 / plan.inertia[axis, axis]), ratio)
+    exact = oscillator(rows[:, 0], angle, math.sqrt(6.0 / plan.free_body.inertia[axis, axis]), ratio)
     turned = np.array([rotation_vector(np.array(TURNED), quaternion) for quaternion in rows[:, 4:8]])
     error = np.abs(turned - exact[:, None] * unit).max()
     return f"free rotation about {'xyz'[axis]}, damping ratio {ratio}, rad", error, 1e-4

@@ -1,0 +1,114 @@
+"""Robust plans for an arm, played by the whole arm: docs/robustness-arm.md."""
+
+import argparse
+import json
+import pathlib
+import re
+import statistics
+import sys
+import tomllib
+
+from robust_cases import SEED, Case, by_offset, run, shares, summary, table_row
+
+FRICTIONS = ("0.0", "0.1", "0.3")
+MAGNITUDES = "0,0.5,0.95"
+TURN = "0.02"
+
+# What the arm replaces in a scene: the inertia of a free body, and the gains, which are chosen for the arm.
+REPLACED = re.compile(r"(mass|inertia|(translational|rotational)_(stiffness|damping))\s*=")
+
+PAGE = """\
+# Robust plans, played by a whole arm
+
+Every start of the scenes, planned by `solve --robust --friction {frictions} --turn {turn}` for the arm of `{robot}`, with
+gains that the program chose for it, and then played in MuJoCo by the whole arm: rotor inertia, gravity, joint friction of
+{joint_friction} Nm, torques held for {control_period:g} ms. Each plan is played with 20 random offsets in the hull of the
+planned ones at 0, 50 and 95 % of delta-hat, the part turned in the gripper by up to {turn} rad about any axis
+(`scripts/validate_mujoco --arm --seed {seed}`: [validation.md](validation.md#the-whole-arm)). The push is an unplanned
+straight motion with the same gains and in the same time, without contact friction. `scripts/robust-all --arm {robot}`
+repeats all of it and writes this page.
+
+Forces are the largest of all motions of a scene's plans, as means over 10 ms. Seconds are the median of
+`solve --robust --jobs {jobs}` with everything it does, on a shared machine.
+
+{summary}
+
+| scene | plans | friction 0 | friction 0.1 | friction 0.3 | push | force, N | wall s |
+|---|---|---|---|---|---|---|---|
+{rows}
+
+By magnitude of the offset, all plans together:
+
+| offset | friction 0 | friction 0.1 | friction 0.3 | push |
+|---|---|---|---|---|
+{magnitudes}
+"""
+
+
+def robot_of(file: pathlib.Path) -> dict:
+    """The [robot] table of a file, its URDF as an absolute path."""
+    try:
+        table = tomllib.loads(file.read_text())["robot"]
+        return table | {"urdf": str((file.parent / table["urdf"]).resolve())}
+    except (OSError, KeyError, ValueError) as error:
+        sys.exit(f"error: --arm {file}: no TOML file with a [robot] table that names its urdf: {error}")
+
+
+def toml(value: object) -> str:
+    """A value as TOML, on one line."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {toml(entry)}" for key, entry in value.items()) + " }"
+    # Strings, numbers and lists of numbers are written as in JSON.
+    return json.dumps(value)
+
+
+def with_robot(scene: str, robot: dict) -> str:
+    """The text of a scene for a robot instead of a free body."""
+    kept = [line for line in scene.splitlines() if not REPLACED.match(line)]
+    return "\n".join([*kept, "", "[robot]", *(f"{key} = {toml(value)}" for key, value in robot.items())]) + "\n"
+
+
+def make(arguments: argparse.Namespace, case: Case) -> None:
+    """Makes a plan for the arm and lets the arm play it, unless that is done."""
+    scene = case.folder.parent / f"{case.scene}.toml"
+    scene.parent.mkdir(parents=True, exist_ok=True)
+    text = (arguments.root / f"scenes/{case.scene}.toml").read_text()
+    scene.write_text(with_robot(text, robot_of(arguments.arm)))
+    frictions = ",".join(FRICTIONS)
+    to_play = ["--arm", "--magnitudes", MAGNITUDES]
+    run(
+        arguments,
+        case,
+        scene,
+        ["--friction", frictions, "--turn", TURN],
+        ["--friction", frictions, "--turn", TURN, *to_play],
+    )
+
+
+def row(scene: str, done: list[Case]) -> str:
+    """One line of the table: all plans of a scene."""
+    rows = [row for case in done for row in case.motions()]
+    force = max(float(row["force_n"]) for row in rows if row["motion"] == "plan")
+    seconds = [json.loads((case.folder / "result.json").read_text())["robust"]["wall_s"] for case in done]
+    cells = [scene, str(len(done)), *shares(rows, FRICTIONS), f"{force:.0f}", f"{statistics.median(seconds):.0f}"]
+    return table_row(cells)
+
+
+def page(arguments: argparse.Namespace, done: list[Case], missing: list[Case]) -> str:
+    """Everything as Markdown."""
+    robot = robot_of(arguments.arm)
+    scenes: dict[str, list[Case]] = {}
+    for case in done:
+        scenes.setdefault(f"{case.scene}, {1e3 * case.delta:g} mm", []).append(case)
+    return PAGE.format(
+        robot=arguments.arm,
+        frictions=",".join(FRICTIONS),
+        turn=TURN,
+        joint_friction=robot.get("joint_friction", 0),
+        control_period=1e3 * robot.get("control_period", 0.002),
+        seed=SEED,
+        jobs=arguments.jobs,
+        summary=summary(done, missing),
+        rows="\n".join(row(scene, plans) for scene, plans in scenes.items()),
+        magnitudes=by_offset(done, FRICTIONS),
+    )
