@@ -7,8 +7,8 @@ use planner::files::{
     RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables, to_csv,
     write_file, write_rollout_tables,
 };
-use planner::{Choices, Motion, PlannerError, Problem, SimulationRequest, SuccessTable, simulate};
-use simulation::{Reference, Rollout, TimedState};
+use planner::{Choices, Motion, PlannerError, PlayedRollout, Problem, SimulationRequest, SuccessTable, simulate};
+use simulation::{Reference, TimedState};
 
 use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
@@ -36,7 +36,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
         rows.extend(of_plan.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)));
         if let (true, None, Some((_, reference))) = (arguments.trace.is_some(), &trace, motions.last()) {
             let first = of_plan.iter().find(|rollout| rollout.motion == Motion::Plan);
-            trace = first.map(|first| course(problem, reference, &request, first.friction, first.grasp));
+            let course = |first: &PlayedRollout| course(problem, reference, &request, first.friction, first.grasp);
+            trace = first.map(course).transpose()?;
         }
         rollouts.extend(of_plan);
     }
@@ -110,14 +111,14 @@ fn course(
     request: &SimulationRequest,
     friction: f64,
     grasp: simulation::GraspError,
-) -> Vec<StateRow> {
+) -> Result<Vec<StateRow>, PlannerError> {
     let start = grasp.start(reference);
     let at_rest = TimedState { time: 0.0, pose: start, velocity: [0.0; 3], angular_velocity: [0.0; 3] };
     let row = |state: &TimedState| StateRow::new(state.time, &state.state());
     let mut rows = vec![row(&at_rest)];
-    let rollout = Rollout::new(&problem.world(), request.settings(friction));
+    let rollout = problem.rollout(request.settings(friction))?;
     rollout.play(reference, grasp, |state, _| rows.push(row(state)));
-    rows
+    Ok(rows)
 }
 
 /// Refuses to write where something else stands, before anything is computed.

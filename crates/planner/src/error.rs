@@ -42,6 +42,9 @@ pub enum PlannerError {
     /// Settings of a simulation are out of range.
     #[error(transparent)]
     Settings(#[from] simulation::SettingsError),
+    /// The arm of the scene cannot be simulated.
+    #[error("robot: {0}; check robot.base, robot.grasp and robot.configuration")]
+    Arm(#[from] simulation::ArmModelError),
     /// A choice is not possible.
     #[error("{name}: {problem}")]
     Choice {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use scene::{Borne, Scene, StartPose, TaskError, resolved};
-use simulation::Success;
+use simulation::{ArmModel, Evaluator, Rollout, Settings, Success};
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver};
 
 use crate::check::play::farthest_rest;
@@ -139,6 +139,48 @@ impl Problem {
     /// The task as it is in reality, which does not know which pairs the plan leaves out.
     pub fn world(&self) -> AssemblyTask {
         AssemblyTask { pairs: self.scene.all_pairs(), ..self.task.clone() }
+    }
+
+    /// Rollouts in reality: of the arm that holds the body, if the scene has one.
+    ///
+    /// # Errors
+    /// When the arm does not reach the start.
+    pub fn rollout(&self, settings: Settings) -> Result<Rollout, PlannerError> {
+        self.rollout_in(&self.world(), settings)
+    }
+
+    /// Likewise in a world with another grid of time.
+    pub(crate) fn rollout_in(&self, world: &AssemblyTask, settings: Settings) -> Result<Rollout, PlannerError> {
+        let rollout = Rollout::new(world, settings);
+        match self.arm() {
+            Some(arm) => Ok(rollout.with_arm(&arm)?),
+            None => Ok(rollout),
+        }
+    }
+
+    /// Evaluates references in reality, at some friction coefficients.
+    ///
+    /// # Errors
+    /// When the arm does not reach the start.
+    pub fn evaluator(&self, frictions: &[f64]) -> Result<Evaluator, PlannerError> {
+        let evaluator = Evaluator::new(&self.world(), frictions, self.success);
+        match self.arm() {
+            Some(arm) => Ok(evaluator.with_arm(&arm)?),
+            None => Ok(evaluator),
+        }
+    }
+
+    /// The arm that holds the body.
+    fn arm(&self) -> Option<ArmModel> {
+        let robot = self.scene.robot.as_ref()?;
+        let joints = robot.arm.joints().len();
+        Some(ArmModel {
+            arm: robot.arm.clone(),
+            configuration: robot.configuration.iter().take(joints).copied().collect(),
+            joint_friction: robot.joint_friction.clone(),
+            control_period: robot.control_period,
+            delay: 0.0,
+        })
     }
 
     /// How it is solved.

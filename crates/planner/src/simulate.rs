@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use simulation::{GraspError, Outcome, Reference, Rollout, Settings, offsets};
+use simulation::{GraspError, Outcome, Reference, Settings, offsets};
 
 use crate::error::PlannerError;
 use crate::problem::Problem;
@@ -174,7 +174,7 @@ pub fn simulate(
     let success = problem.success();
     let mut played = Vec::with_capacity(count);
     for &friction in &request.frictions {
-        let rollout = Rollout::new(&world, request.settings(friction));
+        let rollout = problem.rollout_in(&world, request.settings(friction))?;
         for (motion, reference) in motions.iter().chain([&push]) {
             for Injection { magnitude, errors } in &injections {
                 let outcomes = rollout.simulate(reference, errors, request.threads);

@@ -1,7 +1,7 @@
 //! What a plan that is not robust loses: where, and what holds the body there.
 
 use serde::{Deserialize, Serialize};
-use simulation::{Rollout, Settings, Trial};
+use simulation::{Injection, Settings, Trial};
 use task::{ScenarioTrajectory, Trajectory};
 
 use crate::explain::stuck::MotionEnd;
@@ -57,9 +57,16 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
     let failing: Vec<Trial> = best.failing.iter().filter(is_worst).copied().collect();
     let mut world = problem.world();
     world.horizon = best.variant.task.horizon;
-    let rollout = Rollout::new(&world, Settings { friction: worst.friction, ..Settings::default() });
+    let settings = Settings { friction: worst.friction, ..Settings::default() };
+    // The arm has reached the start before.
+    let rollout = problem.rollout_in(&world, settings).ok()?;
     let grasps: Vec<_> = failing.iter().take(PLAYED).map(|trial| trial.grasp).collect();
-    let Trajectory { scenarios, time_step, .. } = rollout.trajectory(&best.reference, &grasps, TAU);
+    let injections: Vec<Injection> = failing
+        .iter()
+        .take(PLAYED)
+        .map(|trial| Injection { grasp: trial.grasp, disturbance: trial.disturbance })
+        .collect();
+    let Trajectory { scenarios, time_step, .. } = rollout.trajectory(&best.reference, &injections, TAU);
     let error = |motion: &ScenarioTrajectory| motion.quality.position_error;
     let shown = grasps.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
     let (grasp, motion) = shown?;

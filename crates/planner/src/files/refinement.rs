@@ -25,6 +25,12 @@ pub struct RefinementCheckpoint {
     pub frictions: Vec<f64>,
     /// Largest turn in the gripper that it must bear.
     pub turn_rad: f64,
+    /// Largest relative error of the inertia that it must bear.
+    pub inertia_error: f64,
+    /// Largest relative error of the stiffness that it must bear.
+    pub stiffness_error: f64,
+    /// Largest delay of the controller that it must bear.
+    pub delay_s: f64,
     /// Tolerances of success: distance (m) and angle (rad).
     pub tolerance: [f64; 2],
     /// Wall time so far.
@@ -85,18 +91,38 @@ pub struct TrialRecord {
     pub offset_m: [f64; 3],
     /// Its turn there.
     pub turn_rad: [f64; 3],
+    /// Relative error of the inertia.
+    pub inertia_error: f64,
+    /// Relative error of the stiffness.
+    pub stiffness_error: f64,
+    /// Delay of the controller.
+    pub delay_s: f64,
 }
 
 impl From<&Trial> for TrialRecord {
     fn from(trial: &Trial) -> Self {
-        Self { friction: trial.friction, offset_m: trial.grasp.offset, turn_rad: trial.grasp.turn }
+        let Trial { friction, grasp, disturbance } = *trial;
+        Self {
+            friction,
+            offset_m: grasp.offset,
+            turn_rad: grasp.turn,
+            inertia_error: disturbance.inertia,
+            stiffness_error: disturbance.stiffness,
+            delay_s: disturbance.delay,
+        }
     }
 }
 
 impl From<&TrialRecord> for Trial {
     fn from(record: &TrialRecord) -> Self {
         let grasp = GraspError { offset: record.offset_m, turn: record.turn_rad };
-        Self { friction: record.friction, grasp, disturbance: Disturbance::default() }
+        let disturbance = Disturbance {
+            inertia: record.inertia_error,
+            stiffness: record.stiffness_error,
+            delay: record.delay_s,
+            joint_friction: 0.0,
+        };
+        Self { friction: record.friction, grasp, disturbance }
     }
 }
 

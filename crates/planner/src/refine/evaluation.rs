@@ -1,8 +1,11 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
+use fastrand::Rng;
 use simulation::{Disturbance, Evaluator, GraspError, Reference, Trial, TrialResult, offsets};
 use task::AssemblyTask;
 
+use crate::problem::Problem;
+use crate::refine::target::RobustnessTarget;
 use crate::success_rates::{SuccessRate, SuccessRates};
 
 /// Magnitudes of the random offsets, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller has no
@@ -23,11 +26,38 @@ const BATCH: usize = 24;
 /// So many failures are enough to train on.
 const ENOUGH_FAILURES: usize = 8;
 
-/// Largest grasp errors to be borne: offset `delta-hat` (m) and turn (rad).
+/// Distance between the seeds of errors of the robot and of offsets, likewise.
+const DISTURBANCE_SEED: u64 = 75;
+
+/// Largest errors to be borne: of the grasp, an offset `delta-hat` (m) and a turn (rad); of robot and controller, relative
+/// ones of inertia and stiffness, and a delay (s).
 #[derive(Debug, Clone, Copy)]
-pub struct GraspTolerance {
-    pub delta: f64,
-    pub turn: f64,
+pub struct ErrorRange {
+    delta: f64,
+    turn: f64,
+    inertia: f64,
+    stiffness: f64,
+    delay: f64,
+}
+
+impl ErrorRange {
+    /// What a plan of a problem must bear.
+    pub fn new(problem: &Problem, target: &RobustnessTarget) -> Self {
+        Self {
+            delta: problem.delta(),
+            turn: target.turn,
+            inertia: target.inertia_error,
+            stiffness: target.stiffness_error,
+            delay: target.delay,
+        }
+    }
+
+    /// A robot and controller within the range, all of them equally likely.
+    fn disturbance(&self, random: &mut Rng) -> Disturbance {
+        let mut relative = |largest: f64| largest * (2.0 * random.f64() - 1.0);
+        let (inertia, stiffness) = (relative(self.inertia), relative(self.stiffness));
+        Disturbance { inertia, stiffness, delay: self.delay * random.f64(), joint_friction: 0.0 }
+    }
 }
 
 /// Trials of a reference, in groups of one friction and magnitude.
@@ -58,20 +88,18 @@ impl Judgement {
 }
 
 impl Evaluation {
-    /// At most `count` random offsets per friction and magnitude, each with a turn, and the planned offsets.
-    pub fn new(task: &AssemblyTask, tolerance: GraspTolerance, frictions: &[f64], count: usize, seed: u64) -> Self {
-        let GraspTolerance { delta, turn } = tolerance;
+    /// At most `count` random offsets per friction and magnitude, each with a turn and errors of robot and controller, and
+    /// the planned offsets without.
+    pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
+        let &ErrorRange { delta, turn, .. } = range;
+        let mut random = Rng::with_seed(seed + DISTURBANCE_SEED);
         let (mut groups, mut placed) = (Vec::new(), Vec::new());
         for (index, &friction) in frictions.iter().enumerate() {
             let mut add = |magnitude_m: f64, planned: bool, errors: &mut dyn Iterator<Item = GraspError>| {
                 let errors = GraspError::distinct(errors);
                 let trial = |(place, grasp)| {
-                    (
-                        !planned,
-                        place,
-                        groups.len(),
-                        Trial { friction: index, grasp, disturbance: Disturbance::default() },
-                    )
+                    let disturbance = if planned { Disturbance::default() } else { range.disturbance(&mut random) };
+                    (!planned, place, groups.len(), Trial { friction: index, grasp, disturbance })
                 };
                 placed.extend(errors.into_iter().enumerate().map(trial));
                 groups.push(SuccessRate { friction, magnitude_m, planned, rollouts: 0, successes: 0 });

@@ -19,7 +19,7 @@ mod variants;
 
 use std::time::{Duration, Instant};
 
-use simulation::{Evaluator, Reference, Refinement, Rollout, Settings, Trial};
+use simulation::{Evaluator, Reference, Refinement, Settings, Trial};
 
 use crate::error::PlannerError;
 use crate::explain::loss;
@@ -28,7 +28,7 @@ use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::refine::candidate::Candidate;
 use crate::refine::clock::{Clock, Deadline};
-use crate::refine::evaluation::{Evaluation, GraspTolerance, Judgement};
+use crate::refine::evaluation::{ErrorRange, Evaluation, Judgement};
 use crate::robustness::{RobustnessReport, Round};
 use crate::session::{Event, Session};
 use crate::success_rates::SuccessRates;
@@ -72,7 +72,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
         return Ok(plan);
     }
     let mut world = plan.problem.world();
-    let evaluator = Evaluator::new(&world, &target.frictions, plan.problem.success());
+    let evaluator = plan.problem.evaluator(&target.frictions)?;
     let (problem, attempts, threads) = (plan.problem.clone(), plan.attempts.clone(), plan.threads);
     let mut refiner = Refiner::new(&problem, target, &evaluator, session);
     let best = refiner.run(plan)?;
@@ -80,7 +80,8 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     // Reality is the problem's; only the grid of time is the variant's.
     world.horizon = best.variant.task.horizon;
     let tau = best.iterations[best.iterations.len() - 1].record.tau;
-    let rollout = Rollout::new(&world, Settings { friction: target.least_friction(), ..Settings::default() });
+    let settings = Settings { friction: target.least_friction(), ..Settings::default() };
+    let rollout = problem.rollout_in(&world, settings)?;
     let trajectory = rollout.trajectory(&best.reference, &world.offsets, tau);
     let Kept { variant, iterations, .. } = best;
     let (robustness, interrupted) = (Some(report), session.is_interrupted());
@@ -101,7 +102,7 @@ pub fn refine_reference(
     target.validate()?;
     require_threads(session.threads)?;
     let session = Session { folder: None, ..*session };
-    let evaluator = Evaluator::new(&problem.world(), &target.frictions, problem.success());
+    let evaluator = problem.evaluator(&target.frictions)?;
     let mut refiner = Refiner::new(problem, target, &evaluator, &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
     refiner.judge_first(variant, Vec::new(), 0, reference)?;
@@ -139,14 +140,14 @@ impl<'run> Refiner<'run> {
         evaluator: &'run Evaluator,
         session: &'run Session<'run>,
     ) -> Self {
-        let tolerance = GraspTolerance { delta: problem.delta(), turn: target.turn };
+        let tolerance = ErrorRange::new(problem, target);
         Self {
             problem,
             target,
             evaluator,
             session,
             clock: Clock::new(session, Duration::ZERO, target.time_limit),
-            training: Evaluation::new(problem.task(), tolerance, &target.frictions, TRAINING, SEED).into_trials(),
+            training: Evaluation::new(problem.task(), &tolerance, &target.frictions, TRAINING, SEED).into_trials(),
             evaluations: 0,
             seed: SEED,
             before: SuccessRates(Vec::new()),
@@ -339,8 +340,8 @@ impl<'run> Refiner<'run> {
     fn judge(&mut self, reference: &Reference, until: Deadline) -> Judgement {
         self.evaluations += 1;
         let seed = SEED + SEED_STRIDE * self.evaluations;
-        let tolerance = GraspTolerance { delta: self.problem.delta(), turn: self.target.turn };
-        let evaluation = Evaluation::new(self.problem.task(), tolerance, &self.target.frictions, EVALUATION, seed);
+        let tolerance = ErrorRange::new(self.problem, self.target);
+        let evaluation = Evaluation::new(self.problem.task(), &tolerance, &self.target.frictions, EVALUATION, seed);
         let stop = || self.clock.is_over(until);
         evaluation.judge(self.evaluator, reference, self.target.wanted_rate, self.session.threads, &stop)
     }

@@ -23,6 +23,9 @@ impl Refiner<'_> {
             identity: self.problem.identity().to_owned(),
             frictions: self.target.frictions.clone(),
             turn_rad: self.target.turn,
+            inertia_error: self.target.inertia_error,
+            stiffness_error: self.target.stiffness_error,
+            delay_s: self.target.delay,
             tolerance: [success.position, success.orientation],
             elapsed_s: self.clock.elapsed().as_secs_f64(),
             evaluations: self.evaluations,
@@ -57,6 +60,9 @@ impl Refiner<'_> {
             Ok(Some(checkpoint)) => {
                 let same = checkpoint.frictions == self.target.frictions
                     && checkpoint.turn_rad == self.target.turn
+                    && checkpoint.inertia_error == self.target.inertia_error
+                    && checkpoint.stiffness_error == self.target.stiffness_error
+                    && checkpoint.delay_s == self.target.delay
                     && checkpoint.tolerance == [success.position, success.orientation];
                 if same {
                     return Ok(Some(checkpoint));
