@@ -10,6 +10,7 @@ from arm import BASE, GRASP, GRAVITY, PAYLOAD, build, chain
 
 CONFIGURATIONS = 6
 
+
 def record(model: mujoco.MjModel, position: np.ndarray, velocity: np.ndarray) -> dict:
     """What MuJoCo computes at one state."""
     data = mujoco.MjData(model)

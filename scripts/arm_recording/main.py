@@ -5,4 +5,12 @@ import sys
 import dynamics
 import motions
 
-{"dynamics": dynamics.write, "motions": motions.write}[sys.argv[1]](*sys.argv[2:])
+
+def main() -> None:
+    """Writes what the command line asks for."""
+    name, *arguments = sys.argv[1:]
+    {"dynamics": dynamics.write, "motions": motions.write}[name](*arguments)
+
+
+if __name__ == "__main__":
+    main()

@@ -106,9 +106,9 @@ class Player:
         self.motion = motion
         self.rotor_inertia = [0.1] * count
         # The model without contacts tells where the floor has to be.
-        spec = build(str(urdf), "tip", self.rotor_inertia)[0]
+        spec, _ = build(str(urdf), "tip", self.rotor_inertia)
         self.corner = self.lowest_corner(self.add_part(spec).compile())
-        spec, self.names = build(str(urdf), "tip", self.rotor_inertia)
+        spec, _ = build(str(urdf), "tip", self.rotor_inertia)
         self.model = self.add_contacts(self.add_part(spec)).compile()
         self.data = mujoco.MjData(self.model)
         self.data.qpos[:] = CONFIGURATIONS[motion.arm]

@@ -1,5 +1,6 @@
 //! Rollouts per minute on one core: two of the repository's scenes, and a peg of 24 sides in a hole of 24 blocks; a
-//! straight push and one that shifts and tilts on its way, as plans do; without and with friction.
+//! straight push and one that shifts and tilts on its way, as plans do; without and with friction. And the first scene with
+//! an arm that holds the peg, without and with joint friction.
 //!
 //! Every rollout counts as 60 elements, so that Criterion's elements per second are rollouts per minute.
 
@@ -10,8 +11,9 @@ use std::time::Duration;
 use collision::{Pair, Polytope};
 use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use nalgebra::Vector3;
+use robot::Arm;
 use scene::Scene;
-use simulation::{Bump, Reference, Rollout, Settings, Success, offsets};
+use simulation::{ArmModel, Bump, Reference, Rollout, Settings, Success, offsets};
 use task::{AssemblyTask, ContactPair};
 
 const SIDES: usize = 24;
@@ -81,5 +83,43 @@ fn rollouts(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, rollouts);
+/// An arm of six joints with the peg at its goal, the origin.
+fn arm(joint_friction: f64) -> ArmModel {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robot/tests/arms/six.urdf");
+    let configuration = vec![0.3, -1.4, 1.9, -2.0, -1.5, 0.4];
+    let arm = Arm::read(&path, "tip").expect("a valid arm").with_rotor_inertia(&[0.1; 6]).expect("six joints");
+    let base = arm.pose(&arm.configuration(&configuration).expect("within limits")).inverse();
+    let (arm, joint_friction) = (arm.with_base(&base), vec![joint_friction; 6]);
+    ArmModel { arm, configuration, joint_friction, control_period: 2e-3, delay: 0.0 }
+}
+
+fn rollouts_of_an_arm(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("rollouts of an arm");
+    group.sample_size(10).sampling_mode(SamplingMode::Flat).measurement_time(Duration::from_secs(2));
+    group.throughput(Throughput::Elements(60 * ROLLOUTS as u64));
+    let task = stiff(load("peg1.toml"));
+    let offsets = offsets::hull(&task.offsets, ROLLOUTS, 1);
+    let reference = Reference::straight(&task.start, &task.goal, task.horizon);
+    for joint_friction in [0.0, 0.5] {
+        for friction in [0.0, 0.1] {
+            let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
+            let rollout = rollout.with_arm(&arm(joint_friction)).expect("the arm reaches the peg");
+            group.bench_function(format!("friction {friction}, joint friction {joint_friction} Nm"), |bencher| {
+                bencher.iter(|| rollout.simulate(black_box(&reference), &offsets, 1));
+            });
+        }
+    }
+}
+
+/// With the gains that an arm of about eight times the planned inertia needs.
+fn stiff(mut task: AssemblyTask) -> AssemblyTask {
+    const FACTOR: f64 = 8.0;
+    task.impedance.translational_stiffness *= FACTOR;
+    task.impedance.rotational_stiffness *= FACTOR;
+    task.impedance.translational_damping *= FACTOR;
+    task.impedance.rotational_damping *= FACTOR;
+    task
+}
+
+criterion_group!(benches, rollouts, rollouts_of_an_arm);
 criterion_main!(benches);

@@ -109,9 +109,10 @@ impl Rollout {
     /// the largest divisor of the control period that is not longer than that of the settings.
     ///
     /// # Errors
-    /// When a number of the model is out of its range, or the arm does not reach goal, start and the straight way between
+    /// When a number of the settings or of the model is out of its range, or the arm does not reach goal, start and the straight way between
     /// them on one branch.
     pub fn with_arm(mut self, model: &ArmModel) -> Result<Self, ArmModelError> {
+        self.settings.validate()?;
         let start = model.start(&self.task)?;
         self.settings.time_step = self.settings.divide(model.control_period).0;
         self.arm = Some((model.clone(), start));

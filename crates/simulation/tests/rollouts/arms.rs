@@ -353,6 +353,8 @@ fn models_that_cannot_be_are_refused() {
     assert_eq!(refusal(&|model| model.control_period = 0.0), "control_period = 0 s: must lie in [0.0001, 0.1] s");
     assert_eq!(refusal(&|model| model.delay = f64::NAN), "delay = NaN s: must lie in [0, 0.1] s");
     assert!(refusal(&|model| model.configuration.truncate(5)).starts_with("configuration: 5 numbers for pan, lift,"));
+    let coarse = Settings { time_step: 1.0, ..Settings::default() };
+    assert!(Rollout::new(&record.task, coarse).with_arm(&record.model).is_err());
     let far = refusal(&|model| model.arm = model.arm.clone().with_base(&Isometry3::translation(5.0, 0.0, 0.0)));
     assert!(far.starts_with("0 % of the straight way from the goal to the start: the arm does not reach"), "{far}");
 }
