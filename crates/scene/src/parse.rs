@@ -86,6 +86,7 @@ impl Scene {
             region,
             pairs,
             far_pairs,
+            friction: table.table("contact")?.number("friction")?,
             starts,
             goal,
             offset_magnitude,
