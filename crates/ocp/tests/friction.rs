@@ -141,9 +141,7 @@ fn rolled_out(task: &AssemblyTask, length: f64) -> Vec<f64> {
     let mut states = vec![at_rest(&task.start)];
     for twist in reference_velocities(length) {
         let mut state = *states.last().unwrap();
-        for axis in 0..TWIST {
-            state[POSE + axis] = twist[axis];
-        }
+        state[POSE..].copy_from_slice(&twist);
         for axis in 0..3 {
             state[axis] += STEP * twist[axis];
         }
