@@ -2,13 +2,13 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::derivatives::{self, DIRECTIONS};
+use crate::derivatives;
 use crate::error::DistanceError;
 use crate::frame;
 use crate::interior_point::{self, Row, Solution};
 use crate::lane::{Lane, Vector, array, column, cross, dot, gather, rotate, scatter};
 use crate::polytope::Polytope;
-use crate::pose_chart::{CONTACT, Map, POSE, Placement};
+use crate::pose_chart::{CONTACT, Map, POSE, Placement, contact_information};
 use crate::rows;
 use crate::solutions::Solutions;
 
@@ -49,22 +49,23 @@ impl Instructions {
     }
 }
 
-/// What to compute at every pose, and where to store it.
-pub enum Request<'output> {
+/// What to compute at every pose, and where to store it. The contact information `W` has 7 components `(Phi, Q' n)`, or
+/// 10, of which the last are the touching point `p` (m, world frame).
+pub enum Request<'output, const COMPONENTS: usize = CONTACT> {
     /// `Phi` and the contact normal `n` in R^7.
     Normals(&'output mut [[f64; 1 + POSE]]),
     /// Upper bounds on the exact distance, tight up to the order of the barrier parameter.
     Bounds(&'output mut [f64]),
     /// `W`
-    Values(&'output mut [[f64; CONTACT]]),
+    Values(&'output mut [[f64; COMPONENTS]]),
     /// `W` and `DW`
-    Jacobians(&'output mut [[f64; CONTACT]], &'output mut [[[f64; POSE]; CONTACT]]),
+    Jacobians(&'output mut [[f64; COMPONENTS]], &'output mut [[[f64; POSE]; COMPONENTS]]),
     /// `<s, D2W>` for seeds `s`, one per pose.
-    Hessians(&'output [[f64; CONTACT]], &'output mut [[[f64; POSE]; POSE]]),
+    Hessians(&'output [[f64; COMPONENTS]], &'output mut [[[f64; POSE]; POSE]]),
 }
 
 /// A request for a pair at many poses.
-pub struct Evaluation<'evaluation> {
+pub struct Evaluation<'evaluation, const COMPONENTS: usize> {
     pub body: &'evaluation Polytope,
     pub environment: &'evaluation Polytope,
     pub poses: &'evaluation [[f64; POSE]],
@@ -73,10 +74,10 @@ pub struct Evaluation<'evaluation> {
     pub tolerance: f64,
     /// Solutions of the pair's last request.
     pub solutions: &'evaluation mut Solutions,
-    pub request: Request<'evaluation>,
+    pub request: Request<'evaluation, COMPONENTS>,
 }
 
-impl WithSimd for Evaluation<'_> {
+impl<const COMPONENTS: usize> WithSimd for Evaluation<'_, COMPONENTS> {
     type Output = Result<usize, DistanceError>;
 
     /// Evaluates all poses and returns the largest number of iterations.
@@ -97,7 +98,7 @@ impl WithSimd for Evaluation<'_> {
     }
 }
 
-impl Evaluation<'_> {
+impl<const COMPONENTS: usize> Evaluation<'_, COMPONENTS> {
     /// Solves one group of poses unless its solution is kept. When a lane does not converge, the group is solved again
     /// in its contact frames.
     #[inline(always)]
@@ -178,11 +179,14 @@ impl Evaluation<'_> {
                 let torque = cross(&force, &lever);
                 let [x, y, z] = force;
                 let [a, b, c]: Vector<S> = array!(|axis| dot(&column(&place.rotation, axis), &torque));
-                scatter(&[distance, -x, -y, -z, a, b, c], values[group].iter_mut());
+                let information = contact_information(distance, &[-x, -y, -z, a, b, c], &solved.point);
+                scatter::<_, COMPONENTS>(&information, values[group].iter_mut());
             }
             Request::Jacobians(values, jacobians) => {
                 let contact = ContactGroup::new(simd, rows, place, lever, body);
-                contact.store_first(simd, distance, &mut values[group.clone()], &mut jacobians[group]);
+                let information = contact.information(distance, &solved.point);
+                scatter(&information, values[group.clone()].iter_mut());
+                contact.store_first(simd, &mut jacobians[group]);
             }
             Request::Hessians(seeds, hessians) => {
                 let contact = ContactGroup::new(simd, rows, place, lever, body);
@@ -208,31 +212,29 @@ impl<S: Simd> ContactGroup<S> {
     }
 
     #[inline(always)]
-    fn store_first(
-        &self,
-        simd: S,
-        distance: Lane<S>,
-        values: &mut [[f64; CONTACT]],
-        jacobians: &mut [[[f64; POSE]; CONTACT]],
-    ) {
-        let [a, b, c, d, e, f] = self.map.normal(&self.first.normal);
-        scatter(&[distance, a, b, c, d, e, f], values.iter_mut());
-        for (component, row) in self.map.jacobian(simd, &self.first).iter().enumerate() {
+    fn information<const COMPONENTS: usize>(&self, distance: Lane<S>, point: &Vector<S>) -> [Lane<S>; COMPONENTS] {
+        contact_information(distance, &self.map.normal(&self.first.normal), point)
+    }
+
+    #[inline(always)]
+    fn store_first<const COMPONENTS: usize>(&self, simd: S, jacobians: &mut [[[f64; POSE]; COMPONENTS]]) {
+        let rows: [_; COMPONENTS] = self.map.jacobian(simd, &self.first);
+        for (component, row) in rows.iter().enumerate() {
             scatter(row, jacobians.iter_mut().map(|jacobian| &mut jacobian[component]));
         }
     }
 
     #[inline(always)]
-    fn store_second(
+    fn store_second<const COMPONENTS: usize>(
         &self,
         simd: S,
         (body_rows, fixed_rows): (&[Row<S>], &[Row<S>]),
-        seed: &[Lane<S>; CONTACT],
+        seed: &[Lane<S>; COMPONENTS],
         hessians: &mut [[[f64; POSE]; POSE]],
     ) {
-        let along_seed: [Lane<S>; DIRECTIONS] = self.map.seed(seed);
-        let along = derivatives::second(simd, body_rows, fixed_rows, &self.first, seed[0], &along_seed);
-        let hessian = self.map.hessian(simd, &self.first, along, seed[0], &along_seed);
+        let seed = self.map.seed(seed);
+        let along = derivatives::second(simd, body_rows, fixed_rows, &self.first, &seed);
+        let hessian = self.map.hessian(simd, &self.first, along, &seed);
         for (index, row) in hessian.iter().enumerate() {
             scatter(row, hessians.iter_mut().map(|hessian| &mut hessian[index]));
         }

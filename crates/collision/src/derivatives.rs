@@ -26,13 +26,25 @@ pub struct First<S: Simd> {
     pub distance: [Lane<S>; DIRECTIONS],
     /// `V''`, symmetric.
     pub curvature: DirectionMatrix<S>,
+    /// `z' = -M^-1 B_zu`: of the touching point and of the growth.
+    pub solution: [[Lane<S>; DIRECTIONS]; 4],
     force: Vector<S>,
     lever: Vector<S>,
-    /// `z' = -M^-1 B_zu`
-    solution: [[Lane<S>; DIRECTIONS]; 4],
     /// `M^-1 c`
     cost_response: [Lane<S>; 4],
+    /// Of `M`.
+    factors: Factors<S>,
     body: Moments<S>,
+}
+
+/// Seed `s` of the contact information, in the frame of the rows.
+pub struct Seed<S: Simd> {
+    /// Of the distance `Phi`.
+    pub distance: Lane<S>,
+    /// Of the normal `V'`.
+    pub normal: [Lane<S>; DIRECTIONS],
+    /// Of the touching point, where it is part of the contact information.
+    pub point: Option<Vector<S>>,
 }
 
 /// First derivatives at a solution. `lever` is the common point relative to the body's origin.
@@ -55,7 +67,7 @@ pub fn first<S: Simd>(simd: S, body_rows: &[Row<S>], fixed_rows: &[Row<S>], leve
     let distance = array!(|column| solution[3][column] + solution[3][column]);
     let curvature = value_curvature(simd, &body, &force, &lever, &mixed, &solution);
     let normal = [-force[0], -force[1], -force[2], torque[0], torque[1], torque[2]];
-    First { normal, distance, curvature, force, lever, solution, cost_response, body }
+    First { normal, distance, curvature, solution, force, lever, cost_response, factors, body }
 }
 
 /// `dy'/du = (-I, [y])`, column by column.
@@ -137,27 +149,18 @@ fn value_curvature<S: Simd>(
     curvature
 }
 
-/// `<s, D2 (Phi, V')>` along `u` for the seed `s = (distance_seed, seed)`, symmetric (Eq. secondderw).
+/// `<s, D2 (Phi, V', p)>` along `u` for the seed `s`, symmetric (Eq. secondderw).
 #[inline(always)]
 pub fn second<S: Simd>(
     simd: S,
     body_rows: &[Row<S>],
     fixed_rows: &[Row<S>],
     first: &First<S>,
-    distance_seed: Lane<S>,
-    seed: &[Lane<S>; DIRECTIONS],
+    seed: &Seed<S>,
 ) -> DirectionMatrix<S> {
     let First { force, lever, solution, body, .. } = first;
-    let shift: Vector<S> = [seed[0], seed[1], seed[2]];
-    let spin: Vector<S> = [seed[3], seed[4], seed[5]];
-    // Direction in z of the third derivative (Eq. secondderadjeq).
-    let adjoint: [Lane<S>; 4] = array!(|row| {
-        let mut sum = -(distance_seed * first.cost_response[row]);
-        for column in 0..DIRECTIONS {
-            sum = solution[row][column].mul_add(seed[column], sum);
-        }
-        sum
-    });
+    let [shift, spin]: [Vector<S>; 2] = array!(|part| array!(|axis| seed.normal[3 * part + axis]));
+    let adjoint = adjoint(simd, first, seed);
     let along: Vector<S> = array!(|axis| adjoint[axis] - shift[axis]);
     let spun = cross(&spin, lever);
     let body_direction = [along[0] - spun[0], along[1] - spun[1], along[2] - spun[2], adjoint[3]];
@@ -208,6 +211,26 @@ pub fn second<S: Simd>(
         }
     }
     hessian
+}
+
+/// Direction in `z` of the third derivative, `z' s_n - M^-1 s_z` (Eq. secondderadjeq), where `s_z` is the seed of `p` and
+/// the seed of `Phi` times `c`.
+#[inline(always)]
+fn adjoint<S: Simd>(simd: S, first: &First<S>, seed: &Seed<S>) -> [Lane<S>; 4] {
+    let mut adjoint: [Lane<S>; 4] = array!(|row| {
+        let mut sum = -(seed.distance * first.cost_response[row]);
+        for column in 0..DIRECTIONS {
+            sum = first.solution[row][column].mul_add(seed.normal[column], sum);
+        }
+        sum
+    });
+    if let Some([x, y, z]) = seed.point {
+        let response = first.factors.solve([x, y, z, Lane::splat(simd, 0.0)]);
+        for row in 0..4 {
+            adjoint[row] -= response[row];
+        }
+    }
+    adjoint
 }
 
 /// Contribution of one direction to the products with all others.

@@ -4,7 +4,7 @@ use crate::batch::{Evaluation, Instructions, Request};
 use crate::error::DistanceError;
 use crate::interior_point::TOLERANCE;
 use crate::polytope::Polytope;
-use crate::pose_chart::{CONTACT, POSE};
+use crate::pose_chart::{CONTACT, CONTACT_AND_POINT, POSE};
 use crate::solutions::Solutions;
 
 /// Smoothed distance and contact normal at one pose.
@@ -55,7 +55,7 @@ impl Pair {
         let mut bound = [f64::NAN];
         // Where the smallest smoothing fails, a larger one still gives an upper bound, though a looser one.
         for tau in [EXACT_TAU, 1e-11, 1e-9] {
-            let request = Request::Bounds(&mut bound);
+            let request = Request::<CONTACT>::Bounds(&mut bound);
             let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());
             if self.run(Instructions::best(), poses, tau, EXACT_TOLERANCE, solutions, request).is_ok() {
                 break;
@@ -71,23 +71,24 @@ impl Pair {
     pub fn distance(&self, pose: &[f64; POSE], tau: f64) -> Result<Distance, DistanceError> {
         let mut normal = [[0.0; 1 + POSE]];
         let poses = std::slice::from_ref(pose);
-        let (solutions, request) = (&mut Solutions::default(), Request::Normals(&mut normal));
+        let (solutions, request) = (&mut Solutions::default(), Request::<CONTACT>::Normals(&mut normal));
         self.run(Instructions::best(), poses, tau, TOLERANCE, solutions, request)?;
         let [smoothed_distance, contact_normal @ ..] = normal[0];
         Ok(Distance { smoothed_distance, contact_normal })
     }
 
     /// Contact information `W(q) = (Phi_tau(q~), Q(q~)' n_tau(q~))` in R^7 at many poses: distance (m), then the normal
-    /// as force in the world frame and torque in the body frame.
+    /// as force in the world frame and torque in the body frame. With ten components, the touching point (m, world
+    /// frame) follows, where the grown or shrunk parts meet.
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.
-    pub fn contacts(
+    pub fn contacts<const COMPONENTS: usize>(
         &self,
         poses: &[[f64; POSE]],
         tau: f64,
         solutions: &mut Solutions,
-        values: &mut [[f64; CONTACT]],
+        values: &mut [[f64; COMPONENTS]],
     ) -> Result<(), DistanceError> {
         self.evaluate(Instructions::best(), poses, tau, solutions, Request::Values(values)).map(drop)
     }
@@ -96,26 +97,26 @@ impl Pair {
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.
-    pub fn contact_jacobians(
+    pub fn contact_jacobians<const COMPONENTS: usize>(
         &self,
         poses: &[[f64; POSE]],
         tau: f64,
         solutions: &mut Solutions,
-        values: &mut [[f64; CONTACT]],
-        jacobians: &mut [[[f64; POSE]; CONTACT]],
+        values: &mut [[f64; COMPONENTS]],
+        jacobians: &mut [[[f64; POSE]; COMPONENTS]],
     ) -> Result<(), DistanceError> {
         self.evaluate(Instructions::best(), poses, tau, solutions, Request::Jacobians(values, jacobians)).map(drop)
     }
 
-    /// `<s, D2W>` (symmetric) at many poses, with one seed `s` in R^7 per pose.
+    /// `<s, D2W>` (symmetric) at many poses, with one seed `s` per pose, in R^7, or in R^10 with the touching point.
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.
-    pub fn contact_hessians(
+    pub fn contact_hessians<const COMPONENTS: usize>(
         &self,
         poses: &[[f64; POSE]],
         tau: f64,
-        seeds: &[[f64; CONTACT]],
+        seeds: &[[f64; COMPONENTS]],
         solutions: &mut Solutions,
         hessians: &mut [[[f64; POSE]; POSE]],
     ) -> Result<(), DistanceError> {
@@ -127,26 +128,27 @@ impl Pair {
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.
-    pub fn evaluate(
+    pub fn evaluate<const COMPONENTS: usize>(
         &self,
         instructions: Instructions,
         poses: &[[f64; POSE]],
         tau: f64,
         solutions: &mut Solutions,
-        request: Request,
+        request: Request<COMPONENTS>,
     ) -> Result<usize, DistanceError> {
         self.run(instructions, poses, tau, TOLERANCE, solutions, request)
     }
 
-    fn run(
+    fn run<const COMPONENTS: usize>(
         &self,
         instructions: Instructions,
         poses: &[[f64; POSE]],
         tau: f64,
         tolerance: f64,
         solutions: &mut Solutions,
-        request: Request,
+        request: Request<COMPONENTS>,
     ) -> Result<usize, DistanceError> {
+        const { assert!(COMPONENTS == CONTACT || COMPONENTS == CONTACT_AND_POINT) };
         let (body, environment) = (&self.body, &self.environment);
         instructions.0.dispatch(Evaluation { body, environment, poses, tau, tolerance, solutions, request })
     }

@@ -1,16 +1,33 @@
 //! The chart of poses by raw coordinates. It takes derivatives along `u = (translation, rotation vector)` in the
-//! contact frame to the contact information `W(q) = (Phi, Q' n)` at the normalised pose and its derivatives by raw
-//! coordinates.
+//! contact frame to the contact information `W(q) = (Phi, Q' n)`, or `(Phi, Q' n, p)` with the touching point, at the
+//! normalised pose and its derivatives by raw coordinates.
 
 use pulp::Simd;
 
-use crate::derivatives::{DIRECTIONS, DirectionMatrix, First, skew};
+use crate::derivatives::{DIRECTIONS, DirectionMatrix, First, Seed, skew};
 use crate::lane::{Lane, Vector, array, column, cross, dot, rotate};
 
 /// Number of coordinates of a pose (position, quaternion).
 pub const POSE: usize = 7;
-/// Number of components of the contact information.
+/// Number of components of the contact information `(Phi, Q' n)`.
 pub const CONTACT: usize = 7;
+/// Number of components of the contact information with the touching point, `(Phi, Q' n, p)`.
+pub const CONTACT_AND_POINT: usize = CONTACT + 3;
+
+/// The first `COMPONENTS` components of the contact information, from distance, normal and touching point in the
+/// coordinates of the result.
+#[inline(always)]
+pub fn contact_information<S: Simd, const COMPONENTS: usize>(
+    distance: Lane<S>,
+    normal: &[Lane<S>; DIRECTIONS],
+    point: &Vector<S>,
+) -> [Lane<S>; COMPONENTS] {
+    array!(|component| match component {
+        0 => distance,
+        1..CONTACT => normal[component - 1],
+        _ => point[component - CONTACT],
+    })
+}
 
 /// A pose per lane, with the rotation of its quaternion and the derivatives of that rotation.
 pub struct Placement<S: Simd> {
@@ -110,45 +127,55 @@ impl<S: Simd> Map<S> {
 
     /// `DW`: rows are components of `W`, columns raw pose coordinates.
     #[inline(always)]
-    pub fn jacobian(&self, simd: S, first: &First<S>) -> [[Lane<S>; POSE]; CONTACT] {
+    pub fn jacobian<const COMPONENTS: usize>(&self, simd: S, first: &First<S>) -> [[Lane<S>; POSE]; COMPONENTS] {
         let along = self.normal_derivative(simd, first);
         let mut columns = [[Lane::splat(simd, 0.0); DIRECTIONS]; DIRECTIONS];
         for (direction, column) in columns.iter_mut().enumerate() {
             *column = self.to_twist(&array!(|row| along[row][direction]));
         }
         array!(|component| {
-            if component == 0 {
-                return self.to_pose(&first.distance);
-            }
-            self.to_pose(&array!(|direction| columns[direction][component - 1]))
+            let along_directions = match component {
+                0 => first.distance,
+                1..CONTACT => array!(|direction| columns[direction][component - 1]),
+                _ => {
+                    let axis = column(&self.frame, component - CONTACT);
+                    array!(|direction| dot(&axis, &point_derivative(first, direction)))
+                }
+            };
+            self.to_pose(&along_directions)
         })
     }
 
     /// The seed of `W` in the contact frame.
     #[inline(always)]
-    pub fn seed(&self, seed: &[Lane<S>; CONTACT]) -> [Lane<S>; DIRECTIONS] {
+    pub fn seed<const COMPONENTS: usize>(&self, seed: &[Lane<S>; COMPONENTS]) -> Seed<S> {
         let shift = rotate(&self.frame, &[seed[1], seed[2], seed[3]]);
         let spin = rotate(&self.body_frame, &[seed[4], seed[5], seed[6]]);
-        [shift[0], shift[1], shift[2], spin[0], spin[1], spin[2]]
+        let point = (COMPONENTS == CONTACT_AND_POINT)
+            .then(|| rotate(&self.frame, &[seed[CONTACT], seed[CONTACT + 1], seed[CONTACT + 2]]));
+        Seed { distance: seed[0], normal: [shift[0], shift[1], shift[2], spin[0], spin[1], spin[2]], point }
     }
 
-    /// `<s, D2W>` by raw pose coordinates from `<s, D2 (Phi, V')>` along `u`.
+    /// `<s, D2W>` by raw pose coordinates from `<s, D2 (Phi, V', p)>` along `u`.
     #[inline(always)]
     pub fn hessian(
         &self,
         simd: S,
         first: &First<S>,
         mut along: DirectionMatrix<S>,
-        distance_seed: Lane<S>,
-        seed: &[Lane<S>; DIRECTIONS],
+        seed: &Seed<S>,
     ) -> [[Lane<S>; POSE]; POSE] {
         let torque = [first.normal[3], first.normal[4], first.normal[5]];
-        add_chart_terms(simd, &mut along, &first.curvature, &torque, &[seed[3], seed[4], seed[5]]);
+        let spin = [seed.normal[3], seed.normal[4], seed.normal[5]];
+        add_chart_terms(simd, &mut along, &first.curvature, &torque, &spin);
         let derivative = self.normal_derivative(simd, first);
         let gradient: Vector<S> = array!(|axis| {
-            let mut sum = distance_seed * first.distance[3 + axis];
+            let mut sum = seed.distance * first.distance[3 + axis];
             for row in 0..DIRECTIONS {
-                sum = seed[row].mul_add(derivative[row][3 + axis], sum);
+                sum = seed.normal[row].mul_add(derivative[row][3 + axis], sum);
+            }
+            if let Some(point) = &seed.point {
+                sum += dot(point, &point_derivative(first, 3 + axis));
             }
             sum
         });
@@ -212,6 +239,12 @@ impl<S: Simd> Map<S> {
     fn turned(&self, gradient: &Vector<S>) -> [Lane<S>; 4] {
         array!(|component| { dot(&column(&self.turn, component), gradient) })
     }
+}
+
+/// Derivative of the touching point along a direction, in the contact frame.
+#[inline(always)]
+fn point_derivative<S: Simd>(first: &First<S>, direction: usize) -> Vector<S> {
+    array!(|axis| first.solution[axis][direction])
 }
 
 /// Adds the second-order difference between the gradient by a rotation vector `theta` and the torque in body axes:

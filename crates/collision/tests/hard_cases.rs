@@ -106,7 +106,7 @@ fn an_invalid_pose_is_an_error_in_every_coordinate() {
 
 #[test]
 fn no_poses_are_no_work() {
-    cubes().contacts(&[], 1e-4, &mut Solutions::default(), &mut []).unwrap();
+    cubes().contacts(&[], 1e-4, &mut Solutions::default(), &mut [[0.0; 7]; 0]).unwrap();
 }
 
 /// A small version of `examples/robustness.rs`: irregular parts that coincide.

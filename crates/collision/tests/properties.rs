@@ -77,33 +77,67 @@ proptest! {
         a in points(),
         b in points(),
         pose in pose(),
-        seed in prop::array::uniform7(-1.0..1.0f64),
+        seed in prop::array::uniform10(-1.0..1.0f64),
     ) {
         let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
         let (pair, tau, step) = (Pair::new(a, b), 2.5e-3, 1e-5);
-        let (mut values, mut jacobians, mut hessians) = ([[0.0; 7]], [[[0.0; 7]; 7]], [[[0.0; 7]; 7]]);
+        let (mut values, mut jacobians, mut hessians) = ([[0.0; 10]], [[[0.0; 7]; 10]], [[[0.0; 7]; 7]]);
         let mut solutions = Solutions::default();
         pair.contact_jacobians(&[pose], tau, &mut solutions, &mut values, &mut jacobians).unwrap();
         pair.contact_hessians(&[pose], tau, &[seed], &mut solutions, &mut hessians).unwrap();
         let at = |column: usize, step: f64| {
             let mut moved = pose;
             moved[column] += step;
-            let (mut values, mut jacobians) = ([[0.0; 7]], [[[0.0; 7]; 7]]);
+            let (mut values, mut jacobians) = ([[0.0; 10]], [[[0.0; 7]; 10]]);
             pair.contact_jacobians(&[moved], tau, &mut Solutions::default(), &mut values, &mut jacobians).unwrap();
-            let gradient: [f64; 7] = std::array::from_fn(|c| (0..7).map(|r| seed[r] * jacobians[0][r][c]).sum());
+            let gradient: [f64; 7] = std::array::from_fn(|c| (0..10).map(|r| seed[r] * jacobians[0][r][c]).sum());
             (values[0], gradient)
         };
-        let scale = |matrix: &[[f64; 7]; 7]| matrix.as_flattened().iter().fold(1.0f64, |s, v| s.max(v.abs()));
+        let scale = |matrix: &[[f64; 7]]| matrix.as_flattened().iter().fold(1.0f64, |s, v| s.max(v.abs()));
         let (first, second) = (scale(&jacobians[0]), scale(&hessians[0]));
         for column in 0..7 {
             let (ahead, behind) = (at(column, step), at(column, -step));
-            for row in 0..7 {
+            for row in 0..10 {
                 let difference = (ahead.0[row] - behind.0[row]) / (2.0 * step);
                 let analytic = jacobians[0][row][column];
                 prop_assert!((analytic - difference).abs() < 1e-4 * first, "DW ({row}, {column}): {analytic} {difference}");
+            }
+            for row in 0..7 {
                 let difference = (ahead.1[row] - behind.1[row]) / (2.0 * step);
                 let analytic = hessians[0][row][column];
                 prop_assert!((analytic - difference).abs() < 1e-4 * second, "D2W ({row}, {column}): {analytic} {difference}");
+            }
+        }
+    }
+
+    #[test]
+    fn touching_points_change_no_bit_of_the_rest(a in points(), b in points(), pose in pose(), seed in prop::array::uniform7(-1.0..1.0f64)) {
+        let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
+        let (pair, tau, mut solutions) = (Pair::new(a, b), 1e-4, Solutions::default());
+        let (mut values, mut jacobians, mut hessians) = ([[0.0; 7]], [[[0.0; 7]; 7]], [[[0.0; 7]; 7]]);
+        pair.contact_jacobians(&[pose], tau, &mut solutions, &mut values, &mut jacobians).unwrap();
+        pair.contact_hessians(&[pose], tau, &[seed], &mut solutions, &mut hessians).unwrap();
+        let (mut more_values, mut more_jacobians, mut same_hessians) = ([[0.0; 10]], [[[0.0; 7]; 10]], [[[0.0; 7]; 7]]);
+        let more_seed: [f64; 10] = std::array::from_fn(|component| seed.get(component).copied().unwrap_or(0.0));
+        pair.contact_jacobians(&[pose], tau, &mut solutions, &mut more_values, &mut more_jacobians).unwrap();
+        pair.contact_hessians(&[pose], tau, &[more_seed], &mut solutions, &mut same_hessians).unwrap();
+        prop_assert_eq!(&more_values[0][..7], &values[0]);
+        prop_assert_eq!(&more_jacobians[0][..7], &jacobians[0]);
+        prop_assert_eq!(same_hessians, hessians);
+    }
+
+    /// The growth that the smoothed distance stands for is enough for both parts to contain the point.
+    #[test]
+    fn grown_parts_contain_the_touching_point(a in points(), b in points(), pose in pose(), exponent in 2.0..8.0f64) {
+        let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
+        let pair = Pair::new(a, b);
+        let mut values = [[0.0; 10]];
+        pair.contacts(&[pose], 10f64.powf(-exponent), &mut Solutions::default(), &mut values).unwrap();
+        let (growth, point) = (0.5 * values[0][0], Vector3::from_column_slice(&values[0][7..]));
+        let (position, turn) = unit(&pose);
+        for (part, local) in [(pair.body(), turn.inverse() * (point - position)), (pair.environment(), point)] {
+            for (normal, offset) in part.normals().iter().zip(part.offsets()) {
+                prop_assert!(Vector3::from(*normal).dot(&local) < offset + growth);
             }
         }
     }
@@ -200,4 +234,20 @@ fn a_distance_that_fails_says_where() {
     let poses = [IDENTITY, [f64::NAN, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]];
     let error = pair.contacts(&poses, 1e-3, &mut Solutions::default(), &mut [[0.0; 7]; 2]).unwrap_err();
     assert_eq!((error.index, error.tau), (1, 1e-3));
+}
+
+/// The point with the largest product of distances to the side faces of both parts.
+#[test]
+fn faces_touch_at_the_analytic_centre_of_the_patch() {
+    let pair = Pair::new(Polytope::from_box([0.1; 3]).unwrap(), Polytope::from_box([0.2; 3]).unwrap());
+    let pose = [0.07, -0.06, 0.15, 1.0, 0.0, 0.0, 0.0];
+    let mut values = [[0.0; 10]];
+    pair.contacts(&[pose], 1e-8, &mut Solutions::default(), &mut values).unwrap();
+    let point = &values[0][7..];
+    assert!((point[2] - 0.1).abs() < 1e-6, "{point:?}");
+    for axis in 0..2 {
+        let faces = [pose[axis] - 0.05, pose[axis] + 0.05, -0.1, 0.1];
+        let slope: f64 = faces.iter().map(|face| 1.0 / (point[axis] - face)).sum();
+        assert!(slope.abs() < 1e-2, "{point:?}: slope {slope}");
+    }
 }

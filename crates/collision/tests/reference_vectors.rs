@@ -49,7 +49,7 @@ fn check(file: &str) {
         assert!((pair.exact_distance(&pose) - exact).abs() <= 1e-10, "{what}: exact {}", pair.exact_distance(&pose));
 
         let (mut values, mut jacobians, mut hessians) = ([[0.0; 7]], [[[0.0; 7]; 7]], [[[0.0; 7]; 7]]);
-        let seeds = [numbers(&case["W_seed"])];
+        let seeds = [numbers::<7>(&case["W_seed"])];
         let mut solutions = Solutions::default();
         pair.contact_jacobians(&[pose], tau, &mut solutions, &mut values, &mut jacobians).unwrap();
         pair.contact_hessians(&[pose], tau, &seeds, &mut solutions, &mut hessians).unwrap();

@@ -8,7 +8,7 @@ use nlp::EvaluationError;
 use task::{AssemblyTask, ContactPair, POSE};
 use workers::Workers;
 
-use crate::layout::{CONTACT, Layout};
+use crate::layout::{CONTACT, CONTACT_AND_POINT, Layout};
 use crate::pattern::{ABSENT, PatternBuilder, add};
 use crate::term::Owners;
 
@@ -39,7 +39,8 @@ enum Evaluated {
     Jacobians,
 }
 
-/// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose. Poses are those before each step: pose
+/// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose, with the touching point `p` where a term asks for it:
+/// `W = (Phi_tau, n~_tau, p)`. Poses are those before each step: pose
 /// `index = (stage - 1) n_s + scenario` belongs to the step that leads to `stage`. Point `pair * poses + index` of
 /// [`Points::Pairs`](crate::Points::Pairs) has the contact information of this pair at this pose.
 pub struct Distances {
@@ -50,11 +51,15 @@ pub struct Distances {
     /// Variables of every pose, [`ABSENT`] for initial poses.
     variables: Vec<[u32; POSE]>,
     evaluated: Evaluated,
-    values: Vec<[f64; CONTACT]>,
-    jacobians: Vec<[[f64; POSE]; CONTACT]>,
+    /// Number of components of `W`: [`CONTACT`] or [`CONTACT_AND_POINT`].
+    components: usize,
+    /// `W`, point by point.
+    values: Vec<f64>,
+    /// Rows of `DW`, point by point.
+    jacobians: Vec<[f64; POSE]>,
     hessians: Vec<[[f64; POSE]; POSE]>,
-    /// Adjoints of `W`, summed over all terms.
-    seeds: Vec<[f64; CONTACT]>,
+    /// Adjoints of `W`, point by point, summed over all terms.
+    seeds: Vec<f64>,
     /// Of every chunk of poses of every pair.
     solutions: Vec<Solutions>,
     /// Hessian entries (coordinate, coordinate) per point.
@@ -92,10 +97,11 @@ impl Distances {
             poses,
             variables,
             evaluated: Evaluated::Nothing,
-            values: vec![[0.0; CONTACT]; count * pairs],
-            jacobians: vec![[[0.0; POSE]; CONTACT]; count * pairs],
+            components: CONTACT,
+            values: vec![0.0; CONTACT * count * pairs],
+            jacobians: vec![[0.0; POSE]; CONTACT * count * pairs],
             hessians: vec![[[0.0; POSE]; POSE]; count * pairs],
-            seeds: vec![[0.0; CONTACT]; count * pairs],
+            seeds: vec![0.0; CONTACT * count * pairs],
             solutions: vec![Solutions::default(); count.div_ceil(CHUNK) * pairs],
             curvature_slots: vec![[[ABSENT; POSE]; POSE]; count * pairs],
             workers: Workers::default(),
@@ -120,6 +126,17 @@ impl Distances {
         self.curvature_slots[point] = pose.map(|row| pose.map(|column| hessian.symmetric_slot(row, column)));
     }
 
+    /// Makes a component of `W` available. Touching points are computed only where a term asks for one.
+    pub fn require(&mut self, component: usize) {
+        if component >= self.components {
+            self.components = CONTACT_AND_POINT;
+            let count = self.components * self.hessians.len();
+            self.values.resize(count, 0.0);
+            self.jacobians.resize(count, [0.0; POSE]);
+            self.seeds.resize(count, 0.0);
+        }
+    }
+
     /// Smoothing parameter of all distances (Eq. KKTsystem).
     pub fn set_tau(&mut self, tau: f64) {
         self.tau = tau;
@@ -140,9 +157,16 @@ impl Distances {
         if self.evaluated >= Evaluated::Values {
             return Ok(());
         }
+        match self.components {
+            CONTACT => self.evaluate_components::<CONTACT>(),
+            _ => self.evaluate_components::<CONTACT_AND_POINT>(),
+        }
+    }
+
+    fn evaluate_components<const COMPONENTS: usize>(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
         let (pairs, tau) = (&self.pairs, self.tau);
-        let chunks = chunks(&self.poses, &mut self.solutions, &mut self.values);
+        let chunks = chunks(&self.poses, &mut self.solutions, records::<_, COMPONENTS>(&mut self.values));
         let failure = in_parallel(&self.workers, chunks, |chunk| {
             pairs[chunk.pair].shapes.contacts(chunk.poses, tau, chunk.solutions, chunk.results)
         });
@@ -154,10 +178,19 @@ impl Distances {
         if self.evaluated >= Evaluated::Jacobians {
             return Ok(());
         }
+        match self.components {
+            CONTACT => self.evaluate_jacobians_of_components::<CONTACT>(),
+            _ => self.evaluate_jacobians_of_components::<CONTACT_AND_POINT>(),
+        }
+    }
+
+    fn evaluate_jacobians_of_components<const COMPONENTS: usize>(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
         let (pairs, tau, count) = (&self.pairs, self.tau, self.poses.len());
-        let jacobians = self.jacobians.chunks_mut(count.max(1)).flat_map(|pair| pair.chunks_mut(CHUNK));
-        let chunks = chunks(&self.poses, &mut self.solutions, &mut self.values).zip(jacobians);
+        let jacobians = records::<_, COMPONENTS>(&mut self.jacobians);
+        let jacobians = jacobians.chunks_mut(count.max(1)).flat_map(|pair| pair.chunks_mut(CHUNK));
+        let values = records::<_, COMPONENTS>(&mut self.values);
+        let chunks = chunks(&self.poses, &mut self.solutions, values).zip(jacobians);
         let failure = in_parallel(&self.workers, chunks, |(chunk, jacobians)| {
             let shapes = &pairs[chunk.pair].shapes;
             shapes.contact_jacobians(chunk.poses, tau, chunk.solutions, chunk.results, jacobians)
@@ -167,9 +200,17 @@ impl Distances {
 
     /// Evaluates `<s, D2W>` for the seeds `s`.
     pub fn evaluate_hessians(&mut self) -> Result<(), EvaluationError> {
+        match self.components {
+            CONTACT => self.evaluate_hessians_of_components::<CONTACT>(),
+            _ => self.evaluate_hessians_of_components::<CONTACT_AND_POINT>(),
+        }
+    }
+
+    fn evaluate_hessians_of_components<const COMPONENTS: usize>(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
         let (pairs, tau, count) = (&self.pairs, self.tau, self.poses.len());
-        let seeds = self.seeds.chunks(count.max(1)).flat_map(|pair| pair.chunks(CHUNK));
+        let seeds = records::<_, COMPONENTS>(&mut self.seeds);
+        let seeds = seeds.chunks(count.max(1)).flat_map(|pair| pair.chunks(CHUNK));
         let chunks = chunks(&self.poses, &mut self.solutions, &mut self.hessians).zip(seeds);
         let failure = in_parallel(&self.workers, chunks, |(chunk, seeds)| {
             let shapes = &pairs[chunk.pair].shapes;
@@ -178,25 +219,26 @@ impl Distances {
         self.finish(begin, failure, self.evaluated)
     }
 
-    /// `W` per point as last evaluated.
-    pub fn last_values(&self) -> &[[f64; CONTACT]] {
-        &self.values
+    /// A component of `W` per point, as last evaluated.
+    pub fn last_values(&self, component: usize) -> impl Iterator<Item = f64> {
+        self.values.iter().skip(component).step_by(self.components).copied()
     }
 
-    /// `DW` per point as last evaluated.
-    pub fn last_jacobians(&self) -> &[[[f64; POSE]; CONTACT]] {
-        &self.jacobians
+    /// `DW` per point as last evaluated, its rows one after the other.
+    pub fn last_jacobians(&self) -> std::slice::ChunksExact<'_, [f64; POSE]> {
+        self.jacobians.chunks_exact(self.components)
     }
 
     /// Sets all seeds to zero.
     pub fn clear_seeds(&mut self) {
-        self.seeds.fill([0.0; CONTACT]);
+        self.seeds.fill(0.0);
     }
 
     /// Adds to a component of all seeds, one value per point.
     pub fn add_seeds(&mut self, component: usize, adjoint: &[f64]) {
-        for (seed, &value) in self.seeds.iter_mut().zip(adjoint) {
-            seed[component] += value;
+        let seeds = self.seeds.iter_mut().skip(component).step_by(self.components);
+        for (seed, &value) in seeds.zip(adjoint) {
+            *seed += value;
         }
     }
 
@@ -216,7 +258,7 @@ impl Distances {
 
     /// Adds second derivatives by two components of `W`, one value per point, times the gradients of both.
     pub fn add_products(&self, values: &[f64], one: usize, other: usize, slots: &mut [f64]) {
-        for ((&value, derivative), targets) in values.iter().zip(&self.jacobians).zip(&self.curvature_slots) {
+        for ((&value, derivative), targets) in values.iter().zip(self.last_jacobians()).zip(&self.curvature_slots) {
             let (left, right) = (&derivative[one], &derivative[other]);
             for row in 0..POSE {
                 for column in 0..=row {
@@ -262,6 +304,11 @@ impl Distances {
         let (body, environment) = (pair.body.clone(), pair.environment.clone());
         EvaluationError::new(MissingDistance { body, environment, scenario, step, source })
     }
+}
+
+/// One record per point.
+fn records<T, const COMPONENTS: usize>(components: &mut [T]) -> &mut [[T; COMPONENTS]] {
+    components.as_chunks_mut().0
 }
 
 /// All chunks of all pairs, with their slices of one of the results.

@@ -1,4 +1,5 @@
-//! One tape at many points: every input is a decision variable, a constant or contact information.
+//! One tape at many points: every input is a decision variable, a constant, the smoothing of the distances or contact
+//! information.
 
 use autodiff::{Batch, Jacobian, LagrangianHessian, Tape, Workspace};
 
@@ -13,10 +14,12 @@ pub struct PointFunction {
     /// Second derivatives by the same inputs; the multipliers of the outputs are its last inputs.
     pub hessian: LagrangianHessian,
     points: usize,
-    /// Decision variable per (input, point), [`ABSENT`] where the input is a constant or contact information.
+    /// Decision variable per (input, point), [`ABSENT`] where the input is anything else.
     variables: Vec<u32>,
     /// Component of the contact information per input, if the input is one.
     contact: Vec<Option<usize>>,
+    /// Inputs that are the smoothing of the distances.
+    smoothing: Vec<usize>,
     inputs: Batch,
     values: Batch,
     jacobian_values: Batch,
@@ -31,6 +34,7 @@ impl PointFunction {
         let mut inputs = Batch::new(input_count + output_count, points.len());
         let mut variables = vec![ABSENT; input_count * points.len()];
         let mut contact = vec![None; input_count];
+        let mut smoothing = Vec::new();
         let mut differentiated = 0;
         for input in 0..input_count {
             for (index, point) in points.iter().enumerate() {
@@ -38,6 +42,10 @@ impl PointFunction {
                     Source::Constant(value) => {
                         inputs.row_mut(input)[index] = value;
                         continue;
+                    }
+                    Source::Smoothing => {
+                        smoothing.push(input);
+                        break;
                     }
                     Source::Variable(variable) => variables[input * points.len() + index] = variable as u32,
                     Source::Contact(component) => contact[input] = Some(component),
@@ -58,6 +66,7 @@ impl PointFunction {
             points: points.len(),
             variables,
             contact,
+            smoothing,
             inputs,
         }
     }
@@ -85,6 +94,13 @@ impl PointFunction {
     /// Component of the contact information that an input is, if any.
     pub fn contact(&self, input: usize) -> Option<usize> {
         self.contact[input]
+    }
+
+    /// Takes the smoothing of the distances.
+    pub fn set_tau(&mut self, tau: f64) {
+        for &input in &self.smoothing {
+            self.inputs.row_mut(input).fill(tau);
+        }
     }
 
     /// Takes the decision variables from `x`.

@@ -14,6 +14,8 @@ use crate::terms::POSE_VARIABLES;
 
 /// Number of components of the contact information `W = (Phi_tau, n~_tau)`.
 pub const CONTACT: usize = 1 + TWIST;
+/// Number of components of the contact information with the touching point, `W = (Phi_tau, n~_tau, p)`.
+pub const CONTACT_AND_POINT: usize = CONTACT + 3;
 
 /// Sizes of a transcription and the indices of its variables and constraints.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -56,7 +56,7 @@ mod transcription;
 
 pub use distances::MissingDistance;
 pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationEnd, IterationTiming, check_settings};
-pub use layout::{CONTACT, Layout, Member};
+pub use layout::{CONTACT, CONTACT_AND_POINT, Layout, Member};
 pub use residuals::{Activity, ConstraintIndex, Residual};
 pub use stage_solver::TranscriptionSolver;
 pub use term::{Block, Owners, Point, Points, Source, StepTerm};

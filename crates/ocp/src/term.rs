@@ -29,7 +29,8 @@ pub trait StepTerm: Send + Sync {
     /// The points at which the tape is evaluated.
     fn points(&self) -> Points;
 
-    /// The equations. Inputs that are constants at every point come last; the tape is not differentiated by them.
+    /// The equations. Inputs that are constants or the smoothing at every point come last; the tape is not differentiated
+    /// by them.
     fn tape(&self) -> Tape;
 
     /// The source of an input at a point.
@@ -106,7 +107,9 @@ pub enum Source {
     Variable(usize),
     /// A value that does not change.
     Constant(f64),
-    /// A component of the contact information `W = (Phi_tau, n~_tau)` of the point's pair at the pose before the step.
+    /// The smoothing parameter `tau` of the distances (N m). It must be the source of the input at all points.
+    Smoothing,
+    /// A component of the contact information `W = (Phi_tau, n~_tau, p)` of the point's pair at the pose before the step.
     /// It must be the source of the input at all points, and the points must be [`Points::Pairs`].
     Contact(usize),
 }

@@ -33,7 +33,9 @@ impl TermFunction {
         let rows: Vec<u32> = (0..function.outputs()).flat_map(row).collect();
         let jacobian_slots = function.jacobian_slots(&rows, &mut patterns.jacobian);
         let hessian_slots = function.hessian_slots(&mut patterns.hessian);
-        let chain = if (0..function.inputs()).any(|input| function.contact(input).is_some()) {
+        let components = (0..function.inputs()).filter_map(|input| function.contact(input));
+        let chain = if let Some(last) = components.max() {
+            distances.require(last);
             assert_eq!(term.points(), Points::Pairs, "contact information belongs to pairs");
             ContactChain::new(&function, &rows, distances, patterns)
         } else {
@@ -45,6 +47,11 @@ impl TermFunction {
     /// Number of outputs at every point.
     pub fn outputs(&self) -> usize {
         self.function.outputs()
+    }
+
+    /// Takes the smoothing parameter of the distances.
+    pub fn set_tau(&mut self, tau: f64) {
+        self.function.set_tau(tau);
     }
 
     /// Takes the decision variables from `x`.
@@ -120,8 +127,8 @@ impl TermFunction {
 fn take_contact_information(function: &mut PointFunction, distances: &Distances) {
     for input in 0..function.inputs() {
         if let Some(component) = function.contact(input) {
-            for (input, contact) in function.input_mut(input).iter_mut().zip(distances.last_values()) {
-                *input = contact[component];
+            for (input, value) in function.input_mut(input).iter_mut().zip(distances.last_values(component)) {
+                *input = value;
             }
         }
     }
@@ -202,12 +209,14 @@ impl Link {
 /// points are larger than the caches, so that all links take those of a few points.
 fn add_links(links: &[Link], values: &Batch, distances: &Distances, slots: &mut [f64]) {
     const FEW: usize = 32;
-    for (few, gradients) in distances.last_jacobians().chunks(FEW).enumerate() {
-        let points = few * FEW..few * FEW + gradients.len();
+    let count = distances.last_jacobians().len();
+    for start in (0..count).step_by(FEW) {
+        let points = start..count.min(start + FEW);
         for link in links {
             let mut sums = [[0.0; POSE]; FEW];
             for &(entry, component) in &link.entries {
                 let values = &values.row(entry)[points.clone()];
+                let gradients = distances.last_jacobians().skip(start);
                 for ((sum, gradients), value) in sums.iter_mut().zip(gradients).zip(values) {
                     for (sum, slope) in sum.iter_mut().zip(&gradients[component]) {
                         *sum += value * slope;

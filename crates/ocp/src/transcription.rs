@@ -80,6 +80,7 @@ impl Transcription {
     /// Sets the smoothing of the distances, `tau`, and of the complementarity conditions, `sigma` (Sec. ocp:homotopy).
     pub fn set_smoothing(&mut self, tau: f64, sigma: f64) {
         self.distances.set_tau(tau);
+        self.functions.iter_mut().for_each(|function| function.set_tau(tau));
         self.terms.iter_mut().for_each(|term| term.set_sigma(sigma));
     }
 

@@ -68,6 +68,13 @@ fn full_inertia() {
 }
 
 #[test]
+fn friction() {
+    for (scene, steps, pairs) in [("corner", 3, 2), ("clamp1", 2, 3)] {
+        check(&AssemblyTask { friction: 0.3, ..task(scene, steps, pairs) });
+    }
+}
+
+#[test]
 fn limits() {
     let all = Limits {
         translational_velocity: 0.1,

@@ -176,6 +176,12 @@ fn many_pairs_and_three_scenarios_agree_with_mumps() {
     assert!(report.early_exits > 0);
 }
 
+#[test]
+fn friction_agrees_with_mumps() {
+    let (_, report) = compare_on(&AssemblyTask { friction: 0.3, ..task(PLAIN.scene, PLAIN.steps) }, PLAIN);
+    assert_eq!(report.general_path, 0);
+}
+
 /// An arm's apparent inertia (kg, kg m, kg m^2): the arm's mass is not at the part.
 #[test]
 fn an_arm_agrees_with_mumps() {

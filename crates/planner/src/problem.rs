@@ -209,12 +209,15 @@ impl Problem {
         hash(text.as_bytes())
     }
 
-    /// Hash (hexadecimal) of everything else: inertia, impedance, offsets, horizon, cost, limits, homotopy.
+    /// Hash (hexadecimal) of everything else: inertia, impedance, friction, offsets, horizon, cost, limits, homotopy.
     pub fn settings_hash(&self) -> String {
-        let AssemblyTask { inertia, impedance, offsets, horizon, cost, limits, .. } = &self.task;
+        let AssemblyTask { inertia, impedance, friction, offsets, horizon, cost, limits, .. } = &self.task;
         hash(
-            format!("{inertia:?} {impedance:?} {offsets:?} {horizon:?} {cost:?} {limits:?} {:?}", self.homotopy)
-                .as_bytes(),
+            format!(
+                "{inertia:?} {impedance:?} {friction:?} {offsets:?} {horizon:?} {cost:?} {limits:?} {:?}",
+                self.homotopy
+            )
+            .as_bytes(),
         )
     }
 }

@@ -90,6 +90,7 @@ impl Scene {
             region,
             pairs,
             far_pairs,
+            friction: table.table("contact")?.number("friction")?,
             starts,
             goal,
             offset_magnitude,

@@ -22,13 +22,17 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         .pairs
         .iter()
         .map(|&(part, other)| vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into());
+    let mut contact = table([("pairs", Value::Array(pairs.collect()))]);
+    if scene.friction > 0.0 {
+        contact.insert("friction".into(), scene.friction.into());
+    }
     let mut start_table = pose(&start.pose);
     start_table.insert("name".into(), start.name.clone().into());
     let mut document = table([
         ("title", scene.title.clone().into()),
         ("body", body.into()),
         ("environment", table([("part", parts(&scene.environment))]).into()),
-        ("contact", table([("pairs", Value::Array(pairs.collect()))]).into()),
+        ("contact", contact.into()),
         ("start", Value::Array(vec![start_table.into()])),
         ("goal", goal(scene).into()),
         (

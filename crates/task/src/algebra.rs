@@ -27,6 +27,12 @@ pub fn dot<T: Number>(left: &[T], right: &[T]) -> T {
     left.iter().zip(right).skip(1).fold(left[0] * right[0], |sum, (&a, &b)| sum + a * b)
 }
 
+/// Cross product of two vectors of three components.
+pub fn cross<T: Number>(left: &[T], right: &[T]) -> [T; 3] {
+    let minor = |one: usize, other: usize| left[one] * right[other] - left[other] * right[one];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
 /// The matrix `R(xi)` of a quaternion (w x y z) of any norm: `|xi|^2` times a rotation matrix.
 pub fn rotation<T: Number>(quaternion: &[T]) -> [[T; 3]; 3] {
     let [w, x, y, z] = [quaternion[0], quaternion[1], quaternion[2], quaternion[3]];

@@ -11,6 +11,8 @@ pub struct AssemblyTask {
     pub inertia: Inertia,
     /// Pairs `Pi` of body and environment parts that may touch.
     pub pairs: Vec<ContactPair>,
+    /// Coulomb's coefficient of friction of all pairs in the plan, 0 to 2; 0 is the frictionless contact of the paper.
+    pub friction: f64,
     /// Start pose of the reference (position m, unit quaternion w x y z).
     pub start: [f64; 7],
     /// Goal pose of the body (position m, unit quaternion w x y z).

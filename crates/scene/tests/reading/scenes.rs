@@ -90,6 +90,17 @@ fn limits_are_read_and_resolved() {
 }
 
 #[test]
+fn friction_is_read_and_resolved() {
+    let scene = parse(&SCENE.replace("[horizon]", "[contact]\nfriction = 0.3\n[horizon]")).unwrap();
+    assert_eq!(scene.task(None, None).unwrap().friction, 0.3);
+    let text = |scene: &Scene| resolved(scene, &scene.starts[0], 0.01, &default_homotopy());
+    assert_eq!(parse(&text(&scene)).unwrap().friction, 0.3);
+    let frictionless = parse(SCENE).unwrap();
+    assert_eq!(frictionless.friction, 0.0);
+    assert!(!text(&frictionless).contains("friction"));
+}
+
+#[test]
 fn limits_that_no_plan_can_keep_are_refused() {
     // The goal is 90 mm below the start and, with the first offset, 16 mm beside it; there are 10 steps of 0.04 s.
     for (limits, words, column) in [

@@ -358,7 +358,9 @@ const CASES: &[(&str, &str, usize, &str)] = &[
     ("[[start]]", "[[starts]]", 19, "unknown key `starts`, did you mean `start`?"),
     ("[goal]", "[start.goal]", 23, "unknown key `goal`; valid are: name, position, orientation"),
     ("[environment", "[[environment", 8, "a key is missing"),
-    ("[contact]", "[contact]\nfriction = 0.3", 18, "unknown key `friction`; valid are: pairs"),
+    ("[contact]", "[contact]\nadhesion = 0.3", 18, "unknown key `adhesion`; valid are: pairs, friction"),
+    ("[contact]", "[contact]\nfriction = -0.1", 18, "contact.friction = -0.1"),
+    ("[contact]", "[contact]\nfriction = 2.1", 18, "contact.friction = 2.1"),
 ];
 
 #[test]
