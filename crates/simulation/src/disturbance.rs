@@ -10,7 +10,7 @@ use crate::settings_error::{SettingsError, check};
 /// How robot and controller differ from what they are taken for. The default is that they do not.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Disturbance {
-    /// Relative error of the inertia of the body or, with an arm, of its mass matrix; -0.9 to 10.
+    /// Relative error of the inertia of the body or, with an arm, of its mass matrix; -0.9 to 10. Gravity stays compensated.
     pub inertia: f64,
     /// Relative error of both stiffnesses of the controller, -0.9 to 10; the damping stays.
     pub stiffness: f64,
