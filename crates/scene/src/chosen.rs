@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use task::Horizon;
+use task::{Horizon, Limits};
 
 use crate::error::SceneError;
 use crate::keys::key;
@@ -64,7 +64,7 @@ pub fn horizon(duration: f64, steps: Option<usize>, time_step: Option<f64>) -> H
 /// What was chosen for a scene, in its own words.
 pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> {
     let Scene { impedance, horizon, offset_directions, .. } = scene;
-    let values = [
+    let mut values = vec![
         ("impedance", "translational_stiffness", format!("{:.1} N/m", impedance.translational_stiffness)),
         ("impedance", "rotational_stiffness", format!("{:.2} Nm/rad", impedance.rotational_stiffness)),
         ("robustness", "offset_directions", format!("{} directions", offset_directions.len())),
@@ -72,6 +72,13 @@ pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> 
         ("horizon", "time_step", format!("{:.4} s", horizon.time_step)),
     ];
     let mut remarks = Vec::new();
+    if scene.robot.is_some() {
+        let Limits { translational_velocity, rotational_velocity, .. } = scene.limits;
+        values.extend([
+            ("limits", "translational_velocity", format!("{translational_velocity:.3} m/s")),
+            ("limits", "rotational_velocity", format!("{rotational_velocity:.3} rad/s")),
+        ]);
+    }
     for (name, key, value) in values {
         if table.table(name)?.find(key).is_none() {
             remarks.push(format!("{name}.{key} = {value}"));

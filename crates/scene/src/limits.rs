@@ -3,14 +3,17 @@
 use task::{Horizon, Limits, pose};
 
 use crate::error::SceneError;
+use crate::robot::Robot;
 use crate::table::Table;
 
-/// The limits that a scene gives.
-pub fn limits(table: &Table) -> Result<Limits, SceneError> {
+/// The limits that a scene gives; of velocities, else those that its arm can keep.
+pub fn limits(table: &Table, robot: Option<&Robot>) -> Result<Limits, SceneError> {
     let limit = |key: &str| table.find(key).map_or(Ok(f64::INFINITY), |entry| entry.number());
+    let or_arm = |key: &str, arm: f64| table.find(key).map_or(Ok(arm), |entry| entry.number());
+    let [translational, rotational] = robot.and_then(Robot::velocities).unwrap_or([f64::INFINITY; 2]);
     Ok(Limits {
-        translational_velocity: limit("translational_velocity")?,
-        rotational_velocity: limit("rotational_velocity")?,
+        translational_velocity: or_arm("translational_velocity", translational)?,
+        rotational_velocity: or_arm("rotational_velocity", rotational)?,
         translational_acceleration: limit("translational_acceleration")?,
         rotational_acceleration: limit("rotational_acceleration")?,
         contact_force: limit("contact_force")?,

@@ -80,7 +80,7 @@ impl Scene {
             position_tolerance: goal_table.find("position_tolerance").map(|entry| entry.number()).transpose()?,
             angle_tolerance: goal_table.number("angle_tolerance")?,
             cost: sections::cost(table)?,
-            limits: limits(&table.table("limits")?)?,
+            limits: limits(&table.table("limits")?, robot.as_ref())?,
             homotopy: homotopy::of_scene(table)?,
             body,
             environment,

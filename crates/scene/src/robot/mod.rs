@@ -3,11 +3,12 @@
 mod stiffness;
 mod warnings;
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use ::robot::gains::FrictionWrench;
 use ::robot::{Arm, JointPath, JointVector, RigidInertia};
-use nalgebra::{Isometry3, Matrix3, Vector3};
+use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
 
 use crate::entry::Entry;
 use crate::error::SceneError;
@@ -104,6 +105,23 @@ impl Robot {
             control_period,
             ways,
         }))
+    }
+
+    /// Velocity (m/s) and angular velocity (rad/s) along every axis at once that no joint is too slow for, at the goal and
+    /// with the redundant joints at rest that a pseudoinverse leaves; both need the joints equally. `None` where no joint
+    /// has a limit, or the arm is singular.
+    pub fn velocities(&self) -> Option<[f64; 2]> {
+        let jacobian = self.arm.posture(&self.configuration).jacobian();
+        let normal: Matrix6<f64> = jacobian * jacobian.transpose();
+        let joint_speeds = jacobian.transpose() * normal.try_inverse()?;
+        let needed = |joint: usize, axes: Range<usize>| axes.map(|axis| joint_speeds[(joint, axis)].abs()).sum::<f64>();
+        let slowest = |axes: Range<usize>| {
+            let joints = self.arm.joints().iter().enumerate();
+            let fastest = joints.map(|(index, joint)| 0.5 * joint.velocity / needed(index, axes.clone()));
+            fastest.fold(f64::INFINITY, f64::min)
+        };
+        let velocities = [slowest(0..3), slowest(3..6)];
+        velocities.iter().all(|velocity| velocity.is_finite()).then_some(velocities)
     }
 
     /// Reflected inertia of each joint's rotor (kg m^2 or kg).

@@ -1,5 +1,6 @@
 //! The arm that moves the body.
 
+use nalgebra::Vector6;
 use robot::Arm;
 use scene::{Scene, SceneError, Source, default_homotopy, resolved};
 
@@ -80,6 +81,23 @@ fn an_arm_gives_the_body_its_inertia_and_its_controller_a_stiffness() {
     let deadband = holds.deadband(stiff.impedance.translational_stiffness, stiff.impedance.rotational_stiffness);
     assert!(deadband.distance <= 3e-3 * 1.000001 && deadband.angle <= 0.03 * 1.000001, "{deadband:?}");
     assert!(stiff.impedance.translational_stiffness > scene.impedance.translational_stiffness);
+
+    // Whatever the directions, no joint is too slow.
+    let limits = scene.limits;
+    assert!(
+        scene.chosen.iter().any(|chosen| chosen.starts_with("limits.translational_velocity")),
+        "{:?}",
+        scene.chosen
+    );
+    let joints = posture.jacobian().fixed_columns::<6>(0).try_inverse().unwrap();
+    let (v, w) = (limits.translational_velocity, limits.rotational_velocity);
+    for signs in 0..64u32 {
+        let sign = |axis: usize| if signs >> axis & 1 == 0 { 1.0 } else { -1.0 };
+        let speeds = joints * Vector6::from_fn(|axis, _| sign(axis) * if axis < 3 { v } else { w });
+        for (joint, speed) in robot.arm.joints().iter().zip(speeds.iter()) {
+            assert!(speed.abs() <= joint.velocity * (1.0 + 1e-9), "{}: {speed}", joint.name);
+        }
+    }
 
     let text = resolved(&stiff, &stiff.starts[0], stiff.offset_magnitude, &default_homotopy());
     let again = Scene::parse(Source { file: "resolved.toml".as_ref(), text: &text }).unwrap();
