@@ -26,9 +26,14 @@ pub fn listed(names: &[&str]) -> String {
     if names.len() > SHOWN { format!("{shown} and {} more", names.len() - SHOWN) } else { shown }
 }
 
-/// The nearest valid name, if one is near.
+/// The nearest valid name, if one is near: the only one that ends with the unknown name as a word, else the most similar one.
 pub fn nearest<'name>(unknown: &str, valid: &[&'name str]) -> Option<&'name str> {
     const NEAR: f64 = 0.6;
+    let word = format!("_{unknown}");
+    let mut longer = valid.iter().filter(|name| name.ends_with(&word));
+    if let (Some(only), None) = (longer.next(), longer.next()) {
+        return Some(only);
+    }
     let similarities = valid.iter().map(|name| (strsim::jaro_winkler(unknown, name), *name));
     let (similarity, name) = similarities.max_by(|(one, _), (other, _)| one.total_cmp(other))?;
     (similarity >= NEAR).then_some(name)
