@@ -57,6 +57,21 @@ fn a_scene_of_two_meshes_is_read_as_it_was_written() {
 }
 
 #[test]
+fn a_start_that_overlaps_only_when_the_body_is_turned_in_the_gripper_is_shown() {
+    let dir = Dir::new();
+    let corner = include_str!("../scenes/corner.toml");
+    let (before, rest) = corner.split_once("orientation = ").unwrap();
+    let (_, after) = rest.split_once('\n').unwrap();
+    let before = before.replace("position = [0.1, 0.0, 0.08]", "position = [0.1, 0.0, 0.06]");
+    let low = format!("{before}orientation = [1, 0, 0, 0]\n{after}");
+    assert_ne!(low, corner);
+    dir.write("scenes/low.toml", &low);
+    dir.run("check scenes/low.toml").code(0).keeps_silent_about("overlap");
+    dir.write("scenes/turned.toml", low.replace("[robustness]", "[robustness]\nturn = 0.3"));
+    dir.run("check scenes/turned.toml").code(0).says("at the start with offset 2, turned about");
+}
+
+#[test]
 fn a_round_peg_is_solved() {
     let dir = Dir::new();
     dir.run("generate round --facets 6 --chamfer 0.0005 --out peg.toml").code(0).says("written to peg.toml");

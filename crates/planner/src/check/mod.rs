@@ -8,6 +8,7 @@ mod way;
 use ocp::{Layout, standard_terms};
 use scene::Part;
 use serde::Serialize;
+use simulation::{GraspError, Reference};
 use task::pose::without_offset;
 use task::{AssemblyTask, ContactPair};
 
@@ -166,7 +167,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         far_pairs: scene.far_pairs.iter().map(name).collect(),
         insertion: along_insertion(task),
         farthest_rest_m: farthest_rest(task),
-        overlaps: overlaps(task),
+        overlaps: overlaps(task, scene.borne.turn),
         way: way::find(task),
         size: size(problem),
         chosen: scene.chosen.clone(),
@@ -177,13 +178,23 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
     Ok(explanation)
 }
 
-fn overlaps(task: &AssemblyTask) -> Vec<PoseOverlap> {
-    let goal = std::iter::once(("goal".to_owned(), task.goal));
-    let starts = (1..)
-        .zip(&task.offsets)
-        .map(|(number, offset)| (format!("start with offset {number}"), without_offset(&task.start, offset)));
+/// Pairs that overlap at the goal and where the body really is at the start: with every offset, and also turned in the
+/// gripper (rad) about each axis of the body, both ways.
+fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
+    let mut poses = vec![("goal".to_owned(), task.goal)];
+    for (number, &offset) in (1..).zip(&task.offsets) {
+        poses.push((format!("start with offset {number}"), without_offset(&task.start, &offset)));
+        for (axis, name) in ["x", "y", "z"].iter().enumerate().filter(|_| turn > 0.0) {
+            for (sign, angle) in [("+", turn), ("-", -turn)] {
+                let mut grasp = GraspError { offset, turn: [0.0; 3] };
+                grasp.turn[axis] = angle;
+                let at = grasp.start(&Reference::straight(&task.start, &task.goal, task.horizon));
+                poses.push((format!("start with offset {number}, turned about {sign}{name}"), at));
+            }
+        }
+    }
     let mut overlaps = Vec::new();
-    for (pose, at) in goal.chain(starts) {
+    for (pose, at) in poses {
         for pair in &task.pairs {
             let distance_m = pair.shapes.exact_distance(&at);
             if distance_m < 0.0 {
