@@ -7,7 +7,7 @@ use task::{Horizon, Limits};
 
 use crate::error::SceneError;
 use crate::keys::key;
-use crate::pose::isometry;
+use crate::pose::{norm, of_pose};
 use crate::scene::Scene;
 use crate::table::Table;
 
@@ -43,9 +43,10 @@ pub fn rotational_stiffness(translational: f64, mass: f64) -> f64 {
     (mass * (0.5 * translational / mass).sqrt()).clamp(bounds.low, bounds.high)
 }
 
-/// A duration (s) in which the controlled body settles and covers a path (m), in steps of a length that is known to be
-/// fine enough.
-pub fn duration(path: f64, time_constant: f64) -> f64 {
+/// A duration (s) in which the controlled body settles and covers the longest way from its starts to the goal.
+pub fn duration<'start>(starts: impl Iterator<Item = &'start [f64; 7]>, goal: &[f64; 7], time_constant: f64) -> f64 {
+    let way = |start: &[f64; 7]| norm(&[0, 1, 2].map(|axis| start[axis] - goal[axis]));
+    let path = starts.map(way).fold(0.0, f64::max);
     let far = (path - NEAR).max(0.0) / SPEED;
     SHORTEST.max(TIME_CONSTANTS * time_constant) + far
 }
@@ -89,10 +90,7 @@ pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> 
 
 /// Directions (body frame) at equal angles across the way from start to goal; without a way, across the body's z axis.
 pub fn directions(start: &[f64; 7], goal: &[f64; 7]) -> Vec<[f64; 3]> {
-    let [start, goal] = [start, goal].map(|pose| {
-        let [x, y, z, orientation @ ..] = *pose;
-        isometry(&[x, y, z], &orientation)
-    });
+    let (start, goal) = (of_pose(start), of_pose(goal));
     let way = start.translation.vector - goal.translation.vector;
     let way = goal.rotation.inverse() * way.try_normalize(f64::EPSILON).unwrap_or(goal.rotation * Vector3::z());
     let first = way.cross(&Vector3::ith(way.iamin(), 1.0)).normalize();
@@ -116,7 +114,9 @@ mod tests {
     fn the_first_peg_of_the_paper_is_chosen_as_published() {
         let stiffness = translational_stiffness(0.02, 1.0);
         assert_eq!((stiffness, rotational_stiffness(stiffness, 1.0)), (50.0, 5.0));
-        let horizon = horizon(duration(0.09, (1.0 / stiffness).sqrt()), None, None);
+        let [start, goal] = [0.09, 0.0].map(|z| [0.0, 0.0, z, 1.0, 0.0, 0.0, 0.0]);
+        let duration = duration([&start].into_iter(), &goal, (1.0 / stiffness).sqrt());
+        let horizon = horizon(duration, None, None);
         assert_eq!(horizon, Horizon { steps: 99, time_step: 0.04 });
     }
 
@@ -134,7 +134,7 @@ mod tests {
             let [x, y, z] = start;
             let directions = directions(&[x, y, z, 1.0, 0.0, 0.0, 0.0], &goal);
             let directions: Vec<Vector3<f64>> = directions.into_iter().map(Vector3::from).collect();
-            let way = isometry(&[0.0; 3], &[0.6, 0.0, 0.8, 0.0]).rotation.inverse() * Vector3::from(start);
+            let way = of_pose(&goal).rotation.inverse() * Vector3::from(start);
             let sum: Vector3<f64> = directions.iter().sum();
             assert!(sum.norm() < 1e-9, "{directions:?}");
             for direction in directions {

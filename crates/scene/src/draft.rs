@@ -5,7 +5,6 @@ use toml::Value;
 
 use crate::chosen;
 use crate::keys::key;
-use crate::pose::norm;
 
 /// What a scene that is to be written does not share with all others. Lengths are in metres.
 pub struct Draft {
@@ -105,9 +104,8 @@ impl Draft {
     }
 
     fn horizon(&self) -> Horizon {
-        let path = |start: &[f64; 7]| norm(&[0, 1, 2].map(|axis| start[axis] - self.goal[axis]));
-        let longest = self.starts.iter().map(path).fold(0.0, f64::max);
-        chosen::horizon(chosen::duration(longest, (MASS / self.stiffness()).sqrt()), None, None)
+        let time_constant = (MASS / self.stiffness()).sqrt();
+        chosen::horizon(chosen::duration(self.starts.iter(), &self.goal, time_constant), None, None)
     }
 
     fn write_robustness(&self, text: &mut String) {

@@ -1,12 +1,12 @@
 //! The apparent inertia of the body: the robot's, else that of the body's own mass.
 
-use nalgebra::{Matrix3, Matrix6, SMatrix, SymmetricEigen, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Matrix6, SMatrix, SymmetricEigen, Vector3};
 use task::Inertia;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::part::GivenPart;
-use crate::pose::norm;
+use crate::pose::{norm, of_pose};
 use crate::robot::Robot;
 use crate::table::Table;
 
@@ -111,8 +111,7 @@ impl Material {
         let mut matrix = *Inertia::of_body(self.mass, self.rotational).matrix();
         let size = parts.iter().flat_map(GivenPart::points).map(|point| norm(&point)).fold(0.0, f64::max);
         if self.center.norm() > CENTERED * size {
-            let [.., w, x, y, z] = *goal;
-            let turn = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z)).to_rotation_matrix();
+            let turn = of_pose(goal).rotation.to_rotation_matrix();
             let coupling = turn.matrix() * self.center.cross_matrix() * -self.mass;
             matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&coupling);
             matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&coupling.transpose());

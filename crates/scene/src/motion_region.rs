@@ -2,10 +2,9 @@
 
 use collision::{Pair, Polytope};
 use nalgebra::{Isometry3, Point3};
-use task::pose;
 
 use crate::part::corners_of;
-use crate::pose::{isometry, norm};
+use crate::pose::{between, norm, of_pose};
 use crate::scene::StartPose;
 
 /// Poses between a start and the goal that are looked at.
@@ -45,11 +44,7 @@ impl Motions {
         let goal = of_pose(goal);
         let poses = starts.iter().flat_map(|start| {
             let start = of_pose(&start.pose);
-            (0..SAMPLES).map(move |sample| {
-                let share = sample as f64 / (SAMPLES - 1) as f64;
-                let rotation = start.rotation.try_slerp(&goal.rotation, share, 1e-9).unwrap_or(goal.rotation);
-                Isometry3::from_parts(start.translation.vector.lerp(&goal.translation.vector, share).into(), rotation)
-            })
+            (0..SAMPLES).map(move |sample| between(&start, &goal, sample as f64 / (SAMPLES - 1) as f64))
         });
         let size = body.iter().map(|point| norm(point)).fold(0.0, f64::max);
         Self { poses: poses.collect(), margin: OFFSETS * magnitude + MARGIN * size, surroundings: SURROUNDINGS * size }
@@ -96,9 +91,4 @@ impl Motions {
 pub fn meet(one: &Polytope, other: &Polytope) -> bool {
     let pair = Pair::new(one.clone(), other.clone());
     pair.exact_distance(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]) <= 0.0
-}
-
-fn of_pose(pose: &[f64; 7]) -> Isometry3<f64> {
-    let [x, y, z, quaternion @ ..] = pose::normalised(pose);
-    isometry(&[x, y, z], &quaternion)
 }

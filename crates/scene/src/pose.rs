@@ -48,6 +48,18 @@ pub fn isometry(position: &[f64; 3], &[w, x, y, z]: &[f64; 4]) -> Isometry3<f64>
     Isometry3::from_parts(Vector3::from(*position).into(), rotation)
 }
 
+/// The frame that has a pose (position m, quaternion w x y z).
+pub fn of_pose(pose: &[f64; 7]) -> Isometry3<f64> {
+    let [x, y, z, quaternion @ ..] = task::pose::normalised(pose);
+    isometry(&[x, y, z], &quaternion)
+}
+
+/// The frame at a share (0 to 1) of the straight way between two.
+pub fn between(from: &Isometry3<f64>, to: &Isometry3<f64>, share: f64) -> Isometry3<f64> {
+    let rotation = from.rotation.try_slerp(&to.rotation, share, 1e-9).unwrap_or(to.rotation);
+    Isometry3::from_parts(from.translation.vector.lerp(&to.translation.vector, share).into(), rotation)
+}
+
 /// Euclidean norm.
 pub fn norm(vector: &[f64]) -> f64 {
     vector.iter().map(|component| component * component).sum::<f64>().sqrt()

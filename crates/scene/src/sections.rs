@@ -5,7 +5,7 @@ use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 use crate::chosen;
 use crate::error::SceneError;
 use crate::inertia::symmetric;
-use crate::pose::{directions, norm, pose};
+use crate::pose::{directions, pose};
 use crate::robot::Stiffness;
 use crate::scene::{Borne, StartPose};
 use crate::table::Table;
@@ -62,10 +62,9 @@ pub fn horizon(
     let table = scene.table("horizon")?;
     let steps = table.find("steps").map(|entry| entry.integer()).transpose()?.map(|steps| steps as usize);
     let time_step = table.find("time_step").map(|entry| entry.number()).transpose()?;
-    let way = |start: &StartPose| norm(&[0, 1, 2].map(|axis| start.pose[axis] - goal[axis]));
-    let path = starts.iter().map(way).fold(0.0, f64::max);
     let time_constant = (inertia.mean_mass() / impedance.translational_stiffness).sqrt();
-    Ok(chosen::horizon(chosen::duration(path, time_constant), steps, time_step))
+    let duration = chosen::duration(starts.iter().map(|start| &start.pose), goal, time_constant);
+    Ok(chosen::horizon(duration, steps, time_step))
 }
 
 /// Directions of the offsets: those of the scene, or some across the way from the first start to the goal. Without a

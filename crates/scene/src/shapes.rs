@@ -2,14 +2,13 @@
 
 use collision::Polytope;
 use nalgebra::{Isometry3, Vector3};
-use task::pose;
 
 use crate::error::SceneError;
 use crate::facets::{Fit, LARGEST_SHARE, Placed, facets, tightest_fit};
 use crate::mesh::MeshPart;
 use crate::motion_region::{MotionRegion, Motions};
 use crate::part::{GivenPart, Part, Shape};
-use crate::pose::isometry;
+use crate::pose::of_pose;
 
 /// Distance (m) that is no more than rounding.
 const ROUNDING: f64 = 1e-9;
@@ -32,9 +31,7 @@ pub fn shapes(
     motions: &Motions,
     goal: &[f64; 7],
 ) -> Result<Shapes, SceneError> {
-    let [x, y, z, quaternion @ ..] = pose::normalised(goal);
-    let at_goal = isometry(&[x, y, z], &quaternion);
-    let fit = tightest_fit(&meshes(body, &at_goal), &meshes(environment, &Isometry3::identity()));
+    let fit = tightest_fit(&meshes(body, &of_pose(goal)), &meshes(environment, &Isometry3::identity()));
     let facets = facets(fit);
     require_fine(fit, facets, body.iter().chain(environment))?;
     let (body, body_meshes) = convex(body, facets, None)?;

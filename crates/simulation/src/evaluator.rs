@@ -22,6 +22,13 @@ pub struct Trial {
     pub disturbance: Disturbance,
 }
 
+impl Trial {
+    /// All errors that it injects.
+    pub fn injection(&self) -> Injection {
+        Injection { grasp: self.grasp, disturbance: self.disturbance }
+    }
+}
+
 /// How a reference does in a trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrialResult {
@@ -78,8 +85,7 @@ impl Evaluator {
     /// # Panics
     /// When the evaluator has no friction coefficient of the trial's index.
     pub fn evaluate(&self, reference: &Reference, trial: &Trial) -> TrialResult {
-        let injection = Injection { grasp: trial.grasp, disturbance: trial.disturbance };
-        let outcome = self.rollouts[trial.friction].play(reference, injection, |_, _| {});
+        let outcome = self.rollouts[trial.friction].play(reference, trial.injection(), |_, _| {});
         let excess = (outcome.max_force / self.limits.contact_force - 1.0).max(0.0);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
             return TrialResult { passed: true, miss: 0.0 };

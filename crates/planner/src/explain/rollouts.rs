@@ -60,16 +60,11 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
     let settings = Settings { friction: worst.friction, ..Settings::default() };
     // The arm has reached the start before.
     let rollout = problem.rollout_in(&world, settings).ok()?;
-    let grasps: Vec<_> = failing.iter().take(PLAYED).map(|trial| trial.grasp).collect();
-    let injections: Vec<Injection> = failing
-        .iter()
-        .take(PLAYED)
-        .map(|trial| Injection { grasp: trial.grasp, disturbance: trial.disturbance })
-        .collect();
+    let injections: Vec<Injection> = failing.iter().take(PLAYED).map(Trial::injection).collect();
     let Trajectory { scenarios, time_step, .. } = rollout.trajectory(&best.reference, &injections, TAU);
     let error = |motion: &ScenarioTrajectory| motion.quality.position_error;
-    let shown = grasps.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
-    let (grasp, motion) = shown?;
+    let shown = injections.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
+    let (Injection { grasp, .. }, motion) = shown?;
     Some(LossRecord {
         rate: rate(groups),
         worst,

@@ -8,12 +8,12 @@ use std::path::PathBuf;
 
 use ::robot::gains::FrictionWrench;
 use ::robot::{Arm, JointPath, JointVector, RigidInertia};
-use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
+use nalgebra::{Isometry3, Matrix3, Matrix6};
 
 use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::inertia::Material;
-use crate::pose::{isometry, orientation};
+use crate::pose::{between, of_pose, orientation};
 use crate::scene::StartPose;
 use crate::table::Table;
 
@@ -71,7 +71,7 @@ impl Robot {
         let count = arm.joints().len();
         let rotor_inertia = per_joint(table, "rotor_inertia", count)?;
         let payload = material.map_or(Ok(RigidInertia::zero()), payload).map_err(|error| urdf.refuse(error))?;
-        let arm = arm.with_base(&at(&base)).with_grasp(&at(&grasp)).with_payload(payload);
+        let arm = arm.with_base(&of_pose(&base)).with_grasp(&of_pose(&grasp)).with_payload(payload);
         let arm = arm.with_rotor_inertia(&rotor_inertia).map_err(|error| urdf.refuse(error.to_string()))?;
         let given = table.require("configuration")?;
         let near = arm.configuration(&given.numbers()?).map_err(|error| given.refuse(error.to_string()))?;
@@ -81,7 +81,7 @@ impl Robot {
             ))
         };
         let configuration = arm
-            .inverse_kinematics(&at(goal), &near)
+            .inverse_kinematics(&of_pose(goal), &near)
             .map_err(|error| unreachable("the goal".into(), error.to_string()))?;
         let way = |start: &StartPose| {
             let what = format!("start `{}` on the straight way from the goal", start.name);
@@ -160,20 +160,9 @@ fn payload(material: &Material) -> Result<RigidInertia, String> {
     RigidInertia::new(material.mass, center, rotational).map_err(|error| error.to_string())
 }
 
-fn at(pose: &[f64; 7]) -> Isometry3<f64> {
-    let [x, y, z, orientation @ ..] = *pose;
-    isometry(&[x, y, z], &orientation)
-}
-
 /// Poses on the straight way between two, a second apart.
 fn straight(from: &[f64; 7], to: &[f64; 7]) -> Vec<(f64, Isometry3<f64>)> {
-    let (from, to) = (at(from), at(to));
-    let turn = (from.rotation.inverse() * to.rotation).scaled_axis();
-    let pose = |index: usize| {
-        let share = index as f64 / (POSES - 1) as f64;
-        let position: Vector3<f64> = from.translation.vector.lerp(&to.translation.vector, share);
-        let rotation = from.rotation * nalgebra::UnitQuaternion::from_scaled_axis(turn * share);
-        (index as f64, Isometry3::from_parts(position.into(), rotation))
-    };
+    let (from, to) = (of_pose(from), of_pose(to));
+    let pose = |index: usize| (index as f64, between(&from, &to, index as f64 / (POSES - 1) as f64));
     (0..POSES).map(pose).collect()
 }

@@ -57,7 +57,11 @@ pub fn stiffness(
         rotational: rotational.unwrap_or_else(|| chosen::rotational_stiffness(similar, mass)),
     };
     if translational.is_some() || rotational.is_some() {
-        return Ok(similar);
+        let [[softest, stiffest], [softest_turning, stiffest_turning]] = ranges;
+        return Ok(Stiffness {
+            translational: similar.translational.clamp(softest, stiffest),
+            rotational: similar.rotational.clamp(softest_turning, stiffest_turning),
+        });
     }
     let holds = robot.and_then(|robot| robot.friction_wrench);
     let limit = scene.table("limits")?.find("contact_force").map(|entry| entry.number()).transpose()?;

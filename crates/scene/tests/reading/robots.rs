@@ -154,3 +154,10 @@ fn what_an_arm_replaces_is_remarked() {
         scene.warnings
     );
 }
+
+#[test]
+fn a_stiffness_that_is_chosen_beside_a_given_one_is_in_the_range_of_the_robot() {
+    let range = "stiffness_range = { rotational = [150, 200] }\n[impedance]\ntranslational_stiffness = 425.0";
+    let impedance = with_arm(&arm(), range).unwrap().impedance;
+    assert_eq!((impedance.translational_stiffness, impedance.rotational_stiffness), (425.0, 150.0));
+}
