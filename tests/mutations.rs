@@ -173,7 +173,7 @@ fn play(folder: &Path) -> Result<(), PlannerError> {
         for rollout in &played {
             let outcome = rollout.outcome;
             let numbers =
-                [outcome.position_error, outcome.orientation_error, outcome.max_penetration, outcome.max_force];
+                [outcome.position_error, outcome.orientation_error, outcome.max_penetration, outcome.loads.contact_force];
             require_finite(&format!("{rollout:?}"), numbers);
         }
         let table = format!("{}{}", SuccessTable::new(&played), String::from_utf8(rows).unwrap());

@@ -25,6 +25,7 @@ class ArmPlayer(Player):
         super().__init__(model, plan, window)
         self.grasp = model.site("grasp").id
         self.part = model.body("body").id
+        self.torque_limits = np.where(model.jnt_actfrclimited, model.jnt_actfrcrange.T, [[-np.inf], [np.inf]])
         time_step, robot = model.opt.timestep, plan.robot
         self.period = round(robot.control_period / time_step)
         self.delay = round(robot.delay / time_step)
@@ -83,7 +84,8 @@ class ArmPlayer(Player):
         pose = [*data.site_xpos[self.grasp].tolist(), *quaternion.tolist()]
         velocity = [*(linear @ data.qvel).tolist(), *(angular @ data.qvel).tolist()]
         wrench = impedance_wrench(self.plan.impedance, reference, pose, velocity, [0.0, 0.0, 0.0])
-        return linear.T @ wrench[:3] + angular.T @ wrench[3:] + data.qfrc_bias
+        torque = linear.T @ wrench[:3] + angular.T @ wrench[3:] + data.qfrc_bias
+        return np.clip(torque, *self.torque_limits)
 
     def state(self) -> State:
         data, part = self.data, self.part

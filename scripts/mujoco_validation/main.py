@@ -26,8 +26,8 @@ from rollout import FreePlayer, Outcome, Player
 
 PLANNED, STRAIGHT = "plan", "straight push"
 
-# Time over which forces of an arm are averaged (s).
-ARM_FORCE_WINDOW = 0.01
+# Time over which contact forces are averaged (s).
+FORCE_WINDOW = 0.01
 
 
 def parse_frictions(text: str) -> list[float]:
@@ -57,11 +57,10 @@ class Rollouts:
         """The simulation at a friction, made on first use."""
         if friction not in self.players:
             contact = world.Contact(friction, self.time_step)
+            window = max(1, round(FORCE_WINDOW / self.time_step))
             if self.plan.robot:
-                window = max(1, round(ARM_FORCE_WINDOW / self.time_step))
                 self.players[friction] = ArmPlayer(arm_world.build(self.plan, contact), self.plan, window)
             else:
-                window = max(1, round(self.plan.reference.interval() / self.time_step))
                 self.players[friction] = FreePlayer(world.build(self.plan, contact), self.plan, window)
         return self.players[friction]
 
@@ -207,7 +206,7 @@ def arm_line(plan: Plan) -> str:
         f"{plan.folder}: whole arm {robot.urdf.name}, {gains.translational_stiffness:g} N/m and "
         f"{gains.rotational_stiffness:g} Nm/rad, joint friction {frictions} Nm, turns up to {plan.turn:g} rad, torques "
         f"every {1e3 * robot.control_period:g} ms after {1e3 * robot.delay:g} ms; forces are means over "
-        f"{1e3 * ARM_FORCE_WINDOW:g} ms.\n"
+        f"{1e3 * FORCE_WINDOW:g} ms.\n"
     )
 
 

@@ -1,5 +1,6 @@
 """One motion played through MuJoCo."""
 
+import collections
 import dataclasses
 from collections.abc import Callable
 
@@ -26,29 +27,32 @@ class Outcome:
 
 
 class ContactRecord:
-    """Deepest overlap (m) and largest normal force of a pair (N) during a motion. The force is the mean over a window:
-    how high an impact peaks is a matter of the time step, its impulse is not."""
+    """Deepest overlap (m) and largest normal force of a pair (N) during a motion. The force is the mean over the steps of a
+    window: how high an impact peaks is a matter of the time step, its impulse is not."""
 
     def __init__(self, geom_count: int, window: int) -> None:
         self.overlap = 0.0
         self.force = 0.0
         self.geom_count = geom_count
+        # Pairs and forces of the last steps, and the sum of the forces of every pair.
+        self.steps: collections.deque[tuple[np.ndarray, np.ndarray]] = collections.deque()
         self.window = window
         self.sums = np.zeros(geom_count**2)
 
     def add(self, data: mujoco.MjData) -> None:
         """Reads the contacts of a step."""
+        contact = data.contact
+        pairs = self.geom_count * contact.geom[:, 0] + contact.geom[:, 1]
+        # The first row of a contact is its normal, with and without friction.
+        forces = data.efc_force[contact.efc_address] if data.ncon else np.zeros(0)
+        np.add.at(self.sums, pairs, forces)
+        self.steps.append((pairs, forces))
+        if len(self.steps) > self.window:
+            pairs_before, forces_before = self.steps.popleft()
+            np.subtract.at(self.sums, pairs_before, forces_before)
         if data.ncon:
-            contact = data.contact
             self.overlap = max(self.overlap, -float(contact.dist.min()))
-            pairs = self.geom_count * contact.geom[:, 0] + contact.geom[:, 1]
-            # The first row of a contact is its normal, with and without friction.
-            self.sums += np.bincount(pairs, data.efc_force[contact.efc_address], len(self.sums))
-
-    def close_window(self) -> None:
-        """Takes the mean over the window that ends."""
-        self.force = max(self.force, float(self.sums.max()) / self.window)
-        self.sums[:] = 0.0
+            self.force = max(self.force, float(self.sums[pairs].max()) / self.window)
 
 
 def impedance_wrench(
@@ -122,10 +126,8 @@ class Player:
             observe()
             self.advance(step, reference)
             record.add(self.data)
-            if (step + 1) % self.window == 0:
-                record.close_window()
-                if self.warned():
-                    break
+            if (step + 1) % self.window == 0 and self.warned():
+                break
         observe()
         return record
 

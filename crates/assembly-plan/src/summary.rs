@@ -2,7 +2,7 @@
 
 use planner::explain::FailureExplanation;
 use planner::files::{LimitsRecord, PlanResult};
-use planner::{RobustnessReport, SuccessRate, rate};
+use planner::{RobustnessReport, SuccessRate, interval, rate};
 
 /// What came of a plan, in a few lines.
 pub fn summary(result: &PlanResult) -> String {
@@ -90,7 +90,9 @@ fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
     )];
     lines.extend(report.after.by_friction().map(|groups| {
         let listed: Vec<String> = groups.iter().map(group).collect();
-        format!("  friction {}: {:.1} %: {}", groups[0].friction, 100.0 * rate(groups), listed.join(", "))
+        let [low, high] = interval(groups).map(|bound| 100.0 * bound);
+        let (friction, percent) = (groups[0].friction, 100.0 * rate(groups));
+        format!("  friction {friction}: {percent:.1} % (95 % confidence: {low:.1} to {high:.1}): {}", listed.join(", "))
     }));
     if !report.planned_offsets_succeed() {
         lines.push("  not every planned offset reaches the goal".to_owned());

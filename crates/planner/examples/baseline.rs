@@ -76,6 +76,6 @@ fn played(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -
     // Beside every rollout of the plan there is one of the push.
     rollouts.retain(|rollout| rollout.motion == Motion::Plan);
     let successes = rollouts.iter().filter(|rollout| rollout.success).count();
-    let force = rollouts.iter().map(|rollout| rollout.outcome.max_force).fold(0.0, f64::max);
+    let force = rollouts.iter().map(|rollout| rollout.outcome.loads.contact_force).fold(0.0, f64::max);
     Ok(format!("{:.1} | {force:.0}", 100.0 * successes as f64 / rollouts.len() as f64))
 }

@@ -74,7 +74,7 @@ pub use robustness::{RobustnessReport, Round};
 pub use session::{Event, Observer, Session};
 pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, SimulationRequest, simulate};
 pub use solve::solve;
-pub use success_rates::{SuccessRate, SuccessRates, rate};
+pub use success_rates::{SuccessRate, SuccessRates, interval, rate};
 pub use success_table::{SuccessGroup, SuccessTable};
 pub use variant::Variant;
 

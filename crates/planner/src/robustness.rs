@@ -33,7 +33,7 @@ pub struct RobustnessReport {
     pub kept_changes: usize,
     /// All rounds.
     pub rounds: Vec<Round>,
-    /// What the refined plan loses most, where it is not robust.
+    /// What the refined plan loses most, where some rollouts fail.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss: Option<LossRecord>,
 }

@@ -1,6 +1,7 @@
 //! How often a reference succeeds, by friction and magnitude of the offsets.
 
 use serde::{Deserialize, Serialize};
+use simulation::wilson_interval;
 
 /// Successes at one friction and magnitude.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,9 +52,18 @@ impl SuccessRates {
 
 /// Success rate of some groups together; 0 without rollouts.
 pub fn rate(groups: &[SuccessRate]) -> f64 {
-    let rollouts: usize = groups.iter().map(|group| group.rollouts).sum();
-    let successes: usize = groups.iter().map(|group| group.successes).sum();
+    let [successes, rollouts] = counts(groups);
     successes as f64 / rollouts.max(1) as f64
+}
+
+/// Wilson's 95 % confidence interval of the success rate of some groups together.
+pub fn interval(groups: &[SuccessRate]) -> [f64; 2] {
+    let [successes, rollouts] = counts(groups);
+    wilson_interval(successes, rollouts)
+}
+
+fn counts(groups: &[SuccessRate]) -> [usize; 2] {
+    groups.iter().fold([0; 2], |[successes, rollouts], group| [successes + group.successes, rollouts + group.rollouts])
 }
 
 #[cfg(test)]

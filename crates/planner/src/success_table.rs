@@ -59,7 +59,7 @@ impl SuccessGroup {
         self.position_error = self.position_error.max(outcome.position_error);
         self.orientation_error = self.orientation_error.max(outcome.orientation_error);
         self.max_penetration = self.max_penetration.max(outcome.max_penetration);
-        self.max_force = self.max_force.max(outcome.max_force);
+        self.max_force = self.max_force.max(outcome.loads.contact_force);
     }
 
     /// `17/20 (64-95 %)`.

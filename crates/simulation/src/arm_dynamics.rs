@@ -41,6 +41,8 @@ pub struct ArmStepper<'arm> {
     posture: ArmPosture<'arm>,
 }
 
+/// Acceleration by gravity (m/s^2, world frame).
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 /// Largest number of times that contacts and joint friction follow each other in a step.
 const ROUNDS: usize = 20;
 
@@ -89,7 +91,9 @@ impl<'arm> ArmStepper<'arm> {
         self.steps += 1;
         let Self { posture, velocity, impedance, .. } = self;
         let bias = posture.posture.bias(velocity);
-        let torque = self.controller.torque(time, || command(posture, velocity, impedance, &target()) + bias);
+        let torque = self.controller.torque(time, || {
+            within_limits(self.arm, posture, command(posture, velocity, impedance, &target()) + bias)
+        });
         let acceleration = posture.mobility * (torque - bias * self.heaviness);
         let free = *velocity + acceleration * self.time_step;
         // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.
@@ -144,6 +148,16 @@ impl<'arm> ArmStepper<'arm> {
     }
 }
 
+/// What of the commanded torques (Nm or N) the joints can give while they also carry the arm, without what carries it.
+fn within_limits(arm: &Arm, posture: &ArmPosture, torque: JointVector) -> JointVector {
+    let mut given = torque;
+    let weight = posture.posture.gravity(&GRAVITY);
+    for (index, joint) in arm.joints().iter().enumerate() {
+        given[index] = (torque[index] + weight[index]).clamp(-joint.effort, joint.effort) - weight[index];
+    }
+    given
+}
+
 /// Torques (Nm or N) of the impedance law at the believed pose.
 fn command(posture: &ArmPosture, velocity: &JointVector, impedance: &Impedance, target: &Knot) -> JointVector {
     let mut state = [0.0; 13];
@@ -152,4 +166,30 @@ fn command(posture: &ArmPosture, velocity: &JointVector, impedance: &Impedance, 
     state[7..].copy_from_slice((posture.tracked * velocity).as_slice());
     let wrench = impedance.wrench(&target.state(), &state, &[0.0; 3]);
     posture.tracked.tr_mul(&wrench.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn motors_give_no_more_than_they_can_with_the_weight_of_the_arm() {
+        let urdf = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robot/tests/arms/six.urdf");
+        let arm = Arm::read(&urdf, "tip").unwrap();
+        let mut configuration = JointVector::zeros();
+        [0.1, 0.7, 0.9, -0.3, 0.5, 0.2].iter().enumerate().for_each(|(joint, angle)| configuration[joint] = *angle);
+        let posture = ArmPosture::new(&arm, &configuration, &Isometry3::identity(), 1.0).unwrap();
+        let weight = posture.posture.gravity(&GRAVITY);
+        assert!(weight.amax() > 1.0, "it is heavy: {weight}");
+        for wanted in [1e4, -1e4] {
+            let given = within_limits(&arm, &posture, JointVector::repeat(wanted)) + weight;
+            for (index, joint) in arm.joints().iter().enumerate() {
+                assert!((given[index] - joint.effort * wanted.signum()).abs() < 1e-9, "{}", joint.name);
+            }
+        }
+        let small = JointVector::repeat(0.1);
+        assert!((within_limits(&arm, &posture, small) - small).amax() < 1e-12);
+    }
 }

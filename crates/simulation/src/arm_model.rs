@@ -11,8 +11,8 @@ use crate::settings_error::{SettingsError, check};
 /// An arm under an impedance controller that knows its kinematics and dynamics. The controller reads positions and speeds
 /// of the joints every period and, after the delay, commands the torques `J' w + bias`, which hold until the next ones
 /// come: `w` is the wrench of the impedance law at the pose where the part is believed, `bias` are Coriolis and
-/// centrifugal torques. It compensates gravity, which is left out here. Limits of positions, speeds and torques are not
-/// enforced.
+/// centrifugal torques. It compensates gravity, which is left out here but for its share of the largest torques. Limits of
+/// positions and speeds are not enforced.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArmModel {
     /// With base, grasp, payload and rotor inertia; the grasp is the one that the robot believes.

@@ -32,10 +32,10 @@ impl Trial {
 /// How a reference does in a trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrialResult {
-    /// Whether the rollout ends at the goal and no contact force exceeds the task's limit.
+    /// Whether the rollout ends at the goal, and contact forces and the controller's wrench keep the task's limits.
     pub passed: bool,
     /// How far the trial is from passing, 0 when passed: the final position error and orientation error, each as a
-    /// multiple of its tolerance, plus the excess of the largest contact force as a fraction of its limit. At most 60.
+    /// multiple of its tolerance, plus the excess of forces and torques as fractions of their limits. At most 60.
     pub miss: f64,
 }
 
@@ -86,7 +86,7 @@ impl Evaluator {
     /// When the evaluator has no friction coefficient of the trial's index.
     pub fn evaluate(&self, reference: &Reference, trial: &Trial) -> TrialResult {
         let outcome = self.rollouts[trial.friction].play(reference, trial.injection(), |_, _| {});
-        let excess = (outcome.max_force / self.limits.contact_force - 1.0).max(0.0);
+        let excess = outcome.loads.excess(&self.limits);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
             return TrialResult { passed: true, miss: 0.0 };
         }

@@ -22,7 +22,8 @@
 //! With an [`ArmModel`] ([`Rollout::with_arm`]), rollouts are those of the whole arm in joint space: its mass matrix,
 //! Coriolis torques, dry friction of the joints, and a controller that samples, is late and holds its torques. The part
 //! may sit elsewhere in the gripper than the arm believes, and a [`Disturbance`] makes arm and controller differ from
-//! their model. Left out are gravity, which the arm compensates, limits of joints and torques, and elasticity. A
+//! their model. Joints give no more torque than they can. Left out are gravity, which the arm compensates, limits of
+//! positions and speeds, and elasticity. A
 //! redundant arm has no torques for its other motions: only joint friction brakes them.
 //!
 //! | question | answer |
@@ -72,6 +73,7 @@ mod evaluator;
 mod grasp_error;
 mod joint_friction;
 mod least_distance;
+mod loads;
 mod metric;
 mod motion;
 pub mod offsets;
@@ -91,6 +93,7 @@ pub use bump::Bump;
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, Trial, TrialResult};
 pub use grasp_error::GraspError;
+pub use loads::Loads;
 pub use reference::{Knot, Reference};
 pub use refinement::Refinement;
 pub use rollout::{Outcome, Rollout, TimedState};

@@ -1,8 +1,9 @@
 //! Rollouts as trajectories of the planner, so that both are written and read alike.
 
-use task::{AssemblyTask, Quality, ScenarioTrajectory, Trajectory};
+use task::{AssemblyTask, Limits, Quality, ScenarioTrajectory, Trajectory};
 
 use crate::disturbance::Injection;
+use crate::loads::Loads;
 use crate::reference::Reference;
 use crate::rollout::Rollout;
 
@@ -26,7 +27,7 @@ impl Rollout {
     }
 
     fn scenario(&self, reference: &Reference, injection: &Injection, tau: f64) -> ScenarioTrajectory {
-        let Injection { grasp, disturbance } = injection;
+        let Injection { grasp, .. } = injection;
         let (_, substeps) = self.settings.divide(reference.time_step());
         let mut states = vec![task::at_rest(&grasp.start(reference))];
         let mut forces: Vec<Vec<f64>> = Vec::with_capacity(reference.intervals());
@@ -38,9 +39,7 @@ impl Rollout {
                 forces.push(impulses.iter().map(|impulse| impulse / reference.time_step()).collect());
             }
         });
-        // What the robot tracks, in the frame of a part that is turned in the gripper.
-        let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
-        let task = AssemblyTask { impedance, ..self.task.clone() };
+        let task = AssemblyTask { impedance: self.impedance(injection), ..self.task.clone() };
         let motion = ScenarioTrajectory::new(
             &task,
             grasp.offset,
@@ -53,9 +52,11 @@ impl Rollout {
         let quality = Quality {
             position_error: outcome.position_error,
             orientation_error: outcome.orientation_error,
-            max_force: outcome.max_force,
+            max_force: outcome.loads.contact_force,
             ..motion.quality
         };
-        ScenarioTrajectory { quality, ..motion }
+        let Loads { contact_force, force, torque } = outcome.loads;
+        let keeps = Limits { contact_force, force, torque, ..motion.keeps };
+        ScenarioTrajectory { quality, keeps, ..motion }
     }
 }

@@ -2,13 +2,14 @@
 
 use nalgebra::{Isometry3, Vector3};
 use robot::JointVector;
-use task::AssemblyTask;
+use task::{AssemblyTask, Impedance};
 
 use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::contact::{ContactFinder, Shapes};
 use crate::disturbance::Injection;
 use crate::dynamics::{Body, Stepper};
+use crate::loads::{LoadMeter, Loads};
 use crate::parallel::in_parallel;
 use crate::reference::{Knot, Reference, coordinates, isometry};
 use crate::settings::Settings;
@@ -58,9 +59,8 @@ pub struct Outcome {
     pub orientation_error: f64,
     /// Deepest overlap of a pair (m) after any time step, or at the start.
     pub max_penetration: f64,
-    /// Largest normal force of a pair (N), the mean over an interval between two knots: an impact has no largest force,
-    /// only an impulse.
-    pub max_force: f64,
+    /// Largest contact force, and largest wrench of the controller.
+    pub loads: Loads,
     /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields then mean
     /// nothing.
     pub diverged: bool,
@@ -150,22 +150,30 @@ impl Rollout {
             angular_velocity: Vector3::zeros(),
         };
         let Some(mut plant) = self.plant(reference, &body.pose, &injection) else {
-            return Outcome { diverged: true, ..self.outcome(&body, 0.0, 0.0) };
+            return Outcome { diverged: true, ..self.outcome(&body, 0.0, &LoadMeter::new(0)) };
         };
+        let impedance = self.impedance(&injection);
         let reference = &injection.grasp.reference(reference);
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut finder = ContactFinder::new(&self.shapes);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
-        let mut max_impulse = 0.0_f64;
-        let mut impulses = vec![0.0; self.task.pairs.len()];
+        let mut loads = LoadMeter::new(self.task.pairs.len());
+        // Of a step, and since the last knot.
+        let mut step_impulses = vec![0.0; self.task.pairs.len()];
+        let mut impulses = step_impulses.clone();
         for interval in 0..reference.intervals() + self.settings.settling_intervals(reference.time_step()) {
             impulses.fill(0.0);
             let mut done = 0;
             while done < substeps {
                 let target = |count: f64| reference.at(interval, count / substeps as f64);
                 let before = body;
-                let (taken, overlap) = plant.step(&mut body, (done, substeps), target, &mut finder, &mut impulses);
+                step_impulses.fill(0.0);
+                let (taken, overlap) = plant.step(&mut body, (done, substeps), target, &mut finder, &mut step_impulses);
                 max_penetration = max_penetration.max(overlap);
+                impulses.iter_mut().zip(&step_impulses).for_each(|(sum, impulse)| *sum += impulse);
+                let (tracked, state) = (target((done + taken) as f64), TimedState::new(0.0, &body).state());
+                let wrench = impedance.wrench(&tracked.state(), &state, &injection.grasp.offset);
+                loads.add(taken as f64 * time_step, &step_impulses, &wrench);
                 for moment in 1..=taken {
                     let time = (interval * substeps + done + moment) as f64 * time_step;
                     let state = before.towards(&body, moment as f64 / taken as f64);
@@ -173,19 +181,18 @@ impl Rollout {
                 }
                 done += taken;
             }
-            max_impulse = impulses.iter().copied().fold(max_impulse, f64::max);
             if !is_finite(&body) {
                 break;
             }
         }
-        self.outcome(&body, max_penetration, max_impulse / reference.time_step())
+        self.outcome(&body, max_penetration, &loads)
     }
 
     /// What moves from a pose of the body at rest; `None` if it cannot be simulated.
     fn plant(&self, reference: &Reference, start: &Isometry3<f64>, injection: &Injection) -> Option<Plant<'_>> {
         let Injection { grasp, disturbance } = injection;
         self.settings.validate_for(reference).ok().and(disturbance.validate().ok())?;
-        let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
+        let impedance = self.impedance(injection);
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let friction = self.settings.friction;
         match &self.arm {
@@ -203,11 +210,16 @@ impl Rollout {
         }
     }
 
-    fn outcome(&self, body: &Body, max_penetration: f64, max_force: f64) -> Outcome {
+    /// What the controller does, in the frame of a part that is turned in the gripper.
+    pub(crate) fn impedance(&self, Injection { grasp, disturbance }: &Injection) -> Impedance {
+        disturbance.impedance(grasp.impedance(&self.task.impedance))
+    }
+
+    fn outcome(&self, body: &Body, max_penetration: f64, loads: &LoadMeter) -> Outcome {
         let pose = coordinates(&body.pose);
         let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
         let diverged = !is_finite(body);
-        Outcome { pose, position_error, orientation_error, max_penetration, max_force, diverged }
+        Outcome { pose, position_error, orientation_error, max_penetration, loads: loads.largest(), diverged }
     }
 }
 

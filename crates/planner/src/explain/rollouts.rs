@@ -1,4 +1,4 @@
-//! What a plan that is not robust loses: where, and what holds the body there.
+//! What a refined plan loses: where, and what holds the body there.
 
 use serde::{Deserialize, Serialize};
 use simulation::{Injection, Settings, Trial};
@@ -9,7 +9,7 @@ use crate::explain::words::{direction, norm};
 use crate::or_null;
 use crate::problem::Problem;
 use crate::refine::Kept;
-use crate::success_rates::{SuccessRate, rate};
+use crate::success_rates::{SuccessRate, interval, rate};
 
 /// Failing trials that are played again.
 const PLAYED: usize = 8;
@@ -27,12 +27,20 @@ pub struct LossRecord {
     pub rate: f64,
     /// The group of rollouts at that friction with the smallest success rate.
     pub worst: SuccessRate,
+    /// Wilson's 95 % confidence interval of the success rate of that group.
+    pub worst_interval: [f64; 2],
     /// Axes of the body along which failing offsets at that friction lie; null where they have none in common.
     pub offset_direction: Option<String>,
     /// Offset of the failing rollout at that friction that ends farthest from the goal.
     pub offset_m: [f64; 3],
     /// Its turn.
     pub turn_rad: [f64; 3],
+    /// Its relative error of the inertia.
+    pub inertia_error: f64,
+    /// Its relative error of the stiffness.
+    pub stiffness_error: f64,
+    /// Its delay of an arm's controller.
+    pub delay_s: f64,
     /// Its largest contact force.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
@@ -64,13 +72,17 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
     let Trajectory { scenarios, time_step, .. } = rollout.trajectory(&best.reference, &injections, TAU);
     let error = |motion: &ScenarioTrajectory| motion.quality.position_error;
     let shown = injections.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
-    let (Injection { grasp, .. }, motion) = shown?;
+    let (Injection { grasp, disturbance }, motion) = shown?;
     Some(LossRecord {
         rate: rate(groups),
+        worst_interval: interval(std::slice::from_ref(&worst)),
         worst,
         offset_direction: common_direction(&failing),
         offset_m: grasp.offset,
         turn_rad: grasp.turn,
+        inertia_error: disturbance.inertia,
+        stiffness_error: disturbance.stiffness,
+        delay_s: disturbance.delay,
         max_force_n: motion.quality.max_force,
         exceeds_contact_force: motion.quality.max_force > (1.0 + LIMIT_SLACK) * world.limits.contact_force,
         end: MotionEnd::new(&world, motion, time_step, &problem.success()),
@@ -98,19 +110,29 @@ impl LossRecord {
             common.map_or_else(String::new, |axes| format!("; failing offsets lie towards {axes} of the body"));
         let most = format!(
             "most is lost at friction {friction}, where {:.1} % succeed, and there with {kind} offsets of {:.1} mm, \
-             {successes} of {rollouts}{common}",
+             {successes} of {rollouts} (95 % confidence: {:.0} to {:.0} %){common}",
             100.0 * self.rate,
-            1e3 * magnitude_m
+            1e3 * magnitude_m,
+            100.0 * self.worst_interval[0],
+            100.0 * self.worst_interval[1]
         );
         let [x, y, z] = self.offset_m.map(|component| 1e3 * component);
         let turn = match norm(&self.turn_rad) {
             0.0 => String::new(),
             angle => format!(" and a turn of {angle:.3} rad"),
         };
+        let disturbance: String = [
+            (self.inertia_error, format!(", {:+.0} % of inertia", 100.0 * self.inertia_error)),
+            (self.stiffness_error, format!(", {:+.0} % of stiffness", 100.0 * self.stiffness_error)),
+            (self.delay_s, format!(", {:.1} ms of delay", 1e3 * self.delay_s)),
+        ]
+        .into_iter()
+        .filter_map(|(size, words)| (size != 0.0).then_some(words))
+        .collect();
         let force = match self.exceeds_contact_force {
             true => format!("; pushes with {:.1} N, more than limits.contact_force", self.max_force_n),
             false => String::new(),
         };
-        [most, format!("with the offset {x:.1} {y:.1} {z:.1} mm{turn}, the body {}{force}", self.end)]
+        [most, format!("with the offset {x:.1} {y:.1} {z:.1} mm{turn}{disturbance}, the body {}{force}", self.end)]
     }
 }

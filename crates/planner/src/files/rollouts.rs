@@ -61,7 +61,7 @@ impl RolloutRow {
             position_error_m: Value(rollout.outcome.position_error),
             orientation_error_rad: Value(rollout.outcome.orientation_error),
             max_penetration_m: Value(rollout.outcome.max_penetration),
-            max_force_n: Value(rollout.outcome.max_force),
+            max_force_n: Value(rollout.outcome.loads.contact_force),
             turn_x_rad,
             turn_y_rad,
             turn_z_rad,

@@ -387,7 +387,7 @@ impl<'run> Refiner<'run> {
             kept_stage: best.chosen,
             kept_changes: best.changes,
             rounds: self.rounds.clone(),
-            loss: (!best.reached).then(|| loss(self.problem, &self.target.frictions, best)).flatten(),
+            loss: loss(self.problem, &self.target.frictions, best),
         }
     }
 }

@@ -178,7 +178,7 @@ fn a_turned_grasp_is_a_turned_shape() {
             let mut poses = Vec::new();
             let rollout = Rollout::new(&task(peg, &hole(0.0415)), settings);
             let outcome = rollout.play(&reference, grasp, |state, _| poses.push(state.pose));
-            assert!(outcome.max_force > 0.1, "it touches: {outcome:?}");
+            assert!(outcome.loads.contact_force > 0.1, "it touches: {outcome:?}");
             poses
         };
         let held = play(&peg, GraspError { offset: [0.0; 3], turn });
@@ -231,7 +231,7 @@ fn a_wall_is_pushed_with_the_force_of_the_spring() {
     let body = block([0.1, 0.1, 0.06], [0.0; 3]);
     let rollout = Rollout::new(&task(&body, &[floor()]), Settings::default());
     let outcome = rollout.play(&through(&[[0.0, 0.0, 0.03], [0.0, 0.0, 0.03 - DEPTH]], 1.0), [0.0; 3], |_, _| {});
-    assert!((outcome.max_force / (STIFFNESS * DEPTH) - 1.0).abs() < 1e-6, "{outcome:?}");
+    assert!((outcome.loads.contact_force / (STIFFNESS * DEPTH) - 1.0).abs() < 1e-6, "{outcome:?}");
     assert!((outcome.pose[2] - 0.03).abs() < 1e-9 && outcome.max_penetration < 1e-9, "{outcome:?}");
 }
 

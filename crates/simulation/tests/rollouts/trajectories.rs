@@ -20,7 +20,7 @@ fn a_trajectory_has_the_states_and_the_outcome_of_its_rollout() {
     assert!((scenario.states[0][0] - 0.0005).abs() < 1e-12);
     let outcome = rollout.play(&reference, offset, |_, _| {});
     assert_eq!(scenario.quality.position_error, outcome.position_error);
-    assert_eq!(scenario.quality.max_force, outcome.max_force);
+    assert_eq!(scenario.quality.max_force, outcome.loads.contact_force);
 }
 
 /// The task's own time step is 0.04 s.
