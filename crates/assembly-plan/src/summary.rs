@@ -109,6 +109,7 @@ fn group(group: &SuccessRate) -> String {
 /// Where the kept reference comes from, in words.
 fn changes(report: &RobustnessReport, planned: usize) -> String {
     let reference = match (report.kept_changes, report.kept_stage) {
+        (0, 0) => "the straight push, unchanged".to_owned(),
         (0, stage) if stage == planned => "the plan was left as it was".to_owned(),
         (0, stage) => format!("the reference of homotopy iteration {stage}, unchanged"),
         (1, _) => "1 change of the reference".to_owned(),

@@ -72,14 +72,14 @@ pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> 
         ("horizon", "steps", horizon.steps.to_string()),
         ("horizon", "time_step", format!("{:.4} s", horizon.time_step)),
     ];
-    let mut remarks = Vec::new();
-    if scene.robot.is_some() {
-        let Limits { translational_velocity, rotational_velocity, .. } = scene.limits;
-        values.extend([
-            ("limits", "translational_velocity", format!("{translational_velocity:.3} m/s")),
-            ("limits", "rotational_velocity", format!("{rotational_velocity:.3} rad/s")),
-        ]);
+    let Limits { translational_velocity, rotational_velocity, .. } = scene.limits;
+    if translational_velocity.is_finite() {
+        values.push(("limits", "translational_velocity", format!("{translational_velocity:.3} m/s")));
     }
+    if rotational_velocity.is_finite() {
+        values.push(("limits", "rotational_velocity", format!("{rotational_velocity:.3} rad/s")));
+    }
+    let mut remarks = Vec::new();
     for (name, key, value) in values {
         if table.table(name)?.find(key).is_none() {
             remarks.push(format!("{name}.{key} = {value}"));

@@ -1,25 +1,73 @@
 //! Limits, and whether the goal can be reached within them.
 
-use task::{Horizon, Limits, pose};
+use task::{Horizon, Inertia, Limits, pose};
 
 use crate::error::SceneError;
 use crate::robot::Robot;
+use crate::scene::StartPose;
 use crate::table::Table;
 
-/// The limits that a scene gives; of velocities, else those that its arm can keep.
-pub fn limits(table: &Table, robot: Option<&Robot>) -> Result<Limits, SceneError> {
-    let limit = |key: &str| table.find(key).map_or(Ok(f64::INFINITY), |entry| entry.number());
-    let or_arm = |key: &str, arm: f64| table.find(key).map_or(Ok(arm), |entry| entry.number());
-    let [translational, rotational] = robot.and_then(Robot::velocities).unwrap_or([f64::INFINITY; 2]);
+/// Time (s) over which contact forces are means.
+const IMPACT: f64 = 0.01;
+/// Limits that are chosen leave this multiple of the speed with which the goal is reached in time.
+const HASTE: f64 = 2.0;
+
+/// What limits of velocities follow from where the scene does not give them.
+pub struct Motion<'scene> {
+    pub starts: &'scene [StartPose],
+    pub goal: &'scene [f64; 7],
+    pub horizon: Horizon,
+    pub inertia: &'scene Inertia,
+    /// Largest distance of a point of the body from its origin (m).
+    pub radius: f64,
+    pub robot: Option<&'scene Robot>,
+}
+
+/// The limits that a scene gives; of velocities, else those that its arm and its limit of contact forces allow.
+pub fn limits(table: &Table, motion: &Motion) -> Result<Limits, SceneError> {
+    let or = |key: &str, otherwise: f64| table.find(key).map_or(Ok(otherwise), |entry| entry.number());
+    let limit = |key: &str| or(key, f64::INFINITY);
+    let contact_force = limit("contact_force")?;
+    let [translational, rotational] = motion.fastest(contact_force);
     Ok(Limits {
-        translational_velocity: or_arm("translational_velocity", translational)?,
-        rotational_velocity: or_arm("rotational_velocity", rotational)?,
+        translational_velocity: or("translational_velocity", translational)?,
+        rotational_velocity: or("rotational_velocity", rotational)?,
         translational_acceleration: limit("translational_acceleration")?,
         rotational_acceleration: limit("rotational_acceleration")?,
-        contact_force: limit("contact_force")?,
+        contact_force,
         force: limit("force")?,
         torque: limit("torque")?,
     })
+}
+
+impl Motion<'_> {
+    /// Velocity (m/s) and angular velocity (rad/s) that the arm can have, and at which the body, when it is stopped, pushes
+    /// with no more than the limit of contact forces (N) in the mean over 10 ms.
+    fn fastest(&self, contact_force: f64) -> [f64; 2] {
+        let arm = self.robot.and_then(Robot::velocities).unwrap_or([f64::INFINITY; 2]);
+        let speed = contact_force * IMPACT / self.inertia.heaviest();
+        let gentle = [speed, speed / self.radius];
+        let necessary = self.necessary();
+        std::array::from_fn(|part| short(arm[part].min(gentle[part].max(HASTE * necessary[part]))))
+    }
+
+    /// Velocity (m/s) and angular velocity (rad/s) along an axis that the longest way to the goal takes at least.
+    fn necessary(&self) -> [f64; 2] {
+        let duration = self.horizon.steps as f64 * self.horizon.time_step;
+        self.starts.iter().fold([0.0_f64; 2], |[velocity, angular], start| {
+            let (distance, angle) = pose::errors(&start.pose, self.goal);
+            [velocity.max(distance / duration), angular.max(angle / duration)]
+        })
+    }
+}
+
+/// A positive number with three digits, no larger.
+fn short(number: f64) -> f64 {
+    if !number.is_normal() {
+        return number;
+    }
+    let unit = 10f64.powi(2 - number.log10().floor() as i32);
+    (number * unit).floor() / unit
 }
 
 /// A limit within which the goal is too far from a start.

@@ -9,11 +9,11 @@ use crate::file::read_text;
 use crate::homotopy;
 use crate::inertia::{Material, inertia};
 use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
-use crate::limits::limits;
+use crate::limits::{Motion, limits};
 use crate::motion_region::Motions;
 use crate::pairs::{Side, pairs};
 use crate::part::{GivenPart, given_parts};
-use crate::pose::pose;
+use crate::pose::{norm, pose};
 use crate::robot::{Robot, stiffness};
 use crate::scene::Scene;
 use crate::sections;
@@ -73,14 +73,18 @@ impl Scene {
         )?;
         let stiffness = stiffness(table, &inertia, offset_magnitude, robot.as_ref())?;
         let impedance = sections::impedance(table, &inertia, stiffness)?;
+        let horizon = sections::horizon(table, (&starts, &goal), (&inertia, &impedance))?;
+        let radius = points.iter().map(|point| norm(point)).fold(0.0, f64::max);
+        let motion = Motion { starts: &starts, goal: &goal, horizon, inertia: &inertia, radius, robot: robot.as_ref() };
+        let limits = limits(&table.table("limits")?, &motion)?;
         let scene = Self {
             title,
-            horizon: sections::horizon(table, (&starts, &goal), (&inertia, &impedance))?,
+            horizon,
             impedance,
             position_tolerance: goal_table.find("position_tolerance").map(|entry| entry.number()).transpose()?,
             angle_tolerance: goal_table.number("angle_tolerance")?,
             cost: sections::cost(table)?,
-            limits: limits(&table.table("limits")?, robot.as_ref())?,
+            limits,
             homotopy: homotopy::of_scene(table)?,
             body,
             environment,

@@ -73,6 +73,12 @@ impl Inertia {
         (least(0), least(3))
     }
 
+    /// The largest mass (kg) that a force meets along any direction; not a number without an inverse.
+    pub fn heaviest(&self) -> f64 {
+        let Some(inverse) = self.inverse() else { return f64::NAN };
+        1.0 / inverse.fixed_view::<3, 3>(0, 0).symmetric_eigenvalues().min()
+    }
+
     fn is_uncoupled(&self) -> bool {
         self.coupling() == Matrix3::zeros()
     }
@@ -115,5 +121,7 @@ mod tests {
         let (mass, rotational) = off_center(Vector3::new(0.0, 0.0, 0.3)).lightest();
         assert!((mass - 1.0 / (1.0 / 2.0 + 0.3 * 0.3 / 0.1)).abs() < 1e-12, "{mass}");
         assert!((rotational - 0.1).abs() < 1e-12, "{rotational}");
+        let heaviest = off_center(Vector3::new(0.0, 0.0, 0.3)).heaviest();
+        assert!((heaviest - 2.0).abs() < 1e-12, "towards the centre of mass: {heaviest}");
     }
 }

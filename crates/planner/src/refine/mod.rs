@@ -2,8 +2,9 @@
 //!
 //! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken. Random changes
 //! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
-//! that were never trained on decides; what fails there is trained on next. When refinement is stuck, other problems
-//! are solved, the promising first, and their plans are refined. The plan with the best evaluation is kept.
+//! that were never trained on decides; what fails there is trained on next. When refinement is stuck, a straight push is
+//! refined instead, which needs no plan; then other problems are solved, the promising first, and their plans are
+//! refined. The plan with the best evaluation is kept.
 //!
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
 //! and every problem has its share of the time.
@@ -12,6 +13,7 @@ mod candidate;
 mod clock;
 mod evaluation;
 mod portfolio;
+mod push;
 mod race;
 mod resume;
 mod target;
@@ -54,8 +56,10 @@ const SEED_STRIDE: u64 = 100;
 const POLISHES: usize = 2;
 /// How often the refinement of a plan that is stuck begins anew, before other problems are solved.
 const REPETITIONS: usize = 3;
-/// Share of the time for the plan of the scene itself, before other problems are solved.
-const OWN_SHARE: f64 = 0.5;
+/// Share of the time for the first refinement of the plan of the scene itself, and of the rest for that of a straight push.
+const FIRST_SHARE: f64 = 0.4;
+/// Share of the time for both of them, before other problems are solved.
+const OWN_SHARE: f64 = 0.6;
 /// Share of the time for changes; the rest is for the evaluation that follows.
 const TRAINING_SHARE: f64 = 0.8;
 
@@ -157,10 +161,13 @@ impl<'run> Refiner<'run> {
         }
     }
 
-    /// Refines the plan of the scene and, where that does not reach the target, those of other problems; then the best
-    /// once more, while there is time.
+    /// Refines the plan of the scene and, where that does not reach the target, a straight push, the better of the two
+    /// again, and the plans of other problems; then the best once more, while there is time.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
+        let homotopy = plan.iterations.clone();
         self.refine_own(plan)?;
+        self.refine_push(homotopy)?;
+        self.refine_again(self.clock.share(self.clock.end(), OWN_SHARE))?;
         self.refine_variants()?;
         self.refine_best(self.clock.end())?;
         self.take_best()
@@ -173,21 +180,21 @@ impl<'run> Refiner<'run> {
             let count = plan.iterations.len();
             self.session.tell(Event::Resumed { done: count, most: count, refining: true });
             self.best = Some(kept);
-            return self.refine_again(self.clock.share(self.clock.end(), OWN_SHARE));
+            return self.refine_best(self.clock.share(self.clock.end(), FIRST_SHARE));
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.clock = Clock::new(self.session, spent, self.target.time_limit);
         let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let Plan { variant, iterations, .. } = plan;
         self.judge_first(variant.clone(), iterations.clone(), chosen, last)?;
-        let until = self.clock.share(self.clock.end(), OWN_SHARE);
+        let until = self.clock.share(self.clock.end(), FIRST_SHARE);
         if self.goes_on(until)
             && let Some(candidate) = self.candidate(variant, iterations, true, until)
         {
             self.rounds.clear();
             self.refine(candidate, until)?;
         }
-        self.refine_again(until)
+        Ok(())
     }
 
     /// Evaluates a reference that was not refined, and keeps it.

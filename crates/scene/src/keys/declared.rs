@@ -134,8 +134,8 @@ pub const KEYS: &[Key] = &[
     key("cost.compliant", "terminal_position", Number(WEIGHT), "", Default(10_000.0), "weight of the squared final position error"),
     key("cost.compliant", "terminal_orientation", Number(WEIGHT), "", Default(1000.0), "weight of the squared final error of the rotation matrix"),
 
-    key("limits", "translational_velocity", Number(LIMIT), "m/s", Means("what the arm can keep, else no limit"), "velocity, in the world frame"),
-    key("limits", "rotational_velocity", Number(LIMIT), "rad/s", Means("what the arm can keep, else no limit"), "angular velocity, in the body frame"),
+    key("limits", "translational_velocity", Number(LIMIT), "m/s", Means("what arm and `contact_force` allow, else no limit"), "velocity, in the world frame"),
+    key("limits", "rotational_velocity", Number(LIMIT), "rad/s", Means("what arm and `contact_force` allow, else no limit"), "angular velocity, in the body frame"),
     key("limits", "translational_acceleration", Number(LIMIT), "m/s^2", UNLIMITED, "change of the velocity from step to step"),
     key("limits", "rotational_acceleration", Number(LIMIT), "rad/s^2", UNLIMITED, "change of the angular velocity from step to step"),
     key("limits", "contact_force", Number(LIMIT), "N", UNLIMITED, "normal force of each pair of parts"),
