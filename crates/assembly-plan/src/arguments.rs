@@ -11,6 +11,7 @@ use task::LinearSolver;
 
 use crate::batch::BatchArguments;
 use crate::generate::GenerateArguments;
+use crate::progress::ProgressArguments;
 use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds, threads};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
@@ -95,6 +96,8 @@ pub struct SolveArguments {
     /// Threads [default: one per processor]; they change nothing but the time it takes
     #[arg(long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
+    #[command(flatten)]
+    pub progress: ProgressArguments,
 }
 
 /// What counts as success.
@@ -182,6 +185,8 @@ pub struct SimulateArguments {
     /// Threads [default: one per processor]; they change nothing but the time it takes
     #[arg(long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
+    #[command(flatten)]
+    pub progress: ProgressArguments,
     /// Also write the course of one rollout to a new CSV file with the columns of reference.csv: the first plan's at the
     /// first friction and offset
     #[arg(long, value_name = "FILE")]

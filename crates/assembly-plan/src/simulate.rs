@@ -14,6 +14,7 @@ use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::exit_at_once;
+use crate::progress::Progress;
 
 /// Plays everything, writes both tables and prints the one of successes.
 pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
@@ -28,11 +29,12 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     require_free(arguments, folder)?;
     exit_at_once()?;
 
+    let progress = Progress::new(&arguments.progress)?;
     let begin = Instant::now();
     let (mut rollouts, mut rows, mut trace) = (Vec::new(), Vec::new(), None);
     for (plan, problem) in &played {
         let motions = motions(arguments, plan)?;
-        let of_plan = simulate(problem, &motions, &request)?;
+        let of_plan = simulate(problem, &motions, &request, &progress)?;
         rows.extend(of_plan.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)));
         if let (true, None, Some((_, reference))) = (arguments.trace.is_some(), &trace, motions.last()) {
             let first = of_plan.iter().find(|rollout| rollout.motion == Motion::Plan);
@@ -41,6 +43,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
         }
         rollouts.extend(of_plan);
     }
+    progress.end();
     let seconds = begin.elapsed().as_secs_f64();
     warn_about_overlap(&rollouts);
     let table = SuccessTable::new(&rollouts);

@@ -21,10 +21,11 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     require_cell(arguments, &problem)?;
     let target = arguments.robust_target(problem.scene());
     target.iter().try_for_each(RobustnessTarget::validate)?;
-    if !problem.scene().chosen.is_empty() {
-        tell!("chosen, as the scene does not say it: {}", problem.scene().chosen.join(", "));
-    }
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
+    let progress = Progress::new(&arguments.progress)?;
+    if !problem.scene().chosen.is_empty() {
+        progress.say(&format!("chosen, as the scene does not say it: {}", problem.scene().chosen.join(", ")));
+    }
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;
     if !arguments.resume && folder.discard()? {
@@ -35,7 +36,6 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }
-    let progress = Progress::new();
     let deadline = target.as_ref().and_then(|target| Instant::now().checked_add(target.time_limit));
     let threads = threads(arguments.jobs);
     let session = Session { folder: Some(&folder), threads, deadline, ..Session::new(&progress, &stopped) };
@@ -43,6 +43,7 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     if let Some(target) = &target {
         plan = refine(plan, target, &session)?;
     }
+    progress.end();
     if plan.interrupted {
         let again = if arguments.resume { "the same command" } else { "the same command with --resume" };
         match &plan.robustness {

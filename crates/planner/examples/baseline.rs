@@ -71,7 +71,7 @@ fn played(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -
     let mut rollouts = Vec::new();
     for errors in [random, GraspErrors::default()] {
         let request = SimulationRequest { errors, frictions: target.frictions.clone(), ..SimulationRequest::default() };
-        rollouts.extend(planner::simulate(problem, &motions, &request)?);
+        rollouts.extend(planner::simulate(problem, &motions, &request, &|_: &Event| {})?);
     }
     // Beside every rollout of the plan there is one of the push.
     rollouts.retain(|rollout| rollout.motion == Motion::Plan);

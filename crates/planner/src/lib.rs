@@ -15,7 +15,7 @@
 //! let session = Session::new(&|_: &Event| {}, &stopped);
 //! let plan = planner::solve(&problem, &session)?;
 //! let request = SimulationRequest { frictions: vec![0.0, 0.1], ..SimulationRequest::default() };
-//! let rollouts = planner::simulate(&problem, &[(Motion::Plan, plan.reference())], &request)?;
+//! let rollouts = planner::simulate(&problem, &[(Motion::Plan, plan.reference())], &request, &|_: &Event| {})?;
 //! let lost = rollouts.iter().filter(|rollout| rollout.motion == Motion::Plan && !rollout.success).count();
 //! println!("{}: {lost} rollouts miss the goal", plan.status());
 //! let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
@@ -66,6 +66,7 @@ mod warnings;
 pub use attempt::AttemptRecord;
 pub use error::{Fault, PlannerError, Unusable};
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
+pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;
 pub use plan::{Plan, PlanStatus};
 pub use problem::{Choices, Problem, homotopy};

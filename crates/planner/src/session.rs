@@ -130,6 +130,13 @@ pub enum Event<'event> {
         /// How its solve ended.
         status: &'event str,
     },
+    /// Some rollouts of a simulation have been played.
+    Rollouts {
+        /// How many so far.
+        done: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// Its plan has been tried.
     VariantTried {
         /// Training rollouts that fail.

@@ -7,6 +7,7 @@ use simulation::{GraspError, Outcome, Reference, Settings, offsets};
 use crate::error::PlannerError;
 use crate::problem::Problem;
 use crate::refine::{require, require_frictions, require_threads, require_turn};
+use crate::session::{Event, Observer};
 
 /// What is played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,6 +113,8 @@ const MOST_ROLLOUTS: usize = 10_000_000;
 const MOST_OFFSETS: usize = 1_000_000;
 /// Largest magnitude of an offset (m).
 const LARGEST_MAGNITUDE: f64 = 10.0;
+/// Rollouts between two events.
+const TOLD: usize = 64;
 
 impl SimulationRequest {
     /// Checks all values.
@@ -151,12 +154,15 @@ impl SimulationRequest {
 /// Plays motions, and the straight push, with all frictions and grasp errors, in this order. Reality does not know which
 /// pairs the plan has left out.
 ///
+/// `observer` is told how far it is.
+///
 /// # Errors
 /// When the request is out of range.
 pub fn simulate(
     problem: &Problem,
     motions: &[(Motion, Reference)],
     request: &SimulationRequest,
+    observer: &dyn Observer,
 ) -> Result<Vec<PlayedRollout>, PlannerError> {
     request.validate()?;
     let world = problem.world();
@@ -177,16 +183,19 @@ pub fn simulate(
         let rollout = problem.rollout_in(&world, request.settings(friction))?;
         for (motion, reference) in motions.iter().chain([&push]) {
             for Injection { magnitude, errors } in &injections {
-                let outcomes = rollout.simulate(reference, errors, request.threads);
-                played.extend(errors.iter().zip(outcomes).map(|(&grasp, outcome)| PlayedRollout {
-                    motion: *motion,
-                    friction,
-                    delta: problem.delta(),
-                    magnitude: *magnitude,
-                    grasp,
-                    outcome,
-                    success: outcome.reaches_goal(&success),
-                }));
+                for errors in errors.chunks(TOLD) {
+                    let outcomes = rollout.simulate(reference, errors, request.threads);
+                    played.extend(errors.iter().zip(outcomes).map(|(&grasp, outcome)| PlayedRollout {
+                        motion: *motion,
+                        friction,
+                        delta: problem.delta(),
+                        magnitude: *magnitude,
+                        grasp,
+                        outcome,
+                        success: outcome.reaches_goal(&success),
+                    }));
+                    observer.observe(&Event::Rollouts { done: played.len(), count });
+                }
             }
         }
     }

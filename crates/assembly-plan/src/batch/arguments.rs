@@ -9,6 +9,7 @@ use planner::batch::{Matrix, Starts};
 use task::LinearSolver;
 
 use crate::exit::CommandError;
+use crate::progress::ProgressArguments;
 use crate::values;
 
 #[derive(Debug, Args)]
@@ -21,6 +22,8 @@ pub struct BatchArguments {
     /// How many cells are solved at once, each by one thread [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = values::jobs)]
     pub jobs: Option<u16>,
+    #[command(flatten)]
+    pub progress: ProgressArguments,
 }
 
 const BATCH_HELP: &str = "\
@@ -120,6 +123,8 @@ pub struct RunArguments {
     /// How many cells are solved at once, each by one thread [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = values::jobs)]
     pub jobs: Option<u16>,
+    #[command(flatten)]
+    pub progress: ProgressArguments,
 }
 
 #[derive(Debug, Args)]

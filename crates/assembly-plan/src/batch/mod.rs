@@ -3,10 +3,10 @@
 
 mod arguments;
 mod process;
-mod progress;
 mod run;
 mod status;
 mod submit;
+mod tally;
 
 use planner::batch::{Manifest, collect, expand};
 
@@ -21,7 +21,7 @@ pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {
     match &arguments.step {
         None => {
             let manifest = write_manifest(&arguments.matrix)?;
-            let exit = run::run(&manifest, &manifest.cells, arguments.jobs)?;
+            let exit = run::run(&manifest, &manifest.cells, arguments.jobs, &arguments.progress)?;
             if exit != Exit::Interrupted {
                 write_tables(&manifest)?;
             }
@@ -31,7 +31,7 @@ pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {
         Some(BatchCommand::Run(arguments)) => {
             let manifest = Manifest::load(&arguments.folder)?;
             let cells = run::select(&manifest, arguments.index, arguments.count)?;
-            run::run(&manifest, cells, arguments.jobs)
+            run::run(&manifest, cells, arguments.jobs, &arguments.progress)
         }
         Some(BatchCommand::Status(arguments)) => Ok(status::status(&Manifest::load(&arguments.folder)?)),
         Some(BatchCommand::Collect(arguments)) => write_tables(&Manifest::load(&arguments.folder)?),

@@ -10,10 +10,11 @@ use planner::batch::{Cell, Manifest};
 use planner::files::PlanResult;
 
 use super::process::{Begun, Ended, Process};
-use super::progress::Progress;
+use super::tally::Tally;
 use crate::console::tell;
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::stop_flag;
+use crate::progress::ProgressArguments;
 use crate::values::threads;
 
 /// Between two looks at the processes; short beside any solve.
@@ -55,17 +56,22 @@ fn index_of_task() -> Result<Option<(&'static str, usize)>, CommandError> {
 /// Solves the cells that are not finished, `jobs` at a time, and names those that failed.
 ///
 /// # Errors
-/// When interrupts cannot be handled.
-pub fn run(manifest: &Manifest, cells: &[Cell], jobs: Option<u16>) -> Result<Exit, CommandError> {
+/// When interrupts cannot be handled, or the log file cannot be opened.
+pub fn run(
+    manifest: &Manifest,
+    cells: &[Cell],
+    jobs: Option<u16>,
+    progress: &ProgressArguments,
+) -> Result<Exit, CommandError> {
     let stopped = stop_flag()?;
-    let mut pool = Pool::new(manifest, cells, threads(jobs));
+    let mut pool = Pool::new(manifest, cells, threads(jobs), Tally::new(cells.len(), progress)?);
     while !pool.is_empty() {
         if stopped.load(Ordering::Relaxed) {
             pool.stop();
         }
         pool.reap();
         pool.fill();
-        pool.progress.show(pool.processes.len(), pool.waiting.len());
+        pool.tally.show(pool.processes.len(), pool.waiting.len());
         thread::sleep(PAUSE);
     }
     pool.report();
@@ -85,11 +91,11 @@ struct Pool<'manifest> {
     failed: Vec<(&'manifest Cell, String)>,
     interrupted: Vec<&'manifest Cell>,
     stopped: bool,
-    progress: Progress,
+    tally: Tally,
 }
 
 impl<'manifest> Pool<'manifest> {
-    fn new(manifest: &'manifest Manifest, cells: &'manifest [Cell], jobs: usize) -> Self {
+    fn new(manifest: &'manifest Manifest, cells: &'manifest [Cell], jobs: usize, tally: Tally) -> Self {
         Self {
             manifest,
             jobs,
@@ -98,7 +104,7 @@ impl<'manifest> Pool<'manifest> {
             failed: Vec::new(),
             interrupted: Vec::new(),
             stopped: false,
-            progress: Progress::new(cells.len()),
+            tally,
         }
     }
 
@@ -120,7 +126,7 @@ impl<'manifest> Pool<'manifest> {
             match process.ended() {
                 Ok(None) => self.processes.push(process),
                 Ok(Some(Ended::Finished(result))) => {
-                    self.progress.solved();
+                    self.tally.solved(cell, &result.status);
                     self.finished(cell, &result);
                 }
                 Ok(Some(Ended::Interrupted)) => self.interrupted.push(cell),
@@ -148,25 +154,25 @@ impl<'manifest> Pool<'manifest> {
 
     fn finished(&mut self, cell: &'manifest Cell, result: &PlanResult) {
         if result.done {
-            self.progress.done += 1;
+            self.tally.done += 1;
         } else {
             self.fail(cell, result.status.clone());
         }
     }
 
     fn crashed(&mut self, cell: &'manifest Cell, reason: String) {
-        self.progress.solved();
+        self.tally.solved(cell, &reason);
         self.fail(cell, reason);
     }
 
     fn fail(&mut self, cell: &'manifest Cell, reason: String) {
-        self.progress.failed += 1;
+        self.tally.failed += 1;
         self.failed.push((cell, reason));
     }
 
     /// Says what has come of all cells.
     fn report(&mut self) {
-        self.progress.end();
+        self.tally.end();
         self.failed.sort_by_key(|(cell, _)| cell.index);
         for (cell, reason) in &self.failed {
             tell!("failed: {}: {reason} (see {})", cell.label(), self.manifest.folder.join(&cell.folder).display());

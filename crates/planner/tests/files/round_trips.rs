@@ -99,7 +99,7 @@ fn manifest_and_cells_are_read_back() {
 fn the_tables_of_a_simulation_are_read_back() {
     let folder = tempfile::tempdir().unwrap();
     let motions = [(Motion::Plan, plan().reference())];
-    let rollouts = simulate(&problem(0.01), &motions, &SimulationRequest::default()).unwrap();
+    let rollouts = simulate(&problem(0.01), &motions, &SimulationRequest::default(), &|_: &planner::Event| {}).unwrap();
     let rows: Vec<RolloutRow> = rollouts.iter().map(|rollout| RolloutRow::new(folder.path(), "1", rollout)).collect();
     let successes: Vec<SuccessRow> = SuccessTable::new(&rollouts).groups().iter().map(SuccessRow::from).collect();
     write_rollout_tables(folder.path(), &rows, &successes).unwrap();

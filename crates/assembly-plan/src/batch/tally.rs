@@ -1,15 +1,19 @@
-//! What the user sees while a batch runs: one line that is rewritten on a terminal, a line now and then otherwise.
+//! How far a batch is, as the user sees it.
 
-use crate::console::tell;
-use std::io::{IsTerminal, Write, stderr};
 use std::time::{Duration, Instant};
 
-/// Between two lines off a terminal, and between two looks of the line on one.
-const PLAIN: Duration = Duration::from_secs(10);
-const REWRITTEN: Duration = Duration::from_millis(200);
+use planner::batch::Cell;
+use serde_json::json;
 
-/// Progress on standard error.
-pub struct Progress {
+use crate::exit::CommandError;
+use crate::progress::{Progress, ProgressArguments};
+
+/// Between two lines where there is no bar, and between two looks of the bar.
+const PLAIN: Duration = Duration::from_secs(10);
+const DRAWN: Duration = Duration::from_millis(200);
+
+/// Counts cells.
+pub struct Tally {
     /// Cells that reach their goal.
     pub done: usize,
     /// Cells that do not, or have crashed.
@@ -18,24 +22,28 @@ pub struct Progress {
     solved: usize,
     begun: Instant,
     shown: Option<Instant>,
-    rewrites: bool,
+    progress: Progress,
 }
 
-impl Progress {
+impl Tally {
     /// Of so many cells.
-    pub fn new(total: usize) -> Self {
-        let rewrites = stderr().is_terminal();
-        Self { done: 0, failed: 0, total, solved: 0, begun: Instant::now(), shown: None, rewrites }
+    ///
+    /// # Errors
+    /// When the log file cannot be opened.
+    pub fn new(total: usize, arguments: &ProgressArguments) -> Result<Self, CommandError> {
+        let progress = Progress::new(arguments)?;
+        Ok(Self { done: 0, failed: 0, total, solved: 0, begun: Instant::now(), shown: None, progress })
     }
 
     /// Counts a cell that was solved now and not before.
-    pub fn solved(&mut self) {
+    pub fn solved(&mut self, cell: &Cell, status: &str) {
         self.solved += 1;
+        self.progress.record("cell", &json!({ "cell": cell.index, "folder": cell.folder, "status": status }));
     }
 
     /// Shows where the batch stands, unless it has just done so.
     pub fn show(&mut self, running: usize, waiting: usize) {
-        let pause = if self.rewrites { REWRITTEN } else { PLAIN };
+        let pause = if self.progress.has_no_bar() { PLAIN } else { DRAWN };
         let is_recent = self.shown.is_some_and(|shown| shown.elapsed() < pause);
         if is_recent || running + waiting == 0 {
             return;
@@ -44,21 +52,23 @@ impl Progress {
         let Self { done, failed, total, .. } = &self;
         let left =
             self.left(running + waiting).map_or_else(String::new, |left| format!(", about {} left", words(left)));
-        let line = format!("{done}/{total} cells done, {running} running, {failed} failed{left}");
-        // A terminal that cannot be written to is no reason to stop.
-        let _ = if self.rewrites { write!(stderr(), "\r\x1b[K{line}") } else { writeln!(stderr(), "{line}") };
+        self.progress.show(format!("cells done, {running} running, {failed} failed{left}"), *done, *total);
+        if self.progress.has_no_bar() {
+            self.progress.say(&format!("{done}/{total} cells done, {running} running, {failed} failed{left}"));
+        }
     }
 
     /// Shows how the batch has ended.
     pub fn end(&self) {
-        let clear = if self.rewrites && self.shown.is_some() { "\r\x1b[K" } else { "" };
+        self.progress.end();
         let Self { done, failed, total, solved, .. } = self;
-        if *solved == 0 && done + failed == *total {
-            tell!("{clear}nothing to do: all {total} cells are finished, {done} done, {failed} failed");
+        let line = if *solved == 0 && done + failed == *total {
+            format!("nothing to do: all {total} cells are finished, {done} done, {failed} failed")
         } else {
             let time = words(self.begun.elapsed());
-            tell!("{clear}{done}/{total} cells done, {failed} failed; {solved} solves in {time}");
-        }
+            format!("{done}/{total} cells done, {failed} failed; {solved} solves in {time}")
+        };
+        self.progress.say(&line);
     }
 
     /// Time until so many more cells are solved, at the pace so far.
