@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use simulation::{GraspError, Outcome, Reference, Settings, offsets};
+use simulation::{Outcome, Reference, Settings, offsets};
+use task::GraspError;
 
 use crate::error::PlannerError;
 use crate::problem::Problem;

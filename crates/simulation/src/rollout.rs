@@ -145,14 +145,14 @@ impl Rollout {
     ) -> Outcome {
         let injection = injection.into();
         let mut body = Body {
-            pose: isometry(&injection.grasp.start(reference)),
+            pose: isometry(&injection.grasp.actual(&reference.start())),
             velocity: Vector3::zeros(),
             angular_velocity: Vector3::zeros(),
         };
         let Some(mut plant) = self.plant(reference, &body.pose, &injection) else {
             return Outcome { diverged: true, ..self.outcome(&body, 0.0, 0.0) };
         };
-        let reference = &injection.grasp.reference(reference);
+        let reference = &reference.of_part(&injection.grasp);
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut finder = ContactFinder::new(&self.shapes);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);

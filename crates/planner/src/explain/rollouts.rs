@@ -6,6 +6,7 @@ use task::{ScenarioTrajectory, Trajectory};
 
 use crate::explain::stuck::MotionEnd;
 use crate::explain::words::{direction, norm};
+use crate::files::GraspRecord;
 use crate::or_null;
 use crate::problem::Problem;
 use crate::refine::Kept;
@@ -29,10 +30,9 @@ pub struct LossRecord {
     pub worst: SuccessRate,
     /// Axes of the body along which failing offsets at that friction lie; null where they have none in common.
     pub offset_direction: Option<String>,
-    /// Offset of the failing rollout at that friction that ends farthest from the goal.
-    pub offset_m: [f64; 3],
-    /// Its turn.
-    pub turn_rad: [f64; 3],
+    /// Of the failing rollout at that friction that ends farthest from the goal.
+    #[serde(flatten)]
+    pub grasp: GraspRecord,
     /// Its largest contact force.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
@@ -69,8 +69,7 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
         rate: rate(groups),
         worst,
         offset_direction: common_direction(&failing),
-        offset_m: grasp.offset,
-        turn_rad: grasp.turn,
+        grasp: GraspRecord::from(grasp),
         max_force_n: motion.quality.max_force,
         exceeds_contact_force: motion.quality.max_force > (1.0 + LIMIT_SLACK) * world.limits.contact_force,
         end: MotionEnd::new(&world, motion, time_step, &problem.success()),
@@ -102,15 +101,10 @@ impl LossRecord {
             100.0 * self.rate,
             1e3 * magnitude_m
         );
-        let [x, y, z] = self.offset_m.map(|component| 1e3 * component);
-        let turn = match norm(&self.turn_rad) {
-            0.0 => String::new(),
-            angle => format!(" and a turn of {angle:.3} rad"),
-        };
         let force = match self.exceeds_contact_force {
             true => format!("; pushes with {:.1} N, more than limits.contact_force", self.max_force_n),
             false => String::new(),
         };
-        [most, format!("with the offset {x:.1} {y:.1} {z:.1} mm{turn}, the body {}{force}", self.end)]
+        [most, format!("with the {}, the body {}{force}", self.grasp, self.end)]
     }
 }

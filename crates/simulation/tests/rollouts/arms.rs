@@ -8,9 +8,9 @@ use robot::gains::FrictionWrench;
 use robot::{Arm, JointVector, RigidInertia};
 use serde_json::Value;
 use simulation::{
-    ArmModel, Disturbance, Evaluator, GraspError, Injection, Reference, Rollout, Settings, Success, TimedState, Trial,
+    ArmModel, Disturbance, Evaluator, Injection, Reference, Rollout, Settings, Success, TimedState, Trial,
 };
-use task::{AssemblyTask, Impedance, Inertia};
+use task::{GraspError, AssemblyTask, Impedance, Inertia};
 
 use crate::world::{at_rest, block, task};
 

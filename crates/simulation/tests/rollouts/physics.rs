@@ -3,7 +3,7 @@
 use collision::Polytope;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
 use simulation::{GraspError, Reference, Rollout, Settings, TimedState};
-use task::{AssemblyTask, Impedance, Inertia};
+use task::{GraspError, AssemblyTask, Impedance, Inertia};
 
 use crate::world::{
     INERTIA, MASS, ROTATIONAL_STIFFNESS, STIFFNESS, at_rest, block, floor, hole, states, task, through,
