@@ -13,4 +13,5 @@ mod robust;
 mod simulate;
 mod starting;
 mod support;
+mod turned;
 mod wrong_inputs;

@@ -7,8 +7,8 @@ use nlp::{Bounds, Control, EvaluationError, LinearSystemSolver, Options, Pattern
 use ocp::{CONTACT_FORCE, Owners, Transcription, VELOCITY_DYNAMICS};
 use simulation::{Reference, Rollout, Settings};
 use task::{
-    AssemblyTask, Complementarity, ContactPair, CostWeights, GraspError, HessianKind, Horizon, Impedance, Inertia, Limits,
-    POSE, STATE, TWIST, TrajectoryCost, at_rest,
+    AssemblyTask, Complementarity, ContactPair, CostWeights, GraspError, HessianKind, Horizon, Impedance, Inertia,
+    Limits, POSE, STATE, TWIST, TrajectoryCost, at_rest,
 };
 
 const FRICTION: f64 = 0.3;

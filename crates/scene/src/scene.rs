@@ -1,6 +1,8 @@
 //! A validated scene.
 
-use task::{AssemblyTask, ContactPair, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
+use task::{
+    AssemblyTask, ContactPair, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost,
+};
 
 use crate::facets::Fit;
 use crate::keys::key;

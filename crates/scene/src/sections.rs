@@ -82,10 +82,7 @@ pub fn offset_directions(
 }
 
 /// Directions of the turns, one for each of the offsets: those of the scene, or no turns.
-pub fn turn_directions(
-    robustness: &Table,
-    offset_directions: &[[f64; 3]],
-) -> Result<Vec<[f64; 3]>, SceneError> {
+pub fn turn_directions(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
     let Some(entry) = robustness.find("turn_directions") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
     let (turns, wanted) = (directions(&entry)?, offset_directions.len());
     match turns.len() {

@@ -112,6 +112,33 @@ impl GraspError {
 mod tests {
     use super::*;
 
+    /// The believed pose of the actual pose is the pose that was believed.
+    #[test]
+    fn the_robot_believes_a_displaced_and_turned_part_to_be_at_the_start() {
+        let mut random = fastrand::Rng::with_seed(1);
+        for _ in 0..100 {
+            let mut vector = |size: f64| std::array::from_fn(|_| size * (2.0 * random.f64() - 1.0));
+            let grasp = GraspError { offset: vector(0.02), turn: vector(1.0) };
+            let [x, y, z] = vector(0.1);
+            let orientation = UnitQuaternion::from_scaled_axis(Vector3::from(vector(2.0)));
+            let start = [x, y, z, orientation.w, orientation.i, orientation.j, orientation.k];
+            let [x, y, z, w, i, j, k] = grasp.actual(&start);
+            let part = Isometry3::from_parts(
+                Vector3::new(x, y, z).into(),
+                UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
+            );
+            let believed = part * grasp.believed();
+            assert!((believed.translation.vector - Vector3::new(start[0], start[1], start[2])).norm() < 1e-15);
+            assert!(believed.rotation.angle_to(&orientation) < 1e-7);
+        }
+    }
+
+    #[test]
+    fn without_an_error_the_part_is_where_it_is_believed() {
+        let start = [0.1, -0.2, 0.3, 0.6, 0.0, 0.8, 0.0];
+        assert_eq!(GraspError::default().actual(&start), start);
+    }
+
     /// Comparing each with all others is the definition.
     #[test]
     fn repetitions_are_found_wherever_cells_end() {

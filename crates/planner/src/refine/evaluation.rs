@@ -105,7 +105,8 @@ impl Evaluation {
                 groups.push(SuccessRate { friction, magnitude_m, planned, rollouts: 0, successes: 0 });
             };
             for (seed, fraction) in (seed..).zip(&FRACTIONS) {
-                let scaled: Vec<[f64; 3]> = task.grasps.iter().map(|grasp| grasp.offset.map(|c| c * fraction)).collect();
+                let scaled: Vec<[f64; 3]> =
+                    task.grasps.iter().map(|grasp| grasp.offset.map(|c| c * fraction)).collect();
                 let spread = offsets::ball(SPREAD * delta, count, seed);
                 let planned = offsets::hull(&scaled, count, seed);
                 let turns = offsets::ball(turn, count, seed + TURN_SEED);
