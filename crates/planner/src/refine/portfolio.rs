@@ -160,3 +160,18 @@ fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError]) {
         grasps.extend(farthest);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn failures_that_are_turned_are_far_from_scenarios_that_are_not() {
+        let planned = GraspError::from([0.01, 0.0, 0.0]);
+        let near = GraspError::from([0.008, 0.0, 0.0]);
+        let turned = GraspError { turn: [0.0, 0.02, 0.0], ..planned };
+        let mut grasps = vec![planned];
+        add_failures(&mut grasps, &[near, turned]);
+        assert_eq!(grasps[..3], [planned, turned, near]);
+    }
+}

@@ -2,7 +2,7 @@
 
 use collision::Polytope;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
-use simulation::{GraspError, Reference, Rollout, Settings, TimedState};
+use simulation::{Reference, Rollout, Settings, TimedState};
 use task::{AssemblyTask, GraspError, Impedance, Inertia};
 
 use crate::world::{
