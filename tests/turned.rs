@@ -51,6 +51,9 @@ fn a_plan_with_turned_scenarios_is_written_so_that_it_can_be_repeated_and_played
     for folder in ["out", "again"] {
         dir.run(&format!("simulate turned.toml {folder}")).code(0).keeps_silent_about("other settings");
     }
+    let rows = dir.table("out/rollouts.csv").rows;
+    let turns: Vec<&[String]> = rows.iter().filter(|row| row[3] == "plan").map(|row| &row[14..]).collect();
+    assert_eq!(turns, [["0", "0.04", "0"], ["0", "0", "-0.04"]], "the planned ones are played");
     dir.run("simulate corner.toml out").code(0).says("other settings");
 }
 
