@@ -9,7 +9,7 @@ fn folder() -> Dir {
     dir
 }
 
-const TURNED: &str = "[robustness]\nturn = 0.04\nturn_directions = [[0, 1, 0], [0, 0, -1]]";
+const TURNED: &str = "[robustness]\nturn = 0.04\nturn_axes = [[0, 1, 0], [0, 0, -1]]";
 
 /// Turns (rad) of the scenarios of a plan.
 fn turns(dir: &Dir, folder: &str) -> Vec<Vec<f64>> {

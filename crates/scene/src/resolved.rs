@@ -80,8 +80,8 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
     if scene.has_turned_scenarios()
         && let Some(Value::Table(robustness)) = document.get_mut("robustness")
     {
-        let directions = scene.turn_directions.iter().map(numbers);
-        robustness.insert("turn_directions".into(), Value::Array(directions.collect()));
+        let directions = scene.turn_axes.iter().map(numbers);
+        robustness.insert("turn_axes".into(), Value::Array(directions.collect()));
     }
     let mut robot = scene.robot.as_ref().map_or(Table::new(), arm);
     if mass.is_none() || scene.robot.is_some() {

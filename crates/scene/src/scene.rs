@@ -85,8 +85,8 @@ pub struct Scene {
     pub offset_magnitude: f64,
     /// Directions of the offsets; zero is the nominal scenario.
     pub offset_directions: Vec<[f64; 3]>,
-    /// Directions of the turns of the same scenarios; zero is no turn.
-    pub turn_directions: Vec<[f64; 3]>,
+    /// Axes of the turns of the same scenarios; zero is no turn.
+    pub turn_axes: Vec<[f64; 3]>,
     /// What a robust plan must bear besides offsets.
     pub borne: Borne,
     /// Time grid.
@@ -128,7 +128,7 @@ impl Scene {
 
     fn grasps_of(&self, magnitude: f64) -> impl Iterator<Item = GraspError> {
         let scaled = |direction: &[f64; 3], length: f64| direction.map(|component| length * component);
-        let directions = self.offset_directions.iter().zip(&self.turn_directions);
+        let directions = self.offset_directions.iter().zip(&self.turn_axes);
         directions.map(move |(offset, turn)| GraspError {
             offset: scaled(offset, magnitude),
             turn: scaled(turn, self.borne.turn),
@@ -137,7 +137,7 @@ impl Scene {
 
     /// Whether any scenario is turned in the gripper.
     pub fn has_turned_scenarios(&self) -> bool {
-        self.borne.turn > 0.0 && self.turn_directions.iter().any(|direction| *direction != [0.0; 3])
+        self.borne.turn > 0.0 && self.turn_axes.iter().any(|direction| *direction != [0.0; 3])
     }
 
     /// The start of a given name, or the first.

@@ -81,14 +81,14 @@ pub fn offset_directions(
     }
 }
 
-/// Directions of the turns, one for each of the offsets: those of the scene, or no turns.
-pub fn turn_directions(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
-    let Some(entry) = robustness.find("turn_directions") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
+/// Axes of the turns, one for each of the offset directions: those of the scene, or no turns.
+pub fn turn_axes(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
+    let Some(entry) = robustness.find("turn_axes") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
     let (turns, wanted) = (directions(&entry)?, offset_directions.len());
     match turns.len() {
         count if count == wanted => Ok(turns),
         count => Err(entry.refuse(format!(
-            "robustness.turn_directions has {count} directions: give one for each of the {wanted} offset_directions"
+            "robustness.turn_axes has {count} axes: give one for each of the {wanted} offset_directions"
         ))),
     }
 }
