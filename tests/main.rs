@@ -14,4 +14,5 @@ mod robust;
 mod simulate;
 mod starting;
 mod support;
+mod turned;
 mod wrong_inputs;

@@ -79,9 +79,9 @@ fn where_refinement_is_stuck_other_problems_are_solved() {
     }
     let find = |name: &str| &rounds[names.iter().position(|other| *other == name).unwrap()];
     assert_eq!(find("twice the time")["steps"], 40);
-    assert_eq!(list(find("failing offsets as scenarios, from the refined plan"), "scenarios_m").len(), 5);
+    assert_eq!(list(find("failing offsets as scenarios, from the refined plan"), "scenarios").len(), 5);
     assert_eq!(find("half the time step")["time_step_s"], 0.04);
-    assert_eq!(list(find("no offset and half offsets as scenarios"), "scenarios_m").len(), 5);
+    assert_eq!(list(find("no offset and half offsets as scenarios"), "scenarios").len(), 5);
 }
 
 #[cfg(unix)]

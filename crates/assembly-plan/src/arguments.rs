@@ -245,6 +245,7 @@ impl SolveArguments {
     /// What is chosen of the scene.
     pub fn choices(&self) -> Choices {
         Choices {
+            turn: self.robust.turn,
             homotopy: self.homotopy.clone(),
             linear_solver: self.linear_solver,
             position_tolerance: self.tolerance.position_tolerance,
@@ -260,7 +261,6 @@ impl SolveArguments {
         arguments.robust.then(|| RobustnessTarget {
             wanted_rate: arguments.wanted_rate,
             frictions: arguments.friction.clone().unwrap_or(own.frictions),
-            turn: arguments.turn.unwrap_or(own.turn),
             time_limit: Duration::from_secs_f64(arguments.time_limit),
             patience: arguments.patience as usize,
             ..own

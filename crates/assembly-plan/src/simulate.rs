@@ -73,6 +73,7 @@ fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(Stored
     let choices = Choices {
         start: Some(plan.result.start.clone()),
         delta: Some(plan.result.delta_m),
+        turn: Some(plan.result.turn_rad),
         position_tolerance: arguments.tolerance.position_tolerance,
         angle_tolerance: arguments.tolerance.angle_tolerance,
         ..Choices::default()
@@ -113,9 +114,9 @@ fn course(
     reference: &Reference,
     request: &SimulationRequest,
     friction: f64,
-    grasp: simulation::GraspError,
+    grasp: task::GraspError,
 ) -> Result<Vec<StateRow>, PlannerError> {
-    let start = grasp.start(reference);
+    let start = grasp.actual(&reference.start());
     let at_rest = TimedState { time: 0.0, pose: start, velocity: [0.0; 3], angular_velocity: [0.0; 3] };
     let row = |state: &TimedState| StateRow::new(state.time, &state.state());
     let mut rows = vec![row(&at_rest)];

@@ -30,10 +30,10 @@ pub fn summary(result: &PlanResult) -> String {
         ));
     }
     for (number, scenario) in (1..).zip(&result.scenarios) {
-        let [x, y, z] = scenario.offset_m.map(|component| 1e3 * component);
         lines.push(format!(
-            "  scenario {number} (offset {x:.1} {y:.1} {z:.1} mm): ends {:.2} mm and {:.4} rad from the goal, overlaps at \
-             most {:.2} mm, pushes at most {:.1} N",
+            "  scenario {number} ({}): ends {:.2} mm and {:.4} rad from the goal, overlaps at most {:.2} mm, pushes at most \
+             {:.1} N",
+            scenario.grasp,
             1e3 * scenario.position_error_m,
             scenario.orientation_error_rad,
             1e3 * scenario.max_penetration_m,

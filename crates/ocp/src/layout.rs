@@ -77,7 +77,7 @@ impl Layout {
     /// # Panics
     /// When a trajectory has two blocks of the same name.
     pub fn new(task: &AssemblyTask, terms: &[Box<dyn StepTerm>]) -> Self {
-        let (scenarios, pairs) = (task.offsets.len(), task.pairs.len());
+        let (scenarios, pairs) = (task.grasps.len(), task.pairs.len());
         let variables: Vec<Block> = terms.iter().flat_map(|term| term.variables()).collect();
         let rows: Vec<Block> = terms.iter().flat_map(|term| term.rows()).collect();
         Self {

@@ -29,7 +29,7 @@
 //! | Section IV-B | `Sec. diffphys:dsctime` | Scholtes' relaxation and smoothing | [`task::Complementarity`] |
 //! | (18) | `Eq. impedancewrench` | wrench of the impedance controller | [`task::Impedance::wrench`] |
 //! | (19) | `Eq. discretizedOCP` | the optimal control problem | [`Transcription`] |
-//! | Section V-B | `Sec. ocp:ocp` | `P_q^-1`, the start pose of a scenario | [`task::pose::without_offset`] |
+//! | Section V-B | `Sec. ocp:ocp` | `P_q^-1`, the start pose of a scenario | [`task::GraspError::actual`] |
 //! | Section V-C | `Sec. ocp:cost` | running and terminal cost | `cost` |
 //! | Section V-D | `Sec. ocp:homotopy` | homotopy | [`Homotopy`], [`task::HomotopySettings::schedule`] |
 //!

@@ -23,7 +23,7 @@ impl Transcription {
             .map(|(scenario, states)| {
                 let first = |stage: usize| layout.variable(CONTACT_FORCE, stage, Owner::Scenario(scenario));
                 let forces = |stage: usize| &x[first(stage)..][..layout.pairs];
-                ScenarioTrajectory::new(task, task.offsets[scenario], time_step, &reference, states, forces, tau)
+                ScenarioTrajectory::new(task, task.grasps[scenario], time_step, &reference, states, forces, tau)
             })
             .collect();
         Trajectory::new(time_step, &reference, scenarios, drift)

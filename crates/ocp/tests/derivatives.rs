@@ -1,11 +1,11 @@
-//! Derivatives of the whole problem against differences, with offsets, contacts and limits.
+//! Derivatives of the whole problem against differences, with grasp errors, contacts and limits.
 
 use std::path::Path;
 
 use nalgebra::{Matrix3, Matrix6};
 use nlp::{Problem, check_derivatives};
 use ocp::Transcription;
-use task::{AssemblyTask, Complementarity, HessianKind, Inertia, Limits};
+use task::{AssemblyTask, Complementarity, GraspError, HessianKind, Inertia, Limits};
 
 /// A deterministic number in (-1, 1).
 fn noise(index: usize) -> f64 {
@@ -57,6 +57,20 @@ fn full_damping_matrices() {
     task.impedance.rotational_damping = Matrix3::new(1.2, 0.3, -0.2, 0.3, 0.9, 0.1, -0.2, 0.1, 1.5);
     check(&task);
     check(&AssemblyTask { limits: Limits { force: 6.0, torque: 0.7, ..Limits::NONE }, ..task });
+}
+
+/// Turns of some tenths of a radian, which no linearisation of the wrench would survive.
+#[test]
+fn turned_scenarios() {
+    for (scene, steps, pairs) in [("corner", 3, 2), ("clamp1", 2, 3)] {
+        let mut task = task(scene, steps, pairs);
+        for (index, grasp) in task.grasps.iter_mut().enumerate() {
+            *grasp = GraspError { turn: std::array::from_fn(|axis| 0.5 * noise(3 * index + axis)), ..*grasp };
+        }
+        task.impedance.rotational_damping = Matrix3::new(1.2, 0.3, -0.2, 0.3, 0.9, 0.1, -0.2, 0.1, 1.5);
+        check(&task);
+        check(&AssemblyTask { limits: Limits { force: 6.0, torque: 0.7, ..Limits::NONE }, ..task });
+    }
 }
 
 #[test]

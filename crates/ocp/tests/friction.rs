@@ -7,8 +7,8 @@ use nlp::{Bounds, Control, EvaluationError, LinearSystemSolver, Options, Pattern
 use ocp::{CONTACT_FORCE, Owners, Transcription, VELOCITY_DYNAMICS};
 use simulation::{Reference, Rollout, Settings};
 use task::{
-    AssemblyTask, Complementarity, ContactPair, CostWeights, HessianKind, Horizon, Impedance, Inertia, Limits, POSE,
-    STATE, TWIST, TrajectoryCost, at_rest,
+    AssemblyTask, Complementarity, ContactPair, CostWeights, GraspError, HessianKind, Horizon, Impedance, Inertia,
+    Limits, POSE, STATE, TWIST, TrajectoryCost, at_rest,
 };
 
 const FRICTION: f64 = 0.3;
@@ -44,7 +44,7 @@ fn block() -> AssemblyTask {
         goal: start,
         impedance: Impedance::critically_damped(STIFFNESS, 5.0, &inertia),
         inertia,
-        offsets: vec![[0.0; 3]],
+        grasps: vec![GraspError::default()],
         horizon: Horizon { steps: PHASES.iter().sum(), time_step: STEP },
         cost: TrajectoryCost { reference: weights, compliant: weights },
         limits: Limits::NONE,

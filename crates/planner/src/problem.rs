@@ -9,6 +9,7 @@ use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver};
 use crate::check::play::farthest_rest;
 use crate::error::PlannerError;
 use crate::files::hash;
+use crate::refine::require_turn;
 
 /// What is chosen of a scene; the default is the scene's own.
 #[derive(Debug, Clone, Default)]
@@ -17,6 +18,8 @@ pub struct Choices {
     pub start: Option<String>,
     /// Offset magnitude `delta-hat` (m).
     pub delta: Option<f64>,
+    /// Largest turn of the part in the gripper (rad).
+    pub turn: Option<f64>,
     /// Homotopy file; the scene's own homotopy, else the built-in one where none is given.
     pub homotopy: Option<PathBuf>,
     /// Linear solver instead of the homotopy's.
@@ -47,7 +50,11 @@ impl Problem {
     /// # Errors
     /// The first thing that is wrong with a file or a choice, with its place.
     pub fn load(file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
-        let scene = Scene::load(file)?;
+        let mut scene = Scene::load(file)?;
+        if let Some(turn) = choices.turn {
+            require_turn(turn)?;
+            scene.borne.turn = turn;
+        }
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
         let own = success(&scene)?;
         let success = Success {
@@ -80,8 +87,11 @@ impl Problem {
         let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
         let task = scene.task(Some(&start.name), Some(delta))?;
         ocp::check_settings(&homotopy)?;
-        // What counts as success and what refinement must bear do not change how the problem is solved.
-        let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, borne: Borne::default(), ..scene.clone() };
+        // What counts as success and what refinement must bear do not change how the problem is solved, but for turns of
+        // scenarios.
+        let turn = if scene.has_turned_scenarios() { scene.borne.turn } else { 0.0 };
+        let borne = Borne { turn, ..Borne::default() };
+        let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, borne, ..scene.clone() };
         let solved = resolved(&solved, &start, delta, &homotopy);
         let identity = hash(format!("{}\n{solved}", env!("CARGO_PKG_VERSION")).as_bytes());
         (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
@@ -209,12 +219,12 @@ impl Problem {
         hash(text.as_bytes())
     }
 
-    /// Hash (hexadecimal) of everything else: inertia, impedance, friction, offsets, horizon, cost, limits, homotopy.
+    /// Hash (hexadecimal) of everything else: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy.
     pub fn settings_hash(&self) -> String {
-        let AssemblyTask { inertia, impedance, friction, offsets, horizon, cost, limits, .. } = &self.task;
+        let AssemblyTask { inertia, impedance, friction, grasps, horizon, cost, limits, .. } = &self.task;
         hash(
             format!(
-                "{inertia:?} {impedance:?} {friction:?} {offsets:?} {horizon:?} {cost:?} {limits:?} {:?}",
+                "{inertia:?} {impedance:?} {friction:?} {grasps:?} {horizon:?} {cost:?} {limits:?} {:?}",
                 self.homotopy
             )
             .as_bytes(),

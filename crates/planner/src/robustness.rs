@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use simulation::TrialResult;
 
 use crate::explain::LossRecord;
+use crate::files::GraspRecord;
 use crate::iteration::PlanIteration;
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
@@ -43,8 +44,8 @@ pub struct RobustnessReport {
 pub struct Round {
     /// What was planned, in words.
     pub planned: String,
-    /// Planned offsets.
-    pub scenarios_m: Vec<[f64; 3]>,
+    /// Planned grasp errors.
+    pub scenarios: Vec<GraspRecord>,
     /// Steps of the horizon.
     pub steps: usize,
     /// Time step of the horizon.
@@ -78,7 +79,7 @@ impl Round {
         let records = || iterations.iter().map(|iteration| &iteration.record);
         Self {
             planned: variant.name.clone(),
-            scenarios_m: variant.task.offsets.clone(),
+            scenarios: variant.task.grasps.iter().map(GraspRecord::from).collect(),
             steps: variant.task.horizon.steps,
             time_step_s: variant.task.horizon.time_step,
             solve_status: records().next_back().map_or_else(String::new, |record| record.status.clone()),

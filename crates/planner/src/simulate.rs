@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use simulation::{GraspError, Outcome, Reference, Settings, offsets};
+use simulation::{Outcome, Reference, Settings, offsets};
+use task::GraspError;
 
 use crate::error::PlannerError;
 use crate::problem::Problem;
@@ -34,7 +35,7 @@ impl fmt::Display for Motion {
 /// Which offsets are injected.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OffsetSource {
-    /// The planned ones.
+    /// The planned ones, with their turns where there are no random ones.
     Planned,
     /// So many random convex combinations of the planned ones.
     Hull(usize),
@@ -222,9 +223,12 @@ fn injections(problem: &Problem, errors: &GraspErrors) -> Result<Vec<Injection>,
     }
     magnitudes.sort_by(f64::total_cmp);
     let of_magnitude = |&magnitude: &f64| {
-        let directions = &problem.scene().offset_directions;
-        let planned: Vec<[f64; 3]> = directions.iter().map(|axes| axes.map(|axis| magnitude * axis)).collect();
+        let grasps = problem.scene().grasps(magnitude)?;
+        let planned: Vec<[f64; 3]> = grasps.iter().map(|grasp| grasp.offset).collect();
         let offsets = match &errors.offsets {
+            OffsetSource::Planned if errors.turn == 0.0 => {
+                return Ok(Injection { magnitude, errors: GraspError::distinct(grasps) });
+            }
             OffsetSource::Hull(count) => offsets::hull(&planned, *count, errors.seed),
             OffsetSource::Ball(count) => offsets::ball(magnitude, *count, errors.seed),
             OffsetSource::Grid(divisions) => grid(&planned, *divisions)?,

@@ -200,7 +200,7 @@ fn a_plan_that_is_not_robust_names_the_friction_and_an_error_that_fails_in_simul
     assert_eq!(loss.rate, least);
     assert_eq!(loss.offset_direction.as_deref(), Some("+x"), "nothing holds the box along x");
     let request = SimulationRequest {
-        errors: GraspErrors { offsets: OffsetSource::Listed(vec![loss.offset_m]), ..GraspErrors::default() },
+        errors: GraspErrors { offsets: OffsetSource::Listed(vec![loss.grasp.offset_m]), ..GraspErrors::default() },
         frictions: vec![loss.worst.friction],
         ..SimulationRequest::default()
     };

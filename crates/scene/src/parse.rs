@@ -58,6 +58,7 @@ impl Scene {
         let goal = pose(&goal_table)?;
         let offset_magnitude = robustness.number("offset_magnitude")?;
         let offset_directions = sections::offset_directions(&robustness, offset_magnitude, (&starts[0], &goal))?;
+        let turn_axes = sections::turn_axes(&robustness, &offset_directions)?;
         let material = Material::of(&body)?;
         let robot = Robot::read(&table.table("robot")?, material.as_ref(), (&starts, &goal))?;
         let inertia = inertia(table, robot.as_ref(), (material.as_ref(), &body), &goal)?;
@@ -99,6 +100,7 @@ impl Scene {
             goal,
             offset_magnitude,
             offset_directions,
+            turn_axes,
             inertia,
             borne: sections::borne(&robustness)?,
             robot,

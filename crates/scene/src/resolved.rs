@@ -77,6 +77,12 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("homotopy", homotopy.into()),
         ("ipopt", ipopt.into()),
     ]);
+    if scene.has_turned_scenarios()
+        && let Some(Value::Table(robustness)) = document.get_mut("robustness")
+    {
+        let directions = scene.turn_axes.iter().map(numbers);
+        robustness.insert("turn_axes".into(), Value::Array(directions.collect()));
+    }
     let mut robot = scene.robot.as_ref().map_or(Table::new(), arm);
     if mass.is_none() || scene.robot.is_some() {
         robot.insert("apparent_inertia".into(), rows(scene.inertia.matrix()));

@@ -1,6 +1,8 @@
 //! A validated scene.
 
-use task::{AssemblyTask, ContactPair, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
+use task::{
+    AssemblyTask, ContactPair, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost,
+};
 
 use crate::facets::Fit;
 use crate::keys::key;
@@ -83,6 +85,8 @@ pub struct Scene {
     pub offset_magnitude: f64,
     /// Directions of the offsets; zero is the nominal scenario.
     pub offset_directions: Vec<[f64; 3]>,
+    /// Axes of the turns of the same scenarios; zero is no turn.
+    pub turn_axes: Vec<[f64; 3]>,
     /// What a robust plan must bear besides offsets.
     pub borne: Borne,
     /// Time grid.
@@ -105,22 +109,35 @@ impl Scene {
     /// # Errors
     /// The limit that is too small.
     pub(crate) fn check_reach(&self, start: &StartPose, magnitude: f64) -> Result<(), OutOfReach> {
-        self.offset_directions.iter().try_for_each(|direction| {
-            let pose = task::pose::without_offset(&start.pose, &direction.map(|component| magnitude * component));
-            check_reach(&self.limits, (&start.name, &pose), &self.goal, self.horizon)
+        self.grasps_of(magnitude).try_for_each(|grasp| {
+            check_reach(&self.limits, (&start.name, &grasp.actual(&start.pose)), &self.goal, self.horizon)
         })
     }
 
-    /// The offsets of a magnitude, one per direction (m).
+    /// The planned grasp errors with offsets of a magnitude (m), one per scenario.
     ///
     /// # Errors
     /// When the magnitude is out of range.
-    pub fn offsets(&self, magnitude: f64) -> Result<Vec<[f64; 3]>, TaskError> {
+    pub fn grasps(&self, magnitude: f64) -> Result<Vec<GraspError>, TaskError> {
         let range = key("robustness", "offset_magnitude").bounds();
         if !range.contains(magnitude) {
             return Err(TaskError::OffsetMagnitude { value: magnitude, most: range.high });
         }
-        Ok(self.offset_directions.iter().map(|direction| direction.map(|component| magnitude * component)).collect())
+        Ok(self.grasps_of(magnitude).collect())
+    }
+
+    fn grasps_of(&self, magnitude: f64) -> impl Iterator<Item = GraspError> {
+        let scaled = |direction: &[f64; 3], length: f64| direction.map(|component| length * component);
+        let directions = self.offset_directions.iter().zip(&self.turn_axes);
+        directions.map(move |(offset, turn)| GraspError {
+            offset: scaled(offset, magnitude),
+            turn: scaled(turn, self.borne.turn),
+        })
+    }
+
+    /// Whether any scenario is turned in the gripper.
+    pub fn has_turned_scenarios(&self) -> bool {
+        self.borne.turn > 0.0 && self.turn_axes.iter().any(|direction| *direction != [0.0; 3])
     }
 
     /// The start of a given name, or the first.
@@ -146,7 +163,7 @@ impl Scene {
     pub fn task(&self, start: Option<&str>, offset_magnitude: Option<f64>) -> Result<AssemblyTask, TaskError> {
         let start = self.start(start)?;
         let magnitude = offset_magnitude.unwrap_or(self.offset_magnitude);
-        let offsets = self.offsets(magnitude)?;
+        let grasps = self.grasps(magnitude)?;
         self.check_reach(start, magnitude)
             .map_err(|reason| TaskError::OutOfReach { magnitude, reason: Box::new(reason) })?;
         Ok(AssemblyTask {
@@ -156,7 +173,7 @@ impl Scene {
             start: start.pose,
             goal: self.goal,
             impedance: self.impedance.clone(),
-            offsets,
+            grasps,
             horizon: self.horizon,
             cost: self.cost,
             limits: self.limits,

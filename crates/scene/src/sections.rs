@@ -81,6 +81,18 @@ pub fn offset_directions(
     }
 }
 
+/// Axes of the turns, one for each of the offset directions: those of the scene, or no turns.
+pub fn turn_axes(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
+    let Some(entry) = robustness.find("turn_axes") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
+    let (turns, wanted) = (directions(&entry)?, offset_directions.len());
+    match turns.len() {
+        count if count == wanted => Ok(turns),
+        count => Err(entry.refuse(format!(
+            "robustness.turn_axes has {count} axes: give one for each of the {wanted} offset_directions"
+        ))),
+    }
+}
+
 /// The weights.
 pub fn cost(scene: &Table) -> Result<TrajectoryCost, SceneError> {
     let cost = scene.table("cost")?;

@@ -71,7 +71,7 @@ fn rollouts(criterion: &mut Criterion) {
     group.sample_size(10).sampling_mode(SamplingMode::Flat).measurement_time(Duration::from_secs(2));
     group.throughput(Throughput::Elements(60 * ROLLOUTS as u64));
     for (name, task) in [("peg1", load("peg1.toml")), ("clamp1", load("clamp1.toml")), ("round peg", round_peg())] {
-        let offsets = offsets::hull(&task.offsets, ROLLOUTS, 1);
+        let offsets = offsets::hull(&task.offsets(), ROLLOUTS, 1);
         for (motion, reference) in references(&task) {
             for friction in [0.0, 0.1] {
                 let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
@@ -98,7 +98,7 @@ fn rollouts_of_an_arm(criterion: &mut Criterion) {
     group.sample_size(10).sampling_mode(SamplingMode::Flat).measurement_time(Duration::from_secs(2));
     group.throughput(Throughput::Elements(60 * ROLLOUTS as u64));
     let task = stiff(load("peg1.toml"));
-    let offsets = offsets::hull(&task.offsets, ROLLOUTS, 1);
+    let offsets = offsets::hull(&task.offsets(), ROLLOUTS, 1);
     let reference = Reference::straight(&task.start, &task.goal, task.horizon);
     for joint_friction in [0.0, 0.5] {
         for friction in [0.0, 0.1] {

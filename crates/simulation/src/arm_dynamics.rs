@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Vector3};
 use robot::{Arm, JointVector};
-use task::Impedance;
+use task::{GraspError, Impedance};
 
 use crate::arm_model::ArmModel;
 use crate::arm_posture::ArmPosture;
@@ -164,7 +164,7 @@ fn command(posture: &ArmPosture, velocity: &JointVector, impedance: &Impedance, 
     let believed = Isometry3::from_parts(posture.believed.into(), posture.pose.rotation);
     state[..7].copy_from_slice(&coordinates(&believed));
     state[7..].copy_from_slice((posture.tracked * velocity).as_slice());
-    let wrench = impedance.wrench(&target.state(), &state, &[0.0; 3]);
+    let wrench = impedance.wrench(&target.state(), &state, &GraspError::default().pose());
     posture.tracked.tr_mul(&wrench.into())
 }
 

@@ -2,9 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use task::{Impedance, Inertia};
+use task::{GraspError, Impedance, Inertia};
 
-use crate::grasp_error::GraspError;
 use crate::settings_error::{SettingsError, check};
 
 /// How robot and controller differ from what they are taken for. The default is that they do not.

@@ -1,10 +1,9 @@
 //! Evaluation of references by rollouts.
 
-use task::{AssemblyTask, Limits};
+use task::{AssemblyTask, GraspError, Limits};
 
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::disturbance::{Disturbance, Injection};
-use crate::grasp_error::GraspError;
 use crate::parallel::in_parallel;
 use crate::reference::Reference;
 use crate::rollout::Rollout;

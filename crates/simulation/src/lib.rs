@@ -14,7 +14,7 @@
 //!     let settings = Settings { friction: 0.1, ..Settings::default() };
 //!     settings.validate_for(&reference)?;
 //!     let rollout = Rollout::new(task, settings);
-//!     let outcomes = rollout.simulate(&reference, &offsets::hull(&task.offsets, 100, 1), 2);
+//!     let outcomes = rollout.simulate(&reference, &offsets::hull(&task.offsets(), 100, 1), 2);
 //!     Ok(outcomes.iter().filter(|outcome| outcome.reaches_goal(&Success::default())).count())
 //! }
 //! ```
@@ -55,7 +55,7 @@
 //! | Eq. (17c), contacts without overlap | `Eq. ts3` | `contact_solver::ContactSolver::resolve` |
 //! | Eq. (18), impedance law | `Eq. impedancewrench` | `dynamics::Stepper::free_velocity` |
 //! | zero level of Eq. (1), signed distance | `Eq. sdfopt` | `contact::ContactFinder::find` |
-//! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`GraspError::start`] |
+//! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`task::GraspError::actual`] |
 //! | Fig. 12, success rates under injected offsets | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
 
 mod arc;
@@ -70,7 +70,6 @@ mod contact_solver;
 mod disturbance;
 mod dynamics;
 mod evaluator;
-mod grasp_error;
 mod joint_friction;
 mod least_distance;
 mod loads;
@@ -92,7 +91,6 @@ pub use arm_model::{ArmModel, ArmModelError};
 pub use bump::Bump;
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, Trial, TrialResult};
-pub use grasp_error::GraspError;
 pub use loads::Loads;
 pub use reference::{Knot, Reference};
 pub use refinement::Refinement;

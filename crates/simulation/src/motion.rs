@@ -27,9 +27,9 @@ impl Rollout {
     }
 
     fn scenario(&self, reference: &Reference, injection: &Injection, tau: f64) -> ScenarioTrajectory {
-        let Injection { grasp, .. } = injection;
+        let Injection { grasp, disturbance } = injection;
         let (_, substeps) = self.settings.divide(reference.time_step());
-        let mut states = vec![task::at_rest(&grasp.start(reference))];
+        let mut states = vec![task::at_rest(&grasp.actual(&reference.start()))];
         let mut forces: Vec<Vec<f64>> = Vec::with_capacity(reference.intervals());
         let mut steps = 0;
         let outcome = self.play(reference, *injection, |body, impulses| {
@@ -39,12 +39,12 @@ impl Rollout {
                 forces.push(impulses.iter().map(|impulse| impulse / reference.time_step()).collect());
             }
         });
-        let task = AssemblyTask { impedance: self.impedance(injection), ..self.task.clone() };
+        let task = AssemblyTask { impedance: disturbance.impedance(self.task.impedance.clone()), ..self.task.clone() };
         let motion = ScenarioTrajectory::new(
             &task,
-            grasp.offset,
+            *grasp,
             reference.time_step(),
-            &grasp.reference(reference).states(),
+            &reference.states(),
             &states,
             |step| &forces[step - 1],
             tau,

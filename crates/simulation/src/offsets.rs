@@ -4,8 +4,8 @@
 
 use fastrand::Rng;
 use nalgebra::Vector3;
+use task::GraspError;
 
-use crate::grasp_error::GraspError;
 use crate::settings_error::{SettingsError, check};
 
 /// Largest number of offsets.

@@ -1,7 +1,7 @@
 //! Reference motions, given at knots.
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use task::{Horizon, Limits};
+use task::{GraspError, Horizon, Limits};
 
 use crate::bump::Bump;
 
@@ -85,11 +85,13 @@ impl Reference {
         Self { time_step: self.time_step, knots }
     }
 
-    /// The same motion, described with a body frame that is turned by `turn`.
-    pub fn turned(&self, turn: &UnitQuaternion<f64>) -> Self {
+    /// What a part in the gripper is to do while the robot follows the reference: the same motion, described with the frame
+    /// of the part.
+    pub fn of_part(&self, grasp: &GraspError) -> Self {
+        let turn = grasp.rotation();
         let turned = |knot: &Knot| Knot {
-            pose: Isometry3::from_parts(knot.pose.translation, knot.pose.rotation * turn),
-            angular_velocity: turn.inverse() * knot.angular_velocity,
+            pose: Isometry3::from_parts(knot.pose.translation, knot.pose.rotation * turn.inverse()),
+            angular_velocity: turn * knot.angular_velocity,
             ..*knot
         };
         Self { time_step: self.time_step, knots: self.knots.iter().map(turned).collect() }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Vector3};
 use robot::JointVector;
-use task::{AssemblyTask, Impedance};
+use task::AssemblyTask;
 
 use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
@@ -145,15 +145,17 @@ impl Rollout {
     ) -> Outcome {
         let injection = injection.into();
         let mut body = Body {
-            pose: isometry(&injection.grasp.start(reference)),
+            pose: isometry(&injection.grasp.actual(&reference.start())),
             velocity: Vector3::zeros(),
             angular_velocity: Vector3::zeros(),
         };
         let Some(mut plant) = self.plant(reference, &body.pose, &injection) else {
             return Outcome { diverged: true, ..self.outcome(&body, 0.0, &LoadMeter::new(0)) };
         };
-        let impedance = self.impedance(&injection);
-        let reference = &injection.grasp.reference(reference);
+        let Injection { grasp, disturbance } = &injection;
+        let (impedance, grasp) = (disturbance.impedance(self.task.impedance.clone()), grasp.pose());
+        let believed = reference;
+        let reference = &reference.of_part(&injection.grasp);
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut finder = ContactFinder::new(&self.shapes);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
@@ -171,8 +173,8 @@ impl Rollout {
                 let (taken, overlap) = plant.step(&mut body, (done, substeps), target, &mut finder, &mut step_impulses);
                 max_penetration = max_penetration.max(overlap);
                 impulses.iter_mut().zip(&step_impulses).for_each(|(sum, impulse)| *sum += impulse);
-                let (tracked, state) = (target((done + taken) as f64), TimedState::new(0.0, &body).state());
-                let wrench = impedance.wrench(&tracked.state(), &state, &injection.grasp.offset);
+                let tracked = believed.at(interval, (done + taken) as f64 / substeps as f64);
+                let wrench = impedance.wrench(&tracked.state(), &TimedState::new(0.0, &body).state(), &grasp);
                 loads.add(taken as f64 * time_step, &step_impulses, &wrench);
                 for moment in 1..=taken {
                     let time = (interval * substeps + done + moment) as f64 * time_step;
@@ -192,7 +194,7 @@ impl Rollout {
     fn plant(&self, reference: &Reference, start: &Isometry3<f64>, injection: &Injection) -> Option<Plant<'_>> {
         let Injection { grasp, disturbance } = injection;
         self.settings.validate_for(reference).ok().and(disturbance.validate().ok())?;
-        let impedance = self.impedance(injection);
+        let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let friction = self.settings.friction;
         match &self.arm {
@@ -208,11 +210,6 @@ impl Rollout {
                 stepper.map(|stepper| Plant::Arm(Box::new(stepper)))
             }
         }
-    }
-
-    /// What the controller does, in the frame of a part that is turned in the gripper.
-    pub(crate) fn impedance(&self, Injection { grasp, disturbance }: &Injection) -> Impedance {
-        disturbance.impedance(grasp.impedance(&self.task.impedance))
     }
 
     fn outcome(&self, body: &Body, max_penetration: f64, loads: &LoadMeter) -> Outcome {

@@ -43,3 +43,19 @@ pub fn rotation<T: Number>(quaternion: &[T]) -> [[T; 3]; 3] {
         [(x * z - w * y) * 2.0, (y * z + w * x) * 2.0, ww - xx - yy + zz],
     ]
 }
+
+/// Hamilton product of two quaternions (w x y z).
+pub fn product<T: Number>(left: &[T], right: &[T]) -> [T; 4] {
+    let ([a, b, c, d], [e, f, g, h]) = ([left[0], left[1], left[2], left[3]], [right[0], right[1], right[2], right[3]]);
+    [
+        a * e - b * f - c * g - d * h,
+        a * f + b * e + c * h - d * g,
+        a * g - b * h + c * e + d * f,
+        a * h + b * g - c * f + d * e,
+    ]
+}
+
+/// Conjugate of a quaternion (w x y z): the inverse of one of unit norm.
+pub fn conjugate<T: Number>(quaternion: &[T]) -> [T; 4] {
+    [quaternion[0], -quaternion[1], -quaternion[2], -quaternion[3]]
+}

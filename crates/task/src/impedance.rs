@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use crate::algebra::{Number, apply, dot, rotation};
+use crate::algebra::{Number, apply, conjugate, dot, product, rotation};
 use crate::inertia::Inertia;
 use crate::state::{POSE, TWIST};
 
@@ -36,24 +36,28 @@ impl Impedance {
 
     /// Force (N, world frame) and torque (Nm, body frame) of the controller (Eq. impedancewrench) while it tracks the
     /// state `reference` (13 numbers) with a body in `state` (13 numbers). The controller believes the body to be at
-    /// `P_q(q, offset)` (offset: 3 numbers, m, body frame). Quaternions may have any norm; the conjugate is used as the
-    /// inverse.
-    pub fn wrench<T: Number>(&self, reference: &[T], state: &[T], offset: &[T]) -> [T; TWIST] {
-        let rotation = rotation(&state[3..POSE]);
+    /// `P_q(q, grasp)` (7 numbers: [`crate::GraspError::pose`]), and damps it in the frame that it believes to be that of the
+    /// body. Quaternions may have any norm; the conjugate is used as the inverse.
+    pub fn wrench<T: Number>(&self, reference: &[T], state: &[T], grasp: &[T]) -> [T; TWIST] {
+        let (offset, turn) = grasp.split_at(3);
+        let orientation = rotation(&state[3..POSE]);
         let velocity: [T; 3] = std::array::from_fn(|axis| reference[POSE + axis] - state[POSE + axis]);
         let braking = apply(&self.translational_damping, &velocity);
         let force: [T; 3] = std::array::from_fn(|axis| {
-            let tracked = state[axis] + dot(&rotation[axis], offset);
+            let tracked = state[axis] + dot(&orientation[axis], offset);
             (reference[axis] - tracked) * self.translational_stiffness + braking[axis]
         });
-        let [a, b, c, d] = [state[3], -state[4], -state[5], -state[6]];
-        let [e, f, g, h] = [reference[3], reference[4], reference[5], reference[6]];
-        let scalar = a * e - b * f - c * g - d * h;
-        let vector = [a * f + b * e + c * h - d * g, a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e];
-        let angular_velocity: [T; 3] = std::array::from_fn(|axis| reference[POSE + 3 + axis] - state[POSE + 3 + axis]);
+        // Seen from the body, the error of the orientation is xi^-1 (x) xi_r (x) turn^-1.
+        let wanted = product(&reference[3..POSE], &conjugate(turn));
+        let [scalar, vector @ ..] = product(&conjugate(&state[3..POSE]), &wanted);
+        let turn = rotation(turn);
+        let column = |axis: usize| [turn[0][axis], turn[1][axis], turn[2][axis]];
+        let angular_velocity: [T; 3] =
+            std::array::from_fn(|axis| reference[POSE + 3 + axis] - dot(&column(axis), &state[POSE + 3..]));
         let braking = apply(&self.rotational_damping, &angular_velocity);
-        let torque: [T; 3] =
-            std::array::from_fn(|axis| scalar * vector[axis] * (2.0 * self.rotational_stiffness) + braking[axis]);
+        let torque: [T; 3] = std::array::from_fn(|axis| {
+            scalar * vector[axis] * (2.0 * self.rotational_stiffness) + dot(&turn[axis], &braking)
+        });
         [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
     }
 }

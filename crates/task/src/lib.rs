@@ -1,7 +1,7 @@
 //! The planning task and the plan, as plain numbers. Scenes, the optimal control problem and rollouts share these
 //! types. The crate needs neither Ipopt nor files.
 //!
-//! An [`AssemblyTask`] has one body, one environment, one start, one goal, and the position offsets that the plan must
+//! An [`AssemblyTask`] has one body, one environment, one start, one goal, and the grasp errors that the plan must
 //! tolerate. [`HomotopySettings`] say how the task is solved. The result is a [`Trajectory`]: a reference, and the
 //! motion of the body in every scenario, with its [`Quality`] and the tightest [`Limits`] that it satisfies.
 //!
@@ -11,12 +11,13 @@
 //! | paper | label | here |
 //! |---|---|---|
 //! | Eq. (18), impedance law | `Eq. impedancewrench` | [`Impedance::wrench`] |
-//! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`pose::without_offset`] |
+//! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`GraspError::actual`] |
 //! | weights of the cost, Sec. V-C | `Sec. ocp:cost` | [`CostWeights`] |
 //! | schedule of the homotopy, Sec. V-D | `Sec. ocp:homotopy` | [`HomotopySettings::schedule`] |
 //! | bounds on velocities, accelerations and forces, Sec. I | `Sec. intro` | [`Limits`] |
 
 pub mod algebra;
+mod grasp_error;
 mod impedance;
 mod inertia;
 mod limits;
@@ -28,6 +29,7 @@ mod state;
 mod task;
 mod trajectory;
 
+pub use grasp_error::GraspError;
 pub use impedance::Impedance;
 pub use inertia::Inertia;
 pub use limits::Limits;

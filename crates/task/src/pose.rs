@@ -7,17 +7,6 @@ pub fn rotation_matrix(quaternion: &[f64; 4]) -> Matrix3<f64> {
     *unit_quaternion(quaternion).to_rotation_matrix().matrix()
 }
 
-/// The inverse perturbation `P_q^-1(q, offset)` of a pose by a translational offset (m, body frame; Sec. ocp:ocp): the
-/// actual pose of the body when the robot believes it to be at `pose`.
-pub fn without_offset(pose: &[f64; 7], offset: &[f64; 3]) -> [f64; 7] {
-    let shift = rotation_matrix(&[pose[3], pose[4], pose[5], pose[6]]) * Vector3::from(*offset);
-    let mut actual = *pose;
-    for axis in 0..3 {
-        actual[axis] -= shift[axis];
-    }
-    actual
-}
-
 /// The same pose with its quaternion scaled to unit norm.
 pub fn normalised(pose: &[f64; 7]) -> [f64; 7] {
     let norm = pose[3..].iter().map(|component| component * component).sum::<f64>().sqrt();

@@ -1,5 +1,6 @@
-//! The planning task: one body, one environment, one start, one goal, several offsets.
+//! The planning task: one body, one environment, one start, one goal, several grasp errors.
 
+use crate::grasp_error::GraspError;
 use crate::impedance::Impedance;
 use crate::inertia::Inertia;
 use crate::limits::Limits;
@@ -19,8 +20,8 @@ pub struct AssemblyTask {
     pub goal: [f64; 7],
     /// The Cartesian impedance controller that tracks the reference (Eq. impedancewrench).
     pub impedance: Impedance,
-    /// Offsets `rho^(l)` (m), in the body frame, one per scenario (Sec. ocp:ocp).
-    pub offsets: Vec<[f64; 3]>,
+    /// Grasp errors `q^(l)`, one per scenario (Sec. ocp:ocp).
+    pub grasps: Vec<GraspError>,
     /// Time grid.
     pub horizon: Horizon,
     /// Weights of the cost (Sec. ocp:cost).
@@ -33,6 +34,11 @@ impl AssemblyTask {
     /// Smallest exact distance of all pairs (m) at a pose, negative where parts overlap; infinite without pairs.
     pub fn clearance(&self, pose: &[f64; 7]) -> f64 {
         self.pairs.iter().map(|pair| pair.shapes.exact_distance(pose)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Offsets of all scenarios (m, body frame).
+    pub fn offsets(&self) -> Vec<[f64; 3]> {
+        self.grasps.iter().map(|grasp| grasp.offset).collect()
     }
 
     /// The reach of a smoothing `tau`: how far shapes of any pair overlap, at most, when their smoothed distance is zero

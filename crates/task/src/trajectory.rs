@@ -1,5 +1,6 @@
 //! The plan: reference, compliant states, wrenches, contacts and final errors.
 
+use crate::grasp_error::GraspError;
 use crate::limits::Limits;
 use crate::pose;
 use crate::quality::{Contact, Quality};
@@ -14,7 +15,7 @@ pub struct Trajectory {
     pub time_step: f64,
     /// Reference states (pose, twist) at k = 0..N.
     pub reference: Vec<[f64; STATE]>,
-    /// One per offset.
+    /// One per grasp error.
     pub scenarios: Vec<ScenarioTrajectory>,
     /// Largest `| |xi| - 1 |` before normalisation: the drift of Euler's method.
     pub quaternion_drift: f64,
@@ -25,8 +26,8 @@ pub struct Trajectory {
 /// The compliant motion of one scenario.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScenarioTrajectory {
-    /// Offset in the body frame (m).
-    pub offset: [f64; 3],
+    /// Where the body sits in the gripper.
+    pub grasp: GraspError,
     /// Compliant states at k = 0..N.
     pub states: Vec<[f64; STATE]>,
     /// Impedance wrenches at k = 1..N (Eq. impedancewrench): force in the world frame (N), torque in the body frame
@@ -72,7 +73,7 @@ impl ScenarioTrajectory {
     /// contact forces (N) of all pairs in the step that ends at k = 1..N. Distances are smoothed by `tau`.
     pub fn new<'x>(
         task: &AssemblyTask,
-        offset: [f64; 3],
+        grasp: GraspError,
         time_step: f64,
         reference: &[[f64; STATE]],
         raw: &[[f64; STATE]],
@@ -89,9 +90,9 @@ impl ScenarioTrajectory {
             })
             .collect();
         let quality = Quality::new(task, &poses, &contacts);
-        let wrenches = wrenches(task, offset, &reference[1..], &raw[1..]);
+        let wrenches = wrenches(task, &grasp, &reference[1..], &raw[1..]);
         let keeps = Limits::kept_by(&states, time_step, &wrenches, quality.max_force);
-        Self { offset, states, wrenches, contacts, quality, keeps }
+        Self { grasp, states, wrenches, contacts, quality, keeps }
     }
 }
 
@@ -102,12 +103,12 @@ fn smoothed(pair: &collision::Pair, poses: &[[f64; POSE]], tau: f64) -> Vec<f64>
 
 fn wrenches(
     task: &AssemblyTask,
-    offset: [f64; 3],
+    grasp: &GraspError,
     reference: &[[f64; STATE]],
     states: &[[f64; STATE]],
 ) -> Vec<[f64; TWIST]> {
-    let tracked = reference.iter().zip(states);
-    tracked.map(|(reference, state)| task.impedance.wrench(reference, state, &offset)).collect()
+    let (grasp, tracked) = (grasp.pose(), reference.iter().zip(states));
+    tracked.map(|(reference, state)| task.impedance.wrench(reference, state, &grasp)).collect()
 }
 
 fn normalised(state: &[f64; STATE]) -> [f64; STATE] {

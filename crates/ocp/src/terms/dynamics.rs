@@ -4,7 +4,7 @@ use autodiff::{Expression, Tape};
 use kkt::{Class, Owner};
 use nlp::Bounds;
 use task::algebra::apply;
-use task::{AssemblyTask, Impedance, Inertia, Limits, POSE, STATE, TWIST, at_rest};
+use task::{AssemblyTask, GraspError, Impedance, Inertia, Limits, POSE, STATE, TWIST, at_rest};
 
 use crate::layout::Layout;
 use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
@@ -75,7 +75,8 @@ pub struct CompliantDynamics {
     time_step: f64,
     inertia: Inertia,
     impedance: Impedance,
-    offsets: Vec<[f64; 3]>,
+    /// Where the body sits in the gripper, one pose per scenario.
+    grasps: Vec<[f64; POSE]>,
     /// Compliant states at the start.
     initial: Vec<[f64; STATE]>,
     limits: Limits,
@@ -88,7 +89,7 @@ impl CompliantDynamics {
             time_step: task.horizon.time_step,
             inertia: task.inertia.clone(),
             impedance: task.impedance.clone(),
-            offsets: task.offsets.clone(),
+            grasps: task.grasps.iter().map(GraspError::pose).collect(),
             initial: initial_states(task),
             limits: task.limits,
         }
@@ -111,19 +112,19 @@ impl StepTerm for CompliantDynamics {
         Points::Stages(Owners::Scenarios)
     }
 
-    /// Inputs previous state, state and reference state (13 each) and offset (3). Outputs the pose defect
+    /// Inputs previous state, state and reference state (13 each) and grasp error (7). Outputs the pose defect
     /// `q - q_prev - dt Q(q) v` (7) and the velocity defect `v - v_prev - dt M^-1 J` (6) with the impedance wrench `J`
-    /// (Eq. impedancewrench). At the pose `(rho, xi) = P_q(q, offset)` that wrench has the force
+    /// (Eq. impedancewrench). At the pose `(rho, xi) = P_q(q, grasp)` that wrench has the force
     /// `K_t (rho_r - rho) + D_t (nu_r - nu)` and the torque `2 eta K_r eps + D_r (omega_r - omega)`, where
     /// `(eta, eps) = xi^-1 (x) xi_r`.
     fn tape(&self) -> Tape {
-        Tape::record(3 * STATE + 3, |inputs| {
+        Tape::record(3 * STATE + POSE, |inputs| {
             let (previous, rest) = inputs.split_at(STATE);
             let (state, rest) = rest.split_at(STATE);
-            let (reference, offset) = rest.split_at(STATE);
+            let (reference, grasp) = rest.split_at(STATE);
             let (pose, twist) = state.split_at(POSE);
             let mut defects = kinematic_defect(&previous[..POSE], pose, pose, twist, self.time_step);
-            let wrench = self.impedance.wrench(reference, state, offset);
+            let wrench = self.impedance.wrench(reference, state, grasp);
             let acceleration = accelerate(&self.inertia, &wrench);
             for axis in 0..TWIST {
                 defects.push(twist[axis] - previous[POSE + axis] - acceleration[axis] * self.time_step);
@@ -139,7 +140,7 @@ impl StepTerm for CompliantDynamics {
             (0, component) => Source::Variable(layout.state(stage - 1, owner) + component),
             (1, component) => Source::Variable(layout.state(stage, owner) + component),
             (2, component) => Source::Variable(layout.state(stage, Owner::Reference) + component),
-            (_, axis) => Source::Constant(self.offsets[point.scenario()][axis]),
+            (_, component) => Source::Constant(self.grasps[point.scenario()][component]),
         }
     }
 
@@ -151,9 +152,9 @@ impl StepTerm for CompliantDynamics {
     }
 }
 
-/// Compliant states at the start, one per scenario: at rest at the pose `P_q^-1(start, offset)`.
+/// Compliant states at the start, one per scenario: at rest at the pose `P_q^-1(start, grasp)`.
 pub fn initial_states(task: &AssemblyTask) -> Vec<[f64; STATE]> {
-    task.offsets.iter().map(|offset| at_rest(&task::pose::without_offset(&task.start, offset))).collect()
+    task.grasps.iter().map(|grasp| at_rest(&grasp.actual(&task.start))).collect()
 }
 
 /// `M^-1` times a wrench: the acceleration (6).

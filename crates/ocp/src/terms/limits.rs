@@ -3,7 +3,7 @@
 use autodiff::Tape;
 use kkt::Class;
 use nlp::Bounds;
-use task::{AssemblyTask, Impedance, POSE, STATE, TWIST};
+use task::{AssemblyTask, GraspError, Impedance, POSE, STATE, TWIST};
 
 use crate::layout::Layout;
 use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
@@ -62,7 +62,8 @@ impl StepTerm for AccelerationLimits {
 /// Limited wrenches of the impedance controller in all scenarios.
 pub struct WrenchLimits {
     impedance: Impedance,
-    offsets: Vec<[f64; 3]>,
+    /// Where the body sits in the gripper, one pose per scenario.
+    grasps: Vec<[f64; POSE]>,
     /// Limited axes of the wrench, each with its largest absolute value.
     limits: Vec<(usize, f64)>,
 }
@@ -70,8 +71,8 @@ pub struct WrenchLimits {
 impl WrenchLimits {
     /// The limits of a task.
     pub fn new(task: &AssemblyTask) -> Self {
-        let (impedance, offsets) = (task.impedance.clone(), task.offsets.clone());
-        Self { impedance, offsets, limits: task.limits.wrenches() }
+        let grasps = task.grasps.iter().map(GraspError::pose).collect();
+        Self { impedance: task.impedance.clone(), grasps, limits: task.limits.wrenches() }
     }
 }
 
@@ -84,13 +85,13 @@ impl StepTerm for WrenchLimits {
         Points::Stages(Owners::Scenarios)
     }
 
-    /// Inputs reference state (13), compliant state (13) and offset (3); outputs the limited axes of the impedance
+    /// Inputs reference state (13), compliant state (13) and grasp error (7); outputs the limited axes of the impedance
     /// wrench (Eq. impedancewrench): force (axes 0 to 2, world frame, N) and torque (3 to 5, body frame, Nm).
     fn tape(&self) -> Tape {
-        Tape::record(2 * STATE + 3, |inputs| {
+        Tape::record(2 * STATE + POSE, |inputs| {
             let (reference, rest) = inputs.split_at(STATE);
-            let (state, offset) = rest.split_at(STATE);
-            let wrench = self.impedance.wrench(reference, state, offset);
+            let (state, grasp) = rest.split_at(STATE);
+            let wrench = self.impedance.wrench(reference, state, grasp);
             self.limits.iter().map(|&(axis, _)| wrench[axis]).collect()
         })
     }
@@ -99,7 +100,7 @@ impl StepTerm for WrenchLimits {
         match (input / STATE, input % STATE) {
             (0, component) => Source::Variable(layout.state(point.stage, kkt::Owner::Reference) + component),
             (1, component) => Source::Variable(layout.state(point.stage, point.owner) + component),
-            (_, axis) => Source::Constant(self.offsets[point.scenario()][axis]),
+            (_, component) => Source::Constant(self.grasps[point.scenario()][component]),
         }
     }
 

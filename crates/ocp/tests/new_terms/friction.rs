@@ -25,7 +25,7 @@ impl RegularisedCoulomb {
             time_step: task.horizon.time_step,
             mass: task.inertia.mass().unwrap(),
             rotational: std::array::from_fn(|axis| task.inertia.rotational()[(axis, axis)]),
-            starts: task.offsets.iter().map(|offset| task::pose::without_offset(&task.start, offset)).collect(),
+            starts: task.grasps.iter().map(|grasp| grasp.actual(&task.start)).collect(),
             coefficient,
             regularisation,
         }

@@ -118,7 +118,7 @@ fn new_variables_and_rows_have_a_place_of_their_own() {
     let task = corner(2);
     let (without, with) = (transcribe(&task, None), transcribe(&task, tilted(&task)));
     let added = 2 * task.pairs.len();
-    let stages = task.horizon.steps * task.offsets.len();
+    let stages = task.horizon.steps * task.grasps.len();
     assert_eq!(with.layout().variable_count(), without.layout().variable_count() + stages * added);
     assert_eq!(with.layout().constraint_count(), without.layout().constraint_count() + stages * 2 * added);
     let bounds = with.variable_bounds();

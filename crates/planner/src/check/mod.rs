@@ -8,9 +8,7 @@ mod way;
 use ocp::{Layout, standard_terms};
 use scene::Part;
 use serde::Serialize;
-use simulation::{GraspError, Reference};
-use task::pose::without_offset;
-use task::{AssemblyTask, ContactPair};
+use task::{AssemblyTask, ContactPair, GraspError};
 
 use crate::check::oddities::oddities;
 use crate::error::PlannerError;
@@ -182,13 +180,13 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
 /// gripper (rad) about each axis of the body, both ways.
 fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
     let mut poses = vec![("goal".to_owned(), task.goal)];
-    for (number, &offset) in (1..).zip(&task.offsets) {
-        poses.push((format!("start with offset {number}"), without_offset(&task.start, &offset)));
+    for (number, grasp) in (1..).zip(&task.grasps) {
+        poses.push((format!("start with offset {number}"), grasp.actual(&task.start)));
         for (axis, name) in ["x", "y", "z"].iter().enumerate().filter(|_| turn > 0.0) {
             for (sign, angle) in [("+", turn), ("-", -turn)] {
-                let mut grasp = GraspError { offset, turn: [0.0; 3] };
-                grasp.turn[axis] = angle;
-                let at = grasp.start(&Reference::straight(&task.start, &task.goal, task.horizon));
+                let mut turned = GraspError::from(grasp.offset);
+                turned.turn[axis] = angle;
+                let at = turned.actual(&task.start);
                 poses.push((format!("start with offset {number}, turned about {sign}{name}"), at));
             }
         }

@@ -101,7 +101,7 @@ fn way(explanation: &Explanation) -> Option<String> {
 /// success is not monotone in the first smoothing, so that this is no more than a hint.
 pub fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
     let norm = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
-    let largest = task.offsets.iter().map(norm).fold(0.0, f64::max);
+    let largest = task.offsets().iter().map(norm).fold(0.0, f64::max);
     let rows = task.pairs.iter().map(|pair| pair.shapes.row_count()).min()?;
     let reach = tau * rows as f64;
     (reach < 1.5 * largest).then(|| {

@@ -53,7 +53,7 @@ impl Play {
 /// Longest travel that is looked at (m).
 pub fn longest_travel(task: &AssemblyTask) -> f64 {
     let norm = |vector: &[f64]| vector.iter().map(|component| component * component).sum::<f64>().sqrt();
-    let offset = task.offsets.iter().map(|offset| norm(offset)).fold(0.0, f64::max);
+    let offset = task.offsets().iter().map(|offset| norm(offset)).fold(0.0, f64::max);
     let path: [f64; 3] = std::array::from_fn(|axis| task.start[axis] - task.goal[axis]);
     (OFFSETS * offset).max(PATH * norm(&path))
 }

@@ -86,7 +86,7 @@ impl Case<'_> {
         let overlaps = (1..).zip(starts).filter_map(|(number, state)| Some((number, self.overlap(&pose_of(state))?)));
         let (scenario, (pair, overlap)) = overlaps.max_by(|(_, one), (_, other)| one.1.total_cmp(&other.1))?;
         Some(format!(
-            "[[start]] \"{}\": with the offset of scenario {scenario}, {pair} overlap there by {:.2} mm: move the start \
+            "[[start]] \"{}\": with the grasp error of scenario {scenario}, {pair} overlap there by {:.2} mm: move the start \
              away from the environment, or plan with a smaller offset_magnitude",
             self.plan.problem.start().name,
             1e3 * overlap
@@ -204,7 +204,7 @@ impl Case<'_> {
         let has_missed = |number: usize| self.stuck.iter().any(|stuck| stuck.scenario == number);
         let (missed, reached): (Vec<_>, Vec<_>) = motions.partition(|&(number, _)| has_missed(number));
         let lengths = |motions: &[(usize, &task::ScenarioTrajectory)]| -> Vec<f64> {
-            motions.iter().map(|(_, motion)| norm(&motion.offset)).collect()
+            motions.iter().map(|(_, motion)| norm(&motion.grasp.offset)).collect()
         };
         let largest = lengths(&reached).into_iter().max_by(f64::total_cmp)?;
         let smallest = lengths(&missed).into_iter().min_by(f64::total_cmp)?;

@@ -21,6 +21,7 @@ pub use residuals::ResidualRecord;
 pub use rollouts::LossRecord;
 pub(crate) use rollouts::loss;
 pub use stuck::{HoldRecord, MotionEnd, StuckScenario};
+pub(crate) use words::norm;
 
 /// Why a plan is not done.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

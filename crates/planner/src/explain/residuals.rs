@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use task::AssemblyTask;
 
 use crate::explain::words::{ConstraintName, constraint};
+use crate::files::GraspRecord;
 use crate::or_null;
 
 /// Violations that are not worth a word (in the unit of the row): Ipopt's own tolerance by default.
@@ -27,6 +28,8 @@ pub struct ResidualRecord {
     pub scenario: Option<usize>,
     /// Its offset.
     pub offset_m: Option<[f64; 3]>,
+    /// Its turn.
+    pub turn_rad: Option<[f64; 3]>,
     /// Time.
     pub time_s: f64,
     /// Body and environment part, for contacts.
@@ -61,7 +64,8 @@ fn record(task: &AssemblyTask, residual: &Residual) -> ResidualRecord {
         unit: unit.to_owned(),
         axis: axis.map(str::to_owned),
         scenario: scenario.map(|index| index + 1),
-        offset_m: scenario.map(|index| task.offsets[index]),
+        offset_m: scenario.map(|index| task.grasps[index].offset),
+        turn_rad: scenario.map(|index| task.grasps[index].turn),
         time_s: member.stage as f64 * task.horizon.time_step,
         pair: member.pair.map(|pair| task.pairs[pair].to_string()),
     }
@@ -76,9 +80,8 @@ impl std::fmt::Display for ResidualRecord {
         if let Some(pair) = &self.pair {
             write!(formatter, " of {pair}")?;
         }
-        if let (Some(scenario), Some(offset)) = (self.scenario, self.offset_m) {
-            let [x, y, z] = offset.map(|component| 1e3 * component);
-            write!(formatter, " in scenario {scenario} (offset {x:.1} {y:.1} {z:.1} mm)")?;
+        if let (Some(scenario), Some(offset_m), Some(turn_rad)) = (self.scenario, self.offset_m, self.turn_rad) {
+            write!(formatter, " in scenario {scenario} ({})", GraspRecord { offset_m, turn_rad })?;
         }
         write!(formatter, " at {:.2} s, by {}", self.time_s, self.amount())
     }

@@ -6,6 +6,7 @@ use task::{ScenarioTrajectory, Trajectory};
 
 use crate::explain::stuck::MotionEnd;
 use crate::explain::words::{direction, norm};
+use crate::files::GraspRecord;
 use crate::or_null;
 use crate::problem::Problem;
 use crate::refine::Kept;
@@ -31,10 +32,9 @@ pub struct LossRecord {
     pub worst_interval: [f64; 2],
     /// Axes of the body along which failing offsets at that friction lie; null where they have none in common.
     pub offset_direction: Option<String>,
-    /// Offset of the failing rollout at that friction that ends farthest from the goal.
-    pub offset_m: [f64; 3],
-    /// Its turn.
-    pub turn_rad: [f64; 3],
+    /// Of the failing rollout at that friction that ends farthest from the goal.
+    #[serde(flatten)]
+    pub grasp: GraspRecord,
     /// Its relative error of the inertia.
     pub inertia_error: f64,
     /// Its relative error of the stiffness.
@@ -78,8 +78,7 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
         worst_interval: interval(std::slice::from_ref(&worst)),
         worst,
         offset_direction: common_direction(&failing),
-        offset_m: grasp.offset,
-        turn_rad: grasp.turn,
+        grasp: GraspRecord::from(grasp),
         inertia_error: disturbance.inertia,
         stiffness_error: disturbance.stiffness,
         delay_s: disturbance.delay,
@@ -116,11 +115,6 @@ impl LossRecord {
             100.0 * self.worst_interval[0],
             100.0 * self.worst_interval[1]
         );
-        let [x, y, z] = self.offset_m.map(|component| 1e3 * component);
-        let turn = match norm(&self.turn_rad) {
-            0.0 => String::new(),
-            angle => format!(" and a turn of {angle:.3} rad"),
-        };
         let disturbance: String = [
             (self.inertia_error, format!(", {:+.0} % of inertia", 100.0 * self.inertia_error)),
             (self.stiffness_error, format!(", {:+.0} % of stiffness", 100.0 * self.stiffness_error)),
@@ -133,6 +127,6 @@ impl LossRecord {
             true => format!("; pushes with {:.1} N, more than limits.contact_force", self.max_force_n),
             false => String::new(),
         };
-        [most, format!("with the offset {x:.1} {y:.1} {z:.1} mm{turn}{disturbance}, the body {}{force}", self.end)]
+        [most, format!("with the {}{disturbance}, the body {}{force}", self.grasp, self.end)]
     }
 }

@@ -5,6 +5,7 @@ use simulation::Success;
 use task::{AssemblyTask, POSE, STATE, ScenarioTrajectory, pose, pose_of};
 
 use crate::explain::words::{direction, norm};
+use crate::files::GraspRecord;
 use crate::or_null;
 use crate::plan::Plan;
 
@@ -28,8 +29,9 @@ const AGAINST: f64 = -0.5;
 pub struct StuckScenario {
     /// The scenario, from 1.
     pub scenario: usize,
-    /// Its offset.
-    pub offset_m: [f64; 3],
+    /// Its grasp error.
+    #[serde(flatten)]
+    pub grasp: GraspRecord,
     /// How its motion ends.
     pub end: MotionEnd,
 }
@@ -76,7 +78,7 @@ pub fn of_plan(plan: &Plan) -> Vec<StuckScenario> {
         .filter(|(_, motion)| !success.reached(motion.quality.position_error, motion.quality.orientation_error));
     let stuck = |(scenario, motion): (usize, &ScenarioTrajectory)| StuckScenario {
         scenario,
-        offset_m: motion.offset,
+        grasp: GraspRecord::from(&motion.grasp),
         end: MotionEnd::new(&plan.task, motion, plan.trajectory.time_step, &success),
     };
     missed.map(stuck).collect()
@@ -173,8 +175,7 @@ impl std::fmt::Display for HoldRecord {
 impl std::fmt::Display for StuckScenario {
     /// A sentence without its full stop.
     fn fmt(&self, formatter: &mut std::fmt::Formatter) -> std::fmt::Result {
-        let [x, y, z] = self.offset_m.map(|component| 1e3 * component);
-        write!(formatter, "scenario {} (offset {x:.1} {y:.1} {z:.1} mm) {}", self.scenario, self.end)
+        write!(formatter, "scenario {} ({}) {}", self.scenario, self.grasp, self.end)
     }
 }
 

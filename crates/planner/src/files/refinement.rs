@@ -4,9 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use simulation::{Disturbance, GraspError, Trial};
+use simulation::{Disturbance, Trial};
+use task::GraspError;
 
 use crate::error::{PlannerError, Unusable};
+use crate::files::grasp::GraspRecord;
 use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
 use crate::robustness::Round;
@@ -54,7 +56,7 @@ pub struct BestRecord {
     /// The problem it comes from, in words.
     pub name: String,
     /// Its scenarios.
-    pub offsets_m: Vec<[f64; 3]>,
+    pub scenarios: Vec<GraspRecord>,
     /// Its horizon.
     pub steps: usize,
     /// Its horizon.
@@ -87,10 +89,8 @@ pub struct BestRecord {
 pub struct TrialRecord {
     /// Index into the frictions.
     pub friction: usize,
-    /// Offset of the part in the gripper.
-    pub offset_m: [f64; 3],
-    /// Its turn there.
-    pub turn_rad: [f64; 3],
+    /// Of the part in the gripper.
+    pub grasp: GraspRecord,
     /// Relative error of the inertia.
     pub inertia_error: f64,
     /// Relative error of the stiffness.
@@ -104,8 +104,7 @@ impl From<&Trial> for TrialRecord {
         let Trial { friction, grasp, disturbance } = *trial;
         Self {
             friction,
-            offset_m: grasp.offset,
-            turn_rad: grasp.turn,
+            grasp: GraspRecord::from(&grasp),
             inertia_error: disturbance.inertia,
             stiffness_error: disturbance.stiffness,
             delay_s: disturbance.delay,
@@ -115,14 +114,13 @@ impl From<&Trial> for TrialRecord {
 
 impl From<&TrialRecord> for Trial {
     fn from(record: &TrialRecord) -> Self {
-        let grasp = GraspError { offset: record.offset_m, turn: record.turn_rad };
         let disturbance = Disturbance {
             inertia: record.inertia_error,
             stiffness: record.stiffness_error,
             delay: record.delay_s,
             joint_friction: 0.0,
         };
-        Self { friction: record.friction, grasp, disturbance }
+        Self { friction: record.friction, grasp: GraspError::from(&record.grasp), disturbance }
     }
 }
 

@@ -7,6 +7,7 @@ use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
 use crate::attempt::AttemptRecord;
 use crate::explain::FailureExplanation;
+use crate::files::grasp::GraspRecord;
 use crate::iteration::IterationRecord;
 use crate::or_null;
 use crate::plan::Plan;
@@ -33,6 +34,9 @@ pub struct PlanResult {
     pub start: String,
     /// Offset magnitude `delta-hat`.
     pub delta_m: f64,
+    /// Largest turn of the part in the gripper that was asked for.
+    #[serde(default)]
+    pub turn_rad: f64,
     /// What the plan was made from.
     pub made_from: MadeFrom,
     /// The linear solver that ran.
@@ -70,7 +74,7 @@ pub struct PlanResult {
     pub attempts: Vec<AttemptRecord>,
     /// Homotopy iterations.
     pub stages: Vec<IterationRecord>,
-    /// Every planned offset.
+    /// Every planned grasp error.
     pub scenarios: Vec<ScenarioRecord>,
     /// Why the plan is not done; of `solve --robust`, that is in its own section.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -121,8 +125,9 @@ pub struct Versions {
 /// How a scenario ends, how deep its shapes overlap and how hard they push.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScenarioRecord {
-    /// The offset.
-    pub offset_m: [f64; 3],
+    /// The grasp error.
+    #[serde(flatten)]
+    pub grasp: GraspRecord,
     /// Final distance from the goal.
     #[serde(with = "or_null")]
     pub position_error_m: f64,
@@ -238,6 +243,7 @@ impl PlanResult {
             scene: plan.problem.scene().title.clone(),
             start: plan.problem.start().name.clone(),
             delta_m: plan.problem.delta(),
+            turn_rad: plan.problem.scene().borne.turn,
             made_from: MadeFrom::from(&plan.problem),
             linear_solver: chosen.linear_solver.clone(),
             linear_solver_fallbacks: records().map(IterationRecord::fallbacks).sum(),
@@ -280,7 +286,7 @@ fn scenario(motion: &ScenarioTrajectory, task: &AssemblyTask) -> ScenarioRecord 
         })
     };
     ScenarioRecord {
-        offset_m: motion.offset,
+        grasp: GraspRecord::from(&motion.grasp),
         position_error_m: quality.position_error,
         orientation_error_rad: quality.orientation_error,
         max_penetration_m: value(quality.penetration),

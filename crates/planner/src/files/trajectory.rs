@@ -219,7 +219,7 @@ pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory,
     let states: Vec<ScenarioRow> = read_csv(&folder.join(SCENARIOS))?;
     let wrenches: Vec<WrenchRow> = read_csv(&folder.join(WRENCH))?;
     let contacts: Vec<ContactRow> = read_csv(&folder.join(CONTACTS))?;
-    let (scenarios, pairs) = (task.offsets.len(), task.pairs.len());
+    let (scenarios, pairs) = (task.grasps.len(), task.pairs.len());
     for (file, rows, expected) in [
         (REFERENCE, steps, task.horizon.steps),
         (SCENARIOS, states.len(), scenarios * (steps + 1)),
@@ -241,7 +241,7 @@ pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory,
         let poses: Vec<_> = states.iter().map(pose_of).collect();
         let quality = Quality::new(task, &poses, &contacts);
         let keeps = Limits::kept_by(&states, time_step, &wrenches, quality.max_force);
-        ScenarioTrajectory { offset: task.offsets[index], states, wrenches, contacts, quality, keeps }
+        ScenarioTrajectory { grasp: task.grasps[index], states, wrenches, contacts, quality, keeps }
     };
     Ok(Trajectory {
         time_step,

@@ -1,8 +1,8 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
 use fastrand::Rng;
-use simulation::{Disturbance, Evaluator, GraspError, Reference, Trial, TrialResult, offsets};
-use task::AssemblyTask;
+use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
+use task::{AssemblyTask, GraspError};
 
 use crate::problem::Problem;
 use crate::refine::target::RobustnessTarget;
@@ -63,7 +63,7 @@ impl ErrorRange {
 /// Trials of a reference, in groups of one friction and magnitude.
 pub struct Evaluation {
     groups: Vec<SuccessRate>,
-    /// The planned offsets first, then one of each group in turn: the first ones speak for all.
+    /// The planned grasp errors first, then one of each group in turn: the first ones speak for all.
     trials: Vec<Trial>,
     /// Group of every trial.
     group: Vec<usize>,
@@ -74,7 +74,7 @@ pub struct Evaluation {
 pub struct Judgement {
     /// Of the trials that were played.
     pub rates: SuccessRates,
-    /// Whether the whole evaluation was played, every planned offset succeeds, and the wanted rate holds at each friction.
+    /// Whether the whole evaluation was played, every planned grasp error succeeds, and the wanted rate holds at each friction.
     pub reached: bool,
     /// Trials that failed.
     pub failures: Vec<(Trial, TrialResult)>,
@@ -89,7 +89,7 @@ impl Judgement {
 
 impl Evaluation {
     /// At most `count` random offsets per friction and magnitude, each with a turn and errors of robot and controller, and
-    /// the planned offsets without.
+    /// the planned grasp errors without errors of the robot.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
         let &ErrorRange { delta, turn, .. } = range;
         let mut random = Rng::with_seed(seed + DISTURBANCE_SEED);
@@ -105,7 +105,8 @@ impl Evaluation {
                 groups.push(SuccessRate { friction, magnitude_m, planned, rollouts: 0, successes: 0 });
             };
             for (seed, fraction) in (seed..).zip(&FRACTIONS) {
-                let scaled: Vec<[f64; 3]> = task.offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
+                let scaled: Vec<[f64; 3]> =
+                    task.grasps.iter().map(|grasp| grasp.offset.map(|c| c * fraction)).collect();
                 let spread = offsets::ball(SPREAD * delta, count, seed);
                 let planned = offsets::hull(&scaled, count, seed);
                 let turns = offsets::ball(turn, count, seed + TURN_SEED);
@@ -115,7 +116,7 @@ impl Evaluation {
                 };
                 add(fraction * delta, false, &mut planned.into_iter().zip(&spread).zip(turns).map(error));
             }
-            add(delta, true, &mut task.offsets.iter().copied().map(GraspError::from));
+            add(delta, true, &mut task.grasps.iter().copied());
         }
         placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
         let (group, trials) = placed.into_iter().map(|(_, _, group, trial)| (group, trial)).unzip();

@@ -86,7 +86,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     let tau = best.iterations[best.iterations.len() - 1].record.tau;
     let settings = Settings { friction: target.least_friction(), ..Settings::default() };
     let rollout = problem.rollout_in(&world, settings)?;
-    let trajectory = rollout.trajectory(&best.reference, &world.offsets, tau);
+    let trajectory = rollout.trajectory(&best.reference, &world.grasps, tau);
     let Kept { variant, iterations, .. } = best;
     let (robustness, interrupted) = (Some(report), session.is_interrupted());
     Ok(Plan { problem, attempts, variant, iterations, trajectory, task: world, robustness, threads, interrupted })

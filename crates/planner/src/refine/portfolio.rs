@@ -1,15 +1,16 @@
 //! What is planned where the plan of the scene cannot be refined: problems whose plans may have more margin. Which of
 //! them helps differs from scene to scene.
 
-use simulation::{Reference, Rollout, Settings, offsets};
-use task::{AssemblyTask, CostWeights, HomotopySettings};
+use simulation::{Reference, Rollout, Settings};
+use task::{AssemblyTask, CostWeights, GraspError, HomotopySettings};
 
+use crate::explain::norm;
 use crate::variant::Variant;
 
-/// Failing offsets that a variant takes over as scenarios.
+/// Failing grasp errors that a variant takes over as scenarios.
 const ADDED_FAILURES: usize = 3;
 
-/// Factor of the offsets that are planned with a margin.
+/// Factor of the grasp errors that are planned with a margin.
 const MARGIN: f64 = 1.1;
 
 /// Factor of the weights of velocities in a slower plan.
@@ -51,11 +52,11 @@ pub const PORTFOLIO: [Recipe; 10] = [
 ];
 
 impl Recipe {
-    /// The changed problem. `refined` is the best reference so far, and `failing` are offsets (m) at which it fails.
-    pub fn variant(self, scene: &Variant, refined: &Reference, failing: &[[f64; 3]]) -> Variant {
+    /// The changed problem. `refined` is the best reference so far, and `failing` are grasp errors at which it fails.
+    pub fn variant(self, scene: &Variant, refined: &Reference, failing: &[GraspError]) -> Variant {
         let mut variant = Variant { name: self.name().to_owned(), ..scene.clone() };
         self.change(&mut variant.task, &mut variant.settings, failing);
-        variant.task.offsets = offsets::distinct(&variant.task.offsets);
+        variant.task.grasps = GraspError::distinct(variant.task.grasps);
         let task = &variant.task;
         let first_guess = match self {
             Self::StraightFirstGuess => Some(Reference::straight(&task.start, &task.goal, task.horizon)),
@@ -67,7 +68,7 @@ impl Recipe {
             variant.settings.coarse_iterations = 0;
         }
         variant.near = first_guess.map(|reference| {
-            Rollout::new(task, Settings::default()).trajectory(&reference, &task.offsets, variant.settings.tau)
+            Rollout::new(task, Settings::default()).trajectory(&reference, &task.grasps, variant.settings.tau)
         });
         variant
     }
@@ -87,9 +88,9 @@ impl Recipe {
         }
     }
 
-    fn change(self, task: &mut AssemblyTask, settings: &mut HomotopySettings, failing: &[[f64; 3]]) {
-        let scaled = |offsets: &[[f64; 3]], factor: f64| -> Vec<[f64; 3]> {
-            offsets.iter().map(|offset| offset.map(|component| factor * component)).collect()
+    fn change(self, task: &mut AssemblyTask, settings: &mut HomotopySettings, failing: &[GraspError]) {
+        let scaled = |grasps: &[GraspError], factor: f64| -> Vec<GraspError> {
+            grasps.iter().map(|grasp| grasp.scaled(factor)).collect()
         };
         match self {
             Self::HalfTheTimeStep => {
@@ -98,16 +99,16 @@ impl Recipe {
             }
             Self::StraightFirstGuess => {}
             Self::FailingOffsetsFromRefinedPlan => {
-                add_failures(&mut task.offsets, failing);
+                add_failures(&mut task.grasps, failing);
                 end_of_homotopy(settings);
             }
-            Self::FailingOffsets => add_failures(&mut task.offsets, failing),
+            Self::FailingOffsets => add_failures(&mut task.grasps, failing),
             Self::NoneAndHalfOffsets => {
-                let half = scaled(&task.offsets, 0.5);
-                task.offsets.push([0.0; 3]);
-                task.offsets.extend(half);
+                let half = scaled(&task.grasps, 0.5);
+                task.grasps.push(GraspError::default());
+                task.grasps.extend(half);
             }
-            Self::MoreOffset => task.offsets = scaled(&task.offsets, MARGIN),
+            Self::MoreOffset => task.grasps = scaled(&task.grasps, MARGIN),
             Self::TwiceTheTime => task.horizon.steps *= 2,
             Self::SlowMotion => {
                 slow_down(&mut task.cost.reference);
@@ -140,13 +141,37 @@ fn slow_down(weights: &mut CostWeights) {
     weights.rotational_velocity *= SLOWNESS;
 }
 
-/// Adds a few of the failing offsets, each as far from all scenarios as possible.
-fn add_failures(offsets: &mut Vec<[f64; 3]>, failing: &[[f64; 3]]) {
-    let distance = |one: &[f64; 3], other: &[f64; 3]| (0..3).map(|axis| (one[axis] - other[axis]).powi(2)).sum::<f64>();
+/// Adds a few of the failing grasp errors, each as far from all scenarios as possible: offsets and turns are measured in the
+/// largest of each.
+fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError]) {
+    let largest = |part: fn(&GraspError) -> [f64; 3]| {
+        let length = grasps.iter().chain(failing).map(|grasp| norm(&part(grasp))).fold(0.0, f64::max);
+        if length > 0.0 { length } else { 1.0 }
+    };
+    let (offset, turn) = (largest(|grasp| grasp.offset), largest(|grasp| grasp.turn));
+    let apart = |one: [f64; 3], other: [f64; 3]| norm(&std::array::from_fn(|axis| one[axis] - other[axis]));
+    let distance = |one: &GraspError, other: &GraspError| {
+        (apart(one.offset, other.offset) / offset).hypot(apart(one.turn, other.turn) / turn)
+    };
     for _ in 0..ADDED_FAILURES {
         let nearest =
-            |offset: &[f64; 3]| offsets.iter().map(|other| distance(offset, other)).fold(f64::INFINITY, f64::min);
+            |grasp: &GraspError| grasps.iter().map(|other| distance(grasp, other)).fold(f64::INFINITY, f64::min);
         let farthest = failing.iter().copied().max_by(|one, other| nearest(one).total_cmp(&nearest(other)));
-        offsets.extend(farthest);
+        grasps.extend(farthest);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn failures_that_are_turned_are_far_from_scenarios_that_are_not() {
+        let planned = GraspError::from([0.01, 0.0, 0.0]);
+        let near = GraspError::from([0.008, 0.0, 0.0]);
+        let turned = GraspError { turn: [0.0, 0.02, 0.0], ..planned };
+        let mut grasps = vec![planned];
+        add_failures(&mut grasps, &[near, turned]);
+        assert_eq!(grasps[..3], [planned, turned, near]);
     }
 }

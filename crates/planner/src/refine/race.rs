@@ -45,7 +45,8 @@ pub fn race(
 
 #[cfg(test)]
 mod tests {
-    use simulation::{Disturbance, GraspError, Success};
+    use simulation::{Disturbance, Success};
+    use task::GraspError;
     use task::at_rest;
 
     use super::*;

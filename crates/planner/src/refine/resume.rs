@@ -3,9 +3,10 @@
 use std::time::Duration;
 
 use simulation::{Reference, Trial};
+use task::GraspError;
 
 use crate::error::{PlannerError, Unusable};
-use crate::files::{BestRecord, RefinementCheckpoint, TrialRecord};
+use crate::files::{BestRecord, GraspRecord, RefinementCheckpoint, TrialRecord};
 use crate::iteration::{IterationRecord, PlanIteration};
 use crate::plan::Plan;
 use crate::refine::Refiner;
@@ -33,7 +34,7 @@ impl Refiner<'_> {
             training: self.training.iter().map(TrialRecord::from).collect(),
             best: BestRecord {
                 name: kept.variant.name.clone(),
-                offsets_m: kept.variant.task.offsets.clone(),
+                scenarios: kept.variant.task.grasps.iter().map(GraspRecord::from).collect(),
                 steps: kept.variant.task.horizon.steps,
                 time_step_s: kept.variant.task.horizon.time_step,
                 homotopy_iterations: kept.variant.settings.iterations,
@@ -79,7 +80,7 @@ impl Refiner<'_> {
     pub(super) fn restore(&mut self, checkpoint: RefinementCheckpoint, plan: &Plan) -> Option<Kept> {
         let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
         let mut variant = Variant { name: best.name, ..plan.variant.clone() };
-        variant.task.offsets = best.offsets_m;
+        variant.task.grasps = best.scenarios.iter().map(GraspError::from).collect();
         variant.task.horizon.steps = best.steps;
         variant.task.horizon.time_step = best.time_step_s;
         variant.settings.iterations = best.homotopy_iterations;

@@ -96,7 +96,7 @@ pub fn require_frictions(frictions: &[f64]) -> Result<(), PlannerError> {
 
 /// Checks a turn of the part in the gripper.
 pub fn require_turn(turn: f64) -> Result<(), PlannerError> {
-    require((0.0..=std::f64::consts::FRAC_PI_2).contains(&turn), "turn", turn, "must lie between 0 and 1.57 rad")
+    require((0.0..=1.57).contains(&turn), "turn", turn, "must lie between 0 and 1.57 rad")
 }
 
 /// Checks a number of threads.

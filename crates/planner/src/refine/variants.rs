@@ -1,6 +1,7 @@
 //! Plans of other problems than the scene's own.
 
 use nlp::{Control, SolveStatus};
+use task::GraspError;
 
 use crate::error::PlannerError;
 use crate::iteration::PlanIteration;
@@ -53,7 +54,7 @@ impl<'run> Refiner<'run> {
         until: Deadline,
     ) -> Result<Option<Candidate<'run>>, PlannerError> {
         let Some(best) = &self.best else { return Ok(None) };
-        let failing: Vec<[f64; 3]> = best.failing.iter().map(|trial| trial.grasp.offset).collect();
+        let failing: Vec<GraspError> = best.failing.iter().map(|trial| trial.grasp).collect();
         let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &failing);
         self.session.tell(Event::Variant { name: &variant.name, number, count: PORTFOLIO.len() });
         let solving = self.clock.share(until, SOLVING_SHARE);

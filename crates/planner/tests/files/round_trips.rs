@@ -82,7 +82,7 @@ fn manifest_and_cells_are_read_back() {
     assert_eq!(rows.iter().map(|row| row.state.as_str()).collect::<Vec<_>>(), ["to do", "done"]);
     let json = std::fs::read_to_string(folder.path().join("cells.json")).unwrap();
     let elements: Vec<CellElement> = serde_json::from_str(&json).unwrap();
-    assert_eq!(elements[1].result.as_ref().unwrap().scenarios.len(), plan().task.offsets.len());
+    assert_eq!(elements[1].result.as_ref().unwrap().scenarios.len(), plan().task.grasps.len());
     assert_eq!(elements[0].cell, manifest.cells[0]);
 
     for (name, mine) in [("cells.csv", "my,own,table\n"), ("cells.json", "[\n{\"mine\": 1}]")] {

@@ -252,7 +252,7 @@ fn check(task: &AssemblyTask) {
     }
     assert!(in_range("horizon", "steps", task.horizon.steps as f64));
     assert!(in_range("horizon", "time_step", task.horizon.time_step));
-    assert!(!task.offsets.is_empty() && task.offsets.iter().flatten().all(|x| x.abs() <= 10.1));
+    assert!(!task.grasps.is_empty() && task.offsets().iter().flatten().all(|x| x.abs() <= 10.1));
     for weights in [&task.cost.reference, &task.cost.compliant] {
         assert!(in_range("cost.reference", "translational_velocity", weights.translational_velocity));
         assert!(in_range("cost.reference", "rotational_velocity", weights.rotational_velocity));
@@ -262,7 +262,7 @@ fn check(task: &AssemblyTask) {
     for (name, _, limit) in task.limits.named() {
         assert!(limit == f64::INFINITY || in_range("limits", name, limit));
     }
-    assert!(task.horizon.steps * task.offsets.len() * task.pairs.len() <= scene::MAX_CONTACT_FORCES);
+    assert!(task.horizon.steps * task.grasps.len() * task.pairs.len() <= scene::MAX_CONTACT_FORCES);
     for pair in &task.pairs {
         assert!(pair.shapes.exact_distance(&task.start).is_finite() && pair.shapes.row_count() >= 8, "{pair}");
     }

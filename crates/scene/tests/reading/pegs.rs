@@ -120,8 +120,8 @@ proptest! {
         }
         for start in &scene.starts {
             let task = scene.task(Some(&start.name), None).unwrap();
-            for offset in &task.offsets {
-                prop_assert!(task.clearance(&task::pose::without_offset(&start.pose, offset)) > 0.0);
+            for grasp in &task.grasps {
+                prop_assert!(task.clearance(&grasp.actual(&start.pose)) > 0.0);
             }
         }
         prop_assert!(clearance_at(&scene, [0.0; 3]) > 0.0);

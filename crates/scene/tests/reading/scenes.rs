@@ -25,8 +25,8 @@ fn a_small_scene_gets_the_defaults() {
     assert!((task.impedance.translational_damping[(2, 2)] - 2.0 * 50f64.sqrt()).abs() < 1e-12);
     assert!((task.impedance.rotational_damping[(1, 1)] - 2.0 * (5.0f64 * 0.1).sqrt()).abs() < 1e-12);
     assert_eq!(task.cost.compliant.terminal_position, 10_000.0);
-    assert_eq!(task.offsets, [[0.02 * 0.6, -0.02 * 0.8, 0.0], [0.0; 3]]);
-    assert_eq!(scene.task(Some("a"), Some(0.0)).unwrap().offsets[0], [0.0, -0.0, 0.0]);
+    assert_eq!(task.offsets(), [[0.02 * 0.6, -0.02 * 0.8, 0.0], [0.0; 3]]);
+    assert_eq!(scene.task(Some("a"), Some(0.0)).unwrap().offsets()[0], [0.0, -0.0, 0.0]);
     assert!(scene.task(Some("b"), None).unwrap_err().to_string().contains("the scene has a"));
     assert!(scene.task(None, Some(-1.0)).is_err());
 }
@@ -162,7 +162,7 @@ fn a_resolved_scene_reproduces_the_task() {
     assert_eq!(again.homotopy, Some(homotopy));
     assert_eq!(again.starts.len(), 1);
     let (one, other) = (scene.task(Some("3"), Some(0.003)).unwrap(), again.task(None, None).unwrap());
-    assert_eq!((one.start, one.goal, &one.offsets), (other.start, other.goal, &other.offsets));
+    assert_eq!((one.start, one.goal, &one.grasps), (other.start, other.goal, &other.grasps));
     assert_eq!((&one.impedance, one.horizon, one.cost), (&other.impedance, other.horizon, other.cost));
     for (pair, twin) in one.pairs.iter().zip(&other.pairs) {
         assert_eq!((&pair.body, &pair.environment), (&twin.body, &twin.environment));

@@ -123,9 +123,9 @@ fn an_offset_magnitude_has_the_range_of_the_scene_file() {
         (f64::NEG_INFINITY, "the offset magnitude must be a finite number, got -inf"),
     ] {
         assert_eq!(scene.task(None, Some(value)).unwrap_err().to_string(), words);
-        assert_eq!(scene.offsets(value).unwrap_err().to_string(), words);
+        assert_eq!(scene.grasps(value).unwrap_err().to_string(), words);
     }
-    assert_eq!(scene.task(None, Some(10.0)).unwrap().offsets[0], [6.0, -8.0, 0.0]);
+    assert_eq!(scene.task(None, Some(10.0)).unwrap().offsets()[0], [6.0, -8.0, 0.0]);
 }
 
 #[test]

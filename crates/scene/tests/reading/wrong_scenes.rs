@@ -272,6 +272,8 @@ const CASES: &[(&str, &str, usize, &str)] = &[
     ("offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]", "offset_directions = [[1e-200, 0, 0]]", 33, "robustness.offset_directions: a direction has norm 1, or is [0, 0, 0]; this one has norm 0.0000"),
     ("offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]", "offset_directions = [[inf, 0, 0]]", 33, "robustness.offset_directions: inf must lie between -1000 and 1000"),
     ("offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]", "offset_directions = 'all'", 33, "robustness.offset_directions = 'all': must be a list, not text in quotes"),
+    ("offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]", "offset_directions = [[0.6, -0.8, 0]]\nturn_axes = [[1, 0, 0], [0, 1, 0]]", 34, "robustness.turn_axes has 2 axes: give one for each of the 1 offset_directions"),
+    ("offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]", "offset_directions = [[0.6, -0.8, 0]]\nturn_axes = [[1, 1, 0]]", 34, "robustness.turn_axes: a direction has norm 1, or is [0, 0, 0]; this one has norm 1.4142"),
     ("steps = 10", "steps = 0", 35, "horizon.steps = 0: must lie between 1 and 10000"),
     ("steps = 10", "steps = -1", 35, "horizon.steps = -1: must lie between 1 and 10000"),
     ("steps = 10", "steps = 10.0", 35, "horizon.steps = 10.0: must be an integer"),

@@ -1,9 +1,7 @@
 //! Absurd input: nothing panics or hangs.
 
-use simulation::{
-    Bump, Disturbance, Evaluator, GraspError, Reference, Refinement, Rollout, Settings, Success, Trial, offsets,
-};
-use task::Inertia;
+use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Rollout, Settings, Success, Trial, offsets};
+use task::{GraspError, Inertia};
 
 use crate::world::{at_rest, block, hole, task, through};
 

@@ -8,9 +8,9 @@ use robot::gains::FrictionWrench;
 use robot::{Arm, JointVector, RigidInertia};
 use serde_json::Value;
 use simulation::{
-    ArmModel, Disturbance, Evaluator, GraspError, Injection, Reference, Rollout, Settings, Success, TimedState, Trial,
+    ArmModel, Disturbance, Evaluator, Injection, Reference, Rollout, Settings, Success, TimedState, Trial,
 };
-use task::{AssemblyTask, Impedance, Inertia};
+use task::{AssemblyTask, GraspError, Impedance, Inertia};
 
 use crate::world::{at_rest, block, task};
 
@@ -266,7 +266,11 @@ fn an_arm_with_joint_friction_comes_to_rest_within_its_deadband() {
     assert!(crept < 1e-8, "{crept} m");
     let configuration = record.model.arm.inverse_kinematics(&last, &record.start()).unwrap();
     let target = isometry(&pose_of(&reference.states()[1]));
-    let wrench = record.task.impedance.wrench(&reference.states()[1], &task::at_rest(&states[6000].pose), &[0.0; 3]);
+    let wrench = record.task.impedance.wrench(
+        &reference.states()[1],
+        &task::at_rest(&states[6000].pose),
+        &GraspError::default().pose(),
+    );
     let torque = record.model.arm.posture(&configuration).jacobian().tr_mul(&Vector6::from(wrench));
     assert!(torque.amax() < 2.0 * (1.0 + 1e-4), "{torque}");
     assert!((last.translation.vector - target.translation.vector).norm() > 1e-3, "friction leaves an error");

@@ -2,8 +2,8 @@
 
 use collision::Polytope;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
-use simulation::{GraspError, Reference, Rollout, Settings, TimedState};
-use task::{AssemblyTask, Impedance, Inertia};
+use simulation::{Reference, Rollout, Settings, TimedState};
+use task::{AssemblyTask, GraspError, Impedance, Inertia};
 
 use crate::world::{
     INERTIA, MASS, ROTATIONAL_STIFFNESS, STIFFNESS, at_rest, block, floor, hole, states, task, through,
@@ -109,7 +109,7 @@ fn advanced(task: &AssemblyTask, target: &[f64; 13], body: FreeBody, at: FreeBod
     state[3..7].copy_from_slice(&[orientation.w, orientation.i, orientation.j, orientation.k]);
     state[7..10].copy_from_slice(velocity.as_slice());
     state[10..].copy_from_slice(angular_velocity.as_slice());
-    let wrench = Vector6::from(task.impedance.wrench(target, &state, &[0.0; 3]));
+    let wrench = Vector6::from(task.impedance.wrench(target, &state, &GraspError::default().pose()));
     let acceleration = task.inertia.inverse().unwrap() * wrench;
     (
         body.0 + velocity * seconds,

@@ -1,8 +1,10 @@
 //! Properties of every rollout.
 
 use collision::Polytope;
+use nalgebra::Matrix3;
 use proptest::prelude::*;
-use simulation::{Reference, Rollout, Settings, offsets};
+use simulation::{Knot, Reference, Rollout, Settings, TimedState, offsets};
+use task::GraspError;
 
 use crate::world::{at_rest, block, floor, hole, task, through};
 
@@ -22,6 +24,21 @@ fn shape() -> impl Strategy<Value = Polytope> {
 fn orientation() -> impl Strategy<Value = [f64; 4]> {
     let is_quaternion = |components: &[f64; 4]| components.iter().any(|component| component.abs() > 0.1);
     proptest::array::uniform4(-1.0..1.0_f64).prop_filter("zero quaternion", is_quaternion)
+}
+
+/// Some components of a size.
+fn vector<const N: usize>(size: f64) -> impl Strategy<Value = [f64; N]>
+where
+    [f64; N]: std::fmt::Debug,
+{
+    proptest::collection::vec(-size..size, N).prop_map(|components| components.try_into().expect("N components"))
+}
+
+/// The state (pose, twist) of a knot.
+fn state(Knot { pose, velocity, angular_velocity }: Knot) -> [f64; 13] {
+    let (position, [i, j, k, w]) = (pose.translation.vector, pose.rotation.coords.into());
+    let ([x, y, z], [vx, vy, vz], [p, q, r]) = (position.into(), velocity.into(), angular_velocity.into());
+    [x, y, z, w, i, j, k, vx, vy, vz, p, q, r]
 }
 
 proptest! {
@@ -46,6 +63,42 @@ proptest! {
         prop_assert!(!outcome.diverged);
         prop_assert!(outcome.max_penetration < OVERLAP, "{}", outcome.max_penetration);
         prop_assert!(smallest > -OVERLAP, "{}", smallest);
+    }
+
+    /// The impedance law of the planner accelerates the body of a rollout, also where it is displaced and turned in the
+    /// gripper and the damping differs from axis to axis.
+    #[test]
+    fn a_free_body_is_accelerated_by_the_planned_wrench(
+        (offset, turn) in (vector(0.02), vector(0.5)),
+        (start, end) in ((vector::<3>(0.1), orientation()), (vector::<3>(0.1), orientation())),
+        (twist, factor) in (vector::<6>(1.0), vector::<9>(1.0)),
+    ) {
+        const TIME_STEP: f64 = 1e-5;
+        const STEPS: usize = 400;
+        let mut task = task(&block([0.04, 0.04, 0.08], [0.0; 3]), &[]);
+        let factor = Matrix3::from_row_slice(&factor);
+        task.impedance.rotational_damping = factor * factor.transpose();
+        let knot = |([x, y, z], [w, i, j, k]): ([f64; 3], [f64; 4])| {
+            let [a, b, c, p, q, r] = twist;
+            [x, y, z, w, i, j, k, a, b, c, p, q, r]
+        };
+        let reference = Reference::new(STEPS as f64 * TIME_STEP, &[knot(start), knot(end)]);
+        let grasp = GraspError { offset, turn };
+        let settings = Settings { time_step: TIME_STEP, settling_time: 0.0, friction: 0.0 };
+        let mut states: Vec<TimedState> = Vec::new();
+        Rollout::new(&task, settings).play(&reference, grasp, |state, _| states.push(*state));
+        let inverse = task.inertia.inverse().unwrap();
+        let pairs = states.windows(2).enumerate().skip(STEPS / 2).step_by(20);
+        for (step, pair) in pairs {
+            let target = state(reference.at(0, (step + 2) as f64 / STEPS as f64));
+            let wrench = task.impedance.wrench(&target, &pair[1].state(), &grasp.pose());
+            let expected = inverse * nalgebra::Vector6::from(wrench);
+            for axis in 0..6 {
+                let found = (pair[1].state()[7 + axis] - pair[0].state()[7 + axis]) / TIME_STEP;
+                let error = (found - expected[axis]).abs();
+                prop_assert!(error < 1e-2 * (1.0 + expected.amax()), "{axis}: {found} {}", expected[axis]);
+            }
+        }
     }
 
     /// Edges, corners and slanted facets, at any orientation and fast.

@@ -1,7 +1,8 @@
 //! References evaluated and refined.
 
 use nalgebra::Vector3;
-use simulation::{Bump, Disturbance, Evaluator, GraspError, Reference, Refinement, Success, Trial};
+use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Success, Trial};
+use task::GraspError;
 
 use crate::world::{STIFFNESS, block, floor, hole, task, through};
 

@@ -3,7 +3,7 @@
 use collision::{Pair, Polytope};
 use nalgebra::{Matrix3, Vector3};
 use simulation::{Reference, Rollout, TimedState};
-use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
+use task::{AssemblyTask, ContactPair, CostWeights, GraspError, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
 
 /// Translational stiffness (N/m) and mass (kg) of every body.
 pub const STIFFNESS: f64 = 50.0;
@@ -56,7 +56,7 @@ pub fn task(body: &Polytope, obstacles: &[Polytope]) -> AssemblyTask {
         goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
         impedance: Impedance::critically_damped(STIFFNESS, ROTATIONAL_STIFFNESS, &inertia),
         inertia,
-        offsets: vec![[0.0; 3]],
+        grasps: vec![GraspError::default()],
         horizon: Horizon { steps: 1, time_step: 0.04 },
         limits: Limits::NONE,
         cost: TrajectoryCost { reference: none, compliant: none },

@@ -3,16 +3,20 @@
 use std::collections::HashMap;
 
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use task::Impedance;
 
-use crate::reference::Reference;
+use crate::algebra::{conjugate, product};
+use crate::impedance::Impedance;
+use crate::pose;
+use crate::state::POSE;
 
-/// Where the part really sits in the gripper, relative to where the robot believes it to be.
+/// Where the part really sits in the gripper, relative to where the robot believes it to be: the perturbation `q^` of
+/// `P_q(q, q^)` (Sec. ocp:ocp). The robot believes a part at the pose `(rho, xi)` to be at
+/// `(rho + R(xi) offset, xi (x) turn)`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GraspError {
-    /// Offset `q` of `P_q` (m, body frame).
+    /// Position of the believed part (m, body frame).
     pub offset: [f64; 3],
-    /// Rotation vector (rad, body frame) from the part's orientation to the believed one. Plans do not model it.
+    /// Rotation vector (rad, body frame) from the part's orientation to the believed one.
     pub turn: [f64; 3],
 }
 
@@ -26,19 +30,30 @@ impl From<[f64; 3]> for GraspError {
 const SAME: f64 = 1e-9;
 
 impl GraspError {
-    fn rotation(&self) -> UnitQuaternion<f64> {
-        UnitQuaternion::from_scaled_axis(Vector3::from(self.turn))
-    }
-
     /// The believed part in the frame of the part.
-    pub(crate) fn believed(&self) -> Isometry3<f64> {
+    pub fn believed(&self) -> Isometry3<f64> {
         Isometry3::from_parts(Vector3::from(self.offset).into(), self.rotation())
     }
 
-    /// Pose of the part (position m, unit quaternion w x y z) when the robot believes it to be at the reference's
-    /// start. For an offset alone this is `P_q^-1` of the start (Sec. ocp:ocp).
-    pub fn start(&self, reference: &Reference) -> [f64; 7] {
-        task::pose::without_offset(&self.reference(reference).start(), &self.offset)
+    /// The same as position (m) and unit quaternion (w x y z).
+    pub fn pose(&self) -> [f64; POSE] {
+        let ([x, y, z], turn) = (self.offset, self.rotation());
+        [x, y, z, turn.w, turn.i, turn.j, turn.k]
+    }
+
+    /// The inverse perturbation `P_q^-1(q, q^)` (Sec. ocp:ocp): the pose of the part (position m, quaternion w x y z) when
+    /// the robot believes it to be at `believed`.
+    pub fn actual(&self, believed: &[f64; POSE]) -> [f64; POSE] {
+        let [x, y, z, orientation @ ..] = *believed;
+        let [w, i, j, k] = product(&orientation, &conjugate(&self.pose()[3..]));
+        let shift = pose::rotation_matrix(&[w, i, j, k]) * Vector3::from(self.offset);
+        [x - shift.x, y - shift.y, z - shift.z, w, i, j, k]
+    }
+
+    /// A fraction of the offset and of the turn.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let scaled = |vector: [f64; 3]| vector.map(|component| factor * component);
+        Self { offset: scaled(self.offset), turn: scaled(self.turn) }
     }
 
     /// The grasp errors without repetitions, in their order: rollouts are deterministic, and simulating one twice says
@@ -80,13 +95,13 @@ impl GraspError {
         (place / WIDTH).floor() + 0.0
     }
 
-    /// What the part is to do while the robot follows a reference.
-    pub(crate) fn reference(&self, reference: &Reference) -> Reference {
-        reference.turned(&self.rotation().inverse())
+    /// From the orientation of the part to the believed one.
+    pub fn rotation(&self) -> UnitQuaternion<f64> {
+        UnitQuaternion::from_scaled_axis(Vector3::from(self.turn))
     }
 
     /// The impedance law in the part's body frame.
-    pub(crate) fn impedance(&self, impedance: &Impedance) -> Impedance {
+    pub fn impedance(&self, impedance: &Impedance) -> Impedance {
         let rotation = self.rotation().to_rotation_matrix();
         let rotational_damping = rotation * impedance.rotational_damping * rotation.inverse();
         Impedance { rotational_damping, ..impedance.clone() }
@@ -96,6 +111,33 @@ impl GraspError {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The believed pose of the actual pose is the pose that was believed.
+    #[test]
+    fn the_robot_believes_a_displaced_and_turned_part_to_be_at_the_start() {
+        let mut random = fastrand::Rng::with_seed(1);
+        for _ in 0..100 {
+            let mut vector = |size: f64| std::array::from_fn(|_| size * (2.0 * random.f64() - 1.0));
+            let grasp = GraspError { offset: vector(0.02), turn: vector(1.0) };
+            let [x, y, z] = vector(0.1);
+            let orientation = UnitQuaternion::from_scaled_axis(Vector3::from(vector(2.0)));
+            let start = [x, y, z, orientation.w, orientation.i, orientation.j, orientation.k];
+            let [x, y, z, w, i, j, k] = grasp.actual(&start);
+            let part = Isometry3::from_parts(
+                Vector3::new(x, y, z).into(),
+                UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
+            );
+            let believed = part * grasp.believed();
+            assert!((believed.translation.vector - Vector3::new(start[0], start[1], start[2])).norm() < 1e-15);
+            assert!(believed.rotation.angle_to(&orientation) < 1e-7);
+        }
+    }
+
+    #[test]
+    fn without_an_error_the_part_is_where_it_is_believed() {
+        let start = [0.1, -0.2, 0.3, 0.6, 0.0, 0.8, 0.0];
+        assert_eq!(GraspError::default().actual(&start), start);
+    }
 
     /// Comparing each with all others is the definition.
     #[test]
