@@ -1,6 +1,6 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::check::{Explanation, MeshReport, PairReport, Way, explain, pair_reports};
+use planner::check::{Explanation, MeshReport, PairReport, RoundSurface, Way, explain, pair_reports};
 use planner::{PlannerError, Problem};
 use serde::Serialize;
 
@@ -123,17 +123,7 @@ fn print_mesh(mesh: &MeshReport) {
     let deviation = &mesh.deviation;
     say!("\nmesh of `{}`: {} ({} triangles, {:.3} cm3)", mesh.name, mesh.file, mesh.triangles, 1e6 * mesh.volume_m3);
     mesh.repairs.iter().for_each(|repair| say!("  repaired: {repair}"));
-    for surface in &mesh.round_surfaces {
-        let [first, second] = surface.radii_m.map(|radius| 1e3 * radius);
-        let side = if surface.is_convex { "outside" } else { "inside" };
-        say!(
-            "  {} {side}, radius {first:.3} to {second:.3} mm, {:.0} degrees: {} facets of a full turn, error {:.4} mm",
-            surface.kind,
-            surface.angle_rad.to_degrees(),
-            mesh.facets_per_turn,
-            1e3 * surface.error_m
-        );
-    }
+    print_round_surfaces(&mesh.round_surfaces);
     let dropped = match mesh.pieces_dropped {
         0 => String::new(),
         count => format!(" ({count} too thin, dropped)"),
@@ -151,6 +141,32 @@ fn print_mesh(mesh: &MeshReport) {
         1e9 * deviation.outside_m3,
         1e9 * deviation.volume_error_m3
     );
+}
+
+/// Round surfaces, those that are alike in one line.
+fn print_round_surfaces(surfaces: &[RoundSurface]) {
+    let mut lines: Vec<(String, usize)> = Vec::new();
+    for surface in surfaces {
+        let [first, second] = surface.radii_m.map(|radius| 1e3 * radius);
+        let side = if surface.is_convex { "outside" } else { "inside" };
+        let line = format!(
+            "{} {side}, radius {:.3} to {:.3} mm, {:.0} degrees: {} facets of a full turn, error {:.4} mm",
+            surface.kind,
+            first.min(second),
+            first.max(second),
+            surface.angle_rad.to_degrees(),
+            surface.facets_per_turn,
+            1e3 * surface.error_m
+        );
+        match lines.iter_mut().find(|(other, _)| *other == line) {
+            Some((_, count)) => *count += 1,
+            None => lines.push((line, 1)),
+        }
+    }
+    for (line, count) in lines {
+        let times = if count == 1 { String::new() } else { format!("{count} times ") };
+        say!("  {times}{line}");
+    }
 }
 
 /// The shapes of a link, and the convex parts that stand for them.

@@ -73,7 +73,7 @@ fn deviations_are_within_the_errors_that_are_reported() {
         let cover = Cover::of(&solid, &CoverSettings { facets: 12, ..CoverSettings::default() }).unwrap();
         let deviation = Deviation::measure(&solid, &cover);
         let surfaces = cover.curved_surfaces().iter();
-        let error = surfaces.map(|(surface, error)| error + surface.mesh_error).fold(0.0, f64::max);
+        let error = surfaces.map(|(surface, facets)| surface.error(*facets) + surface.mesh_error).fold(0.0, f64::max);
         let rounding = 2.0 * cover.tolerance();
         assert!(deviation.uncovered <= rounding, "{deviation:?}");
         assert_eq!(deviation.missing_volume, 0.0);

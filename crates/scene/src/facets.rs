@@ -51,11 +51,21 @@ pub fn tightest_fit(body: &[Placed], environment: &[Placed]) -> Option<Fit> {
     fits.min_by(|one, other| one.gap.total_cmp(&other.gap))
 }
 
-/// Number of facets for a fit.
-pub fn facets(fit: Option<Fit>) -> usize {
-    let Some(fit) = fit.filter(|fit| fit.gap > 0.0) else { return DEFAULT };
+/// How fine curved surfaces are.
+#[derive(Debug, Clone, Copy)]
+pub struct ChosenFacets {
+    /// Facets per full turn.
+    pub facets: usize,
+    /// Distance (m) from the surface that is fine enough: small surfaces keep it with fewer facets.
+    pub error: f64,
+}
+
+/// Facets for a fit.
+pub fn chosen_facets(fit: Option<Fit>) -> ChosenFacets {
+    let Some(fit) = fit.filter(|fit| fit.gap > 0.0) else { return ChosenFacets { facets: DEFAULT, error: 0.0 } };
     let is_fine = |&facets: &usize| fit.lost(facets) <= SHARE * fit.gap;
-    CHOICES.into_iter().find(is_fine).unwrap_or(CHOICES[CHOICES.len() - 1])
+    let facets = CHOICES.into_iter().find(is_fine).unwrap_or(CHOICES[CHOICES.len() - 1]);
+    ChosenFacets { facets, error: fit.lost(facets) }
 }
 
 struct Cylinder {

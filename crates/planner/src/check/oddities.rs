@@ -61,7 +61,7 @@ fn facets(explanation: &Explanation) -> Option<String> {
 /// A mesh that its parts stand for badly.
 fn deviation(explanation: &Explanation) -> Option<String> {
     explanation.meshes.iter().find_map(|mesh| {
-        let errors = mesh.round_surfaces.iter().map(|surface| surface.error_m);
+        let errors = mesh.round_surfaces.iter().map(|surface| surface.error_m + surface.mesh_error_m);
         let expected = errors.fold(0.0, f64::max) + mesh.growth_m + mesh.clearance_m;
         let found = mesh.deviation.parts_to_mesh_m;
         (found > DEVIATION * expected + DEVIATION_IN_SIZES * mesh.volume_m3.cbrt()).then(|| {
