@@ -3,6 +3,7 @@
 import argparse
 import csv
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -49,8 +50,10 @@ not real: `generate` wrote their scenes. `scripts/real-parts FOLDER` repeats all
 
 Seconds are those of `solve --robust --jobs {jobs} --time-limit {time_limit}` on a machine that others used at the same
 time, so that they are upper bounds: of the optimal control problem alone, and with everything. Own rollouts are those of
-the evaluation before and after refinement. First with the default, frictions of 0 and 0.1, so that 0.3 was not asked
-for:
+the evaluation before and after refinement. Overlap is the deepest of all motions in MuJoCo, whose contacts give way when
+parts hit each other. The last two columns are of the planned motions of all scenarios: refinement asks only whether the
+end is right and does not hold a motion near the straight way, so look at a plan whose body goes far or fast before using
+it. First with the default, frictions of 0 and 0.1, so that 0.3 was not asked for:
 
 {plan}
 
@@ -61,8 +64,8 @@ With `--friction {frictions}`:
 {notes}
 """
 HEADER = """\
-| part | plan, s | robust, s | own rollouts, % | MuJoCo, friction 0 | 0.1 | 0.3 |
-|---|---|---|---|---|---|---|
+| part | plan, s | robust, s | own rollouts, % | MuJoCo, friction 0 | 0.1 | 0.3 | overlap, mm | off the straight way, mm | fastest, m/s |
+|---|---|---|---|---|---|---|---|---|---|
 """
 
 
@@ -116,7 +119,8 @@ def solve_and_play(
     """Plans a pair into a folder and plays the plan, unless that is done."""
     if not (plan / "result.json").exists():
         limits = ["--jobs", str(arguments.jobs), "--time-limit", str(arguments.time_limit)]
-        subprocess.run([program, "solve", plan.parent / "scene.toml", "--robust", *limits, *options, "--out", plan], check=False)
+        solve = [program, "solve", plan.parent / "scene.toml", "--robust", *limits, *options, "--out", plan]
+        subprocess.run(solve, check=False)
     table = plan.parent / f"{plan.name}.mujoco.csv"
     if not table.exists():
         unfinished = table.with_suffix(".unfinished")
@@ -164,16 +168,40 @@ def part_row(pair: dict, out: pathlib.Path) -> str:
     return f"| {' | '.join(cells)} |"
 
 
+def extremes(plan: pathlib.Path) -> tuple[float, float]:
+    """How far the body is from the straight line between start and goal (m) and how fast it is (m/s), at most."""
+    resolved = tomllib.loads((plan / "resolved.toml").read_text())
+    start, goal = resolved["start"][0]["position"], resolved["goal"]["position"]
+    length = math.dist(start, goal)
+    along = [(one - other) / length for one, other in zip(start, goal)]
+    farthest = fastest = 0.0
+    with (plan / "scenarios.csv").open(newline="") as file:
+        for row in csv.DictReader(file):
+            position = [float(row[f"p{axis}_m"]) for axis in "xyz"]
+            ahead = sum(step * (one - other) for step, one, other in zip(along, position, goal))
+            nearest = [other + step * min(max(ahead, 0.0), length) for step, other in zip(along, goal)]
+            farthest = max(farthest, math.dist(position, nearest))
+            fastest = max(fastest, math.hypot(*(float(row[f"v{axis}_m_s"]) for axis in "xyz")))
+    return farthest, fastest
+
+
 def plan_row(pair: dict, out: pathlib.Path, name: str) -> str:
     """What a plan of a pair achieves, as a line of a table."""
+    if not (out / f"{name}.mujoco.csv").exists():
+        return f"| {shown_name(pair)} | not measured | | | | | | | | |"
     result = json.loads((out / name / "result.json").read_text())
     rows = motions(out, name)
+    farthest, fastest = extremes(out / name)
+    overlap = max(float(row["overlap_m"]) for row in rows if row["motion"] == "plan")
     cells = [
         shown_name(pair),
         f"{result['wall_s']:.1f}",
         f"{result['robust']['wall_s']:.1f}",
         f"{100 * result['robust']['rate_before']:.1f} -> {100 * result['robust']['rate_after']:.1f}",
         *[successes(rows, "plan", friction) for friction in FRICTIONS],
+        f"{1e3 * overlap:.2f}",
+        f"{1e3 * farthest:.0f}",
+        f"{fastest:.2f}",
     ]
     return f"| {' | '.join(cells)} |"
 

@@ -1,6 +1,6 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::check::{Explanation, MeshReport, PairReport, RoundSurface, Way, explain, pair_reports};
+use planner::check::{Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports};
 use planner::{PlannerError, Problem};
 use serde::Serialize;
 
@@ -72,19 +72,19 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
     }
     if let Some(fit) = explanation.fit {
         say!(
-            "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %)",
+            "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %) and \
+             flat sides of the mesh up to {:.4} mm more",
             1e3 * fit.hole_radius_m,
             1e3 * fit.gap_m,
             1e3 * fit.lost_m,
-            100.0 * fit.lost_m / fit.gap_m
+            100.0 * fit.lost_m / fit.gap_m,
+            1e3 * fit.mesh_lost_m
         );
     }
     let starts: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).collect();
     say!("\nstarts: {}", starts.join(", "));
     print_insertion(explanation);
-    for overlap in &explanation.overlaps {
-        say!("overlap at the {}: {} by {:.3} mm", overlap.pose, overlap.pair, -1e3 * overlap.distance_m);
-    }
+    explanation.overlaps.chunk_by(|one, other| one.pose == other.pose).for_each(print_overlaps);
     for (name, unit, limit) in task.limits.named() {
         if limit.is_finite() {
             say!("limit: {name} {limit} {unit}");
@@ -110,6 +110,17 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
         say!("chosen, as the scene does not say it: {}", explanation.chosen.join(", "));
     }
     explanation.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
+}
+
+/// The deepest of the overlaps at a pose.
+fn print_overlaps(overlaps: &[PoseOverlap]) {
+    let deepest = overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m));
+    let Some(PoseOverlap { pose, pair, distance_m }) = deepest else { return };
+    let others = match overlaps.len() - 1 {
+        0 => String::new(),
+        count => format!(", {count} other pairs by less (--json lists them)"),
+    };
+    say!("overlap at the {pose}: {pair} by {:.3} mm{others}", -1e3 * distance_m);
 }
 
 fn left_out(explanation: &Explanation) -> String {

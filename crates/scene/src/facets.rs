@@ -23,6 +23,8 @@ pub struct Fit {
     pub hole: f64,
     /// Difference of the radii (m); negative where the part is larger.
     pub gap: f64,
+    /// Largest distance (m) between flat sides of the hole's mesh and the hole.
+    pub mesh_error: f64,
 }
 
 impl Fit {
@@ -73,6 +75,7 @@ struct Cylinder {
     axis: Vector3<f64>,
     length: f64,
     radius: f64,
+    mesh_error: f64,
 }
 
 fn cylinders(part: &Placed, convex: bool) -> Vec<Cylinder> {
@@ -81,7 +84,8 @@ fn cylinders(part: &Placed, convex: bool) -> Vec<Cylinder> {
         let [begin, end] = surface.axis.map(|point| part.placement.transform_point(&point.into()));
         let axis = end - begin;
         let radius = 0.5 * (surface.radii[0] + surface.radii[1]) + sign * part.clearance;
-        Cylinder { middle: nalgebra::center(&begin, &end), axis: axis.normalize(), length: axis.norm(), radius }
+        let (middle, mesh_error) = (nalgebra::center(&begin, &end), surface.mesh_error);
+        Cylinder { middle, axis: axis.normalize(), length: axis.norm(), radius, mesh_error }
     };
     let surfaces = part.solid.curved_surfaces().into_iter();
     surfaces.filter(|surface| surface.is_convex == convex && surface.radii[0] == surface.radii[1]).map(of).collect()
@@ -98,6 +102,6 @@ impl Cylinder {
             && along.abs() < 0.5 * (self.length + hole.length)
             && aside < 0.1 * hole.radius
             && gap.abs() < 0.5 * hole.radius;
-        is_around.then_some(Fit { hole: hole.radius, gap: gap - aside })
+        is_around.then_some(Fit { hole: hole.radius, gap: gap - aside, mesh_error: hole.mesh_error })
     }
 }
