@@ -118,7 +118,7 @@ fn print_overlaps(overlaps: &[PoseOverlap]) {
     let Some(PoseOverlap { pose, pair, distance_m }) = deepest else { return };
     let others = match overlaps.len() - 1 {
         0 => String::new(),
-        count => format!(", {count} other pairs by less (--json lists them)"),
+        count => format!(", less in {count} more (--json lists them)"),
     };
     say!("overlap at the {pose}: {pair} by {:.3} mm{others}", -1e3 * distance_m);
 }
