@@ -1,6 +1,6 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::check::{Explanation, MeshReport, PairReport, Way, explain, pair_reports};
+use planner::check::{Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports};
 use planner::{PlannerError, Problem};
 use serde::Serialize;
 
@@ -72,19 +72,19 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
     }
     if let Some(fit) = explanation.fit {
         say!(
-            "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %)",
+            "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %) and \
+             flat sides of the mesh up to {:.4} mm more",
             1e3 * fit.hole_radius_m,
             1e3 * fit.gap_m,
             1e3 * fit.lost_m,
-            100.0 * fit.lost_m / fit.gap_m
+            100.0 * fit.lost_m / fit.gap_m,
+            1e3 * fit.mesh_lost_m
         );
     }
     let starts: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).collect();
     say!("\nstarts: {}", starts.join(", "));
     print_insertion(explanation);
-    for overlap in &explanation.overlaps {
-        say!("overlap at the {}: {} by {:.3} mm", overlap.pose, overlap.pair, -1e3 * overlap.distance_m);
-    }
+    explanation.overlaps.chunk_by(|one, other| one.pose == other.pose).for_each(print_overlaps);
     for (name, unit, limit) in task.limits.named() {
         if limit.is_finite() {
             say!("limit: {name} {limit} {unit}");
@@ -112,6 +112,17 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
     explanation.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
 }
 
+/// The deepest of the overlaps at a pose.
+fn print_overlaps(overlaps: &[PoseOverlap]) {
+    let deepest = overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m));
+    let Some(PoseOverlap { pose, pair, distance_m }) = deepest else { return };
+    let others = match overlaps.len() - 1 {
+        0 => String::new(),
+        count => format!(", less in {count} more (--json lists them)"),
+    };
+    say!("overlap at the {pose}: {pair} by {:.3} mm{others}", -1e3 * distance_m);
+}
+
 fn left_out(explanation: &Explanation) -> String {
     match explanation.far_pairs.len() {
         0 => String::new(),
@@ -123,17 +134,7 @@ fn print_mesh(mesh: &MeshReport) {
     let deviation = &mesh.deviation;
     say!("\nmesh of `{}`: {} ({} triangles, {:.3} cm3)", mesh.name, mesh.file, mesh.triangles, 1e6 * mesh.volume_m3);
     mesh.repairs.iter().for_each(|repair| say!("  repaired: {repair}"));
-    for surface in &mesh.round_surfaces {
-        let [first, second] = surface.radii_m.map(|radius| 1e3 * radius);
-        let side = if surface.is_convex { "outside" } else { "inside" };
-        say!(
-            "  {} {side}, radius {first:.3} to {second:.3} mm, {:.0} degrees: {} facets of a full turn, error {:.4} mm",
-            surface.kind,
-            surface.angle_rad.to_degrees(),
-            mesh.facets_per_turn,
-            1e3 * surface.error_m
-        );
-    }
+    print_round_surfaces(&mesh.round_surfaces);
     let dropped = match mesh.pieces_dropped {
         0 => String::new(),
         count => format!(" ({count} too thin, dropped)"),
@@ -151,6 +152,32 @@ fn print_mesh(mesh: &MeshReport) {
         1e9 * deviation.outside_m3,
         1e9 * deviation.volume_error_m3
     );
+}
+
+/// Round surfaces, those that are alike in one line.
+fn print_round_surfaces(surfaces: &[RoundSurface]) {
+    let mut lines: Vec<(String, usize)> = Vec::new();
+    for surface in surfaces {
+        let [first, second] = surface.radii_m.map(|radius| 1e3 * radius);
+        let side = if surface.is_convex { "outside" } else { "inside" };
+        let line = format!(
+            "{} {side}, radius {:.3} to {:.3} mm, {:.0} degrees: {} facets of a full turn, error {:.4} mm",
+            surface.kind,
+            first.min(second),
+            first.max(second),
+            surface.angle_rad.to_degrees(),
+            surface.facets_per_turn,
+            1e3 * surface.error_m
+        );
+        match lines.iter_mut().find(|(other, _)| *other == line) {
+            Some((_, count)) => *count += 1,
+            None => lines.push((line, 1)),
+        }
+    }
+    for (line, count) in lines {
+        let times = if count == 1 { String::new() } else { format!("{count} times ") };
+        say!("  {times}{line}");
+    }
 }
 
 /// The shapes of a link, and the convex parts that stand for them.

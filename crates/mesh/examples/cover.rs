@@ -60,7 +60,8 @@ fn run(arguments: &[String]) -> Result<(), String> {
         1e9 * deviation.volume_error
     );
     println!("seconds: read {read:.2}, cover {covered:.2}, check {:.2}", start.elapsed().as_secs_f64());
-    if let Some((worst, error)) = cover.curved_surfaces().iter().max_by(|one, other| one.1.total_cmp(&other.1)) {
+    let errors = cover.curved_surfaces().iter().map(|(surface, facets)| (surface, surface.error(*facets)));
+    if let Some((worst, error)) = errors.max_by(|one, other| one.1.total_cmp(&other.1)) {
         println!(
             "largest error of facets {:.2} um, radius {:.3} mm",
             1e6 * error,

@@ -4,6 +4,7 @@ use crate::cell::{Bound, Cell};
 use crate::coarsen::coarsen;
 use crate::elements::Elements;
 use crate::error::MeshError;
+use crate::facets::facet_counts;
 use crate::facing::{Place, Places, surface_on};
 use crate::geometry::Vector;
 use crate::merge::merge;
@@ -20,6 +21,9 @@ const FACETS: std::ops::RangeInclusive<usize> = 3..=360;
 pub struct CoverSettings {
     /// Facets per full turn of curved surfaces, 3 to 360.
     pub facets: usize,
+    /// Distance (m) between a curved surface and its facets that is small enough: surfaces that keep it with fewer facets
+    /// have fewer. Zero if all shall have as many.
+    pub error: f64,
     /// Distance (m) by which pieces may be larger than the faceted part to have fewer halfspaces; zero for none.
     pub tolerance: f64,
     /// Lower and upper corner (m) of a box outside of which the part is left out.
@@ -30,7 +34,7 @@ pub struct CoverSettings {
 
 impl Default for CoverSettings {
     fn default() -> Self {
-        Self { facets: 24, tolerance: 0.0, crop: None, clearance: 0.0 }
+        Self { facets: 24, error: 0.0, tolerance: 0.0, crop: None, clearance: 0.0 }
     }
 }
 
@@ -51,7 +55,7 @@ pub struct Piece {
 #[derive(Debug, Clone)]
 pub struct Cover {
     pieces: Vec<Piece>,
-    surfaces: Vec<(CurvedSurface, f64)>,
+    surfaces: Vec<(CurvedSurface, usize)>,
     growth: f64,
     vanished: usize,
     pub(crate) cells: Vec<Cell>,
@@ -97,13 +101,10 @@ impl Cover {
         if merged.len() > MOST_PIECES {
             return Err(MeshError::TooManyPieces { most: MOST_PIECES, curved: solid.curved.len() });
         }
+        let counts = facet_counts(&solid.curved, settings, solid.tolerance);
         let mut cover = Self {
             pieces: Vec::new(),
-            surfaces: solid
-                .curved_surfaces()
-                .into_iter()
-                .map(|surface| (surface, surface.error(settings.facets)))
-                .collect(),
+            surfaces: solid.curved_surfaces().into_iter().zip(counts).collect(),
             growth: 0.0,
             vanished: 0,
             cells: Vec::new(),
@@ -161,9 +162,9 @@ impl Cover {
         &self.pieces
     }
 
-    /// The curved surfaces of the part, also those outside of the crop box, with the error of the facets that stand for
-    /// them (m), see [`CurvedSurface::error`].
-    pub fn curved_surfaces(&self) -> &[(CurvedSurface, f64)] {
+    /// The curved surfaces of the part, also those outside of the crop box, with the facets of a full turn that stand for
+    /// them.
+    pub fn curved_surfaces(&self) -> &[(CurvedSurface, usize)] {
         &self.surfaces
     }
 
@@ -187,7 +188,9 @@ fn check(settings: &CoverSettings) -> Result<(), MeshError> {
     if !FACETS.contains(&settings.facets) {
         return Err(MeshError::Setting { name: "facets", value: settings.facets as f64, range: "3 to 360" });
     }
-    for (name, value) in [("tolerance", settings.tolerance), ("clearance", settings.clearance)] {
+    for (name, value) in
+        [("error", settings.error), ("tolerance", settings.tolerance), ("clearance", settings.clearance)]
+    {
         if !(value >= 0.0 && value.is_finite()) {
             return Err(MeshError::Setting { name, value, range: "zero or a positive length" });
         }

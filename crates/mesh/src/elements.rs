@@ -3,7 +3,7 @@
 use crate::cell::{Bound, Cell, is_wide};
 use crate::cover::CoverSettings;
 use crate::curved::Curved;
-use crate::facets::{Sector, sectors};
+use crate::facets::{Sector, facet_counts, sectors};
 use crate::geometry::{Plane, Vector, bounds, clip};
 use crate::planes::Planes;
 use crate::solid::Solid;
@@ -46,7 +46,7 @@ const ON_PLANE: f64 = 2.0;
 fn margin(solid: &Solid, settings: &CoverSettings) -> f64 {
     const GENEROUS: f64 = 4.0;
     let convex = solid.curved_surfaces().into_iter().filter(|surface| surface.is_convex);
-    let error = convex.map(|surface| surface.error(settings.facets)).fold(0.0, f64::max);
+    let error = convex.map(|surface| surface.error(settings.facets)).fold(settings.error, f64::max);
     GENEROUS * (error + settings.tolerance)
 }
 
@@ -76,8 +76,10 @@ impl Elements {
         let root = Cell::of_box(&box_, sides);
         let mut elements = Self { elements: Vec::new(), planes, root, is_cropped, tolerance };
         elements.add_planar(solid, &box_);
+        let counts = facet_counts(&solid.curved, settings, solid.tolerance);
+        let faceted = solid.curved.iter().zip(counts);
         let faceted: Vec<Faceted> =
-            solid.curved.iter().map(|curved| elements.faceted(solid, curved, settings.facets, &box_)).collect();
+            faceted.map(|(curved, count)| elements.faceted(solid, curved, count, &box_)).collect();
         // Surfaces around the same axis meet in the corners of their facets when they have one factor.
         let factor = |one: &Faceted| {
             let alike = faceted.iter().filter(|other| other.curved.is_coaxial(one.curved, tolerance));

@@ -2,11 +2,33 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::cover::CoverSettings;
 use crate::curved::{Curved, turn};
 use crate::geometry::{Plane, Vector, clip};
+use crate::surface::CurvedSurface;
 
 /// Angles (rad) closer than this are equal.
 const SAME_ANGLE: f64 = 1e-4;
+/// Facets per full turn of small surfaces: at least these, and multiples of the step.
+const FEWEST: usize = 8;
+const STEP: usize = 4;
+
+/// Facets per full turn of each curved surface: as many as the settings say, or the fewest with which it keeps their error,
+/// if these are no more than half as many. So only small surfaces have fewer: a peg and its hole, of nearly one radius,
+/// stay face to face. Surfaces around one axis have equally many for the same reason.
+pub fn facet_counts(curved: &[Curved], settings: &CoverSettings, tolerance: f64) -> Vec<usize> {
+    let needed = |curved: &Curved| {
+        let surface = CurvedSurface::of(curved);
+        let mut fewer = (FEWEST..=settings.facets / 2).step_by(STEP);
+        fewer.find(|&count| surface.error(count) <= settings.error).unwrap_or(settings.facets)
+    };
+    let needed: Vec<usize> = curved.iter().map(needed).collect();
+    let most_around = |one: &Curved| {
+        let around = curved.iter().zip(&needed).filter(|(other, _)| other.is_coaxial(one, tolerance));
+        around.map(|(_, &count)| count).fold(0, usize::max)
+    };
+    curved.iter().map(most_around).collect()
+}
 
 /// The part of a curved surface for which one facet stands.
 #[derive(Debug, Clone, Copy)]

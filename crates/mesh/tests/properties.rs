@@ -77,7 +77,7 @@ proptest! {
         let shape = stack(&loops, false);
         let cover = shape.cover(facets);
         let surfaces = cover.curved_surfaces().iter();
-        let error = surfaces.map(|(surface, error)| error + surface.mesh_error).fold(0.0, f64::max);
+        let error = surfaces.map(|(surface, facets)| surface.error(*facets) + surface.mesh_error).fold(0.0, f64::max);
         for point in points {
             let depth = depth(&cover, point);
             if is_inside(&shape, point) {

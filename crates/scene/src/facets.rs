@@ -23,6 +23,8 @@ pub struct Fit {
     pub hole: f64,
     /// Difference of the radii (m); negative where the part is larger.
     pub gap: f64,
+    /// Largest distance (m) between flat sides of the hole's mesh and the hole.
+    pub mesh_error: f64,
 }
 
 impl Fit {
@@ -51,11 +53,21 @@ pub fn tightest_fit(body: &[Placed], environment: &[Placed]) -> Option<Fit> {
     fits.min_by(|one, other| one.gap.total_cmp(&other.gap))
 }
 
-/// Number of facets for a fit.
-pub fn facets(fit: Option<Fit>) -> usize {
-    let Some(fit) = fit.filter(|fit| fit.gap > 0.0) else { return DEFAULT };
+/// How fine curved surfaces are.
+#[derive(Debug, Clone, Copy)]
+pub struct ChosenFacets {
+    /// Facets per full turn.
+    pub facets: usize,
+    /// Distance (m) from the surface that is fine enough: small surfaces keep it with fewer facets.
+    pub error: f64,
+}
+
+/// Facets for a fit.
+pub fn chosen_facets(fit: Option<Fit>) -> ChosenFacets {
+    let Some(fit) = fit.filter(|fit| fit.gap > 0.0) else { return ChosenFacets { facets: DEFAULT, error: 0.0 } };
     let is_fine = |&facets: &usize| fit.lost(facets) <= SHARE * fit.gap;
-    CHOICES.into_iter().find(is_fine).unwrap_or(CHOICES[CHOICES.len() - 1])
+    let facets = CHOICES.into_iter().find(is_fine).unwrap_or(CHOICES[CHOICES.len() - 1]);
+    ChosenFacets { facets, error: fit.lost(facets) }
 }
 
 struct Cylinder {
@@ -63,6 +75,7 @@ struct Cylinder {
     axis: Vector3<f64>,
     length: f64,
     radius: f64,
+    mesh_error: f64,
 }
 
 fn cylinders(part: &Placed, convex: bool) -> Vec<Cylinder> {
@@ -71,7 +84,8 @@ fn cylinders(part: &Placed, convex: bool) -> Vec<Cylinder> {
         let [begin, end] = surface.axis.map(|point| part.placement.transform_point(&point.into()));
         let axis = end - begin;
         let radius = 0.5 * (surface.radii[0] + surface.radii[1]) + sign * part.clearance;
-        Cylinder { middle: nalgebra::center(&begin, &end), axis: axis.normalize(), length: axis.norm(), radius }
+        let (middle, mesh_error) = (nalgebra::center(&begin, &end), surface.mesh_error);
+        Cylinder { middle, axis: axis.normalize(), length: axis.norm(), radius, mesh_error }
     };
     let surfaces = part.solid.curved_surfaces().into_iter();
     surfaces.filter(|surface| surface.is_convex == convex && surface.radii[0] == surface.radii[1]).map(of).collect()
@@ -88,6 +102,6 @@ impl Cylinder {
             && along.abs() < 0.5 * (self.length + hole.length)
             && aside < 0.1 * hole.radius
             && gap.abs() < 0.5 * hole.radius;
-        is_around.then_some(Fit { hole: hole.radius, gap: gap - aside })
+        is_around.then_some(Fit { hole: hole.radius, gap: gap - aside, mesh_error: hole.mesh_error })
     }
 }

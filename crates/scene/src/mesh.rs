@@ -11,6 +11,7 @@ use nalgebra::Isometry3;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
+use crate::facets::ChosenFacets;
 use crate::keys::UNITS;
 use crate::motion_region::MotionRegion;
 use crate::part::corners_of;
@@ -111,19 +112,21 @@ impl<'text> GivenMesh<'text> {
         })
     }
 
-    /// The convex parts that stand for the mesh: curved surfaces with `facets` per full turn unless the scene says how
-    /// many; where there is a region of motion, only what has surface there.
+    /// The convex parts that stand for the mesh, with the facets that are chosen unless the scene says how many; where
+    /// there is a region of motion, only what has surface there.
     pub fn cover(
         &self,
         name: &str,
         placement: &Isometry3<f64>,
-        facets: usize,
+        chosen: ChosenFacets,
         region: Option<&MotionRegion>,
     ) -> Result<(MeshPart, Vec<Polytope>), SceneError> {
-        let facets = self.making.facets.unwrap_or(facets);
+        let ChosenFacets { facets, error } =
+            self.making.facets.map_or(chosen, |facets| ChosenFacets { facets, error: 0.0 });
         let errors = self.solid.curved_surfaces().into_iter().map(|surface| surface.error(facets));
         let settings = CoverSettings {
             facets,
+            error,
             tolerance: COARSENING * errors.reduce(f64::min).unwrap_or(0.0),
             crop: region.map(|region| in_frame(&region.extent, placement)),
             clearance: self.making.clearance,

@@ -4,7 +4,7 @@ use collision::Polytope;
 use nalgebra::{Isometry3, Vector3};
 
 use crate::error::SceneError;
-use crate::facets::{Fit, LARGEST_SHARE, Placed, facets, tightest_fit};
+use crate::facets::{ChosenFacets, Fit, LARGEST_SHARE, Placed, chosen_facets, tightest_fit};
 use crate::mesh::MeshPart;
 use crate::motion_region::{MotionRegion, Motions};
 use crate::part::{GivenPart, Part, Shape};
@@ -32,13 +32,13 @@ pub fn shapes(
     goal: &[f64; 7],
 ) -> Result<Shapes, SceneError> {
     let fit = tightest_fit(&meshes(body, &of_pose(goal)), &meshes(environment, &Isometry3::identity()));
-    let facets = facets(fit);
-    require_fine(fit, facets, body.iter().chain(environment))?;
-    let (body, body_meshes) = convex(body, facets, None)?;
+    let chosen = chosen_facets(fit);
+    require_fine(fit, chosen.facets, body.iter().chain(environment))?;
+    let (body, body_meshes) = convex(body, chosen, None)?;
     let has_meshes = environment.iter().any(|given| given.mesh().is_some());
     let points = || body.iter().map(|part| part.shape.vertices().to_vec()).collect::<Vec<_>>();
     let region = has_meshes.then(|| motions.region(&points()));
-    let (environment, environment_meshes) = convex(environment, facets, region.as_ref())?;
+    let (environment, environment_meshes) = convex(environment, chosen, region.as_ref())?;
     Ok(Shapes { body, environment, body_meshes, environment_meshes, fit, region })
 }
 
@@ -74,7 +74,7 @@ fn require_fine<'given>(
 
 fn convex(
     given_parts: &[GivenPart],
-    facets: usize,
+    chosen: ChosenFacets,
     region: Option<&MotionRegion>,
 ) -> Result<(Vec<Part>, Vec<MeshPart>), SceneError> {
     let (mut parts, mut meshes) = (Vec::new(), Vec::new());
@@ -84,7 +84,7 @@ fn convex(
             shapes.push(match &given.shape {
                 Shape::Convex(shape) => vec![shape.placed(given.position, given.orientation)],
                 Shape::Mesh(mesh) => {
-                    let (mesh, pieces) = mesh.cover(&given.name, &given.placement(), facets, region)?;
+                    let (mesh, pieces) = mesh.cover(&given.name, &given.placement(), chosen, region)?;
                     own_meshes.push(mesh);
                     pieces
                 }

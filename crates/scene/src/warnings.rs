@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::table::Table;
 
 /// Sizes of parts that need no remark (m).
-const USUAL_SIZES: std::ops::Range<f64> = 1e-4..10.0;
+pub const USUAL_SIZES: std::ops::Range<f64> = 1e-4..10.0;
 /// Distances that need a remark: in metres, and in sizes of the scene.
 const FAR: f64 = 10.0;
 const FAR_IN_SIZES: f64 = 10.0;
@@ -63,7 +63,8 @@ fn sizes(parent: &Table, parts: &[Part], warnings: &mut Vec<String>) -> Result<(
         let own: Vec<Part> = parts.iter().filter(is_of).cloned().collect();
         let size = Extent::of(&own).size();
         if !USUAL_SIZES.contains(&size) {
-            let message = format!("part `{name}` is {size} m long: are these metres?");
+            let question = if table.find("unit").is_some() { "is its `unit` right?" } else { "are these metres?" };
+            let message = format!("part `{name}` is {} m long: {question}", (1e9 * size).round() / 1e9);
             warnings.push(table.require("name")?.refuse(message).headline());
         }
     }

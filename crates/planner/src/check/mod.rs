@@ -88,6 +88,8 @@ pub struct FitReport {
     pub gap_m: f64,
     /// What facets take of it.
     pub lost_m: f64,
+    /// What the mesh of the hole takes besides, at most: its flat sides lie inside of the hole.
+    pub mesh_lost_m: f64,
 }
 
 /// A pair that overlaps at a pose of the scene.
@@ -160,7 +162,12 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         body: reports(&scene.body),
         environment: reports(&scene.environment),
         meshes: meshes.map(MeshReport::from).collect(),
-        fit: fit.map(|(fit, facets)| FitReport { hole_radius_m: fit.hole, gap_m: fit.gap, lost_m: fit.lost(facets) }),
+        fit: fit.map(|(fit, facets)| FitReport {
+            hole_radius_m: fit.hole,
+            gap_m: fit.gap,
+            lost_m: fit.lost(facets),
+            mesh_lost_m: fit.mesh_error,
+        }),
         pairs: task.pairs.len(),
         far_pairs: scene.far_pairs.iter().map(name).collect(),
         insertion: along_insertion(task),
@@ -176,18 +183,23 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
     Ok(explanation)
 }
 
+/// What the start with an offset, numbered from 1, is called.
+fn start_pose(number: usize) -> String {
+    format!("start with offset {number}")
+}
+
 /// Pairs that overlap at the goal and where the body really is at the start: with every offset, and also turned in the
 /// gripper (rad) about each axis of the body, both ways.
 fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
     let mut poses = vec![("goal".to_owned(), task.goal)];
     for (number, grasp) in (1..).zip(&task.grasps) {
-        poses.push((format!("start with offset {number}"), grasp.actual(&task.start)));
+        poses.push((start_pose(number), grasp.actual(&task.start)));
         for (axis, name) in ["x", "y", "z"].iter().enumerate().filter(|_| turn > 0.0) {
             for (sign, angle) in [("+", turn), ("-", -turn)] {
                 let mut turned = GraspError::from(grasp.offset);
                 turned.turn[axis] = angle;
                 let at = turned.actual(&task.start);
-                poses.push((format!("start with offset {number}, turned about {sign}{name}"), at));
+                poses.push((format!("{}, turned about {sign}{name}", start_pose(number)), at));
             }
         }
     }

@@ -2,11 +2,13 @@
 
 use task::{AssemblyTask, Overlap};
 
-use crate::check::{Explanation, Play, Way};
+use crate::check::{Explanation, Play, Way, start_pose};
 use crate::problem::Problem;
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;
+/// Share of it that the mesh itself may take.
+const COARSE_SHARE: f64 = 0.1;
 /// Distance from the mesh that is worth a word: in errors of its facets, and in sizes of the part.
 const DEVIATION: f64 = 3.0;
 const DEVIATION_IN_SIZES: f64 = 3e-4;
@@ -18,7 +20,7 @@ const LONG_STEP: f64 = 2.0;
 pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
     let task = problem.task();
     let own = [
-        overlap(explanation),
+        overlap(task, explanation),
         facets(explanation),
         deviation(explanation),
         rest(problem, explanation.farthest_rest_m),
@@ -30,11 +32,18 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
     own.into_iter().flatten().collect()
 }
 
-fn overlap(explanation: &Explanation) -> Option<String> {
+fn overlap(task: &AssemblyTask, explanation: &Explanation) -> Option<String> {
     let worst = explanation.overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m))?;
     let (pose, pair, depth) = (&worst.pose, &worst.pair, -1e3 * worst.distance_m);
+    let is_inside = |number: usize| {
+        let pose = start_pose(number);
+        explanation.overlaps.iter().any(|overlap| overlap.pose == pose)
+    };
     let cure = if pose == "goal" {
         "it cannot be reached: move [goal] or, where CAD is size on size, state the fit by `clearance` of a mesh"
+    } else if (1..=task.grasps.len()).all(is_inside) {
+        "the body begins inside of the environment with every offset: move the start to the side from which the body is \
+         put in (`--axis` of `new`), or exchange body and environment if they are confused"
     } else {
         "move that start, or lower robustness.offset_magnitude"
     };
@@ -49,6 +58,14 @@ fn facets(explanation: &Explanation) -> Option<String> {
             -1e3 * fit.gap_m
         ));
     }
+    if fit.mesh_lost_m > COARSE_SHARE * fit.gap_m {
+        return Some(format!(
+            "the mesh of a round hole has flat sides that take up to {:.3} mm of a gap of {:.3} mm: export it with smaller \
+             chord errors",
+            1e3 * fit.mesh_lost_m,
+            1e3 * fit.gap_m
+        ));
+    }
     (fit.lost_m > FACETS_SHARE * fit.gap_m).then(|| {
         format!(
             "facets take {:.3} mm of a gap of {:.3} mm between a round part and its hole: raise `facets` of the meshes",
@@ -61,7 +78,7 @@ fn facets(explanation: &Explanation) -> Option<String> {
 /// A mesh that its parts stand for badly.
 fn deviation(explanation: &Explanation) -> Option<String> {
     explanation.meshes.iter().find_map(|mesh| {
-        let errors = mesh.round_surfaces.iter().map(|surface| surface.error_m);
+        let errors = mesh.round_surfaces.iter().map(|surface| surface.error_m + surface.mesh_error_m);
         let expected = errors.fold(0.0, f64::max) + mesh.growth_m + mesh.clearance_m;
         let found = mesh.deviation.parts_to_mesh_m;
         (found > DEVIATION * expected + DEVIATION_IN_SIZES * mesh.volume_m3.cbrt()).then(|| {

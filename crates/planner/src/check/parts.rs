@@ -51,8 +51,6 @@ pub struct MeshReport {
     pub volume_m3: f64,
     /// Its round surfaces.
     pub round_surfaces: Vec<RoundSurface>,
-    /// Facets of a full turn that stand for them.
-    pub facets_per_turn: usize,
     /// Length by which its surfaces were moved into the material.
     pub clearance_m: f64,
     /// Convex parts; none where other shapes of the link contain it.
@@ -78,8 +76,12 @@ pub struct RoundSurface {
     pub axis_m: [[f64; 3]; 2],
     /// Extent around the axis.
     pub angle_rad: f64,
-    /// Largest distance of its facets from it.
+    /// Facets of a full turn that stand for it.
+    pub facets_per_turn: usize,
+    /// Largest distance of these from it.
     pub error_m: f64,
+    /// Largest distance of the mesh from it.
+    pub mesh_error_m: f64,
 }
 
 /// Distances and volumes between a mesh and its convex parts.
@@ -102,7 +104,7 @@ pub struct DeviationReport {
 impl From<&MeshPart> for MeshReport {
     fn from(part: &MeshPart) -> Self {
         let (solid, cover) = (&part.solid, &part.cover);
-        let round = |(surface, error): &(mesh::CurvedSurface, f64)| RoundSurface {
+        let round = |&(surface, facets): &(mesh::CurvedSurface, usize)| RoundSurface {
             kind: match surface.kind {
                 CurvedKind::Cylinder => "cylinder",
                 CurvedKind::Cone => "cone",
@@ -111,7 +113,9 @@ impl From<&MeshPart> for MeshReport {
             radii_m: surface.radii,
             axis_m: surface.axis,
             angle_rad: surface.angle,
-            error_m: *error,
+            facets_per_turn: facets,
+            error_m: surface.error(facets),
+            mesh_error_m: surface.mesh_error,
         };
         Self {
             name: part.name.clone(),
@@ -121,7 +125,6 @@ impl From<&MeshPart> for MeshReport {
             repairs: solid.repairs().iter().map(ToString::to_string).collect(),
             volume_m3: solid.mass_properties().volume,
             round_surfaces: cover.curved_surfaces().iter().map(round).collect(),
-            facets_per_turn: part.settings.facets,
             clearance_m: part.settings.clearance,
             pieces: part.parts.len(),
             pieces_dropped: cover.vanished(),

@@ -9,6 +9,7 @@ use crate::draft::{Draft, DraftPart, DraftShape, rounded};
 use crate::error::SceneError;
 use crate::keys::UNITS;
 use crate::mesh::SCALES;
+use crate::warnings::USUAL_SIZES;
 use bounding_box::BoundingBox;
 use relative::relative_path;
 
@@ -147,5 +148,10 @@ fn shape(source: &Path, unit: Option<&str>, scene: &Path) -> Result<(DraftShape,
         return Err(SceneError::about(scene, format!("unknown unit `{unit}`: choose one of {}", UNITS.join(", "))));
     };
     let bounds = BoundingBox::of_mesh(source, SCALES[unit])?;
+    let size = bounds.edges().into_iter().fold(0.0, f64::max);
+    if !USUAL_SIZES.contains(&size) {
+        let message = format!("the mesh is {} m long: is `--unit {}` right?", (1e9 * size).round() / 1e9, UNITS[unit]);
+        return Err(SceneError::about(source, message));
+    }
     Ok((DraftShape::Mesh(relative_path(source, scene)?, UNITS[unit]), bounds))
 }
