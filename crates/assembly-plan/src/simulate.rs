@@ -14,6 +14,7 @@ use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::exit_at_once;
+use crate::report;
 
 /// Plays everything, writes both tables and prints the one of successes.
 pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
@@ -26,6 +27,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     }
     let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
     require_free(arguments, folder)?;
+    if arguments.report {
+        ::report::require_writable(&report::page_of(folder))?;
+    }
     exit_at_once()?;
 
     let begin = Instant::now();
@@ -62,6 +66,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let in_words = if threads == 1 { "thread" } else { "threads" };
     say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}", rollouts.len());
     say!("written to {}", folder.display());
+    if arguments.report {
+        report::write(folder, None)?;
+    }
     Ok(Exit::Done)
 }
 

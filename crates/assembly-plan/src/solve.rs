@@ -12,6 +12,7 @@ use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::{stop_flag, stop_with_parent};
 use crate::progress::Progress;
+use crate::report;
 use crate::summary::summary;
 use crate::values::threads;
 
@@ -27,6 +28,9 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;
+    if arguments.report {
+        ::report::require_writable(&report::page_of(&out))?;
+    }
     if !arguments.resume && folder.discard()? {
         tell!("unfinished work of an earlier run is discarded; --resume would have gone on with it");
     }
@@ -57,6 +61,9 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     plan.own_warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let result: PlanResult = folder.finish(&plan)?;
     say!("{}\nwritten to {}", summary(&result), out.display());
+    if arguments.report {
+        report::write(&out, None)?;
+    }
     Ok(if plan.status() == PlanStatus::Done { Exit::Done } else { Exit::NoPlan })
 }
 

@@ -14,6 +14,7 @@ pub use arguments::BatchArguments;
 
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
+use crate::report;
 use arguments::{BatchCommand, MatrixArguments};
 
 /// Runs one of the steps or, when none is named, all that a batch on this machine needs.
@@ -24,6 +25,9 @@ pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {
             let exit = run::run(&manifest, &manifest.cells, arguments.jobs)?;
             if exit != Exit::Interrupted {
                 write_tables(&manifest)?;
+                if arguments.report {
+                    report::write(&manifest.folder, None)?;
+                }
             }
             Ok(exit)
         }

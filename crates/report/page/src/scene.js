@@ -1,0 +1,246 @@
+// The 3D view: environment, reference, the body of every scenario, contact forces.
+import {
+  AmbientLight,
+  AxesHelper,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  Plane,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { arrows } from "./arrows.js";
+import { bounds, poseAt } from "./motion.js";
+import { edgeGeometry, exactGeometry, sectionGeometry, smoothedGeometry } from "./solids.js";
+import { colour, onTheme, scenarioColour } from "./theme.js";
+
+/** Directions from which the view looks, by the names of its buttons. */
+export const VIEWS = {
+  Free: new Vector3(1.1, -1.6, 0.9),
+  X: new Vector3(1, 0, 0),
+  Y: new Vector3(0, -1, 0),
+  Z: new Vector3(0, -1e-3, 1),
+};
+const AXES = { x: new Vector3(-1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, -1) };
+const FIELD_OF_VIEW = 35;
+
+/** The view into a canvas. It is drawn again when something that it shows has changed, never otherwise. */
+export function sceneView(canvas, data, shown) {
+  const renderer = new WebGLRenderer({ canvas, antialias: true });
+  renderer.localClippingEnabled = true;
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1e-3, 100);
+  camera.up.set(0, 0, 1);
+  const controls = new OrbitControls(camera, canvas);
+  controls.enableDamping = false;
+
+  const room = bounds(data.environment);
+  const body = bounds(data.body);
+  const size = Math.max(body.radius, 0.35 * room.radius);
+  const target = new Vector3().fromArray(data.goal).lerp(new Vector3().fromArray(data.motions[0].reference), 0.4);
+  const plane = new Plane(AXES.y.clone(), 0);
+
+  const light = new DirectionalLight(0xffffff, 2.1);
+  scene.add(new AmbientLight(0xffffff, 1.5), light, camera);
+  const axes = new AxesHelper(0.9 * size);
+  axes.material.depthTest = false;
+  axes.renderOrder = 3;
+  axes.position.fromArray(data.goal);
+  scene.add(axes);
+
+  const fixed = placedParts(data.environment, { opacity: 1 });
+  const reference = new LineSegments(edgeGeometry(data.body), new LineBasicMaterial());
+  const most = Math.max(...data.motions.map(({ scenarios }) => scenarios.length));
+  const bodies = Array.from({ length: most }, () => placedParts(data.body, { opacity: 1 }));
+  const forces = arrows(size);
+  scene.add(fixed.group, reference, ...bodies.map(({ group }) => group), ...forces.meshes);
+
+  let pending = false;
+  let ratio = Math.min(devicePixelRatio, 2);
+  const times = [];
+
+  function draw() {
+    pending = false;
+    const begin = performance.now();
+    place();
+    light.position.copy(camera.position).add(new Vector3(0, 0, size));
+    renderer.render(scene, camera);
+    slowDown(performance.now() - begin);
+  }
+
+  /** Halves the number of pixels where the machine is too slow for a smooth motion. */
+  function slowDown(time) {
+    times.push(time);
+    if (times.length < 12) return;
+    const median = times.sort((one, other) => one - other)[6];
+    times.length = 0;
+    if (median > 28 && ratio > 0.5) {
+      ratio = Math.max(0.5, ratio * 0.7);
+      resize();
+    }
+  }
+
+  function request() {
+    if (!pending) {
+      pending = true;
+      requestAnimationFrame(draw);
+    }
+  }
+
+  function motion() {
+    return data.motions[shown.values.motion];
+  }
+
+  /** Puts everything where it is at the shown time. */
+  function place() {
+    const { time, selected, hidden, cut, showReference, showForces } = shown.values;
+    const { scenarios, time_step: timeStep } = motion();
+    poseAt(motion().reference, timeStep, time, reference.position, reference.quaternion);
+    reference.visible = showReference;
+    bodies.forEach((one, index) => {
+      one.group.visible = index < scenarios.length && !hidden.has(index);
+      if (!one.group.visible) return;
+      poseAt(scenarios[index].poses, timeStep, time, one.group.position, one.group.quaternion);
+      one.setOpacity(index === selected ? 1 : 0.22);
+      one.setCut(cut === "none" ? null : plane);
+    });
+    fixed.setCut(cut === "none" ? null : plane);
+    forces.show(showForces ? pushes(scenarios, timeStep, time, hidden) : [], largestForce(motion()));
+  }
+
+  function look(view) {
+    const direction = VIEWS[view].clone().normalize();
+    const narrow = Math.min(1, camera.aspect);
+    const distance = (1.25 * Math.max(room.radius * 0.9, size * 1.8)) / Math.sin((FIELD_OF_VIEW * Math.PI) / 360) / narrow;
+    controls.target.copy(target);
+    camera.position.copy(target).addScaledVector(direction, distance);
+    camera.near = distance / 200;
+    camera.far = distance * 20;
+    camera.updateProjectionMatrix();
+    controls.update();
+    request();
+  }
+
+  function resize() {
+    const { clientWidth, clientHeight } = canvas.parentElement;
+    if (clientWidth === 0) return;
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(clientWidth, clientHeight, false);
+    camera.aspect = clientWidth / clientHeight;
+    camera.updateProjectionMatrix();
+    request();
+  }
+
+  function setShapes() {
+    const { source, tau } = motion();
+    const smoothed = source === "iteration" && shown.values.showSmoothed;
+    fixed.setShape(smoothed ? smoothedGeometry(data.environment, tau) : exactGeometry(data.environment));
+    const shape = smoothed ? smoothedGeometry(data.body, tau) : exactGeometry(data.body);
+    bodies.forEach((one) => one.setShape(shape));
+    request();
+  }
+
+  function setPlane({ cut, cutAt }) {
+    if (cut !== "none") {
+      plane.normal.copy(AXES[cut]);
+      const axis = "xyz".indexOf(cut);
+      const middle = target.getComponent(axis);
+      plane.constant = -plane.normal.dot(new Vector3().setComponent(axis, middle + cutAt * body.radius));
+    }
+    request();
+  }
+
+  controls.addEventListener("change", request);
+  new ResizeObserver(resize).observe(canvas.parentElement);
+  shown.on(["time", "selected", "hidden", "showReference", "showForces"], request);
+  shown.on(["motion", "showSmoothed"], setShapes);
+  shown.on(["cut", "cutAt"], setPlane);
+  onTheme(() => {
+    scene.background = new Color(colour("view"));
+    reference.material.color = new Color(colour("text"));
+    fixed.setColours(colour("environment"), colour("environment-edge"));
+    bodies.forEach((one, index) => one.setColours(scenarioColour(index), colour("body-edge")));
+    request();
+  });
+  resize();
+  look("Free");
+  return { look, pixelRatio: () => ratio };
+}
+
+/** Parts as one mesh with their edges, and the faces of a cut. */
+function placedParts(parts) {
+  const group = new Group();
+  const material = new MeshLambertMaterial({ side: DoubleSide, flatShading: false, transparent: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const lines = new LineBasicMaterial({ transparent: true });
+  const faces = new MeshBasicMaterial({ side: DoubleSide, transparent: true });
+  const mesh = new Mesh(exactGeometry(parts), material);
+  const edges = new LineSegments(edgeGeometry(parts), lines);
+  const section = new Mesh(undefined, faces);
+  section.matrixAutoUpdate = false;
+  section.visible = false;
+  const toGroup = new Matrix4();
+  group.add(mesh, edges, section);
+  return {
+    group,
+    setShape(shape) {
+      if (mesh.geometry !== shape) mesh.geometry.dispose();
+      mesh.geometry = shape;
+    },
+    setColours(fill, edge) {
+      material.color = new Color(fill);
+      faces.color = new Color(fill).multiplyScalar(0.72);
+      lines.color = new Color(edge);
+    },
+    setOpacity(opacity) {
+      const solid = opacity === 1;
+      [material, faces].forEach((one) => Object.assign(one, { opacity, depthWrite: solid }));
+      lines.opacity = solid ? 0.85 : 0.4;
+      mesh.renderOrder = solid ? 0 : 1;
+    },
+    setCut(plane) {
+      const planes = plane ? [plane] : [];
+      [material, lines].forEach((one) => (one.clippingPlanes = planes));
+      section.visible = plane !== null;
+      if (plane === null) return;
+      group.updateMatrixWorld();
+      section.geometry.dispose();
+      section.geometry = sectionGeometry(parts, group.matrixWorld, plane);
+      // The section is in world coordinates.
+      section.matrix.copy(toGroup.copy(group.matrixWorld).invert());
+    },
+  };
+}
+
+/** Contact forces of the visible scenarios in the step that a time lies in. */
+function pushes(scenarios, timeStep, time, hidden) {
+  return scenarios.flatMap(({ contacts }, scenario) => {
+    if (hidden.has(scenario) || time <= 0) return [];
+    const step = Math.min(Math.ceil(time / timeStep - 1e-9) - 1, contacts.length - 1);
+    const numbers = contacts[step] ?? [];
+    return Array.from({ length: numbers.length / 8 }, (_, index) => {
+      const [, force, x, y, z, ...direction] = numbers.slice(8 * index, 8 * index + 8);
+      return { force, point: new Vector3(x, y, z), direction: new Vector3(...direction), colour: scenarioColour(scenario) };
+    });
+  });
+}
+
+const largest = new WeakMap();
+
+/** The largest force of a pair in a motion: the length of arrows is relative to it. */
+function largestForce(motion) {
+  if (!largest.has(motion)) {
+    const forces = motion.scenarios.flatMap(({ contacts }) => contacts.flatMap((step) => step.filter((_, index) => index % 8 === 1)));
+    largest.set(motion, forces.reduce((most, force) => Math.max(most, force), 0));
+  }
+  return largest.get(motion);
+}

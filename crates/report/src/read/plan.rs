@@ -1,0 +1,166 @@
+//! A plan: its parts, its motion, its homotopy and its rollouts with hard contact.
+
+use std::path::Path;
+
+use planner::files::trajectory::read_tables;
+use planner::files::{MotionTables, PlanResult, STAGES, SUCCESS, ScenarioTables, StoredPlan};
+use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
+use scene::{Part, Scene};
+use simulation::{GraspError, Settings, Solid};
+use task::{ScenarioTrajectory, Trajectory};
+
+use super::motion::World;
+use super::{arm, simulation as rates};
+use crate::model::{MotionData, PartData, PlanData, Source};
+use crate::rounded::{LENGTH, rounded};
+
+/// Smoothing of distances in rollouts and where they touch (N m): none that can be seen.
+const HARD: f64 = 1e-6;
+
+/// Reads the plan of a folder and computes what it does not hold.
+///
+/// # Errors
+/// When it is damaged, was written by another version or has no homotopy iterations, or its arm cannot be simulated.
+pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
+    let plan = StoredPlan::open(folder)?;
+    require_readable(&plan)?;
+    let problem = problem(&plan)?;
+    let world = World::new(problem.scene().all_pairs(), problem.task().goal, problem.success());
+    let tables = read_tables(folder)?;
+    let mut motions = vec![world.motion(&tables, Source::Plan, plan_tau(&plan.result))?];
+    motions.extend(iterations(&plan, &world)?);
+    motions.extend(rollouts(&plan, &problem, &world)?);
+    let mut remarks = Vec::new();
+    let arm = match arm::courses(&problem, &tables) {
+        Some(Ok(arm)) => Some(arm),
+        Some(Err(error)) => {
+            remarks.push(format!("the arm cannot follow the plan: {error}"));
+            None
+        }
+        None => None,
+    };
+    let simulation = folder.join(SUCCESS).exists().then(|| rates::read(folder)).transpose()?;
+    let mut result = plan.result;
+    result.files.clear();
+    Ok(PlanData {
+        goal: problem.task().goal,
+        tolerance: [problem.success().position, problem.success().orientation],
+        made_from: made_from(&problem, &tables),
+        body: problem.scene().body.iter().map(part).collect(),
+        environment: problem.scene().environment.iter().map(part).collect(),
+        pairs: world.names(),
+        motions,
+        arm,
+        remarks,
+        simulation,
+        result,
+    })
+}
+
+/// Refuses plans of other versions and plans without homotopy iterations.
+fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
+    let (written, own) = (&plan.result.versions.assembly_plan, env!("CARGO_PKG_VERSION"));
+    if written != own {
+        let problem = format!("was written by version {written} and this is {own}; solve again, or use that version");
+        return Err(PlannerError::file(&plan.folder, problem));
+    }
+    match plan.folder.join(STAGES).is_dir() && !plan.result.stages.is_empty() {
+        true => Ok(()),
+        false => {
+            Err(PlannerError::file(&plan.folder.join(STAGES), "holds no homotopy iterations; restore it, or solve again"))
+        }
+    }
+}
+
+/// The problem of a plan, from its own `resolved.toml`.
+fn problem(plan: &StoredPlan) -> Result<Problem, PlannerError> {
+    let scene = plan.scene()?;
+    let (homotopy, success) = (homotopy(&scene, None, None)?, planner::success(&scene)?);
+    Problem::new(scene, Some(&plan.result.start), Some(plan.result.delta_m), homotopy, success)
+}
+
+/// Smoothing with which the distances of the plan were written.
+fn plan_tau(result: &PlanResult) -> f64 {
+    match result.robust {
+        Some(_) => HARD,
+        None => result.stages[result.chosen_stage - 1].tau,
+    }
+}
+
+fn iterations(plan: &StoredPlan, world: &World) -> Result<Vec<MotionData>, PlannerError> {
+    let folder = plan.folder.join(STAGES);
+    let iteration = |(number, tau): (usize, f64)| {
+        let tables = read_tables(&folder.join(number.to_string()))?;
+        world.motion(&tables, Source::Iteration { number, tau }, tau)
+    };
+    (1..).zip(plan.result.stages.iter().map(|stage| stage.tau)).map(iteration).collect()
+}
+
+/// Rollouts of the planned offsets with hard contact at each friction that the scene names, and of the grasp error that
+/// a plan which is not robust loses most.
+fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<MotionData>, PlannerError> {
+    let reference = plan.reference()?;
+    let loss = plan.result.robust.as_ref().and_then(|robust| robust.loss.as_ref());
+    let at_friction = |friction: f64| {
+        let settings = Settings { friction, ..Settings::default() };
+        let mut grasps: Vec<GraspError> = problem.task().offsets.iter().map(|&offset| offset.into()).collect();
+        let lost = loss.filter(|loss| loss.worst.friction == friction);
+        grasps.extend(lost.map(|loss| GraspError { offset: loss.offset_m, turn: loss.turn_rad }));
+        let played = problem.rollout(settings)?.trajectory(&reference, &GraspError::distinct(grasps), HARD);
+        world.motion(&tables(played, problem.scene()), Source::Rollouts { friction }, HARD)
+    };
+    RobustnessTarget::of(&problem.scene().borne).frictions.into_iter().map(at_friction).collect()
+}
+
+/// A rollout as tables, whose pairs are all of the scene.
+fn tables(played: Trajectory, scene: &Scene) -> MotionTables {
+    let of_scenario = |motion: ScenarioTrajectory| {
+        let ScenarioTrajectory { states, wrenches, contacts, .. } = motion;
+        ScenarioTables { states, wrenches, contacts }
+    };
+    MotionTables {
+        time_step: played.time_step,
+        reference: played.reference,
+        pairs: scene.all_pairs().iter().map(ToString::to_string).collect(),
+        scenarios: played.scenarios.into_iter().map(of_scenario).collect(),
+    }
+}
+
+fn part(part: &Part) -> PartData {
+    let solid = Solid::new(&part.shape);
+    PartData {
+        name: part.name.clone(),
+        vertices: solid.vertices.iter().flatten().map(|&coordinate| rounded(coordinate, LENGTH)).collect(),
+        facets: solid.facets.into_iter().map(|facet| facet.corners).collect(),
+    }
+}
+
+/// What the plan was made from, each as a name and a value in words.
+fn made_from(problem: &Problem, tables: &MotionTables) -> Vec<[String; 2]> {
+    let (scene, task) = (problem.scene(), problem.task());
+    let count = |parts: &[Part]| match parts.len() {
+        1 => "1 convex part".to_owned(),
+        count => format!("{count} convex parts"),
+    };
+    let steps = tables.reference.len() - 1;
+    let time = steps as f64 * tables.time_step;
+    let mut facts = vec![
+        ("body", count(&scene.body)),
+        ("environment", count(&scene.environment)),
+        ("pairs that may touch", format!("{} of {}", scene.pairs.len(), scene.body.len() * scene.environment.len())),
+        ("clearance at the goal", format!("{:.3} mm", 1e3 * task.clearance(&task.goal))),
+        ("planned offsets", format!("{} of {:.2} mm", task.offsets.len(), 1e3 * problem.delta())),
+        ("horizon", format!("{steps} steps of {} s, {time:.2} s", tables.time_step)),
+        ("translational stiffness", format!("{:.1} N/m", task.impedance.translational_stiffness)),
+        ("rotational stiffness", format!("{:.2} Nm/rad", task.impedance.rotational_stiffness)),
+        ("friction in the plan", task.friction.to_string()),
+    ];
+    if let Some(mass) = task.inertia.mass() {
+        facts.push(("mass", format!("{mass:.3} kg")));
+    }
+    if let Some(robot) = &scene.robot {
+        let file = robot.urdf.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        facts.push(("arm", format!("{file}, {} joints", robot.arm.joints().len())));
+    }
+    facts.into_iter().map(|(name, value)| [name.to_owned(), value]).collect()
+}
