@@ -11,6 +11,10 @@ use crate::exit::{CommandError, Exit};
 /// Writes the page of a folder, and those of the finished cells of a batch.
 pub fn run(arguments: &ReportArguments) -> Result<Exit, CommandError> {
     write(&arguments.folder, arguments.out.as_deref())?;
+    if let Some(folder) = &arguments.figures {
+        let names = report::write_figures(&arguments.folder, folder)?;
+        say!("figures written to {}: {}", folder.display(), names.join(", "));
+    }
     Ok(Exit::Done)
 }
 

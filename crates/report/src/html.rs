@@ -68,7 +68,7 @@ mod tests {
             effort: None,
             rate: None,
         };
-        PageData::Batch(BatchData { title: title.to_owned(), cells: vec![cell] })
+        PageData::Batch(BatchData { title: title.to_owned(), cells: vec![cell], simulation: None })
     }
 
     #[test]

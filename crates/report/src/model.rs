@@ -156,6 +156,8 @@ pub struct BatchData {
     pub title: String,
     /// All cells.
     pub cells: Vec<CellData>,
+    /// Success rates of the last `simulate` of the whole batch.
+    pub simulation: Option<SimulationData>,
 }
 
 /// A cell of a batch.

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use planner::PlannerError;
-use planner::files::{read_text, write_file};
+use planner::files::{read_text, require_folder, write_file};
 
+use crate::figures::{BEGIN as FIGURE, figures};
 use crate::html::{BEGIN, page};
 use crate::model::PageData;
 use crate::read::read;
@@ -35,6 +36,30 @@ pub fn write_page(folder: &Path, file: Option<&Path>) -> Result<usize, PlannerEr
     }
     write_file(&target, page(&data)?.as_bytes())?;
     Ok(count)
+}
+
+/// Writes the figures of a folder into another one. Returns their names.
+///
+/// # Errors
+/// When the folder cannot be read or has no figures, or a file stands there that is no figure of ours.
+pub fn write_figures(folder: &Path, target: &Path) -> Result<Vec<String>, PlannerError> {
+    require_folder(target)?;
+    let figures = figures(&read(folder)?);
+    if figures.is_empty() {
+        let advice = "a batch without a simulation has no figures; name the folder of a cell, or simulate first";
+        return Err(PlannerError::file(folder, advice));
+    }
+    for (name, _) in &figures {
+        let file = target.join(name);
+        let stands = file.symlink_metadata().is_ok();
+        if stands && !read_text(&file).is_ok_and(|text| text.starts_with(FIGURE)) {
+            return Err(PlannerError::file(&file, "is no earlier figure and would be replaced; choose another folder"));
+        }
+    }
+    for (name, figure) in &figures {
+        write_file(&target.join(name), figure.as_bytes())?;
+    }
+    Ok(figures.into_iter().map(|(name, _)| name).collect())
 }
 
 fn absolute(path: &Path) -> PathBuf {

@@ -2,7 +2,7 @@
 import { card, chip, element, pageHead, table } from "./dom.js";
 import { rateMatrix } from "./simulation.js";
 import { themeButton } from "./theme.js";
-import { millimetres, percent } from "./words.js";
+import { magnitude, millimetres, percent } from "./words.js";
 
 export function batchPage(root, data) {
   const count = (state) => data.cells.filter((cell) => cell.state === state).length;
@@ -32,7 +32,7 @@ function matrices(cells) {
     return card(
       name,
       element("p", {}, `${done} of ${members.length} cells are done (${percent(done / members.length)}).`),
-      table(`Cells of ${name}`, ["start", ...deltas.map((delta) => millimetres(delta, 1))], rows),
+      table(`Cells of ${name}`, ["start", ...deltas.map((delta) => magnitude(delta))], rows),
     );
   });
 }
@@ -52,7 +52,7 @@ function list(cells) {
       page ? element("a", { href: page }, `cell ${index}`) : `cell ${index}`,
       homotopy ? `${scene}, ${homotopy}` : scene,
       start,
-      millimetres(delta, 1),
+      magnitude(delta),
       chip(state, state === "done"),
       status,
       effort ? String(effort[0]) : "–",

@@ -87,7 +87,7 @@ export function motionChoice(data, shown) {
     if (source !== "iteration") return;
     slider.value = number;
     slider.setAttribute("aria-valuetext", `${number} of ${iterations.length}`);
-    label.textContent = `Homotopy iteration ${number} of ${iterations.length}, τ = ${short(tau)} Nm`;
+    label.textContent = `Homotopy iteration ${number} of ${iterations.length}, τ = ${short(tau)} N m`;
   });
   const choices = element(
     "div",

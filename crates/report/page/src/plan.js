@@ -8,7 +8,7 @@ import { rateMatrix } from "./simulation.js";
 import { duration, store } from "./state.js";
 import { convergence, madeFrom, notes } from "./story.js";
 import { themeButton } from "./theme.js";
-import { millimetres } from "./words.js";
+import { magnitude } from "./words.js";
 
 export function planPage(root, data) {
   const shown = store({
@@ -27,7 +27,7 @@ export function planPage(root, data) {
   const { result, motions } = data;
   const facts = [
     `start ${result.start}`,
-    `offsets of ${millimetres(result.delta_m, 1)}`,
+    `offsets of ${magnitude(result.delta_m)}`,
     `${motions[0].scenarios.length} scenarios`,
     `${duration(motions[0]).toFixed(1)} s`,
   ];

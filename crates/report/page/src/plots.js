@@ -4,7 +4,7 @@ import { element } from "./dom.js";
 import { orientationErrors, positionErrors } from "./motion.js";
 import { colour, onTheme, scenarioColour } from "./theme.js";
 
-const HEIGHT = 132;
+const HEIGHT = 108;
 const AXIS_COLOURS = ["#d8453e", "#2f9e44", "#3b7ddd"];
 const DEGREES = 180 / Math.PI;
 
@@ -23,10 +23,10 @@ const BY_SCENARIO = [
     of: ({ distances }) => fromFirstStep(distances.map((distance) => (distance === null ? null : 1e3 * distance))),
   },
 ];
-/** Plots of the selected scenario. `of` are its series. */
+/** Plots of the selected scenario: three components from the first one on. */
 const OF_SELECTED = [
-  { title: "Force of the controller", unit: "N", first: 0 },
-  { title: "Torque of the controller", unit: "Nm", first: 3 },
+  { title: "Controller force", unit: "N", first: 0 },
+  { title: "Controller torque", unit: "Nm", first: 3 },
 ];
 
 /** All plots of the shown motion. */
@@ -82,19 +82,26 @@ function jointPlots({ joints, scenarios }, selected) {
     joints.map(({ name }, joint) => ({ name, colour: scenarioColour(joint), width: 1.5, values: values[joint] }));
   const { positions, speeds, torques } = scenarios[selected];
   return [
-    { title: `Joint positions, scenario ${selected + 1}`, unit, lines: lines(positions), legend: true },
+    { title: `Joint positions, scenario ${selected + 1}`, unit, lines: lines(positions) },
     { title: `Joint speeds, scenario ${selected + 1}`, unit: `${unit}/s`, lines: lines(speeds) },
     { title: `Joint torques, scenario ${selected + 1}`, unit: unit === "m" ? "N" : "Nm", lines: lines(torques) },
   ];
 }
 
 /** One plot in a figure of its own. */
-function chart(root, { title, unit, lines, legend }, shown, timeStep) {
+function chart(root, { title, unit, lines }, shown, timeStep) {
   const value = element("output", { class: "value" });
   const frame = element("div", { class: "frame" });
-  const names = legend || lines.some(({ name }) => name.length === 1);
-  const key = names && lines.map(({ name, colour }) => element("span", { class: "key", style: `--mark:${colour}` }, name));
-  const caption = element("figcaption", {}, element("span", {}, title), key || null, value);
+  const leading = lines.findIndex(({ leads }) => leads);
+  const key = lines.map(({ name, colour }) => element("span", { class: "key", style: `--mark:${colour}` }, name));
+  const isLong = lines.length > 3;
+  const caption = element(
+    "figcaption",
+    {},
+    element("span", {}, title),
+    leading < 0 ? element("span", { class: isLong ? "legend" : "axes" }, key) : null,
+    value,
+  );
   root.append(element("figure", { class: "plot" }, caption, frame));
   const length = Math.max(...lines.map(({ values }) => values.length));
   const times = Array.from({ length }, (_, step) => step * timeStep);
@@ -114,7 +121,6 @@ function chart(root, { title, unit, lines, legend }, shown, timeStep) {
     seek(event);
   });
   plot.over.addEventListener("pointermove", (event) => event.buttons === 1 && seek(event));
-  const leading = Math.max(lines.findIndex(({ leads }) => leads), 0);
   let moment = 0;
   return {
     moveTo(time) {
@@ -122,8 +128,8 @@ function chart(root, { title, unit, lines, legend }, shown, timeStep) {
       now.style.transform = `translateX(${plot.valToPos(time, "x")}px)`;
       const step = Math.min(Math.round(time / timeStep), length - 1);
       const read = (column) => (column[step] === null ? "–" : column[step].toFixed(2));
-      value.textContent = `${names ? "" : read(columns[leading])} ${unit}`.trim();
-      if (names && !legend) value.textContent = `${columns.map(read).join(", ")} ${unit}`;
+      const values = leading < 0 ? columns : [columns[leading]];
+      value.textContent = isLong && leading < 0 ? unit : `${values.map(read).join(", ")} ${unit}`;
     },
     resize() {
       if (frame.clientWidth > 0 && frame.clientWidth !== plot.width) {

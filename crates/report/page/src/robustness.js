@@ -1,8 +1,8 @@
 // How often the plan succeeds in rollouts, by friction and magnitude.
 import { card, element, table } from "./dom.js";
-import { graspInWords, millimetres, percent, short } from "./words.js";
+import { graspInWords, magnitude, millimetres, percent, short } from "./words.js";
 
-const keyOf = ({ magnitude_m: magnitude, planned }) => `${magnitude}${planned}`;
+const keyOf = ({ magnitude_m: length, planned }) => `${length}${planned}`;
 
 /** Success rates before and after refinement, and the weakest corner. */
 export function robustness(robust) {
@@ -23,7 +23,7 @@ function rates(caption, groups) {
   const columns = [...new Map(groups.map((group) => [keyOf(group), group])).values()];
   columns.sort((one, other) => one.planned - other.planned || one.magnitude_m - other.magnitude_m);
   const frictions = [...new Set(groups.map(({ friction }) => friction))];
-  const header = ["friction", ...columns.map(({ magnitude_m: magnitude, planned }) => `${millimetres(magnitude, 1)}${planned ? ", planned" : ""}`)];
+  const header = ["friction", ...columns.map(({ magnitude_m: length, planned }) => `${magnitude(length)}${planned ? ", planned" : ""}`)];
   const rows = frictions.map((friction) => ({
     cells: [
       short(friction),
@@ -48,7 +48,7 @@ function weakest(loss) {
   const { worst, end } = loss;
   const held = end.held_by.map(({ pair, force_n: force }) => `${pair} (${force.toFixed(1)} N)`).join(", ");
   const sentences = [
-    `Weakest at friction ${short(worst.friction)} and ${millimetres(worst.magnitude_m, 1)}: ${worst.successes} of ${worst.rollouts} succeed.`,
+    `Weakest at friction ${short(worst.friction)} and ${magnitude(worst.magnitude_m)}: ${worst.successes} of ${worst.rollouts} succeed.`,
     loss.offset_direction ? `Failing offsets lie along ${loss.offset_direction}.` : null,
     `The one that ends farthest, with ${graspInWords({ offset: loss.offset_m, turn: loss.turn_rad })}, ends ` +
       `${millimetres(end.position_error_m)} from the goal, which lies along ${end.goal_direction}.`,

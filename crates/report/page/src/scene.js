@@ -50,18 +50,15 @@ export function sceneView(canvas, data, shown) {
   const target = new Vector3().fromArray(data.goal).lerp(new Vector3().fromArray(data.motions[0].reference), 0.4);
   const plane = new Plane(AXES.y.clone(), 0);
 
-  const light = new DirectionalLight(0xffffff, 2.1);
-  scene.add(new AmbientLight(0xffffff, 1.5), light, camera);
-  const axes = new AxesHelper(0.9 * size);
-  axes.material.depthTest = false;
-  axes.renderOrder = 3;
-  axes.position.fromArray(data.goal);
+  const light = new DirectionalLight(0xffffff, 2.6);
+  scene.add(new AmbientLight(0xffffff, 1.15), light, camera);
+  const axes = goalAxes(data.goal, 0.7 * size);
   scene.add(axes);
 
-  const fixed = placedParts(data.environment, { opacity: 1 });
+  const fixed = placedParts(data.environment);
   const reference = new LineSegments(edgeGeometry(data.body), new LineBasicMaterial());
   const most = Math.max(...data.motions.map(({ scenarios }) => scenarios.length));
-  const bodies = Array.from({ length: most }, () => placedParts(data.body, { opacity: 1 }));
+  const bodies = Array.from({ length: most }, () => placedParts(data.body));
   const forces = arrows(size);
   scene.add(fixed.group, reference, ...bodies.map(({ group }) => group), ...forces.meshes);
 
@@ -73,7 +70,8 @@ export function sceneView(canvas, data, shown) {
     pending = false;
     const begin = performance.now();
     place();
-    light.position.copy(camera.position).add(new Vector3(0, 0, size));
+    // From the left shoulder of who looks, so that faces differ.
+    light.position.set(-0.6, 0.9, 1).applyQuaternion(camera.quaternion);
     renderer.render(scene, camera);
     slowDown(performance.now() - begin);
   }
@@ -121,7 +119,7 @@ export function sceneView(canvas, data, shown) {
   function look(view) {
     const direction = VIEWS[view].clone().normalize();
     const narrow = Math.min(1, camera.aspect);
-    const distance = (1.25 * Math.max(room.radius * 0.9, size * 1.8)) / Math.sin((FIELD_OF_VIEW * Math.PI) / 360) / narrow;
+    const distance = Math.max(0.8 * room.radius, 1.6 * size) / Math.sin((FIELD_OF_VIEW * Math.PI) / 360) / narrow;
     controls.target.copy(target);
     camera.position.copy(target).addScaledVector(direction, distance);
     camera.near = distance / 200;
@@ -177,12 +175,23 @@ export function sceneView(canvas, data, shown) {
   return { look, pixelRatio: () => ratio };
 }
 
+/** The axes of the goal, red green blue, seen through everything. */
+function goalAxes(goal, length) {
+  const axes = new AxesHelper(length);
+  axes.setColors(new Color("#e0483e"), new Color("#36a84c"), new Color("#3f86e8"));
+  Object.assign(axes.material, { depthTest: false, transparent: true });
+  axes.renderOrder = 3;
+  axes.position.fromArray(goal);
+  axes.quaternion.set(goal[4], goal[5], goal[6], goal[3]);
+  return axes;
+}
+
 /** Parts as one mesh with their edges, and the faces of a cut. */
 function placedParts(parts) {
   const group = new Group();
-  const material = new MeshLambertMaterial({ side: DoubleSide, flatShading: false, transparent: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   const lines = new LineBasicMaterial({ transparent: true });
-  const faces = new MeshBasicMaterial({ side: DoubleSide, transparent: true });
+  const faces = new MeshBasicMaterial({ side: DoubleSide, polygonOffset: true });
   const mesh = new Mesh(exactGeometry(parts), material);
   const edges = new LineSegments(edgeGeometry(parts), lines);
   const section = new Mesh(undefined, faces);
@@ -202,10 +211,11 @@ function placedParts(parts) {
       lines.color = new Color(edge);
     },
     setOpacity(opacity) {
-      const solid = opacity === 1;
-      [material, faces].forEach((one) => Object.assign(one, { opacity, depthWrite: solid }));
-      lines.opacity = solid ? 0.85 : 0.4;
-      mesh.renderOrder = solid ? 0 : 1;
+      const isSolid = opacity === 1;
+      [material, faces].forEach((one) => Object.assign(one, { opacity, transparent: !isSolid, depthWrite: isSolid }));
+      lines.opacity = isSolid ? 0.85 : 0.4;
+      // All cuts lie in one plane; that of the selected body is in front.
+      faces.polygonOffsetUnits = isSolid ? -8 : -4;
     },
     setCut(plane) {
       const planes = plane ? [plane] : [];

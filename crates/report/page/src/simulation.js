@@ -2,7 +2,7 @@
 import { card, element, pageHead, table } from "./dom.js";
 import { rateCell } from "./robustness.js";
 import { themeButton } from "./theme.js";
-import { millimetres, short } from "./words.js";
+import { magnitude, short } from "./words.js";
 
 const PUSH = "straight push";
 
@@ -16,18 +16,18 @@ export function simulationPage(root, data) {
 
 /** One row per motion, friction and modelled magnitude, one column per injected magnitude. */
 export function rateMatrix({ groups }) {
-  const magnitudes = [...new Set(groups.map(({ magnitude_m: magnitude }) => Number(magnitude)))].sort((one, other) => one - other);
+  const magnitudes = [...new Set(groups.map(({ magnitude_m: length }) => Number(length)))].sort((one, other) => one - other);
   const rowKey = ({ motion, friction, delta_m: delta }) => `${motion}|${friction}|${delta}`;
   const keys = [...new Set(groups.map(rowKey))];
   const rows = keys.map((key) => {
     const [motion, friction, delta] = key.split("|");
-    const cells = magnitudes.map((magnitude) => {
-      const group = groups.find((one) => rowKey(one) === key && Number(one.magnitude_m) === magnitude);
+    const cells = magnitudes.map((length) => {
+      const group = groups.find((one) => rowKey(one) === key && Number(one.magnitude_m) === length);
       return group ? cell(group) : "";
     });
-    return { class: motion === PUSH ? "push" : "", cells: [motion, short(Number(friction)), millimetres(Number(delta), 1), ...cells] };
+    return { class: motion === PUSH ? "push" : "", cells: [motion, short(Number(friction)), magnitude(Number(delta)), ...cells] };
   });
-  const header = ["motion", "friction", "planned for", ...magnitudes.map((magnitude) => `${millimetres(magnitude, 1)} injected`)];
+  const header = ["motion", "friction", "planned for", ...magnitudes.map((length) => `${magnitude(length)} injected`)];
   return card(
     "Success in rollouts",
     element("p", {}, "Share of rollouts with hard contact that end at the goal, with Wilson's interval of 95 %. The straight push is unplanned."),

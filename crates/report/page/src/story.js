@@ -31,7 +31,7 @@ export function convergence({ result, motions }, shown) {
   return card(
     "Convergence",
     element("p", {}, total),
-    table("Homotopy iterations", ["no.", "τ (Nm)", "steps", "iterations", "cost", "violation", "overlap", "status", "time"], rows),
+    table("Homotopy iterations", ["no.", "τ (N m)", "steps", "iterations", "cost", "violation", "overlap", "status", "time"], rows),
     element("p", { class: "keys" }, key),
     attempts(result.attempts ?? []),
   );
@@ -65,7 +65,8 @@ export function madeFrom({ made_from: facts, result }) {
     ["written by", `assembly-plan ${result.versions.assembly_plan}, Ipopt ${result.versions.ipopt}`],
     ["identity", result.made_from.problem.slice(0, 16)],
   ];
-  return card("Made from", element("dl", {}, all.flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])));
+  const pairs = all.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)));
+  return card("Made from", element("dl", {}, pairs));
 }
 
 /** Warnings, and why a plan is not done. */

@@ -3,6 +3,9 @@
 /** A length in m as mm. */
 export const millimetres = (metres, decimals = 2) => `${(1e3 * metres).toFixed(decimals)} mm`;
 
+/** A length in m as mm, with no more decimals than it has. */
+export const magnitude = (metres) => `${Number((1e3 * metres).toFixed(3))} mm`;
+
 /** A rate, 0 to 1, in percent; 100 % means all. */
 export const percent = (rate) => (rate === 1 ? "100 %" : `${(100 * rate).toFixed(1)} %`);
 

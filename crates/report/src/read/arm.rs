@@ -52,8 +52,11 @@ fn course(robot: &Robot, tables: &MotionTables, scenario: &ScenarioTables) -> Re
 
     let at_rest = [0.0; TWIST];
     let wrenches = std::iter::once(&at_rest).chain(&scenario.wrenches);
-    let torques: Vec<JointVector> =
-        configurations.iter().zip(wrenches).map(|(configuration, wrench)| torque(robot, configuration, wrench)).collect();
+    let torques: Vec<JointVector> = configurations
+        .iter()
+        .zip(wrenches)
+        .map(|(configuration, wrench)| torque(robot, configuration, wrench))
+        .collect();
     let speed = |step: usize| match step {
         0 => JointVector::zeros(),
         _ => (configurations[step] - configurations[step - 1]) / tables.time_step,

@@ -6,7 +6,7 @@ use planner::PlannerError;
 use planner::batch::{Cell, CellState, Manifest};
 use planner::files::PlanResult;
 
-use super::title;
+use super::{simulation, title};
 use crate::model::{BatchData, CellData};
 use crate::rounded::{LENGTH, rounded};
 use crate::write::PAGE;
@@ -23,7 +23,7 @@ pub fn read(folder: &Path) -> Result<BatchData, PlannerError> {
         return Err(PlannerError::file(folder, advice));
     }
     let cells = manifest.cells.iter().zip(&states).map(|(cell, state)| of_cell(cell, state)).collect();
-    Ok(BatchData { title: title(folder), cells })
+    Ok(BatchData { title: title(folder), cells, simulation: simulation::read_if_there(folder)? })
 }
 
 fn of_cell(cell: &Cell, state: &CellState) -> CellData {

@@ -69,7 +69,10 @@ impl World {
         let sum = |contacts: &Vec<Contact>| rounded(contacts.iter().map(|contact| contact.force).sum(), FORCE);
         let pushing = |(contacts, state): (&Vec<Contact>, &[f64; 13])| {
             let pushing = contacts.iter().zip(pairs).filter(|(contact, _)| contact.force >= least);
-            pushing.filter_map(|(contact, &pair)| self.arrow(pair, contact.force, &pose_of(state), tau)).flatten().collect()
+            pushing
+                .filter_map(|(contact, &pair)| self.arrow(pair, contact.force, &pose_of(state), tau))
+                .flatten()
+                .collect()
         };
         ScenarioData {
             offset: all(offset, LENGTH),
@@ -98,9 +101,7 @@ impl World {
 
 /// Offset (m, body frame) and turn (rad) of a body that is believed to be elsewhere.
 fn grasp_error(believed: &[f64; 7], actual: &[f64; 7]) -> ([f64; 3], [f64; 3]) {
-    let rotation = |pose: &[f64; 7]| {
-        UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]))
-    };
+    let rotation = |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
     let shift = Vector3::from_fn(|axis, _| believed[axis] - actual[axis]);
     let offset = rotation(actual).inverse() * shift;
     let turn = (rotation(actual).inverse() * rotation(believed)).scaled_axis();

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use planner::files::trajectory::read_tables;
-use planner::files::{MotionTables, PlanResult, STAGES, SUCCESS, ScenarioTables, StoredPlan};
+use planner::files::{MotionTables, PlanResult, STAGES, ScenarioTables, StoredPlan};
 use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
 use scene::{Part, Scene};
 use simulation::{GraspError, Settings, Solid};
@@ -39,7 +39,7 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
         }
         None => None,
     };
-    let simulation = folder.join(SUCCESS).exists().then(|| rates::read(folder)).transpose()?;
+    let simulation = rates::read_if_there(folder)?;
     let mut result = plan.result;
     result.files.clear();
     Ok(PlanData {
@@ -66,9 +66,10 @@ fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
     }
     match plan.folder.join(STAGES).is_dir() && !plan.result.stages.is_empty() {
         true => Ok(()),
-        false => {
-            Err(PlannerError::file(&plan.folder.join(STAGES), "holds no homotopy iterations; restore it, or solve again"))
-        }
+        false => Err(PlannerError::file(
+            &plan.folder.join(STAGES),
+            "holds no homotopy iterations; restore it, or solve again",
+        )),
     }
 }
 

@@ -20,3 +20,11 @@ pub fn read(folder: &Path) -> Result<SimulationData, PlannerError> {
         false => Ok(SimulationData { title: title(folder), groups }),
     }
 }
+
+/// Likewise, of a folder that may hold none.
+///
+/// # Errors
+/// When it holds a table that is wrong.
+pub fn read_if_there(folder: &Path) -> Result<Option<SimulationData>, PlannerError> {
+    folder.join(SUCCESS).exists().then(|| read(folder)).transpose()
+}
