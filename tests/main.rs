@@ -8,6 +8,7 @@ mod limits;
 mod mujoco;
 mod mutations;
 mod outputs;
+mod report;
 mod resume;
 mod robust;
 mod simulate;

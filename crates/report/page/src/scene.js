@@ -33,10 +33,16 @@ export const VIEWS = {
 };
 const AXES = { x: new Vector3(-1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, -1) };
 const FIELD_OF_VIEW = 35;
+/** Frames over which the time between two of them is taken; the longest that is smooth (ms). */
+const FRAMES = 12;
+const SLOW = 30;
+/** Fewest pixels that are drawn per pixel of the page, along each side. */
+const LEAST_PIXELS = 0.5;
 
 /** The view into a canvas. It is drawn again when something that it shows has changed, never otherwise. */
 export function sceneView(canvas, data, shown) {
-  const renderer = new WebGLRenderer({ canvas, antialias: true });
+  const isSlow = drawsWithoutGraphics();
+  const renderer = new WebGLRenderer({ canvas, antialias: !isSlow });
   renderer.localClippingEnabled = true;
   const scene = new Scene();
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1e-3, 100);
@@ -63,29 +69,28 @@ export function sceneView(canvas, data, shown) {
   scene.add(fixed.group, reference, ...bodies.map(({ group }) => group), ...forces.meshes);
 
   let pending = false;
-  let ratio = Math.min(devicePixelRatio, 2);
-  const times = [];
+  let ratio = Math.min(devicePixelRatio, isSlow ? 1 : 2);
+  let before = null;
+  const intervals = [];
 
-  function draw() {
+  function draw(now) {
     pending = false;
-    const begin = performance.now();
+    slowDown(now);
     place();
     // From the left shoulder of who looks, so that faces differ.
     light.position.set(-0.6, 0.9, 1).applyQuaternion(camera.quaternion);
     renderer.render(scene, camera);
-    slowDown(performance.now() - begin);
   }
 
-  /** Halves the number of pixels where the machine is too slow for a smooth motion. */
-  function slowDown(time) {
-    times.push(time);
-    if (times.length < 12) return;
-    const median = times.sort((one, other) => one - other)[6];
-    times.length = 0;
-    if (median > 28 && ratio > 0.5) {
-      ratio = Math.max(0.5, ratio * 0.7);
-      resize();
-    }
+  /** Draws fewer pixels where frames of a motion that plays come too late for the eye. */
+  function slowDown(now) {
+    if (shown.values.playing && before !== null) intervals.push(now - before);
+    before = shown.values.playing ? now : null;
+    if (intervals.length < FRAMES) return;
+    const median = intervals.splice(0).sort((one, other) => one - other)[FRAMES / 2];
+    if (median <= SLOW || ratio <= LEAST_PIXELS) return;
+    ratio = Math.max(LEAST_PIXELS, 0.75 * ratio);
+    resize();
   }
 
   function request() {
@@ -172,7 +177,16 @@ export function sceneView(canvas, data, shown) {
   });
   resize();
   look("Free");
-  return { look, pixelRatio: () => ratio };
+  return { look };
+}
+
+/** Whether the processor draws, which has no time for smooth edges. */
+function drawsWithoutGraphics() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
 }
 
 /** The axes of the goal, red green blue, seen through everything. */

@@ -84,7 +84,11 @@ fn problem(plan: &StoredPlan) -> Result<Problem, PlannerError> {
 fn plan_tau(result: &PlanResult) -> f64 {
     match result.robust {
         Some(_) => HARD,
-        None => result.stages[result.chosen_stage - 1].tau,
+        None => result
+            .chosen_stage
+            .checked_sub(1)
+            .and_then(|index| result.stages.get(index))
+            .map_or(HARD, |stage| stage.tau),
     }
 }
 
