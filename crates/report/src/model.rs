@@ -37,8 +37,10 @@ pub struct PlanData {
     pub motions: Vec<MotionData>,
     /// How the arm of the scene moves, if there is one.
     pub arm: Option<ArmData>,
-    /// What reading the plan brought up besides the warnings of the solve.
-    pub remarks: Vec<String>,
+    /// Warnings, and why the plan is not done: sentences without full stops.
+    pub notes: Vec<String>,
+    /// What a plan that is not robust loses most, likewise.
+    pub weakest: Vec<String>,
     /// Success rates of the last `simulate` in this folder.
     pub simulation: Option<SimulationData>,
 }

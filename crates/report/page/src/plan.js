@@ -62,7 +62,7 @@ function cards(data, shown) {
   const { result, simulation } = data;
   return [
     notes(data),
-    result.robust ? robustness(result.robust, result.warnings) : null,
+    result.robust ? robustness(result.robust, data.weakest) : null,
     simulation ? rateMatrix(simulation) : null,
     convergence(data, shown),
     madeFrom(data),

@@ -1,20 +1,20 @@
 // How often the plan succeeds in rollouts, by friction and magnitude.
 import { card, element, table } from "./dom.js";
-import { graspInWords, magnitude, millimetres, percent, short } from "./words.js";
+import { magnitude, percent, sentence, short } from "./words.js";
 
 const keyOf = ({ magnitude_m: length, planned }) => `${length}${planned}`;
 
 /** Success rates before and after refinement, and the weakest corner. */
-export function robustness(robust) {
-  const sentence =
+export function robustness(robust, weakest) {
+  const lead =
     `${percent(robust.rate_after)} of rollouts with hard contact succeed, ${percent(robust.rate_before)} before refinement; ` +
     `${percent(robust.wanted_rate)} were wanted at each friction.`;
   return card(
     "Robustness",
-    element("p", { class: "lead" }, sentence),
+    element("p", { class: "lead" }, lead),
     rates("After refinement", robust.after),
     element("details", {}, element("summary", {}, "Before refinement"), rates("Before refinement", robust.before)),
-    weakest(robust.loss),
+    weakestCorner(weakest),
     rounds(robust),
   );
 }
@@ -43,18 +43,9 @@ export function rateCell(successes, rollouts, interval) {
   return element("span", { class: "rate", style: `--rate:${rate}` }, element("b", {}, percent(rate)), element("small", {}, counts));
 }
 
-function weakest(loss) {
-  if (!loss) return null;
-  const { worst, end } = loss;
-  const held = end.held_by.map(({ pair, force_n: force }) => `${pair} (${force.toFixed(1)} N)`).join(", ");
-  const sentences = [
-    `Weakest at friction ${short(worst.friction)} and ${magnitude(worst.magnitude_m)}: ${worst.successes} of ${worst.rollouts} succeed.`,
-    loss.offset_direction ? `Failing offsets lie along ${loss.offset_direction}.` : null,
-    `The one that ends farthest, with ${graspInWords({ offset: loss.offset_m, turn: loss.turn_rad })}, ends ` +
-      `${millimetres(end.position_error_m)} from the goal, which lies along ${end.goal_direction}.`,
-    held ? `There it is held by ${held}.` : null,
-  ];
-  return element("div", { class: "weakest" }, element("h3", {}, "Weakest corner"), element("p", {}, sentences.filter(Boolean).join(" ")));
+function weakestCorner(words) {
+  if (words.length === 0) return null;
+  return element("div", { class: "weakest" }, element("h3", {}, "Weakest corner"), element("p", {}, words.map(sentence).join(" ")));
 }
 
 function rounds({ rounds: all, kept_round: kept }) {

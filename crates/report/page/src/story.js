@@ -1,6 +1,6 @@
 // How the plan came about: homotopy, time, what it was made from, what to watch.
 import { card, element, table } from "./dom.js";
-import { millimetres, short } from "./words.js";
+import { millimetres, sentence, short } from "./words.js";
 
 const SPLIT = [
   ["distances", "Distances", "--part-1"],
@@ -70,11 +70,8 @@ export function madeFrom({ made_from: facts, result }) {
 }
 
 /** Warnings, and why a plan is not done. */
-export function notes({ result, remarks }) {
-  const explanation = result.explanation;
-  const advice = (explanation?.advice ?? []).map((sentence) => `Try ${sentence}`);
-  const sentences = [...result.warnings, ...remarks];
-  if (sentences.length + advice.length === 0) return null;
-  const list = [...sentences, ...advice].map((sentence) => element("li", {}, sentence));
+export function notes({ result, notes: all }) {
+  if (all.length === 0) return null;
+  const list = all.map((note) => element("li", {}, sentence(note)));
   return card(result.done ? "Warnings" : "What to look at", element("ul", { class: "notes" }, list));
 }

@@ -17,6 +17,9 @@ export function short(number) {
   return size >= 1e4 || size < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)));
 }
 
+/** Words of the planner as a sentence. */
+export const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+
 /** An offset (m) in words. */
 export function offsetInWords(offset) {
   if (offset.every((component) => Math.abs(component) < 5e-7)) return "no offset";

@@ -12,7 +12,7 @@ const PANEL: f64 = 170.0;
 const MARGIN: f64 = 6.0;
 const TITLE: f64 = 22.0;
 /// Room around the body, in its largest extents.
-const ROOM: f64 = 1.5;
+const ROOM: f64 = 1.1;
 /// Share of the largest contact force from which on there is contact.
 const CONTACT: f64 = 0.05;
 
@@ -102,7 +102,7 @@ fn panel(drawing: &mut Drawing, plan: &PlanData, motion: &MotionData, step: usiz
     for (index, scenario) in motion.scenarios.iter().enumerate() {
         let Some(pose) = scenario.poses.get(7 * step..7 * step + 7) else { continue };
         // Fills cover the strokes between parts, and the group is transparent as a whole: one outline per body.
-        drawing.push(&format!("<g opacity=\"0.6\" fill=\"{}\">", COLOURS[index % COLOURS.len()]));
+        drawing.push(&format!("<g opacity=\"0.5\" fill=\"{}\">", COLOURS[index % COLOURS.len()]));
         for style in ["stroke=\"#303030\" stroke-width=\"2\"", ""] {
             parts(&plan.body, pose, style, drawing);
         }

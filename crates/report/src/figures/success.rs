@@ -6,7 +6,7 @@ use super::svg::{Anchor, Drawing};
 use crate::model::SimulationData;
 
 const CELL: [f64; 2] = [96.0, 40.0];
-const LEFT: f64 = 230.0;
+const LEFT: f64 = 270.0;
 const TOP: f64 = 44.0;
 
 /// Draws one row per motion, friction and modelled magnitude, one column per injected magnitude.

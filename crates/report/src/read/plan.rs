@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use planner::explain::LossRecord;
 use planner::files::trajectory::read_tables;
 use planner::files::{MotionTables, PlanResult, STAGES, ScenarioTables, StoredPlan};
 use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
@@ -30,15 +31,10 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
     let mut motions = vec![world.motion(&tables, Source::Plan, plan_tau(&plan.result))?];
     motions.extend(iterations(&plan, &world)?);
     motions.extend(rollouts(&plan, &problem, &world)?);
-    let mut remarks = Vec::new();
-    let arm = match arm::courses(&problem, &tables) {
-        Some(Ok(arm)) => Some(arm),
-        Some(Err(error)) => {
-            remarks.push(format!("the arm cannot follow the plan: {error}"));
-            None
-        }
-        None => None,
-    };
+    let (arm, immobile) = arm::courses(&problem, &tables).map_or((None, None), |courses| match courses {
+        Ok(courses) => (Some(courses), None),
+        Err(error) => (None, Some(format!("the arm cannot follow the plan: {error}"))),
+    });
     let simulation = rates::read_if_there(folder)?;
     let mut result = plan.result;
     result.files.clear();
@@ -51,7 +47,8 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
         pairs: world.names(),
         motions,
         arm,
-        remarks,
+        notes: result.warnings.iter().cloned().chain(immobile).chain(why_not_done(&result)).collect(),
+        weakest: loss(&result).map_or_else(Vec::new, |loss| loss.sentences().into()),
         simulation,
         result,
     })
@@ -80,6 +77,14 @@ fn problem(plan: &StoredPlan) -> Result<Problem, PlannerError> {
     Problem::new(scene, Some(&plan.result.start), Some(plan.result.delta_m), homotopy, success)
 }
 
+fn why_not_done(result: &PlanResult) -> Vec<String> {
+    result.explanation.as_ref().map_or_else(Vec::new, |explanation| explanation.sentences(result.converged))
+}
+
+fn loss(result: &PlanResult) -> Option<&LossRecord> {
+    result.robust.as_ref()?.loss.as_ref()
+}
+
 /// Smoothing with which the distances of the plan were written.
 fn plan_tau(result: &PlanResult) -> f64 {
     match result.robust {
@@ -105,7 +110,7 @@ fn iterations(plan: &StoredPlan, world: &World) -> Result<Vec<MotionData>, Plann
 /// a plan which is not robust loses most.
 fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<MotionData>, PlannerError> {
     let reference = plan.reference()?;
-    let loss = plan.result.robust.as_ref().and_then(|robust| robust.loss.as_ref());
+    let loss = loss(&plan.result);
     let at_friction = |friction: f64| {
         let settings = Settings { friction, ..Settings::default() };
         let mut grasps: Vec<GraspError> = problem.task().offsets.iter().map(|&offset| offset.into()).collect();
