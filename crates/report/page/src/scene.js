@@ -90,6 +90,7 @@ export function sceneView(canvas, data, shown) {
     const median = intervals.splice(0).sort((one, other) => one - other)[FRAMES / 2];
     if (median <= SLOW || ratio <= LEAST_PIXELS) return;
     ratio = Math.max(LEAST_PIXELS, 0.75 * ratio);
+    canvas.parentElement.classList.add("coarse");
     resize();
   }
 

@@ -3,13 +3,19 @@ import { element } from "./dom.js";
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const listeners = new Set();
+let chosen = null;
 
-const isDark = () => (document.documentElement.dataset.theme ?? (dark.matches ? "dark" : "light")) === "dark";
-const notify = () => listeners.forEach((listener) => listener());
+const theme = () => chosen ?? (dark.matches ? "dark" : "light");
 
-/** Tells listeners when the system changes its mind. */
+function apply() {
+  document.documentElement.dataset.theme = theme();
+  listeners.forEach((listener) => listener());
+}
+
+/** Takes the system's colours, also when it changes its mind. */
 export function followTheme() {
-  dark.addEventListener("change", notify);
+  dark.addEventListener("change", apply);
+  apply();
 }
 
 /** Calls back at once and whenever colours change. */
@@ -25,12 +31,13 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 export function themeButton() {
   const button = element("button", { class: "plain theme", type: "button", click: flip });
   function flip() {
-    document.documentElement.dataset.theme = isDark() ? "light" : "dark";
-    notify();
+    chosen = theme() === "dark" ? "light" : "dark";
+    apply();
   }
   onTheme(() => {
-    button.textContent = isDark() ? "Light" : "Dark";
-    button.setAttribute("aria-label", `Switch to ${isDark() ? "light" : "dark"} colours`);
+    const other = theme() === "dark" ? "light" : "dark";
+    button.textContent = other === "dark" ? "Dark" : "Light";
+    button.setAttribute("aria-label", `Switch to ${other} colours`);
   });
   return button;
 }
