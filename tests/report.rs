@@ -55,6 +55,7 @@ fn a_page_is_replaced_and_nothing_else_is() {
     dir.run("solve corner.toml --out plan").code(0);
     dir.run("report plan").code(0);
     dir.run("report plan").code(0);
+    dir.run("solve corner.toml --out plan").code(0).says("plan/report.html shows an older plan");
     dir.write("mine.html", "<p>mine</p>");
     dir.run("report plan --out mine.html").code(2).says("mine.html: is no earlier report");
     assert_eq!(dir.read("mine.html"), "<p>mine</p>");

@@ -61,8 +61,11 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     plan.own_warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let result: PlanResult = folder.finish(&plan)?;
     say!("{}\nwritten to {}", summary(&result), out.display());
+    let page = report::page_of(&out);
     if arguments.report {
         report::write(&out, None)?;
+    } else if page.exists() {
+        tell!("{} shows an older plan; `assembly-plan report {}` writes it anew", page.display(), out.display());
     }
     Ok(if plan.status() == PlanStatus::Done { Exit::Done } else { Exit::NoPlan })
 }

@@ -21,6 +21,9 @@ use arguments::{BatchCommand, MatrixArguments};
 pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {
     match &arguments.step {
         None => {
+            if arguments.report {
+                ::report::require_writable(&report::page_of(&arguments.matrix.folder()?))?;
+            }
             let manifest = write_manifest(&arguments.matrix)?;
             let exit = run::run(&manifest, &manifest.cells, arguments.jobs)?;
             if exit != Exit::Interrupted {
