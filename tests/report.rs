@@ -39,7 +39,7 @@ fn the_page_of_a_plan_holds_its_motions() {
         }
     }
 
-    // Arrows stand where the part touches: nowhere beyond the surface of either.
+    // Arrows have a force and a direction.
     let contacts = list(&list(&motions[0], "scenarios")[0], "contacts");
     let arrows: Vec<&Value> = contacts.iter().filter(|step| !step.as_array().unwrap().is_empty()).collect();
     assert!(!arrows.is_empty(), "the part is pushed into the corner");
@@ -57,7 +57,7 @@ fn a_page_is_replaced_and_nothing_else_is() {
     dir.run("report plan").code(0);
     dir.run("solve corner.toml --out plan").code(0).says("plan/report.html shows an older plan");
     dir.write("mine.html", "<p>mine</p>");
-    dir.run("report plan --out mine.html").code(2).says("mine.html: is no earlier report");
+    dir.run("report plan --out mine.html").code(2).says("mine.html: would be replaced and is no earlier report");
     assert_eq!(dir.read("mine.html"), "<p>mine</p>");
     dir.write("plan/report.html", "<p>mine</p>");
     dir.run("solve corner.toml --out plan --report").code(2).says("is no earlier report");
@@ -71,7 +71,7 @@ fn a_batch_leads_to_the_pages_of_its_cells() {
     dir.run("batch expand corner.toml --deltas 0.01,0.02 --out runs").code(0);
     dir.run("report runs").code(2).says("no cell of the batch is finished yet");
     dir.run("batch run runs --index 0").code(0);
-    dir.run("report runs").code(0).says("with those of 1 plans");
+    dir.run("report runs").code(0).says("with that of 1 plan;");
     let cells = data(&dir, "runs/report.html")["cells"].clone();
     assert_eq!((cells[0]["state"].as_str(), cells[1]["state"].as_str()), (Some("done"), Some("to do")));
     assert_eq!(cells[1]["page"], Value::Null);
@@ -107,5 +107,7 @@ fn figures_are_drawn() {
     let keyframes = dir.read("figures/keyframes-y.svg");
     assert!(keyframes.matches("stroke-dasharray").count() >= 6, "{keyframes}");
     dir.write("figures/forces.svg", "mine");
-    dir.run("report plan --figures figures").code(2).says("figures/forces.svg: is no earlier figure");
+    dir.run("report plan --figures figures")
+        .code(2)
+        .says("figures/forces.svg: would be replaced and is no earlier figure");
 }

@@ -205,13 +205,13 @@ pub struct ReportArguments {
     /// Folder that `solve`, `batch` or `simulate` wrote
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    /// HTML file to write; it needs no network and no other file [default: DIR/report.html]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
     /// Also write SVG figures for papers and slides into this folder: sections through the parts at six moments, contact
     /// forces, convergence, success rates
     #[arg(long, value_name = "DIR")]
     pub figures: Option<PathBuf>,
-    /// HTML file to write; it needs no network and no other file [default: DIR/report.html]
-    #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

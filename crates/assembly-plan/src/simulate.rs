@@ -28,7 +28,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
     require_free(arguments, folder)?;
     if arguments.report {
-        ::report::require_writable(&report::page_of(folder))?;
+        report::require_writable(folder)?;
     }
     exit_at_once()?;
 
@@ -67,7 +67,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}", rollouts.len());
     say!("written to {}", folder.display());
     if arguments.report {
-        report::write(folder, None)?;
+        report::write_into(folder)?;
     }
     Ok(Exit::Done)
 }

@@ -29,7 +29,7 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;
     if arguments.report {
-        ::report::require_writable(&report::page_of(&out))?;
+        report::require_writable(&out)?;
     }
     if !arguments.resume && folder.discard()? {
         tell!("unfinished work of an earlier run is discarded; --resume would have gone on with it");
@@ -63,7 +63,7 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     say!("{}\nwritten to {}", summary(&result), out.display());
     let page = report::page_of(&out);
     if arguments.report {
-        report::write(&out, None)?;
+        report::write_into(&out)?;
     } else if page.exists() {
         tell!("{} shows an older plan; `assembly-plan report {}` writes it anew", page.display(), out.display());
     }

@@ -24,4 +24,4 @@ mod write;
 
 pub use model::PageData;
 pub use read::read;
-pub use write::{PAGE, require_writable, write_figures, write_page};
+pub use write::{PAGE, Written, require_writable, write};

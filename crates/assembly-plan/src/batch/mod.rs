@@ -22,14 +22,14 @@ pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {
     match &arguments.step {
         None => {
             if arguments.report {
-                ::report::require_writable(&report::page_of(&arguments.matrix.folder()?))?;
+                report::require_writable(&arguments.matrix.folder()?)?;
             }
             let manifest = write_manifest(&arguments.matrix)?;
             let exit = run::run(&manifest, &manifest.cells, arguments.jobs)?;
             if exit != Exit::Interrupted {
                 write_tables(&manifest)?;
                 if arguments.report {
-                    report::write(&manifest.folder, None)?;
+                    report::write_into(&manifest.folder)?;
                 }
             }
             Ok(exit)
