@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use collision::Solutions;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use planner::PlannerError;
-use planner::files::MotionTables;
+use planner::files::{MotionTables, ScenarioTables};
 use simulation::Success;
 use task::{Contact, ContactPair, pose_of};
 
@@ -25,6 +25,18 @@ pub struct World {
     success: Success,
 }
 
+/// What the scenarios of a motion share.
+struct Shown {
+    /// Pose of the reference at the start.
+    believed: [f64; 7],
+    /// Indices of the pairs of its tables.
+    pairs: Vec<usize>,
+    /// Smoothing of the distances (N m).
+    tau: f64,
+    /// Smallest force that has an arrow (N).
+    least: f64,
+}
+
 impl World {
     /// Of the pairs of a scene.
     pub fn new(pairs: Vec<ContactPair>, goal: [f64; 7], success: Success) -> Self {
@@ -37,48 +49,59 @@ impl World {
         self.pairs.iter().map(ContactPair::to_string).collect()
     }
 
-    /// A motion. Points of contact are those of distances smoothed by `tau`.
+    /// Distance from the goal (m) and angle to it (rad) of every scenario of a motion at its last knot.
+    pub fn last_errors(&self, tables: &MotionTables) -> Vec<[f64; 2]> {
+        let last = |scenario: &ScenarioTables| scenario.states.last().map_or(self.goal, pose_of);
+        let errors = |pose: [f64; 7]| <[f64; 2]>::from(task::pose::errors(&pose, &self.goal));
+        tables.scenarios.iter().map(|scenario| errors(last(scenario))).collect()
+    }
+
+    /// A motion whose scenarios are judged by some final errors: of rollouts, those after the settling time. Points of
+    /// contact are those of distances smoothed by `tau`.
     ///
     /// # Errors
     /// When it has a pair that the scene does not have.
-    pub fn motion(&self, tables: &MotionTables, source: Source, tau: f64) -> Result<MotionData, PlannerError> {
+    pub fn motion(
+        &self,
+        tables: &MotionTables,
+        errors: &[[f64; 2]],
+        source: Source,
+        tau: f64,
+    ) -> Result<MotionData, PlannerError> {
         let index = |name: &String| self.indices.get(name).copied();
         let pairs: Option<Vec<usize>> = tables.pairs.iter().map(index).collect();
         let pairs = pairs.ok_or(PlannerError::Internal("a table names a pair that the scene does not have"))?;
         let forces = tables.scenarios.iter().flat_map(|scenario| scenario.contacts.iter().flatten());
         let least = SMALLEST.max(SHOWN * forces.map(|contact| contact.force).fold(0.0, f64::max));
-        let scenarios = (0..tables.scenarios.len()).map(|index| self.scenario(tables, index, &pairs, tau, least));
+        let shown = Shown { believed: pose_of(&tables.reference[0]), pairs, tau, least };
+        let scenarios = tables.scenarios.iter().zip(errors);
         Ok(MotionData {
             source,
             time_step: tables.time_step,
             reference: tables.reference.iter().flat_map(|state| pose(&state[..7])).collect(),
-            scenarios: scenarios.collect(),
+            scenarios: scenarios.map(|(scenario, errors)| self.scenario(scenario, *errors, &shown)).collect(),
         })
     }
 
-    fn scenario(&self, tables: &MotionTables, index: usize, pairs: &[usize], tau: f64, least: f64) -> ScenarioData {
-        let scenario = &tables.scenarios[index];
-        let believed = pose_of(&tables.reference[0]);
-        let (offset, turn) = grasp_error(&believed, &pose_of(&scenario.states[0]));
-        let last = pose_of(&scenario.states[scenario.states.len() - 1]);
-        let (position, orientation) = task::pose::errors(&last, &self.goal);
+    fn scenario(&self, scenario: &ScenarioTables, errors: [f64; 2], shown: &Shown) -> ScenarioData {
+        let (offset, turn) = grasp_error(&shown.believed, &pose_of(&scenario.states[0]));
         let smallest = |contacts: &Vec<Contact>| {
             let least = contacts.iter().map(|contact| contact.distance).fold(f64::NAN, f64::min);
             rounded(least, LENGTH)
         };
         let sum = |contacts: &Vec<Contact>| rounded(contacts.iter().map(|contact| contact.force).sum(), FORCE);
         let pushing = |(contacts, state): (&Vec<Contact>, &[f64; 13])| {
-            let pushing = contacts.iter().zip(pairs).filter(|(contact, _)| contact.force >= least);
+            let pushing = contacts.iter().zip(&shown.pairs).filter(|(contact, _)| contact.force >= shown.least);
             pushing
-                .filter_map(|(contact, &pair)| self.arrow(pair, contact.force, &pose_of(state), tau))
+                .filter_map(|(contact, &pair)| self.arrow(pair, contact.force, &pose_of(state), shown.tau))
                 .flatten()
                 .collect()
         };
         ScenarioData {
             offset: all(offset, LENGTH),
             turn: all(turn, ANGLE),
-            errors: [rounded(position, LENGTH), rounded(orientation, ANGLE)],
-            success: self.success.reached(position, orientation),
+            errors: all(errors, LENGTH),
+            success: self.success.reached(errors[0], errors[1]),
             poses: scenario.states.iter().flat_map(|state| pose(&state[..7])).collect(),
             wrenches: scenario.wrenches.iter().flatten().map(|&component| rounded(component, FORCE)).collect(),
             distances: scenario.contacts.iter().map(smallest).collect(),

@@ -28,7 +28,9 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
     let problem = problem(&plan)?;
     let world = World::new(problem.scene().all_pairs(), problem.task().goal, problem.success());
     let tables = read_tables(folder)?;
-    let mut motions = vec![world.motion(&tables, Source::Plan, plan_tau(&plan.result))?];
+    let ends = plan.result.scenarios.iter().map(|scenario| [scenario.position_error_m, scenario.orientation_error_rad]);
+    let ends: Vec<[f64; 2]> = ends.collect();
+    let mut motions = vec![world.motion(&tables, &ends, Source::Plan, plan_tau(&plan.result))?];
     motions.extend(iterations(&plan, &world)?);
     motions.extend(rollouts(&plan, &problem, &world)?);
     let (arm, immobile) = arm::courses(&problem, &tables).map_or((None, None), |courses| match courses {
@@ -101,7 +103,7 @@ fn iterations(plan: &StoredPlan, world: &World) -> Result<Vec<MotionData>, Plann
     let folder = plan.folder.join(STAGES);
     let iteration = |(number, tau): (usize, f64)| {
         let tables = read_tables(&folder.join(number.to_string()))?;
-        world.motion(&tables, Source::Iteration { number, tau }, tau)
+        world.motion(&tables, &world.last_errors(&tables), Source::Iteration { number, tau }, tau)
     };
     (1..).zip(plan.result.stages.iter().map(|stage| stage.tau)).map(iteration).collect()
 }
@@ -117,7 +119,9 @@ fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<M
         let lost = loss.filter(|loss| loss.worst.friction == friction);
         grasps.extend(lost.map(|loss| GraspError { offset: loss.offset_m, turn: loss.turn_rad }));
         let played = problem.rollout(settings)?.trajectory(&reference, &GraspError::distinct(grasps), HARD);
-        world.motion(&tables(played, problem.scene()), Source::Rollouts { friction }, HARD)
+        let quality = played.scenarios.iter().map(|motion| &motion.quality);
+        let ends: Vec<[f64; 2]> = quality.map(|quality| [quality.position_error, quality.orientation_error]).collect();
+        world.motion(&tables(played, problem.scene()), &ends, Source::Rollouts { friction }, HARD)
     };
     RobustnessTarget::of(&problem.scene().borne).frictions.into_iter().map(at_friction).collect()
 }
