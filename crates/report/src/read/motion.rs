@@ -117,7 +117,7 @@ impl World {
         let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());
         self.pairs[pair].shapes.contacts(poses, tau, solutions, &mut contact).ok()?;
         let [_, nx, ny, nz, _, _, _, x, y, z] = contact[0];
-        // Smoothed normals are shorter than one where several features touch.
+        // A smoothed normal may be shorter than one.
         let normal = Vector3::new(nx, ny, nz).try_normalize(0.0)?;
         let ([x, y, z], [nx, ny, nz]) = (all([x, y, z], LENGTH), all(normal.into(), 3));
         Some([pair as f64, rounded(force, FORCE), x, y, z, nx, ny, nz])
