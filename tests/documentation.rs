@@ -209,7 +209,7 @@ fn files_that_are_named_exist() {
 
 /// Long flags of the program, but for hidden ones.
 fn flags_of_program() -> BTreeSet<String> {
-    let commands: [&[&str]; 16] = [
+    let commands: [&[&str]; 17] = [
         &[],
         &["solve"],
         &["check"],
@@ -220,6 +220,7 @@ fn flags_of_program() -> BTreeSet<String> {
         &["generate", "keyed"],
         &["schema"],
         &["simulate"],
+        &["report"],
         &["batch"],
         &["batch", "expand"],
         &["batch", "run"],

@@ -9,6 +9,7 @@ mod mujoco;
 mod mutations;
 mod outputs;
 mod progress;
+mod report;
 mod resume;
 mod robust;
 mod simulate;

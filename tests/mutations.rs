@@ -172,8 +172,12 @@ fn play(folder: &Path) -> Result<(), PlannerError> {
         let rows = to_csv(played.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)))?;
         for rollout in &played {
             let outcome = rollout.outcome;
-            let numbers =
-                [outcome.position_error, outcome.orientation_error, outcome.max_penetration, outcome.loads.contact_force];
+            let numbers = [
+                outcome.position_error,
+                outcome.orientation_error,
+                outcome.max_penetration,
+                outcome.loads.contact_force,
+            ];
             require_finite(&format!("{rollout:?}"), numbers);
         }
         let table = format!("{}{}", SuccessTable::new(&played), String::from_utf8(rows).unwrap());

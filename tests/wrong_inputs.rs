@@ -11,6 +11,8 @@ mod flags;
 mod homotopies;
 #[path = "wrong_inputs/plans.rs"]
 mod plans;
+#[path = "wrong_inputs/report.rs"]
+mod report;
 #[path = "wrong_inputs/scenes.rs"]
 mod scenes;
 #[path = "wrong_inputs/simulate.rs"]
@@ -200,4 +202,9 @@ fn wrong_plans_are_refused() {
 #[test]
 fn wrong_words_and_files_of_batch_are_refused() {
     refused_as_listed(batch::ROWS);
+}
+
+#[test]
+fn folders_without_a_page_are_refused() {
+    refused_as_listed(report::ROWS);
 }

@@ -35,6 +35,7 @@ Examples:
   assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
   assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1
   assembly-plan solve scenes/peg1.toml --robust --time-limit 120 --out out/peg1
+  assembly-plan report out/peg1
   assembly-plan simulate scenes/peg1.toml out/peg1 --random 50 --magnitude 0.005,0.01 --friction 0,0.1";
 
 #[derive(Debug, Subcommand)]
@@ -45,6 +46,8 @@ pub enum Command {
     Batch(BatchArguments),
     /// Play plans under injected offsets, with hard contacts, and count how often they succeed
     Simulate(SimulateArguments),
+    /// Write an HTML page that shows a plan, a batch or a simulation
+    Report(ReportArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
     /// Write a scene to begin with, which is solved as it is
@@ -96,6 +99,9 @@ pub struct SolveArguments {
     /// Threads [default: one per processor]; they change nothing but the time it takes
     #[arg(long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
+    /// Also write report.html, a page that shows the plan
+    #[arg(long)]
+    pub report: bool,
     #[command(flatten)]
     pub progress: ProgressArguments,
 }
@@ -194,6 +200,23 @@ pub struct SimulateArguments {
     /// Folder for rollouts.csv and success.csv [default: DIR]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Also write report.html, a page that shows the success rates, beside them
+    #[arg(long)]
+    pub report: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Folder that `solve`, `batch` or `simulate` wrote
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// HTML file to write; it needs no network and no other file [default: DIR/report.html]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Also write SVG figures for papers and slides into this folder: sections through the parts at six moments, contact
+    /// forces, convergence, success rates
+    #[arg(long, value_name = "DIR")]
+    pub figures: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

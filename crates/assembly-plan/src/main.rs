@@ -9,6 +9,7 @@ mod generate;
 mod interrupt;
 mod new;
 mod progress;
+mod report;
 mod schema;
 mod simulate;
 mod solve;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
+        Command::Report(arguments) => report::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Generate(arguments) => generate::run(arguments),

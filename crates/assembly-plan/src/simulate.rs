@@ -15,6 +15,7 @@ use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::exit_at_once;
 use crate::progress::Progress;
+use crate::report;
 
 /// Plays everything, writes both tables and prints the one of successes.
 pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
@@ -27,6 +28,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     }
     let folder = arguments.out.as_ref().unwrap_or(&arguments.folder);
     require_free(arguments, folder)?;
+    if arguments.report {
+        report::require_writable(folder)?;
+    }
     exit_at_once()?;
 
     let progress = Progress::new(&arguments.progress)?;
@@ -65,6 +69,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let in_words = if threads == 1 { "thread" } else { "threads" };
     say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}", rollouts.len());
     say!("written to {}", folder.display());
+    if arguments.report {
+        report::write_into(folder)?;
+    }
     Ok(Exit::Done)
 }
 

@@ -12,6 +12,7 @@ use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::{stop_flag, stop_with_parent};
 use crate::progress::Progress;
+use crate::report;
 use crate::summary::summary;
 use crate::values::threads;
 
@@ -28,6 +29,9 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     }
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;
+    if arguments.report {
+        report::require_writable(&out)?;
+    }
     if !arguments.resume && folder.discard()? {
         tell!("unfinished work of an earlier run is discarded; --resume would have gone on with it");
     }
@@ -58,6 +62,12 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     plan.own_warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let result: PlanResult = folder.finish(&plan)?;
     say!("{}\nwritten to {}", summary(&result), out.display());
+    let page = report::page_of(&out);
+    if arguments.report {
+        report::write_into(&out)?;
+    } else if page.exists() {
+        tell!("{} shows an older plan; `assembly-plan report {}` writes it anew", page.display(), out.display());
+    }
     Ok(if plan.status() == PlanStatus::Done { Exit::Done } else { Exit::NoPlan })
 }
 

@@ -1,6 +1,5 @@
 //! What came of a plan, in a few lines.
 
-use planner::explain::FailureExplanation;
 use planner::files::{LimitsRecord, PlanResult};
 use planner::{RobustnessReport, SuccessRate, interval, rate};
 
@@ -45,25 +44,10 @@ pub fn summary(result: &PlanResult) -> String {
         result.gains.translational_stiffness_n_m, result.gains.rotational_stiffness_nm_rad
     ));
     lines.extend(limits(&result.limits, &result.reached));
-    lines.extend(result.explanation.iter().flat_map(|explanation| failure(explanation, result.converged)));
+    let why = result.explanation.iter().flat_map(|explanation| explanation.sentences(result.converged));
+    lines.extend(why.map(|sentence| format!("  {sentence}")));
     lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.chosen_stage)));
     lines.join("\n")
-}
-
-/// Violations that are shown of a plan that did not converge.
-const VIOLATIONS: usize = 3;
-
-/// Why a plan is not done, and what to try.
-fn failure(explanation: &FailureExplanation, converged: bool) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    if !converged {
-        lines
-            .extend(explanation.residuals.iter().take(VIOLATIONS).map(|residual| format!("violated most: {residual}")));
-    }
-    lines.extend(explanation.dependencies.iter().map(|dependency| format!("{dependency}")));
-    lines.extend(explanation.scenarios.iter().map(|scenario| format!("{scenario}")));
-    lines.extend(explanation.advice.iter().map(|advice| format!("try {advice}")));
-    lines.iter().map(|line| format!("  {line}")).collect()
 }
 
 /// How much of every limit a plan uses; nothing where there are no limits.

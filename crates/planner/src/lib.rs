@@ -69,7 +69,7 @@ pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolve
 pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;
 pub use plan::{Plan, PlanStatus};
-pub use problem::{Choices, Problem, homotopy};
+pub use problem::{Choices, Problem, homotopy, success};
 pub use refine::{RobustnessTarget, refine, refine_reference};
 pub use robustness::{RobustnessReport, Round};
 pub use session::{Event, Observer, Session};

@@ -97,4 +97,5 @@ pub use refinement::Refinement;
 pub use rollout::{Outcome, Rollout, TimedState};
 pub use settings::Settings;
 pub use settings_error::SettingsError;
+pub use solid::{Edge, Facet, Solid};
 pub use success::{Success, wilson_interval};

@@ -8,8 +8,11 @@ use nalgebra::{Rotation3, Vector3};
 /// A convex polytope at some pose.
 #[derive(Debug, Clone)]
 pub struct Solid {
+    /// Its corners (m).
     pub vertices: Vec<Vector3<f64>>,
+    /// One per halfspace.
     pub facets: Vec<Facet>,
+    /// Each once.
     pub edges: Vec<Edge>,
     /// The facets that meet in each vertex.
     pub meeting: Vec<Vec<usize>>,
@@ -18,15 +21,20 @@ pub struct Solid {
 /// A facet `{p | normal p = offset}` with its corners, counter-clockwise as seen from outside.
 #[derive(Debug, Clone)]
 pub struct Facet {
+    /// Unit normal, outwards.
     pub normal: Vector3<f64>,
+    /// Distance of its plane from the origin along the normal (m).
     pub offset: f64,
+    /// Indices of vertices.
     pub corners: Vec<usize>,
 }
 
 /// Two vertices and the two facets that meet between them.
 #[derive(Debug, Clone, Copy)]
 pub struct Edge {
+    /// Indices of its vertices.
     pub ends: [usize; 2],
+    /// Indices of its facets.
     pub facets: [usize; 2],
 }
 

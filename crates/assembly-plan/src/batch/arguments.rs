@@ -22,6 +22,9 @@ pub struct BatchArguments {
     /// How many cells are solved at once, each by one thread [default: the number of cores]
     #[arg(long, value_name = "N", value_parser = values::jobs)]
     pub jobs: Option<u16>,
+    /// Also write report.html, a page that shows all cells, and one into the folder of each finished cell
+    #[arg(long)]
+    pub report: bool,
     #[command(flatten)]
     pub progress: ProgressArguments,
 }

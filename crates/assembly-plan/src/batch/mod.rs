@@ -14,16 +14,23 @@ pub use arguments::BatchArguments;
 
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
+use crate::report;
 use arguments::{BatchCommand, MatrixArguments};
 
 /// Runs one of the steps or, when none is named, all that a batch on this machine needs.
 pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {
     match &arguments.step {
         None => {
+            if arguments.report {
+                report::require_writable(&arguments.matrix.folder()?)?;
+            }
             let manifest = write_manifest(&arguments.matrix)?;
             let exit = run::run(&manifest, &manifest.cells, arguments.jobs, &arguments.progress)?;
             if exit != Exit::Interrupted {
                 write_tables(&manifest)?;
+                if arguments.report {
+                    report::write_into(&manifest.folder)?;
+                }
             }
             Ok(exit)
         }

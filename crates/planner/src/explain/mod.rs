@@ -38,6 +38,21 @@ pub struct FailureExplanation {
     pub advice: Vec<String>,
 }
 
+/// Violations that are told of a plan that did not converge.
+const VIOLATIONS: usize = 3;
+
+impl FailureExplanation {
+    /// Why a plan is not done, and what to try: sentences without full stops.
+    pub fn sentences(&self, converged: bool) -> Vec<String> {
+        let told = if converged { 0 } else { VIOLATIONS };
+        let violated = self.residuals.iter().take(told).map(|residual| format!("violated most: {residual}"));
+        let contradicting = self.dependencies.iter().map(ToString::to_string);
+        let stuck = self.scenarios.iter().map(ToString::to_string);
+        let advice = self.advice.iter().map(|advice| format!("try {advice}"));
+        violated.chain(contradicting).chain(stuck).chain(advice).collect()
+    }
+}
+
 impl Plan {
     /// Why the plan is not done. `None` where it is, and where it was interrupted or refined: what a refined plan loses
     /// is in [`crate::RobustnessReport::loss`].

@@ -10,7 +10,8 @@ use task::LinearSolver;
 use crate::error::{PlannerError, short};
 use crate::files::atomic::{read_text, require_folder, write_file};
 
-const FILE: &str = "manifest.jsonl";
+/// Name of the file.
+pub const MANIFEST: &str = "manifest.jsonl";
 /// Digits of an identity that name a folder.
 const NAME_DIGITS: usize = 16;
 /// Largest offset magnitude of a scene (m).
@@ -99,7 +100,7 @@ impl Manifest {
     /// # Errors
     /// When there is none, or with the line that is wrong.
     pub fn load(folder: &Path) -> Result<Self, PlannerError> {
-        let file = folder.join(FILE);
+        let file = folder.join(MANIFEST);
         if !file.exists() {
             return Err(PlannerError::file(&file, "there is none; `assembly-plan batch expand` writes it"));
         }
@@ -121,7 +122,7 @@ impl Manifest {
 
     /// Name of the file.
     pub fn file(&self) -> PathBuf {
-        self.folder.join(FILE)
+        self.folder.join(MANIFEST)
     }
 
     /// Writes the file and returns true, or returns false where it stands already.

@@ -32,13 +32,14 @@ pub use atomic::{hash, read_text, remove_file, require_folder, write_file};
 pub use checkpoint::Checkpoint;
 pub use folder::PlanFolder;
 pub use grasp::GraspRecord;
-pub use manifest::{Cell, Manifest};
+pub use manifest::{Cell, MANIFEST, Manifest};
 pub use new_scene::write_new_scene;
 pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
 pub use rollouts::{
-    OffsetRow, RolloutRow, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables, write_rollout_tables,
+    OffsetRow, ROLLOUTS, RolloutRow, SUCCESS, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables,
+    write_rollout_tables,
 };
 pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result};
 pub use table::{Value, read_csv, to_csv};
-pub use trajectory::StateRow;
+pub use trajectory::{MotionTables, ScenarioTables, StateRow};

@@ -11,10 +11,10 @@ use crate::files::table::{Value, has_header, read_csv, to_csv};
 use crate::simulate::PlayedRollout;
 use crate::success_table::SuccessGroup;
 
-/// Every rollout.
-const ROLLOUTS: &str = "rollouts.csv";
-/// Success rates.
-const SUCCESS: &str = "success.csv";
+/// Name of the table of every rollout.
+pub const ROLLOUTS: &str = "rollouts.csv";
+/// Name of the table of success rates.
+pub const SUCCESS: &str = "success.csv";
 
 /// A row of `rollouts.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

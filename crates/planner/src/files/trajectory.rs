@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use simulation::Reference;
-use task::{AssemblyTask, Contact, Limits, Quality, STATE, ScenarioTrajectory, TWIST, Trajectory, pose_of};
+use task::{AssemblyTask, Contact, GraspError, Limits, Quality, STATE, ScenarioTrajectory, TWIST, Trajectory, pose_of};
 
 use crate::error::PlannerError;
 use crate::files::atomic::write_file;
@@ -208,46 +208,95 @@ fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
     Ok((time_step, rows.iter().map(StateRow::state).collect()))
 }
 
+/// The four tables of a motion as they stand in a folder, whatever task they are of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionTables {
+    /// Length of a step (s).
+    pub time_step: f64,
+    /// Reference states (pose, twist) at k = 0..N.
+    pub reference: Vec<[f64; STATE]>,
+    /// Names of the pairs, `BODY PART/ENVIRONMENT PART`, in the order of the contacts.
+    pub pairs: Vec<String>,
+    /// One per scenario.
+    pub scenarios: Vec<ScenarioTables>,
+}
+
+/// Tables of one scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScenarioTables {
+    /// States of the body at k = 0..N.
+    pub states: Vec<[f64; STATE]>,
+    /// Wrenches of the impedance controller at k = 1..N: force (N, world frame), torque (Nm, body frame).
+    pub wrenches: Vec<[f64; TWIST]>,
+    /// Contacts at k = 1..N, one per pair.
+    pub contacts: Vec<Vec<Contact>>,
+}
+
+/// Reads the four tables of a folder.
+///
+/// # Errors
+/// When a table is missing or wrong, or does not fit the others.
+pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
+    let (time_step, reference) = read_states(&folder.join(REFERENCE))?;
+    let states: Vec<ScenarioRow> = read_csv(&folder.join(SCENARIOS))?;
+    let wrenches: Vec<WrenchRow> = read_csv(&folder.join(WRENCH))?;
+    let contacts: Vec<ContactRow> = read_csv(&folder.join(CONTACTS))?;
+    let steps = reference.len() - 1;
+    let scenarios = states.len() / (steps + 1);
+    // Every pair is named in the first step of the first scenario.
+    let first_step = |row: &&ContactRow| row.scenario == 1 && row.time_s == contacts[0].time_s;
+    let pairs: Vec<String> = contacts.iter().take_while(first_step).map(|row| row.pair.clone()).collect();
+    for (file, rows, expected) in [
+        (SCENARIOS, states.len(), scenarios * (steps + 1)),
+        (WRENCH, wrenches.len(), scenarios * steps),
+        (CONTACTS, contacts.len(), scenarios * steps * pairs.len()),
+    ] {
+        require_rows(&folder.join(file), rows, expected)?;
+    }
+    let scenario = |index: usize| ScenarioTables {
+        states: states[index * (steps + 1)..][..steps + 1].iter().map(|row| row.row().state()).collect(),
+        wrenches: wrenches[index * steps..][..steps].iter().map(wrench).collect(),
+        contacts: (0..steps)
+            .map(|step| contacts[(index * steps + step) * pairs.len()..][..pairs.len()].iter().map(contact).collect())
+            .collect(),
+    };
+    Ok(MotionTables { time_step, reference, scenarios: (0..scenarios).map(scenario).collect(), pairs })
+}
+
+fn require_rows(file: &Path, rows: usize, expected: usize) -> Result<(), PlannerError> {
+    if rows == expected {
+        return Ok(());
+    }
+    Err(PlannerError::file(file, format!("{rows} rows where {expected} are expected; solve again")))
+}
+
 /// Reads the four tables of a folder exactly as they were written; what they do not hold (final errors, overlap, limits)
 /// is computed again from the task. The drift of quaternions, which are written with unit norm, is not known.
 ///
 /// # Errors
 /// When a table is missing, wrong, or does not fit the others or the task.
 pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
-    let (_, reference) = read_states(&folder.join(REFERENCE))?;
-    let (steps, time_step) = (reference.len() - 1, task.horizon.time_step);
-    let states: Vec<ScenarioRow> = read_csv(&folder.join(SCENARIOS))?;
-    let wrenches: Vec<WrenchRow> = read_csv(&folder.join(WRENCH))?;
-    let contacts: Vec<ContactRow> = read_csv(&folder.join(CONTACTS))?;
-    let (scenarios, pairs) = (task.grasps.len(), task.pairs.len());
+    let MotionTables { reference, pairs, scenarios, .. } = read_tables(folder)?;
+    let (time_step, steps) = (task.horizon.time_step, task.horizon.steps);
     for (file, rows, expected) in [
-        (REFERENCE, steps, task.horizon.steps),
-        (SCENARIOS, states.len(), scenarios * (steps + 1)),
-        (WRENCH, wrenches.len(), scenarios * steps),
-        (CONTACTS, contacts.len(), scenarios * steps * pairs),
+        (REFERENCE, reference.len() - 1, steps),
+        (SCENARIOS, scenarios.len() * (steps + 1), task.grasps.len() * (steps + 1)),
+        (CONTACTS, scenarios.len() * steps * pairs.len(), scenarios.len() * steps * task.pairs.len()),
     ] {
-        if rows != expected {
-            let problem = format!("{rows} rows where {expected} are expected; solve again");
-            return Err(PlannerError::file(&folder.join(file), problem));
-        }
+        require_rows(&folder.join(file), rows, expected)?;
     }
-    let scenario = |index: usize| {
-        let states: Vec<[f64; STATE]> =
-            states[index * (steps + 1)..][..steps + 1].iter().map(|row| row.row().state()).collect();
-        let wrenches: Vec<[f64; TWIST]> = wrenches[index * steps..][..steps].iter().map(wrench).collect();
-        let contacts: Vec<Vec<Contact>> = (0..steps)
-            .map(|step| contacts[(index * steps + step) * pairs..][..pairs].iter().map(contact).collect())
-            .collect();
+    let scenario = |(tables, &grasp): (ScenarioTables, &GraspError)| {
+        let ScenarioTables { states, wrenches, contacts } = tables;
         let poses: Vec<_> = states.iter().map(pose_of).collect();
         let quality = Quality::new(task, &poses, &contacts);
         let keeps = Limits::kept_by(&states, time_step, &wrenches, quality.max_force);
-        ScenarioTrajectory { grasp: task.grasps[index], states, wrenches, contacts, quality, keeps }
+        ScenarioTrajectory { grasp, states, wrenches, contacts, quality, keeps }
     };
     Ok(Trajectory {
         time_step,
         reference_keeps: Limits::kept_by(&reference, time_step, &[], 0.0),
         reference,
-        scenarios: (0..scenarios).map(scenario).collect(),
+        scenarios: scenarios.into_iter().zip(&task.grasps).map(scenario).collect(),
         quaternion_drift: 0.0,
     })
 }

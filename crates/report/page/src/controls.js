@@ -1,0 +1,220 @@
+// Play, scrub, choose what is shown; keys.
+import { element } from "./dom.js";
+import { duration } from "./state.js";
+import { scenarioColour } from "./theme.js";
+import { VIEWS } from "./scene.js";
+import { graspInWords, short } from "./words.js";
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
+
+/** Time goes on while the page plays; the motion begins again at its end. */
+export function runClock(data, shown) {
+  let before = null;
+  function tick(now) {
+    const { playing, time, speed, motion } = shown.values;
+    if (!playing) {
+      before = null;
+      return;
+    }
+    const passed = before === null ? 0 : (speed * (now - before)) / 1e3;
+    before = now;
+    const end = duration(data.motions[motion]);
+    // The end is shown for a moment.
+    shown.set({ time: time >= end ? 0 : Math.min(time + passed, end) });
+    requestAnimationFrame(tick);
+  }
+  shown.on(["playing"], ({ playing }) => playing && requestAnimationFrame(tick));
+}
+
+/** Play button, time and speed. */
+export function transport(data, shown) {
+  const play = element("button", { class: "play", type: "button", click: () => toggle(shown) });
+  const scrub = element("input", {
+    type: "range",
+    min: 0,
+    step: "any",
+    "aria-label": "Time",
+    input: () => shown.set({ time: Number(scrub.value), playing: false }),
+  });
+  const clock = element("output", { class: "clock" });
+  const speed = element(
+    "select",
+    { "aria-label": "Speed", change: () => shown.set({ speed: Number(speed.value) }) },
+    SPEEDS.map((value) => element("option", { value, selected: value === shown.values.speed }, `${value}×`)),
+  );
+  shown.on(["playing"], ({ playing }) => {
+    play.textContent = playing ? "❚❚" : "▶";
+    play.setAttribute("aria-label", playing ? "Pause" : "Play");
+  });
+  shown.on(["motion", "time"], ({ motion, time }) => {
+    const end = duration(data.motions[motion]);
+    scrub.max = end;
+    scrub.value = time;
+    scrub.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds`);
+    clock.textContent = `${time.toFixed(2)} / ${end.toFixed(2)} s`;
+  });
+  return element("div", { class: "transport" }, play, scrub, clock, speed);
+}
+
+function toggle(shown) {
+  shown.set({ playing: !shown.values.playing });
+}
+
+/** Which motion is shown: the plan, a homotopy iteration or rollouts. */
+export function motionChoice(data, shown) {
+  const first = (source) => data.motions.findIndex((motion) => motion.source === source);
+  const iterations = data.motions.filter(({ source }) => source === "iteration");
+  const rollouts = data.motions.filter(({ source }) => source === "rollouts");
+  const choose = (motion) => shown.set({ motion, selected: 0, hidden: new Set(), time: ofSameShare(data, shown.values, motion) });
+  const button = (name, motion, isShown) => {
+    const node = element("button", { type: "button", click: () => choose(motion) }, name);
+    shown.on(["motion"], (values) => node.setAttribute("aria-pressed", isShown(data.motions[values.motion])));
+    return node;
+  };
+  const slider = element("input", {
+    type: "range",
+    min: 1,
+    max: iterations.length,
+    step: 1,
+    "aria-label": "Homotopy iteration",
+    input: () => choose(first("iteration") + Number(slider.value) - 1),
+  });
+  const label = element("output", {});
+  const row = element("label", { class: "iteration" }, label, slider);
+  shown.on(["motion"], ({ motion }) => {
+    const { source, number, tau } = data.motions[motion];
+    row.hidden = source !== "iteration";
+    if (source !== "iteration") return;
+    slider.value = number;
+    slider.setAttribute("aria-valuetext", `${number} of ${iterations.length}`);
+    label.textContent = `Homotopy iteration ${number} of ${iterations.length}, τ = ${short(tau)} N m`;
+  });
+  const choices = element(
+    "div",
+    { class: "segments", role: "group", "aria-label": "Motion" },
+    button("Plan", 0, ({ source }) => source === "plan"),
+    button("Homotopy", first("iteration") + iterations.length - 1, ({ source }) => source === "iteration"),
+    rollouts.map((motion) =>
+      button(rolloutName(motion), data.motions.indexOf(motion), (other) => other === motion),
+    ),
+  );
+  return [choices, row];
+}
+
+function rolloutName({ friction, scenarios }) {
+  const failed = scenarios.filter(({ success }) => !success).length;
+  const result = failed === 0 ? "" : ` (${failed} ${failed === 1 ? "fails" : "fail"})`;
+  return `Hard contact, friction ${short(friction)}${result}`;
+}
+
+/** The time of another motion with the same share of it done. */
+function ofSameShare(data, { motion, time }, other) {
+  return (time / Math.max(duration(data.motions[motion]), 1e-9)) * duration(data.motions[other]);
+}
+
+/** Buttons of the scenarios: a click selects one, its eye hides it. */
+export function scenarioChoice(data, shown) {
+  const list = element("div", { class: "scenarios", role: "group", "aria-label": "Scenarios" });
+  shown.on(["motion", "selected", "hidden"], ({ motion, selected, hidden }) => {
+    const focused = list.contains(document.activeElement) ? document.activeElement.dataset.name : null;
+    list.replaceChildren(
+      ...data.motions[motion].scenarios.map((scenario, index) => {
+        const name = `Scenario ${index + 1}: ${graspInWords(scenario)}`;
+        const select = element(
+          "button",
+          {
+            type: "button",
+            "aria-pressed": String(index === selected),
+            "data-name": `select ${index}`,
+            click: () => shown.set({ selected: index, hidden: without(hidden, index) }),
+          },
+          element("span", { class: "dot", style: `--mark:${scenarioColour(index)}` }),
+          `${index + 1}  ${graspInWords(scenario)}`,
+          scenario.success ? null : element("span", { class: "missed" }, "misses the goal"),
+        );
+        const eye = element(
+          "button",
+          {
+            class: "eye",
+            type: "button",
+            "aria-label": `Show ${name}`,
+            "aria-pressed": String(!hidden.has(index)),
+            "data-name": `show ${index}`,
+            click: () => shown.set({ hidden: hidden.has(index) ? without(hidden, index) : new Set([...hidden, index]) }),
+          },
+          hidden.has(index) ? "○" : "●",
+        );
+        return element("span", { class: "scenario" }, select, eye);
+      }),
+    );
+    list.querySelector(`[data-name="${focused}"]`)?.focus();
+  });
+  return list;
+}
+
+function without(set, member) {
+  return new Set([...set].filter((other) => other !== member));
+}
+
+/** What is drawn besides the bodies, views and the cut. */
+export function viewOptions(data, shown, view) {
+  const check = (name, key) => {
+    const box = element("input", { type: "checkbox", change: () => shown.set({ [key]: box.checked }) });
+    shown.on([key], (values) => (box.checked = values[key]));
+    return element("label", { class: "check" }, box, name);
+  };
+  const smoothed = check("Smoothed shapes", "showSmoothed");
+  shown.on(["motion"], ({ motion }) => (smoothed.hidden = data.motions[motion].source !== "iteration"));
+  const cut = element(
+    "select",
+    { change: () => shown.set({ cut: cut.value }) },
+    ["none", "x", "y", "z"].map((axis) => element("option", { value: axis }, axis === "none" ? "no cut" : `cut along ${axis}`)),
+  );
+  const depth = element("input", {
+    type: "range",
+    min: -1,
+    max: 1,
+    step: 0.01,
+    value: 0,
+    "aria-label": "Place of the cut",
+    input: () => shown.set({ cutAt: Number(depth.value) }),
+  });
+  shown.on(["cut"], (values) => {
+    depth.hidden = values.cut === "none";
+    cut.value = values.cut;
+  });
+  cut.setAttribute("aria-label", "Cut");
+  return {
+    options: element("div", { class: "options" }, check("Reference", "showReference"), check("Forces", "showForces"), smoothed, cut, depth),
+    views: element(
+      "div",
+      { class: "views", role: "group", "aria-label": "View" },
+      Object.keys(VIEWS).map((name) =>
+        element("button", { type: "button", "aria-label": `View ${name}`, click: () => view.look(name) }, name),
+      ),
+    ),
+  };
+}
+
+/** Space plays, arrows go one step, Home and End to the ends. */
+export function followKeys(data, shown) {
+  document.addEventListener("keydown", (event) => {
+    const isOccupied = event.target.closest?.("button, select, input, summary, a, [role=region]");
+    if (isOccupied || event.ctrlKey || event.metaKey || event.altKey) return;
+    const { time, motion } = shown.values;
+    const { time_step: step } = data.motions[motion];
+    const end = duration(data.motions[motion]);
+    const goTo = (moment) => shown.set({ time: Math.min(Math.max(moment, 0), end), playing: false });
+    const actions = {
+      " ": () => toggle(shown),
+      ArrowRight: () => goTo((Math.round(time / step) + 1) * step),
+      ArrowLeft: () => goTo((Math.round(time / step) - 1) * step),
+      Home: () => goTo(0),
+      End: () => goTo(end),
+    };
+    if (actions[event.key]) {
+      event.preventDefault();
+      actions[event.key]();
+    }
+  });
+}

@@ -1,0 +1,271 @@
+// The 3D view: environment, reference, the body of every scenario, contact forces.
+import {
+  AmbientLight,
+  AxesHelper,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  Plane,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { arrows } from "./arrows.js";
+import { bounds, poseAt } from "./motion.js";
+import { edgeGeometry, exactGeometry, sectionGeometry, smoothedGeometry } from "./solids.js";
+import { colour, onTheme, scenarioColour } from "./theme.js";
+
+/** Directions from which the view looks, by the names of its buttons. */
+export const VIEWS = {
+  Free: new Vector3(1.1, -1.6, 0.9),
+  X: new Vector3(1, 0, 0),
+  Y: new Vector3(0, -1, 0),
+  Z: new Vector3(0, -1e-3, 1),
+};
+const AXES = { x: new Vector3(-1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, -1) };
+const FIELD_OF_VIEW = 35;
+/** Frames over which the time between two of them is taken; the longest that is smooth (ms). */
+const FRAMES = 12;
+const SLOW = 30;
+/** Fewest pixels that are drawn per pixel of the page, along each side. */
+const LEAST_PIXELS = 0.5;
+
+/** The view into a canvas. It is drawn again when something that it shows has changed, never otherwise. */
+export function sceneView(canvas, data, shown) {
+  const isSlow = drawsWithoutGraphics();
+  const renderer = new WebGLRenderer({ canvas, antialias: !isSlow });
+  renderer.localClippingEnabled = true;
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 1e-3, 100);
+  camera.up.set(0, 0, 1);
+  const controls = new OrbitControls(camera, canvas);
+  controls.enableDamping = false;
+
+  const room = bounds(data.environment);
+  const body = bounds(data.body);
+  const size = Math.max(body.radius, 0.35 * room.radius);
+  const target = new Vector3().fromArray(data.goal).lerp(new Vector3().fromArray(data.motions[0].reference), 0.4);
+  const plane = new Plane(AXES.y.clone(), 0);
+
+  const light = new DirectionalLight(0xffffff, 2.6);
+  scene.add(new AmbientLight(0xffffff, 1.15), light, camera);
+  const axes = goalAxes(data.goal, 0.7 * size);
+  scene.add(axes);
+
+  const fixed = placedParts(data.environment);
+  const reference = new LineSegments(edgeGeometry(data.body), new LineBasicMaterial());
+  const most = Math.max(...data.motions.map(({ scenarios }) => scenarios.length));
+  const bodies = Array.from({ length: most }, () => placedParts(data.body));
+  const forces = arrows(size);
+  scene.add(fixed.group, reference, ...bodies.map(({ group }) => group), ...forces.meshes);
+
+  let pending = false;
+  let ratio = Math.min(devicePixelRatio, isSlow ? 1 : 2);
+  let before = null;
+  const intervals = [];
+
+  function draw(now) {
+    pending = false;
+    slowDown(now);
+    place();
+    // From the left shoulder of who looks, so that faces differ.
+    light.position.set(-0.6, 0.9, 1).applyQuaternion(camera.quaternion);
+    renderer.render(scene, camera);
+  }
+
+  /** Draws fewer pixels where frames of a motion that plays come too late for the eye. */
+  function slowDown(now) {
+    if (shown.values.playing && before !== null) intervals.push(now - before);
+    before = shown.values.playing ? now : null;
+    if (intervals.length < FRAMES) return;
+    const median = intervals.splice(0).sort((one, other) => one - other)[FRAMES / 2];
+    if (median <= SLOW || ratio <= LEAST_PIXELS) return;
+    ratio = Math.max(LEAST_PIXELS, 0.75 * ratio);
+    canvas.parentElement.classList.add("coarse");
+    resize();
+  }
+
+  function request() {
+    if (!pending) {
+      pending = true;
+      requestAnimationFrame(draw);
+    }
+  }
+
+  function motion() {
+    return data.motions[shown.values.motion];
+  }
+
+  /** Puts everything where it is at the shown time. */
+  function place() {
+    const { time, selected, hidden, cut, showReference, showForces } = shown.values;
+    const { scenarios, time_step: timeStep } = motion();
+    poseAt(motion().reference, timeStep, time, reference.position, reference.quaternion);
+    reference.visible = showReference;
+    bodies.forEach((one, index) => {
+      one.group.visible = index < scenarios.length && !hidden.has(index);
+      if (!one.group.visible) return;
+      poseAt(scenarios[index].poses, timeStep, time, one.group.position, one.group.quaternion);
+      one.setOpacity(index === selected ? 1 : 0.22);
+      one.setCut(cut === "none" ? null : plane);
+    });
+    fixed.setCut(cut === "none" ? null : plane);
+    forces.show(showForces ? pushes(scenarios, timeStep, time, hidden) : [], largestForce(motion()));
+  }
+
+  function look(view) {
+    const direction = VIEWS[view].clone().normalize();
+    const narrow = Math.min(1, camera.aspect);
+    const distance = Math.max(0.8 * room.radius, 1.6 * size) / Math.sin((FIELD_OF_VIEW * Math.PI) / 360) / narrow;
+    controls.target.copy(target);
+    camera.position.copy(target).addScaledVector(direction, distance);
+    camera.near = distance / 200;
+    camera.far = distance * 20;
+    camera.updateProjectionMatrix();
+    controls.update();
+    request();
+  }
+
+  function resize() {
+    const { clientWidth, clientHeight } = canvas.parentElement;
+    if (clientWidth === 0) return;
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(clientWidth, clientHeight, false);
+    camera.aspect = clientWidth / clientHeight;
+    camera.updateProjectionMatrix();
+    request();
+  }
+
+  function setShapes() {
+    const { source, tau } = motion();
+    const smoothed = source === "iteration" && shown.values.showSmoothed;
+    fixed.setShape(smoothed ? smoothedGeometry(data.environment, tau) : exactGeometry(data.environment));
+    const shape = smoothed ? smoothedGeometry(data.body, tau) : exactGeometry(data.body);
+    bodies.forEach((one) => one.setShape(shape));
+    request();
+  }
+
+  function setPlane({ cut, cutAt }) {
+    if (cut !== "none") {
+      plane.normal.copy(AXES[cut]);
+      const axis = "xyz".indexOf(cut);
+      const middle = target.getComponent(axis);
+      plane.constant = -plane.normal.dot(new Vector3().setComponent(axis, middle + cutAt * body.radius));
+    }
+    request();
+  }
+
+  controls.addEventListener("change", request);
+  new ResizeObserver(resize).observe(canvas.parentElement);
+  shown.on(["time", "selected", "hidden", "showReference", "showForces"], request);
+  shown.on(["motion", "showSmoothed"], setShapes);
+  shown.on(["cut", "cutAt"], setPlane);
+  onTheme(() => {
+    scene.background = new Color(colour("view"));
+    reference.material.color = new Color(colour("text"));
+    fixed.setColours(colour("environment"), colour("environment-edge"));
+    bodies.forEach((one, index) => one.setColours(scenarioColour(index), colour("body-edge")));
+    request();
+  });
+  resize();
+  look("Free");
+  return { look };
+}
+
+/** Whether the processor draws, which has no time for smooth edges. */
+function drawsWithoutGraphics() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+/** The axes of the goal, red green blue, seen through everything. */
+function goalAxes(goal, length) {
+  const axes = new AxesHelper(length);
+  axes.setColors(new Color("#e0483e"), new Color("#36a84c"), new Color("#3f86e8"));
+  Object.assign(axes.material, { depthTest: false, transparent: true });
+  axes.renderOrder = 3;
+  axes.position.fromArray(goal);
+  axes.quaternion.set(goal[4], goal[5], goal[6], goal[3]);
+  return axes;
+}
+
+/** Parts as one mesh with their edges, and the faces of a cut. */
+function placedParts(parts) {
+  const group = new Group();
+  const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  const lines = new LineBasicMaterial({ transparent: true });
+  const faces = new MeshBasicMaterial({ side: DoubleSide, polygonOffset: true });
+  const mesh = new Mesh(exactGeometry(parts), material);
+  const edges = new LineSegments(edgeGeometry(parts), lines);
+  const section = new Mesh(undefined, faces);
+  section.matrixAutoUpdate = false;
+  section.visible = false;
+  const toGroup = new Matrix4();
+  group.add(mesh, edges, section);
+  return {
+    group,
+    setShape(shape) {
+      if (mesh.geometry !== shape) mesh.geometry.dispose();
+      mesh.geometry = shape;
+    },
+    setColours(fill, edge) {
+      material.color = new Color(fill);
+      faces.color = new Color(fill).multiplyScalar(0.72);
+      lines.color = new Color(edge);
+    },
+    setOpacity(opacity) {
+      const isSolid = opacity === 1;
+      [material, faces].forEach((one) => Object.assign(one, { opacity, transparent: !isSolid, depthWrite: isSolid }));
+      lines.opacity = isSolid ? 0.85 : 0.4;
+      // All cuts lie in one plane; that of the selected body is in front.
+      faces.polygonOffsetUnits = isSolid ? -8 : -4;
+    },
+    setCut(plane) {
+      const planes = plane ? [plane] : [];
+      [material, lines].forEach((one) => (one.clippingPlanes = planes));
+      section.visible = plane !== null;
+      if (plane === null) return;
+      group.updateMatrixWorld();
+      section.geometry.dispose();
+      section.geometry = sectionGeometry(parts, group.matrixWorld, plane);
+      // The section is in world coordinates.
+      section.matrix.copy(toGroup.copy(group.matrixWorld).invert());
+    },
+  };
+}
+
+/** Contact forces of the visible scenarios in the step that a time lies in. */
+function pushes(scenarios, timeStep, time, hidden) {
+  return scenarios.flatMap(({ contacts }, scenario) => {
+    if (hidden.has(scenario) || time <= 0) return [];
+    const step = Math.min(Math.ceil(time / timeStep - 1e-9) - 1, contacts.length - 1);
+    const numbers = contacts[step] ?? [];
+    return Array.from({ length: numbers.length / 8 }, (_, index) => {
+      const [, force, x, y, z, ...direction] = numbers.slice(8 * index, 8 * index + 8);
+      return { force, point: new Vector3(x, y, z), direction: new Vector3(...direction), colour: scenarioColour(scenario) };
+    });
+  });
+}
+
+const largest = new WeakMap();
+
+/** The largest force of a pair in a motion: the length of arrows is relative to it. */
+function largestForce(motion) {
+  if (!largest.has(motion)) {
+    const forces = motion.scenarios.flatMap(({ contacts }) => contacts.flatMap((step) => step.filter((_, index) => index % 8 === 1)));
+    largest.set(motion, forces.reduce((most, force) => Math.max(most, force), 0));
+  }
+  return largest.get(motion);
+}

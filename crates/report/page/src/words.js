@@ -1,0 +1,33 @@
+// Numbers as people read them.
+
+/** A length in m as mm. */
+export const millimetres = (metres, decimals = 2) => `${(1e3 * metres).toFixed(decimals)} mm`;
+
+/** A length in m as mm, with no more decimals than it has. */
+export const magnitude = (metres) => `${Number((1e3 * metres).toFixed(3))} mm`;
+
+/** A rate, 0 to 1, in percent; 100 % means all. */
+export const percent = (rate) => (rate === 1 ? "100 %" : `${(100 * rate).toFixed(1)} %`);
+
+/** A number with three digits. */
+export function short(number) {
+  if (number === null || number === undefined) return "–";
+  if (number === 0) return "0";
+  const size = Math.abs(number);
+  return size >= 1e4 || size < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)));
+}
+
+/** Words of the planner as a sentence. */
+export const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+
+/** An offset (m) in words. */
+export function offsetInWords(offset) {
+  if (offset.every((component) => Math.abs(component) < 5e-7)) return "no offset";
+  return `${offset.map((component) => Number((1e3 * component).toFixed(2))).join(", ")} mm`;
+}
+
+/** A grasp error in words. */
+export function graspInWords({ offset, turn }) {
+  const angle = Math.hypot(...turn);
+  return angle < 1e-4 ? offsetInWords(offset) : `${offsetInWords(offset)}, turned ${((180 / Math.PI) * angle).toFixed(1)}°`;
+}

@@ -1,0 +1,27 @@
+//! Pages and figures of plans, batches and simulations.
+//!
+//! A folder is read ([`read()`]) into the data of a page ([`PageData`]), and the page is that data as JSON, a script and a
+//! style sheet in one HTML file ([`html`]) that needs no network. What the folder does not hold is computed again while
+//! it is read: where parts touch, rollouts with hard contact, the joints of the arm. [`figures`]
+//! draws the same data as SVG files for papers and slides.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`model`] | the data of a page |
+//! | `read` | from a folder to that data |
+//! | [`html`] | from that data to an HTML file |
+//! | [`figures`] | from that data to SVG files |
+//!
+//! The script is made of the modules in `page/` and of three.js and uPlot. `scripts/vendor-page` bundles them into the
+//! files of `page/bundle`, which are checked in: to build this crate needs no Node.
+
+pub mod figures;
+pub mod html;
+pub mod model;
+mod read;
+mod rounded;
+mod write;
+
+pub use model::PageData;
+pub use read::read;
+pub use write::{PAGE, Written, require_writable, write};

@@ -1,0 +1,199 @@
+//! What a page shows, as the JSON that is embedded in it. Lengths in m, angles in rad, forces in N, times in s; the
+//! page itself converts to what people read.
+
+use planner::files::{PlanResult, SuccessRow};
+use serde::Serialize;
+
+/// The data of one page.
+#[derive(Debug, Clone, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum PageData {
+    /// Of a plan.
+    Plan(Box<PlanData>),
+    /// Of a batch.
+    Batch(BatchData),
+    /// Of a simulation.
+    Simulation(SimulationData),
+}
+
+/// A plan, its homotopy and its rollouts.
+#[derive(Debug, Clone, Serialize)]
+pub struct PlanData {
+    /// `result.json`, without the hashes of files.
+    pub result: PlanResult,
+    /// Goal of the body: position, unit quaternion w x y z.
+    pub goal: [f64; 7],
+    /// What counts as success: distance (m) and angle (rad).
+    pub tolerance: [f64; 2],
+    /// Steps of the horizon and parts, in words.
+    pub made_from: Vec<[String; 2]>,
+    /// Convex parts of the body, in its frame.
+    pub body: Vec<PartData>,
+    /// Convex parts of the environment, in the world frame.
+    pub environment: Vec<PartData>,
+    /// Names of all pairs, `BODY PART/ENVIRONMENT PART`.
+    pub pairs: Vec<String>,
+    /// The plan first, then the homotopy iterations, then rollouts with hard contact.
+    pub motions: Vec<MotionData>,
+    /// How the arm of the scene moves, if there is one.
+    pub arm: Option<ArmData>,
+    /// Warnings, and why the plan is not done: sentences without full stops.
+    pub notes: Vec<String>,
+    /// What a plan that is not robust loses most, likewise.
+    pub weakest: Vec<String>,
+    /// Success rates of the last `simulate` in this folder.
+    pub simulation: Option<SimulationData>,
+}
+
+/// A convex part.
+#[derive(Debug, Clone, Serialize)]
+pub struct PartData {
+    /// Its name.
+    pub name: String,
+    /// Coordinates of its corners, three each.
+    pub vertices: Vec<f64>,
+    /// Corners of each facet, counter-clockwise as seen from outside.
+    pub facets: Vec<Vec<usize>>,
+}
+
+/// Where a motion comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "source", rename_all = "snake_case")]
+pub enum Source {
+    /// The plan.
+    Plan,
+    /// A homotopy iteration, counted from 1, with its smoothing.
+    Iteration {
+        /// Its number.
+        number: usize,
+        /// Its smoothing (N m).
+        tau: f64,
+    },
+    /// Rollouts with hard contact.
+    Rollouts {
+        /// Coulomb's coefficient.
+        friction: f64,
+    },
+}
+
+/// A reference and the motions of the body that tracks it.
+#[derive(Debug, Clone, Serialize)]
+pub struct MotionData {
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub source: Source,
+    /// Time between two knots (s).
+    pub time_step: f64,
+    /// Poses of the reference, seven numbers each.
+    pub reference: Vec<f64>,
+    /// One per grasp error.
+    pub scenarios: Vec<ScenarioData>,
+}
+
+/// How the body moves with one grasp error.
+#[derive(Debug, Clone, Serialize)]
+pub struct ScenarioData {
+    /// Where it sits in the gripper: offset (m, body frame).
+    pub offset: [f64; 3],
+    /// Its turn in the gripper (rad, rotation vector).
+    pub turn: [f64; 3],
+    /// Final distance (m) from the goal and angle (rad) to it.
+    pub errors: [f64; 2],
+    /// Whether these are within the tolerances.
+    pub success: bool,
+    /// Poses, seven numbers each.
+    pub poses: Vec<f64>,
+    /// Wrenches of the impedance controller from the first step on, six numbers each: force (world), torque (body).
+    pub wrenches: Vec<f64>,
+    /// Smallest distance of all pairs after each step; null where it is not known.
+    pub distances: Vec<f64>,
+    /// Sum of the normal forces of all pairs in each step.
+    pub forces: Vec<f64>,
+    /// Where pairs push in each step: pair, force, point (m, world frame) and direction of the force on the body; eight
+    /// numbers each.
+    pub contacts: Vec<Vec<f64>>,
+}
+
+/// Joints along the plan, one course per scenario.
+#[derive(Debug, Clone, Serialize)]
+pub struct ArmData {
+    /// The joints.
+    pub joints: Vec<JointData>,
+    /// Times between two knots (s).
+    pub time_step: f64,
+    /// One per scenario of the plan.
+    pub scenarios: Vec<JointCourse>,
+}
+
+/// A joint and its limits; null where it has none.
+#[derive(Debug, Clone, Serialize)]
+pub struct JointData {
+    /// Its name in the URDF file.
+    pub name: String,
+    /// `rad` or `m`.
+    pub unit: &'static str,
+    /// Lowest and highest position.
+    pub range: [Option<f64>; 2],
+    /// Largest speed.
+    pub speed: Option<f64>,
+    /// Largest torque (Nm, N for a slide).
+    pub torque: Option<f64>,
+}
+
+/// Positions, speeds and torques of all joints: one list per joint, one number per knot.
+#[derive(Debug, Clone, Serialize)]
+pub struct JointCourse {
+    /// Positions (rad or m).
+    pub positions: Vec<Vec<f64>>,
+    /// Speeds (rad/s or m/s) since the knot before.
+    pub speeds: Vec<Vec<f64>>,
+    /// Torques (Nm or N) of the impedance controller and against gravity.
+    pub torques: Vec<Vec<f64>>,
+}
+
+/// All cells of a batch.
+#[derive(Debug, Clone, Serialize)]
+pub struct BatchData {
+    /// Name of its folder.
+    pub title: String,
+    /// All cells.
+    pub cells: Vec<CellData>,
+    /// Success rates of the last `simulate` of the whole batch.
+    pub simulation: Option<SimulationData>,
+}
+
+/// A cell of a batch.
+#[derive(Debug, Clone, Serialize)]
+pub struct CellData {
+    /// Its number, from 0.
+    pub index: usize,
+    /// Name of its scene file, without the ending.
+    pub scene: String,
+    /// Name of its start.
+    pub start: String,
+    /// Offset magnitude (m).
+    pub delta: f64,
+    /// Name of its homotopy file, without the ending.
+    pub homotopy: Option<String>,
+    /// `done`, `failed`, `running` or `to do`.
+    pub state: &'static str,
+    /// Its status in words, or why it failed.
+    pub status: String,
+    /// Where its page is, as seen from the batch's.
+    pub page: Option<String>,
+    /// Largest final distance (m) and angle (rad) of all scenarios.
+    pub errors: Option<[f64; 2]>,
+    /// Iterations of Ipopt and wall time (s).
+    pub effort: Option<(usize, f64)>,
+    /// Success rate of a robust plan.
+    pub rate: Option<f64>,
+}
+
+/// The rates of success of a simulation.
+#[derive(Debug, Clone, Serialize)]
+pub struct SimulationData {
+    /// Name of its folder.
+    pub title: String,
+    /// `success.csv`.
+    pub groups: Vec<SuccessRow>,
+}

@@ -1,0 +1,54 @@
+//! From a folder that `solve`, `batch` or `simulate` wrote to the data of its page.
+
+mod arm;
+mod batch;
+mod motion;
+mod plan;
+mod simulation;
+
+use std::path::Path;
+
+use planner::PlannerError;
+use planner::files::{MANIFEST, RESULT, SUCCESS};
+
+use crate::model::PageData;
+
+/// Reads a folder.
+///
+/// # Errors
+/// When it is no plan, batch or simulation, is unfinished or damaged, or was written by another version.
+pub fn read(folder: &Path) -> Result<PageData, PlannerError> {
+    let holds = |name: &str| folder.join(name).exists();
+    if !folder.is_dir() {
+        return Err(PlannerError::file(folder, "is no folder; name one that `solve`, `batch` or `simulate` wrote"));
+    }
+    if holds(RESULT) {
+        return Ok(PageData::Plan(Box::new(plan::read(folder)?)));
+    }
+    if holds(MANIFEST) {
+        return Ok(PageData::Batch(batch::read(folder)?));
+    }
+    if holds(SUCCESS) {
+        return Ok(PageData::Simulation(simulation::read(folder)?));
+    }
+    Err(PlannerError::file(folder, nothing(folder)))
+}
+
+/// Why there is nothing to show, and what to do.
+fn nothing(folder: &Path) -> String {
+    let absolute = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+    let name = absolute.file_name().unwrap_or_default().to_string_lossy();
+    let work = absolute.with_file_name(format!(".{name}.unfinished"));
+    if name.ends_with(".unfinished") || work.exists() {
+        return "holds an unfinished plan; wait for its solve, or go on with `assembly-plan solve --resume`".to_owned();
+    }
+    format!(
+        "holds no {RESULT}, {MANIFEST} or {SUCCESS}; name a folder that `assembly-plan solve`, `batch` or `simulate` wrote"
+    )
+}
+
+/// The name of a folder.
+fn title(folder: &Path) -> String {
+    let absolute = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+    absolute.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}

@@ -1,0 +1,181 @@
+//! A plan: its parts, its motion, its homotopy and its rollouts with hard contact.
+
+use std::path::Path;
+
+use planner::explain::LossRecord;
+use planner::files::trajectory::read_tables;
+use planner::files::{MotionTables, PlanResult, STAGES, ScenarioTables, StoredPlan};
+use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
+use scene::{Part, Scene};
+use simulation::{Settings, Solid};
+use task::GraspError;
+use task::{ScenarioTrajectory, Trajectory};
+
+use super::motion::World;
+use super::{arm, simulation as rates};
+use crate::model::{MotionData, PartData, PlanData, Source};
+use crate::rounded::{LENGTH, rounded};
+
+/// Smoothing of distances in rollouts and where they touch (N m): none that can be seen.
+const HARD: f64 = 1e-6;
+
+/// Reads the plan of a folder and computes what it does not hold.
+///
+/// # Errors
+/// When it is damaged, was written by another version or has no homotopy iterations, or its arm cannot be simulated.
+pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
+    let plan = StoredPlan::open(folder)?;
+    require_readable(&plan)?;
+    let problem = problem(&plan)?;
+    let world = World::new(problem.scene().all_pairs(), problem.task().goal, problem.success());
+    let tables = read_tables(folder)?;
+    let ends = plan.result.scenarios.iter().map(|scenario| [scenario.position_error_m, scenario.orientation_error_rad]);
+    let ends: Vec<[f64; 2]> = ends.collect();
+    let mut motions = vec![world.motion(&tables, &ends, Source::Plan, plan_tau(&plan.result))?];
+    motions.extend(iterations(&plan, &world)?);
+    motions.extend(rollouts(&plan, &problem, &world)?);
+    let (arm, immobile) = arm::courses(&problem, &tables).map_or((None, None), |courses| match courses {
+        Ok(courses) => (Some(courses), None),
+        Err(error) => (None, Some(format!("the arm cannot follow the plan: {error}"))),
+    });
+    let simulation = rates::read_if_there(folder)?;
+    let mut result = plan.result;
+    result.files.clear();
+    Ok(PlanData {
+        goal: problem.task().goal,
+        tolerance: [problem.success().position, problem.success().orientation],
+        made_from: made_from(&problem, &tables),
+        body: problem.scene().body.iter().map(part).collect(),
+        environment: problem.scene().environment.iter().map(part).collect(),
+        pairs: world.names(),
+        motions,
+        arm,
+        notes: result.warnings.iter().cloned().chain(immobile).chain(why_not_done(&result)).collect(),
+        weakest: loss(&result).map_or_else(Vec::new, |loss| loss.sentences().into()),
+        simulation,
+        result,
+    })
+}
+
+/// Refuses plans of other versions and plans without homotopy iterations.
+fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
+    let (written, own) = (&plan.result.versions.assembly_plan, env!("CARGO_PKG_VERSION"));
+    if written != own {
+        let problem = format!("was written by version {written} and this is {own}; solve again, or use that version");
+        return Err(PlannerError::file(&plan.folder, problem));
+    }
+    match plan.folder.join(STAGES).is_dir() && !plan.result.stages.is_empty() {
+        true => Ok(()),
+        false => Err(PlannerError::file(
+            &plan.folder.join(STAGES),
+            "holds no homotopy iterations; restore it, or solve again",
+        )),
+    }
+}
+
+/// The problem of a plan, from its own `resolved.toml`.
+fn problem(plan: &StoredPlan) -> Result<Problem, PlannerError> {
+    let scene = plan.scene()?;
+    let (homotopy, success) = (homotopy(&scene, None, None)?, planner::success(&scene)?);
+    Problem::new(scene, Some(&plan.result.start), Some(plan.result.delta_m), homotopy, success)
+}
+
+fn why_not_done(result: &PlanResult) -> Vec<String> {
+    result.explanation.as_ref().map_or_else(Vec::new, |explanation| explanation.sentences(result.converged))
+}
+
+fn loss(result: &PlanResult) -> Option<&LossRecord> {
+    result.robust.as_ref()?.loss.as_ref()
+}
+
+/// Smoothing with which the distances of the plan were written.
+fn plan_tau(result: &PlanResult) -> f64 {
+    match result.robust {
+        Some(_) => HARD,
+        None => result
+            .chosen_stage
+            .checked_sub(1)
+            .and_then(|index| result.stages.get(index))
+            .map_or(HARD, |stage| stage.tau),
+    }
+}
+
+fn iterations(plan: &StoredPlan, world: &World) -> Result<Vec<MotionData>, PlannerError> {
+    let folder = plan.folder.join(STAGES);
+    let iteration = |(number, tau): (usize, f64)| {
+        let tables = read_tables(&folder.join(number.to_string()))?;
+        world.motion(&tables, &world.last_errors(&tables), Source::Iteration { number, tau }, tau)
+    };
+    (1..).zip(plan.result.stages.iter().map(|stage| stage.tau)).map(iteration).collect()
+}
+
+/// Rollouts of the planned offsets with hard contact at each friction that the scene names, and of the grasp error that
+/// a plan which is not robust loses most.
+fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<MotionData>, PlannerError> {
+    let reference = plan.reference()?;
+    let loss = loss(&plan.result);
+    let at_friction = |friction: f64| {
+        let settings = Settings { friction, ..Settings::default() };
+        let mut grasps = problem.task().grasps.clone();
+        let lost = loss.filter(|loss| loss.worst.friction == friction);
+        grasps.extend(lost.map(|loss| GraspError::from(&loss.grasp)));
+        let played = problem.rollout(settings)?.trajectory(&reference, &GraspError::distinct(grasps), HARD);
+        let quality = played.scenarios.iter().map(|motion| &motion.quality);
+        let ends: Vec<[f64; 2]> = quality.map(|quality| [quality.position_error, quality.orientation_error]).collect();
+        world.motion(&tables(played, problem.scene()), &ends, Source::Rollouts { friction }, HARD)
+    };
+    RobustnessTarget::of(&problem.scene().borne).frictions.into_iter().map(at_friction).collect()
+}
+
+/// A rollout as tables, whose pairs are all of the scene.
+fn tables(played: Trajectory, scene: &Scene) -> MotionTables {
+    let of_scenario = |motion: ScenarioTrajectory| {
+        let ScenarioTrajectory { states, wrenches, contacts, .. } = motion;
+        ScenarioTables { states, wrenches, contacts }
+    };
+    MotionTables {
+        time_step: played.time_step,
+        reference: played.reference,
+        pairs: scene.all_pairs().iter().map(ToString::to_string).collect(),
+        scenarios: played.scenarios.into_iter().map(of_scenario).collect(),
+    }
+}
+
+fn part(part: &Part) -> PartData {
+    let solid = Solid::new(&part.shape);
+    PartData {
+        name: part.name.clone(),
+        vertices: solid.vertices.iter().flatten().map(|&coordinate| rounded(coordinate, LENGTH)).collect(),
+        facets: solid.facets.into_iter().map(|facet| facet.corners).collect(),
+    }
+}
+
+/// What the plan was made from, each as a name and a value in words.
+fn made_from(problem: &Problem, tables: &MotionTables) -> Vec<[String; 2]> {
+    let (scene, task) = (problem.scene(), problem.task());
+    let count = |parts: &[Part]| match parts.len() {
+        1 => "1 convex part".to_owned(),
+        count => format!("{count} convex parts"),
+    };
+    let steps = tables.reference.len() - 1;
+    let time = steps as f64 * tables.time_step;
+    let mut facts = vec![
+        ("body", count(&scene.body)),
+        ("environment", count(&scene.environment)),
+        ("pairs that may touch", format!("{} of {}", scene.pairs.len(), scene.body.len() * scene.environment.len())),
+        ("clearance at the goal", format!("{:.3} mm", 1e3 * task.clearance(&task.goal))),
+        ("planned offsets", format!("{} of {:.2} mm", task.grasps.len(), 1e3 * problem.delta())),
+        ("horizon", format!("{steps} steps of {} s, {time:.2} s", tables.time_step)),
+        ("translational stiffness", format!("{:.1} N/m", task.impedance.translational_stiffness)),
+        ("rotational stiffness", format!("{:.2} Nm/rad", task.impedance.rotational_stiffness)),
+        ("friction in the plan", task.friction.to_string()),
+    ];
+    if let Some(mass) = task.inertia.mass() {
+        facts.push(("mass", format!("{mass:.3} kg")));
+    }
+    if let Some(robot) = &scene.robot {
+        let file = robot.urdf.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        facts.push(("arm", format!("{file}, {} joints", robot.arm.joints().len())));
+    }
+    facts.into_iter().map(|(name, value)| [name.to_owned(), value]).collect()
+}

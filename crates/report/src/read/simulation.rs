@@ -1,0 +1,30 @@
+//! Success rates of a simulation.
+
+use std::path::Path;
+
+use planner::PlannerError;
+use planner::files::{SUCCESS, SuccessRow, read_csv};
+
+use super::title;
+use crate::model::SimulationData;
+
+/// Reads `success.csv` of a folder.
+///
+/// # Errors
+/// When it is not one, or has no rows.
+pub fn read(folder: &Path) -> Result<SimulationData, PlannerError> {
+    let file = folder.join(SUCCESS);
+    let groups: Vec<SuccessRow> = read_csv(&file)?;
+    match groups.is_empty() {
+        true => Err(PlannerError::file(&file, "has no rows; simulate again")),
+        false => Ok(SimulationData { title: title(folder), groups }),
+    }
+}
+
+/// Likewise, of a folder that may hold none.
+///
+/// # Errors
+/// When it holds a table that is wrong.
+pub fn read_if_there(folder: &Path) -> Result<Option<SimulationData>, PlannerError> {
+    folder.join(SUCCESS).exists().then(|| read(folder)).transpose()
+}

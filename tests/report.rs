@@ -1,0 +1,113 @@
+//! `report` as a user runs it.
+
+use serde_json::Value;
+
+use crate::support::{Dir, list, number};
+
+/// The data of a page.
+fn data(dir: &Dir, page: &str) -> Value {
+    let page = dir.read(page);
+    let begin = page.split_once("id=\"data\">").unwrap().1;
+    serde_json::from_str(begin.split_once("</script>").unwrap().0).unwrap()
+}
+
+#[test]
+fn the_page_of_a_plan_holds_its_motions() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out plan --report").code(0).says("page written to plan/report.html");
+    let page = data(&dir, "plan/report.html");
+    assert_eq!(page["kind"], "plan");
+    let (motions, result) = (list(&page, "motions"), dir.result("plan"));
+    let sources: Vec<&str> = motions.iter().map(|motion| motion["source"].as_str().unwrap()).collect();
+    let stages = list(&result, "stages").len();
+    assert_eq!(sources, [vec!["plan"], vec!["iteration"; stages], vec!["rollouts"; 2]].concat());
+
+    // The plan is that of its tables.
+    let reference = dir.table("plan/reference.csv");
+    assert_eq!(list(&motions[0], "reference").len(), 7 * reference.rows.len());
+    let last = &reference.rows[reference.rows.len() - 1];
+    for (index, column) in (1..8).enumerate() {
+        let expected: f64 = last[column].parse().unwrap();
+        let shown = list(&motions[0], "reference")[7 * (reference.rows.len() - 1) + index].as_f64().unwrap();
+        assert!((shown - expected).abs() < 1e-5, "column {column}: {shown}, not {expected}");
+    }
+    for (shown, scenario) in list(&motions[0], "scenarios").iter().zip(list(&result, "scenarios")) {
+        assert!((number(shown, "errors.0") - number(scenario, "position_error_m")).abs() < 1e-6);
+        for axis in 0..3 {
+            let offset = number(scenario, &format!("offset_m.{axis}"));
+            assert!((number(shown, &format!("offset.{axis}")) - offset).abs() < 2e-6);
+        }
+    }
+
+    // Arrows have a force and a direction.
+    let contacts = list(&list(&motions[0], "scenarios")[0], "contacts");
+    let arrows: Vec<&Value> = contacts.iter().filter(|step| !step.as_array().unwrap().is_empty()).collect();
+    assert!(!arrows.is_empty(), "the part is pushed into the corner");
+    for arrow in arrows {
+        let direction: f64 = (5..8).map(|index| number(arrow, &index.to_string()).powi(2)).sum();
+        assert!((direction - 1.0).abs() < 0.01 && number(arrow, "1") > 0.0, "{arrow}");
+    }
+}
+
+#[test]
+fn a_page_is_replaced_and_nothing_else_is() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out plan").code(0);
+    dir.run("report plan").code(0);
+    dir.run("report plan").code(0);
+    dir.run("solve corner.toml --out plan").code(0).says("plan/report.html shows an older plan");
+    dir.write("mine.html", "<p>mine</p>");
+    dir.run("report plan --out mine.html").code(2).says("mine.html: would be replaced and is no earlier report");
+    assert_eq!(dir.read("mine.html"), "<p>mine</p>");
+    dir.write("plan/report.html", "<p>mine</p>");
+    dir.run("solve corner.toml --out plan --report").code(2).says("is no earlier report");
+    dir.run("simulate corner.toml plan --report").code(2).says("is no earlier report");
+    assert!(!dir.exists("plan/success.csv"), "refused before anything is computed");
+}
+
+#[test]
+fn a_batch_leads_to_the_pages_of_its_cells() {
+    let dir = Dir::new();
+    dir.run("batch expand corner.toml --deltas 0.01,0.02 --out runs").code(0);
+    dir.run("report runs").code(2).says("no cell of the batch is finished yet");
+    dir.run("batch run runs --index 0").code(0);
+    dir.run("report runs").code(0).says("with that of 1 plan;");
+    let cells = data(&dir, "runs/report.html")["cells"].clone();
+    assert_eq!((cells[0]["state"].as_str(), cells[1]["state"].as_str()), (Some("done"), Some("to do")));
+    assert_eq!(cells[1]["page"], Value::Null);
+    let page = format!("runs/{}", cells[0]["page"].as_str().unwrap());
+    assert_eq!(number(&data(&dir, &page), "result.delta_m"), 0.01);
+    dir.run("batch corner.toml --deltas 0.01,0.02 --out runs --report").code(0).says("with those of 2 plans");
+}
+
+#[test]
+fn a_simulation_has_a_page_and_is_part_of_its_plans() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out plan").code(0);
+    dir.run("simulate corner.toml plan --random 4 --friction 0,0.1 --out rates --report").code(0);
+    let page = data(&dir, "rates/report.html");
+    assert_eq!((page["kind"].as_str(), list(&page, "groups").len()), (Some("simulation"), 4));
+    dir.run("simulate corner.toml plan --report").code(0);
+    assert_eq!(list(&data(&dir, "plan/report.html")["simulation"], "groups").len(), 2);
+}
+
+#[test]
+fn figures_are_drawn() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out plan").code(0);
+    dir.run("simulate corner.toml plan --random 4 --magnitude 0.01,0.02").code(0);
+    dir.run("report plan --figures figures").code(0).says("success.svg");
+    for name in ["keyframes-x", "keyframes-y", "keyframes-z", "forces", "convergence", "success"] {
+        let figure = dir.read(format!("figures/{name}.svg"));
+        let root = figure.lines().nth(1).unwrap();
+        assert!(root.starts_with("<svg ") && figure.trim_end().ends_with("</svg>"), "{name}");
+        assert!(!figure.contains("NaN") && !figure.contains("inf"), "{name}");
+    }
+    // Body and reference are cut in every panel.
+    let keyframes = dir.read("figures/keyframes-y.svg");
+    assert!(keyframes.matches("stroke-dasharray").count() >= 6, "{keyframes}");
+    dir.write("figures/forces.svg", "mine");
+    dir.run("report plan --figures figures")
+        .code(2)
+        .says("figures/forces.svg: would be replaced and is no earlier figure");
+}

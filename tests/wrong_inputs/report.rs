@@ -1,0 +1,23 @@
+//! Folders that have no page.
+
+use super::Row;
+
+#[rustfmt::skip]
+pub const ROWS: &[Row] = &[
+    ("report", &[], "DIR"),
+    ("report nowhere", &[], "nowhere: is no folder"),
+    ("report scene.toml", &[], "scene.toml: is no folder"),
+    ("report folder", &[], "folder: holds no result.json"),
+    ("report runs", &[], "runs: no cell of the batch is finished yet"),
+    ("report plan --out folder", &[], "folder: would be replaced and is no earlier report"),
+    ("report plan --out scene.toml", &[], "scene.toml: would be replaced and is no earlier report"),
+    ("report plan --out page.html --figures scene.toml", &[], "scene.toml: is a file"),
+    ("report plan", &[("plan/reference.csv", "", "x")], "plan/reference.csv: was changed"),
+    ("report plan", &[("plan/stages/1/contacts.csv", "", "x")], "plan/stages/1/contacts.csv: was changed"),
+    ("report plan", &[("plan/result.json", "", "{}")], "plan/result.json:1: not a result of this version"),
+    ("report plan", &[("plan/result.json", "\"assembly_plan\": \"0", "\"assembly_plan\": \"9")], "was written by version 9"),
+    ("report plan", &[("plan/result.json", "\"start\": \"a\"", "\"start\": \"c\"")], "there is no start `c`"),
+    ("report folder", &[(".folder.unfinished/lock", "", "")], "folder: holds an unfinished plan"),
+    ("report folder", &[("folder/success.csv", "", "motion\nplan\n")], "folder/success.csv:2"),
+    ("report folder", &[("folder/success.csv", "", "")], "folder/success.csv: has no rows"),
+];
