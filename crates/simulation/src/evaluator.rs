@@ -48,6 +48,9 @@ pub struct Evaluator {
     bounds: Bounds,
 }
 
+/// Steps of an arm's rollouts (s). They halve the time; of 720 rollouts of `peg1` with a UR5e, 4 end otherwise than with
+/// steps of 1 ms, as many one way as the other.
+const ARM_TIME_STEP: f64 = 2e-3;
 /// Larger misses count as this one: how far away a lost part comes to rest says nothing.
 const LARGEST_MISS: f64 = 60.0;
 
@@ -65,12 +68,15 @@ impl Evaluator {
         Self { bounds: self.bounds.near(references, margin, haste), ..self }
     }
 
-    /// With an arm that holds the body.
+    /// With an arm that holds the body. Steps are longer then: 2 ms, or a control period if that is shorter.
     ///
     /// # Errors
     /// As [`Rollout::with_arm`].
     pub fn with_arm(self, model: &ArmModel) -> Result<Self, ArmModelError> {
-        let rollouts = self.rollouts.into_iter().map(|rollout| rollout.with_arm(model));
+        let rollouts = self.rollouts.into_iter().map(|mut rollout| {
+            rollout.settings.time_step = ARM_TIME_STEP;
+            rollout.with_arm(model)
+        });
         Ok(Self { rollouts: rollouts.collect::<Result<_, _>>()?, ..self })
     }
 

@@ -33,6 +33,11 @@ impl<'run> Clock<'run> {
         Deadline(self.limit)
     }
 
+    /// Time until the end of all work.
+    pub fn left(&self) -> Duration {
+        self.limit.saturating_sub(self.elapsed())
+    }
+
     /// The end of a fraction of the time that is left until a deadline.
     pub fn share(&self, until: Deadline, fraction: f64) -> Deadline {
         let elapsed = self.elapsed();

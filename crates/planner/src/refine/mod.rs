@@ -9,6 +9,7 @@
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
 //! and every problem has its share of the time.
 
+mod again;
 mod bounds;
 mod candidate;
 mod clock;
@@ -56,11 +57,9 @@ const SEED: u64 = 1;
 const SEED_STRIDE: u64 = 100;
 /// How often a robust plan is refined in the few trials that it fails.
 const POLISHES: usize = 2;
-/// How often the refinement of a plan that is stuck begins anew, before other problems are solved.
-const REPETITIONS: usize = 3;
-/// Share of the time for the first refinement of the plan of the scene itself, and of the rest for that of a straight push.
-const FIRST_SHARE: f64 = 0.4;
-/// Share of the time for both of them, before other problems are solved.
+/// Share of the time for the first refinement of the plan of the scene itself.
+const OWN_FIRST_SHARE: f64 = 0.4;
+/// Share of the time for what is done with that plan and with a straight push, before other problems are solved.
 const OWN_SHARE: f64 = 0.6;
 /// Share of the time for changes; the rest is for the evaluation that follows.
 const TRAINING_SHARE: f64 = 0.8;
@@ -163,15 +162,21 @@ impl<'run> Refiner<'run> {
         }
     }
 
-    /// Refines the plan of the scene and, where that does not reach the target, a straight push, the better of the two
-    /// again, and the plans of other problems; then the best once more, while there is time.
+    /// Refines the plan of the scene and, where that is far from the target, a straight push; the better of the two again,
+    /// and, unless it is nearly robust, the plans of other problems; then the best once more, while there is time.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
+        let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.refine_own(plan)?;
-        self.refine_push(homotopy)?;
+        if !self.is_nearly_robust() {
+            self.refine_push(homotopy)?;
+        }
         self.refine_again(self.clock.share(self.clock.end(), OWN_SHARE))?;
-        self.refine_variants()?;
-        self.refine_best(self.clock.end())?;
+        if self.is_nearly_robust() {
+            self.refine_again(self.clock.end())?;
+        }
+        self.refine_variants(solving)?;
+        self.refine_again(self.clock.end())?;
         self.take_best()
     }
 
@@ -182,14 +187,14 @@ impl<'run> Refiner<'run> {
             let count = plan.iterations.len();
             self.session.tell(Event::Resumed { done: count, most: count, refining: true });
             self.best = Some(kept);
-            return self.refine_best(self.clock.share(self.clock.end(), FIRST_SHARE));
+            return self.refine_best(self.clock.share(self.clock.end(), OWN_FIRST_SHARE));
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.clock = Clock::new(self.session, spent, self.target.time_limit);
         let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let Plan { variant, iterations, .. } = plan;
         self.judge_first(variant.clone(), iterations.clone(), chosen, last)?;
-        let until = self.clock.share(self.clock.end(), FIRST_SHARE);
+        let until = self.clock.share(self.clock.end(), OWN_FIRST_SHARE);
         if self.goes_on(until)
             && let Some(candidate) = self.candidate(variant, iterations, true, until)
         {
@@ -229,28 +234,6 @@ impl<'run> Refiner<'run> {
         self.keep_if_best(kept, &round)?;
         self.rounds.push(round);
         Ok(())
-    }
-
-    /// Goes on with the best plan so far a few times: other changes often help where some did not, and they cost less
-    /// than another problem.
-    fn refine_again(&mut self, until: Deadline) -> Result<(), PlannerError> {
-        (0..REPETITIONS).try_for_each(|_| self.refine_best(until))
-    }
-
-    /// Goes on with the best plan so far, with other changes than before.
-    fn refine_best(&mut self, until: Deadline) -> Result<(), PlannerError> {
-        let Some(best) = self.best.clone().filter(|_| self.goes_on(until)) else { return Ok(()) };
-        let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(&best.reference, &self.training, self.session.threads, &stop);
-        let Some(results) = results else { return Ok(()) };
-        let Kept { mut variant, iterations, reference, is_scenes_own, chosen, .. } = best;
-        if !variant.name.ends_with(CONTINUED) {
-            variant.name += CONTINUED;
-        }
-        let round = Round::new(&variant, &iterations, chosen, &results);
-        self.seed = SEED + SEED_STRIDE * self.evaluations;
-        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), results, self.seed);
-        self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until)
     }
 
     /// The candidate of a solved problem: of the homotopy iterations with all steps, the one whose reference passes most
@@ -400,6 +383,3 @@ impl<'run> Refiner<'run> {
         }
     }
 }
-
-/// Marks the name of a plan that was refined before.
-const CONTINUED: &str = ", continued";

@@ -4,16 +4,19 @@ use simulation::{Reference, Refinement};
 
 use crate::error::PlannerError;
 use crate::iteration::PlanIteration;
+use crate::refine::Refiner;
 use crate::refine::candidate::Candidate;
-use crate::refine::{FIRST_SHARE, Refiner};
 use crate::robustness::Round;
 use crate::variant::Variant;
+
+/// Share of the time that is left.
+const SHARE: f64 = 0.2;
 
 impl Refiner<'_> {
     /// Refines the straight push from start to goal: on some scenes this is faster than the refinement of any plan. The
     /// homotopy of the scene stays the one that is shown.
     pub(super) fn refine_push(&mut self, homotopy: Vec<PlanIteration>) -> Result<(), PlannerError> {
-        let until = self.clock.share(self.clock.end(), FIRST_SHARE);
+        let until = self.clock.share(self.clock.end(), SHARE);
         let task = self.problem.task();
         let reference = Reference::straight(&task.start, &task.goal, task.horizon);
         if !self.goes_on(until) || !self.evaluator.bounds().allow(&reference) {

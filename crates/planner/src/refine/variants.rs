@@ -1,5 +1,7 @@
 //! Plans of other problems than the scene's own.
 
+use std::time::Duration;
+
 use nlp::{Control, SolveStatus};
 use task::GraspError;
 
@@ -19,14 +21,17 @@ const SOLVING_SHARE: f64 = 0.6;
 impl<'run> Refiner<'run> {
     /// Solves variants of the problem one after the other, each in its share of the time. One whose plan fails in fewer
     /// training trials than the best so far is refined at once, the others when all are solved, the best first.
-    pub(super) fn refine_variants(&mut self) -> Result<(), PlannerError> {
+    /// `solving` is the time that the scene's own problem took: no more are begun than can be solved in such a time.
+    pub(super) fn refine_variants(&mut self, solving: Duration) -> Result<(), PlannerError> {
         let mut waiting: Vec<Candidate> = Vec::new();
-        for (index, recipe) in PORTFOLIO.into_iter().enumerate() {
-            let until = self.clock.share(self.clock.end(), 1.0 / (PORTFOLIO.len() - index) as f64);
+        let affordable = SOLVING_SHARE * self.clock.left().as_secs_f64() / solving.as_secs_f64();
+        let count = (affordable as usize).min(PORTFOLIO.len());
+        for (index, recipe) in PORTFOLIO.into_iter().take(count).enumerate() {
+            let until = self.clock.share(self.clock.end(), 1.0 / (count - index) as f64);
             if !self.goes_on(until) {
                 break;
             }
-            let Some(candidate) = self.solve_variant(recipe, index + 1, until)? else { continue };
+            let Some(candidate) = self.solve_variant(recipe, (index + 1, count), until)? else { continue };
             if candidate.refinement.failing_fraction() < self.least_failing {
                 self.refine(candidate, until)?;
             } else {
@@ -46,17 +51,17 @@ impl<'run> Refiner<'run> {
         Ok(())
     }
 
-    /// Solves a variant, given by its number in the portfolio. `None` when nothing of its homotopy was finished in time.
+    /// Solves a variant, given by its number among all that are solved. `None` when nothing of its homotopy was finished in time.
     fn solve_variant(
         &self,
         recipe: Recipe,
-        number: usize,
+        (number, count): (usize, usize),
         until: Deadline,
     ) -> Result<Option<Candidate<'run>>, PlannerError> {
         let Some(best) = &self.best else { return Ok(None) };
         let failing: Vec<GraspError> = best.failing.iter().map(|trial| trial.grasp).collect();
         let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &failing);
-        self.session.tell(Event::Variant { name: &variant.name, number, count: PORTFOLIO.len() });
+        self.session.tell(Event::Variant { name: &variant.name, number, count });
         let solving = self.clock.share(until, SOLVING_SHARE);
         let observe = |_: &ocp::Event| if self.clock.is_over(solving) { Control::Stop } else { Control::Continue };
         let iterations = run_homotopy(&variant, self.session.threads, &[], None, observe, |_, _| Control::Continue)?;

@@ -1,0 +1,52 @@
+//! Refinement of the best plan so far, once more.
+
+use simulation::Refinement;
+
+use crate::error::PlannerError;
+use crate::refine::candidate::{Candidate, Kept};
+use crate::refine::clock::Deadline;
+use crate::refine::{Refiner, SEED, SEED_STRIDE};
+use crate::robustness::Round;
+
+/// How often in a row the refinement of a plan that is stuck begins anew in vain, before other problems are solved.
+const REPETITIONS: usize = 3;
+/// Success rate from which on a plan is refined rather than replaced.
+const NEARLY: f64 = 0.9;
+/// Marks the name of a plan that was refined before.
+const CONTINUED: &str = ", continued";
+
+impl Refiner<'_> {
+    /// Whether the best plan so far fails so seldom that its refinement helps more than another plan.
+    pub(super) fn is_nearly_robust(&self) -> bool {
+        self.best.as_ref().is_some_and(|best| best.rates.overall() >= NEARLY)
+    }
+
+    /// Goes on with the best plan so far until this has not helped a few times in a row: other changes often help where some
+    /// did not, and they cost less than another problem.
+    pub(super) fn refine_again(&mut self, until: Deadline) -> Result<(), PlannerError> {
+        let rate = |refiner: &Self| refiner.best.as_ref().map_or(0.0, |best| best.rates.overall());
+        let mut vain = 0;
+        while vain < REPETITIONS && self.goes_on(until) {
+            let before = rate(self);
+            self.refine_best(until)?;
+            vain = if rate(self) > before { 0 } else { vain + 1 };
+        }
+        Ok(())
+    }
+
+    /// Goes on with the best plan so far, with other changes than before.
+    pub(super) fn refine_best(&mut self, until: Deadline) -> Result<(), PlannerError> {
+        let Some(best) = self.best.clone().filter(|_| self.goes_on(until)) else { return Ok(()) };
+        let stop = || self.clock.is_over(until);
+        let results = self.evaluator.evaluate_all(&best.reference, &self.training, self.session.threads, &stop);
+        let Some(results) = results else { return Ok(()) };
+        let Kept { mut variant, iterations, reference, is_scenes_own, chosen, .. } = best;
+        if !variant.name.ends_with(CONTINUED) {
+            variant.name += CONTINUED;
+        }
+        let round = Round::new(&variant, &iterations, chosen, &results);
+        self.seed = SEED + SEED_STRIDE * self.evaluations;
+        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), results, self.seed);
+        self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until)
+    }
+}
