@@ -194,7 +194,7 @@ fn a_refinement_for_another_target_is_not_used() {
 fn a_refined_variant_goes_on_with_its_own_tables() {
     let dir = Dir::new();
     let line =
-        "solve corner.toml --robust --friction 0 --wanted-rate 1 --patience 1 --position-tolerance 0.001 --out out";
+        "solve corner.toml --delta 0.03 --robust --friction 0.5 --wanted-rate 1 --patience 1 --position-tolerance 8e-4 --out out";
     let mut running = dir.program(line).spawn();
     // The file is written after the tables of a variant.
     let file = format!("{UNFINISHED}/refinement.json");
