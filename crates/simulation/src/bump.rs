@@ -64,6 +64,11 @@ impl Bump {
         }
     }
 
+    /// The same change, smaller or larger.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { shift: self.shift * factor, turn: self.turn * factor, ..*self }
+    }
+
     /// Fraction of the change that applies at a fraction of the duration.
     pub fn weight(&self, fraction: f64) -> f64 {
         let distance = (fraction - self.center) / self.width;

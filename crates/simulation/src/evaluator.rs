@@ -3,6 +3,7 @@
 use task::{AssemblyTask, GraspError, Limits};
 
 use crate::arm_model::{ArmModel, ArmModelError};
+use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
 use crate::parallel::in_parallel;
 use crate::reference::Reference;
@@ -44,20 +45,24 @@ pub struct Evaluator {
     rollouts: Vec<Rollout>,
     success: Success,
     limits: Limits,
+    bounds: Bounds,
 }
 
 /// Larger misses count as this one: how far away a lost part comes to rest says nothing.
 const LARGEST_MISS: f64 = 60.0;
-
-/// Fraction of a limit by which a motion may exceed it.
-const LIMIT_SLACK: f64 = 1e-3;
 
 impl Evaluator {
     /// For a task and several friction coefficients, with the default time step and settling time. Callers validate
     /// coefficients ([`Settings::validate`]) and tolerances ([`Success::validate`]).
     pub fn new(task: &AssemblyTask, frictions: &[f64], success: Success) -> Self {
         let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
-        Self { rollouts: frictions.iter().map(rollout).collect(), success, limits: task.limits }
+        let bounds = Bounds::new(task.limits);
+        Self { rollouts: frictions.iter().map(rollout).collect(), success, limits: task.limits, bounds }
+    }
+
+    /// With references that stay near some others: [`Bounds::near`].
+    pub fn near(self, references: &[&Reference], margin: f64, haste: f64) -> Self {
+        Self { bounds: self.bounds.near(references, margin, haste), ..self }
     }
 
     /// With an arm that holds the body.
@@ -74,9 +79,9 @@ impl Evaluator {
         &self.success
     }
 
-    /// Whether the reference keeps the task's limits of velocity and acceleration, within a solver's tolerance.
-    pub fn allows(&self, reference: &Reference) -> bool {
-        self.limits.allow(&reference.limits_kept(), LIMIT_SLACK)
+    /// How references may move: within the task's limits, if nothing else was said.
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
     }
 
     /// Simulates one trial.

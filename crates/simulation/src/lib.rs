@@ -63,6 +63,7 @@ mod arm_dynamics;
 mod arm_model;
 mod arm_posture;
 mod axis;
+mod bounds;
 mod bump;
 mod candidates;
 mod contact;
@@ -88,6 +89,7 @@ mod solid;
 mod success;
 
 pub use arm_model::{ArmModel, ArmModelError};
+pub use bounds::Bounds;
 pub use bump::Bump;
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, Trial, TrialResult};

@@ -102,6 +102,11 @@ impl Reference {
         self.knots.iter().map(Knot::state).collect()
     }
 
+    /// Positions at the knots (m, world frame).
+    pub fn positions(&self) -> impl Iterator<Item = [f64; 3]> {
+        self.knots.iter().map(|knot| knot.pose.translation.vector.into())
+    }
+
     /// The tightest limits that the reference keeps; it has velocities and accelerations only.
     pub fn limits_kept(&self) -> Limits {
         Limits::kept_by(&self.states(), self.time_step, &[], 0.0)

@@ -6,6 +6,7 @@
 
 use fastrand::Rng;
 
+use crate::bounds::Bounds;
 use crate::bump::Bump;
 use crate::evaluator::{Evaluator, Trial, TrialResult};
 use crate::reference::Reference;
@@ -13,6 +14,7 @@ use crate::reference::Reference;
 /// A reference that is being refined.
 pub struct Refinement<'evaluator> {
     evaluator: &'evaluator Evaluator,
+    bounds: Bounds,
     random: Rng,
     reference: Reference,
     trials: Vec<Trial>,
@@ -28,6 +30,9 @@ const BATCH: usize = 8;
 const FIRST_BATCH: usize = 4;
 /// Fraction of changes that resemble earlier ones.
 const LEARNED: f64 = 0.5;
+/// Changes that are looked at until one keeps the bounds, and how often each is halved.
+const PROPOSALS: usize = 20;
+const HALVINGS: usize = 3;
 /// Number of helpful changes that are remembered.
 const REMEMBERED: usize = 6;
 
@@ -44,7 +49,9 @@ impl<'evaluator> Refinement<'evaluator> {
         seed: u64,
     ) -> Self {
         assert_eq!(trials.len(), results.len(), "every trial has a result");
-        Self { evaluator, random: Rng::with_seed(seed), reference, trials, results, rollouts: 0, helped: Vec::new() }
+        let bounds = evaluator.bounds().including(&reference);
+        let random = Rng::with_seed(seed);
+        Self { evaluator, bounds, random, reference, trials, results, rollouts: 0, helped: Vec::new() }
     }
 
     /// The best reference so far.
@@ -77,11 +84,11 @@ impl<'evaluator> Refinement<'evaluator> {
 
     /// Tries a random change on `jobs` threads, keeps it if it improves the [`score`](Self::score), and returns whether
     /// it does. Failing trials are simulated first, then the passing ones, each in random order, and no further than it
-    /// takes to see that the change is no improvement. A change that breaks a limit is dropped, and so is the current
+    /// takes to see that the change is no improvement. A change that leaves the bounds is dropped, and so is the current
     /// one when `stop` returns true.
     pub fn improve(&mut self, jobs: usize, stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        let change = self.propose();
-        let is_better = self.attempt(self.reference.bent(&change), jobs, stop);
+        let Some((change, reference)) = self.propose() else { return false };
+        let is_better = self.attempt(reference, jobs, stop);
         if is_better {
             self.helped.push(change);
             self.helped.drain(..self.helped.len().saturating_sub(REMEMBERED));
@@ -89,8 +96,23 @@ impl<'evaluator> Refinement<'evaluator> {
         is_better
     }
 
+    /// A change that keeps the bounds, and what it makes of the reference; halved until it does. `None` where none was found.
+    fn propose(&mut self) -> Option<(Bump, Reference)> {
+        for _ in 0..PROPOSALS {
+            let mut change = self.random_change();
+            for _ in 0..=HALVINGS {
+                let reference = self.reference.bent(&change);
+                if self.bounds.allow(&reference) {
+                    return Some((change, reference));
+                }
+                change = change.scaled(0.5);
+            }
+        }
+        None
+    }
+
     /// A random change, or one that resembles a change which has helped.
-    fn propose(&mut self) -> Bump {
+    fn random_change(&mut self) -> Bump {
         let new = Bump::random(&mut self.random, self.evaluator.success());
         if self.helped.is_empty() || self.random.f64() >= LEARNED {
             return new;
@@ -101,9 +123,6 @@ impl<'evaluator> Refinement<'evaluator> {
 
     /// Takes over a reference if it is better than the best so far.
     fn attempt(&mut self, reference: Reference, jobs: usize, stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        if !self.evaluator.allows(&reference) {
-            return false;
-        }
         let mut results = self.results.clone();
         let (failing, passing) = self.shuffled();
         // Change of the sum of misses, and of the number of failing trials.

@@ -9,6 +9,7 @@
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
 //! and every problem has its share of the time.
 
+mod bounds;
 mod candidate;
 mod clock;
 mod evaluation;
@@ -28,6 +29,7 @@ use crate::explain::loss;
 use crate::iteration::PlanIteration;
 use crate::plan::Plan;
 use crate::problem::Problem;
+use crate::refine::bounds::near;
 use crate::refine::candidate::Candidate;
 use crate::refine::clock::{Clock, Deadline};
 use crate::refine::evaluation::{ErrorRange, Evaluation, Judgement};
@@ -76,7 +78,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
         return Ok(plan);
     }
     let mut world = plan.problem.world();
-    let evaluator = plan.problem.evaluator(&target.frictions)?;
+    let evaluator = near(plan.problem.evaluator(&target.frictions)?, &plan.problem, &plan.reference());
     let (problem, attempts, threads) = (plan.problem.clone(), plan.attempts.clone(), plan.threads);
     let mut refiner = Refiner::new(&problem, target, &evaluator, session);
     let best = refiner.run(plan)?;
@@ -106,7 +108,7 @@ pub fn refine_reference(
     target.validate()?;
     require_threads(session.threads)?;
     let session = Session { folder: None, ..*session };
-    let evaluator = problem.evaluator(&target.frictions)?;
+    let evaluator = near(problem.evaluator(&target.frictions)?, problem, &reference);
     let mut refiner = Refiner::new(problem, target, &evaluator, &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
     refiner.judge_first(variant, Vec::new(), 0, reference)?;

@@ -16,7 +16,7 @@ impl Refiner<'_> {
         let until = self.clock.share(self.clock.end(), FIRST_SHARE);
         let task = self.problem.task();
         let reference = Reference::straight(&task.start, &task.goal, task.horizon);
-        if !self.goes_on(until) || !self.evaluator.allows(&reference) {
+        if !self.goes_on(until) || !self.evaluator.bounds().allow(&reference) {
             return Ok(());
         }
         let stop = || self.clock.is_over(until);

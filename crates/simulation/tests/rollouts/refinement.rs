@@ -74,9 +74,9 @@ fn changes_that_break_a_limit_are_refused() {
     (0..100).for_each(|_| {
         refinement.improve(2, &|| false);
     });
-    assert!(limited.allows(refinement.reference()));
+    assert!(limited.bounds().allow(refinement.reference()));
     let bent = |seed| beside().bent(&Bump::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
-    assert!((0..20).any(|seed| !limited.allows(&bent(seed))), "there is something to be refused");
+    assert!((0..20).any(|seed| !limited.bounds().allow(&bent(seed))), "there is something to be refused");
 }
 
 #[test]

@@ -1,0 +1,121 @@
+//! How a reference may move.
+
+use task::Limits;
+
+use crate::reference::Reference;
+
+/// Fraction of a limit by which a motion may exceed it.
+pub const LIMIT_SLACK: f64 = 1e-3;
+
+/// Limits of velocity and acceleration that a reference keeps, and motions that it stays near to: success alone would also
+/// be reached by throwing the part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    limits: Limits,
+    near: Option<Near>,
+}
+
+/// A box of positions, and velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Near {
+    /// Smallest and largest coordinates (m, world frame).
+    lowest: [f64; 3],
+    highest: [f64; 3],
+    /// Largest component (m/s, and rad/s).
+    velocity: f64,
+    angular_velocity: f64,
+}
+
+impl Bounds {
+    /// The limits alone.
+    pub fn new(limits: Limits) -> Self {
+        Self { limits, near: None }
+    }
+
+    /// Also near some references: no further than `margin` (m) outside of the box of their positions, and no faster than
+    /// `haste` times the fastest of them.
+    pub fn near(self, references: &[&Reference], margin: f64, haste: f64) -> Self {
+        let all = references.iter().map(|reference| Near::of(reference)).reduce(|one, other| one.with(&other));
+        Self { near: all.map(|near| near.widened(margin, haste)), ..self }
+    }
+
+    /// With room for another reference, as it is: where refinement begins must be allowed.
+    pub fn including(self, reference: &Reference) -> Self {
+        Self { near: self.near.map(|near| near.with(&Near::of(reference))), ..self }
+    }
+
+    /// Whether a reference keeps the limits, within a solver's tolerance, and stays near.
+    pub fn allow(&self, reference: &Reference) -> bool {
+        let kept = reference.limits_kept();
+        self.limits.allow(&kept, LIMIT_SLACK) && self.near.is_none_or(|near| near.contains(&Near::of(reference)))
+    }
+}
+
+impl Near {
+    fn of(reference: &Reference) -> Self {
+        let Limits { translational_velocity, rotational_velocity, .. } = reference.limits_kept();
+        let axis = |axis: usize| reference.positions().map(move |position| position[axis]);
+        Self {
+            lowest: [0, 1, 2].map(|of| axis(of).fold(f64::INFINITY, f64::min)),
+            highest: [0, 1, 2].map(|of| axis(of).fold(f64::NEG_INFINITY, f64::max)),
+            velocity: translational_velocity,
+            angular_velocity: rotational_velocity,
+        }
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        Self {
+            lowest: std::array::from_fn(|axis| self.lowest[axis].min(other.lowest[axis])),
+            highest: std::array::from_fn(|axis| self.highest[axis].max(other.highest[axis])),
+            velocity: self.velocity.max(other.velocity),
+            angular_velocity: self.angular_velocity.max(other.angular_velocity),
+        }
+    }
+
+    fn widened(&self, margin: f64, haste: f64) -> Self {
+        Self {
+            lowest: self.lowest.map(|least| least - margin),
+            highest: self.highest.map(|most| most + margin),
+            velocity: haste * self.velocity,
+            angular_velocity: haste * self.angular_velocity,
+        }
+    }
+
+    fn contains(&self, other: &Self) -> bool {
+        let is_inside =
+            |axis: usize| self.lowest[axis] <= other.lowest[axis] && other.highest[axis] <= self.highest[axis];
+        (0..3).all(is_inside) && other.velocity <= self.velocity && other.angular_velocity <= self.angular_velocity
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use task::at_rest;
+
+    use super::*;
+
+    /// Through positions along x (m), a second apart.
+    fn along(positions: &[f64]) -> Reference {
+        let mut before = positions[0];
+        let mut knot = |&x: &f64| {
+            let mut state = at_rest(&[x, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+            state[7] = x - std::mem::replace(&mut before, x);
+            state
+        };
+        Reference::new(1.0, &positions.iter().map(&mut knot).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn references_stay_near_where_limits_say_nothing() {
+        let wide = along(&[0.0, 0.1, 0.5]);
+        assert!(Bounds::new(Limits::NONE).allow(&wide));
+        let bounds = Bounds::new(Limits::NONE).near(&[&along(&[0.0, 0.1, 0.2])], 0.05, 2.0);
+        assert!(bounds.allow(&along(&[0.0, 0.2, 0.25])), "twice as fast, and 0.05 m further");
+        assert!(!bounds.allow(&along(&[0.0, 0.21, 0.2])), "too fast");
+        assert!(!bounds.allow(&along(&[0.0, 0.1, 0.26])), "too far");
+        assert!(!bounds.allow(&wide));
+        assert!(bounds.including(&wide).allow(&wide));
+        let limited = Limits { translational_velocity: 0.15, ..Limits::NONE };
+        assert!(!Bounds::new(limited).near(&[&wide], 0.0, 2.0).including(&wide).allow(&wide), "limits always hold");
+    }
+}
