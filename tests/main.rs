@@ -3,6 +3,7 @@
 mod batch;
 mod documentation;
 mod end_to_end;
+mod explained;
 mod failures;
 mod limits;
 mod mujoco;

@@ -51,9 +51,8 @@ not real: `generate` wrote their scenes. `scripts/real-parts FOLDER` repeats all
 Seconds are those of `solve --robust --jobs {jobs} --time-limit {time_limit}` on a machine that others used at the same
 time, so that they are upper bounds: of the optimal control problem alone, and with everything. Own rollouts are those of
 the evaluation before and after refinement. Overlap is the deepest of all motions in MuJoCo, whose contacts give way when
-parts hit each other. The last two columns are of the planned motions of all scenarios: refinement asks only whether the
-end is right and does not hold a motion near the straight way, so look at a plan whose body goes far or fast before using
-it. First with the default, frictions of 0 and 0.1, so that 0.3 was not asked for:
+parts hit each other. The last two columns are of the planned motions of all scenarios. First with the default, frictions
+of 0 and 0.1, so that 0.3 was not asked for:
 
 {plan}
 
@@ -99,8 +98,8 @@ def write_scene(arguments: argparse.Namespace, program: pathlib.Path, pair: dict
     )
 
 
-def run(arguments: argparse.Namespace, pair: dict, out: pathlib.Path) -> None:
-    """Plans and plays a pair, unless that is done."""
+def run(arguments: argparse.Namespace, pair: dict, out: pathlib.Path, name: str) -> None:
+    """Plans and plays a pair in one way, unless that is done."""
     target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", arguments.root / "target"))
     program = target / "release/assembly-plan"
     out.mkdir(parents=True, exist_ok=True)
@@ -109,8 +108,7 @@ def run(arguments: argparse.Namespace, pair: dict, out: pathlib.Path) -> None:
     if not (out / "check.json").exists():
         check = subprocess.run([program, "check", scene, "--json"], check=True, capture_output=True, text=True)
         (out / "check.json").write_text(check.stdout)
-    for name, options in PLANS.items():
-        solve_and_play(arguments, program, pair, out / name, options)
+    solve_and_play(arguments, program, pair, out / name, PLANS[name])
 
 
 def solve_and_play(
@@ -150,6 +148,8 @@ def shown_name(pair: dict) -> str:
 
 def part_row(pair: dict, out: pathlib.Path) -> str:
     """What a pair is, as a line of a table."""
+    if not (out / "plan.mujoco.csv").exists():
+        return f"| {shown_name(pair)} | not measured | | | | | |"
     check = json.loads((out / "check.json").read_text())
     resolved = tomllib.loads((out / "plan/resolved.toml").read_text())
     rows = motions(out, "plan")
@@ -213,19 +213,23 @@ def main() -> None:
     parser.add_argument("--root", type=pathlib.Path, help=argparse.SUPPRESS)
     parser.add_argument("--jobs", type=int, default=2, help="threads of each solve, processes of MuJoCo [default: 2]")
     parser.add_argument("--time-limit", type=int, default=900, help="of each solve (s) [default: 900]")
+    parser.add_argument(
+        "--skip", action="append", default=[], metavar="NAME", help="plan nothing new for this pair; may be repeated"
+    )
     arguments = parser.parse_args()
     arguments.folder = arguments.folder.resolve()
-    manifest = tomllib.loads((arguments.root / "scripts/real_parts/manifest.toml").read_text())
-    tables = {"parts": []} | {name: [] for name in PLANS}
-    for pair in manifest["pair"]:
-        out = arguments.root / "out/real-parts" / pair["name"].replace(" ", "-").replace(",", "")
-        run(arguments, pair, out)
-        tables["parts"].append(part_row(pair, out))
-        for name in PLANS:
-            tables[name].append(plan_row(pair, out, name))
+    pairs = tomllib.loads((arguments.root / "scripts/real_parts/manifest.toml").read_text())["pair"]
+    folders = [arguments.root / "out/real-parts" / pair["name"].replace(" ", "-").replace(",", "") for pair in pairs]
+    for name in PLANS:
+        for pair, out in zip(pairs, folders):
+            if pair["name"] not in arguments.skip:
+                run(arguments, pair, out, name)
+    tables = {"parts": [part_row(pair, out) for pair, out in zip(pairs, folders)]}
+    for name in PLANS:
+        tables[name] = [plan_row(pair, out, name) for pair, out in zip(pairs, folders)]
     page = arguments.root / "docs/real-parts.md"
     settings = {"jobs": arguments.jobs, "time_limit": arguments.time_limit}
-    notes = "\n".join(f"- {pair['name']}: {pair['note']}" for pair in manifest["pair"] if "note" in pair)
+    notes = "\n".join(f"- {pair['name']}: {pair['note']}" for pair in pairs if "note" in pair)
     tables = {name: "\n".join(rows) for name, rows in tables.items()}
     tables |= {name: HEADER + tables[name] for name in PLANS}
     page.write_text(PAGE.format(**tables, frictions=",".join(FRICTIONS), notes=notes, **settings))

@@ -26,11 +26,12 @@ fn key_paths(value: &Value, prefix: &str, paths: &mut BTreeSet<String>) {
     }
 }
 
-/// The corner scene with a start inside of the floor and a limit that keeps the body from leaving it.
+/// The corner scene with an offset that puts the body inside of the floor and a limit that keeps it from leaving it.
 fn contradiction(corner: &str) -> String {
     let start = "position = [0.1, 0.0, 0.08]\norientation = [0.997188818, 0.0, 0.074929707, 0.0]";
-    let text = corner.replace(start, "position = [0.0, 0.0, 0.0]\norientation = [1, 0, 0, 0]");
+    let text = corner.replace(start, "position = [0.0, 0.0, 0.031]\norientation = [1, 0, 0, 0]");
     let text = text.replace("position = [-0.05, 0.0, 0.2]", "position = [-0.25, 0.0, 0.2]");
+    let text = text.replace("offset_magnitude = 0.02", "offset_magnitude = 0.06");
     assert_ne!(text, corner);
     format!("{text}\n[limits]\ntranslational_velocity = 0.1\n")
 }

@@ -2,6 +2,7 @@
 
 mod process;
 pub mod reached;
+pub mod round;
 pub mod small;
 pub mod table;
 

@@ -44,7 +44,6 @@ pub const ROWS: &[Row] = &[
     ("solve scene.toml --out out --friction 0", &[], "--robust"),
     ("solve scene.toml --out out --turn 0.1", &[], "--robust"),
     ("solve scene.toml --out out --jobs=2 --robust=yes", &[], "--robust"),
-    ("solve scene.toml --out out --verbose", &[], "--verbose"),
     ("solve scene.toml --out out --resume --cell x", &[], "is not the one of the manifest"),
     ("solve scene.toml --out plan", &[("plan/reference.csv", "time_s", "time")], "was changed since the plan was written"),
     ("solve scene.toml --out plan", &[("plan/stages/notes.txt", "", "mine")], "was not written by an earlier run"),

@@ -2,6 +2,10 @@
 
 use super::Row;
 
+/// A part of 30 units, and one of 0.03 units.
+const TETRAHEDRON: &str = "v 0 0 0\nv 30 0 0\nv 0 30 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+const SPECK: &str = "v 0 0 0\nv 0.03 0 0\nv 0 0.03 0\nv 0 0 0.03\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
 #[rustfmt::skip]
 pub const ROWS: &[Row] = &[
     ("new", &[], "<FILE>"),
@@ -17,6 +21,8 @@ pub const ROWS: &[Row] = &[
     ("new new.toml --body gone.stl --environment gone.stl --unit mm", &[], "gone.stl: mesh: cannot be read"),
     ("new new.toml --body scene.toml --environment scene.toml --unit mm", &[], "is not a known format: use .stl or .obj"),
     ("new new.toml --body part.stl --environment part.stl --unit mm", &[("part.stl", "", "hello")], "part.stl: mesh"),
+    ("new new.toml --body part.obj --environment part.obj --unit m", &[("part.obj", "", TETRAHEDRON)], "part.obj: the mesh is 30 m long: is `--unit m` right?"),
+    ("new new.toml --body part.obj --environment part.obj --unit mm", &[("part.obj", "", SPECK)], "part.obj: the mesh is 0.00003 m long: is `--unit mm` right?"),
     ("generate", &[], "Usage"),
     ("generate square --out new.toml", &[], "unrecognized subcommand 'square'"),
     ("generate round", &[], "--out"),

@@ -1,6 +1,8 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::check::{Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports};
+use planner::check::{
+    Explanation, MeshReport, PairReport, Play, PoseOverlap, RoundSurface, Way, explain, pair_reports,
+};
 use planner::{PlannerError, Problem};
 use serde::Serialize;
 
@@ -8,6 +10,9 @@ use crate::arguments::CheckArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::values::Pose;
+
+/// Relative difference of radii that are alike.
+const ALIKE: f64 = 1e-3;
 
 /// Checks a scene and prints what it says.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, CommandError> {
@@ -156,28 +161,36 @@ fn print_mesh(mesh: &MeshReport) {
 
 /// Round surfaces, those that are alike in one line.
 fn print_round_surfaces(surfaces: &[RoundSurface]) {
-    let mut lines: Vec<(String, usize)> = Vec::new();
+    let mut groups: Vec<(&RoundSurface, usize)> = Vec::new();
     for surface in surfaces {
+        match groups.iter_mut().find(|(other, _)| is_alike(surface, other)) {
+            Some((_, count)) => *count += 1,
+            None => groups.push((surface, 1)),
+        }
+    }
+    for (surface, count) in groups {
+        let times = if count == 1 { String::new() } else { format!("{count} times ") };
         let [first, second] = surface.radii_m.map(|radius| 1e3 * radius);
-        let side = if surface.is_convex { "outside" } else { "inside" };
-        let line = format!(
-            "{} {side}, radius {:.3} to {:.3} mm, {:.0} degrees: {} facets of a full turn, error {:.4} mm",
+        say!(
+            "  {times}{} {}, radius {:.3} to {:.3} mm, {:.0} degrees: {} facets of a full turn, error {:.4} mm",
             surface.kind,
+            if surface.is_convex { "outside" } else { "inside" },
             first.min(second),
             first.max(second),
             surface.angle_rad.to_degrees(),
             surface.facets_per_turn,
             1e3 * surface.error_m
         );
-        match lines.iter_mut().find(|(other, _)| *other == line) {
-            Some((_, count)) => *count += 1,
-            None => lines.push((line, 1)),
-        }
     }
-    for (line, count) in lines {
-        let times = if count == 1 { String::new() } else { format!("{count} times ") };
-        say!("  {times}{line}");
-    }
+}
+
+/// Whether two round surfaces differ by no more than rounding in a mesh explains.
+fn is_alike(one: &RoundSurface, other: &RoundSurface) -> bool {
+    let sorted = |[first, second]: [f64; 2]| [first.min(second), first.max(second)];
+    let mut radii = sorted(one.radii_m).into_iter().zip(sorted(other.radii_m));
+    (one.kind, one.is_convex, one.facets_per_turn) == (other.kind, other.is_convex, other.facets_per_turn)
+        && (one.angle_rad - other.angle_rad).abs() < 1f64.to_radians()
+        && radii.all(|(radius, other)| (radius - other).abs() <= ALIKE * other)
 }
 
 /// The shapes of a link, and the convex parts that stand for them.
@@ -213,6 +226,15 @@ fn print_insertion(explanation: &Explanation) {
     }
     if let Some(farthest) = explanation.farthest_rest_m {
         say!("play lets the body rest up to {:.2} mm from its goal", 1e3 * farthest);
+    }
+    let narrowest = explanation.insertion.iter().filter_map(Play::narrowest).fold(f64::INFINITY, f64::min);
+    if (0.0..2.0 * explanation.delta_m).contains(&narrowest) {
+        say!(
+            "offsets of {:.2} mm to either side, play of {:.3} mm from side to side where it is narrowest: contact at \
+             chamfers and edges must lead the body in",
+            1e3 * explanation.delta_m,
+            1e3 * narrowest
+        );
     }
     match explanation.way {
         Way::Straight => say!("the straight motion from start to goal touches nothing"),

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
+use planner::check::start_inside;
 use planner::files::{PlanFolder, PlanResult};
 use planner::{PlanStatus, PlannerError, Problem, RobustnessTarget, Session, refine};
 
@@ -20,6 +21,9 @@ use crate::values::threads;
 pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.choices())?;
     require_cell(arguments, &problem)?;
+    if let Some(reason) = start_inside(&problem) {
+        return Err(PlannerError::file(&arguments.task.scene, reason).into());
+    }
     let target = arguments.robust_target(problem.scene());
     target.iter().try_for_each(RobustnessTarget::validate)?;
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));

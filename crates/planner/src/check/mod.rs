@@ -1,6 +1,7 @@
 //! What a scene says, and what is odd about it, without solving it.
 
 mod oddities;
+pub(crate) mod overlaps;
 mod parts;
 pub(crate) mod play;
 mod way;
@@ -8,14 +9,16 @@ mod way;
 use ocp::{Layout, standard_terms};
 use scene::Part;
 use serde::Serialize;
-use task::{AssemblyTask, ContactPair, GraspError};
+use task::ContactPair;
 
 use crate::check::oddities::oddities;
+use crate::check::overlaps::overlaps;
 use crate::error::PlannerError;
 use crate::problem::Problem;
 use crate::refine::require;
 
 pub(crate) use oddities::{first_smoothing, rest, step};
+pub use overlaps::{PoseOverlap, start_inside};
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
 pub use play::{AxisPlay, Play};
 pub(crate) use play::{along_insertion, farthest_rest};
@@ -90,17 +93,6 @@ pub struct FitReport {
     pub lost_m: f64,
     /// What the mesh of the hole takes besides, at most: its flat sides lie inside of the hole.
     pub mesh_lost_m: f64,
-}
-
-/// A pair that overlaps at a pose of the scene.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PoseOverlap {
-    /// `goal`, or `start` with the number of an offset, from 1.
-    pub pose: String,
-    /// Body and environment part.
-    pub pair: String,
-    /// Exact distance, negative.
-    pub distance_m: f64,
 }
 
 /// Size of an optimal control problem, and what solving it needs on a common processor: estimates.
@@ -181,38 +173,6 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
     let oddities = oddities(problem, &explanation);
     explanation.warnings.extend(oddities);
     Ok(explanation)
-}
-
-/// What the start with an offset, numbered from 1, is called.
-fn start_pose(number: usize) -> String {
-    format!("start with offset {number}")
-}
-
-/// Pairs that overlap at the goal and where the body really is at the start: with every offset, and also turned in the
-/// gripper (rad) about each axis of the body, both ways.
-fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
-    let mut poses = vec![("goal".to_owned(), task.goal)];
-    for (number, grasp) in (1..).zip(&task.grasps) {
-        poses.push((start_pose(number), grasp.actual(&task.start)));
-        for (axis, name) in ["x", "y", "z"].iter().enumerate().filter(|_| turn > 0.0) {
-            for (sign, angle) in [("+", turn), ("-", -turn)] {
-                let mut turned = GraspError::from(grasp.offset);
-                turned.turn[axis] = angle;
-                let at = turned.actual(&task.start);
-                poses.push((format!("{}, turned about {sign}{name}", start_pose(number)), at));
-            }
-        }
-    }
-    let mut overlaps = Vec::new();
-    for (pose, at) in poses {
-        for pair in &task.pairs {
-            let distance_m = pair.shapes.exact_distance(&at);
-            if distance_m < 0.0 {
-                overlaps.push(PoseOverlap { pose: pose.clone(), pair: pair.to_string(), distance_m });
-            }
-        }
-    }
-    overlaps
 }
 
 fn size(problem: &Problem) -> SizeReport {

@@ -2,7 +2,7 @@
 
 use task::{AssemblyTask, Overlap};
 
-use crate::check::{Explanation, Play, Way, start_pose};
+use crate::check::{Explanation, Play, Way};
 use crate::problem::Problem;
 
 /// Share of the gap of a round fit that facets may take.
@@ -20,7 +20,6 @@ const LONG_STEP: f64 = 2.0;
 pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
     let task = problem.task();
     let own = [
-        overlap(task, explanation),
         facets(explanation),
         deviation(explanation),
         rest(problem, explanation.farthest_rest_m),
@@ -30,24 +29,6 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
         step(task, &explanation.insertion),
     ];
     own.into_iter().flatten().collect()
-}
-
-fn overlap(task: &AssemblyTask, explanation: &Explanation) -> Option<String> {
-    let worst = explanation.overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m))?;
-    let (pose, pair, depth) = (&worst.pose, &worst.pair, -1e3 * worst.distance_m);
-    let is_inside = |number: usize| {
-        let pose = start_pose(number);
-        explanation.overlaps.iter().any(|overlap| overlap.pose == pose)
-    };
-    let cure = if pose == "goal" {
-        "it cannot be reached: move [goal] or, where CAD is size on size, state the fit by `clearance` of a mesh"
-    } else if (1..=task.grasps.len()).all(is_inside) {
-        "the body begins inside of the environment with every offset: move the start to the side from which the body is \
-         put in (`--axis` of `new`), or exchange body and environment if they are confused"
-    } else {
-        "move that start, or lower robustness.offset_magnitude"
-    };
-    Some(format!("at the {pose} {pair} overlap by {depth:.3} mm, more than any other pair; {cure}"))
 }
 
 fn facets(explanation: &Explanation) -> Option<String> {

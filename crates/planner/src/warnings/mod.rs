@@ -8,6 +8,7 @@ mod smoothing;
 use nlp::{IPOPT_VERSION, TAKES_OWN_SOLVER};
 use task::LinearSolver;
 
+use crate::check::overlaps;
 use crate::plan::Plan;
 use crate::problem::Problem;
 
@@ -15,6 +16,7 @@ impl Problem {
     /// What is odd about the problem before it is solved.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = self.scene().warnings.clone();
+        warnings.extend(overlaps::warnings(self));
         if self.homotopy().linear_solver == LinearSolver::Stage && !TAKES_OWN_SOLVER {
             warnings.push(format!(
                 "Ipopt {IPOPT_VERSION} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower"
