@@ -149,6 +149,9 @@ pub struct JointCourse {
     pub speeds: Vec<Vec<f64>>,
     /// Torques (Nm or N) of the impedance controller and against gravity.
     pub torques: Vec<Vec<f64>>,
+    /// Points of the arm at each knot: its base, the origins of its joints and that of the body where it is believed;
+    /// three numbers each (m, world frame).
+    pub skeletons: Vec<Vec<f64>>,
 }
 
 /// All cells of a batch.

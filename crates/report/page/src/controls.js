@@ -165,6 +165,8 @@ export function viewOptions(data, shown, view) {
   };
   const smoothed = check("Smoothed shapes", "showSmoothed");
   shown.on(["motion"], ({ motion }) => (smoothed.hidden = data.motions[motion].source !== "iteration"));
+  const arm = data.arm ? check("Arm", "showArm") : null;
+  if (arm) shown.on(["motion"], ({ motion }) => (arm.hidden = data.motions[motion].source !== "plan"));
   const cut = element(
     "select",
     { change: () => shown.set({ cut: cut.value }) },
@@ -185,7 +187,7 @@ export function viewOptions(data, shown, view) {
   });
   cut.setAttribute("aria-label", "Cut");
   return {
-    options: element("div", { class: "options" }, check("Reference", "showReference"), check("Forces", "showForces"), smoothed, cut, depth),
+    options: element("div", { class: "options" }, check("Reference", "showReference"), check("Forces", "showForces"), arm, smoothed, cut, depth),
     views: element(
       "div",
       { class: "views", role: "group", "aria-label": "View" },

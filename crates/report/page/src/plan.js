@@ -20,6 +20,7 @@ export function planPage(root, data) {
     hidden: new Set(),
     showReference: true,
     showForces: true,
+    showArm: true,
     showSmoothed: true,
     cut: "none",
     cutAt: 0,

@@ -34,10 +34,9 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
     let mut motions = vec![world.motion(&tables, &ends, Source::Plan, plan_tau(&plan.result))?];
     motions.extend(iterations(&plan, &world)?);
     motions.extend(rollouts(&plan, &problem, &world)?);
-    let (arm, immobile) = arm::courses(&problem, &tables).map_or((None, None), |courses| match courses {
-        Ok(courses) => (Some(courses), None),
-        Err(error) => (None, Some(format!("the arm cannot follow the plan: {error}"))),
-    });
+    let grasps = plan.result.scenarios.iter().map(|scenario| &scenario.grasp);
+    // A warning of the plan says why, where the arm cannot follow it.
+    let arm = arm::courses(&problem, &tables, grasps).and_then(Result::ok);
     let simulation = rates::read_if_there(folder)?;
     let mut result = plan.result;
     result.files.clear();
@@ -50,7 +49,7 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
         pairs: world.names(),
         motions,
         arm,
-        notes: result.warnings.iter().cloned().chain(immobile).chain(why_not_done(&result)).collect(),
+        notes: result.warnings.iter().cloned().chain(why_not_done(&result)).collect(),
         weakest: loss(&result).map_or_else(Vec::new, |loss| loss.sentences().into()),
         simulation,
         result,
