@@ -97,6 +97,8 @@ pub struct ScenarioData {
     pub offset: [f64; 3],
     /// Its turn in the gripper (rad, rotation vector).
     pub turn: [f64; 3],
+    /// How robot and controller differ from what they are taken for, in words.
+    pub disturbances: Vec<String>,
     /// Final distance (m) from the goal and angle (rad) to it.
     pub errors: [f64; 2],
     /// Whether these are within the tolerances.

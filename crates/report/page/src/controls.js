@@ -3,7 +3,7 @@ import { element } from "./dom.js";
 import { duration } from "./state.js";
 import { scenarioColour } from "./theme.js";
 import { VIEWS } from "./scene.js";
-import { graspInWords, short } from "./words.js";
+import { injectionInWords, short } from "./words.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 
@@ -119,7 +119,7 @@ export function scenarioChoice(data, shown) {
     const focused = list.contains(document.activeElement) ? document.activeElement.dataset.name : null;
     list.replaceChildren(
       ...data.motions[motion].scenarios.map((scenario, index) => {
-        const name = `Scenario ${index + 1}: ${graspInWords(scenario)}`;
+        const name = `Scenario ${index + 1}: ${injectionInWords(scenario)}`;
         const select = element(
           "button",
           {
@@ -129,7 +129,7 @@ export function scenarioChoice(data, shown) {
             click: () => shown.set({ selected: index, hidden: without(hidden, index) }),
           },
           element("span", { class: "dot", style: `--mark:${scenarioColour(index)}` }),
-          `${index + 1}  ${graspInWords(scenario)}`,
+          `${index + 1}  ${injectionInWords(scenario)}`,
           scenario.success ? null : element("span", { class: "missed" }, "misses the goal"),
         );
         const eye = element(
