@@ -63,7 +63,7 @@ function cards(data, shown) {
   const { result, simulation } = data;
   return [
     notes(data),
-    result.robust ? robustness(result.robust, data.weakest) : null,
+    result.robust ? robustness(result, data.weakest) : null,
     simulation ? rateMatrix(simulation) : null,
     convergence(data, shown),
     madeFrom(data),

@@ -21,8 +21,8 @@ pub fn courses<'grasps>(
 ) -> Option<Result<ArmData, FollowError>> {
     let robot = problem.scene().robot.as_ref()?;
     let scenarios = tables.scenarios.iter().zip(grasps);
-    let scenarios = scenarios
-        .map(|(scenario, grasp)| course(robot, tables.time_step, &GraspError::from(grasp), scenario));
+    let scenarios =
+        scenarios.map(|(scenario, grasp)| course(robot, tables.time_step, &GraspError::from(grasp), scenario));
     let data = |scenarios| ArmData {
         joints: robot.arm.joints().iter().map(joint).collect(),
         time_step: tables.time_step,
