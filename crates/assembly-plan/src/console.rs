@@ -2,6 +2,12 @@
 
 use std::fmt;
 use std::io::{Write, stderr, stdout};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use indicatif::ProgressBar;
+
+/// The bar that stands on the terminal, if there is one.
+static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 
 /// Prints a result on standard output.
 macro_rules! say {
@@ -17,10 +23,33 @@ pub(crate) use {say, tell};
 
 /// A line of standard output.
 pub fn result(line: fmt::Arguments) {
-    let _ = writeln!(stdout(), "{line}");
+    above_bar(|| drop(writeln!(stdout(), "{line}")));
 }
 
 /// A line of standard error.
 pub fn message(line: fmt::Arguments) {
-    let _ = writeln!(stderr(), "{line}");
+    above_bar(|| drop(writeln!(stderr(), "{line}")));
+}
+
+/// Keeps a bar below all lines until it is removed.
+pub fn keep_below(bar: &ProgressBar) {
+    *standing() = Some(bar.clone());
+}
+
+/// Takes the bar away.
+pub fn remove_bar() {
+    if let Some(bar) = standing().take() {
+        bar.finish_and_clear();
+    }
+}
+
+fn above_bar(write: impl FnOnce()) {
+    match &*standing() {
+        Some(bar) => bar.suspend(write),
+        None => write(),
+    }
+}
+
+fn standing() -> MutexGuard<'static, Option<ProgressBar>> {
+    BAR.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::console::remove_bar;
 use crate::exit::{CommandError, Exit};
 
 /// A flag that Ctrl-C and a request to terminate set: the solve then ends with its last iterate.
@@ -25,7 +26,10 @@ pub fn stop_with_parent(stopped: Arc<AtomicBool>) {
 
 /// Ends the program at once, for what writes nothing before all is done.
 pub fn exit_at_once() -> Result<(), CommandError> {
-    handle(|| std::process::exit(Exit::Interrupted as i32))
+    handle(|| {
+        remove_bar();
+        std::process::exit(Exit::Interrupted as i32)
+    })
 }
 
 fn handle(handler: impl FnMut() + Send + 'static) -> Result<(), CommandError> {

@@ -27,7 +27,8 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     let target = arguments.robust_target(problem.scene());
     target.iter().try_for_each(RobustnessTarget::validate)?;
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
-    let progress = Progress::new(&arguments.progress)?;
+    let deadline = target.as_ref().and_then(|target| Instant::now().checked_add(target.time_limit));
+    let progress = Progress::new(&arguments.progress)?.until(deadline);
     if !problem.scene().chosen.is_empty() {
         progress.say(&format!("chosen, as the scene does not say it: {}", problem.scene().chosen.join(", ")));
     }
@@ -44,7 +45,6 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }
-    let deadline = target.as_ref().and_then(|target| Instant::now().checked_add(target.time_limit));
     let threads = threads(arguments.jobs);
     let session = Session { folder: Some(&folder), threads, deadline, ..Session::new(&progress, &stopped) };
     let mut plan = planner::solve(&problem, &session)?;

@@ -31,6 +31,7 @@
 //! | [`solve`], [`refine`](mod@refine) | from a problem to a [`Plan`], and to a robust one |
 //! | [`simulate`](mod@simulate) | rollouts of plans, success rates |
 //! | [`explain`] | why a plan is not done |
+//! | [`ArmCourse`] | how the joints of an arm move along a plan |
 //! | [`check`](mod@check) | what a scene says, without solving it |
 //! | [`batch`] | every start, offset magnitude and homotopy of some scenes |
 //! | [`files`] | every file that is written or read |
@@ -43,6 +44,7 @@
 //! | homotopy, Sec. V-D | `Sec. ocp:homotopy` | [`solve()`] |
 //! | Fig. 12, success by modelled and injected offset | `Fig. realworldresults` | [`SuccessTable`] |
 
+mod arm_course;
 mod attempt;
 pub mod batch;
 pub mod check;
@@ -63,6 +65,7 @@ mod success_table;
 mod variant;
 mod warnings;
 
+pub use arm_course::ArmCourse;
 pub use attempt::AttemptRecord;
 pub use error::{Fault, PlannerError, Unusable};
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};

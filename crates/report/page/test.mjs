@@ -1,7 +1,9 @@
-// Drives report pages in Chromium, as a reader would. Arguments: a folder with the pages of plans (plan, robust), a
-// batch and a simulation; with a second one, pictures of the pages are written there.
+// Drives report pages in Chromium, as a reader would, and lets axe look for what some readers could not use. Arguments: a
+// folder with the pages of plans (plan, robust, lossy, arm), a batch and a simulation; with a second one, pictures of the
+// pages are written there.
 import assert from "node:assert/strict";
-import { readdirSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
+import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -10,6 +12,9 @@ const [folder, pictures] = process.argv.slice(2);
 const DESKTOP = { width: 1280, height: 860 };
 const PHONE = { width: 390, height: 844 };
 const FLAGS = ["--headless=new", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"];
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
 
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: FLAGS });
 
@@ -21,13 +26,20 @@ async function open(name, viewport = DESKTOP, colorScheme = "light") {
   page.on("request", (request) => assert.match(request.url(), /^(file|data):/, `${name} asks for ${request.url()}`));
   await page.goto(pathToFileURL(resolve(folder, name)).href);
   await page.waitForSelector("main");
-  const unnamed = await page.$$eval("button, select, input", (nodes) =>
-    nodes.filter((node) => !(node.getAttribute("aria-label") || node.textContent.trim() || node.labels?.length)).map((node) => node.outerHTML),
-  );
-  assert.deepEqual(unnamed, [], `${name}: what has no name cannot be heard`);
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   assert.ok(overflow <= 0, `${name}: wider than ${viewport.width} by ${overflow}`);
   return page;
+}
+
+/** Opens a page with all that it folds away, in colours and on a screen, for axe to find nothing. */
+async function checkAccess(name, viewport, colorScheme) {
+  const page = await open(name, viewport, colorScheme);
+  await page.$$eval("details", (nodes) => nodes.forEach((node) => (node.open = true)));
+  await page.evaluate(AXE);
+  const { violations } = await page.evaluate((values) => axe.run(document, { runOnly: { type: "tag", values } }), TAGS);
+  const found = violations.flatMap(({ id, help, nodes }) => nodes.map(({ html, any }) => `${id}: ${help}: ${html} ${any[0]?.message ?? ""}`));
+  assert.deepEqual(found, [], `${name}, ${colorScheme}, ${viewport.width} wide`);
+  await page.close();
 }
 
 /** Two frames later everything is drawn. */
@@ -90,7 +102,29 @@ async function testPlan(name) {
   await changesPicture(page, "orbiting", () => page.mouse.move(300, 300).then(() => page.mouse.down()).then(() => page.mouse.move(380, 330)).then(() => page.mouse.up()));
   await changesPicture(page, "dark colours", () => page.getByRole("button", { name: /Switch to dark/ }).click());
   await page.close();
-  await (await open(name, PHONE, "dark")).close();
+}
+
+/** What a plan that is not robust loses, and how its rollouts miss the goal. */
+async function testLossy(name) {
+  const page = await open(name);
+  const weakest = await page.locator(".weakest").textContent();
+  assert.match(weakest, /most is lost at friction .*95 % confidence: \d+ to \d+ %.*of inertia.*of stiffness.*the body/is);
+  await page.getByRole("button", { name: /^Hard contact.*fail/ }).first().click();
+  const lost = page.getByRole("button", { name: /of inertia.*of stiffness.*misses the goal/ });
+  assert.ok((await lost.count()) > 0, "the rollout that is lost most can be played");
+  await page.close();
+}
+
+/** Joints and outline of an arm. */
+async function testArm(name) {
+  const page = await open(name);
+  for (const plot of ["Joint positions", "Joint speeds", "Joint torques"]) {
+    assert.equal(await page.getByText(`${plot}, scenario 1`).count(), 1, plot);
+  }
+  await changesPicture(page, "the arm", () => page.getByLabel("Arm").uncheck());
+  await page.getByRole("button", { name: /^Hard contact/ }).first().click();
+  assert.ok(await page.getByLabel("Arm").isHidden(), "joints are known along the plan");
+  await page.close();
 }
 
 async function testBatch(name) {
@@ -100,14 +134,12 @@ async function testBatch(name) {
   await links.first().click();
   await page.waitForSelector("canvas");
   await page.close();
-  await (await open(name, PHONE)).close();
 }
 
 async function testSimulation(name) {
   const page = await open(name);
   assert.match(await page.locator("main").textContent(), /straight push/);
   await page.close();
-  await (await open(name, PHONE, "dark")).close();
 }
 
 /** Frames per second while a page plays, and the pixels that it has left out for that. */
@@ -139,12 +171,20 @@ try {
   await testPlan("robust/report.html");
   await testBatch("batch/report.html");
   await testSimulation("simulation/report.html");
-  for (const name of readdirSync(folder).filter((entry) => ["plan", "robust", "long"].includes(entry))) {
+  await testLossy("lossy/report.html");
+  await testArm("arm/report.html");
+  const pages = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isDirectory()).map(({ name }) => name);
+  for (const name of pages) {
+    // Colours do not depend on the width.
+    await checkAccess(join(name, "report.html"), DESKTOP, "light");
+    await checkAccess(join(name, "report.html"), PHONE, "dark");
+  }
+  for (const name of ["plan", "robust", "arm"]) {
     console.log(`${name}: ${await framesPerSecond(join(name, "report.html"))}`);
   }
   if (pictures) {
     await takePicture("plan/report.html", "report.png", { width: 1200, height: 780 }, "light", 0.62);
-    await takePicture("robust/report.html", "report-dark.png", { width: 1200, height: 780 }, "dark", 0.8);
+    await takePicture("clamp/report.html", "report-dark.png", { width: 1200, height: 780 }, "dark", 0.8);
   }
 } finally {
   await browser.close();

@@ -97,6 +97,8 @@ pub struct ScenarioData {
     pub offset: [f64; 3],
     /// Its turn in the gripper (rad, rotation vector).
     pub turn: [f64; 3],
+    /// How robot and controller differ from what they are taken for, in words.
+    pub disturbances: Vec<String>,
     /// Final distance (m) from the goal and angle (rad) to it.
     pub errors: [f64; 2],
     /// Whether these are within the tolerances.
@@ -149,6 +151,9 @@ pub struct JointCourse {
     pub speeds: Vec<Vec<f64>>,
     /// Torques (Nm or N) of the impedance controller and against gravity.
     pub torques: Vec<Vec<f64>>,
+    /// Points of the arm at each knot: its base, the origins of its joints and that of the body where it is believed;
+    /// three numbers each (m, world frame).
+    pub skeletons: Vec<Vec<f64>>,
 }
 
 /// All cells of a batch.

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use nalgebra::{Isometry3, IsometryMatrix3, SMatrix, SVector};
+use nalgebra::{Isometry3, IsometryMatrix3, SMatrix, SVector, Vector3};
 
 use crate::chain::Chain;
 use crate::error::{Fault, RobotError};
@@ -176,6 +176,19 @@ impl Arm {
     /// Pose of the part in the world frame.
     pub fn pose(&self, configuration: &JointVector) -> Isometry3<f64> {
         self.posture(configuration).pose()
+    }
+
+    /// Points (m, world frame) that outline the arm at joint positions (rad or m): the origins of its base, of each joint and
+    /// of the part.
+    pub fn skeleton(&self, configuration: &JointVector) -> Vec<Vector3<f64>> {
+        let mut frame = self.base;
+        let mut points = vec![frame.translation.vector];
+        for (joint, &position) in self.joints.iter().zip(configuration) {
+            frame *= joint.link_frame(position);
+            points.push(frame.translation.vector);
+        }
+        points.push((frame * self.part_frame()).translation.vector);
+        points
     }
 
     /// Frame of the part in that of the last moving link.

@@ -74,6 +74,24 @@ proptest! {
     }
 
     #[test]
+    fn a_skeleton_is_rigid_between_joints_that_turn(
+        arm in prop_oneof![Just(&*SIX), Just(&*SEVEN)],
+        places in places(),
+        others in places(),
+    ) {
+        let [one, other] = [places, others].map(|places| configuration(arm, places));
+        let lengths = |configuration| -> Vec<f64> {
+            arm.skeleton(configuration).windows(2).map(|ends| (ends[1] - ends[0]).norm()).collect()
+        };
+        prop_assert_eq!(lengths(&one).len(), arm.joints().len() + 1);
+        for (one, other) in lengths(&one).iter().zip(lengths(&other)) {
+            prop_assert!((one - other).abs() < 1e-12, "{one} {other}");
+        }
+        let tip = arm.skeleton(&one)[arm.joints().len() + 1];
+        prop_assert!((tip - arm.pose(&one).translation.vector).norm() < 1e-12);
+    }
+
+    #[test]
     fn the_rate_of_the_jacobian_agrees_with_differences(arm in any_arm(), places in places(), speeds in places()) {
         let (position, velocity) = (configuration(arm, places), numbers(arm, speeds));
         let step = 1e-5;

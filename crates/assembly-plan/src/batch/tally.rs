@@ -52,7 +52,7 @@ impl Tally {
         let Self { done, failed, total, .. } = &self;
         let left =
             self.left(running + waiting).map_or_else(String::new, |left| format!(", about {} left", words(left)));
-        self.progress.show(format!("cells done, {running} running, {failed} failed{left}"), *done, *total);
+        self.progress.show("cells done", (*done, *total), &[format!("{running} running, {failed} failed{left}")]);
         if self.progress.has_no_bar() {
             self.progress.say(&format!("{done}/{total} cells done, {running} running, {failed} failed{left}"));
         }

@@ -3,18 +3,21 @@
 
 mod log;
 mod observer;
+mod refinement;
 mod words;
 
-use std::io::{Write, stderr};
+use std::fmt::Write;
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use serde::Serialize;
 
+use crate::console::{keep_below, remove_bar, tell};
 use crate::exit::CommandError;
 use log::Log;
+use refinement::Refinement;
 
 /// How much is said on the way.
 #[derive(Debug, Clone, Args)]
@@ -30,11 +33,21 @@ pub struct ProgressArguments {
     pub log: Option<PathBuf>,
 }
 
-/// The line below everything else: what is being done, how far it is, and for how long.
-const TEMPLATE: &str = "{bar:24} {pos}/{len} {msg} ({elapsed} elapsed)";
-const TEMPLATE_WITH_END: &str = "{bar:24} {pos}/{len} {msg} ({elapsed} elapsed, {eta} left)";
+/// What stands below everything else: what is being done, how far it is, for how long, and what it has come to.
+const TEMPLATE: &str = "{bar:12} {pos}/{len} {prefix} ({elapsed} elapsed{left}){msg}";
 /// Between two changes of the time that is shown.
 const TICK: Duration = Duration::from_millis(500);
+
+/// When work ends.
+#[derive(Debug, Clone, Copy)]
+enum End {
+    /// Nobody knows.
+    Unknown,
+    /// As is foretold by what is done.
+    Foretold,
+    /// At the latest.
+    Deadline(Instant),
+}
 
 /// Progress on standard error and in a log file.
 pub struct Progress {
@@ -42,6 +55,8 @@ pub struct Progress {
     is_quiet: bool,
     is_verbose: bool,
     log: Option<Log>,
+    deadline: Option<Instant>,
+    refinement: Refinement,
 }
 
 impl Progress {
@@ -54,43 +69,49 @@ impl Progress {
         // A bar is drawn on terminals only.
         let bar = if *quiet { ProgressBar::hidden() } else { ProgressBar::no_length() };
         let log = log.as_deref().map(Log::open).transpose()?;
-        Ok(Self { bar, is_quiet: *quiet, is_verbose: *verbose, log })
+        Ok(Self { bar, is_quiet: *quiet, is_verbose: *verbose, log, deadline: None, refinement: Refinement::default() })
     }
 
-    /// Says something that stays.
+    /// With a time at which all ends at the latest.
+    pub fn until(mut self, deadline: Option<Instant>) -> Self {
+        self.deadline = deadline;
+        self
+    }
+
+    /// Says something that stays, unless the user wants quiet.
     pub fn say(&self, line: &str) {
         if !self.is_quiet {
-            self.warn(line);
+            tell!("{line}");
         }
     }
 
-    /// Says something that stays, also to those who want quiet.
-    pub fn warn(&self, line: &str) {
-        // A terminal that cannot be written to is no reason to stop.
-        self.bar.suspend(|| drop(writeln!(stderr(), "{line}")));
-    }
-
-    /// Shows what is being done and how far it is, until something else is shown.
-    pub fn show(&self, what: String, done: usize, of: usize) {
-        self.draw(TEMPLATE, what, done, of);
+    /// Shows what is being done, how far it is and what it has come to, until something else is shown.
+    pub fn show(&self, what: &str, (done, of): (usize, usize), details: &[String]) {
+        let end = self.deadline.map_or(End::Unknown, End::Deadline);
+        self.draw(what, (done, of), details, end);
     }
 
     /// Likewise, for work whose end can be foretold from what is done.
-    pub fn show_with_end(&self, what: String, done: usize, of: usize) {
-        self.draw(TEMPLATE_WITH_END, what, done, of);
+    pub fn show_with_end(&self, what: &str, (done, of): (usize, usize)) {
+        self.draw(what, (done, of), &[], End::Foretold);
     }
 
-    fn draw(&self, template: &str, what: String, done: usize, of: usize) {
+    fn draw(&self, what: &str, (done, of): (usize, usize), details: &[String], end: End) {
         if self.bar.is_hidden() {
             return;
         }
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            self.bar.set_style(style);
+        if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
+            self.bar.set_style(style.with_key("left", move |state: &ProgressState, text: &mut dyn Write| {
+                // Text in memory takes everything.
+                let _ = write_left(state, end, text);
+            }));
         }
-        self.bar.enable_steady_tick(TICK);
         self.bar.set_length(of as u64);
         self.bar.set_position(done as u64);
-        self.bar.set_message(what);
+        self.bar.set_prefix(what.to_owned());
+        self.bar.set_message(details.iter().map(|detail| format!("\n  {detail}")).collect::<String>());
+        self.bar.enable_steady_tick(TICK);
+        keep_below(&self.bar);
     }
 
     /// Whether nobody sees the bar: what is worth a line now and then has to be said.
@@ -107,6 +128,25 @@ impl Progress {
 
     /// Takes the bar away.
     pub fn end(&self) {
-        self.bar.finish_and_clear();
+        remove_bar();
+    }
+}
+
+/// An error ends the work, too.
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+fn write_left(state: &ProgressState, end: End, text: &mut dyn Write) -> std::fmt::Result {
+    match end {
+        End::Unknown => Ok(()),
+        End::Foretold if state.pos() == 0 => Ok(()),
+        End::Foretold => write!(text, ", about {:#} left", HumanDuration(state.eta())),
+        End::Deadline(deadline) => {
+            let left = deadline.saturating_duration_since(Instant::now());
+            write!(text, ", at most {:#} left", HumanDuration(left))
+        }
     }
 }

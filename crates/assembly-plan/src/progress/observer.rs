@@ -10,22 +10,26 @@ impl Observer for Progress {
     fn observe(&self, event: &Event) {
         let (name, fields) = fields(event);
         self.record(name, &fields);
+        self.refinement.note(event);
         match event {
             Event::Iteration(SolverEvent { progress, number, most, smoothing, .. }) => {
                 if self.is_verbose {
                     self.say(&iteration(progress));
                 }
                 let doing = if progress.restoration { ", restoring feasibility" } else { "" };
-                let what = format!(
-                    "homotopy iterations, tau {:.2e}: iteration {}, objective {:.5}, infeasibility {:.1e}{doing}",
+                let detail = format!(
+                    "tau {:.2e}, iteration {}: objective {:.5}, infeasibility {:.1e}{doing}",
                     smoothing.tau, progress.iteration, progress.objective, progress.primal_infeasibility
                 );
-                self.show(what, *number - 1, *most);
+                let details = [vec![detail], self.refinement.lines()].concat();
+                self.show("homotopy iterations", (*number - 1, *most), &details);
             }
             Event::Change { failing, trials, changes } => {
-                self.show(format!("training rollouts succeed, {changes} changes kept"), trials - failing, *trials);
+                let kept = if *changes == 1 { "change" } else { "changes" };
+                let details = [self.refinement.lines(), vec![format!("{changes} {kept} kept")]].concat();
+                self.show("training rollouts succeed", (trials - failing, *trials), &details);
             }
-            Event::Rollouts { done, count } => self.show_with_end("rollouts".to_owned(), *done, *count),
+            Event::Rollouts { done, count } => self.show_with_end("rollouts", (*done, *count)),
             other => self.say(&line(other)),
         }
     }

@@ -1,8 +1,8 @@
 //! What a refined plan loses: where, and what holds the body there.
 
 use serde::{Deserialize, Serialize};
-use simulation::{Injection, Settings, Trial};
-use task::{ScenarioTrajectory, Trajectory};
+use simulation::{Disturbance, Injection, Settings, Trial};
+use task::{GraspError, ScenarioTrajectory, Trajectory};
 
 use crate::explain::stuck::MotionEnd;
 use crate::explain::words::{direction, norm};
@@ -115,18 +115,32 @@ impl LossRecord {
             100.0 * self.worst_interval[0],
             100.0 * self.worst_interval[1]
         );
-        let disturbance: String = [
-            (self.inertia_error, format!(", {:+.0} % of inertia", 100.0 * self.inertia_error)),
-            (self.stiffness_error, format!(", {:+.0} % of stiffness", 100.0 * self.stiffness_error)),
-            (self.delay_s, format!(", {:.1} ms of delay", 1e3 * self.delay_s)),
-        ]
-        .into_iter()
-        .filter_map(|(size, words)| (size != 0.0).then_some(words))
-        .collect();
         let force = match self.exceeds_contact_force {
             true => format!("; pushes with {:.1} N, more than limits.contact_force", self.max_force_n),
             false => String::new(),
         };
-        [most, format!("with the {}{disturbance}, the body {}{force}", self.grasp, self.end)]
+        let injected = [vec![self.grasp.to_string()], self.disturbance_in_words()].concat().join(", ");
+        [most, format!("with the {injected}, the body {}{force}", self.end)]
+    }
+
+    /// The errors of that rollout.
+    pub fn injection(&self) -> Injection {
+        let Self { inertia_error: inertia, stiffness_error: stiffness, delay_s: delay, .. } = *self;
+        Injection {
+            grasp: GraspError::from(&self.grasp),
+            disturbance: Disturbance { inertia, stiffness, delay, ..Disturbance::default() },
+        }
+    }
+
+    /// How robot and controller differ there, such as `+10 % of inertia`; nothing where they do not.
+    pub fn disturbance_in_words(&self) -> Vec<String> {
+        [
+            (self.inertia_error, format!("{:+.0} % of inertia", 100.0 * self.inertia_error)),
+            (self.stiffness_error, format!("{:+.0} % of stiffness", 100.0 * self.stiffness_error)),
+            (self.delay_s, format!("{:.1} ms of delay", 1e3 * self.delay_s)),
+        ]
+        .into_iter()
+        .filter_map(|(size, words)| (size != 0.0).then_some(words))
+        .collect()
     }
 }

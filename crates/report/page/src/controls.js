@@ -3,7 +3,7 @@ import { element } from "./dom.js";
 import { duration } from "./state.js";
 import { scenarioColour } from "./theme.js";
 import { VIEWS } from "./scene.js";
-import { graspInWords, short } from "./words.js";
+import { injectionInWords, short } from "./words.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 
@@ -119,7 +119,7 @@ export function scenarioChoice(data, shown) {
     const focused = list.contains(document.activeElement) ? document.activeElement.dataset.name : null;
     list.replaceChildren(
       ...data.motions[motion].scenarios.map((scenario, index) => {
-        const name = `Scenario ${index + 1}: ${graspInWords(scenario)}`;
+        const name = `Scenario ${index + 1}: ${injectionInWords(scenario)}`;
         const select = element(
           "button",
           {
@@ -129,7 +129,7 @@ export function scenarioChoice(data, shown) {
             click: () => shown.set({ selected: index, hidden: without(hidden, index) }),
           },
           element("span", { class: "dot", style: `--mark:${scenarioColour(index)}` }),
-          `${index + 1}  ${graspInWords(scenario)}`,
+          `${index + 1}  ${injectionInWords(scenario)}`,
           scenario.success ? null : element("span", { class: "missed" }, "misses the goal"),
         );
         const eye = element(
@@ -165,6 +165,8 @@ export function viewOptions(data, shown, view) {
   };
   const smoothed = check("Smoothed shapes", "showSmoothed");
   shown.on(["motion"], ({ motion }) => (smoothed.hidden = data.motions[motion].source !== "iteration"));
+  const arm = data.arm ? check("Arm", "showArm") : null;
+  if (arm) shown.on(["motion"], ({ motion }) => (arm.hidden = data.motions[motion].source !== "plan"));
   const cut = element(
     "select",
     { change: () => shown.set({ cut: cut.value }) },
@@ -185,7 +187,7 @@ export function viewOptions(data, shown, view) {
   });
   cut.setAttribute("aria-label", "Cut");
   return {
-    options: element("div", { class: "options" }, check("Reference", "showReference"), check("Forces", "showForces"), smoothed, cut, depth),
+    options: element("div", { class: "options" }, check("Reference", "showReference"), check("Forces", "showForces"), arm, smoothed, cut, depth),
     views: element(
       "div",
       { class: "views", role: "group", "aria-label": "View" },

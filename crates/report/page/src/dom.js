@@ -32,7 +32,7 @@ export function table(caption, header, rows) {
     element("thead", {}, element("tr", {}, head)),
     element("tbody", {}, body),
   );
-  return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": caption }, content);
+  return element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": `Table: ${caption}` }, content);
 }
 
 /** A coloured word that says what has become of something. */

@@ -20,6 +20,7 @@ export function planPage(root, data) {
     hidden: new Set(),
     showReference: true,
     showForces: true,
+    showArm: true,
     showSmoothed: true,
     cut: "none",
     cutAt: 0,
@@ -62,7 +63,7 @@ function cards(data, shown) {
   const { result, simulation } = data;
   return [
     notes(data),
-    result.robust ? robustness(result.robust, data.weakest) : null,
+    result.robust ? robustness(result, data.weakest) : null,
     simulation ? rateMatrix(simulation) : null,
     convergence(data, shown),
     madeFrom(data),

@@ -5,13 +5,13 @@ import { magnitude, percent, sentence, short } from "./words.js";
 const keyOf = ({ magnitude_m: length, planned }) => `${length}${planned}`;
 
 /** Success rates before and after refinement, and the weakest corner. */
-export function robustness(robust, weakest) {
+export function robustness({ robust, goal_reached: reached }, weakest) {
   const lead =
     `${percent(robust.rate_after)} of rollouts with hard contact succeed, ${percent(robust.rate_before)} before refinement; ` +
     `${percent(robust.wanted_rate)} were wanted at each friction.`;
   return card(
     "Robustness",
-    element("p", { class: "lead" }, lead),
+    element("p", { class: "lead" }, reached ? lead : `${lead} Not every planned offset reaches the goal.`),
     rates("After refinement", robust.after),
     element("details", {}, element("summary", {}, "Before refinement"), rates("Before refinement", robust.before)),
     weakestCorner(weakest),

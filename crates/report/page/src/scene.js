@@ -1,4 +1,4 @@
-// The 3D view: environment, reference, the body of every scenario, contact forces.
+// The 3D view: environment, reference, the body of every scenario, the arm, contact forces.
 import {
   AmbientLight,
   AxesHelper,
@@ -21,6 +21,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { arrows } from "./arrows.js";
 import { bounds, poseAt } from "./motion.js";
+import { pointsAt, skeleton } from "./skeleton.js";
 import { edgeGeometry, exactGeometry, sectionGeometry, smoothedGeometry } from "./solids.js";
 import { colour, onTheme, scenarioColour } from "./theme.js";
 
@@ -67,6 +68,8 @@ export function sceneView(canvas, data, shown) {
   const bodies = Array.from({ length: most }, () => placedParts(data.body));
   const forces = arrows(size);
   scene.add(fixed.group, reference, ...bodies.map(({ group }) => group), ...forces.meshes);
+  const arm = data.arm ? skeleton(data.arm.scenarios[0].skeletons[0].length / 3, size) : null;
+  if (arm) scene.add(...arm.meshes);
 
   let pending = false;
   let ratio = Math.min(devicePixelRatio, isSlow ? 1 : 2);
@@ -107,8 +110,8 @@ export function sceneView(canvas, data, shown) {
 
   /** Puts everything where it is at the shown time. */
   function place() {
-    const { time, selected, hidden, cut, showReference, showForces } = shown.values;
-    const { scenarios, time_step: timeStep } = motion();
+    const { time, selected, hidden, cut, showReference, showForces, showArm } = shown.values;
+    const { source, scenarios, time_step: timeStep } = motion();
     poseAt(motion().reference, timeStep, time, reference.position, reference.quaternion);
     reference.visible = showReference;
     bodies.forEach((one, index) => {
@@ -119,6 +122,10 @@ export function sceneView(canvas, data, shown) {
       one.setCut(cut === "none" ? null : plane);
     });
     fixed.setCut(cut === "none" ? null : plane);
+    // The joints are known along the plan.
+    const hasArm = arm !== null && showArm && source === "plan";
+    arm?.setVisible(hasArm);
+    if (hasArm) arm.place(pointsAt(data.arm.scenarios[selected].skeletons, timeStep, time));
     forces.show(showForces ? pushes(scenarios, timeStep, time, hidden) : [], largestForce(motion()));
   }
 
@@ -166,13 +173,14 @@ export function sceneView(canvas, data, shown) {
 
   controls.addEventListener("change", request);
   new ResizeObserver(resize).observe(canvas.parentElement);
-  shown.on(["time", "selected", "hidden", "showReference", "showForces"], request);
+  shown.on(["time", "selected", "hidden", "showReference", "showForces", "showArm"], request);
   shown.on(["motion", "showSmoothed"], setShapes);
   shown.on(["cut", "cutAt"], setPlane);
   onTheme(() => {
     scene.background = new Color(colour("view"));
     reference.material.color = new Color(colour("text"));
     fixed.setColours(colour("environment"), colour("environment-edge"));
+    arm?.setColour(colour("faint"));
     bodies.forEach((one, index) => one.setColours(scenarioColour(index), colour("body-edge")));
     request();
   });

@@ -21,13 +21,14 @@ export function short(number) {
 export const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
 
 /** An offset (m) in words. */
-export function offsetInWords(offset) {
+function offsetInWords(offset) {
   if (offset.every((component) => Math.abs(component) < 5e-7)) return "no offset";
   return `${offset.map((component) => Number((1e3 * component).toFixed(2))).join(", ")} mm`;
 }
 
-/** A grasp error in words. */
-export function graspInWords({ offset, turn }) {
+/** What is injected into a scenario, in words. */
+export function injectionInWords({ offset, turn, disturbances }) {
   const angle = Math.hypot(...turn);
-  return angle < 1e-4 ? offsetInWords(offset) : `${offsetInWords(offset)}, turned ${((180 / Math.PI) * angle).toFixed(1)}°`;
+  const turned = angle < 1e-4 ? [] : [`turned ${((180 / Math.PI) * angle).toFixed(1)}°`];
+  return [offsetInWords(offset), ...turned, ...disturbances].join(", ");
 }

@@ -1,25 +1,28 @@
 //! Joints of the scene's arm along a plan.
 
-use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3, Vector6};
-use planner::Problem;
-use planner::files::{MotionTables, ScenarioTables};
+use planner::files::{GraspRecord, MotionTables, ScenarioTables};
+use planner::{ArmCourse, Problem};
 use robot::{FollowError, Joint, JointVector};
 use scene::Robot;
-use task::{STATE, TWIST};
+use task::GraspError;
 
 use crate::model::{ArmData, JointCourse, JointData};
-use crate::rounded::{ANGLE, FORCE, rounded};
+use crate::rounded::{ANGLE, FORCE, LENGTH, rounded};
 
-/// Gravity in the world frame (m/s^2).
-const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
-
-/// Positions, speeds and torques of the joints with each offset; `None` for a scene without an arm.
+/// Positions, speeds and torques of the joints with each grasp error, one per scenario; `None` for a scene without an
+/// arm.
 ///
 /// # Errors
 /// When the arm does not reach a pose, or a joint is too slow.
-pub fn courses(problem: &Problem, tables: &MotionTables) -> Option<Result<ArmData, FollowError>> {
+pub fn courses<'grasps>(
+    problem: &Problem,
+    tables: &MotionTables,
+    grasps: impl Iterator<Item = &'grasps GraspRecord>,
+) -> Option<Result<ArmData, FollowError>> {
     let robot = problem.scene().robot.as_ref()?;
-    let scenarios = tables.scenarios.iter().map(|scenario| course(robot, tables, scenario));
+    let scenarios = tables.scenarios.iter().zip(grasps);
+    let scenarios =
+        scenarios.map(|(scenario, grasp)| course(robot, tables.time_step, &GraspError::from(grasp), scenario));
     let data = |scenarios| ArmData {
         joints: robot.arm.joints().iter().map(joint).collect(),
         time_step: tables.time_step,
@@ -39,48 +42,32 @@ fn joint(joint: &Joint) -> JointData {
     }
 }
 
-/// The arm moves its tip to where it believes the body to be.
-fn course(robot: &Robot, tables: &MotionTables, scenario: &ScenarioTables) -> Result<JointCourse, FollowError> {
-    let believed = isometry(&scenario.states[0]).inverse() * isometry(&tables.reference[0]);
-    let last = scenario.states.len() - 1;
-    let time = |step: usize| step as f64 * tables.time_step;
-    // From the end, where the scene says on which branch the arm is.
-    let pose = |step: usize| (time(last - step), isometry(&scenario.states[step]) * believed);
-    let backwards: Vec<(f64, Isometry3<f64>)> = (0..=last).rev().map(pose).collect();
-    let mut configurations = robot.arm.follow(&backwards, &robot.configuration)?.configurations;
-    configurations.reverse();
-
-    let at_rest = [0.0; TWIST];
-    let wrenches = std::iter::once(&at_rest).chain(&scenario.wrenches);
-    let torques: Vec<JointVector> = configurations
-        .iter()
-        .zip(wrenches)
-        .map(|(configuration, wrench)| torque(robot, configuration, wrench))
-        .collect();
+fn course(
+    robot: &Robot,
+    time_step: f64,
+    grasp: &GraspError,
+    scenario: &ScenarioTables,
+) -> Result<JointCourse, FollowError> {
+    let ArmCourse { configurations, torques } =
+        ArmCourse::new(robot, time_step, grasp, &scenario.states, &scenario.wrenches)?;
     let speed = |step: usize| match step {
         0 => JointVector::zeros(),
-        _ => (configurations[step] - configurations[step - 1]) / tables.time_step,
+        _ => (configurations[step] - configurations[step - 1]) / time_step,
     };
-    let speeds: Vec<JointVector> = (0..=last).map(speed).collect();
+    let speeds: Vec<JointVector> = (0..configurations.len()).map(speed).collect();
     let joints = robot.arm.joints().len();
+    let skeleton = |configuration| {
+        let points = robot.arm.skeleton(configuration);
+        points.iter().flat_map(|point| point.iter().map(|&coordinate| rounded(coordinate, LENGTH))).collect()
+    };
     Ok(JointCourse {
         positions: by_joint(joints, &configurations, ANGLE),
         speeds: by_joint(joints, &speeds, ANGLE),
         torques: by_joint(joints, &torques, FORCE),
+        skeletons: configurations.iter().map(skeleton).collect(),
     })
-}
-
-/// What the controller adds to gravity: `J' wrench`.
-fn torque(robot: &Robot, configuration: &JointVector, wrench: &[f64; TWIST]) -> JointVector {
-    let posture = robot.arm.posture(configuration);
-    posture.gravity(&GRAVITY) + posture.jacobian().tr_mul(&Vector6::from(*wrench))
 }
 
 fn by_joint(joints: usize, values: &[JointVector], decimals: i32) -> Vec<Vec<f64>> {
     (0..joints).map(|joint| values.iter().map(|value| rounded(value[joint], decimals)).collect()).collect()
-}
-
-fn isometry(state: &[f64; STATE]) -> Isometry3<f64> {
-    let rotation = UnitQuaternion::new_normalize(Quaternion::new(state[3], state[4], state[5], state[6]));
-    Isometry3::from_parts(Translation3::new(state[0], state[1], state[2]), rotation)
 }

@@ -100,6 +100,7 @@ impl World {
         ScenarioData {
             offset: all(offset, LENGTH),
             turn: all(turn, ANGLE),
+            disturbances: Vec::new(),
             errors: all(errors, LENGTH),
             success: self.success.reached(errors[0], errors[1]),
             poses: scenario.states.iter().flat_map(|state| pose(&state[..7])).collect(),

@@ -7,7 +7,7 @@ use planner::files::trajectory::read_tables;
 use planner::files::{MotionTables, PlanResult, STAGES, ScenarioTables, StoredPlan};
 use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
 use scene::{Part, Scene};
-use simulation::{Settings, Solid};
+use simulation::{Injection, Settings, Solid};
 use task::GraspError;
 use task::{ScenarioTrajectory, Trajectory};
 
@@ -34,10 +34,9 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
     let mut motions = vec![world.motion(&tables, &ends, Source::Plan, plan_tau(&plan.result))?];
     motions.extend(iterations(&plan, &world)?);
     motions.extend(rollouts(&plan, &problem, &world)?);
-    let (arm, immobile) = arm::courses(&problem, &tables).map_or((None, None), |courses| match courses {
-        Ok(courses) => (Some(courses), None),
-        Err(error) => (None, Some(format!("the arm cannot follow the plan: {error}"))),
-    });
+    let grasps = plan.result.scenarios.iter().map(|scenario| &scenario.grasp);
+    // A warning of the plan says why, where the arm cannot follow it.
+    let arm = arm::courses(&problem, &tables, grasps).and_then(Result::ok);
     let simulation = rates::read_if_there(folder)?;
     let mut result = plan.result;
     result.files.clear();
@@ -50,7 +49,7 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
         pairs: world.names(),
         motions,
         arm,
-        notes: result.warnings.iter().cloned().chain(immobile).chain(why_not_done(&result)).collect(),
+        notes: result.warnings.iter().cloned().chain(why_not_done(&result)).collect(),
         weakest: loss(&result).map_or_else(Vec::new, |loss| loss.sentences().into()),
         simulation,
         result,
@@ -109,20 +108,25 @@ fn iterations(plan: &StoredPlan, world: &World) -> Result<Vec<MotionData>, Plann
     (1..).zip(plan.result.stages.iter().map(|stage| stage.tau)).map(iteration).collect()
 }
 
-/// Rollouts of the planned offsets with hard contact at each friction that the scene names, and of the grasp error that
-/// a plan which is not robust loses most.
+/// Rollouts of the planned offsets with hard contact at each friction that the scene names, and that of the errors that a
+/// plan which is not robust loses most.
 fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<MotionData>, PlannerError> {
     let reference = plan.reference()?;
-    let loss = loss(&plan.result);
+    let planned = GraspError::distinct(problem.task().grasps.clone());
+    let planned: Vec<Injection> = planned.into_iter().map(Injection::from).collect();
     let at_friction = |friction: f64| {
         let settings = Settings { friction, ..Settings::default() };
-        let mut grasps = problem.task().grasps.clone();
-        let lost = loss.filter(|loss| loss.worst.friction == friction);
-        grasps.extend(lost.map(|loss| GraspError::from(&loss.grasp)));
-        let played = problem.rollout(settings)?.trajectory(&reference, &GraspError::distinct(grasps), HARD);
+        let lost = loss(&plan.result).filter(|loss| loss.worst.friction == friction);
+        let lost = lost.filter(|loss| !planned.contains(&loss.injection()));
+        let injections: Vec<Injection> = planned.iter().copied().chain(lost.map(LossRecord::injection)).collect();
+        let played = problem.rollout(settings)?.trajectory(&reference, &injections, HARD);
         let quality = played.scenarios.iter().map(|motion| &motion.quality);
         let ends: Vec<[f64; 2]> = quality.map(|quality| [quality.position_error, quality.orientation_error]).collect();
-        world.motion(&tables(played, problem.scene()), &ends, Source::Rollouts { friction }, HARD)
+        let mut motion = world.motion(&tables(played, problem.scene()), &ends, Source::Rollouts { friction }, HARD)?;
+        if let (Some(loss), Some(scenario)) = (lost, motion.scenarios.last_mut()) {
+            scenario.disturbances = loss.disturbance_in_words();
+        }
+        Ok(motion)
     };
     RobustnessTarget::of(&problem.scene().borne).frictions.into_iter().map(at_friction).collect()
 }

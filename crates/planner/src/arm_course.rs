@@ -1,0 +1,60 @@
+//! How the arm of a scene moves while the body does.
+
+use nalgebra::{Isometry3, Vector3, Vector6};
+use robot::{FollowError, JointVector};
+use scene::Robot;
+use simulation::isometry;
+use task::{GraspError, STATE, TWIST, pose_of};
+
+/// Gravity (m/s^2, world frame).
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
+
+/// Joints of an arm along a motion of the body, one entry per knot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArmCourse {
+    /// Positions (rad or m).
+    pub configurations: Vec<JointVector>,
+    /// What the impedance controller commands, and what carries arm and body (Nm, N for a slide).
+    pub torques: Vec<JointVector>,
+}
+
+impl ArmCourse {
+    /// Of the arm that holds the body with a grasp error, in its states at k = 0..N and under the wrenches at k = 1..N (N and
+    /// Nm, torques in the body frame). The arm moves its tip to where it believes the body to be, not to the reference.
+    ///
+    /// # Errors
+    /// When the arm does not reach a pose, or a joint is too slow.
+    pub fn new(
+        robot: &Robot,
+        time_step: f64,
+        grasp: &GraspError,
+        states: &[[f64; STATE]],
+        wrenches: &[[f64; TWIST]],
+    ) -> Result<Self, FollowError> {
+        let believed = grasp.believed();
+        let poses: Vec<_> = states.iter().map(|state| isometry(&pose_of(state)) * believed).collect();
+        let configurations = configurations(robot, time_step, &poses)?;
+        let at_rest = [0.0; TWIST];
+        let wrenches = std::iter::once(&at_rest).chain(wrenches);
+        let torque = |(configuration, wrench): (&JointVector, &[f64; TWIST])| {
+            let mut wrench = Vector6::from(*wrench);
+            let torque = believed.rotation.inverse() * wrench.fixed_rows::<3>(3);
+            wrench.fixed_rows_mut::<3>(3).copy_from(&torque);
+            let posture = robot.arm.posture(configuration);
+            posture.gravity(&GRAVITY) + posture.jacobian().tr_mul(&wrench)
+        };
+        let torques = configurations.iter().zip(wrenches).map(torque).collect();
+        Ok(Self { configurations, torques })
+    }
+}
+
+/// Joint positions for the poses at all knots. They are followed from the goal, where the scene names the arm's branch.
+fn configurations(robot: &Robot, time_step: f64, poses: &[Isometry3<f64>]) -> Result<Vec<JointVector>, FollowError> {
+    let time = |index: usize| index as f64 * time_step;
+    let backwards: Vec<(f64, Isometry3<f64>)> =
+        poses.iter().rev().enumerate().map(|(index, pose)| (time(index), *pose)).collect();
+    let path = robot.arm.follow(&backwards, &robot.configuration);
+    let end = time(poses.len().saturating_sub(1));
+    let path = path.map_err(|error| FollowError { time: end - error.time, ..error })?;
+    Ok(path.configurations.into_iter().rev().collect())
+}
