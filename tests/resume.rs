@@ -193,8 +193,7 @@ fn a_refinement_for_another_target_is_not_used() {
 #[test]
 fn a_refined_variant_goes_on_with_its_own_tables() {
     let dir = Dir::new();
-    let line =
-        "solve corner.toml --delta 0.03 --robust --friction 0.5 --wanted-rate 1 --patience 1 --position-tolerance 8e-4 --out out";
+    let line = "solve corner.toml --delta 0.03 --robust --friction 0.5 --wanted-rate 1 --patience 1 --position-tolerance 8e-4 --out out";
     let mut running = dir.program(line).spawn();
     // The file is written after the tables of a variant.
     let file = format!("{UNFINISHED}/refinement.json");
