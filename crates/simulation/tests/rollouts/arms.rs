@@ -321,8 +321,9 @@ fn disturbances_of_a_free_body_are_those_of_its_inertia_and_stiffness() {
 #[test]
 fn evaluations_trajectories_and_any_number_of_threads_see_the_same_arm() {
     let record = Record::read("rubbing");
-    let rollout = Rollout::new(&record.task, Settings { friction: 0.3, ..Settings::default() });
-    let rollout = rollout.with_arm(&record.model).unwrap();
+    // The steps of evaluations, if the control period is no shorter.
+    let settings = Settings { friction: 0.3, time_step: 2e-3, ..Settings::default() };
+    let rollout = Rollout::new(&record.task, settings).with_arm(&record.model).unwrap();
     let grasps = [[0.0; 3], [0.003, 0.0, 0.0], [0.0, -0.003, 0.002]];
     let outcomes = rollout.simulate(&record.reference, &grasps, 1);
     assert_eq!(outcomes, rollout.simulate(&record.reference, &grasps, 3));
