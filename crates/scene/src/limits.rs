@@ -1,14 +1,12 @@
 //! Limits, and whether the goal can be reached within them.
 
-use task::{Horizon, Inertia, Limits, pose};
+use task::{FORCE_WINDOW, Horizon, Inertia, Limits, pose};
 
 use crate::error::SceneError;
 use crate::robot::Robot;
 use crate::scene::StartPose;
 use crate::table::Table;
 
-/// Time (s) over which contact forces are means.
-const IMPACT: f64 = 0.01;
 /// Limits that are chosen leave this multiple of the speed with which the goal is reached in time.
 const HASTE: f64 = 2.0;
 
@@ -45,7 +43,7 @@ impl Motion<'_> {
     /// with no more than the limit of contact forces (N) in the mean over 10 ms.
     fn fastest(&self, contact_force: f64) -> [f64; 2] {
         let arm = self.robot.and_then(Robot::velocities).unwrap_or([f64::INFINITY; 2]);
-        let speed = contact_force * IMPACT / self.inertia.heaviest();
+        let speed = contact_force * FORCE_WINDOW / self.inertia.heaviest();
         let gentle = [speed, speed / self.radius];
         let necessary = self.necessary();
         std::array::from_fn(|part| short(arm[part].min(gentle[part].max(HASTE * necessary[part]))))

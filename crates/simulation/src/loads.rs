@@ -2,10 +2,8 @@
 
 use std::collections::VecDeque;
 
-use task::Limits;
+use task::{FORCE_WINDOW, Limits};
 
-/// Contact forces are means over this time (s): how high an impact peaks is a matter of the time step, its impulse is not.
-const WINDOW: f64 = 0.01;
 /// A window that lacks less than this part of itself is full: steps do not add up exactly.
 const ROUNDING: f64 = 1e-6;
 
@@ -40,26 +38,29 @@ pub struct LoadMeter {
     elapsed: f64,
     /// Sum of their impulses (Ns), for every pair.
     impulses: Vec<f64>,
+    /// Lists of steps that were forgotten, to be filled again.
+    spare: Vec<Vec<(usize, f64)>>,
 }
 
 impl LoadMeter {
     /// For a number of pairs.
     pub fn new(pairs: usize) -> Self {
         let largest = Loads { contact_force: 0.0, force: 0.0, torque: 0.0 };
-        Self { largest, steps: VecDeque::new(), elapsed: 0.0, impulses: vec![0.0; pairs] }
+        Self { largest, steps: VecDeque::new(), elapsed: 0.0, impulses: vec![0.0; pairs], spare: Vec::new() }
     }
 
     /// Takes over a step: its duration (s), the normal impulse (Ns) of every pair, whose force is constant meanwhile, and
     /// the controller's wrench after it.
     pub fn add(&mut self, duration: f64, impulses: &[f64], wrench: &[f64; 6]) {
-        let pushing = impulses.iter().copied().enumerate().filter(|(_, impulse)| *impulse != 0.0).collect::<Vec<_>>();
+        let mut pushing = self.spare.pop().unwrap_or_default();
+        pushing.extend(impulses.iter().copied().enumerate().filter(|(_, impulse)| *impulse != 0.0));
         for (pair, impulse) in &pushing {
             self.impulses[*pair] += impulse;
         }
         self.elapsed += duration;
         self.steps.push_back((duration, pushing));
         while let Some((first, _)) = self.steps.front()
-            && self.elapsed - first >= WINDOW * (1.0 - ROUNDING)
+            && self.elapsed - first >= FORCE_WINDOW * (1.0 - ROUNDING)
         {
             self.forget_first();
         }
@@ -70,21 +71,22 @@ impl LoadMeter {
     }
 
     fn forget_first(&mut self) {
-        let Some((duration, pushing)) = self.steps.pop_front() else { return };
+        let Some((duration, mut pushing)) = self.steps.pop_front() else { return };
         self.elapsed -= duration;
-        for (pair, impulse) in pushing {
+        for (pair, impulse) in pushing.drain(..) {
             self.impulses[pair] -= impulse;
         }
+        self.spare.push(pushing);
     }
 
     /// Largest mean force (N) over the last 10 ms of the pairs that push now: of others, it has been larger. Before the
     /// motion there were no forces.
     fn mean(&self) -> f64 {
         let (Some((duration, first)), Some((_, last))) = (self.steps.front(), self.steps.back()) else { return 0.0 };
-        let before = (self.elapsed - WINDOW).max(0.0) / duration;
+        let before = (self.elapsed - FORCE_WINDOW).max(0.0) / duration;
         let mean = |pair: usize| {
             let earlier: f64 = first.iter().filter(|(of, _)| *of == pair).map(|(_, impulse)| before * impulse).sum();
-            (self.impulses[pair] - earlier) / WINDOW
+            (self.impulses[pair] - earlier) / FORCE_WINDOW
         };
         last.iter().map(|(pair, _)| mean(*pair)).fold(0.0, f64::max)
     }

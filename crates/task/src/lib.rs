@@ -32,7 +32,7 @@ mod trajectory;
 pub use grasp_error::GraspError;
 pub use impedance::Impedance;
 pub use inertia::Inertia;
-pub use limits::Limits;
+pub use limits::{FORCE_WINDOW, Limits};
 pub use overlap::Overlap;
 pub use quality::{Contact, Peak, Quality};
 pub use settings::{Complementarity, HessianKind, HomotopySettings, IpoptOption, IpoptValue, LinearSolver, Smoothing};

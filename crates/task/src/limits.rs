@@ -23,6 +23,10 @@ pub struct Limits {
     pub torque: f64,
 }
 
+/// Contact forces of rollouts are means over this time (s): how high an impact peaks is a matter of the time step, its
+/// impulse is not.
+pub const FORCE_WINDOW: f64 = 0.01;
+
 impl Limits {
     /// No limits.
     pub const NONE: Self = Self {

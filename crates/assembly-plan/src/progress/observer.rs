@@ -8,8 +8,10 @@ use super::words::{iteration, line};
 
 impl Observer for Progress {
     fn observe(&self, event: &Event) {
-        let (name, fields) = fields(event);
-        self.record(name, &fields);
+        if self.log.is_some() {
+            let (name, fields) = fields(event);
+            self.record(name, &fields);
+        }
         self.refinement.note(event);
         match event {
             Event::Iteration(SolverEvent { progress, number, most, smoothing, .. }) => {

@@ -163,7 +163,8 @@ impl<'run> Refiner<'run> {
     }
 
     /// Refines the plan of the scene and, where that is far from the target, a straight push; the better of the two again,
-    /// and, unless it is nearly robust, the plans of other problems; then the best once more, while there is time.
+    /// as long as this helps if it is nearly robust; then the plans of other problems, and the best once more, while there is
+    /// time.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();

@@ -8,8 +8,7 @@ use planner::files::{MotionTables, PlanResult, STAGES, ScenarioTables, StoredPla
 use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
 use scene::{Part, Scene};
 use simulation::{Injection, Settings, Solid};
-use task::GraspError;
-use task::{ScenarioTrajectory, Trajectory};
+use task::{GraspError, ScenarioTrajectory, Trajectory};
 
 use super::motion::World;
 use super::{arm, simulation as rates};
