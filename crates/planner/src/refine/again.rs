@@ -1,12 +1,14 @@
 //! Refinement of the best plan so far, once more.
 
-use simulation::Refinement;
+use simulation::{Reference, Refinement};
 
 use crate::error::PlannerError;
+use crate::iteration::PlanIteration;
 use crate::refine::candidate::{Candidate, Kept};
 use crate::refine::clock::Deadline;
 use crate::refine::{Refiner, SEED, SEED_STRIDE};
 use crate::robustness::Round;
+use crate::variant::Variant;
 
 /// How often in a row the refinement of a plan that is stuck begins anew in vain, before other problems are solved.
 const REPETITIONS: usize = 3;
@@ -37,14 +39,26 @@ impl Refiner<'_> {
     /// Goes on with the best plan so far, with other changes than before.
     pub(super) fn refine_best(&mut self, until: Deadline) -> Result<(), PlannerError> {
         let Some(best) = self.best.clone().filter(|_| self.goes_on(until)) else { return Ok(()) };
-        let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(&best.reference, &self.training, self.session.threads, &stop);
-        let Some(results) = results else { return Ok(()) };
         let Kept { mut variant, iterations, reference, is_scenes_own, chosen, .. } = best;
         if !variant.name.ends_with(CONTINUED) {
             variant.name += CONTINUED;
         }
-        let round = Round::new(&variant, &iterations, chosen, &results);
+        self.refine_reference(variant, iterations, (chosen, reference), is_scenes_own, until)
+    }
+
+    /// Refines a reference, from homotopy iteration `chosen` or 0 for none, with other changes than before.
+    pub(super) fn refine_reference(
+        &mut self,
+        variant: Variant,
+        iterations: Vec<PlanIteration>,
+        (chosen, reference): (usize, Reference),
+        is_scenes_own: bool,
+        until: Deadline,
+    ) -> Result<(), PlannerError> {
+        let stop = || self.clock.is_over(until);
+        let results = self.evaluator.evaluate_all(&reference, &self.training, self.session.threads, &stop);
+        let Some(results) = results else { return Ok(()) };
+        let round = Round { rollouts: results.len(), ..Round::new(&variant, &iterations, chosen, &results) };
         self.seed = SEED + SEED_STRIDE * self.evaluations;
         let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), results, self.seed);
         self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until)

@@ -1,12 +1,10 @@
 //! A straight push as the reference to refine.
 
-use simulation::{Reference, Refinement};
+use simulation::Reference;
 
 use crate::error::PlannerError;
 use crate::iteration::PlanIteration;
 use crate::refine::Refiner;
-use crate::refine::candidate::Candidate;
-use crate::robustness::Round;
 use crate::variant::Variant;
 
 /// Share of the time that is left.
@@ -22,12 +20,7 @@ impl Refiner<'_> {
         if !self.goes_on(until) || !self.evaluator.bounds().allow(&reference) {
             return Ok(());
         }
-        let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(&reference, &self.training, self.session.threads, &stop);
-        let Some(results) = results else { return Ok(()) };
         let variant = Variant { name: "a straight push".to_owned(), ..Variant::of_scene(self.problem) };
-        let round = Round { rollouts: results.len(), ..Round::new(&variant, &homotopy, 0, &results) };
-        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), results, self.seed);
-        self.refine(Candidate { variant, iterations: homotopy, refinement, round, is_scenes_own: true }, until)
+        self.refine_reference(variant, homotopy, (0, reference), true, until)
     }
 }
