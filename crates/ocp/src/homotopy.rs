@@ -7,6 +7,7 @@ use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
 use task::{AssemblyTask, HessianKind, HomotopySettings, IpoptValue, LinearSolver, Overlap, Smoothing, Trajectory};
 use workers::Workers;
 
+use crate::crawl::{self, Crawl};
 use crate::grid::{carried_over, coarsened};
 use crate::stage_solver::TranscriptionSolver;
 use crate::transcription::Transcription;
@@ -33,7 +34,7 @@ pub struct HomotopyIteration {
     pub status: SolveStatus,
     /// The last failure to evaluate the problem, if there was one.
     pub message: Option<String>,
-    /// Number of iterations.
+    /// Number of iterations, those of a first try that crawled included.
     pub iterations: usize,
     /// Cost (Sec. ocp:cost).
     pub objective: f64,
@@ -51,6 +52,15 @@ pub struct HomotopyIteration {
     pub iterate: Iterate,
 }
 
+impl HomotopyIteration {
+    /// With the effort of a first try of which nothing else is kept.
+    fn after(mut self, first: &Self) -> Self {
+        self.iterations += first.iterations;
+        self.timing = self.timing + first.timing;
+        self
+    }
+}
+
 /// Wall seconds of a homotopy iteration.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct IterationTiming {
@@ -64,6 +74,20 @@ pub struct IterationTiming {
     pub linear_solver: f64,
     /// The rest, which is Ipopt's own work.
     pub rest: f64,
+}
+
+impl std::ops::Add for IterationTiming {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            total: self.total + other.total,
+            distances: self.distances + other.distances,
+            model: self.model + other.model,
+            linear_solver: self.linear_solver + other.linear_solver,
+            rest: self.rest + other.rest,
+        }
+    }
 }
 
 /// What came of a homotopy iteration, as far as it decides whether another one follows.
@@ -150,7 +174,6 @@ impl Homotopy {
             let mut observer = |progress: &Progress| {
                 observe(Event { number: index + 1, most: self.settings.most_iterations(), smoothing, progress })
             };
-            let options = iteration_options(&self.settings, smoothing);
             let coarse_iterations = self.settings.coarse_iterations();
             let transcription = match &mut self.coarse {
                 Some(coarse) if index < coarse_iterations => coarse,
@@ -162,14 +185,7 @@ impl Homotopy {
                 }
             };
             transcription.set_smoothing(smoothing.tau, smoothing.sigma);
-            let result = solve_iteration(
-                transcription,
-                &start,
-                smoothing,
-                &options,
-                self.settings.linear_solver,
-                &mut observer,
-            )?;
+            let result = solve_iteration(transcription, &start, &self.settings, smoothing, &mut observer)?;
             let control = finished(index + 1, &result);
             start = Start::Warm(result.iterate.clone());
             let interrupted = result.status == SolveStatus::Interrupted;
@@ -238,22 +254,47 @@ fn iteration_options(settings: &HomotopySettings, smoothing: Smoothing) -> Optio
     options
 }
 
+/// Solves with one smoothing. Where a warm start crawls, it is tried once more with a larger barrier parameter.
 fn solve_iteration(
     transcription: &mut Transcription,
     start: &Start,
+    settings: &HomotopySettings,
     smoothing: Smoothing,
-    options: &Options,
-    linear_solver: LinearSolver,
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<HomotopyIteration, SolveError> {
+    if matches!(start, Start::Cold(_)) {
+        return attempt_iteration(transcription, start, settings, smoothing, observer);
+    }
+    let mut crawl = Crawl::default();
+    let mut watch = |progress: &Progress| {
+        crawl.see(progress);
+        if crawl.is_found() { Control::Stop } else { observer(progress) }
+    };
+    let first = attempt_iteration(transcription, start, settings, smoothing, &mut watch)?;
+    if !crawl.is_found() {
+        return Ok(first);
+    }
+    let wider = Smoothing { mu_init: smoothing.mu_init * crawl::WIDER, ..smoothing };
+    Ok(attempt_iteration(transcription, start, settings, wider, observer)?.after(&first))
+}
+
+/// Solves with one smoothing from a start.
+fn attempt_iteration(
+    transcription: &mut Transcription,
+    start: &Start,
+    settings: &HomotopySettings,
+    smoothing: Smoothing,
+    observer: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<HomotopyIteration, SolveError> {
+    let options = iteration_options(settings, smoothing);
     transcription.distances().reset_seconds();
     let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.workers().clone());
-    let chosen = match linear_solver {
+    let chosen = match settings.linear_solver {
         LinearSolver::Stage if nlp::TAKES_OWN_SOLVER => nlp::LinearSystemSolver::Own(&mut stage_solver),
         LinearSolver::Stage => nlp::LinearSystemSolver::Named(LinearSolver::Mumps.name()),
         other => nlp::LinearSystemSolver::Named(other.name()),
     };
-    let solution = nlp::solve(transcription, start, options, chosen, observer)?;
+    let solution = nlp::solve(transcription, start, &options, chosen, observer)?;
     let distances = transcription.distances().seconds();
     let timing = IterationTiming {
         total: solution.timing.total,

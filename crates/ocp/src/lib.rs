@@ -39,6 +39,7 @@
 //! Limits of velocities, accelerations, forces and wrenches ([`task::Limits`]) are an addition.
 
 mod cost;
+mod crawl;
 mod distances;
 mod function;
 mod grid;
