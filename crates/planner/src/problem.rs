@@ -219,16 +219,16 @@ impl Problem {
         hash(text.as_bytes())
     }
 
-    /// Hash (hexadecimal) of everything else: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy.
+    /// Hash (hexadecimal) of everything else: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy,
+    /// what the joints and the controller of an arm do.
     pub fn settings_hash(&self) -> String {
         let AssemblyTask { inertia, impedance, friction, grasps, horizon, cost, limits, .. } = &self.task;
-        hash(
-            format!(
-                "{inertia:?} {impedance:?} {friction:?} {grasps:?} {horizon:?} {cost:?} {limits:?} {:?}",
-                self.homotopy
-            )
-            .as_bytes(),
-        )
+        let robot = self.scene.robot.as_ref().map(|robot| (&robot.joint_friction, robot.control_period));
+        let homotopy = &self.homotopy;
+        let text = format!(
+            "{inertia:?} {impedance:?} {friction:?} {grasps:?} {horizon:?} {cost:?} {limits:?} {homotopy:?} {robot:?}"
+        );
+        hash(text.as_bytes())
     }
 }
 

@@ -6,7 +6,7 @@ use nalgebra::{Isometry3, Vector3, Vector6};
 use planner::{ArmCourse, Choices, Problem};
 use robot::JointVector;
 use scene::Robot;
-use simulation::isometry;
+use simulation::{Reference, Settings, isometry};
 use task::{GraspError, pose_of};
 
 const KNOTS: usize = 21;
@@ -14,10 +14,16 @@ const TIME_STEP: f64 = 0.1;
 
 /// A box and a corner, moved by an arm.
 fn problem() -> Problem {
+    problem_with_period(0.002)
+}
+
+/// Likewise, with a time between two commands of the controller (s).
+fn problem_with_period(control_period: f64) -> Problem {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
     let read = |file: &Path| std::fs::read_to_string(root.join(file)).unwrap();
     let arms = root.join("scripts/mujoco_validation/arms");
     let robot = read(&arms.join("six.toml")).replace("six.urdf", arms.join("six.urdf").to_str().unwrap());
+    let robot = robot.replace("control_period = 0.002", &format!("control_period = {control_period}"));
     // The arm has its own inertia and gains.
     let is_of_free_body =
         |line: &&str| ["mass", "inertia", "translational_s", "rotational_s"].iter().any(|key| line.starts_with(key));
@@ -97,4 +103,24 @@ fn a_pose_out_of_reach_is_named_by_its_time() {
     states[3][2] += 5.0;
     let error = ArmCourse::new(robot, TIME_STEP, &grasp, &states, &[[0.0; 6]; KNOTS - 1]).unwrap_err();
     assert!((error.time - 3.0 * TIME_STEP).abs() < 1e-9, "{error}");
+}
+
+/// Angle (rad) between the goal and where the arm ends that is pushed straight there.
+fn angle_after_a_push(problem: &Problem) -> f64 {
+    let task = problem.world();
+    let reference = Reference::straight(&task.start, &task.goal, task.horizon);
+    let rollout = problem.rollout(Settings::default()).unwrap();
+    let outcome = rollout.play(&reference, [0.0; 3], |_, _| {});
+    if outcome.diverged { f64::INFINITY } else { outcome.orientation_error }
+}
+
+#[test]
+fn a_controller_that_answers_too_late_for_its_damping_is_warned_of() {
+    let is_warned = |problem: &Problem| {
+        let explanation = planner::check::explain(problem, problem.homotopy().tau).unwrap();
+        explanation.warnings.iter().any(|warning| warning.contains("the controller answers after"))
+    };
+    let (quick, late) = (problem_with_period(0.002), problem_with_period(0.02));
+    assert!(!is_warned(&quick) && angle_after_a_push(&quick) < 0.02, "{}", angle_after_a_push(&quick));
+    assert!(is_warned(&late) && angle_after_a_push(&late) > 0.2, "{}", angle_after_a_push(&late));
 }

@@ -1,5 +1,6 @@
 //! What a scene says, and what is odd about it, without solving it.
 
+mod delay;
 mod oddities;
 pub(crate) mod overlaps;
 mod parts;

@@ -2,6 +2,7 @@
 
 use task::{AssemblyTask, Overlap};
 
+use crate::check::delay::delay;
 use crate::check::{Explanation, Play, Way};
 use crate::problem::Problem;
 
@@ -27,6 +28,7 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
         first_smoothing(task, problem.homotopy().tau),
         last_smoothing(problem, explanation),
         step(task, &explanation.insertion),
+        delay(problem),
     ];
     own.into_iter().flatten().collect()
 }
