@@ -162,9 +162,8 @@ proptest! {
             (values, jacobians, hessians)
         };
         let best = run(Instructions::best(), &poses);
-        prop_assert_eq!(&best, &run(Instructions::scalar(), &poses));
-        if let Some(avx2) = Instructions::avx2() {
-            prop_assert_eq!(&best, &run(avx2, &poses));
+        for instructions in Instructions::available() {
+            prop_assert_eq!(&best, &run(instructions, &poses), "{:?}", instructions);
         }
         let alone = run(Instructions::best(), &poses[..1]);
         prop_assert_eq!(&best.0[..1], &alone.0[..]);

@@ -16,6 +16,8 @@ fn arches() -> Vec<(&'static str, Arch)> {
         arches.extend(pulp::x86::V3::try_new().map(|simd| ("AVX2", Arch::V3(simd))));
         arches.extend(pulp::x86::V4::try_new().map(|simd| ("AVX-512", Arch::V4(simd))));
     }
+    #[cfg(target_arch = "aarch64")]
+    arches.extend(pulp::aarch64::Neon::try_new().map(|simd| ("NEON", Arch::Neon(simd))));
     arches
 }
 
