@@ -35,9 +35,7 @@ fn fail(reason: &str) -> ! {
 
 fn probe() -> pkg_config::Library {
     pkg_config::Config::new().cargo_metadata(false).probe("ipopt").unwrap_or_else(|error| match error {
-        pkg_config::Error::Command { command, .. } => {
-            fail(&format!("`{command}` cannot be run: pkg-config is missing"))
-        }
+        pkg_config::Error::Command { .. } => fail("pkg-config cannot be run"),
         error => {
             println!("{error}");
             fail("pkg-config knows no Ipopt: it is missing, or the folder of its ipopt.pc is not in PKG_CONFIG_PATH")
@@ -86,7 +84,7 @@ fn bind(interface: &Path, mumps: Option<&Path>, folders: &[PathBuf]) {
     let bindings = match catch_unwind(AssertUnwindSafe(|| builder.generate())) {
         Ok(Ok(bindings)) => bindings,
         Ok(Err(error)) => fail(&format!("the headers of Ipopt cannot be bound: {error}")),
-        Err(_) => fail("libclang cannot be loaded, which binds the headers of Ipopt"),
+        Err(_) => fail("libclang cannot be loaded, which reads the headers of Ipopt"),
     };
     let output = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("bindings.rs");
     bindings.write_to_file(output).expect("the bindings can be written to the build folder");
