@@ -79,6 +79,8 @@ const NOMINAL_LENGTH: c_int = 64;
 pub struct Slot<'solver> {
     solver: &'solver mut dyn KktSolver,
     dimension: usize,
+    /// Whether Ipopt has called it.
+    pub was_called: bool,
     /// Ipopt's pivot tolerance, which it raises to request more accuracy.
     pivot_tolerance: Option<f64>,
     /// Wall time in the solver.
@@ -92,7 +94,15 @@ pub struct Slot<'solver> {
 impl<'solver> Slot<'solver> {
     /// A slot for a solver.
     pub fn new(solver: &'solver mut dyn KktSolver) -> Self {
-        Self { solver, dimension: 0, pivot_tolerance: None, elapsed: Duration::ZERO, refusal: None, panic: None }
+        Self {
+            solver,
+            dimension: 0,
+            was_called: false,
+            pivot_tolerance: None,
+            elapsed: Duration::ZERO,
+            refusal: None,
+            panic: None,
+        }
     }
 
     /// Runs Ipopt with this slot's solver in the place of MA57.
@@ -168,7 +178,7 @@ unsafe extern "C" fn analyse(
     let from_zero = |indices: &[c_int]| -> Vec<usize> { indices.iter().map(|&index| index as usize - 1).collect() };
     let analysed = with_current(|slot| {
         slot.call(|slot| {
-            slot.dimension = dimension;
+            (slot.dimension, slot.was_called) = (dimension, true);
             slot.solver.analyse(dimension, &from_zero(rows), &from_zero(columns)).map_err(|reason| {
                 slot.refusal = Some(reason.to_string());
             })

@@ -78,6 +78,10 @@ pub fn solve(
     if let Some(panic) = session.panic {
         resume_unwind(panic);
     }
+    let iterations = session.log.last().map_or(0, |last| last.iteration);
+    if iterations > 0 {
+        solver.require_that_it_ran()?;
+    }
     let timing = Timing {
         total: begin.elapsed().as_secs_f64(),
         evaluation: session.evaluation.as_secs_f64(),
@@ -90,7 +94,7 @@ pub fn solve(
             .max(violation(&outcome.constraints, &constraint_bounds)),
         constraints: outcome.constraints,
         iterate,
-        iterations: session.log.last().map_or(0, |last| last.iteration),
+        iterations,
         log: session.log,
         timing,
         linear_solver: solver.name,
@@ -168,6 +172,15 @@ impl<'solver> SolverInUse<'solver> {
             Some(reason) => Err(SolveError::LinearSolver { name: self.name.clone(), reason }),
             None => Ok(outcome),
         }
+    }
+
+    /// An Ipopt before 3.14 that is linked with HSL calls its own MA57 whatever is registered.
+    fn require_that_it_ran(&self) -> Result<(), SolveError> {
+        if self.own.as_ref().is_none_or(|slot| slot.was_called) {
+            return Ok(());
+        }
+        let reason = "this Ipopt was linked with HSL and runs MA57 instead; use one that was not, or choose \"ma57\"";
+        Err(SolveError::LinearSolver { name: self.name.clone(), reason: reason.to_owned() })
     }
 
     /// Wall seconds in factorisations and solves: measured, or read from Ipopt's statistics.
