@@ -209,7 +209,7 @@ fn files_that_are_named_exist() {
 
 /// Long flags of the program, but for hidden ones.
 fn flags_of_program() -> BTreeSet<String> {
-    let commands: [&[&str]; 17] = [
+    let commands: [&[&str]; 19] = [
         &[],
         &["solve"],
         &["check"],
@@ -219,6 +219,8 @@ fn flags_of_program() -> BTreeSet<String> {
         &["generate", "rectangular"],
         &["generate", "keyed"],
         &["schema"],
+        &["completions"],
+        &["man"],
         &["simulate"],
         &["report"],
         &["batch"],
@@ -243,7 +245,8 @@ fn flags(text: &str) -> BTreeSet<String> {
 #[test]
 fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
     /// Flags of cargo, sbatch and hq.
-    const FOREIGN: [&str; 7] = ["--no-deps", "--open", "--bench", "--features", "--partition", "--time", "--array"];
+    const FOREIGN: [&str; 8] =
+        ["--no-deps", "--open", "--bench", "--features", "--path", "--partition", "--time", "--array"];
     let program = flags_of_program();
     let mut scripts = String::new();
     for folder in ["scripts", "scripts/mujoco_validation", "scripts/reproduction"] {

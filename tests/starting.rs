@@ -109,3 +109,27 @@ fn schemas_are_printed() {
         assert!(schema["properties"][table].is_object() && schema["additionalProperties"] == false);
     }
 }
+
+#[test]
+fn shells_can_read_their_completions() {
+    let dir = Dir::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = dir.run(&format!("completions {shell}")).code(0).stdout;
+        assert!(script.contains("linear-solver") && script.contains("simulate"), "{shell}");
+        dir.write(shell, &script);
+    }
+    let checked = std::process::Command::new("bash").arg("-n").arg(dir.path("bash")).output().unwrap();
+    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
+}
+
+#[test]
+fn every_command_has_a_manual_page() {
+    let dir = Dir::new();
+    dir.run("man pages/here").code(0);
+    for (page, words) in [("", "Exit codes"), ("-solve", "linear\\-solver"), ("-batch-run", "index")] {
+        let text = dir.read(format!("pages/here/assembly-plan{page}.1"));
+        assert!(text.contains(".TH") && text.contains(words), "{page}: {text}");
+    }
+    dir.write("file", "");
+    dir.run("man file").code(3).says("file: the manual cannot be written");
+}

@@ -1,13 +1,12 @@
 //! Finds the installed Ipopt by pkg-config and binds its C interface.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-const PACKAGES: &str = "apt-get install coinor-libipopt-dev libclang-dev pkg-config";
+const FIX: &str = "On Debian: apt-get install coinor-libipopt-dev libclang-dev pkg-config. Elsewhere: docs/install.md";
 
 fn main() {
-    let library = pkg_config::Config::new().cargo_metadata(false).probe("ipopt").unwrap_or_else(|error| {
-        panic!("Ipopt was not found by pkg-config. On Debian: {PACKAGES}\n{error}");
-    });
+    let library = probe();
     // The shared library brings its own dependencies, whose development packages need not be installed.
     println!("cargo::rustc-link-lib=ipopt");
     for folder in &library.link_paths {
@@ -17,31 +16,59 @@ fn main() {
     let mut folders = library.include_paths.clone();
     folders.extend(["/usr/include/coin", "/usr/include/coin-or"].map(PathBuf::from));
     let interface = find(&folders, "IpStdCInterface.h").unwrap_or_else(|| {
-        panic!("pkg-config knows Ipopt {}, but IpStdCInterface.h is missing. On Debian: {PACKAGES}", library.version);
+        fail(&format!("pkg-config knows Ipopt {}, but its header IpStdCInterface.h is missing", library.version))
     });
-    // Only the loader of this very Ipopt: newer versions have none.
-    let loader = Some(interface.with_file_name("HSLLoader.h")).filter(|path| path.exists());
-
-    println!("cargo::rustc-check-cfg=cfg(hsl_loader)");
+    println!("cargo::rerun-if-changed={}", interface.display());
+    refuse_other_numbers(&interface);
     println!("cargo::metadata=version={}", library.version);
-    if loader.is_some() {
-        println!("cargo::rustc-cfg=hsl_loader");
-        println!("cargo::metadata=hsl_loader=1");
-    }
-    let mumps = std::env::var_os("CARGO_FEATURE_MUMPS").map(|_| {
-        println!("cargo::rustc-link-lib=dmumps_seq");
-        find(&folders, "dmumps_c.h").or_else(|| find(&["/usr/include".into()], "dmumps_c.h")).unwrap_or_else(|| {
-            panic!("dmumps_c.h is missing. On Debian: apt-get install libmumps-seq-dev");
-        })
-    });
-    bind(&interface, loader.as_deref(), mumps.as_deref(), &folders);
+    let folders_of_libraries = std::env::join_paths(&library.link_paths).expect("folders of libraries have no colon");
+    println!("cargo::metadata=library_folders={}", folders_of_libraries.display());
+    let mumps = std::env::var_os("CARGO_FEATURE_MUMPS").map(|_| mumps(&folders));
+    bind(&interface, mumps.as_deref(), &folders);
+}
+
+/// Ends the build with what is missing and what to do.
+fn fail(reason: &str) -> ! {
+    println!("cargo::error={reason}. {FIX}");
+    std::process::exit(1)
+}
+
+fn probe() -> pkg_config::Library {
+    pkg_config::Config::new().cargo_metadata(false).probe("ipopt").unwrap_or_else(|error| match error {
+        pkg_config::Error::Command { .. } => fail("pkg-config cannot be run"),
+        error => {
+            println!("{error}");
+            fail("pkg-config knows no Ipopt: it is missing, or the folder of its ipopt.pc is not in PKG_CONFIG_PATH")
+        }
+    })
 }
 
 fn find(folders: &[PathBuf], header: &str) -> Option<PathBuf> {
     folders.iter().map(|folder| folder.join(header)).find(|path| path.exists())
 }
 
-fn bind(interface: &Path, loader: Option<&Path>, mumps: Option<&Path>, folders: &[PathBuf]) {
+/// Refuses an Ipopt whose numbers or indices are not the usual ones, which `nlp` passes on.
+fn refuse_other_numbers(interface: &Path) {
+    let settings = std::fs::read_to_string(interface.with_file_name("IpoptConfig.h")).unwrap_or_default();
+    for (setting, what) in [("IPOPT_SINGLE", "single precision"), ("IPOPT_INT64", "indices of 64 bits")] {
+        if settings.lines().any(|line| line.starts_with("#define") && line.split_whitespace().nth(1) == Some(setting)) {
+            fail(&format!("this Ipopt was built with {what}; assembly-plan needs one that was built without"));
+        }
+    }
+}
+
+/// Links the MUMPS that Ipopt uses and returns its header: COIN-OR's, or Debian's.
+fn mumps(folders: &[PathBuf]) -> PathBuf {
+    if let Some(header) = find(folders, "mumps/dmumps_c.h") {
+        println!("cargo::rustc-link-lib=coinmumps");
+        return header;
+    }
+    println!("cargo::rustc-link-lib=dmumps_seq");
+    let header = find(folders, "dmumps_c.h").or_else(|| find(&["/usr/include".into()], "dmumps_c.h"));
+    header.unwrap_or_else(|| fail("the header dmumps_c.h is missing: apt-get install libmumps-seq-dev"))
+}
+
+fn bind(interface: &Path, mumps: Option<&Path>, folders: &[PathBuf]) {
     let mut builder = bindgen::Builder::default()
         .header(interface.to_string_lossy())
         .clang_args(folders.iter().map(|folder| format!("-I{}", folder.display())))
@@ -50,17 +77,15 @@ fn bind(interface: &Path, loader: Option<&Path>, mumps: Option<&Path>, folders: 
         .default_enum_style(bindgen::EnumVariation::ModuleConsts)
         .generate_comments(false)
         .layout_tests(false);
-    if let Some(loader) = loader {
-        builder = builder
-            .header(loader.to_string_lossy())
-            .allowlist_function("LSL_(loadHSL|unloadHSL|isHSLLoaded|isMA(27|57|97)available|setMA57)");
-    }
     if let Some(mumps) = mumps {
         builder = builder.header(mumps.to_string_lossy()).allowlist_function("dmumps_c");
     }
-    let bindings = builder
-        .generate()
-        .unwrap_or_else(|error| panic!("the headers of Ipopt cannot be bound. On Debian: {PACKAGES}\n{error}"));
+    // Where there is no libclang, bindgen panics.
+    let bindings = match catch_unwind(AssertUnwindSafe(|| builder.generate())) {
+        Ok(Ok(bindings)) => bindings,
+        Ok(Err(error)) => fail(&format!("the headers of Ipopt cannot be bound: {error}")),
+        Err(_) => fail("libclang cannot be loaded, which reads the headers of Ipopt"),
+    };
     let output = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("bindings.rs");
     bindings.write_to_file(output).expect("the bindings can be written to the build folder");
 }

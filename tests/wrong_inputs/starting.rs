@@ -36,4 +36,7 @@ pub const ROWS: &[Row] = &[
     ("generate keyed --out new.toml --diameter 0.01 --depth 0.01", &[], "cannot be used with"),
     ("generate keyed --out new.toml --width 0.01 --depth 0.01 --facets 8", &[], "cannot be used with"),
     ("schema scene.toml", &[], "unexpected argument"),
+    ("completions", &[], "<SHELL>"),
+    ("completions tcsh", &[], "invalid value 'tcsh'"),
+    ("man", &[], "<FOLDER>"),
 ];

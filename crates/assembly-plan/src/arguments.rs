@@ -56,6 +56,10 @@ pub enum Command {
     Generate(GenerateArguments),
     /// Print a JSON schema of scene files, with which editors complete and check them
     Schema(SchemaArguments),
+    /// Print a script that completes the command line in a shell
+    Completions(CompletionsArguments),
+    /// Write the manual pages
+    Man(ManualArguments),
 }
 
 /// What to plan.
@@ -262,6 +266,18 @@ pub struct SchemaArguments {
     /// Print that of homotopy files
     #[arg(long)]
     pub homotopy: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// The shell that reads the script
+    pub shell: clap_complete::Shell,
+}
+
+#[derive(Debug, Args)]
+pub struct ManualArguments {
+    /// Folder to write them to, one file for the program and one for each command
+    pub folder: PathBuf,
 }
 
 impl SolveArguments {

@@ -3,10 +3,12 @@
 mod arguments;
 mod batch;
 mod check;
+mod completions;
 mod console;
 mod exit;
 mod generate;
 mod interrupt;
+mod manual;
 mod new;
 mod progress;
 mod report;
@@ -36,6 +38,8 @@ fn main() -> ExitCode {
         Command::New(arguments) => new::run(arguments),
         Command::Generate(arguments) => generate::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
+        Command::Completions(arguments) => completions::run(arguments),
+        Command::Man(arguments) => manual::run(arguments),
     };
     let exit = outcome.unwrap_or_else(|error| {
         tell!("error: {error}");

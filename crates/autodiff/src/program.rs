@@ -23,13 +23,15 @@ impl Instructions {
 
     /// All instruction sets of this processor, the narrowest first.
     pub fn available() -> Vec<Self> {
-        let mut all = vec![Self::scalar()];
+        let mut all = vec![pulp::Arch::Scalar];
         #[cfg(target_arch = "x86_64")]
         {
-            all.extend(pulp::x86::V3::try_new().map(|instructions| Self(pulp::Arch::V3(instructions))));
-            all.extend(pulp::x86::V4::try_new().map(|instructions| Self(pulp::Arch::V4(instructions))));
+            all.extend(pulp::x86::V3::try_new().map(pulp::Arch::V3));
+            all.extend(pulp::x86::V4::try_new().map(pulp::Arch::V4));
         }
-        all
+        #[cfg(target_arch = "aarch64")]
+        all.extend(pulp::aarch64::Neon::try_new().map(pulp::Arch::Neon));
+        all.into_iter().map(Self).collect()
     }
 }
 

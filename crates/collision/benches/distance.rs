@@ -74,8 +74,7 @@ fn main() {
     println!("{:>4} {:<7} {:>7} {:>8} {:>10} {:>10}", "rows", "with", "tau", "values", "Jacobian", "Hessian");
     for rows in [12, 24, 60, 120] {
         let pair = Pair::new(part(rows / 2, &mut random), part(rows / 2, &mut random));
-        let sets = [Some(Instructions::best()), Instructions::avx2(), Some(Instructions::scalar())];
-        for instructions in sets.into_iter().flatten() {
+        for instructions in Instructions::available() {
             let name = format!("{instructions:?}");
             for tau in SMOOTHINGS {
                 let run = |solutions: &mut Solutions, request: Request| {

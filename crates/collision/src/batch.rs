@@ -20,10 +20,12 @@ impl std::fmt::Debug for Instructions {
     fn fmt(&self, formatter: &mut std::fmt::Formatter) -> std::fmt::Result {
         formatter.write_str(match self.0 {
             pulp::Arch::Scalar => "scalar",
-            #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+            #[cfg(target_arch = "x86_64")]
             pulp::Arch::V3(_) => "AVX2",
-            #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
+            #[cfg(target_arch = "x86_64")]
             pulp::Arch::V4(_) => "AVX-512",
+            #[cfg(target_arch = "aarch64")]
+            pulp::Arch::Neon(_) => "NEON",
             _ => "vector",
         })
     }
@@ -35,17 +37,17 @@ impl Instructions {
         Self(pulp::Arch::new())
     }
 
-    /// No vector instructions.
-    pub fn scalar() -> Self {
-        Self(pulp::Arch::Scalar)
-    }
-
-    /// AVX2 with fused multiply-add, where available.
-    pub fn avx2() -> Option<Self> {
-        #[cfg(any(target_arch = "x86_64", target_arch = "x86"))]
-        return pulp::x86::V3::try_new().map(|simd| Self(pulp::Arch::V3(simd)));
-        #[cfg(not(any(target_arch = "x86_64", target_arch = "x86")))]
-        return None;
+    /// All that this processor has, from none to the widest.
+    pub fn available() -> Vec<Self> {
+        let mut all = vec![pulp::Arch::Scalar];
+        #[cfg(target_arch = "x86_64")]
+        {
+            all.extend(pulp::x86::V3::try_new().map(pulp::Arch::V3));
+            all.extend(pulp::x86::V4::try_new().map(pulp::Arch::V4));
+        }
+        #[cfg(target_arch = "aarch64")]
+        all.extend(pulp::aarch64::Neon::try_new().map(pulp::Arch::Neon));
+        all.into_iter().map(Self).collect()
     }
 }
 

@@ -30,7 +30,7 @@ fn raw(position: Vector3<f64>, turn: UnitQuaternion<f64>) -> [f64; 7] {
 const IDENTITY: [f64; 7] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases.min(200)))]
 
     #[test]
     fn smoothing_only_adds_and_adds_little(a in points(), b in points(), pose in pose(), exponent in 2.0..6.0f64) {
@@ -162,9 +162,8 @@ proptest! {
             (values, jacobians, hessians)
         };
         let best = run(Instructions::best(), &poses);
-        prop_assert_eq!(&best, &run(Instructions::scalar(), &poses));
-        if let Some(avx2) = Instructions::avx2() {
-            prop_assert_eq!(&best, &run(avx2, &poses));
+        for instructions in Instructions::available() {
+            prop_assert_eq!(&best, &run(instructions, &poses), "{:?}", instructions);
         }
         let alone = run(Instructions::best(), &poses[..1]);
         prop_assert_eq!(&best.0[..1], &alone.0[..]);

@@ -29,6 +29,8 @@ fn ours(criterion: &mut Criterion, order: usize) {
         arches.extend(pulp::x86::V3::try_new().map(|simd| ("ours, AVX2", Arch::V3(simd))));
         arches.extend(pulp::x86::V4::try_new().map(|simd| ("ours, AVX-512", Arch::V4(simd))));
     }
+    #[cfg(target_arch = "aarch64")]
+    arches.extend(pulp::aarch64::Neon::try_new().map(|simd| ("ours, NEON", Arch::Neon(simd))));
     for (name, arch) in arches {
         let mut solver = StageSolver::with_arch(&labels, &rows, &columns, arch, Workers::default()).unwrap();
         criterion.bench_function(&format!("{name}/{order}"), |bencher| {

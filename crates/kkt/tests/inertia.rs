@@ -16,6 +16,8 @@ fn arches() -> Vec<(&'static str, Arch)> {
         arches.extend(pulp::x86::V3::try_new().map(|simd| ("AVX2", Arch::V3(simd))));
         arches.extend(pulp::x86::V4::try_new().map(|simd| ("AVX-512", Arch::V4(simd))));
     }
+    #[cfg(target_arch = "aarch64")]
+    arches.extend(pulp::aarch64::Neon::try_new().map(|simd| ("NEON", Arch::Neon(simd))));
     arches
 }
 
@@ -45,7 +47,8 @@ fn check(solver: &mut StageSolver, system: &System, negative: usize) -> Result<(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    // Fewer where the environment says so, as on an emulated processor.
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases.min(96)))]
 
     #[test]
     fn inertia_is_that_of_the_eigenvalues(shape in shapes()) {

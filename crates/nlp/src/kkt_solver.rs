@@ -46,6 +46,6 @@ pub trait KktSolver {
 pub enum LinearSystemSolver<'solver> {
     /// One of Ipopt's own: `mumps` or, where the user has the HSL library, `ma27`, `ma57` or `ma97`.
     Named(&'solver str),
-    /// The caller's; possible if [`crate::TAKES_OWN_SOLVER`].
+    /// The caller's; possible if [`crate::takes_own_solver`].
     Own(&'solver mut dyn KktSolver),
 }

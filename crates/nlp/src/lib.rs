@@ -71,10 +71,6 @@ mod linear_solver;
 mod mumps;
 mod options;
 mod problem;
-#[cfg(hsl_loader)]
-mod slot;
-#[cfg(not(hsl_loader))]
-#[path = "no_slot.rs"]
 mod slot;
 mod solution;
 mod solve;
@@ -84,7 +80,7 @@ mod status;
 pub use derivative_check::{DerivativeReport, Entry, Kind, check_derivatives};
 pub use error::SolveError;
 pub use kkt_solver::{AnalysisError, Factorisation, KktSolver, LinearSystemSolver};
-pub use linear_solver::{MUMPS, TAKES_OWN_SOLVER};
+pub use linear_solver::{MUMPS, takes_own_solver};
 #[cfg(feature = "mumps")]
 pub use mumps::Mumps;
 pub use options::{OptionValue, Options};

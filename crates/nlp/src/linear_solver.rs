@@ -1,78 +1,90 @@
-//! Availability of linear solvers in the installed Ipopt.
-
-#![allow(unsafe_code)]
+//! Which linear solvers the loaded Ipopt can run.
 
 use crate::error::SolveError;
+use crate::problem::{Bounds, EvaluationError, Pattern, Problem};
+use crate::slot;
+use crate::solve;
 
-/// Solvers of the HSL collection that Ipopt loads from `libhsl.so`.
+/// Solvers of the HSL collection that Ipopt loads from a library of the user's.
 const HSL: [&str; 3] = ["ma27", "ma57", "ma97"];
-/// The solver that Debian's Ipopt is built with.
+/// The solver that comes with Ipopt.
 pub const MUMPS: &str = "mumps";
 
-/// Ipopt's name of the solver whose place the caller's solver takes.
-pub const SLOT: &str = "ma57";
+fn refusal(name: &str, reason: String) -> SolveError {
+    SolveError::LinearSolver { name: name.to_owned(), reason }
+}
 
-/// Whether a solver of the caller can be registered in the installed Ipopt.
-pub const TAKES_OWN_SOLVER: bool = cfg!(hsl_loader);
+/// Whether the loaded Ipopt can run a solver of the caller: it must export a function to register one.
+pub fn takes_own_solver() -> bool {
+    slot::exists()
+}
 
 /// Checks that a solver of the caller can run.
 ///
 /// # Errors
 /// When it cannot be registered in this Ipopt.
-pub fn require_slot(name: &str) -> Result<(), SolveError> {
-    if TAKES_OWN_SOLVER {
+pub fn require_own(name: &str) -> Result<(), SolveError> {
+    if takes_own_solver() {
         return Ok(());
     }
-    let reason = format!("it cannot be registered in Ipopt {}", crate::IPOPT_VERSION);
-    Err(SolveError::LinearSolver { name: name.to_owned(), reason })
+    Err(refusal(name, format!("it cannot be registered in this Ipopt {}", crate::IPOPT_VERSION)))
 }
 
-/// Checks that one of Ipopt's own linear solvers can run.
+/// Checks that one of Ipopt's own linear solvers can run. No other solve may be running.
 ///
 /// # Errors
 /// When the name is unknown or the solver is not installed.
 pub fn require(name: &str) -> Result<(), SolveError> {
-    let refuse = |reason: String| Err(SolveError::LinearSolver { name: name.to_owned(), reason });
     if name == MUMPS {
         return Ok(());
     }
     if !HSL.contains(&name) {
-        return refuse(format!("unknown; choose {MUMPS} or {}", HSL.join(", ")));
+        return Err(refusal(name, format!("unknown; choose {MUMPS} or {}", HSL.join(", "))));
     }
-    hsl_is_available(name).or_else(refuse)
+    slot::vacate();
+    match solve::starts(&mut Nothing, name) {
+        Ok(true) => Ok(()),
+        Ok(false) => {
+            let library = format!("{}hsl{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
+            Err(refusal(name, format!("the HSL library {library} cannot be loaded, or does not contain it")))
+        }
+        Err(error) => Err(refusal(name, format!("this Ipopt cannot load it: {error}"))),
+    }
 }
 
-#[cfg(hsl_loader)]
-fn hsl_is_available(name: &str) -> Result<(), String> {
-    const MESSAGE: usize = 512;
-    crate::slot::forget();
-    let mut message = [0 as std::ffi::c_char; MESSAGE];
-    // Loaded anew each time, because the caller's solver may have taken the place of MA57 in the meantime.
-    // SAFETY: a null name asks for the default library; the message has the announced length.
-    let failed = unsafe {
-        if ipopt_sys::LSL_isHSLLoaded() != 0 {
-            ipopt_sys::LSL_unloadHSL();
-        }
-        ipopt_sys::LSL_loadHSL(std::ptr::null(), message.as_mut_ptr(), MESSAGE as i32) != 0
-    };
-    if failed {
-        // SAFETY: the loader terminates its message with a zero within the given length.
-        let reason = unsafe { std::ffi::CStr::from_ptr(message.as_ptr()) };
-        return Err(format!("the HSL library cannot be loaded: {}", reason.to_string_lossy()));
-    }
-    // SAFETY: plain queries.
-    let available = unsafe {
-        match name {
-            "ma27" => ipopt_sys::LSL_isMA27available(),
-            "ma57" => ipopt_sys::LSL_isMA57available(),
-            _ => ipopt_sys::LSL_isMA97available(),
-        }
-    };
-    if available == 0 { Err("the HSL library does not contain it".to_owned()) } else { Ok(()) }
-}
+/// A problem of one variable with nothing to minimise.
+struct Nothing;
 
-/// Newer versions of Ipopt find the library themselves and report a missing solver as an invalid option.
-#[cfg(not(hsl_loader))]
-fn hsl_is_available(_name: &str) -> Result<(), String> {
-    Ok(())
+impl Problem for Nothing {
+    fn variable_bounds(&self) -> Bounds {
+        Bounds { lower: vec![0.0], upper: vec![1.0] }
+    }
+    fn constraint_bounds(&self) -> Bounds {
+        Bounds::default()
+    }
+    fn jacobian_pattern(&self) -> Pattern {
+        Pattern::default()
+    }
+    fn hessian_pattern(&self) -> Pattern {
+        Pattern::default()
+    }
+    fn set_point(&mut self, _: &[f64]) -> Result<(), EvaluationError> {
+        Ok(())
+    }
+    fn objective(&mut self) -> Result<f64, EvaluationError> {
+        Ok(0.0)
+    }
+    fn gradient(&mut self, gradient: &mut [f64]) -> Result<(), EvaluationError> {
+        gradient.fill(0.0);
+        Ok(())
+    }
+    fn constraints(&mut self, _: &mut [f64]) -> Result<(), EvaluationError> {
+        Ok(())
+    }
+    fn jacobian(&mut self, _: &mut [f64]) -> Result<(), EvaluationError> {
+        Ok(())
+    }
+    fn hessian(&mut self, _: f64, _: &[f64], _: &mut [f64]) -> Result<(), EvaluationError> {
+        Ok(())
+    }
 }

@@ -7,13 +7,14 @@
 
 use std::any::Any;
 use std::cell::Cell;
+use std::ffi::c_int;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr::NonNull;
 use std::slice::{from_raw_parts, from_raw_parts_mut};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
-use ipopt_sys::ipfint;
+use ipopt_sys::ma57::{self, SetFunctions};
 
 use crate::kkt_solver::{Factorisation, KktSolver};
 
@@ -22,29 +23,47 @@ thread_local! {
     static CURRENT: Cell<Option<NonNull<Slot<'static>>>> = const { Cell::new(None) };
 }
 
+/// Ipopt's name of the solver in whose place the caller's solver runs.
+pub const NAME: &str = "ma57";
+
 /// Whether the functions below are registered at the moment.
 static REGISTERED: Mutex<bool> = Mutex::new(false);
+
+/// How the loaded Ipopt takes functions in the place of MA57's, if it does.
+fn set_functions() -> Option<SetFunctions> {
+    static FOUND: OnceLock<Option<SetFunctions>> = OnceLock::new();
+    *FOUND.get_or_init(ma57::set_functions)
+}
+
+/// Whether the loaded Ipopt takes functions in the place of MA57's.
+pub fn exists() -> bool {
+    set_functions().is_some()
+}
 
 /// Registers the functions below, only once because other threads may be using them.
 fn register() {
     let mut registered = REGISTERED.lock().unwrap_or_else(PoisonError::into_inner);
-    if !std::mem::replace(&mut registered, true) {
-        // SAFETY: the functions have MA57's signatures.
-        unsafe {
-            ipopt_sys::LSL_setMA57(Some(analyse), Some(factorise), Some(solve_system), Some(enlarge), Some(initialise))
-        };
+    if let Some(set_functions) = set_functions().filter(|_| !*registered) {
+        // SAFETY: the functions do as MA57's.
+        unsafe { set_functions(Some(analyse), Some(factorise), Some(solve_system), Some(enlarge), Some(initialise)) };
+        *registered = true;
     }
 }
 
-/// Records that HSL's own functions have replaced those below.
-pub fn forget() {
-    *REGISTERED.lock().unwrap_or_else(PoisonError::into_inner) = false;
+/// Gives HSL's MA57 its place back. No other solve may be running.
+pub fn vacate() {
+    let mut registered = REGISTERED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(set_functions) = set_functions() {
+        // SAFETY: without functions, Ipopt looks for MA57 before it calls it.
+        unsafe { set_functions(None, None, None, None, None) };
+    }
+    *registered = false;
 }
 
 /// MA57's codes in `info(1)`.
-const FINE: ipfint = 0;
-const SINGULAR: ipfint = 4;
-const FATAL: ipfint = -1;
+const FINE: c_int = 0;
+const SINGULAR: c_int = 4;
+const FATAL: c_int = -1;
 /// Indices into `info`, from 0.
 const STATUS: usize = 0;
 const FACTOR_LENGTHS: [usize; 2] = [8, 9];
@@ -54,12 +73,14 @@ const INFO_LENGTH: usize = 40;
 /// Lengths of `cntl` and `icntl`.
 const CONTROL_LENGTHS: [usize; 2] = [5, 20];
 /// Length of the arrays for factors, which Ipopt allocates but never reads.
-const NOMINAL_LENGTH: ipfint = 64;
+const NOMINAL_LENGTH: c_int = 64;
 
 /// The solver of one solve.
 pub struct Slot<'solver> {
     solver: &'solver mut dyn KktSolver,
     dimension: usize,
+    /// Whether Ipopt has called it.
+    pub was_called: bool,
     /// Ipopt's pivot tolerance, which it raises to request more accuracy.
     pivot_tolerance: Option<f64>,
     /// Wall time in the solver.
@@ -73,7 +94,15 @@ pub struct Slot<'solver> {
 impl<'solver> Slot<'solver> {
     /// A slot for a solver.
     pub fn new(solver: &'solver mut dyn KktSolver) -> Self {
-        Self { solver, dimension: 0, pivot_tolerance: None, elapsed: Duration::ZERO, refusal: None, panic: None }
+        Self {
+            solver,
+            dimension: 0,
+            was_called: false,
+            pivot_tolerance: None,
+            elapsed: Duration::ZERO,
+            refusal: None,
+            panic: None,
+        }
     }
 
     /// Runs Ipopt with this slot's solver in the place of MA57.
@@ -114,7 +143,7 @@ fn with_current<T>(function: impl FnOnce(&mut Slot) -> Option<T>) -> Option<T> {
 
 /// # Safety
 /// As Ipopt calls MA57ID.
-unsafe extern "C" fn initialise(control: *mut f64, integer_control: *mut ipfint) {
+unsafe extern "C" fn initialise(control: *mut f64, integer_control: *mut c_int) {
     // SAFETY: both arrays have the lengths that MA57 requires.
     unsafe {
         from_raw_parts_mut(control, CONTROL_LENGTHS[0]).fill(0.0);
@@ -125,15 +154,15 @@ unsafe extern "C" fn initialise(control: *mut f64, integer_control: *mut ipfint)
 /// # Safety
 /// As Ipopt calls MA57AD.
 unsafe extern "C" fn analyse(
-    dimension: *mut ipfint,
-    entries: *mut ipfint,
-    rows: *const ipfint,
-    columns: *const ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    info: *mut ipfint,
+    dimension: *mut c_int,
+    entries: *mut c_int,
+    rows: *const c_int,
+    columns: *const c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    info: *mut c_int,
     _: *mut f64,
 ) {
     // SAFETY: Ipopt passes the stated number of rows and columns, counted from 1, and the info array.
@@ -146,10 +175,10 @@ unsafe extern "C" fn analyse(
             from_raw_parts_mut(info, INFO_LENGTH),
         )
     };
-    let from_zero = |indices: &[ipfint]| -> Vec<usize> { indices.iter().map(|&index| index as usize - 1).collect() };
+    let from_zero = |indices: &[c_int]| -> Vec<usize> { indices.iter().map(|&index| index as usize - 1).collect() };
     let analysed = with_current(|slot| {
         slot.call(|slot| {
-            slot.dimension = dimension;
+            (slot.dimension, slot.was_called) = (dimension, true);
             slot.solver.analyse(dimension, &from_zero(rows), &from_zero(columns)).map_err(|reason| {
                 slot.refusal = Some(reason.to_string());
             })
@@ -165,19 +194,19 @@ unsafe extern "C" fn analyse(
 /// # Safety
 /// As Ipopt calls MA57BD.
 unsafe extern "C" fn factorise(
-    _: *mut ipfint,
-    entries: *mut ipfint,
+    _: *mut c_int,
+    entries: *mut c_int,
     values: *mut f64,
     _: *mut f64,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
     control: *mut f64,
-    info: *mut ipfint,
+    info: *mut c_int,
     _: *mut f64,
 ) {
     // SAFETY: Ipopt passes the stated number of values, the control and the info array.
@@ -194,8 +223,8 @@ unsafe extern "C" fn factorise(
     info.fill(0);
     match found {
         Some((Factorisation::Inertia { negative }, dimension)) => {
-            info[NEGATIVE_EIGENVALUES] = negative as ipfint;
-            info[RANK] = dimension as ipfint;
+            info[NEGATIVE_EIGENVALUES] = negative as c_int;
+            info[RANK] = dimension as c_int;
         }
         Some((Factorisation::Singular, _)) => info[STATUS] = SINGULAR,
         Some((Factorisation::Failed, _)) | None => info[STATUS] = FATAL,
@@ -205,20 +234,20 @@ unsafe extern "C" fn factorise(
 /// # Safety
 /// As Ipopt calls MA57CD.
 unsafe extern "C" fn solve_system(
-    _: *mut ipfint,
-    dimension: *mut ipfint,
+    _: *mut c_int,
+    dimension: *mut c_int,
     _: *mut f64,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    count: *mut ipfint,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    count: *mut c_int,
     values: *mut f64,
-    stride: *mut ipfint,
+    stride: *mut c_int,
     _: *mut f64,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    info: *mut ipfint,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    info: *mut c_int,
 ) {
     // SAFETY: Ipopt passes `count` right-hand sides, `stride` values apart, each with one value per row.
     let (mut columns, info) = unsafe {
@@ -235,18 +264,18 @@ unsafe extern "C" fn solve_system(
 /// # Safety
 /// As Ipopt calls MA57ED.
 unsafe extern "C" fn enlarge(
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
     _: *mut f64,
-    _: *mut ipfint,
+    _: *mut c_int,
     _: *mut f64,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    _: *mut ipfint,
-    info: *mut ipfint,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    _: *mut c_int,
+    info: *mut c_int,
 ) {
     // SAFETY: Ipopt passes the info array.
     unsafe { *info = FATAL };

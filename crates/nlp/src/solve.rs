@@ -15,8 +15,8 @@ use crate::error::SolveError;
 use crate::kkt_solver::LinearSystemSolver;
 use crate::linear_solver;
 use crate::options::{OptionValue, Options};
-use crate::problem::{Bounds, Problem};
-use crate::slot::Slot;
+use crate::problem::{Bounds, Pattern, Problem};
+use crate::slot::{self, Slot};
 use crate::solution::{Control, Iterate, Progress, Solution, Start, Timing};
 use crate::statistics;
 use crate::status::SolveStatus;
@@ -78,6 +78,10 @@ pub fn solve(
     if let Some(panic) = session.panic {
         resume_unwind(panic);
     }
+    let iterations = session.log.last().map_or(0, |last| last.iteration);
+    if iterations > 0 {
+        solver.require_that_it_ran()?;
+    }
     let timing = Timing {
         total: begin.elapsed().as_secs_f64(),
         evaluation: session.evaluation.as_secs_f64(),
@@ -90,7 +94,7 @@ pub fn solve(
             .max(violation(&outcome.constraints, &constraint_bounds)),
         constraints: outcome.constraints,
         iterate,
-        iterations: session.log.last().map_or(0, |last| last.iteration),
+        iterations,
         log: session.log,
         timing,
         linear_solver: solver.name,
@@ -107,6 +111,22 @@ pub fn check(options: &Options, linear_solver: Option<&str>) -> Result<(), Solve
         let _solver = SolverInUse::new(LinearSystemSolver::Named(name))?;
     }
     Handle::probe()?.set_options(options)
+}
+
+/// Whether Ipopt begins to solve a problem of one variable with a linear solver of its own, which it looks for only then.
+///
+/// # Errors
+/// When it does not know the solver.
+pub fn starts(problem: &mut dyn Problem, linear_solver: &str) -> Result<bool, SolveError> {
+    let start = Start::Cold(vec![0.0]);
+    let mut options = defaults(&start, linear_solver);
+    options.set("max_iter", 0);
+    let handle = Handle::create(problem)?;
+    handle.set_options(&options)?;
+    let mut observer = |_: &Progress| Control::Continue;
+    let mut session = Session::new(problem, &mut observer, Pattern::default(), Pattern::default());
+    let outcome = handle.solve(&mut starting_iterate(&start, &handle)?, &mut session);
+    Ok(outcome.status.is_success() || outcome.status == SolveStatus::IterationLimit)
 }
 
 /// The linear solver of a running solve.
@@ -131,7 +151,7 @@ impl<'solver> SolverInUse<'solver> {
             }
             LinearSystemSolver::Own(solver) => {
                 let turn = Turn::Shared { _guard: LINEAR_SOLVERS.read().unwrap_or_else(PoisonError::into_inner) };
-                linear_solver::require_slot(solver.name())?;
+                linear_solver::require_own(solver.name())?;
                 Ok(Self { name: solver.name().to_owned(), own: Some(Slot::new(solver)), _turn: turn })
             }
         }
@@ -139,7 +159,7 @@ impl<'solver> SolverInUse<'solver> {
 
     /// Its name among Ipopt's options.
     fn option(&self) -> &str {
-        if self.own.is_some() { linear_solver::SLOT } else { &self.name }
+        if self.own.is_some() { slot::NAME } else { &self.name }
     }
 
     fn run(&mut self, solve: impl FnOnce() -> Outcome) -> Result<Outcome, SolveError> {
@@ -152,6 +172,15 @@ impl<'solver> SolverInUse<'solver> {
             Some(reason) => Err(SolveError::LinearSolver { name: self.name.clone(), reason }),
             None => Ok(outcome),
         }
+    }
+
+    /// An Ipopt before 3.14 that is linked with HSL calls its own MA57 whatever is registered.
+    fn require_that_it_ran(&self) -> Result<(), SolveError> {
+        if self.own.as_ref().is_none_or(|slot| slot.was_called) {
+            return Ok(());
+        }
+        let reason = "this Ipopt was linked with HSL and runs MA57 instead; use one that was not, or choose \"ma57\"";
+        Err(SolveError::LinearSolver { name: self.name.clone(), reason: reason.to_owned() })
     }
 
     /// Wall seconds in factorisations and solves: measured, or read from Ipopt's statistics.

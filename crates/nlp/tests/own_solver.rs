@@ -1,7 +1,5 @@
 //! A linear solver of the caller inside Ipopt.
 
-#![cfg(hsl_loader)]
-
 mod support;
 
 use nalgebra::{DMatrix, DVector};
@@ -85,6 +83,18 @@ fn it_takes_the_same_iterations_as_mumps() {
     assert!((own.objective - mumps.objective).abs() < 1e-9);
     assert_eq!(own.linear_solver, "dense");
     assert!(own.timing.linear_solver > 0.0);
+}
+
+#[test]
+fn it_does_not_run_as_ma57() {
+    for _ in 0..2 {
+        let named = LinearSystemSolver::Named("ma57");
+        assert_eq!(run(&mut Dense::default()).unwrap().status, SolveStatus::Solved);
+        match solve(&mut Product::default(), &cold(), &Options::default(), named, &mut |_| Control::Continue) {
+            Ok(solution) => assert_eq!((solution.status, &*solution.linear_solver), (SolveStatus::Solved, "ma57")),
+            Err(error) => assert!(error.to_string().contains("hsl"), "{error}"),
+        }
+    }
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 mod support;
 
-use nlp::{Control, Iterate, LinearSystemSolver, Options, SolveError, SolveStatus, Start, check_derivatives, solve};
+use nlp::{
+    Control, Iterate, LinearSystemSolver, Options, SolveError, SolveStatus, Start, check, check_derivatives, solve,
+};
 use support::{Product, cold};
 
 fn run(problem: &mut Product, start: &Start, options: &Options) -> nlp::Solution {
@@ -58,6 +60,10 @@ fn unknown_and_missing_linear_solvers_are_refused() {
         &mut |_| Control::Continue,
     );
     assert!(matches!(refused, Err(SolveError::LinearSolver { .. })));
+    match check(&Options::default(), Some("ma27")) {
+        Ok(()) => eprintln!("the HSL library is installed"),
+        Err(error) => assert!(error.to_string().contains("the HSL library libhsl"), "{error}"),
+    }
 }
 
 #[test]

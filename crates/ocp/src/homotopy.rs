@@ -234,7 +234,7 @@ fn iteration_options(settings: &HomotopySettings, smoothing: Smoothing) -> Optio
     for push in WARM_START_PUSHES {
         options.set(push, 1e-9);
     }
-    if settings.linear_solver == LinearSolver::Stage && nlp::TAKES_OWN_SOLVER {
+    if settings.linear_solver == LinearSolver::Stage && nlp::takes_own_solver() {
         // The stage solver refines its solutions itself where necessary.
         options.set("min_refinement_steps", 0);
     }
@@ -290,7 +290,7 @@ fn attempt_iteration(
     transcription.distances().reset_seconds();
     let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.workers().clone());
     let chosen = match settings.linear_solver {
-        LinearSolver::Stage if nlp::TAKES_OWN_SOLVER => nlp::LinearSystemSolver::Own(&mut stage_solver),
+        LinearSolver::Stage if nlp::takes_own_solver() => nlp::LinearSystemSolver::Own(&mut stage_solver),
         LinearSolver::Stage => nlp::LinearSystemSolver::Named(LinearSolver::Mumps.name()),
         other => nlp::LinearSystemSolver::Named(other.name()),
     };

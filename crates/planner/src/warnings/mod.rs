@@ -5,7 +5,7 @@ mod limits;
 mod region;
 mod smoothing;
 
-use nlp::{IPOPT_VERSION, TAKES_OWN_SOLVER};
+use nlp::{IPOPT_VERSION, takes_own_solver};
 use task::LinearSolver;
 
 use crate::check::overlaps;
@@ -17,9 +17,10 @@ impl Problem {
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = self.scene().warnings.clone();
         warnings.extend(overlaps::warnings(self));
-        if self.homotopy().linear_solver == LinearSolver::Stage && !TAKES_OWN_SOLVER {
+        if self.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {
             warnings.push(format!(
-                "Ipopt {IPOPT_VERSION} cannot run linear_solver = \"stage\"; MUMPS is used, which is slower"
+                "this Ipopt {IPOPT_VERSION} exports no function to register linear_solver = \"stage\"; MUMPS is used, which \
+                 is several times slower. Build with a shared library of Ipopt 3.11 or newer (docs/install.md)"
             ));
         }
         warnings
