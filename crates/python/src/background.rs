@@ -5,10 +5,10 @@ use std::panic::resume_unwind;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::thread::Builder;
+use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
-use planner::{Event, Observer, PlannerError};
+use planner::{Event, Observer, PlannerError, Session};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
@@ -42,9 +42,10 @@ impl Watch {
         self.tell(Message::Warning(warning));
     }
 
-    /// Set once the work is to end.
-    pub fn stopped(&self) -> &AtomicBool {
-        &self.stopped
+    /// What accompanies the work: events come here, an interrupt stops it, and it has as many threads as wanted.
+    pub fn session(&self, jobs: Option<usize>) -> Session<'_> {
+        let session = Session::new(self, &self.stopped);
+        Session { threads: jobs.unwrap_or(session.threads), ..session }
     }
 
     fn tell(&self, message: Message) {
@@ -75,25 +76,22 @@ where
     // The thread owns the only sender: when it has ended, nothing more is to be heard.
     let worker = Builder::new().stack_size(STACK).spawn(move || work(&watch));
     let worker = worker.map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
-    let heard = match listen(py, progress, heard) {
-        Ok(()) => None,
-        Err(raised) => {
-            stopped.store(true, Ordering::Relaxed);
-            Some(raised)
-        }
-    };
-    if let Some(raised) = heard {
-        let since = Instant::now();
-        py.detach(|| {
-            while !worker.is_finished() && since.elapsed() < PATIENCE {
-                std::thread::sleep(TICK);
-            }
-        });
+    if let Err(raised) = listen(py, progress, heard) {
+        stopped.store(true, Ordering::Relaxed);
+        py.detach(|| wait(&worker));
         return Err(raised);
     }
     match py.detach(|| worker.join()) {
         Ok(result) => result.map_err(|error| exception(&error)),
         Err(panic) => resume_unwind(panic),
+    }
+}
+
+/// Waits until interrupted work has ended, but not for ever.
+fn wait<T>(worker: &JoinHandle<T>) {
+    let since = Instant::now();
+    while !worker.is_finished() && since.elapsed() < PATIENCE {
+        std::thread::sleep(TICK);
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use ::scene::{Scene, Source, parse_homotopy};
+use planner::files::PlanFolder;
 use planner::{Choices, GraspErrors, OffsetSource, PlannerError, Problem, RobustnessTarget, SimulationRequest};
 use pyo3::FromPyObject;
 use task::LinearSolver;
@@ -18,7 +19,7 @@ pub struct ChoiceOptions {
     start: Option<String>,
     delta: Option<f64>,
     turn: Option<f64>,
-    homotopy: Option<PathBuf>,
+    pub homotopy: Option<PathBuf>,
     /// As a TOML file would have it, in JSON.
     homotopy_json: Option<String>,
     linear_solver: Option<String>,
@@ -54,9 +55,29 @@ impl ChoiceOptions {
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct SolveOptions {
-    pub out: Option<PathBuf>,
-    pub resume: bool,
+    out: Option<PathBuf>,
+    resume: bool,
     pub jobs: Option<usize>,
+}
+
+impl SolveOptions {
+    /// Claims the folder of the plan, if it has one; `inputs` are files that the user has named.
+    ///
+    /// # Errors
+    /// When it cannot be that of a plan, or nothing can be resumed.
+    pub fn claim(&self, inputs: &[&Path]) -> Result<Option<PlanFolder>, PlannerError> {
+        let Some(out) = &self.out else {
+            return match self.resume {
+                true => Err(wrong("resume", "needs out, the folder of the plan")),
+                false => Ok(None),
+            };
+        };
+        let folder = PlanFolder::claim(out, inputs)?;
+        if !self.resume {
+            folder.discard()?;
+        }
+        Ok(Some(folder))
+    }
 }
 
 /// How a plan is made robust.
@@ -127,13 +148,13 @@ impl PlayOptions {
             (None, Some(divisions), None) => OffsetSource::Grid(divisions),
             (None, None, Some(offsets)) => OffsetSource::Listed(offsets.clone()),
             (None, None, None) => OffsetSource::Planned,
-            _ => return Err(excluded("at most one of random, grid and offsets chooses the offsets")),
+            _ => return Err(wrong("offsets", "at most one of random, grid and offsets chooses them")),
         };
         if self.ball && self.random.is_none() {
-            return Err(excluded("ball needs random, the number of offsets"));
+            return Err(wrong("ball", "needs random, the number of offsets"));
         }
         if self.offsets.is_some() && !self.magnitude.is_empty() {
-            return Err(excluded("magnitude does not scale offsets that are given; leave one of the two out"));
+            return Err(wrong("magnitude", "does not scale offsets that are given; leave one of the two out"));
         }
         let errors = GraspErrors { offsets, magnitudes: self.magnitude.clone(), turn: self.turn, seed: self.seed };
         let request = SimulationRequest {
@@ -147,13 +168,8 @@ impl PlayOptions {
     }
 }
 
-fn excluded(problem: &str) -> PlannerError {
-    PlannerError::Choice { name: "offsets", problem: problem.to_owned() }
-}
-
-/// Number of threads: as many as wanted, else one per processor.
-pub fn threads(jobs: Option<usize>) -> usize {
-    jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into))
+fn wrong(name: &'static str, problem: impl ToString) -> PlannerError {
+    PlannerError::Choice { name, problem: problem.to_string() }
 }
 
 /// The text of a TOML file with the content of a JSON object.
@@ -161,9 +177,8 @@ pub fn threads(jobs: Option<usize>) -> usize {
 /// # Errors
 /// When it is no object, or has a value that TOML does not know.
 pub fn toml_text(json: &str) -> Result<String, PlannerError> {
-    let wrong = |problem: String| PlannerError::Choice { name: "dict", problem };
-    let table: toml::Table = serde_json::from_str(json).map_err(|error| wrong(error.to_string()))?;
-    toml::to_string(&table).map_err(|error| wrong(error.to_string()))
+    let table: toml::Table = serde_json::from_str(json).map_err(|error| wrong("dictionary", error))?;
+    toml::to_string(&table).map_err(|error| wrong("dictionary", error))
 }
 
 fn linear_solver(name: &str) -> Result<LinearSolver, PlannerError> {

@@ -5,14 +5,13 @@ use std::sync::Arc;
 
 use ::scene::{Part, Source};
 use planner::check::{explain, pair_reports, start_inside};
-use planner::files::PlanFolder;
 use planner::{PlannerError, Session, refine};
 use pyo3::prelude::*;
 use serde::Serialize;
 use serde_json::json;
 
 use crate::background::{self, Watch};
-use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, threads, toml_text};
+use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, toml_text};
 use crate::plan::Plan;
 use crate::simulation::{Simulation, play};
 
@@ -115,19 +114,16 @@ fn solve(
     robust: Option<RobustOptions>,
     watch: &Watch,
 ) -> Result<Plan, PlannerError> {
+    let inputs = [Some(read.file.clone()), choices.homotopy.clone()];
     let problem = choices.problem(&read.scene, &read.file)?;
     if let Some(reason) = start_inside(&problem) {
         return Err(PlannerError::file(&read.file, reason));
     }
     let target = robust.map(|robust| robust.target(problem.scene())).transpose()?;
     problem.warnings().into_iter().for_each(|warning| watch.warn(warning));
-    let folder = options.out.as_deref().map(|out| PlanFolder::claim(out, &[&read.file])).transpose()?;
-    if let (Some(folder), false) = (&folder, options.resume) {
-        folder.discard()?;
-    }
+    let folder = options.claim(&inputs.iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>())?;
     let deadline = target.as_ref().and_then(|(_, deadline)| *deadline);
-    let threads = threads(options.jobs);
-    let session = Session { folder: folder.as_ref(), threads, deadline, ..Session::new(watch, watch.stopped()) };
+    let session = Session { folder: folder.as_ref(), deadline, ..watch.session(options.jobs) };
     let mut plan = planner::solve(&problem, &session)?;
     if let Some((target, _)) = &target {
         plan = refine(plan, target, &session)?;

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use ::scene::Scene;
 use planner::files::{RolloutRow, SuccessRow, to_csv, write_rollout_tables};
 use planner::simulate::overlap_warning;
-use planner::{Choices, PlannerError, Problem, Session, SuccessTable, simulate};
+use planner::{Choices, PlannerError, Problem, SuccessTable, simulate};
 use pyo3::prelude::*;
 
 use crate::background::Watch;
 use crate::errors::exception;
-use crate::options::{PlayOptions, threads};
+use crate::options::PlayOptions;
 use crate::plan::PlayedPlan;
 
 /// The rollouts of a plan.
@@ -63,8 +63,7 @@ pub fn play(
     if !plan.result.converged {
         watch.warn(format!("{name}: the plan did not converge"));
     }
-    let session = Session { threads: threads(options.jobs), ..Session::new(watch, watch.stopped()) };
-    let rollouts = simulate(&problem, &plan.motions, &request, &session)?;
+    let rollouts = simulate(&problem, &plan.motions, &request, &watch.session(options.jobs))?;
     overlap_warning(&rollouts).into_iter().for_each(|warning| watch.warn(warning));
     let table = SuccessTable::new(&rollouts);
     Ok(Simulation {

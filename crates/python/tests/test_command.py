@@ -33,7 +33,7 @@ def test_a_batch_starts_its_cells(tmp_path: Path) -> None:
     run = command("batch", tmp_path / "corner.toml", "--starts", "1,2", "--out", tmp_path / "runs", "--jobs", "2")
     assert run.returncode == 0, run.stderr
     assert len(list((tmp_path / "runs").rglob("result.json"))) == 2
-    assert command("batch", "submit", tmp_path / "runs").returncode == 0
+    assert command("batch", "submit", "--slurm", tmp_path / "runs").returncode == 0
     script = (tmp_path / "runs" / "submit.sh").read_text()
     assert f"exec '{sys.executable}' '-P' '-m' 'assembly_plan' batch run" in script
 
