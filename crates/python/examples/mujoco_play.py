@@ -14,7 +14,7 @@ import assembly_plan
 import mujoco
 import mujoco.viewer
 import numpy as np
-from assembly_plan.plan import FloatArray
+from assembly_plan import FloatArray
 
 TIME_STEP = 0.001
 # The reference is held at its end before the outcome is measured (s).

@@ -33,7 +33,7 @@ def main() -> None:
 
 def success_matrix(
     scene: assembly_plan.Scene, deltas: list[float], count: int, friction: float
-) -> assembly_plan.plan.FloatArray:
+) -> assembly_plan.FloatArray:
     """Return success rates: a row for each planned magnitude, a column for each played one."""
     rates = np.zeros((len(deltas), len(deltas)))
     for row, delta in enumerate(deltas):
@@ -46,7 +46,7 @@ def success_matrix(
     return rates
 
 
-def draw(rates: assembly_plan.plan.FloatArray, deltas: list[float], title: str, file: Path) -> None:
+def draw(rates: assembly_plan.FloatArray, deltas: list[float], title: str, file: Path) -> None:
     """Draw the matrix with its numbers."""
     figure, axes = plt.subplots(layout="constrained")
     image = axes.imshow(100 * rates, vmin=0, vmax=100, cmap="viridis", origin="lower")

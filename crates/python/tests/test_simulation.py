@@ -65,7 +65,9 @@ def test_a_plan_of_another_scene_is_refused(plan: Plan, tmp_path: Path) -> None:
     with pytest.raises(SceneError, match="plan: it was made for another scene"):
         Scene.load(PEG).simulate(plan, position_tolerance=0.01)
     plan.save(tmp_path / "plan")
-    with pytest.raises(SceneError, match="the plan was made for another scene: part `box` of its body is not part `shaft`"):
+    with pytest.raises(
+        SceneError, match="the plan was made for another scene: part `box` of its body is not part `shaft`"
+    ):
         Scene.load(PEG).simulate(Plan.load(tmp_path / "plan"))
 
 

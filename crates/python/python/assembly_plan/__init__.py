@@ -19,11 +19,12 @@ Long work leaves the interpreter to other threads, and Ctrl-C ends it.
 
 from assembly_plan import events
 from assembly_plan.errors import NoPlanError, PlannerError, SceneError, SceneWarning
-from assembly_plan.plan import Motion, Plan
+from assembly_plan.plan import FloatArray, Motion, Plan
 from assembly_plan.scene import Part, Scene
 from assembly_plan.simulation import Simulation
 
 __all__ = [
+    "FloatArray",
     "Motion",
     "NoPlanError",
     "Part",

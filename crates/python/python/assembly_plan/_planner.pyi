@@ -2,55 +2,11 @@
 
 import os
 from collections.abc import Callable
-from typing import TypedDict, final
+from typing import final
 
-class ChoiceOptions(TypedDict):
-    start: str | None
-    delta: float | None
-    turn: float | None
-    homotopy: str | os.PathLike[str] | None
-    homotopy_json: str | None
-    linear_solver: str | None
-    position_tolerance: float | None
-    angle_tolerance: float | None
+from assembly_plan._types import ChoiceOptions, MotionData, PlayOptions, RobustOptions, SolveOptions
 
-class SolveOptions(TypedDict):
-    out: str | os.PathLike[str] | None
-    resume: bool
-    jobs: int | None
-
-class RobustOptions(TypedDict):
-    wanted_rate: float
-    time_limit: float
-    patience: int
-    friction: list[float] | None
-
-class PlayOptions(TypedDict):
-    random: int | None
-    ball: bool
-    seed: int
-    grid: int | None
-    offsets: list[list[float]] | None
-    turn: float
-    magnitude: list[float]
-    friction: list[float]
-    settling_time: float
-    time_step: float
-    stages: bool
-    position_tolerance: float | None
-    angle_tolerance: float | None
-    jobs: int | None
-
-class MotionData(TypedDict):
-    time_step: float
-    steps: int
-    scenarios: int
-    pairs: list[str]
-    reference: bytes
-    states: bytes
-    wrenches: bytes
-    distances: bytes
-    forces: bytes
+__all__ = ["Plan", "Scene", "Simulation", "run_command"]
 
 @final
 class Scene:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assembly_plan import _planner
+from assembly_plan._types import MotionData
 
 FloatArray: TypeAlias = NDArray[np.float64]
 """An array of floats."""
@@ -58,7 +59,7 @@ class Motion:
         return f"<{type(self).__name__}: {knots - 1} steps of {self.time_step:g} s, {scenarios} scenarios>"
 
 
-def _arrays(native: _planner.MotionData) -> dict[str, Any]:
+def _arrays(native: MotionData) -> dict[str, Any]:
     """The fields of a motion."""
     steps, scenarios, pairs = native["steps"], native["scenarios"], tuple(native["pairs"])
 

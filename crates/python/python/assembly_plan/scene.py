@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assembly_plan import _planner
+from assembly_plan._types import ChoiceOptions, PlayOptions, RobustOptions, SolveOptions
 from assembly_plan.errors import SceneError
 from assembly_plan.events import Progress, _listener
 from assembly_plan.plan import FloatArray, Plan
@@ -179,7 +180,7 @@ class Scene:
             position_tolerance=position_tolerance,
             angle_tolerance=angle_tolerance,
         )
-        options: _planner.SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
+        options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
         return Plan(self._native.solve(choices, options, None, _listener(progress)))
 
     def solve_robust(
@@ -223,8 +224,8 @@ class Scene:
             angle_tolerance=angle_tolerance,
             turn=turn,
         )
-        options: _planner.SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
-        robust: _planner.RobustOptions = {
+        options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
+        robust: RobustOptions = {
             "wanted_rate": wanted_rate,
             "time_limit": time_limit,
             "patience": patience,
@@ -267,7 +268,7 @@ class Scene:
         - `settling_time`: how long the end of the reference is held before a rollout is judged (s).
         - `time_step`: time step of the simulation (s).
         """
-        options: _planner.PlayOptions = {
+        options: PlayOptions = {
             "random": random,
             "ball": ball,
             "seed": seed,
@@ -298,7 +299,7 @@ def _choices(
     position_tolerance: float | None = None,
     angle_tolerance: float | None = None,
     turn: float | None = None,
-) -> _planner.ChoiceOptions:
+) -> ChoiceOptions:
     """What is chosen of a scene, as the native module takes it."""
     file, content = (homotopy, None) if isinstance(homotopy, str | os.PathLike) else (None, homotopy)
     return {
