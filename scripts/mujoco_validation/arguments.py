@@ -34,7 +34,7 @@ def parse_arguments() -> argparse.Namespace:
     )
     add = parser.add_argument
     add("folders", nargs="*", type=pathlib.Path, metavar="SCENE_OUT_DIR", help="folders that `solve` wrote")
-    add("--friction", default="0,0.1", metavar="LIST", help="Coulomb friction coefficients [default: %(default)s]")
+    add("--friction", default="0,0.1,0.3", metavar="LIST", help="Coulomb friction coefficients [default: %(default)s]")
     add(
         "--magnitudes",
         default="0,0.25,0.5,0.75,-1mm",

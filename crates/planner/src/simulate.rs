@@ -4,6 +4,7 @@ use std::fmt;
 
 use simulation::{Outcome, Reference, Settings, offsets};
 use task::GraspError;
+use workers::Workers;
 
 use crate::error::PlannerError;
 use crate::problem::Problem;
@@ -176,7 +177,7 @@ pub fn simulate(
     for (_, reference) in motions.iter().chain([&push]) {
         request.frictions.iter().try_for_each(|&friction| request.settings(friction).validate_for(reference))?;
     }
-    let success = problem.success();
+    let (success, workers) = (problem.success(), Workers::new(session.threads));
     let mut played = Vec::with_capacity(count);
     for &friction in &request.frictions {
         let rollout = problem.rollout_in(&world, request.settings(friction))?;
@@ -186,7 +187,7 @@ pub fn simulate(
                     if session.is_interrupted() {
                         return Ok(played);
                     }
-                    let outcomes = rollout.simulate(reference, errors, session.threads);
+                    let outcomes = rollout.simulate(reference, errors, &workers);
                     played.extend(errors.iter().zip(outcomes).map(|(&grasp, outcome)| PlayedRollout {
                         motion: *motion,
                         friction,

@@ -40,7 +40,7 @@ pub struct Borne {
 
 impl Default for Borne {
     fn default() -> Self {
-        Self { frictions: vec![0.0, 0.1], turn: 0.0, inertia_error: 0.0, stiffness_error: 0.0, delay: 0.0 }
+        Self { frictions: vec![0.0, 0.1, 0.3], turn: 0.0, inertia_error: 0.0, stiffness_error: 0.0, delay: 0.0 }
     }
 }
 

@@ -15,6 +15,7 @@ use robot::Arm;
 use scene::Scene;
 use simulation::{ArmModel, Bump, Reference, Rollout, Settings, Success, offsets};
 use task::{AssemblyTask, ContactPair};
+use workers::Workers;
 
 const SIDES: usize = 24;
 /// Number of rollouts of one measurement.
@@ -76,7 +77,7 @@ fn rollouts(criterion: &mut Criterion) {
             for friction in [0.0, 0.1] {
                 let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
                 group.bench_function(format!("{name}, {motion}, friction {friction}"), |bencher| {
-                    bencher.iter(|| rollout.simulate(black_box(&reference), &offsets, 1));
+                    bencher.iter(|| rollout.simulate(black_box(&reference), &offsets, &Workers::default()));
                 });
             }
         }
@@ -105,7 +106,7 @@ fn rollouts_of_an_arm(criterion: &mut Criterion) {
             let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
             let rollout = rollout.with_arm(&arm(joint_friction)).expect("the arm reaches the peg");
             group.bench_function(format!("friction {friction}, joint friction {joint_friction} Nm"), |bencher| {
-                bencher.iter(|| rollout.simulate(black_box(&reference), &offsets, 1));
+                bencher.iter(|| rollout.simulate(black_box(&reference), &offsets, &Workers::default()));
             });
         }
     }

@@ -99,12 +99,12 @@ impl<'arm> ArmStepper<'arm> {
         // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.
         let norm = free.dot(&(posture.mass * free)).max(0.0).sqrt();
         let reach = self.time_step * posture.metric.fastest(norm, finder.radius());
-        let mut pose = posture.pose;
-        let overlap = self.solver.correct(&posture.metric, &mut pose, finder, reach);
+        body.pose = posture.pose;
+        let overlap = self.solver.correct(&posture.metric, &mut body.pose, finder, reach);
         if overlap > 0.0 {
-            self.configuration += posture.correction(&pose);
+            self.configuration += posture.correction(&body.pose);
         }
-        self.resolve(&free, &pose, &finder.contacts);
+        self.resolve(&free, body, &finder.contacts);
         for (pair, impulse) in self.solver.impulses() {
             impulses[pair] += impulse;
         }
@@ -124,14 +124,14 @@ impl<'arm> ArmStepper<'arm> {
         overlap
     }
 
-    /// Joint speeds after the step from those without contacts and joint friction.
-    fn resolve(&mut self, free: &JointVector, pose: &Isometry3<f64>, contacts: &[Contact]) {
+    /// Joint speeds after the step of the body from those without contacts and joint friction.
+    fn resolve(&mut self, free: &JointVector, body: &Body, contacts: &[Contact]) {
         let Self { posture, solver, friction, .. } = self;
         for round in 1..=ROUNDS {
             let without = free + posture.mobility * friction.impulses();
             let scaled = posture.scaled(&without);
             if round == 1 {
-                solver.set(&posture.metric, pose, self.time_step, &scaled, contacts);
+                solver.set(&posture.metric, body, self.time_step, &scaled, contacts);
             }
             let resolved = solver.resolve(&scaled);
             self.velocity = without;

@@ -3,6 +3,7 @@
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 
 use crate::contact::{Contact, ContactFinder};
+use crate::dynamics::Body;
 use crate::least_distance::{Cone, LeastDistance, Vector6};
 use crate::metric::Metric;
 
@@ -15,6 +16,10 @@ pub struct ContactSolver {
     cones: Vec<Cone>,
     /// Pair of every cone.
     pairs: Vec<usize>,
+    /// The velocity (m/s) with which every gap closes within the step, negative.
+    closing: Vec<f64>,
+    /// The slowest velocity (m/s) that leaves an overlap.
+    overlapping: f64,
 }
 
 /// Smaller overlaps (m), as integration leaves them, are not corrected.
@@ -25,7 +30,14 @@ const CORRECTIONS: usize = 8;
 impl ContactSolver {
     /// For a friction coefficient.
     pub fn new(friction: f64) -> Self {
-        Self { friction, solver: LeastDistance::default(), cones: Vec::new(), pairs: Vec::new() }
+        Self {
+            friction,
+            solver: LeastDistance::default(),
+            cones: Vec::new(),
+            pairs: Vec::new(),
+            closing: Vec::new(),
+            overlapping: 0.0,
+        }
     }
 
     /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by
@@ -58,39 +70,58 @@ impl ContactSolver {
 
     /// Takes over the contacts of a step of `time_step` seconds: a velocity is allowed if `gap + time_step normal' v >=
     /// 0` at every contact. With friction it is Anitescu's convex problem: a contact force lies in a polyhedral friction
-    /// cone, which is built around the direction in which the `free` velocity slides, and `v` is reduced by the speed of
-    /// sliding times the coefficient.
-    pub fn set(
-        &mut self,
-        metric: &Metric,
-        pose: &Isometry3<f64>,
-        time_step: f64,
-        free: &Vector6,
-        contacts: &[Contact],
-    ) {
+    /// cone, which is built around the direction in which the `free` velocity slides, and `v` is reduced by the
+    /// coefficient times what the speed of sliding grows by from that of the velocities `before` the step. Reduced by
+    /// the whole speed, as in Anitescu's problem, a body that slides would hover.
+    pub fn set(&mut self, metric: &Metric, body: &Body, time_step: f64, free: &Vector6, contacts: &[Contact]) {
+        let pose = &body.pose;
         self.cones.clear();
         self.pairs.clear();
+        self.closing.clear();
+        self.overlapping = OVERLAP / time_step;
         if contacts.is_empty() {
             return;
         }
         let placed = metric.placed(pose);
         let (velocity, angular_velocity) = metric.unscale(free);
         let angular_velocity = pose.rotation * angular_velocity;
+        let turning = pose.rotation * body.angular_velocity;
         for Contact { pair, point, normal, gap } in contacts {
+            let closing = -gap.max(0.0) / time_step;
+            let mut bound = closing;
             let tangents = (self.friction > 0.0).then(|| {
-                let sliding = velocity + angular_velocity.cross(&(point - pose.translation.vector));
+                let lever = point - pose.translation.vector;
+                let before = body.velocity + turning.cross(&lever);
+                bound -= self.friction * (before - normal * normal.dot(&before)).norm();
+                let sliding = velocity + angular_velocity.cross(&lever);
                 tangents(normal, &sliding).map(|tangent| placed.along(point, &tangent) * self.friction)
             });
-            let bound = -gap.max(0.0) / time_step;
             self.cones.push(Cone { normal: placed.along(point, normal), tangents, bound });
             self.pairs.push(*pair);
+            self.closing.push(closing);
         }
     }
 
     /// Eq. ts3 for all contacts at once: of all velocities that are allowed, the one nearest to the free velocity in
     /// kinetic energy.
     pub fn resolve(&mut self, free: &Vector6) -> Vector6 {
-        self.solver.solve(free, &self.cones)
+        let velocity = self.solver.solve(free, &self.cones);
+        if self.friction > 0.0 && self.slow_down(&velocity) { self.solver.solve(free, &self.cones) } else { velocity }
+    }
+
+    /// Where sliding becomes so much slower that the parts would overlap, as at impacts, takes the speed after the step
+    /// for the one before. Returns whether there is such a contact.
+    fn slow_down(&mut self, velocity: &Vector6) -> bool {
+        let mut some = false;
+        for (cone, &closing) in self.cones.iter_mut().zip(&self.closing) {
+            let Some(tangents) = &cone.tangents else { continue };
+            if cone.normal.dot(velocity) < closing - self.overlapping {
+                let [first, second] = tangents.map(|tangent| tangent.dot(velocity));
+                cone.bound = cone.bound.max(closing - first.hypot(second));
+                some = true;
+            }
+        }
+        some
     }
 
     /// Pair and normal impulse (Ns) of the contacts that push, when the velocity was last resolved.

@@ -72,8 +72,6 @@ struct Length {
 
 /// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
 const STEADY: f64 = 1.0;
-/// A body that touches with friction and moves by more than this part of the largest change of velocity slides.
-const REST: f64 = 0.1;
 /// A longer step leaves no larger overlap (m).
 const LARGEST_OVERLAP: f64 = 1e-6;
 /// The longest step takes the place of at most two to this power.
@@ -181,17 +179,12 @@ impl Stepper {
             finder.find(&body.pose, reach);
         }
         let metric = &self.lengths[length].metric;
-        self.solver.set(metric, &body.pose, time_step, &free, &finder.contacts);
+        self.solver.set(metric, body, time_step, &free, &finder.contacts);
         (body.velocity, body.angular_velocity) = metric.unscale(&self.solver.resolve(&free));
         let mean = |from: &Vector3<f64>, to: &Vector3<f64>| from.lerp(to, weight) * time_step;
         let shift = mean(&before.velocity, &body.velocity);
         body.pose = moved(&start, &shift, &mean(&before.angular_velocity, &body.angular_velocity));
         let mut change = speed(&(body.velocity - before.velocity), &(body.angular_velocity - before.angular_velocity));
-        // A body that slides with friction hovers, the higher the longer the step.
-        let touches_with_friction = self.solver.friction > 0.0 && self.solver.pushes();
-        if touches_with_friction && speed(&body.velocity, &body.angular_velocity) > REST * self.largest_change() {
-            change = f64::INFINITY;
-        }
         let is_long = length > 0 && change <= self.largest_change();
         if is_long && -finder.find(&body.pose, reach) > LARGEST_OVERLAP {
             change = f64::INFINITY;

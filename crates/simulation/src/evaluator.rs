@@ -1,11 +1,11 @@
 //! Evaluation of references by rollouts.
 
 use task::{AssemblyTask, GraspError, Limits};
+use workers::Workers;
 
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
-use crate::parallel::in_parallel;
 use crate::reference::Reference;
 use crate::rollout::Rollout;
 use crate::settings::Settings;
@@ -46,6 +46,7 @@ pub struct Evaluator {
     success: Success,
     limits: Limits,
     bounds: Bounds,
+    workers: Workers,
 }
 
 /// Steps of an arm's rollouts (s). They halve the time; of 720 rollouts of `peg1` with a UR5e, 4 end otherwise than with
@@ -60,12 +61,18 @@ impl Evaluator {
     pub fn new(task: &AssemblyTask, frictions: &[f64], success: Success) -> Self {
         let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
         let bounds = Bounds::new(task.limits);
-        Self { rollouts: frictions.iter().map(rollout).collect(), success, limits: task.limits, bounds }
+        let rollouts = frictions.iter().map(rollout).collect();
+        Self { rollouts, success, limits: task.limits, bounds, workers: Workers::default() }
     }
 
     /// With references that stay near some others: [`Bounds::near`].
     pub fn near(self, references: &[&Reference], margin: f64, haste: f64) -> Self {
         Self { bounds: self.bounds.near(references, margin, haste), ..self }
+    }
+
+    /// With threads that share the trials, which change nothing but the time it takes. By default it is one.
+    pub fn with_workers(self, workers: Workers) -> Self {
+        Self { workers, ..self }
     }
 
     /// With an arm that holds the body. Steps are longer then: 2 ms, or a control period if that is shorter.
@@ -107,7 +114,7 @@ impl Evaluator {
         TrialResult { passed: false, miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS } }
     }
 
-    /// Simulates all trials on `jobs` threads; results are in the order of the trials. `None` when `stop` returned true
+    /// Simulates all trials; results are in the order of the trials. `None` when `stop` returned true
     /// before the last trial began.
     ///
     /// # Panics
@@ -116,10 +123,9 @@ impl Evaluator {
         &self,
         reference: &Reference,
         trials: &[Trial],
-        jobs: usize,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Option<Vec<TrialResult>> {
-        let evaluate = |index: usize| (!stop()).then(|| self.evaluate(reference, &trials[index]));
-        in_parallel(trials.len(), jobs, evaluate).into_iter().collect()
+        let evaluate = |trial: &Trial| (!stop()).then(|| self.evaluate(reference, trial));
+        self.workers.map(trials.iter(), evaluate).into_iter().collect()
     }
 }

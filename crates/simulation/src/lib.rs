@@ -7,6 +7,7 @@
 //!
 //! ```
 //! use simulation::{Reference, Rollout, Settings, SettingsError, Success, offsets};
+//! use workers::Workers;
 //!
 //! /// Number of successes in 100 rollouts with random offsets.
 //! fn successes(task: &task::AssemblyTask, plan: &task::Trajectory) -> Result<usize, SettingsError> {
@@ -14,7 +15,7 @@
 //!     let settings = Settings { friction: 0.1, ..Settings::default() };
 //!     settings.validate_for(&reference)?;
 //!     let rollout = Rollout::new(task, settings);
-//!     let outcomes = rollout.simulate(&reference, &offsets::hull(&task.offsets(), 100, 1), 2);
+//!     let outcomes = rollout.simulate(&reference, &offsets::hull(&task.offsets(), 100, 1), &Workers::new(2));
 //!     Ok(outcomes.iter().filter(|outcome| outcome.reaches_goal(&Success::default())).count())
 //! }
 //! ```
@@ -77,7 +78,6 @@ mod loads;
 mod metric;
 mod motion;
 pub mod offsets;
-mod parallel;
 mod patch;
 mod reference;
 mod refinement;

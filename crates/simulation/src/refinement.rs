@@ -82,13 +82,13 @@ impl<'evaluator> Refinement<'evaluator> {
         self.score().0 as f64 / self.trials.len().max(1) as f64
     }
 
-    /// Tries a random change on `jobs` threads, keeps it if it improves the [`score`](Self::score), and returns whether
+    /// Tries a random change, keeps it if it improves the [`score`](Self::score), and returns whether
     /// it does. Failing trials are simulated first, then the passing ones, each in random order, and no further than it
     /// takes to see that the change is no improvement. A change that leaves the bounds is dropped, and so is the current
     /// one when `stop` returns true.
-    pub fn improve(&mut self, jobs: usize, stop: &(dyn Fn() -> bool + Sync)) -> bool {
+    pub fn improve(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         let Some((change, reference)) = self.propose() else { return false };
-        let is_better = self.attempt(reference, jobs, stop);
+        let is_better = self.attempt(reference, stop);
         if is_better {
             self.helped.push(change);
             self.helped.drain(..self.helped.len().saturating_sub(REMEMBERED));
@@ -122,7 +122,7 @@ impl<'evaluator> Refinement<'evaluator> {
     }
 
     /// Takes over a reference if it is better than the best so far.
-    fn attempt(&mut self, reference: Reference, jobs: usize, stop: &(dyn Fn() -> bool + Sync)) -> bool {
+    fn attempt(&mut self, reference: Reference, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         let mut results = self.results.clone();
         let (failing, passing) = self.shuffled();
         // Change of the sum of misses, and of the number of failing trials.
@@ -133,7 +133,7 @@ impl<'evaluator> Refinement<'evaluator> {
         let failing_batches = 1 + rest.len().div_ceil(BATCH);
         for (batches_done, batch) in (1..).zip(batches) {
             let trials: Vec<Trial> = batch.iter().map(|&index| self.trials[index]).collect();
-            let Some(new) = self.evaluator.evaluate_all(&reference, &trials, jobs, stop) else { return false };
+            let Some(new) = self.evaluator.evaluate_all(&reference, &trials, stop) else { return false };
             self.rollouts += trials.len();
             for (&index, new) in batch.iter().zip(new) {
                 let old = std::mem::replace(&mut results[index], new);

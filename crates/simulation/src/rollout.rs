@@ -3,6 +3,7 @@
 use nalgebra::{Isometry3, Vector3};
 use robot::JointVector;
 use task::AssemblyTask;
+use workers::Workers;
 
 use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
@@ -10,7 +11,6 @@ use crate::contact::{ContactFinder, Shapes};
 use crate::disturbance::Injection;
 use crate::dynamics::{Body, Stepper};
 use crate::loads::{LoadMeter, Loads};
-use crate::parallel::in_parallel;
 use crate::reference::{Knot, Reference, coordinates, isometry};
 use crate::settings::Settings;
 use crate::success::Success;
@@ -119,15 +119,15 @@ impl Rollout {
         Ok(self)
     }
 
-    /// One rollout of a reference per injection, grasp error or offset (m, body frame), on `jobs` threads. Outcomes are in
+    /// One rollout of a reference per injection, grasp error or offset (m, body frame). Outcomes are in
     /// the order of these and do not depend on the number of threads.
     pub fn simulate<G: Copy + Into<Injection> + Sync>(
         &self,
         reference: &Reference,
         injections: &[G],
-        jobs: usize,
+        workers: &Workers,
     ) -> Vec<Outcome> {
-        in_parallel(injections.len(), jobs, |index| self.play(reference, injections[index], |_, _| {}))
+        workers.map(injections.iter(), |&injection| self.play(reference, injection, |_, _| {}))
     }
 
     /// One rollout of a reference with an injection, grasp error or offset (m, body frame). The body starts at rest where it really

@@ -12,9 +12,8 @@ pub struct Settings {
     /// Where the velocity changes little, up to 64 of them are taken as one, by the midpoint rule.
     pub time_step: f64,
     /// Coulomb's coefficient, 0 to 10; 0 is the frictionless contact of the paper. Friction is Anitescu's convex
-    /// approximation (Optimization-based simulation of nonsmooth rigid multibody dynamics, 2006): sticking and the
-    /// force of sliding are Coulomb's, but a body that slides at a speed `v` hovers `friction v time_step` above the
-    /// surface.
+    /// approximation (Optimization-based simulation of nonsmooth rigid multibody dynamics, 2006), without the gap on which
+    /// bodies slide there: sticking, sliding and their forces are Coulomb's.
     pub friction: f64,
     /// How long the last reference pose is held (s), 0 to 600, rounded up to whole intervals between knots.
     pub settling_time: f64,

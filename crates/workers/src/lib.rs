@@ -1,4 +1,4 @@
-//! Threads that share the short pieces of work of one computation. They stay from call to call, because a solve calls
+//! Threads that share the pieces of work of one computation. They stay from call to call, because a solve calls
 //! thousands of times for work of a fraction of a millisecond.
 //!
 //! Results arrive in the order of the pieces, in the thread that wants them. Who computes a piece, and when, is left to
@@ -36,6 +36,19 @@ impl Workers {
     /// Does all pieces of work.
     pub fn each<T: Send>(&self, pieces: impl Iterator<Item = T>, work: impl Fn(T) + Sync) {
         self.in_order(pieces, work, |()| ControlFlow::Continue(()));
+    }
+
+    /// Results of all pieces of work, in the order of the pieces.
+    ///
+    /// # Panics
+    /// When `work` panics.
+    pub fn map<T: Send, R: Send>(&self, pieces: impl Iterator<Item = T>, work: impl Fn(T) -> R + Sync) -> Vec<R> {
+        let mut results = Vec::with_capacity(pieces.size_hint().0);
+        self.in_order(pieces, work, |result| {
+            results.push(result);
+            ControlFlow::Continue(())
+        });
+        results
     }
 
     /// Does all pieces of work and passes their results to `take`, one after the other in the order of the pieces, in
@@ -147,16 +160,8 @@ mod tests {
             let workers = Workers::new(threads);
             assert_eq!(workers.threads(), threads.max(1));
             for count in [0, 1, 2, 1000] {
-                let mut taken = Vec::new();
-                workers.in_order(
-                    0..count,
-                    |index| 2 * index,
-                    |result| {
-                        taken.push(result);
-                        ControlFlow::Continue(())
-                    },
-                );
-                assert!(taken.into_iter().eq((0..count).map(|index| 2 * index)), "{threads} threads, {count} pieces");
+                let results = workers.map(0..count, |index| 2 * index);
+                assert!(results.into_iter().eq((0..count).map(|index| 2 * index)), "{threads} threads, {count} pieces");
             }
         }
     }

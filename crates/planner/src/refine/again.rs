@@ -56,7 +56,7 @@ impl Refiner<'_> {
         until: Deadline,
     ) -> Result<(), PlannerError> {
         let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(&reference, &self.training, self.session.threads, &stop);
+        let results = self.evaluator.evaluate_all(&reference, &self.training, &stop);
         let Some(results) = results else { return Ok(()) };
         let round = Round { rollouts: results.len(), ..Round::new(&variant, &iterations, chosen, &results) };
         self.seed = SEED + SEED_STRIDE * self.evaluations;

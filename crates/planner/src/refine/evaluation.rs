@@ -135,7 +135,6 @@ impl Evaluation {
         evaluator: &Evaluator,
         reference: &Reference,
         wanted: f64,
-        threads: usize,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Judgement {
         let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
@@ -145,7 +144,7 @@ impl Evaluation {
             if is_lost {
                 break;
             }
-            let Some(results) = evaluator.evaluate_all(reference, batch, threads, stop) else { break };
+            let Some(results) = evaluator.evaluate_all(reference, batch, stop) else { break };
             for (trial, result) in batch.iter().zip(results) {
                 let group = &mut groups[self.group[played]];
                 group.rollouts += 1;

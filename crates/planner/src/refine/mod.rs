@@ -24,6 +24,7 @@ mod variants;
 use std::time::{Duration, Instant};
 
 use simulation::{Evaluator, Reference, Refinement, Settings, Trial};
+use workers::Workers;
 
 use crate::error::PlannerError;
 use crate::explain::loss;
@@ -77,7 +78,8 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
         return Ok(plan);
     }
     let mut world = plan.problem.world();
-    let evaluator = near(plan.problem.evaluator(&target.frictions)?, &plan.problem, &plan.reference());
+    let evaluator = plan.problem.evaluator(&target.frictions)?.with_workers(Workers::new(session.threads));
+    let evaluator = near(evaluator, &plan.problem, &plan.reference());
     let (problem, attempts, threads) = (plan.problem.clone(), plan.attempts.clone(), plan.threads);
     let mut refiner = Refiner::new(&problem, target, &evaluator, session);
     let best = refiner.run(plan)?;
@@ -107,7 +109,8 @@ pub fn refine_reference(
     target.validate()?;
     require_threads(session.threads)?;
     let session = Session { folder: None, ..*session };
-    let evaluator = near(problem.evaluator(&target.frictions)?, problem, &reference);
+    let evaluator = problem.evaluator(&target.frictions)?.with_workers(Workers::new(session.threads));
+    let evaluator = near(evaluator, problem, &reference);
     let mut refiner = Refiner::new(problem, target, &evaluator, &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
     refiner.judge_first(variant, Vec::new(), 0, reference)?;
@@ -251,7 +254,7 @@ impl<'run> Refiner<'run> {
         let references: Vec<Reference> =
             fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
         let stop = || self.clock.is_over(until);
-        let best = race::race(self.evaluator, &references, &self.training, self.session.threads, &stop)?;
+        let best = race::race(self.evaluator, &references, &self.training, &stop)?;
         let mut round = Round::new(&variant, &iterations, fine[best.index] + 1, &best.results);
         round.rollouts = best.rollouts;
         let reference = references[best.index].clone();
@@ -270,7 +273,7 @@ impl<'run> Refiner<'run> {
         // What failed elsewhere since it became a candidate.
         let new = self.training[refinement.trials().len()..].to_vec();
         let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(refinement.reference(), &new, self.session.threads, &stop);
+        let results = self.evaluator.evaluate_all(refinement.reference(), &new, &stop);
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
             let passes = self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
@@ -317,7 +320,7 @@ impl<'run> Refiner<'run> {
         let (mut vain, mut last) = (0, refinement.score());
         let stop = || self.clock.is_over(until);
         while refinement.score().0 > 0 && vain < self.target.patience && !stop() {
-            *changes += usize::from(refinement.improve(self.session.threads, &stop));
+            *changes += usize::from(refinement.improve(&stop));
             let (failing, miss) = refinement.score();
             if failing < last.0 || miss < CREEPING * last.1 {
                 (vain, last) = (0, (failing, miss));
@@ -336,7 +339,7 @@ impl<'run> Refiner<'run> {
         let tolerance = ErrorRange::new(self.problem, self.target);
         let evaluation = Evaluation::new(self.problem.task(), &tolerance, &self.target.frictions, EVALUATION, seed);
         let stop = || self.clock.is_over(until);
-        evaluation.judge(self.evaluator, reference, self.target.wanted_rate, self.session.threads, &stop)
+        evaluation.judge(self.evaluator, reference, self.target.wanted_rate, &stop)
     }
 
     /// Keeps a plan in memory and in the session's folder if it is better than the best so far.

@@ -22,7 +22,6 @@ pub fn race(
     evaluator: &Evaluator,
     references: &[Reference],
     trials: &[Trial],
-    threads: usize,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Winner> {
     let mut running: Vec<(usize, Vec<TrialResult>)> = (0..references.len()).map(|index| (index, Vec::new())).collect();
@@ -30,7 +29,7 @@ pub fn race(
     while running.len() > 1 || played < trials.len() {
         let wanted = if running.len() > 1 { (2 * played).max(FIRST).min(trials.len()) } else { trials.len() };
         for (index, results) in &mut running {
-            results.extend(evaluator.evaluate_all(&references[*index], &trials[played..wanted], threads, stop)?);
+            results.extend(evaluator.evaluate_all(&references[*index], &trials[played..wanted], stop)?);
             rollouts += wanted - played;
         }
         played = wanted;
@@ -62,14 +61,14 @@ mod tests {
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
         let trials = [Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() }; 30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
-        let winner = race(&evaluator, &references, &trials, 2, &|| false).unwrap();
+        let winner = race(&evaluator, &references, &trials, &|| false).unwrap();
         assert_eq!((winner.index, winner.results.len()), (1, trials.len()));
         assert!(winner.results.iter().all(|result| result.passed));
         // Six trials of all four, six more of two, then the others of one.
         assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
         let equals = [push.clone(), push];
-        assert_eq!(race(&evaluator, &equals, &trials, 1, &|| false).unwrap().index, 1, "of equals the later");
-        assert!(race(&evaluator, &references, &trials, 1, &|| true).is_none(), "no time");
-        assert!(race(&evaluator, &[], &trials, 1, &|| false).is_none(), "no references");
+        assert_eq!(race(&evaluator, &equals, &trials, &|| false).unwrap().index, 1, "of equals the later");
+        assert!(race(&evaluator, &references, &trials, &|| true).is_none(), "no time");
+        assert!(race(&evaluator, &[], &trials, &|| false).is_none(), "no references");
     }
 }

@@ -94,7 +94,7 @@ pub const KEYS: &[Key] = &[
     key("robustness", "offset_directions", Directions(1..=1000), "", Means("three across the way from the first start to the goal"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
     key("robustness", "turn", Number(Range::closed(0.0, 1.57)), "rad", Default(0.0), "how far the body may also be turned in the gripper, about any axis; `--robust` bears it"),
     key("robustness", "turn_axes", Directions(1..=1000), "", Means("no turn"), "one for each of `offset_directions`: the axis (body frame) about which the body of the same planned motion is turned by `turn`; `[0, 0, 0]` is no turn"),
-    key("robustness", "friction", Numbers(Range::closed(0.0, 10.0), 1..=20), "", Means("`[0, 0.1]`"), "Coulomb coefficients of contacts that `--robust` bears"),
+    key("robustness", "friction", Numbers(Range::closed(0.0, 10.0), 1..=20), "", Means("`[0, 0.1, 0.3]`"), "Coulomb coefficients of contacts that `--robust` bears"),
     key("robustness", "inertia_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the inertia that `--robust` bears"),
     key("robustness", "stiffness_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the stiffness that `--robust` bears"),
     key("robustness", "delay", Number(Range::closed(0.0, 0.1)), "s", Default(0.0), "delay of an arm's controller that `--robust` bears"),

@@ -84,8 +84,8 @@ fn a_reference_of_one_knot_can_be_simulated_and_refined() {
     assert_eq!(reference.at(usize::MAX, 0.5), reference.at(0, 0.0));
     let evaluator = Evaluator::new(&world(), &[0.0], Success::default());
     let trials = vec![Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() }];
-    let results = evaluator.evaluate_all(&reference, &trials, usize::MAX, &|| false).unwrap();
+    let results = evaluator.evaluate_all(&reference, &trials, &|| false).unwrap();
     let mut refinement = Refinement::new(&evaluator, reference, trials, results, 1);
-    refinement.improve(usize::MAX, &|| false);
+    refinement.improve(&|| false);
     assert!(refinement.reference().start().iter().all(|component| component.is_finite()));
 }

@@ -11,6 +11,7 @@ use simulation::{
     ArmModel, Disturbance, Evaluator, Injection, Reference, Rollout, Settings, Success, TimedState, Trial,
 };
 use task::{AssemblyTask, GraspError, Impedance, Inertia};
+use workers::Workers;
 
 use crate::world::{at_rest, block, task};
 
@@ -325,8 +326,8 @@ fn evaluations_trajectories_and_any_number_of_threads_see_the_same_arm() {
     let settings = Settings { friction: 0.3, time_step: 2e-3, ..Settings::default() };
     let rollout = Rollout::new(&record.task, settings).with_arm(&record.model).unwrap();
     let grasps = [[0.0; 3], [0.003, 0.0, 0.0], [0.0, -0.003, 0.002]];
-    let outcomes = rollout.simulate(&record.reference, &grasps, 1);
-    assert_eq!(outcomes, rollout.simulate(&record.reference, &grasps, 3));
+    let outcomes = rollout.simulate(&record.reference, &grasps, &Workers::default());
+    assert_eq!(outcomes, rollout.simulate(&record.reference, &grasps, &Workers::new(3)));
     let motions = rollout.trajectory(&record.reference, &grasps, 1e-4).scenarios;
     for (outcome, motion) in outcomes.iter().zip(&motions) {
         assert_eq!(motion.states.len(), record.reference.states().len());
@@ -335,7 +336,7 @@ fn evaluations_trajectories_and_any_number_of_threads_see_the_same_arm() {
     let success = Success::default();
     let evaluator = Evaluator::new(&record.task, &[0.3], success).with_arm(&record.model).unwrap();
     let trial = |grasp: [f64; 3]| Trial { friction: 0, grasp: grasp.into(), disturbance: Disturbance::default() };
-    let results = evaluator.evaluate_all(&record.reference, &grasps.map(trial), 2, &|| false).unwrap();
+    let results = evaluator.evaluate_all(&record.reference, &grasps.map(trial), &|| false).unwrap();
     for (result, outcome) in results.iter().zip(&outcomes) {
         let miss = outcome.position_error / success.position + outcome.orientation_error / success.orientation;
         assert_eq!(result.miss, if result.passed { 0.0 } else { miss.min(60.0) });

@@ -5,6 +5,7 @@ use nalgebra::Matrix3;
 use proptest::prelude::*;
 use simulation::{Knot, Reference, Rollout, Settings, TimedState, offsets};
 use task::GraspError;
+use workers::Workers;
 
 use crate::world::{at_rest, block, floor, hole, task, through};
 
@@ -137,6 +138,6 @@ proptest! {
         let rollout = Rollout::new(&task, settings);
         let offsets = offsets::ball(0.01, 5, seed);
         let reference = through(&[[0.0, 0.0, 0.06], [0.0, 0.0, 0.0]], 0.5);
-        prop_assert_eq!(rollout.simulate(&reference, &offsets, 1), rollout.simulate(&reference, &offsets, 3));
+        prop_assert_eq!(rollout.simulate(&reference, &offsets, &Workers::default()), rollout.simulate(&reference, &offsets, &Workers::new(3)));
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Success, Trial};
 use task::GraspError;
+use workers::Workers;
 
 use crate::world::{STIFFNESS, block, floor, hole, task, through};
 
@@ -28,7 +29,7 @@ fn trials() -> Vec<Trial> {
 }
 
 fn refinement(evaluator: &Evaluator, seed: u64) -> Refinement<'_> {
-    let results = evaluator.evaluate_all(&beside(), &trials(), 2, &|| false).unwrap();
+    let results = evaluator.evaluate_all(&beside(), &trials(), &|| false).unwrap();
     Refinement::new(evaluator, beside(), trials(), results, seed)
 }
 
@@ -42,22 +43,22 @@ fn what_fails_is_refined_until_it_passes() {
             break;
         }
         let before = refinement.score();
-        let improved = refinement.improve(2, &|| false);
+        let improved = refinement.improve(&|| false);
         let after = refinement.score();
         assert_eq!(improved, after.0 < before.0 || after.0 == before.0 && after.1 < before.1);
     }
     assert_eq!(refinement.score().0, 0);
-    let results = evaluator.evaluate_all(refinement.reference(), &trials(), 1, &|| false).unwrap();
+    let results = evaluator.evaluate_all(refinement.reference(), &trials(), &|| false).unwrap();
     assert!(results.iter().all(|result| result.passed && result.miss == 0.0));
 }
 
 #[test]
 fn refinement_does_not_depend_on_threads_and_can_be_stopped() {
-    let evaluator = evaluator();
-    let refine = |jobs: usize, stop: bool| {
+    let refine = |threads: usize, stop: bool| {
+        let evaluator = evaluator().with_workers(Workers::new(threads));
         let mut refinement = refinement(&evaluator, 3);
         (0..10).for_each(|_| {
-            refinement.improve(jobs, &|| stop);
+            refinement.improve(&|| stop);
         });
         refinement.reference().clone()
     };
@@ -72,7 +73,7 @@ fn changes_that_break_a_limit_are_refused() {
     let limited = Evaluator::new(&world, &[0.0, 0.1], Success::default());
     let mut refinement = refinement(&limited, 1);
     (0..100).for_each(|_| {
-        refinement.improve(2, &|| false);
+        refinement.improve(&|| false);
     });
     assert!(limited.bounds().allow(refinement.reference()));
     let bent = |seed| beside().bent(&Bump::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
