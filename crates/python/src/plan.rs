@@ -24,7 +24,7 @@ pub struct Plan {
 /// Where a plan is.
 enum Origin {
     Solved(Box<planner::Plan>),
-    Stored(StoredPlan),
+    Stored(Box<StoredPlan>),
 }
 
 /// What a simulation needs of a plan.
@@ -60,7 +60,7 @@ impl Plan {
         motions.push((Played::Plan, Reference::new(self.tables.time_step, &self.tables.reference)));
         let origin = match &self.origin {
             Origin::Solved(_) => None,
-            Origin::Stored(stored) => Some(stored.clone()),
+            Origin::Stored(stored) => Some(StoredPlan::clone(stored)),
         };
         Ok(PlayedPlan { origin, result: self.result.clone(), motions })
     }
@@ -116,7 +116,7 @@ impl Plan {
         background::run(py, None, move |_| {
             let stored = StoredPlan::open(&folder)?;
             let (result, tables) = (stored.result.clone(), read_tables(&folder)?);
-            Ok(Self { origin: Origin::Stored(stored), result, tables })
+            Ok(Self { origin: Origin::Stored(Box::new(stored)), result, tables })
         })
     }
 
