@@ -249,7 +249,7 @@ fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
         ["--no-deps", "--open", "--bench", "--features", "--path", "--partition", "--time", "--array"];
     let program = flags_of_program();
     let mut scripts = String::new();
-    for folder in ["scripts", "scripts/mujoco_validation", "scripts/reproduction"] {
+    for folder in ["scripts", "scripts/mujoco_validation", "scripts/reproduction", "crates/python/examples"] {
         let files = fs::read_dir(project(folder)).unwrap().map(|entry| entry.unwrap().path());
         files.filter_map(|file| fs::read_to_string(file).ok()).for_each(|text| scripts += &text);
     }

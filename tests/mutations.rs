@@ -168,7 +168,8 @@ fn play(folder: &Path) -> Result<(), PlannerError> {
         plan.require_made_for(&problem)?;
         let mut motions: Vec<_> = (1..).map(Motion::HomotopyIteration).zip(plan.iteration_references()?).collect();
         motions.push((Motion::Plan, plan.reference()?));
-        let played = simulate(&problem, &motions, &request, &|_: &planner::Event| {})?;
+        let never = AtomicBool::new(false);
+        let played = simulate(&problem, &motions, &request, &Session::new(&|_: &planner::Event| {}, &never))?;
         let rows = to_csv(played.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)))?;
         for rollout in &played {
             let outcome = rollout.outcome;

@@ -12,7 +12,7 @@ use task::LinearSolver;
 use crate::batch::BatchArguments;
 use crate::generate::GenerateArguments;
 use crate::progress::ProgressArguments;
-use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds, threads};
+use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds};
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///
@@ -333,7 +333,6 @@ impl SimulateArguments {
             frictions: self.friction.clone(),
             time_step: self.time_step,
             settling_time: self.settling_time,
-            threads: threads(self.jobs),
         };
         request.validate()?;
         Ok(request)

@@ -1,13 +1,17 @@
 //! `simulate`: play plans under injected grasp errors and count how often they succeed.
 
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use planner::files::{
     RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables, to_csv,
     write_file, write_rollout_tables,
 };
-use planner::{Choices, Motion, PlannerError, PlayedRollout, Problem, SimulationRequest, SuccessTable, simulate};
+use planner::simulate::overlap_warning;
+use planner::{
+    Choices, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable, simulate,
+};
 use simulation::{Reference, TimedState};
 
 use crate::arguments::SimulateArguments;
@@ -16,6 +20,7 @@ use crate::exit::{CommandError, Exit};
 use crate::interrupt::exit_at_once;
 use crate::progress::Progress;
 use crate::report;
+use crate::values::threads;
 
 /// Plays everything, writes both tables and prints the one of successes.
 pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
@@ -34,11 +39,13 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     exit_at_once()?;
 
     let progress = Progress::new(&arguments.progress)?;
+    let (never, threads) = (AtomicBool::new(false), threads(arguments.jobs));
+    let session = Session { threads, ..Session::new(&progress, &never) };
     let begin = Instant::now();
     let (mut rollouts, mut rows, mut trace) = (Vec::new(), Vec::new(), None);
     for (plan, problem) in &played {
         let motions = motions(arguments, plan)?;
-        let of_plan = simulate(problem, &motions, &request, &progress)?;
+        let of_plan = simulate(problem, &motions, &request, &session)?;
         rows.extend(of_plan.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)));
         if let (true, None, Some((_, reference))) = (arguments.trace.is_some(), &trace, motions.last()) {
             let first = of_plan.iter().find(|rollout| rollout.motion == Motion::Plan);
@@ -49,7 +56,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     }
     progress.end();
     let seconds = begin.elapsed().as_secs_f64();
-    warn_about_overlap(&rollouts);
+    overlap_warning(&rollouts).iter().for_each(|warning| tell!("warning: {warning}"));
     let table = SuccessTable::new(&rollouts);
     let successes: Vec<SuccessRow> = table.groups().iter().map(SuccessRow::from).collect();
     write_rollout_tables(folder, &rows, &successes)?;
@@ -65,7 +72,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
             problem.success().orientation
         );
     }
-    let (rate, threads) = (60.0 * rollouts.len() as f64 / seconds, request.threads);
+    let rate = 60.0 * rollouts.len() as f64 / seconds;
     let in_words = if threads == 1 { "thread" } else { "threads" };
     say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}", rollouts.len());
     say!("written to {}", folder.display());
@@ -144,17 +151,5 @@ fn require_free(arguments: &SimulateArguments, folder: &Path) -> Result<(), Plan
             Err(PlannerError::file(file, "is a table of this simulation; choose another name for --trace"))
         }
         _ => Ok(()),
-    }
-}
-
-/// Contacts are hard: what overlaps has done so from the beginning.
-fn warn_about_overlap(rollouts: &[planner::PlayedRollout]) {
-    let count = planner::simulate::overlapping(rollouts);
-    if count > 0 {
-        tell!(
-            "warning: in {count} of {} rollouts parts overlap; is the offset so large that the body starts inside the \
-             environment?",
-            rollouts.len()
-        );
     }
 }

@@ -71,7 +71,9 @@ fn played(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -
     let mut rollouts = Vec::new();
     for errors in [random, GraspErrors::default()] {
         let request = SimulationRequest { errors, frictions: target.frictions.clone(), ..SimulationRequest::default() };
-        rollouts.extend(planner::simulate(problem, &motions, &request, &|_: &Event| {})?);
+        let never = AtomicBool::new(false);
+        let session = Session::new(&|_: &Event| {}, &never);
+        rollouts.extend(planner::simulate(problem, &motions, &request, &session)?);
     }
     // Beside every rollout of the plan there is one of the push.
     rollouts.retain(|rollout| rollout.motion == Motion::Plan);

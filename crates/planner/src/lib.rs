@@ -15,7 +15,7 @@
 //! let session = Session::new(&|_: &Event| {}, &stopped);
 //! let plan = planner::solve(&problem, &session)?;
 //! let request = SimulationRequest { frictions: vec![0.0, 0.1], ..SimulationRequest::default() };
-//! let rollouts = planner::simulate(&problem, &[(Motion::Plan, plan.reference())], &request, &|_: &Event| {})?;
+//! let rollouts = planner::simulate(&problem, &[(Motion::Plan, plan.reference())], &request, &session)?;
 //! let lost = rollouts.iter().filter(|rollout| rollout.motion == Motion::Plan && !rollout.success).count();
 //! println!("{}: {lost} rollouts miss the goal", plan.status());
 //! let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
@@ -49,6 +49,7 @@ mod attempt;
 pub mod batch;
 pub mod check;
 mod error;
+mod event_record;
 pub mod explain;
 pub mod files;
 mod iteration;

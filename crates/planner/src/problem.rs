@@ -50,7 +50,14 @@ impl Problem {
     /// # Errors
     /// The first thing that is wrong with a file or a choice, with its place.
     pub fn load(file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
-        let mut scene = Scene::load(file)?;
+        Self::choose(Scene::load(file)?, file, choices)
+    }
+
+    /// Of a scene that was read from `file`, which messages name.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with a choice.
+    pub fn choose(mut scene: Scene, file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
         if let Some(turn) = choices.turn {
             require_turn(turn)?;
             scene.borne.turn = turn;

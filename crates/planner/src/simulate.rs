@@ -9,7 +9,7 @@ use workers::Workers;
 use crate::error::PlannerError;
 use crate::problem::Problem;
 use crate::refine::{require, require_frictions, require_threads, require_turn};
-use crate::session::{Event, Observer};
+use crate::session::{Event, Session};
 
 /// What is played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,15 +78,12 @@ pub struct SimulationRequest {
     pub time_step: f64,
     /// How long the end of the reference is held before a rollout is judged (s).
     pub settling_time: f64,
-    /// Threads; they change nothing but the time it takes.
-    pub threads: usize,
 }
 
 impl Default for SimulationRequest {
     fn default() -> Self {
         let Settings { time_step, settling_time, friction } = Settings::default();
-        let threads = std::thread::available_parallelism().map_or(1, Into::into);
-        Self { errors: GraspErrors::default(), frictions: vec![friction], time_step, settling_time, threads }
+        Self { errors: GraspErrors::default(), frictions: vec![friction], time_step, settling_time }
     }
 }
 
@@ -126,7 +123,6 @@ impl SimulationRequest {
     pub fn validate(&self) -> Result<(), PlannerError> {
         require_frictions(&self.frictions)?;
         require_turn(self.errors.turn)?;
-        require_threads(self.threads)?;
         self.frictions.iter().try_for_each(|&friction| self.settings(friction).validate())?;
         for (index, magnitude) in self.errors.magnitudes.iter().enumerate() {
             let in_range = (0.0..=LARGEST_MAGNITUDE).contains(magnitude);
@@ -156,7 +152,8 @@ impl SimulationRequest {
 /// Plays motions, and the straight push, with all frictions and grasp errors, in this order. Reality does not know which
 /// pairs the plan has left out.
 ///
-/// `observer` is told how far it is.
+/// The session's observer is told how far it is. Where the session is interrupted, the rollouts so far are returned; its
+/// folder and its deadline mean nothing here.
 ///
 /// # Errors
 /// When the request is out of range.
@@ -164,9 +161,10 @@ pub fn simulate(
     problem: &Problem,
     motions: &[(Motion, Reference)],
     request: &SimulationRequest,
-    observer: &dyn Observer,
+    session: &Session,
 ) -> Result<Vec<PlayedRollout>, PlannerError> {
     request.validate()?;
+    require_threads(session.threads)?;
     let world = problem.world();
     let injections = injections(problem, &request.errors)?;
     let push = (Motion::StraightPush, Reference::straight(&world.start, &world.goal, world.horizon));
@@ -179,13 +177,16 @@ pub fn simulate(
     for (_, reference) in motions.iter().chain([&push]) {
         request.frictions.iter().try_for_each(|&friction| request.settings(friction).validate_for(reference))?;
     }
-    let (success, workers) = (problem.success(), Workers::new(request.threads));
+    let (success, workers) = (problem.success(), Workers::new(session.threads));
     let mut played = Vec::with_capacity(count);
     for &friction in &request.frictions {
         let rollout = problem.rollout_in(&world, request.settings(friction))?;
         for (motion, reference) in motions.iter().chain([&push]) {
             for Injection { magnitude, errors } in &injections {
                 for errors in errors.chunks(TOLD) {
+                    if session.is_interrupted() {
+                        return Ok(played);
+                    }
                     let outcomes = rollout.simulate(reference, errors, &workers);
                     played.extend(errors.iter().zip(outcomes).map(|(&grasp, outcome)| PlayedRollout {
                         motion: *motion,
@@ -196,7 +197,7 @@ pub fn simulate(
                         outcome,
                         success: outcome.reaches_goal(&success),
                     }));
-                    observer.observe(&Event::Rollouts { done: played.len(), count });
+                    session.tell(Event::Rollouts { done: played.len(), count });
                 }
             }
         }
@@ -254,9 +255,16 @@ fn with_turns(offsets: &[[f64; 3]], errors: &GraspErrors) -> Vec<GraspError> {
     GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| GraspError { offset, turn }))
 }
 
-/// Rollouts in which parts overlap. Contacts are hard: what overlaps has done so from the beginning.
-pub fn overlapping(played: &[PlayedRollout]) -> usize {
+/// What the user is to be warned of: rollouts in which parts overlap. Contacts are hard: what overlaps has done so from
+/// the beginning.
+pub fn overlap_warning(played: &[PlayedRollout]) -> Option<String> {
     /// More than time steps leave (m).
     const OVERLAP: f64 = 1e-4;
-    played.iter().filter(|rollout| rollout.outcome.max_penetration > OVERLAP).count()
+    let count = played.iter().filter(|rollout| rollout.outcome.max_penetration > OVERLAP).count();
+    (count > 0).then(|| {
+        format!(
+            "in {count} of {} rollouts parts overlap; is the offset so large that the body starts inside the environment?",
+            played.len()
+        )
+    })
 }

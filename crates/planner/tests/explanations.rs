@@ -204,7 +204,7 @@ fn a_plan_that_is_not_robust_names_the_friction_and_an_error_that_fails_in_simul
         frictions: vec![loss.worst.friction],
         ..SimulationRequest::default()
     };
-    let played = simulate(&problem, &[(Motion::Plan, plan.reference())], &request, &|_: &Event| {}).unwrap();
+    let played = simulate(&problem, &[(Motion::Plan, plan.reference())], &request, &session).unwrap();
     assert!(!played[0].success);
     assert!((played[0].outcome.position_error - loss.end.position_error_m).abs() < 1e-12);
 }

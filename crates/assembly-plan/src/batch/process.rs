@@ -8,6 +8,7 @@ use planner::batch::{Cell, CellFiles, Manifest};
 use planner::files::{PlanResult, remove_file, write_file};
 
 use crate::exit::{CommandError, Exit};
+use crate::program::Program;
 
 /// What limits the threads of the libraries that a solve may use; a cell has one.
 const THREAD_LIMITS: [&str; 4] = ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "RAYON_NUM_THREADS"];
@@ -61,15 +62,11 @@ impl Process {
         }
         remove_file(&files.failure())?;
         log.set_len(0).map_err(in_system(&path))?;
-        let program = std::env::current_exe().map_err(|error| CommandError::System(error.to_string()))?;
         let errors = log.try_clone().map_err(in_system(&path))?;
         // The process inherits the lock with the log and holds it even when this one is killed.
-        let child = solve(program.as_path(), manifest, cell)
-            .stdin(Stdio::piped())
-            .stdout(log)
-            .stderr(errors)
-            .spawn()
-            .map_err(in_system(&program))?;
+        let mut command = solve(manifest, cell);
+        let child = command.stdin(Stdio::piped()).stdout(log).stderr(errors).spawn();
+        let child = child.map_err(in_system(Path::new(command.get_program())))?;
         Ok(Begun::Process(Self { cell: cell.index, files, child }))
     }
 
@@ -99,8 +96,8 @@ impl Process {
     }
 }
 
-fn solve(program: &Path, manifest: &Manifest, cell: &Cell) -> Command {
-    let mut command = Command::new(program);
+fn solve(manifest: &Manifest, cell: &Cell) -> Command {
+    let mut command = Program::command();
     command.arg("solve").arg(manifest.folder.join(&cell.scene)).arg("--resume");
     command.arg("--out").arg(manifest.folder.join(&cell.folder));
     command.arg(format!("--start={}", cell.start)).arg(format!("--delta={}", cell.delta_m));

@@ -12,6 +12,7 @@ use super::arguments::SubmitArguments;
 use super::process::in_system;
 use crate::console::say;
 use crate::exit::{CommandError, Exit};
+use crate::program::Program;
 
 /// Tells a script of ours from another one.
 const MARK: &str = "# Written by `assembly-plan batch submit`.";
@@ -48,7 +49,7 @@ pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, 
 
 /// A task finds its cells by its number. It replaces the shell, so that it hears Slurm's request to terminate.
 fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<String, CommandError> {
-    let program = std::env::current_exe().map_err(|error| CommandError::System(error.to_string()))?;
+    let program: Vec<String> = Program::words().iter().map(|word| quote(Path::new(word))).collect();
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let options: String = arguments.options.iter().map(|option| format!("#SBATCH {option}\n")).collect();
     Ok(format!(
@@ -63,7 +64,7 @@ fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<St
          exec {program} batch run {quoted} --index $((SLURM_ARRAY_TASK_ID * {count})) --count {count} --jobs 1\n",
         last = tasks.saturating_sub(1),
         folder = folder.display().to_string().replace('%', "%%"),
-        program = quote(&program),
+        program = program.join(" "),
         quoted = quote(folder),
         count = arguments.count,
     ))

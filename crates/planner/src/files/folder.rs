@@ -12,7 +12,7 @@ use crate::files::atomic::{hash, remove_file, require_folder, write_file};
 use crate::files::checkpoint::Checkpoint;
 use crate::files::refinement::RefinementCheckpoint;
 use crate::files::result::{PlanResult, RESULT};
-use crate::files::stored_plan::{RESOLVED, STAGES, is_plan_file, read_result};
+use crate::files::stored_plan::{RESOLVED, STAGES, StoredPlan, is_plan_file, read_result};
 use crate::files::trajectory::{TABLES, read_trajectory, write_trajectory};
 use crate::plan::Plan;
 
@@ -169,6 +169,23 @@ impl PlanFolder {
         write_file(&whole.join(RESULT), &json)?;
         self.move_in()?;
         Ok(result)
+    }
+
+    /// Copies a stored plan and moves the copy in.
+    ///
+    /// # Errors
+    /// When its folder no longer holds this plan, or a file cannot be read or written.
+    pub fn copy(self, stored: &StoredPlan) -> Result<(), PlannerError> {
+        let StoredPlan { folder, result } = stored;
+        if StoredPlan::open(folder)?.result.files != result.files {
+            return Err(PlannerError::file(folder, "holds another plan by now; open it again"));
+        }
+        let whole = self.whole();
+        for name in result.files.keys().map(String::as_str).chain([RESULT]) {
+            let from = folder.join(name);
+            write_file(&whole.join(name), &fs::read(&from).map_err(PlannerError::read(&from))?)?;
+        }
+        self.move_in()
     }
 
     /// Where a whole plan stands until it is moved in.

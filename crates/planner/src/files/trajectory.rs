@@ -232,6 +232,23 @@ pub struct ScenarioTables {
     pub contacts: Vec<Vec<Contact>>,
 }
 
+impl MotionTables {
+    /// Of a motion; `task` has its pairs.
+    pub fn new(motion: &Trajectory, task: &AssemblyTask) -> Self {
+        let scenario = |scenario: &ScenarioTrajectory| ScenarioTables {
+            states: scenario.states.clone(),
+            wrenches: scenario.wrenches.clone(),
+            contacts: scenario.contacts.clone(),
+        };
+        Self {
+            time_step: motion.time_step,
+            reference: motion.reference.clone(),
+            pairs: task.pairs.iter().map(ToString::to_string).collect(),
+            scenarios: motion.scenarios.iter().map(scenario).collect(),
+        }
+    }
+}
+
 /// Reads the four tables of a folder.
 ///
 /// # Errors

@@ -160,3 +160,22 @@ fn unfinished_work_is_continued_and_gives_the_same_plan() {
     assert_ne!(wall(&other), wall(&again), "work on another problem is discarded");
     assert!(!out.exists(), "nothing is moved in before the end");
 }
+
+#[test]
+fn a_stored_plan_is_copied_unless_it_was_changed() {
+    let folder = tempfile::tempdir().unwrap();
+    let (out, copy) = (folder.path().join("out"), folder.path().join("copy"));
+    claim(&out).finish(plan()).unwrap();
+    let stored = StoredPlan::open(&out).unwrap();
+    claim(&copy).copy(&stored).unwrap();
+    assert_eq!(contents(&copy), contents(&out));
+    let mut shorter = plan().clone();
+    shorter.iterations.truncate(2);
+    claim(&out).finish(&shorter).unwrap();
+    let error = claim(&folder.path().join("other")).copy(&stored).unwrap_err().to_string();
+    assert!(error.contains("holds another plan by now"), "{error}");
+    fs::write(out.join("reference.csv"), "mine").unwrap();
+    let error = claim(&folder.path().join("other")).copy(&stored).unwrap_err().to_string();
+    assert!(error.contains("was changed since"), "{error}");
+    assert!(!folder.path().join("other").exists());
+}

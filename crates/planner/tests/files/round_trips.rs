@@ -1,10 +1,12 @@
 //! Every record is read back as it was written.
 
+use std::sync::atomic::AtomicBool;
+
 use planner::batch::{Manifest, Matrix, collect, expand};
 use planner::files::cells::{CellElement, CellRow};
 use planner::files::trajectory::{read_reference, read_trajectory, write_trajectory};
 use planner::files::{Checkpoint, PlanResult, RolloutRow, StoredPlan, SuccessRow, read_csv, write_rollout_tables};
-use planner::{Motion, SimulationRequest, SuccessTable, simulate};
+use planner::{Event, Motion, Session, SimulationRequest, SuccessTable, simulate};
 
 use crate::support::{claim, plan, problem, scene};
 
@@ -99,7 +101,9 @@ fn manifest_and_cells_are_read_back() {
 fn the_tables_of_a_simulation_are_read_back() {
     let folder = tempfile::tempdir().unwrap();
     let motions = [(Motion::Plan, plan().reference())];
-    let rollouts = simulate(&problem(0.01), &motions, &SimulationRequest::default(), &|_: &planner::Event| {}).unwrap();
+    let never = AtomicBool::new(false);
+    let session = Session::new(&|_: &Event| {}, &never);
+    let rollouts = simulate(&problem(0.01), &motions, &SimulationRequest::default(), &session).unwrap();
     let rows: Vec<RolloutRow> = rollouts.iter().map(|rollout| RolloutRow::new(folder.path(), "1", rollout)).collect();
     let successes: Vec<SuccessRow> = SuccessTable::new(&rollouts).groups().iter().map(SuccessRow::from).collect();
     write_rollout_tables(folder.path(), &rows, &successes).unwrap();

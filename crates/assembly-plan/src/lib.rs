@@ -1,0 +1,60 @@
+//! The command line of assembly-plan: parse, call the planner, show. A library, so that the Python package has it too.
+
+mod arguments;
+mod batch;
+mod check;
+mod completions;
+mod console;
+mod exit;
+mod generate;
+mod interrupt;
+mod manual;
+mod new;
+mod program;
+mod progress;
+mod report;
+mod schema;
+mod simulate;
+mod solve;
+mod summary;
+mod values;
+
+use std::ffi::OsString;
+use std::io::Write;
+
+use clap::Parser;
+
+use crate::arguments::{Arguments, Command};
+use crate::console::tell;
+use crate::exit::Exit;
+
+pub use program::Program;
+
+/// Runs the command line with arguments, of which the first is the program's name. `program` starts it again: a batch
+/// solves each of its cells in a process of its own.
+///
+/// Returns the exit code; what help, a wrong usage and some interrupts end, ends the process.
+pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    program.remember();
+    // Clap prints usage errors itself and exits with 2.
+    let arguments = Arguments::parse_from(arguments);
+    let outcome = match &arguments.command {
+        Command::Solve(arguments) => solve::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Batch(arguments) => batch::run(arguments),
+        Command::Report(arguments) => report::run(arguments),
+        Command::Check(arguments) => check::run(arguments),
+        Command::New(arguments) => new::run(arguments),
+        Command::Generate(arguments) => generate::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
+        Command::Completions(arguments) => completions::run(arguments),
+        Command::Man(arguments) => manual::run(arguments),
+    };
+    let exit = outcome.unwrap_or_else(|error| {
+        tell!("error: {error}");
+        Exit::from(&error)
+    });
+    // Whoever stops reading must not stop the program.
+    let _ = std::io::stdout().flush();
+    exit as u8
+}

@@ -1,0 +1,38 @@
+"""Plans robotic assembly motions that tolerate position errors of the grasp.
+
+A robot holds a part and must put it onto or into another one, but the part sits some millimetres off in the gripper.
+This package plans one reference motion that, tracked by a Cartesian impedance controller, brings the part to its goal
+for every modelled offset:
+
+    import assembly_plan
+
+    scene = assembly_plan.Scene.load("scenes/corner.toml")
+    plan = scene.solve()
+    print(plan.status, plan.reference.shape)
+    print(scene.simulate(plan, random=20, friction=[0.0, 0.1]))
+    plan.save("out/corner")
+
+`Scene` is a scene file after all checks, `Plan` what a solve makes of it, `Simulation` rollouts of a plan with hard
+contacts. `events` has what a `progress` callback hears. Everything is in SI units; quaternions are ``(w, x, y, z)``.
+Long work leaves the interpreter to other threads, and Ctrl-C ends it.
+"""
+
+from assembly_plan import events
+from assembly_plan.errors import NoPlanError, PlannerError, SceneError, SceneWarning
+from assembly_plan.plan import FloatArray, Motion, Plan
+from assembly_plan.scene import Part, Scene
+from assembly_plan.simulation import Simulation
+
+__all__ = [
+    "FloatArray",
+    "Motion",
+    "NoPlanError",
+    "Part",
+    "Plan",
+    "PlannerError",
+    "Scene",
+    "SceneError",
+    "SceneWarning",
+    "Simulation",
+    "events",
+]

@@ -1,0 +1,378 @@
+"""Scenes: read, checked, solved, played."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from assembly_plan import _planner
+from assembly_plan._types import ChoiceOptions, PlayOptions, RobustOptions, SolveOptions
+from assembly_plan.errors import SceneError
+from assembly_plan.events import Progress, _listener
+from assembly_plan.plan import FloatArray, Plan
+from assembly_plan.simulation import Simulation
+
+StrPath: TypeAlias = str | os.PathLike[str]
+"""The name of a file or folder."""
+
+Homotopy: TypeAlias = StrPath | Mapping[str, Any]
+"""A homotopy file, or a dictionary with its keys."""
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """A convex part: the points x with ``normals @ x <= offsets``."""
+
+    name: str
+    """Name, unique among the parts of the body or the environment."""
+    vertices: FloatArray
+    """Corners (m), shape (V, 3), in the frame of the body, or of the world for the environment."""
+    normals: FloatArray
+    """Unit normals of the facets that point outwards, shape (F, 3), in the same frame."""
+    offsets: FloatArray
+    """Distances of the facets from the origin of this frame (m), shape (F,)."""
+
+    def __repr__(self) -> str:
+        return f"<Part {self.name!r}: {len(self.vertices)} corners, {len(self.offsets)} facets>"
+
+
+class Scene:
+    """What is to be assembled: parts, start and goal poses, the robot's controller, the size of the grasp error.
+
+    A scene is valid: `Scene.load` and `Scene.from_dict` check everything and raise `SceneError`. A pose has 7 numbers:
+    position (m, world frame) and unit quaternion ``w x y z``.
+
+    All methods have the names and defaults of the command line for what can be chosen:
+
+    - `start`: name of the start pose; by default the scene's first.
+    - `delta`: offset magnitude (m); by default the scene's.
+    - `homotopy`: homotopy file, or a dictionary with the keys of one; by default the scene's own, else the built-in
+      one.
+    - `linear_solver`: ``stage``, ``mumps``, or ``ma27``, ``ma57``, ``ma97`` where the HSL library is installed; by
+      default the homotopy's.
+    - `position_tolerance` (m), `angle_tolerance` (rad): what counts as reaching the goal; by default the scene's.
+    - `jobs`: threads, by default one per processor; they change nothing but the time it takes.
+    - `progress`: a function that hears of `assembly_plan.events`.
+    """
+
+    def __init__(self, native: _planner.Scene) -> None:
+        """Not to be called; `Scene.load` and `Scene.from_dict` make scenes."""
+        self._native = native
+        content = json.loads(native.content())
+        self._title: str = content["title"]
+        self._starts = {start["name"]: _fixed(start["pose"]) for start in content["starts"]}
+        self._goal = _fixed(content["goal"])
+        self._offset_magnitude: float = content["offset_magnitude"]
+        self._body, self._environment = _parts(content["body"]), _parts(content["environment"])
+
+    @classmethod
+    def load(cls, file: StrPath) -> Scene:
+        """Read a scene file (TOML) and the files it names."""
+        return cls(_planner.Scene.load(file))
+
+    @classmethod
+    def from_dict(cls, content: Mapping[str, Any], base: StrPath = ".") -> Scene:
+        """Make a scene of a dictionary with the keys of a scene file; arrays and tuples may stand for lists.
+
+        Names of files in it are relative to the folder `base`. Messages show the lines of the scene file that would
+        have the same content, and call it ``scene``.
+        """
+        return cls(_planner.Scene.from_json(_json(content), Path(base) / "scene"))
+
+    @property
+    def title(self) -> str:
+        """Title, by default the file's name."""
+        return self._title
+
+    @property
+    def starts(self) -> dict[str, FloatArray]:
+        """Start poses, shape (7,), by their names; the first is the default."""
+        return dict(self._starts)
+
+    @property
+    def goal(self) -> FloatArray:
+        """Goal pose, shape (7,)."""
+        return self._goal
+
+    @property
+    def offset_magnitude(self) -> float:
+        """The scene's offset magnitude (m)."""
+        return self._offset_magnitude
+
+    @property
+    def body(self) -> list[Part]:
+        """Convex parts of the moved body."""
+        return list(self._body)
+
+    @property
+    def environment(self) -> list[Part]:
+        """Convex parts of what does not move."""
+        return list(self._environment)
+
+    def check(
+        self,
+        *,
+        start: str | None = None,
+        delta: float | None = None,
+        homotopy: Homotopy | None = None,
+        tau: float | None = None,
+    ) -> dict[str, Any]:
+        """Explain the scene without solving it, as the command ``check --json`` does.
+
+        Returns parts, meshes and what became of them, play, overlaps, size of the problem, warnings; keys name their
+        units. `tau` smooths the distances, by default as the homotopy begins.
+        """
+        choices = _choices(start=start, delta=delta, homotopy=homotopy)
+        explanation: dict[str, Any] = json.loads(self._native.check(choices, tau))
+        return explanation
+
+    def distances(
+        self,
+        pose: ArrayLike,
+        *,
+        start: str | None = None,
+        delta: float | None = None,
+        homotopy: Homotopy | None = None,
+        tau: float | None = None,
+    ) -> list[dict[str, Any]]:
+        """Report every pair's distances with the body at a pose, as the command ``check --pose --json`` does.
+
+        `pose` has shape (7,); its quaternion is scaled to unit norm. An entry has ``body``, ``environment``,
+        ``smoothed_distance_m``, ``exact_distance_m`` (negative where the parts overlap) and ``normal``, the contact
+        normal with 7 numbers.
+        """
+        choices = _choices(start=start, delta=delta, homotopy=homotopy)
+        values = _vector(pose, 7, "pose")
+        pairs: list[dict[str, Any]] = json.loads(self._native.distances(choices, values, tau))
+        return pairs
+
+    def solve(
+        self,
+        *,
+        start: str | None = None,
+        delta: float | None = None,
+        homotopy: Homotopy | None = None,
+        linear_solver: str | None = None,
+        position_tolerance: float | None = None,
+        angle_tolerance: float | None = None,
+        jobs: int | None = None,
+        out: StrPath | None = None,
+        resume: bool = False,
+        progress: Progress | None = None,
+    ) -> Plan:
+        """Plan one motion that brings the body to its goal with every planned offset.
+
+        With `out`, the plan is written into this folder, and Ctrl-C leaves unfinished work beside it, with which
+        ``resume=True`` goes on. A plan that does not reach the goal is no error: see `Plan.status`.
+        """
+        choices = _choices(
+            start=start,
+            delta=delta,
+            homotopy=homotopy,
+            linear_solver=linear_solver,
+            position_tolerance=position_tolerance,
+            angle_tolerance=angle_tolerance,
+        )
+        options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
+        return Plan(self._native.solve(choices, options, None, _listener(progress)))
+
+    def solve_robust(
+        self,
+        *,
+        start: str | None = None,
+        delta: float | None = None,
+        homotopy: Homotopy | None = None,
+        linear_solver: str | None = None,
+        position_tolerance: float | None = None,
+        angle_tolerance: float | None = None,
+        wanted_rate: float = 0.99,
+        time_limit: float = 300.0,
+        patience: int = 150,
+        friction: Iterable[float] | None = None,
+        turn: float | None = None,
+        jobs: int | None = None,
+        out: StrPath | None = None,
+        resume: bool = False,
+        progress: Progress | None = None,
+    ) -> Plan:
+        """Plan one motion, and change it until it succeeds with hard contacts at offsets that were not planned for.
+
+        As the command ``solve --robust``:
+
+        - `wanted_rate`: success rate to reach at each friction, from 0 to 1.
+        - `time_limit`: keep the best plan so far after this time (s), the first solve included.
+        - `patience`: give up refining a plan after this many changes in a row without improvement; 0 only evaluates it.
+        - `friction`: Coulomb friction coefficients; by default the scene's.
+        - `turn`: the part may also be turned in the gripper by up to this angle, about any axis (rad); by default the
+          scene's.
+
+        `out` and `resume` are those of `solve`.
+        """
+        choices = _choices(
+            start=start,
+            delta=delta,
+            homotopy=homotopy,
+            linear_solver=linear_solver,
+            position_tolerance=position_tolerance,
+            angle_tolerance=angle_tolerance,
+            turn=turn,
+        )
+        options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
+        robust: RobustOptions = {
+            "wanted_rate": wanted_rate,
+            "time_limit": time_limit,
+            "patience": patience,
+            "friction": None if friction is None else [float(coefficient) for coefficient in friction],
+        }
+        return Plan(self._native.solve(choices, options, robust, _listener(progress)))
+
+    def simulate(
+        self,
+        plan: Plan,
+        *,
+        random: int | None = None,
+        ball: bool = False,
+        seed: int = 1,
+        grid: int | None = None,
+        offsets: ArrayLike | None = None,
+        turn: float = 0.0,
+        magnitude: Iterable[float] = (),
+        friction: Iterable[float] = (0.0,),
+        stages: bool = False,
+        position_tolerance: float | None = None,
+        angle_tolerance: float | None = None,
+        settling_time: float = 1.0,
+        time_step: float = 0.001,
+        jobs: int | None = None,
+        progress: Progress | None = None,
+    ) -> Simulation:
+        """Play a plan, and a straight push, with hard contacts and injected offsets.
+
+        By default the planned offsets are played. As the command ``simulate``:
+
+        - `random`: play so many random convex combinations of the planned offsets, or with `ball` so many offsets
+          uniform in the ball; `seed` is that of random numbers.
+        - `grid`: play a grid in the hull of the planned offsets, so many intervals along each of its edges.
+        - `offsets`: play these (m, body frame), shape (K, 3).
+        - `turn`: also turn the part in the gripper at random, by up to this angle about any axis (rad).
+        - `magnitude`: magnitudes (m) to which the planned offsets are scaled; by default that of the plan.
+        - `friction`: Coulomb friction coefficients.
+        - `stages`: also play the reference of every homotopy iteration.
+        - `settling_time`: how long the end of the reference is held before a rollout is judged (s).
+        - `time_step`: time step of the simulation (s).
+        """
+        options: PlayOptions = {
+            "random": random,
+            "ball": ball,
+            "seed": seed,
+            "grid": grid,
+            "offsets": None if offsets is None else _offsets(offsets),
+            "turn": turn,
+            "magnitude": [float(value) for value in magnitude],
+            "friction": [float(value) for value in friction],
+            "settling_time": settling_time,
+            "time_step": time_step,
+            "stages": stages,
+            "position_tolerance": position_tolerance,
+            "angle_tolerance": angle_tolerance,
+            "jobs": jobs,
+        }
+        return Simulation(self._native.simulate(plan._native, options, _listener(progress)))
+
+    def __repr__(self) -> str:
+        return f"<Scene {self.title!r}: {len(self._body)} and {len(self._environment)} parts>"
+
+
+def _choices(
+    *,
+    start: str | None,
+    delta: float | None,
+    homotopy: Homotopy | None,
+    linear_solver: str | None = None,
+    position_tolerance: float | None = None,
+    angle_tolerance: float | None = None,
+    turn: float | None = None,
+) -> ChoiceOptions:
+    """What is chosen of a scene, as the native module takes it."""
+    file, content = (homotopy, None) if isinstance(homotopy, str | os.PathLike) else (None, homotopy)
+    return {
+        "start": start,
+        "delta": delta,
+        "turn": turn,
+        "homotopy": file,
+        "homotopy_json": None if content is None else _json(content),
+        "linear_solver": linear_solver,
+        "position_tolerance": position_tolerance,
+        "angle_tolerance": angle_tolerance,
+    }
+
+
+def _parts(parts: list[dict[str, Any]]) -> list[Part]:
+    return [
+        Part(part["name"], _fixed(part["vertices"]), _fixed(part["normals"]), _fixed(part["offsets"])) for part in parts
+    ]
+
+
+def _fixed(values: ArrayLike) -> FloatArray:
+    """An array that cannot be changed."""
+    array = np.array(values, dtype=np.float64)
+    array.flags.writeable = False
+    return array
+
+
+def _vector(values: ArrayLike, count: int, name: str) -> list[float]:
+    array = np.asarray(values, dtype=np.float64)
+    if array.shape != (count,):
+        raise SceneError(f"{name}: has shape {array.shape}, must have shape ({count},)")
+    return [float(value) for value in array]
+
+
+def _offsets(values: ArrayLike) -> list[list[float]]:
+    array = np.asarray(values, dtype=np.float64)
+    if array.ndim != 2 or array.shape[1] != 3 or len(array) == 0 or not np.isfinite(array).all():
+        raise SceneError(f"offsets: has shape {array.shape}, must be finite numbers of shape (K, 3), K at least 1")
+    return [[float(value) for value in row] for row in array]
+
+
+def _json(content: Any) -> str:
+    """The JSON text of a dictionary with the keys of a TOML file."""
+    if not isinstance(content, Mapping):
+        raise SceneError(f"a {type(content).__name__} is no dictionary with the keys of a file")
+    return json.dumps(_plain(content, ""))
+
+
+def _plain(value: Any, path: str) -> Any:
+    """A value as a file has it; `path` names its key in messages."""
+    match value:
+        case bool() | str():
+            return value
+        case Mapping():
+            return {_key(key, path): _plain(entry, f"{path}.{key}".lstrip(".")) for key, entry in value.items()}
+        case os.PathLike():
+            return os.fspath(value)
+        case np.ndarray() | np.generic():
+            return _plain(value.tolist(), path)
+        case int() | float():
+            if value != value or value in (float("inf"), float("-inf")):
+                raise SceneError(f"{path}: {value} must be a finite number")
+            return value
+        case Sequence():
+            return [_plain(entry, f"{path}[{index}]") for index, entry in enumerate(value)]
+        case None:
+            raise SceneError(f"{path}: None is no value; leave the key out")
+        case _:
+            kind = type(value).__name__
+            raise SceneError(f"{path}: a {kind} is no value of a file; use numbers, text, lists or dictionaries")
+
+
+def _key(key: Any, path: str) -> str:
+    if not isinstance(key, str):
+        raise SceneError(f"{path or 'the dictionary'}: the key {key!r} is no text")
+    return key

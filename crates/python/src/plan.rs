@@ -1,0 +1,161 @@
+//! Plans: solved ones, and those of a folder.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use planner::files::trajectory::read_tables;
+use planner::files::{MotionTables, PlanFolder, PlanResult, RESOLVED, STAGES, StoredPlan, read_text};
+use planner::{Motion as Played, PlannerError, Problem};
+use pyo3::prelude::*;
+use simulation::Reference;
+
+use crate::background;
+use crate::errors::exception;
+use crate::motion::Motion;
+
+/// A plan.
+#[pyclass(module = "assembly_plan._planner")]
+pub struct Plan {
+    origin: Origin,
+    result: PlanResult,
+    tables: MotionTables,
+}
+
+/// Where a plan is.
+enum Origin {
+    Solved(Box<planner::Plan>),
+    Stored(Box<StoredPlan>),
+}
+
+/// What a simulation needs of a plan.
+pub struct PlayedPlan {
+    origin: Option<StoredPlan>,
+    pub result: PlanResult,
+    pub motions: Vec<(Played, Reference)>,
+}
+
+impl Plan {
+    /// A plan that has just been made; with a folder, it is written there.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn solved(plan: planner::Plan, folder: Option<PlanFolder>) -> Result<Self, PlannerError> {
+        let result = match folder {
+            Some(folder) => folder.finish(&plan)?,
+            None => PlanResult::new(&plan, BTreeMap::new()),
+        };
+        let tables = MotionTables::new(&plan.trajectory, &plan.task);
+        Ok(Self { origin: Origin::Solved(Box::new(plan)), result, tables })
+    }
+
+    /// What a simulation needs, with the homotopy iterations if wanted.
+    ///
+    /// # Errors
+    /// When a file of a stored plan cannot be read.
+    pub fn played(&self, stages: bool) -> Result<PlayedPlan, PlannerError> {
+        let mut motions = Vec::new();
+        if stages {
+            motions.extend((1..).map(Played::HomotopyIteration).zip(self.iteration_references()?));
+        }
+        motions.push((Played::Plan, Reference::new(self.tables.time_step, &self.tables.reference)));
+        let origin = match &self.origin {
+            Origin::Solved(_) => None,
+            Origin::Stored(stored) => Some(StoredPlan::clone(stored)),
+        };
+        Ok(PlayedPlan { origin, result: self.result.clone(), motions })
+    }
+
+    fn iteration_references(&self) -> Result<Vec<Reference>, PlannerError> {
+        Ok(self.stage_tables()?.iter().map(|tables| Reference::new(tables.time_step, &tables.reference)).collect())
+    }
+
+    fn stage_tables(&self) -> Result<Vec<MotionTables>, PlannerError> {
+        match &self.origin {
+            Origin::Solved(plan) => {
+                let task = &plan.variant.task;
+                Ok(plan.iterations.iter().map(|iteration| MotionTables::new(&iteration.trajectory, task)).collect())
+            }
+            Origin::Stored(stored) => {
+                let folder = stored.folder.join(STAGES);
+                let numbers = 1..=stored.result.stages.len();
+                numbers.map(|number| read_tables(&folder.join(number.to_string()))).collect()
+            }
+        }
+    }
+}
+
+impl PlayedPlan {
+    /// The folder of a stored plan; of another one, nothing.
+    pub fn folder(&self) -> PathBuf {
+        self.origin.as_ref().map_or_else(PathBuf::new, |stored| stored.folder.clone())
+    }
+
+    /// Checks that it was made for the shapes, the start and the goal of a problem. Returns whether everything else is
+    /// the same too.
+    ///
+    /// # Errors
+    /// When it was made for others.
+    pub fn require_made_for(&self, problem: &Problem) -> Result<bool, PlannerError> {
+        let made_from = &self.result.made_from;
+        match &self.origin {
+            Some(stored) => stored.require_made_for(problem),
+            None if made_from.shapes != problem.shapes_hash() => Err(PlannerError::Choice {
+                name: "plan",
+                problem: "it was made for another scene: a shape, the start or the goal differs".to_owned(),
+            }),
+            None => Ok(made_from.settings == problem.settings_hash()),
+        }
+    }
+}
+
+#[pymethods]
+impl Plan {
+    /// Reads the plan of a folder.
+    #[staticmethod]
+    fn load(py: Python, folder: PathBuf) -> PyResult<Self> {
+        background::run(py, None, move |_| {
+            let stored = StoredPlan::open(&folder)?;
+            let (result, tables) = (stored.result.clone(), read_tables(&folder)?);
+            Ok(Self { origin: Origin::Stored(Box::new(stored)), result, tables })
+        })
+    }
+
+    /// Writes the files of a plan.
+    fn save(&mut self, folder: PathBuf) -> PyResult<()> {
+        let mut write = || -> Result<(), PlannerError> {
+            let folder = PlanFolder::claim(&folder, &[])?;
+            folder.discard()?;
+            match &self.origin {
+                Origin::Solved(plan) => self.result = folder.finish(plan)?,
+                Origin::Stored(stored) => folder.copy(stored)?,
+            }
+            Ok(())
+        };
+        write().map_err(|error| exception(&error))
+    }
+
+    /// `result.json`.
+    fn result(&self) -> PyResult<String> {
+        let text = serde_json::to_string(&self.result).map_err(|_| PlannerError::Internal("result.json"));
+        text.map_err(|error| exception(&error))
+    }
+
+    /// `resolved.toml`.
+    fn resolved(&self) -> PyResult<String> {
+        match &self.origin {
+            Origin::Solved(plan) => Ok(plan.problem.resolved().to_owned()),
+            Origin::Stored(stored) => read_text(&stored.folder.join(RESOLVED)).map_err(|error| exception(&error)),
+        }
+    }
+
+    /// The motion of the plan.
+    fn motion<'py>(&self, py: Python<'py>) -> Motion<'py> {
+        Motion::new(py, &self.tables)
+    }
+
+    /// The motions after every homotopy iteration.
+    fn stages<'py>(&self, py: Python<'py>) -> PyResult<Vec<Motion<'py>>> {
+        let tables = self.stage_tables().map_err(|error| exception(&error))?;
+        Ok(tables.iter().map(|tables| Motion::new(py, tables)).collect())
+    }
+}

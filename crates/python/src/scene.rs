@@ -1,0 +1,159 @@
+//! Scenes: read, explained, solved, played.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ::scene::{Part, Source};
+use planner::check::{explain, pair_reports, start_inside};
+use planner::{PlannerError, Session, refine};
+use pyo3::prelude::*;
+use serde::Serialize;
+use serde_json::json;
+
+use crate::background::{self, Watch};
+use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, toml_text};
+use crate::plan::Plan;
+use crate::simulation::{Simulation, play};
+
+/// A valid scene.
+#[pyclass(frozen, module = "assembly_plan._planner")]
+pub struct Scene(Arc<Read>);
+
+/// A scene and where it was read from.
+struct Read {
+    scene: ::scene::Scene,
+    file: PathBuf,
+}
+
+#[pymethods]
+impl Scene {
+    /// Reads a scene file and the files it names.
+    #[staticmethod]
+    fn load(py: Python, file: PathBuf) -> PyResult<Self> {
+        background::run(py, None, move |_| {
+            let scene = ::scene::Scene::load(&file)?;
+            Ok(Self(Arc::new(Read { scene, file })))
+        })
+    }
+
+    /// Reads a scene from JSON with the keys of a scene file. `file` is what it would be called.
+    #[staticmethod]
+    fn from_json(py: Python, json: String, file: PathBuf) -> PyResult<Self> {
+        background::run(py, None, move |_| {
+            let text = toml_text(&json)?;
+            let scene = ::scene::Scene::parse(Source { file: &file, text: &text })?;
+            Ok(Self(Arc::new(Read { scene, file })))
+        })
+    }
+
+    /// What the scene has, as JSON.
+    fn content(&self) -> String {
+        let scene = &self.0.scene;
+        let starts = scene.starts.iter().map(|start| json!({ "name": start.name, "pose": start.pose }));
+        let parts = |parts: &[Part]| parts.iter().map(part).collect::<Vec<_>>();
+        json!({
+            "title": scene.title,
+            "starts": starts.collect::<Vec<_>>(),
+            "goal": scene.goal,
+            "offset_magnitude": scene.offset_magnitude,
+            "body": parts(&scene.body),
+            "environment": parts(&scene.environment),
+        })
+        .to_string()
+    }
+
+    /// What there is to know before solving, as JSON.
+    fn check(&self, py: Python, choices: ChoiceOptions, tau: Option<f64>) -> PyResult<String> {
+        let read = Arc::clone(&self.0);
+        background::run(py, None, move |_| {
+            let problem = choices.problem(&read.scene, &read.file)?;
+            text(&explain(&problem, tau.unwrap_or(problem.homotopy().tau))?)
+        })
+    }
+
+    /// Every pair's distances at a pose, as JSON.
+    fn distances(&self, py: Python, choices: ChoiceOptions, pose: [f64; 7], tau: Option<f64>) -> PyResult<String> {
+        let read = Arc::clone(&self.0);
+        background::run(py, None, move |_| {
+            let problem = choices.problem(&read.scene, &read.file)?;
+            text(&pair_reports(&problem, &unit(pose)?, tau.unwrap_or(problem.homotopy().tau))?)
+        })
+    }
+
+    /// Plans, and makes the plan robust if wanted.
+    fn solve(
+        &self,
+        py: Python,
+        choices: ChoiceOptions,
+        options: SolveOptions,
+        robust: Option<RobustOptions>,
+        progress: Option<Bound<PyAny>>,
+    ) -> PyResult<Plan> {
+        let read = Arc::clone(&self.0);
+        background::run(py, progress.as_ref(), move |watch| solve(&read, choices, options, robust, watch))
+    }
+
+    /// Plays a plan.
+    fn simulate(
+        &self,
+        py: Python,
+        plan: PyRef<Plan>,
+        options: PlayOptions,
+        progress: Option<Bound<PyAny>>,
+    ) -> PyResult<Simulation> {
+        let (read, played) = (Arc::clone(&self.0), plan.played(options.stages));
+        background::run(py, progress.as_ref(), move |watch| play(&read.scene, &read.file, &played?, &options, watch))
+    }
+}
+
+/// As the command `solve` does.
+fn solve(
+    read: &Read,
+    choices: ChoiceOptions,
+    options: SolveOptions,
+    robust: Option<RobustOptions>,
+    watch: &Watch,
+) -> Result<Plan, PlannerError> {
+    let inputs = [Some(read.file.clone()), choices.homotopy.clone()];
+    let problem = choices.problem(&read.scene, &read.file)?;
+    if let Some(reason) = start_inside(&problem) {
+        return Err(PlannerError::file(&read.file, reason));
+    }
+    let target = robust.map(|robust| robust.target(problem.scene())).transpose()?;
+    problem.warnings().into_iter().for_each(|warning| watch.warn(warning));
+    let folder = options.claim(&inputs.iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>())?;
+    let deadline = target.as_ref().and_then(|(_, deadline)| *deadline);
+    let session = Session { folder: folder.as_ref(), deadline, ..watch.session(options.jobs) };
+    let mut plan = planner::solve(&problem, &session)?;
+    if let Some((target, _)) = &target {
+        plan = refine(plan, target, &session)?;
+    }
+    plan.own_warnings().into_iter().for_each(|warning| watch.warn(warning));
+    // What is interrupted, is raised as such.
+    let folder = folder.filter(|_| !plan.interrupted);
+    Plan::solved(plan, folder)
+}
+
+/// A part, as JSON.
+fn part(part: &Part) -> serde_json::Value {
+    let shape = &part.shape;
+    json!({ "name": part.name, "vertices": shape.vertices(), "normals": shape.normals(), "offsets": shape.offsets() })
+}
+
+/// A pose whose quaternion has unit norm.
+fn unit(pose: [f64; 7]) -> Result<[f64; 7], PlannerError> {
+    /// Largest value that means anything (m).
+    const LARGEST: f64 = 1e6;
+    let is_finite = pose.iter().all(|value| value.abs() <= LARGEST);
+    match is_finite && pose[3..].iter().any(|component| *component != 0.0) {
+        true => Ok(task::pose::normalised(&pose)),
+        false => {
+            let rule = "a pose needs finite numbers and a quaternion that is not zero";
+            Err(PlannerError::value("pose", format!("{pose:?}"), rule))
+        }
+    }
+}
+
+fn text(value: &impl Serialize) -> Result<String, PlannerError> {
+    serde_json::to_string(value).map_err(|_| PlannerError::Internal("a report"))
+}

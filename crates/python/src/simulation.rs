@@ -1,0 +1,93 @@
+//! Simulations: rollouts and success rates as tables.
+
+use std::path::{Path, PathBuf};
+
+use ::scene::Scene;
+use planner::files::{RolloutRow, SuccessRow, to_csv, write_rollout_tables};
+use planner::simulate::overlap_warning;
+use planner::{Choices, PlannerError, Problem, SuccessTable, simulate};
+use pyo3::prelude::*;
+
+use crate::background::Watch;
+use crate::errors::exception;
+use crate::options::PlayOptions;
+use crate::plan::PlayedPlan;
+
+/// The rollouts of a plan.
+#[pyclass(frozen, module = "assembly_plan._planner")]
+pub struct Simulation {
+    rollouts: Vec<RolloutRow>,
+    successes: Vec<SuccessRow>,
+    table: String,
+}
+
+#[pymethods]
+impl Simulation {
+    /// `rollouts.csv`.
+    fn rollouts(&self) -> PyResult<String> {
+        csv(to_csv(&self.rollouts))
+    }
+
+    /// `success.csv`.
+    fn successes(&self) -> PyResult<String> {
+        csv(to_csv(&self.successes))
+    }
+
+    /// Success rates, as the command line prints them.
+    fn table(&self) -> &str {
+        &self.table
+    }
+
+    /// Writes `rollouts.csv` and `success.csv`.
+    fn save(&self, folder: PathBuf) -> PyResult<()> {
+        let written = write_rollout_tables(&folder, &self.rollouts, &self.successes);
+        written.map_err(|error| exception(&error))
+    }
+}
+
+/// As the command `simulate` does.
+pub fn play(
+    scene: &Scene,
+    file: &Path,
+    plan: &PlayedPlan,
+    options: &PlayOptions,
+    watch: &Watch,
+) -> Result<Simulation, PlannerError> {
+    let request = options.request()?;
+    let problem = problem(scene, file, plan, options)?;
+    let folder = plan.folder();
+    let name = if folder.as_os_str().is_empty() { "plan".to_owned() } else { folder.display().to_string() };
+    if !plan.require_made_for(&problem)? {
+        watch.warn(format!("{name}: the plan was made with other settings than {} has", file.display()));
+    }
+    if !plan.result.converged {
+        watch.warn(format!("{name}: the plan did not converge"));
+    }
+    let rollouts = simulate(&problem, &plan.motions, &request, &watch.session(options.jobs))?;
+    overlap_warning(&rollouts).into_iter().for_each(|warning| watch.warn(warning));
+    let table = SuccessTable::new(&rollouts);
+    Ok(Simulation {
+        rollouts: rollouts.iter().map(|rollout| RolloutRow::new(&folder, &plan.result.start, rollout)).collect(),
+        successes: table.groups().iter().map(SuccessRow::from).collect(),
+        table: table.to_string(),
+    })
+}
+
+/// The problem of a plan in a scene.
+fn problem(scene: &Scene, file: &Path, plan: &PlayedPlan, options: &PlayOptions) -> Result<Problem, PlannerError> {
+    let choices = Choices {
+        start: Some(plan.result.start.clone()),
+        delta: Some(plan.result.delta_m),
+        turn: Some(plan.result.turn_rad),
+        position_tolerance: options.position_tolerance,
+        angle_tolerance: options.angle_tolerance,
+        ..Choices::default()
+    };
+    Problem::choose(scene.clone(), file, &choices)
+        .map_err(|error| PlannerError::Choice { name: "plan", problem: format!("it does not fit the scene: {error}") })
+}
+
+fn csv(table: Result<Vec<u8>, PlannerError>) -> PyResult<String> {
+    let text = table.map_err(|error| exception(&error))?;
+    Ok(String::from_utf8(text)?)
+}

@@ -1,0 +1,91 @@
+"""What users read: signatures, docstrings, pages and examples."""
+
+import inspect
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import assembly_plan
+import pytest
+from assembly_plan import Plan, Scene, errors, events, plan, scene, simulation
+from conftest import CORNER, ROOT, command
+
+EXAMPLES = ROOT / "crates/python/examples"
+
+
+def run(words: list[object], folder: Path) -> str:
+    environment = {**os.environ, "MPLBACKEND": "Agg"}
+    done = subprocess.run(
+        [sys.executable, *map(str, words)], capture_output=True, text=True, cwd=folder, env=environment
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize("name", ["solve", "solve_robust", "simulate", "check", "distances"])
+def test_keywords_are_flags_of_the_command(name: str) -> None:
+    subcommand = {"solve_robust": "solve", "distances": "check"}.get(name, name)
+    shown = command(subcommand, "--help").stdout
+    flags = {flag.replace("-", "_") for flag in re.findall(r"--([a-z][a-z-]*)", shown)}
+    parameters = inspect.signature(getattr(Scene, name)).parameters
+    keywords = {key for key, value in parameters.items() if value.kind is value.KEYWORD_ONLY}
+    # The command shows progress; a homotopy can be chosen for a check, which has no flag for it.
+    assert keywords - {"progress"} - ({"homotopy"} if subcommand == "check" else set()) <= flags
+    for key in keywords:
+        default = re.search(
+            rf"--{key.replace('_', '-')} <.*?\[default: ([0-9.e-]+)\]", shown.split("Options:")[1], re.DOTALL
+        )
+        value = parameters[key].default
+        if isinstance(value, float | int) and not isinstance(value, bool):
+            assert default is not None and float(default[1]) == value, key
+
+
+def test_everything_public_is_documented() -> None:
+    for module in (assembly_plan, errors, events, plan, scene, simulation):
+        assert module.__doc__
+        for name, item in vars(module).items():
+            if name.startswith("_") or not getattr(item, "__module__", "").startswith("assembly_plan"):
+                continue
+            assert item.__doc__, name
+            if inspect.isclass(item):
+                for member, value in vars(item).items():
+                    if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                        assert value.__doc__, f"{name}.{member}"
+
+
+def test_help_renders() -> None:
+    shown = run(["-m", "pydoc", "assembly_plan.Scene"], ROOT)
+    assert "solve_robust(self, *, start: 'str | None' = None" in shown
+    assert "offset magnitude (m)" in shown
+
+
+@pytest.mark.parametrize("page", ["docs/python.md", "README.md", "crates/python/README.md"])
+def test_python_in_pages_runs(page: str, tmp_path: Path) -> None:
+    (tmp_path / "scenes").symlink_to(ROOT / "scenes")
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
+    assert blocks
+    # Each block goes on where the one before has ended.
+    script = tmp_path / "page.py"
+    script.write_text("".join(blocks))
+    run([script], tmp_path)
+
+
+def test_the_sweep_is_drawn(tmp_path: Path) -> None:
+    shown = run([EXAMPLES / "sweep.py", CORNER, "--deltas", 0.005, 0.01, "--random", 5], tmp_path)
+    assert "planned for 5 mm: done" in shown
+    assert (tmp_path / "success.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_part_is_planned_from_a_mesh(tmp_path: Path) -> None:
+    shown = run([EXAMPLES / "mesh.py", "--out", tmp_path / "clamp"], tmp_path)
+    assert "the mesh became clamp.1, clamp.2, clamp.3" in shown
+    assert Plan.load(tmp_path / "clamp").done
+
+
+def test_a_plan_is_played_in_mujoco(tmp_path: Path) -> None:
+    Scene.load(CORNER).solve_robust(out=tmp_path / "plan")
+    shown = run([EXAMPLES / "mujoco_play.py", CORNER, tmp_path / "plan"], tmp_path)
+    errors = [float(number) for number in re.findall(r"ends ([0-9.]+) mm", shown)]
+    assert len(errors) == 2 and max(errors) < 3.0

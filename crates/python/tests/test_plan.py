@@ -1,0 +1,126 @@
+"""Plans: arrays, files, what can be chosen."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from assembly_plan import NoPlanError, Plan, Scene, SceneError
+from conftest import CORNER, ROOT, command, error_of
+
+
+def columns(file: Path, first: str, last: str) -> np.ndarray:
+    """Columns of a table of numbers, without the names of pairs."""
+    header = file.read_text().splitlines()[0].split(",")
+    return np.genfromtxt(file, delimiter=",", skip_header=1, usecols=range(header.index(first), header.index(last) + 1))
+
+
+def test_arrays_are_the_tables(plan: Plan, tmp_path: Path) -> None:
+    plan.save(tmp_path / "plan")
+    (scenarios, knots, _), (_, _, pairs) = plan.states.shape, plan.forces.shape
+    assert (scenarios, pairs) == (len(plan.result["scenarios"]), 2)
+    assert plan.time.shape == (knots,) and plan.time_step == plan.result["time_step_s"]
+    assert plan.pairs == ("box/floor", "box/wall")
+    reference = columns(tmp_path / "plan/reference.csv", "time_s", "wz_rad_s")
+    assert np.array_equal(plan.reference, reference[:, 1:]) and np.allclose(plan.time, reference[:, 0])
+    states = columns(tmp_path / "plan/scenarios.csv", "px_m", "wz_rad_s")
+    assert np.array_equal(plan.states.reshape(-1, 13), states)
+    wrenches = columns(tmp_path / "plan/wrench.csv", "fx_n", "tz_nm")
+    assert np.array_equal(plan.wrenches.reshape(-1, 6), wrenches)
+    contacts = columns(tmp_path / "plan/contacts.csv", "distance_m", "force_n")
+    assert np.array_equal(np.stack([plan.distances, plan.forces], axis=-1).reshape(-1, 2), contacts)
+    assert np.linalg.norm(plan.reference[:, 3:7], axis=1) == pytest.approx(1.0)
+
+
+def test_a_plan_says_what_came_of_it(scene: Scene, plan: Plan) -> None:
+    assert plan.done and plan.status == "done"
+    errors = np.linalg.norm(plan.states[:, -1, :3] - scene.goal[:3], axis=1)
+    assert errors == pytest.approx([scenario["position_error_m"] for scenario in plan.result["scenarios"]])
+    assert np.linalg.norm(plan.offsets, axis=1).max() == pytest.approx(scene.offset_magnitude)
+    assert not plan.turns.any()
+    with pytest.raises(ValueError, match="read-only"):
+        plan.reference[0, 0] = 1.0
+
+
+def test_a_saved_plan_is_read_back_and_read_by_the_command(plan: Plan, tmp_path: Path) -> None:
+    folder = tmp_path / "plan"
+    plan.save(folder)
+    loaded = Plan.load(folder)
+    assert loaded.result == plan.result and loaded.resolved == plan.resolved
+    for name in ("time", "reference", "states", "wrenches", "distances", "forces"):
+        assert np.array_equal(getattr(loaded, name), getattr(plan, name)), name
+    assert len(loaded.stages) == len(plan.stages) == len(plan.result["stages"])
+    for one, other in zip(loaded.stages, plan.stages, strict=True):
+        assert np.array_equal(one.reference, other.reference)
+    assert command("simulate", CORNER, folder).returncode == 0
+    loaded.save(tmp_path / "copy")
+    assert Plan.load(tmp_path / "copy").result == plan.result
+
+
+def test_a_plan_is_that_of_the_command(plan: Plan, tmp_path: Path) -> None:
+    assert command("solve", CORNER, "--out", tmp_path / "plan").returncode == 0
+    assert np.array_equal(Plan.load(tmp_path / "plan").reference, plan.reference)
+
+
+def test_damaged_and_foreign_folders_are_refused(plan: Plan, tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match=r"result\.json: cannot be read"):
+        Plan.load(tmp_path)
+    (tmp_path / "reference.csv").write_text("mine")
+    with pytest.raises(SceneError, match="was not written by an earlier run"):
+        plan.save(tmp_path)
+    folder = tmp_path / "plan"
+    plan.save(folder)
+    loaded = Plan.load(folder)
+    with (folder / "wrench.csv").open("a") as table:
+        table.write("\n")
+    with pytest.raises(SceneError, match="was changed since the plan was written") as raised:
+        Plan.load(folder)
+    assert str(raised.value) == error_of("simulate", CORNER, folder)
+    with pytest.raises(SceneError, match="was changed since the plan was written"):
+        loaded.save(tmp_path / "copy")
+    assert not (tmp_path / "copy").exists()
+
+
+def test_a_plan_is_changed_by_what_is_chosen(scene: Scene) -> None:
+    homotopy = {"homotopy": {"iterations": 2, "tau": 0.003}, "ipopt": {"max_iter": 4}}
+    plan = scene.solve(start="3", delta=0.002, homotopy=homotopy, linear_solver="mumps", jobs=1)
+    result = plan.result
+    assert (result["start"], result["delta_m"], result["threads"]) == ("3", 0.002, 1)
+    assert result["stages"][0]["tau"] == 0.003 and result["stages"][0]["iterations"] == 4
+    assert "mumps" in result["linear_solver"]
+    assert not plan.done and not result["converged"] and "homotopy iteration" in plan.status
+
+
+def test_a_homotopy_file_is_the_dictionary_of_its_content(scene: Scene, tmp_path: Path) -> None:
+    file = tmp_path / "homotopy.toml"
+    file.write_text("[homotopy]\niterations = 2\ntau = 0.003\n")
+    one = scene.solve(homotopy=file)
+    other = scene.solve(homotopy={"homotopy": {"iterations": 2, "tau": 0.003}})
+    assert one.resolved == other.resolved and np.array_equal(one.reference, other.reference)
+
+
+def test_a_folder_is_written_only_whole(scene: Scene, plan: Plan, tmp_path: Path) -> None:
+    solved = scene.solve(out=tmp_path / "plan")
+    assert solved.result["files"] and Plan.load(tmp_path / "plan").result == solved.result
+    assert np.array_equal(solved.reference, plan.reference)
+    assert [entry.name for entry in tmp_path.iterdir()] == ["plan"]
+
+
+def test_a_robust_plan_succeeds_with_hard_contacts(scene: Scene) -> None:
+    plan = scene.solve_robust(friction=[0.0, 0.2], wanted_rate=0.95, time_limit=100)
+    robust = plan.result["robust"]
+    assert plan.done and robust["wanted_rate"] == 0.95
+    assert {group["friction"] for group in robust["after"]} == {0.0, 0.2}
+    assert scene.simulate(plan, friction=[0.2]).rate() == 1.0
+
+
+def test_a_scene_that_begins_inside_cannot_be_planned(tmp_path: Path) -> None:
+    inside = tmp_path / "inside.toml"
+    inside.write_text(CORNER.read_text().replace("position = [0.1, 0.0, 0.08]", "position = [0.1, 0.0, -0.02]", 1))
+    with pytest.raises(SceneError) as raised:
+        Scene.load(inside).solve()
+    assert str(raised.value) == error_of("solve", inside, "--out", tmp_path / "plan")
+
+
+def test_no_plan_in_time_is_an_error() -> None:
+    with pytest.raises(NoPlanError, match="the time limit ended before the first plan"):
+        Scene.load(ROOT / "scenes/peg1.toml").solve_robust(time_limit=0.001)
