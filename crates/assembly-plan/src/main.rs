@@ -5,6 +5,7 @@ mod batch;
 mod check;
 mod console;
 mod exit;
+mod export;
 mod generate;
 mod interrupt;
 mod new;
@@ -32,6 +33,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
         Command::Report(arguments) => report::run(arguments),
+        Command::Export(arguments) => export::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Generate(arguments) => generate::run(arguments),
