@@ -1,6 +1,7 @@
 """Checks that need no motion: kinematics and law of the players against MuJoCo's, and stand-ins against the makers' packages,
 where these are installed."""
 
+import dataclasses
 import importlib.util
 import inspect
 import json
@@ -17,6 +18,7 @@ import exported_plan
 import impedance
 import rotations
 from exported_plan import ToolState
+from guards import Guards, Limits, Measurement, Stopped
 from kinematics import Pose
 from simulated_arm import SimulatedArm, Task
 
@@ -97,6 +99,41 @@ def rotations_are_inverse_to_each_other() -> str:
         for again in (rotations.of_vector(rotations.vector(rotation)), rotations.matrix(rotations.quaternion(rotation))):
             if np.abs(again - rotation).max() > 1e-6:
                 return f"angle {angle:g}: {np.abs(again - rotation).max():g}"
+    return ""
+
+
+def guards_stop_at_joints_and_times() -> str:
+    """Each measurement that is wrong in one way is refused with its words, and one that is right is not."""
+    plan = plan_of("corner-six")
+    reference = plan.reference(0.0)
+    right = Measurement(0.0, plan.arm.start, np.zeros(6), reference, np.zeros(3), np.zeros(3))
+    at_limit = np.where(np.arange(6) == 2, plan.arm.upper - 0.01, plan.arm.start)
+    moved = dataclasses.replace(reference, pose=Pose(reference.pose.position + 1.0, reference.pose.rotation))
+    wrong = {
+        "within 0.02 of its limits": {"positions": at_limit},
+        "its limit is": {"speeds": 1.01 * plan.arm.speed},
+        "longer than 0.1 s": {"time": 0.2},
+        "force of": {"force": np.full(3, 1e3)},
+        "torque of": {"torque": np.full(3, 1e3)},
+        "from its reference": {"tool": moved},
+    }
+    for words, change in ({"": {}} | wrong).items():
+        said = stopped(plan, right, dataclasses.replace(right, **change), reference)
+        if (words not in said) or (not words and said):
+            return f"{change}: {said!r}, expected {words!r}"
+    slow = [dataclasses.replace(right, time=0.09 * step) for step in range(20)]
+    said = [stopped(plan, right, measured, reference, slow[:index]) for index, measured in enumerate(slow)]
+    return "" if "takes longer" in said[-1] else f"no end of time: {said[-1]!r}"
+
+
+def stopped(plan, at_rest, measured, reference, before=()) -> str:
+    """Why guards that allow a second stop at a measurement, or nothing."""
+    guards = Guards(plan, Limits.of(plan), at_rest, 1.0)
+    try:
+        for earlier in [*before, measured]:
+            guards.check(earlier, reference)
+    except Stopped as error:
+        return str(error)
     return ""
 
 
@@ -182,6 +219,7 @@ ALL = [
     kinematics_are_those_of_the_urdf_file,
     the_law_is_that_of_the_plan,
     rotations_are_inverse_to_each_other,
+    guards_stop_at_joints_and_times,
     changed_exports_are_refused,
     stand_ins_have_the_signatures_of_the_packages,
 ]
