@@ -63,9 +63,11 @@ fn poses_of_an_arm_are_those_of_its_tool_in_its_base() {
     for (axis, base) in [-0.55, -0.1, -0.1].into_iter().enumerate() {
         assert!((tool[axis] - (first[axis] - base)).abs() < 1e-6, "{tool:?}");
     }
-    // The tool is turned by half a turn about y against the part: (w x y z) becomes (y -z -w x), or its negative.
-    let [w, y] = [3, 5];
-    assert!((tool[w].abs() - first[y].abs()).abs() < 1e-6 && (tool[y].abs() - first[w].abs()).abs() < 1e-6, "{tool:?}");
+    // The tool is turned by half a turn about x against the part: (w x y z) becomes (x -w -z y), or its negative.
+    let [w, x, y, z] = [3, 4, 5, 6];
+    for (turned, own) in [(w, x), (x, w), (y, z), (z, y)] {
+        assert!((tool[turned].abs() - first[own].abs()).abs() < 1e-6, "{tool:?} {first:?}");
+    }
 
     let document = dir.json("out/export/csv/plan.json");
     let result = dir.result("out");

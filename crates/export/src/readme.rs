@@ -14,9 +14,9 @@ const PARTS: [(&str, &str); 5] = [
 
 /// The text for a plan.
 pub fn readme(document: &Document, target: Target) -> String {
-    let with_parts = PARTS
-        .iter()
-        .fold(target.readme().to_owned(), |text, (name, part)| text.replace(&format!("{{{{{name}}}}}\n"), &format!("{part}\n")));
+    let with_parts = PARTS.iter().fold(target.readme().to_owned(), |text, (name, part)| {
+        text.replace(&format!("{{{{{name}}}}}\n"), &format!("{part}\n"))
+    });
     numbers(document)
         .into_iter()
         .fold(with_parts, |text, (name, value)| text.replace(&format!("{{{{{name}}}}}"), &value))
