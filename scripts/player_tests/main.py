@@ -4,6 +4,7 @@ import concurrent.futures
 import contextlib
 import csv
 import dataclasses
+import importlib.util
 import json
 import os
 import pathlib
@@ -229,6 +230,9 @@ def main() -> int:
     """Runs the cases whose names contain a word of the command line, or all; returns the exit code."""
     words = sys.argv[1:]
     cases = [case for case in insertions() + guards() if not words or any(word in case.name for word in words)]
+    if importlib.util.find_spec("rtde_control") is None:
+        print("       ur-rtde is not installed: nothing is played over sockets")
+        cases = [case for case in cases if case.target != "loopback"]
     failures = 0
     begin = time.monotonic()
     if not words:
