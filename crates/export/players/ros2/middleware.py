@@ -7,6 +7,7 @@ import time
 import numpy as np
 import rclpy
 from geometry_msgs.msg import PoseStamped, WrenchStamped
+from rclpy.signals import SignalHandlerOptions
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64MultiArray
 
@@ -17,7 +18,8 @@ class Middleware:
     """A node that publishes references and keeps the newest measurements."""
 
     def __init__(self, arguments: argparse.Namespace, joints: list[str]) -> None:
-        rclpy.init()
+        # Ctrl-C is the player's own: it still has to publish.
+        rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
         self.node = rclpy.create_node("assembly_plan_player")
         self.joints, self.frame = joints, arguments.frame
         self.lock, self.heard = threading.Lock(), Heard()

@@ -15,6 +15,8 @@ from session import require_positive
 MESSAGES = ("pose", "motion-update")
 # Longest wait (s) for the first measurements, and largest age (s) of later ones.
 FIRST_PATIENCE, PATIENCE = 5.0, 0.1
+# Time (s) for the last reference to be sent.
+PARTING = 0.1
 
 
 @dataclasses.dataclass
@@ -127,6 +129,7 @@ class Ros2Robot:
             if self.last_pose is not None:
                 newest = self.topics.latest().pose
                 self.publish(ToolState.at_rest(Pose.of(newest)))
+                self.topics.wait(PARTING)
         finally:
             self.topics.close()
 
