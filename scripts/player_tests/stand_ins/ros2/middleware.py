@@ -19,7 +19,7 @@ class Middleware:
     def __init__(self, arguments: argparse.Namespace, joints: list[str]) -> None:
         self.arm = SimulatedArm(Task.read())
         self.controller = ImpedanceController(self.arm, PERIOD)
-        self.is_on, self.heard = False, Heard()
+        self.is_on, self.heard, self.way = False, Heard(), np.zeros(3)
         self.hear()
 
     def now(self) -> float:
@@ -67,11 +67,11 @@ class Middleware:
         self.is_on, self.arm.mode = True, "torque"
         self.controller.damping = np.array(target.damping).reshape(6, 6)
         self.controller.position = np.array(target.position)
+        self.way = self.controller.position - self.heard.pose[:3]
         self.controller.rotation = rotations.matrix(np.array(target.quaternion))
 
     def close(self) -> None:
-        """The controller goes on holding the last reference: the mode is left when that is where the tool was heard last."""
-        way = self.controller.position - self.heard.pose[:3]
-        if not self.is_on or np.linalg.norm(self.controller.stiffness[:3, :3] @ way) < 1.0:
+        """The controller goes on holding the last reference: the mode is left when that was where the tool was heard."""
+        if not self.is_on or np.linalg.norm(self.controller.stiffness[:3, :3] @ self.way) < 1.0:
             self.arm.mode = "position"
         self.arm.leave()
