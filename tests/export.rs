@@ -69,6 +69,16 @@ fn poses_of_an_arm_are_those_of_its_tool_in_its_base() {
         assert!((tool[turned].abs() - first[own].abs()).abs() < 1e-6, "{tool:?} {first:?}");
     }
 
+    // The base is not turned: forces stay as they are. Torques are turned, about the same point.
+    let [own, carried] =
+        ["out/wrench.csv", "out/export/csv/wrench.csv"].map(|file| dir.table(file).numbers_from("fx_n"));
+    assert_eq!(own.len(), carried.len());
+    let size = |torque: &[f64]| torque.iter().map(|component| component * component).sum::<f64>().sqrt();
+    for (own, carried) in own.iter().zip(&carried) {
+        let moved = (0..3).map(|axis| (own[axis] - carried[axis]).abs()).fold(0.0, f64::max);
+        assert!(moved < 1e-9 && (size(&own[3..]) - size(&carried[3..])).abs() < 1e-9, "{own:?} {carried:?}");
+    }
+
     let document = dir.json("out/export/csv/plan.json");
     let result = dir.result("out");
     let stiffness = result["gains"]["translational_stiffness_n_m"].as_f64().unwrap();
