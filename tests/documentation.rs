@@ -209,7 +209,7 @@ fn files_that_are_named_exist() {
 
 /// Long flags of the program, but for hidden ones.
 fn flags_of_program() -> BTreeSet<String> {
-    let commands: [&[&str]; 19] = [
+    let commands: [&[&str]; 20] = [
         &[],
         &["solve"],
         &["check"],
@@ -223,6 +223,7 @@ fn flags_of_program() -> BTreeSet<String> {
         &["man"],
         &["simulate"],
         &["report"],
+        &["export"],
         &["batch"],
         &["batch", "expand"],
         &["batch", "run"],
@@ -249,7 +250,10 @@ fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
         ["--no-deps", "--open", "--bench", "--features", "--path", "--partition", "--time", "--array"];
     let program = flags_of_program();
     let mut scripts = String::new();
-    for folder in ["scripts", "scripts/mujoco_validation", "scripts/reproduction", "crates/python/examples"] {
+    let players = ["shared", "ur_rtde", "franka", "ros2"].map(|name| format!("crates/export/players/{name}"));
+    let folders =
+        ["scripts", "scripts/mujoco_validation", "scripts/reproduction", "crates/python/examples"].map(str::to_owned);
+    for folder in folders.iter().chain(&players) {
         let files = fs::read_dir(project(folder)).unwrap().map(|entry| entry.unwrap().path());
         files.filter_map(|file| fs::read_to_string(file).ok()).for_each(|text| scripts += &text);
     }

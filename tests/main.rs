@@ -4,6 +4,7 @@ mod batch;
 mod documentation;
 mod end_to_end;
 mod explained;
+mod export;
 mod failures;
 mod limits;
 mod mujoco;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
+use export::Target;
 use planner::{Choices, GraspErrors, OffsetSource, PlannerError, RobustnessTarget, SimulationRequest, files};
 use scene::{Axis, Scene};
 use simulation::Settings;
@@ -36,6 +37,7 @@ Examples:
   assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1
   assembly-plan solve scenes/peg1.toml --robust --time-limit 120 --out out/peg1
   assembly-plan report out/peg1
+  assembly-plan export out/peg1 --to csv
   assembly-plan simulate scenes/peg1.toml out/peg1 --random 50 --magnitude 0.005,0.01 --friction 0,0.1";
 
 #[derive(Debug, Subcommand)]
@@ -48,6 +50,8 @@ pub enum Command {
     Simulate(SimulateArguments),
     /// Write an HTML page that shows a plan, a batch or a simulation
     Report(ReportArguments),
+    /// Write what a robot reads of a plan: the motion of its tool, gains, limits, a player
+    Export(ExportArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
     /// Write a scene to begin with, which is solved as it is
@@ -201,6 +205,10 @@ pub struct SimulateArguments {
     /// first friction and offset
     #[arg(long, value_name = "FILE")]
     pub trace: Option<PathBuf>,
+    /// Compare what a robot did, as the player of an export logged it, with a rollout that has the same grasp error; play
+    /// nothing else
+    #[arg(long, value_name = "LOG", conflicts_with_all = ["source", "trace", "out", "stages", "report"])]
+    pub executed: Option<PathBuf>,
     /// Folder for rollouts.csv and success.csv [default: DIR]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -221,6 +229,25 @@ pub struct ReportArguments {
     /// forces, convergence, success rates
     #[arg(long, value_name = "DIR")]
     pub figures: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct ExportArguments {
+    /// Folder that `solve` wrote
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// What for: csv, ur-rtde, franka, urscript or ros2
+    #[arg(long, value_name = "TARGET", value_parser = values::target)]
+    pub to: Target,
+    /// Samples of the motion per second (Hz)
+    #[arg(long, value_name = "HZ", default_value_t = 500.0, value_parser = values::rate)]
+    pub rate: f64,
+    /// Folder to write; an earlier export in it is replaced [default: DIR/export/TARGET]
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
+    /// Also export a plan that is not done
+    #[arg(long)]
+    pub anyway: bool,
 }
 
 #[derive(Debug, Args)]

@@ -5,12 +5,13 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use planner::files::{
-    RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables, to_csv,
-    write_file, write_rollout_tables,
+    GraspRecord, RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
+    require_rollout_tables, to_csv, write_file, write_rollout_tables,
 };
 use planner::simulate::overlap_warning;
 use planner::{
-    Choices, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable, simulate,
+    Choices, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable,
+    simulate,
 };
 use simulation::{Reference, TimedState};
 
@@ -28,6 +29,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let plans = StoredPlan::find(&arguments.folder)?;
     let played: Vec<(StoredPlan, Problem)> =
         plans.into_iter().map(|plan| problem_of(arguments, plan)).collect::<Result<_, _>>()?;
+    if let Some(log) = &arguments.executed {
+        return show_execution(&played, &request, log);
+    }
     if request.errors.magnitudes.is_empty() {
         request.errors.magnitudes = magnitudes(&played);
     }
@@ -80,6 +84,33 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
         report::write_into(folder)?;
     }
     Ok(Exit::Done)
+}
+
+/// Compares the log of a robot with a rollout.
+fn show_execution(
+    played: &[(StoredPlan, Problem)],
+    request: &SimulationRequest,
+    log: &Path,
+) -> Result<Exit, CommandError> {
+    let ([(plan, problem)], [friction]) = (played, request.frictions.as_slice()) else {
+        let problem = "--executed compares one plan with one rollout: name the folder of a plan, and one friction";
+        return Err(CommandError::Usage(problem.to_owned()));
+    };
+    let execution = Execution::read(log, problem, &plan.reference()?, request.settings(*friction))?;
+    let (largest, time) = execution.largest_distance;
+    say!("if the part ended at its goal, it sat in the gripper with {}", GraspRecord::from(&execution.grasp));
+    say!(
+        "with this grasp error, a rollout at friction {friction} {} the goal; the robot was up to {:.1} mm from it (at \
+         {time:.2} s), {:.1} mm on average",
+        if execution.rollout_succeeds { "reaches" } else { "misses" },
+        1e3 * largest,
+        1e3 * execution.mean_distance
+    );
+    if execution.is_planned {
+        return Ok(Exit::Done);
+    }
+    say!("so large an offset was not planned for ({:.1} mm): the part did not end at its goal", 1e3 * problem.delta());
+    Ok(Exit::NoPlan)
 }
 
 /// The problem of a plan in the given scene, which must have the plan's shapes, start and goal.

@@ -1,5 +1,6 @@
 //! Numbers on the command line, each with its range.
 
+use export::Target;
 use scene::Axis;
 use task::LinearSolver;
 
@@ -28,6 +29,17 @@ pub fn pose(text: &str) -> Result<Pose, String> {
 pub fn linear_solver(text: &str) -> Result<LinearSolver, String> {
     let names = LinearSolver::ALL.map(LinearSolver::name).join(", ");
     LinearSolver::from_name(text).ok_or_else(|| format!("unknown; choose one of {names}"))
+}
+
+/// A target of an export by its name.
+pub fn target(text: &str) -> Result<Target, String> {
+    let names = Target::ALL.map(Target::name).join(", ");
+    Target::from_name(text).ok_or_else(|| format!("unknown; choose one of {names}"))
+}
+
+/// A rate of samples (Hz).
+pub fn rate(text: &str) -> Result<f64, String> {
+    number(text, |number| (1.0..=10_000.0).contains(&number), "must lie between 1 and 10000 Hz")
 }
 
 /// A direction along an axis.

@@ -30,6 +30,7 @@
 //! | [`Problem`] | one start and offset magnitude of a scene with its homotopy: the one gate for all input |
 //! | [`solve`], [`refine`](mod@refine) | from a problem to a [`Plan`], and to a robust one |
 //! | [`simulate`](mod@simulate) | rollouts of plans, success rates |
+//! | [`Execution`] | what a robot did, beside a rollout |
 //! | [`explain`] | why a plan is not done |
 //! | [`ArmCourse`] | how the joints of an arm move along a plan |
 //! | [`check`](mod@check) | what a scene says, without solving it |
@@ -50,6 +51,7 @@ pub mod batch;
 pub mod check;
 mod error;
 mod event_record;
+mod executed;
 pub mod explain;
 pub mod files;
 mod iteration;
@@ -69,6 +71,7 @@ mod warnings;
 pub use arm_course::ArmCourse;
 pub use attempt::AttemptRecord;
 pub use error::{Fault, PlannerError, Unusable};
+pub use executed::Execution;
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
 pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;

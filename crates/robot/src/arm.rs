@@ -138,6 +138,11 @@ impl Arm {
         &self.joints
     }
 
+    /// Frame of the tip in that of the last moving link.
+    pub fn tip_frame(&self) -> Isometry3<f64> {
+        nalgebra::convert(self.tip)
+    }
+
     /// Joint positions (rad or m) as one vector.
     ///
     /// # Errors

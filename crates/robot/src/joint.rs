@@ -1,6 +1,6 @@
 //! Joints of an arm.
 
-use nalgebra::{IsometryMatrix3, Rotation3, Unit, Vector3};
+use nalgebra::{Isometry3, IsometryMatrix3, Rotation3, Unit, Vector3};
 
 use crate::inertia::RigidInertia;
 
@@ -42,6 +42,16 @@ impl Joint {
     /// Frame of the joint's link at a position (rad or m), in the frame of the link before.
     pub(crate) fn link_frame(&self, position: f64) -> IsometryMatrix3<f64> {
         self.before * self.kind.motion(&self.axis, position)
+    }
+
+    /// The joint's frame at position zero in the frame of the link before.
+    pub fn frame(&self) -> Isometry3<f64> {
+        nalgebra::convert(self.before)
+    }
+
+    /// Its axis in its own frame, and in that of its link.
+    pub fn axis(&self) -> Vector3<f64> {
+        self.axis.into_inner()
     }
 
     /// Whether a position (rad or m) is within the limits.

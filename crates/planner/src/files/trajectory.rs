@@ -135,6 +135,14 @@ impl ScenarioRow {
     }
 }
 
+impl WrenchRow {
+    /// At a time (s), of a scenario (from 1).
+    pub fn new(time: f64, scenario: usize, wrench: &[f64; TWIST]) -> Self {
+        let [fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm] = wrench.map(Value);
+        Self { time_s: seconds(time), scenario, fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm }
+    }
+}
+
 /// Writes the four tables of a motion into a folder; `task` has its pairs.
 ///
 /// # Errors
@@ -149,10 +157,7 @@ pub fn write_trajectory(folder: &Path, motion: &Trajectory, task: &AssemblyTask)
         state_rows(&scenario.states).into_iter().map(move |row| ScenarioRow::new(number, &row))
     });
     let wrenches = scenarios().flat_map(|(scenario, number)| {
-        scenario.wrenches.iter().zip(1..).map(move |(wrench, step)| {
-            let [fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm] = wrench.map(Value);
-            WrenchRow { time_s: seconds(time(step)), scenario: number, fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm }
-        })
+        scenario.wrenches.iter().zip(1..).map(move |(wrench, step)| WrenchRow::new(time(step), number, wrench))
     });
     let contacts = scenarios().flat_map(|(scenario, number)| {
         scenario.contacts.iter().zip(1..).flat_map(move |(contacts, step)| {

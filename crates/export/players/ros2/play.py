@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Plays the plan of this folder through a Cartesian impedance controller of ROS 2. --help explains; README.md has the steps
+before."""
+
+import argparse
+import sys
+
+try:
+    import middleware
+    import ros2_robot
+    from session import main
+except ImportError as error:
+    print(
+        f"error: {error}; this player needs ROS 2 with rclpy, geometry_msgs, sensor_msgs and std_msgs (source its "
+        "setup.bash), for --message motion-update also aic_control_interfaces, and: pip install numpy",
+        file=sys.stderr,
+    )
+    sys.exit(3)
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    add = parser.add_argument
+    add(
+        "--message",
+        choices=ros2_robot.MESSAGES,
+        default=ros2_robot.MESSAGES[0],
+        help="pose: geometry_msgs/PoseStamped, and the diagonal of the stiffness as std_msgs/Float64MultiArray, as "
+        "crisp_controllers takes them; motion-update: aic_control_interfaces/MotionUpdate with stiffness and damping "
+        "[default: %(default)s]",
+    )
+    add("--frame", default="base_link", metavar="NAME", help="name of the robot's base [default: %(default)s]")
+    add("--target-topic", default="target_pose", metavar="TOPIC", help="of references [default: %(default)s]")
+    add("--stiffness-topic", default="target_stiffness", metavar="TOPIC", help="of stiffness [default: %(default)s]")
+    add("--pose-topic", default="current_pose", metavar="TOPIC", help="PoseStamped of the tool [default: %(default)s]")
+    add("--joint-topic", default="joint_states", metavar="TOPIC", help="JointState [default: %(default)s]")
+    add("--wrench-topic", default="wrench", metavar="TOPIC", help="WrenchStamped at the tool [default: %(default)s]")
+    add("--rate", type=float, default=250.0, metavar="HZ", help="references per second [default: %(default)g]")
+    add("--stiffness-factor", type=float, default=1.0, metavar="F", help="stiffness of the robot over that of the plan")
+    add("--damping-factor", type=float, default=1.0, metavar="F", help="damping, likewise")
+    return parser
+
+
+def connect(arguments: argparse.Namespace, plan: object) -> ros2_robot.Ros2Robot:
+    """The robot behind the topics."""
+    return ros2_robot.connect(arguments, plan, middleware.Middleware)
+
+
+if __name__ == "__main__":
+    sys.exit(main(parser(), connect))

@@ -1,0 +1,188 @@
+//! `plan.json`: what a player needs to know besides the trajectory.
+
+use nalgebra::SMatrix;
+use planner::files::StoredPlan;
+use planner::{ArmCourse, PlannerError};
+use robot::{Joint, JointKind, JointVector};
+use scene::{Robot, Scene};
+use serde::Serialize;
+use simulation::{Reference, coordinates, isometry};
+use task::GraspError;
+
+use crate::expectation::{Expectation, Guards};
+use crate::frames::Frames;
+
+/// Version of the file; players refuse others.
+const FORMAT: u32 = 1;
+
+/// What a player needs to know besides the trajectory. Poses are position (m) and unit quaternion (w x y z).
+#[derive(Debug, Clone, Serialize)]
+pub struct Document {
+    /// Version of this file.
+    pub format: u32,
+    /// Title of the scene.
+    pub scene: String,
+    /// Name of the start.
+    pub start: String,
+    /// Hash of what the plan was made from.
+    pub problem: String,
+    /// Offset magnitude that the plan bears (m).
+    pub delta_m: f64,
+    /// Samples per second of `trajectory.csv`.
+    pub rate_hz: f64,
+    /// Where the trajectory stands: `robot base` or `world`.
+    pub frame: &'static str,
+    /// The robot's base in the world.
+    pub base: [f64; 7],
+    /// The part in the tool, as the robot believes it.
+    pub grasp: [f64; 7],
+    /// Goal of the part in the world.
+    pub goal: [f64; 7],
+    /// Largest final distance of a success (m).
+    pub position_tolerance_m: Option<f64>,
+    /// Largest final angle of a success (rad).
+    pub angle_tolerance_rad: f64,
+    /// The controller of the plan, which acts at the part.
+    pub impedance: ImpedanceRecord,
+    /// The same at the tool point, at the goal: rows along and about the axes of the frame.
+    pub tool_stiffness: [[f64; 6]; 6],
+    /// Likewise.
+    pub tool_damping: [[f64; 6]; 6],
+    /// Largest values in the plan.
+    pub expected: Expectation,
+    /// Values beyond which a player stops.
+    pub guards: Guards,
+    /// The arm, if the scene has one.
+    pub arm: Option<ArmRecord>,
+}
+
+/// The controller of a plan.
+#[derive(Debug, Clone, Serialize)]
+pub struct ImpedanceRecord {
+    /// Along every axis (N/m).
+    pub translational_stiffness: f64,
+    /// About every axis (Nm/rad).
+    pub rotational_stiffness: f64,
+    /// Rows along the axes of the world (Ns/m).
+    pub translational_damping: [[f64; 3]; 3],
+    /// Rows along the axes of the part (Nms/rad).
+    pub rotational_damping: [[f64; 3]; 3],
+}
+
+/// An arm as a chain of joints.
+#[derive(Debug, Clone, Serialize)]
+pub struct ArmRecord {
+    /// Link of the URDF file that is the tool.
+    pub tip: String,
+    /// Name of the URDF file.
+    pub urdf: String,
+    /// From the base to the tool.
+    pub joints: Vec<JointRecord>,
+    /// The tool in the frame of the last joint's link.
+    pub tool: [f64; 7],
+    /// Joint positions at the start of the reference (rad or m).
+    pub start_configuration: Vec<f64>,
+    /// Time between two commands of the controller (s).
+    pub control_period_s: f64,
+}
+
+/// A joint with the frame in which it moves its link.
+#[derive(Debug, Clone, Serialize)]
+pub struct JointRecord {
+    /// Name.
+    pub name: String,
+    /// Whether it slides instead of turning.
+    pub slides: bool,
+    /// Its frame in that of the link before, at position zero.
+    pub frame: [f64; 7],
+    /// Its axis in that frame.
+    pub axis: [f64; 3],
+    /// Lowest position (rad or m), if there is one.
+    pub lower: Option<f64>,
+    /// Highest position, likewise.
+    pub upper: Option<f64>,
+    /// Largest speed (rad/s or m/s), likewise.
+    pub speed: Option<f64>,
+    /// Largest torque (Nm or N), likewise.
+    pub torque: Option<f64>,
+}
+
+impl Document {
+    /// Of a plan in its scene.
+    ///
+    /// # Errors
+    /// When a table of the plan is missing or wrong, or the arm cannot follow the reference.
+    pub fn new(plan: &StoredPlan, scene: &Scene, reference: &Reference, rate: f64) -> Result<Self, PlannerError> {
+        let frames = Frames::of(scene);
+        let expected = Expectation::of(plan, &frames)?;
+        let gains = frames.tool_gains(&isometry(&scene.goal), &scene.impedance);
+        let arm = scene.robot.as_ref().map(|robot| ArmRecord::new(plan, robot, reference)).transpose()?;
+        let impedance = &scene.impedance;
+        Ok(Self {
+            format: FORMAT,
+            scene: plan.result.scene.clone(),
+            start: plan.result.start.clone(),
+            problem: plan.result.made_from.problem.clone(),
+            delta_m: plan.result.delta_m,
+            rate_hz: rate,
+            frame: if scene.robot.is_some() { "robot base" } else { "world" },
+            base: coordinates(&frames.base),
+            grasp: coordinates(&frames.grasp),
+            goal: scene.goal,
+            position_tolerance_m: scene.position_tolerance,
+            angle_tolerance_rad: scene.angle_tolerance,
+            impedance: ImpedanceRecord {
+                translational_stiffness: impedance.translational_stiffness,
+                rotational_stiffness: impedance.rotational_stiffness,
+                translational_damping: rows(&impedance.translational_damping),
+                rotational_damping: rows(&impedance.rotational_damping),
+            },
+            tool_stiffness: rows(&gains.stiffness),
+            tool_damping: rows(&gains.damping),
+            expected,
+            guards: expected.guards(plan.result.limits.contact_force_n),
+            arm,
+        })
+    }
+}
+
+impl ArmRecord {
+    fn new(plan: &StoredPlan, robot: &Robot, reference: &Reference) -> Result<Self, PlannerError> {
+        let exact = GraspError::default();
+        let course = ArmCourse::new(robot, reference.time_step(), &exact, &reference.states(), &[]);
+        let course = course.map_err(|error| {
+            let advice = "the arm cannot follow the reference; check base, grasp and configuration of [robot]";
+            PlannerError::file(&plan.folder, format!("{advice}: {error}"))
+        })?;
+        let positions = |configuration: &JointVector| configuration.as_slice()[..robot.arm.joints().len()].to_vec();
+        Ok(Self {
+            tip: robot.tip.clone(),
+            urdf: robot.urdf.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            joints: robot.arm.joints().iter().map(JointRecord::new).collect(),
+            tool: coordinates(&robot.arm.tip_frame()),
+            start_configuration: course.configurations.first().map_or_else(Vec::new, positions),
+            control_period_s: robot.control_period,
+        })
+    }
+}
+
+impl JointRecord {
+    fn new(joint: &Joint) -> Self {
+        let finite = |value: f64| Some(value).filter(|value| value.is_finite());
+        Self {
+            name: joint.name.clone(),
+            slides: joint.kind == JointKind::Prismatic,
+            frame: coordinates(&joint.frame()),
+            axis: joint.axis().into(),
+            lower: finite(joint.lower),
+            upper: finite(joint.upper),
+            speed: finite(joint.velocity),
+            torque: finite(joint.effort),
+        }
+    }
+}
+
+/// Rows of a square matrix.
+fn rows<const N: usize>(matrix: &SMatrix<f64, N, N>) -> [[f64; N]; N] {
+    std::array::from_fn(|row| std::array::from_fn(|column| matrix[(row, column)]))
+}

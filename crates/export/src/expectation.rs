@@ -1,0 +1,93 @@
+//! What a plan expects while it is executed, and when a player has to stop.
+
+use planner::PlannerError;
+use planner::files::trajectory::read_tables;
+use planner::files::{MotionTables, StoredPlan};
+use serde::Serialize;
+use simulation::isometry;
+use task::{GraspError, pose_of};
+
+use crate::frames::Frames;
+
+/// A measured force or deviation may be this many times the largest planned one.
+const MARGIN: f64 = 2.0;
+/// The force at the tool may be this many times the limit of one contact: several push at once.
+const CONTACTS: f64 = 1.5;
+/// Guards that are tighter than these stop for noise (N, Nm, m, rad).
+const LEAST_FORCE: f64 = 20.0;
+const LEAST_TORQUE: f64 = 5.0;
+const LEAST_DISTANCE: f64 = 0.01;
+const LEAST_ANGLE: f64 = 0.05;
+
+/// Largest values in all planned scenarios.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Expectation {
+    /// Force of the controller (N).
+    pub force_n: f64,
+    /// Torque of the controller about the tool point (Nm).
+    pub torque_nm: f64,
+    /// Force of a contact (N).
+    pub contact_force_n: f64,
+    /// Distance of the tool from the reference (m).
+    pub deviation_m: f64,
+    /// Angle between the tool and the reference (rad).
+    pub deviation_rad: f64,
+}
+
+/// Values beyond which a player stops the robot.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Guards {
+    /// Measured force at the tool, as a mean over 10 ms (N).
+    pub force_n: f64,
+    /// Measured torque at the tool, likewise (Nm).
+    pub torque_nm: f64,
+    /// Distance of the tool from the reference (m).
+    pub deviation_m: f64,
+    /// Angle between the tool and the reference (rad).
+    pub deviation_rad: f64,
+}
+
+impl Expectation {
+    /// Of the tables of a plan.
+    ///
+    /// # Errors
+    /// When a table is missing or wrong.
+    pub fn of(plan: &StoredPlan, frames: &Frames) -> Result<Self, PlannerError> {
+        let tables = read_tables(&plan.folder)?;
+        let grasps: Vec<GraspError> =
+            plan.result.scenarios.iter().map(|scenario| GraspError::from(&scenario.grasp)).collect();
+        let contact_force_n = plan.result.reached.contact_force_n;
+        Ok(Self { contact_force_n, ..Self::of_tables(&tables, &grasps, frames) })
+    }
+
+    fn of_tables(tables: &MotionTables, grasps: &[GraspError], frames: &Frames) -> Self {
+        let mut largest = Self::default();
+        for (scenario, grasp) in tables.scenarios.iter().zip(grasps) {
+            for (index, (state, reference)) in scenario.states.iter().zip(&tables.reference).enumerate() {
+                let believed = isometry(&pose_of(state)) * grasp.believed();
+                let (tool, wanted) = (frames.tool(&believed), frames.tool(&isometry(&pose_of(reference))));
+                let distance = (tool.translation.vector - wanted.translation.vector).norm();
+                largest.deviation_m = largest.deviation_m.max(distance);
+                largest.deviation_rad = largest.deviation_rad.max(tool.rotation.angle_to(&wanted.rotation));
+                // There is a wrench for every step but the first.
+                let Some(wrench) = index.checked_sub(1).and_then(|step| scenario.wrenches.get(step)) else { continue };
+                let wrench = frames.tool_wrench(&isometry(&pose_of(state)), wrench);
+                largest.force_n = largest.force_n.max(wrench.fixed_rows::<3>(0).norm());
+                largest.torque_nm = largest.torque_nm.max(wrench.fixed_rows::<3>(3).norm());
+            }
+        }
+        largest
+    }
+
+    /// Where to stop, with the scene's limit of the force of a contact (N), which may be infinite.
+    pub fn guards(&self, contact_force_limit: f64) -> Guards {
+        let planned = MARGIN * self.force_n.max(self.contact_force_n);
+        let force = if contact_force_limit.is_finite() { CONTACTS * contact_force_limit } else { planned };
+        Guards {
+            force_n: force.max(LEAST_FORCE),
+            torque_nm: (MARGIN * self.torque_nm).max(LEAST_TORQUE),
+            deviation_m: (MARGIN * self.deviation_m).max(LEAST_DISTANCE),
+            deviation_rad: (MARGIN * self.deviation_rad).max(LEAST_ANGLE),
+        }
+    }
+}

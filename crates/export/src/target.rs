@@ -1,0 +1,100 @@
+//! What a plan is exported to.
+
+use std::fmt;
+
+/// Modules that every folder with a player has.
+const SHARED: [File; 7] = [
+    ("exported_plan.py", include_str!("../players/shared/exported_plan.py")),
+    ("guards.py", include_str!("../players/shared/guards.py")),
+    ("impedance.py", include_str!("../players/shared/impedance.py")),
+    ("journal.py", include_str!("../players/shared/journal.py")),
+    ("kinematics.py", include_str!("../players/shared/kinematics.py")),
+    ("rotations.py", include_str!("../players/shared/rotations.py")),
+    ("session.py", include_str!("../players/shared/session.py")),
+];
+
+/// Name and text of a file.
+pub type File = (&'static str, &'static str);
+
+/// What a plan is exported to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// Tables alone.
+    Csv,
+    /// A player for robots of Universal Robots, over RTDE.
+    UrRtde,
+    /// A player for robots of Franka Robotics.
+    Franka,
+    /// A script that a controller of Universal Robots runs itself.
+    UrScript,
+    /// A node for Cartesian impedance controllers of ROS 2.
+    Ros2,
+}
+
+impl Target {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Csv, Self::UrRtde, Self::Franka, Self::UrScript, Self::Ros2];
+
+    /// Its name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::UrRtde => "ur-rtde",
+            Self::Franka => "franka",
+            Self::UrScript => "urscript",
+            Self::Ros2 => "ros2",
+        }
+    }
+
+    /// The target of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|target| target.name() == name)
+    }
+
+    /// Number of joints of the arms that it can move, if it matters: these need an arm in the scene.
+    pub fn joints(self) -> Option<usize> {
+        match self {
+            Self::UrRtde | Self::UrScript => Some(6),
+            Self::Franka => Some(7),
+            Self::Csv | Self::Ros2 => None,
+        }
+    }
+
+    /// The files of its player.
+    pub(crate) fn player(self) -> Vec<File> {
+        let own: &[File] = match self {
+            Self::Csv | Self::UrScript => return Vec::new(),
+            Self::UrRtde => &[
+                ("play.py", include_str!("../players/ur_rtde/play.py")),
+                ("ur_robot.py", include_str!("../players/ur_rtde/ur_robot.py")),
+            ],
+            Self::Franka => &[
+                ("play.py", include_str!("../players/franka/play.py")),
+                ("franka_robot.py", include_str!("../players/franka/franka_robot.py")),
+            ],
+            Self::Ros2 => &[
+                ("play.py", include_str!("../players/ros2/play.py")),
+                ("ros2_robot.py", include_str!("../players/ros2/ros2_robot.py")),
+                ("middleware.py", include_str!("../players/ros2/middleware.py")),
+            ],
+        };
+        own.iter().chain(&SHARED).copied().collect()
+    }
+
+    /// The text of its README, with `{{names}}` for the numbers of a plan.
+    pub(crate) fn readme(self) -> &'static str {
+        match self {
+            Self::Csv => include_str!("../players/csv/README.md"),
+            Self::UrRtde => include_str!("../players/ur_rtde/README.md"),
+            Self::Franka => include_str!("../players/franka/README.md"),
+            Self::UrScript => include_str!("../players/urscript/README.md"),
+            Self::Ros2 => include_str!("../players/ros2/README.md"),
+        }
+    }
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.pad(self.name())
+    }
+}

@@ -1,0 +1,51 @@
+//! The reference at the rate of a robot.
+
+use planner::PlannerError;
+use planner::files::{StateRow, to_csv};
+use simulation::{Reference, coordinates};
+
+use crate::frames::{Frames, ToolState};
+
+/// Most samples of a trajectory: an hour at 1 kHz.
+const MOST_SAMPLES: f64 = 3.6e6;
+/// A time that is this close (in samples) to a knot is that of the knot.
+const ROUNDING: f64 = 1e-6;
+
+/// States of the tool at multiples of `1 / rate` (Hz) along a reference: positions linear and orientations by slerp between
+/// the knots of the part, with the twist of the later knot. The last sample is at or after the end of the reference, at rest.
+///
+/// # Errors
+/// When there are too many samples.
+pub fn resample(reference: &Reference, frames: &Frames, rate: f64) -> Result<Vec<ToolState>, PlannerError> {
+    let samples_per_knot = reference.time_step() * rate;
+    let last = (reference.intervals() as f64 * samples_per_knot - ROUNDING).ceil();
+    if last > MOST_SAMPLES {
+        let rule = format!("makes {last:.0} samples, more than {MOST_SAMPLES:.0}; choose a lower rate");
+        return Err(PlannerError::value("rate", rate, &rule));
+    }
+    let sample = |index: usize| {
+        let knots = (index as f64 + ROUNDING) / samples_per_knot;
+        frames.tool_state(&reference.at(knots as usize, knots.fract()))
+    };
+    Ok((0..=last as usize).map(sample).collect())
+}
+
+/// `trajectory.csv`: samples `1 / rate` apart with the columns of `reference.csv`. Unlike there, the angular velocity is along
+/// the axes of the base, as robots want it. The sign of the quaternions does not jump.
+///
+/// # Errors
+/// When a row cannot be written, which no state causes.
+pub fn trajectory_csv(states: &[ToolState], rate: f64) -> Result<Vec<u8>, PlannerError> {
+    let mut before = [0.0; 4];
+    let mut row = |(index, state): (usize, &ToolState)| {
+        let [x, y, z, mut quaternion @ ..] = coordinates(&state.pose);
+        let jumps = before.iter().zip(&quaternion).map(|(one, other)| one * other).sum::<f64>() < 0.0;
+        if jumps {
+            quaternion = quaternion.map(|component| -component);
+        }
+        before = quaternion;
+        let ([qw, qx, qy, qz], v, w) = (quaternion, state.velocity, state.angular_velocity);
+        StateRow::new(index as f64 / rate, &[x, y, z, qw, qx, qy, qz, v.x, v.y, v.z, w.x, w.y, w.z])
+    };
+    to_csv(states.iter().enumerate().map(&mut row).collect::<Vec<_>>())
+}

@@ -1,0 +1,26 @@
+//! `wrench.csv`: what the controller is expected to do at the tool point.
+
+use planner::PlannerError;
+use planner::files::trajectory::{WrenchRow, read_tables};
+use planner::files::{StoredPlan, to_csv};
+use simulation::isometry;
+use task::pose_of;
+
+use crate::frames::Frames;
+
+/// The wrenches of all scenarios at the steps of the plan, with the columns of the plan's own table: force (N) and torque (Nm)
+/// about the tool point, along the axes of the base.
+///
+/// # Errors
+/// When a table of the plan is missing or wrong.
+pub fn wrench_csv(plan: &StoredPlan, frames: &Frames) -> Result<Vec<u8>, PlannerError> {
+    let tables = read_tables(&plan.folder)?;
+    let rows = tables.scenarios.iter().zip(1..).flat_map(|(motion, scenario)| {
+        let steps = motion.states[1..].iter().zip(&motion.wrenches).zip(1_u32..);
+        steps.map(move |((state, wrench), step)| {
+            let wrench: [f64; 6] = frames.tool_wrench(&isometry(&pose_of(state)), wrench).into();
+            WrenchRow::new(f64::from(step) * tables.time_step, scenario, &wrench)
+        })
+    });
+    to_csv(rows)
+}

@@ -1,0 +1,172 @@
+//! `export`: what is written, and what is refused.
+
+use serde_json::Value;
+
+use crate::support::{Dir, project};
+
+/// An arm for the corner scene, as the end of a scene file.
+fn robot() -> String {
+    let arm = std::fs::read_to_string(project("scripts/mujoco_validation/arms/six.toml")).unwrap();
+    let urdf = project("scripts/mujoco_validation/arms/six.urdf");
+    arm.replace("six.urdf", urdf.to_str().unwrap())
+}
+
+/// A plan of the corner for a free body in `out`.
+fn plan() -> Dir {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out out").code(0);
+    dir
+}
+
+/// A plan of the corner for an arm in `out`.
+fn plan_of_arm() -> Dir {
+    let dir = Dir::new();
+    dir.write("arm.toml", dir.read("corner.toml") + &robot());
+    for key in ["mass", "inertia", "translational_stiffness", "rotational_stiffness"] {
+        let kept: Vec<String> =
+            dir.read("arm.toml").lines().filter(|line| !line.starts_with(key)).map(str::to_owned).collect();
+        dir.write("arm.toml", kept.join("\n"));
+    }
+    dir.run("solve arm.toml --out out").code(0);
+    dir
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
+#[test]
+fn tables_of_a_free_body_are_those_of_the_part_in_the_world() {
+    let dir = plan();
+    dir.run("export out --to csv --rate 100").code(0).says("the scene has no arm");
+    let (reference, trajectory) = (dir.table("out/reference.csv"), dir.table("out/export/csv/trajectory.csv"));
+    assert_eq!(reference.header, trajectory.header);
+    let samples = trajectory.numbers_from("px_m");
+    // Knots are 0.08 s apart, samples 0.01 s.
+    for (knot, row) in reference.numbers_from("px_m").iter().enumerate() {
+        let distance = (0..3).map(|axis| (samples[8 * knot][axis] - row[axis]).abs()).fold(0.0, f64::max);
+        assert!(distance < 1e-6, "knot {knot}: {distance}");
+    }
+    let document = dir.json("out/export/csv/plan.json");
+    assert_eq!(document["frame"], "world");
+    assert_eq!(document["arm"], Value::Null);
+    assert!(dir.read("out/export/csv/README.md").contains("the world of the scene"));
+}
+
+#[test]
+fn poses_of_an_arm_are_those_of_its_tool_in_its_base() {
+    let dir = plan_of_arm();
+    dir.run("export out --to csv").code(0);
+    let (reference, trajectory) = (dir.table("out/reference.csv"), dir.table("out/export/csv/trajectory.csv"));
+    let (first, tool) = (&reference.numbers_from("px_m")[0], &trajectory.numbers_from("px_m")[0]);
+    // The base is at (-0.55, -0.1, -0.1) without a turn, and the tool has the part's origin.
+    for (axis, base) in [-0.55, -0.1, -0.1].into_iter().enumerate() {
+        assert!((tool[axis] - (first[axis] - base)).abs() < 1e-6, "{tool:?}");
+    }
+    // The tool is turned by half a turn about x against the part: (w x y z) becomes (x -w -z y), or its negative.
+    let [w, x, y, z] = [3, 4, 5, 6];
+    for (turned, own) in [(w, x), (x, w), (y, z), (z, y)] {
+        assert!((tool[turned].abs() - first[own].abs()).abs() < 1e-6, "{tool:?} {first:?}");
+    }
+
+    // The base is not turned: forces stay as they are. Torques are turned, about the same point.
+    let [own, carried] =
+        ["out/wrench.csv", "out/export/csv/wrench.csv"].map(|file| dir.table(file).numbers_from("fx_n"));
+    assert_eq!(own.len(), carried.len());
+    let size = |torque: &[f64]| torque.iter().map(|component| component * component).sum::<f64>().sqrt();
+    for (own, carried) in own.iter().zip(&carried) {
+        let moved = (0..3).map(|axis| (own[axis] - carried[axis]).abs()).fold(0.0, f64::max);
+        assert!(moved < 1e-9 && (size(&own[3..]) - size(&carried[3..])).abs() < 1e-9, "{own:?} {carried:?}");
+    }
+
+    let document = dir.json("out/export/csv/plan.json");
+    let result = dir.result("out");
+    let stiffness = result["gains"]["translational_stiffness_n_m"].as_f64().unwrap();
+    assert!((document["tool_stiffness"][0][0].as_f64().unwrap() - stiffness).abs() < 1e-6 * stiffness);
+    assert_eq!(document["arm"]["joints"].as_array().unwrap().len(), 6);
+    assert_eq!(numbers(&document["arm"]["start_configuration"]).len(), 6);
+    assert!(!dir.read("out/export/csv/README.md").contains("{{"), "a name in the README has no number");
+}
+
+#[test]
+fn every_target_writes_its_player() {
+    let dir = plan_of_arm();
+    for (target, file) in [("ur-rtde", "ur_robot.py"), ("ros2", "middleware.py"), ("urscript", "plan.script")] {
+        let folder = format!("out/export/{target}");
+        dir.run(&format!("export out --to {target}")).code(0).says(file);
+        let document = dir.json(format!("{folder}/plan.json"));
+        for name in document["files"].as_object().unwrap().keys() {
+            assert!(!dir.read(format!("{folder}/{name}")).is_empty(), "{name}");
+        }
+        assert!(!dir.read(format!("{folder}/README.md")).contains("{{"));
+        assert!(target == "urscript" || dir.exists(format!("{folder}/guards.py")));
+    }
+    assert!(!dir.read("out/export/urscript/plan.script").contains("{{"));
+    dir.run("export out --to franka").code(2).says("6 joints, and these robots have 7");
+}
+
+#[test]
+fn what_cannot_be_exported_is_refused() {
+    let dir = plan();
+    for (line, words) in [
+        ("export out --to ur-rtde", "was made without an arm; add [robot]"),
+        ("export out --to kuka", "choose one of csv, ur-rtde, franka, urscript, ros2"),
+        ("export out --to csv --rate 0", "between 1 and 10000 Hz"),
+        ("export gone --to csv", "gone"),
+        ("export out --to csv --out corner.toml", "is a file"),
+    ] {
+        let before = dir.snapshot("");
+        dir.run(line).code(2).says(words);
+        assert!(before == dir.snapshot(""), "{line}: changed something");
+    }
+    dir.write("out/reference.csv", dir.read("out/reference.csv") + "\n");
+    dir.run("export out --to csv").code(2).says("was changed since the plan was written");
+}
+
+#[test]
+fn a_plan_that_is_not_done_is_exported_only_anyway() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --position-tolerance 1e-6 --out out").code(1);
+    dir.run("export out --to csv").code(2).says("the plan is not done");
+    dir.run("export out --to csv --anyway").code(0).says("warning: the plan is not done");
+}
+
+#[test]
+fn only_earlier_exports_are_replaced() {
+    let dir = plan();
+    dir.run("export out --to csv --out robot").code(0);
+    dir.run("export out --to csv --rate 250 --out robot").code(0);
+    dir.write("robot/README.md", "mine");
+    let before = dir.snapshot("");
+    dir.run("export out --to csv --out robot").code(2).says("is not from an earlier export");
+    assert!(before == dir.snapshot(""));
+    dir.make_folder("notes");
+    dir.write("notes/plan.json", "{}");
+    dir.run("export out --to csv --out notes").code(2).says("notes/plan.json");
+}
+
+#[test]
+fn what_a_robot_did_is_compared_with_a_rollout() {
+    let dir = plan();
+    // A robot that follows the reference exactly: the part is where it is believed, and the corner is not in its way.
+    let reference = dir.read("out/reference.csv");
+    let mut lines = reference.lines();
+    let mut log = format!("{},phase\n", lines.next().unwrap());
+    let rows: Vec<&str> = lines.collect();
+    for (phase, rows) in [("going to the start", &rows[..1]), ("playing", &rows[..])] {
+        log.extend(rows.iter().map(|row| format!("{row},{phase}\n")));
+    }
+    dir.write("stopped.csv", &log);
+    let compare = "simulate corner.toml out --executed";
+    dir.run(&format!("{compare} stopped.csv")).code(2).says("was stopped before its end");
+
+    // At its end, the part is believed 8 mm beside the goal along x, as a part with this offset is at the goal.
+    let end = "1.0,0.059,0,0.031,1,0,0,0,0,0,0,0,0,0";
+    dir.write("executed.csv", format!("{log}{end},resting\n"));
+    dir.run(&format!("{compare} executed.csv")).code(0).says("offset 8.0 0.0 0.0 mm").says("on average");
+    dir.write("missed.csv", format!("{log}{},resting\n", end.replace("0.059", "0.159")));
+    dir.run(&format!("{compare} missed.csv")).code(1).says("was not planned for");
+    dir.run(&format!("{compare} executed.csv --friction 0,0.1")).code(2).says("one friction");
+    dir.write("other.csv", reference);
+    dir.run(&format!("{compare} other.csv")).code(2).says("phase");
+}
