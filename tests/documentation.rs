@@ -239,7 +239,8 @@ fn flags_of_program() -> BTreeSet<String> {
 fn flags(text: &str) -> BTreeSet<String> {
     let is_flag = |letter: char| letter.is_ascii_lowercase() || letter == '-';
     let words = text.split(|letter: char| !is_flag(letter));
-    let flags = words.filter(|word| word.starts_with("--") && word.len() > 3).map(|word| word.trim_end_matches('-'));
+    // Lines in drawings are none.
+    let flags = words.map(|word| word.trim_end_matches('-')).filter(|word| word.starts_with("--") && word.len() > 3);
     flags.map(str::to_owned).collect()
 }
 

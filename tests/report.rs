@@ -20,7 +20,7 @@ fn the_page_of_a_plan_holds_its_motions() {
     let (motions, result) = (list(&page, "motions"), dir.result("plan"));
     let sources: Vec<&str> = motions.iter().map(|motion| motion["source"].as_str().unwrap()).collect();
     let stages = list(&result, "stages").len();
-    assert_eq!(sources, [vec!["plan"], vec!["iteration"; stages], vec!["rollouts"; 2]].concat());
+    assert_eq!(sources, [vec!["plan"], vec!["iteration"; stages], vec!["rollouts"; 3]].concat());
 
     // The plan is that of its tables.
     let reference = dir.table("plan/reference.csv");
