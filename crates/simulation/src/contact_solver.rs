@@ -68,11 +68,11 @@ impl ContactSolver {
         before.max(0.0)
     }
 
-    /// Takes over the contacts of a step of `time_step` seconds: a velocity is allowed if `gap + time_step normal' v >=
-    /// 0` at every contact. With friction it is Anitescu's convex problem: a contact force lies in a polyhedral friction
-    /// cone, which is built around the direction in which the `free` velocity slides, and `v` is reduced by the
-    /// coefficient times what the speed of sliding grows by from that of the velocities `before` the step. Reduced by
-    /// the whole speed, as in Anitescu's problem, a body that slides would hover.
+    /// Takes over the contacts of a step of `time_step` seconds of a body, which has its velocity before: a velocity is
+    /// allowed if `gap + time_step normal' v >= 0` at every contact. With friction it is Anitescu's convex problem: a
+    /// contact force lies in a polyhedral friction cone, which is built around the direction in which the `free` velocity
+    /// slides, and `v` is reduced by the coefficient times what the speed of sliding grows by in the step. Reduced by the
+    /// whole speed, as in Anitescu's problem, a body that slides would hover.
     pub fn set(&mut self, metric: &Metric, body: &Body, time_step: f64, free: &Vector6, contacts: &[Contact]) {
         let pose = &body.pose;
         self.cones.clear();

@@ -17,8 +17,6 @@ def parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(description=__doc__)
     add = parser.add_argument
     add("host", help="address of the robot")
-    add("--stiffness-factor", type=float, default=1.0, metavar="F", help="stiffness of the robot over that of the plan")
-    add("--damping-factor", type=float, default=1.0, metavar="F", help="damping, likewise")
     return parser
 
 

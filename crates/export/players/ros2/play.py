@@ -37,8 +37,6 @@ def parser() -> argparse.ArgumentParser:
     add("--joint-topic", default="joint_states", metavar="TOPIC", help="JointState [default: %(default)s]")
     add("--wrench-topic", default="wrench", metavar="TOPIC", help="WrenchStamped at the tool [default: %(default)s]")
     add("--rate", type=float, default=250.0, metavar="HZ", help="references per second [default: %(default)g]")
-    add("--stiffness-factor", type=float, default=1.0, metavar="F", help="stiffness of the robot over that of the plan")
-    add("--damping-factor", type=float, default=1.0, metavar="F", help="damping, likewise")
     return parser
 
 

@@ -219,6 +219,8 @@ def add_flags(parser: argparse.ArgumentParser) -> None:
     """Flags of all players."""
     add = parser.add_argument
     add("--dry-run", type=float, default=0.0, metavar="M", help="play this far (m) from the goal, in free air")
+    add("--stiffness-factor", type=float, default=1.0, metavar="F", help="stiffness of the robot over that of the plan")
+    add("--damping-factor", type=float, default=1.0, metavar="F", help="damping, likewise")
     add("--skip-self-test", action="store_true", help="do not move along each axis first to test the frames")
     add("--force-limit", type=float, metavar="N", help="stop beyond this force [default: that of plan.json]")
     add("--torque-limit", type=float, metavar="NM", help="stop beyond this torque [default: likewise]")

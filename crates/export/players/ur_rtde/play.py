@@ -25,8 +25,6 @@ def parser() -> argparse.ArgumentParser:
         help="torque: joint torques, PolyScope 5.26 or newer; force: force mode, whose gains are the robot's own [default: "
         "torque where the robot can]",
     )
-    add("--stiffness-factor", type=float, default=1.0, metavar="F", help="stiffness of the robot over that of the plan")
-    add("--damping-factor", type=float, default=1.0, metavar="F", help="damping, likewise")
     add("--force-mode-gain", type=float, default=0.5, metavar="G", help="gain scaling of force mode, 0 to 2 [default: 0.5]")
     add("--force-mode-damping", type=float, default=0.025, metavar="D", help="its damping, 0 to 1 [default: 0.025]")
     return parser

@@ -5,15 +5,12 @@ use task::AssemblyTask;
 
 use crate::problem::Problem;
 
-/// A damped direction of motion must not come to rest sooner than this many delays.
-const DELAYS: f64 = 1.0;
-
 /// A warning where the controller of the scene's arm answers too late for its damping.
 pub fn delay(problem: &Problem) -> Option<String> {
     let robot = problem.scene().robot.as_ref()?;
     let delay = robot.control_period + problem.scene().borne.delay;
     let rate = fastest_damping(problem.task())?;
-    (delay * rate * DELAYS > 1.0).then(|| {
+    (delay * rate > 1.0).then(|| {
         format!(
             "the damping stops the arm's lightest motion within {:.1} ms, and the controller answers after {:.1} ms: the arm \
              may oscillate; lower impedance.rotational_stiffness or the damping, or shorten robot.control_period",

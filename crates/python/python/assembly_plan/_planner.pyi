@@ -22,9 +22,11 @@ class Scene:
         choices: ChoiceOptions,
         options: SolveOptions,
         robust: RobustOptions | None,
-        progress: Callable[[str, str], None] | None,
+        progress: Callable[[str, str], object] | None,
     ) -> Plan: ...
-    def simulate(self, plan: Plan, options: PlayOptions, progress: Callable[[str, str], None] | None) -> Simulation: ...
+    def simulate(
+        self, plan: Plan, options: PlayOptions, progress: Callable[[str, str], object] | None
+    ) -> Simulation: ...
 
 @final
 class Plan:

@@ -177,12 +177,8 @@ _CLASSES: dict[str, Callable[..., Event]] = {
 }
 
 
-def _listener(progress: Progress | None) -> Callable[[str, str], None] | None:
+def _listener(progress: Progress | None) -> Callable[[str, str], object] | None:
     """What the native module calls for every event, with its name and its fields as JSON."""
     if progress is None:
         return None
-    return lambda name, fields: _pass(progress, _CLASSES[name](**json.loads(fields)))
-
-
-def _pass(progress: Progress, event: Event) -> None:
-    progress(event)
+    return lambda name, fields: progress(_CLASSES[name](**json.loads(fields)))
