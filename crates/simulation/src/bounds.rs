@@ -33,10 +33,11 @@ impl Bounds {
     }
 
     /// Also near some references: no further than `margin` (m) outside of the box of their positions, and no faster than
-    /// `haste` times the fastest of them.
-    pub fn near(self, references: &[&Reference], margin: f64, haste: f64) -> Self {
+    /// `haste` times the fastest of them. A body that reaches `radius` (m) from its origin may also turn so fast that its
+    /// farthest corner is as fast as the body may be.
+    pub fn near(self, references: &[&Reference], margin: f64, haste: f64, radius: f64) -> Self {
         let all = references.iter().map(|reference| Near::of(reference)).reduce(|one, other| one.with(&other));
-        Self { near: all.map(|near| near.widened(margin, haste)), ..self }
+        Self { near: all.map(|near| near.widened(margin, haste, radius)), ..self }
     }
 
     /// With room for another reference, as it is: where refinement begins must be allowed.
@@ -72,12 +73,13 @@ impl Near {
         }
     }
 
-    fn widened(&self, margin: f64, haste: f64) -> Self {
+    fn widened(&self, margin: f64, haste: f64, radius: f64) -> Self {
+        let velocity = haste * self.velocity;
         Self {
             lowest: self.lowest.map(|least| least - margin),
             highest: self.highest.map(|most| most + margin),
-            velocity: haste * self.velocity,
-            angular_velocity: haste * self.angular_velocity,
+            velocity,
+            angular_velocity: (haste * self.angular_velocity).max(velocity / radius),
         }
     }
 
@@ -109,13 +111,21 @@ mod tests {
     fn references_stay_near_where_limits_say_nothing() {
         let wide = along(&[0.0, 0.1, 0.5]);
         assert!(Bounds::new(Limits::NONE).allow(&wide));
-        let bounds = Bounds::new(Limits::NONE).near(&[&along(&[0.0, 0.1, 0.2])], 0.05, 2.0);
+        let bounds = Bounds::new(Limits::NONE).near(&[&along(&[0.0, 0.1, 0.2])], 0.05, 2.0, 0.5);
         assert!(bounds.allow(&along(&[0.0, 0.2, 0.25])), "twice as fast, and 0.05 m further");
         assert!(!bounds.allow(&along(&[0.0, 0.21, 0.2])), "too fast");
         assert!(!bounds.allow(&along(&[0.0, 0.1, 0.26])), "too far");
         assert!(!bounds.allow(&wide));
+        let mut turning = along(&[0.0, 0.1, 0.2]).states();
+        turning[1][12] = 0.39;
+        assert!(bounds.allow(&Reference::new(1.0, &turning)), "corners 0.5 m away are as fast as the body may be");
+        turning[1][12] = 0.41;
+        assert!(!bounds.allow(&Reference::new(1.0, &turning)), "turns too fast");
         assert!(bounds.including(&wide).allow(&wide));
         let limited = Limits { translational_velocity: 0.15, ..Limits::NONE };
-        assert!(!Bounds::new(limited).near(&[&wide], 0.0, 2.0).including(&wide).allow(&wide), "limits always hold");
+        assert!(
+            !Bounds::new(limited).near(&[&wide], 0.0, 2.0, 0.5).including(&wide).allow(&wide),
+            "limits always hold"
+        );
     }
 }

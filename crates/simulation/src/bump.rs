@@ -32,6 +32,8 @@ const TURN: f64 = 0.3;
 const LATER: f64 = 0.1;
 /// Fraction of another change that is added to a varied one.
 const MIXED: f64 = 0.3;
+/// How far aimed changes go astray, as a multiple of the way ahead: up to 30 degrees.
+const ASTRAY: f64 = 0.5;
 /// Fraction of the duration over which a change fades in, so that the start does not change.
 const FADE: f64 = 0.05;
 
@@ -64,6 +66,21 @@ impl Bump {
         }
     }
 
+    /// A change like this one in time, towards a shift (m, world frame) and a turn (rad, body frame) that a body lacks; its
+    /// size is between that of this one and twice of what is lacked.
+    pub fn aimed(&self, shift: &Vector3<f64>, turn: &Vector3<f64>, random: &mut Rng) -> Self {
+        let exponent = random.f64();
+        let aim = |change: &Vector3<f64>, lacked: &Vector3<f64>| {
+            let (size, most) = (change.norm(), 2.0 * lacked.norm());
+            if size == 0.0 || most == 0.0 {
+                return *change;
+            }
+            let direction = (lacked.normalize() + change * (ASTRAY / size)).normalize();
+            direction * size * (most / size).max(1.0).powf(exponent)
+        };
+        Self { shift: aim(&self.shift, shift), turn: aim(&self.turn, turn), ..*self }
+    }
+
     /// The same change, smaller or larger.
     pub fn scaled(&self, factor: f64) -> Self {
         Self { shift: self.shift * factor, turn: self.turn * factor, ..*self }
@@ -81,4 +98,34 @@ impl Bump {
 /// Standard normal value (Box and Muller).
 fn normal(random: &mut Rng) -> f64 {
     (-2.0 * (1.0 - random.f64()).ln()).sqrt() * (std::f64::consts::TAU * random.f64()).cos()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn aimed_changes_lead_where_a_body_lacks_something() {
+        let mut random = Rng::with_seed(1);
+        let (shift, turn) = (Vector3::new(0.0, 0.0, -0.03), Vector3::new(0.2, 0.0, 0.0));
+        let mut is_larger = 0;
+        for _ in 0..100 {
+            let any = Bump::random(&mut random, &Success::default());
+            let aimed = any.aimed(&shift, &turn, &mut random);
+            assert_eq!(aimed.weight(0.7), any.weight(0.7));
+            for (any, aimed, lacked) in [(any.shift, aimed.shift, shift), (any.turn, aimed.turn, turn)] {
+                if any.norm() == 0.0 {
+                    assert_eq!(aimed, any, "a change without shift or turn remains one");
+                    continue;
+                }
+                assert!(aimed.angle(&lacked) < 0.53, "30 degrees at most");
+                let (least, most) = (any.norm(), any.norm().max(2.0 * lacked.norm()));
+                assert!((0.999 * least..=1.001 * most).contains(&aimed.norm()), "{any} {aimed}");
+                is_larger += usize::from(aimed.norm() > 1.5 * any.norm());
+            }
+        }
+        assert!(is_larger > 30, "{is_larger}");
+        let any = Bump::random(&mut random, &Success::default());
+        assert_eq!(any.aimed(&Vector3::zeros(), &Vector3::zeros(), &mut random), any, "nothing is lacked");
+    }
 }

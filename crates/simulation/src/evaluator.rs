@@ -1,12 +1,13 @@
 //! Evaluation of references by rollouts.
 
+use nalgebra::{Isometry3, Vector3};
 use task::{AssemblyTask, GraspError, Limits};
 use workers::Workers;
 
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
-use crate::reference::Reference;
+use crate::reference::{Reference, isometry};
 use crate::rollout::Rollout;
 use crate::settings::Settings;
 use crate::success::Success;
@@ -37,6 +38,19 @@ pub struct TrialResult {
     /// How far the trial is from passing, 0 when passed: the final position error and orientation error, each as a
     /// multiple of its tolerance, plus the excess of forces and torques as fractions of their limits. At most 60.
     pub miss: f64,
+    /// From where the body ends to its goal (m, world frame); zero when passed.
+    pub missing_shift: Vector3<f64>,
+    /// Rotation vector that turns the body from there to its goal (rad, body frame); zero when passed.
+    pub missing_turn: Vector3<f64>,
+}
+
+impl TrialResult {
+    const PASSED: Self = Self {
+        passed: true,
+        miss: 0.0,
+        missing_shift: Vector3::new(0.0, 0.0, 0.0),
+        missing_turn: Vector3::new(0.0, 0.0, 0.0),
+    };
 }
 
 /// Evaluates references in trials.
@@ -44,6 +58,7 @@ pub struct TrialResult {
 pub struct Evaluator {
     rollouts: Vec<Rollout>,
     success: Success,
+    goal: Isometry3<f64>,
     limits: Limits,
     bounds: Bounds,
     workers: Workers,
@@ -62,12 +77,12 @@ impl Evaluator {
         let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
         let bounds = Bounds::new(task.limits);
         let rollouts = frictions.iter().map(rollout).collect();
-        Self { rollouts, success, limits: task.limits, bounds, workers: Workers::default() }
+        Self { rollouts, success, goal: isometry(&task.goal), limits: task.limits, bounds, workers: Workers::default() }
     }
 
     /// With references that stay near some others: [`Bounds::near`].
-    pub fn near(self, references: &[&Reference], margin: f64, haste: f64) -> Self {
-        Self { bounds: self.bounds.near(references, margin, haste), ..self }
+    pub fn near(self, references: &[&Reference], margin: f64, haste: f64, radius: f64) -> Self {
+        Self { bounds: self.bounds.near(references, margin, haste, radius), ..self }
     }
 
     /// With threads that share the trials, which change nothing but the time it takes. By default it is one.
@@ -105,13 +120,19 @@ impl Evaluator {
         let outcome = self.rollouts[trial.friction].play(reference, trial.injection(), |_, _| {});
         let excess = outcome.loads.excess(&self.limits);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
-            return TrialResult { passed: true, miss: 0.0 };
+            return TrialResult::PASSED;
         }
         let errors =
             outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
         let miss = errors + excess;
-        // The comparison is false for NaN, which becomes the largest miss.
-        TrialResult { passed: false, miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS } }
+        let end = isometry(&outcome.pose);
+        TrialResult {
+            passed: false,
+            // The comparison is false for NaN, which becomes the largest miss.
+            miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS },
+            missing_shift: self.goal.translation.vector - end.translation.vector,
+            missing_turn: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),
+        }
     }
 
     /// Simulates all trials; results are in the order of the trials. `None` when `stop` returned true

@@ -1,5 +1,5 @@
 //! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more trials pass are
-//! kept. Half of them resemble changes that have helped before.
+//! kept. Some lead towards the goal that a failing trial misses, some resemble changes that have helped before.
 //!
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
 //! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
@@ -28,7 +28,9 @@ pub struct Refinement<'evaluator> {
 const BATCH: usize = 8;
 /// Number of trials in the first batch. A change is dropped after it if the sum of the misses there did not decrease.
 const FIRST_BATCH: usize = 4;
-/// Fraction of changes that resemble earlier ones.
+/// Fraction of changes that lead towards what a failing trial lacks.
+const AIMED: f64 = 0.3;
+/// Fraction of the others that resemble earlier ones.
 const LEARNED: f64 = 0.5;
 /// Changes that are looked at until one keeps the bounds, and how often each is halved.
 const PROPOSALS: usize = 20;
@@ -111,14 +113,25 @@ impl<'evaluator> Refinement<'evaluator> {
         None
     }
 
-    /// A random change, or one that resembles a change which has helped.
+    /// A random change, one towards what a failing trial lacks, or one that resembles a change which has helped.
     fn random_change(&mut self) -> Bump {
         let new = Bump::random(&mut self.random, self.evaluator.success());
+        if self.random.f64() < AIMED
+            && let Some(TrialResult { missing_shift, missing_turn, .. }) = self.some_failing()
+        {
+            return new.aimed(&missing_shift, &missing_turn, &mut self.random);
+        }
         if self.helped.is_empty() || self.random.f64() >= LEARNED {
             return new;
         }
         let helpful = self.helped[self.random.usize(..self.helped.len())];
         helpful.varied(&new, &mut self.random)
+    }
+
+    /// The result of any trial that fails.
+    fn some_failing(&mut self) -> Option<TrialResult> {
+        let failing: Vec<&TrialResult> = self.results.iter().filter(|result| !result.passed).collect();
+        (!failing.is_empty()).then(|| *failing[self.random.usize(..failing.len())])
     }
 
     /// Takes over a reference if it is better than the best so far.
