@@ -161,7 +161,7 @@ fn degenerate() -> impl Strategy<Value = Points> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(ProptestConfig::with_cases(4 * ProptestConfig::default().cases))]
 
     #[test]
     fn any_points_give_a_valid_part_or_an_error(points in degenerate()) {

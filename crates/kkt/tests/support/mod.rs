@@ -110,8 +110,9 @@ impl System {
         let mut matrix = self.dense();
         for _ in 0..5 {
             let scale: Vec<f64> = matrix.row_iter().map(|row| 1.0 / row.amax().sqrt()).collect();
-            let scale = DMatrix::from_diagonal(&DVector::from_vec(scale));
-            matrix = &scale * matrix * &scale;
+            matrix = DMatrix::from_fn(scale.len(), scale.len(), |row, column| {
+                scale[row] * matrix[(row, column)] * scale[column]
+            });
         }
         let eigenvalues = matrix.symmetric_eigenvalues();
         assert!(eigenvalues.iter().all(|value| value.abs() > 1e-13), "the test's matrix is singular");
