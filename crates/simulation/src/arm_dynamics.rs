@@ -91,9 +91,9 @@ impl<'arm> ArmStepper<'arm> {
         self.steps += 1;
         let Self { posture, velocity, impedance, .. } = self;
         let bias = posture.posture.bias(velocity);
-        let torque = self
-            .controller
-            .torque(time, || within_limits(self.arm, posture, command(posture, velocity, impedance, &target()) + bias));
+        let torque = self.controller.torque(time, self.time_step, || {
+            within_limits(self.arm, posture, command(posture, velocity, impedance, &target()) + bias)
+        });
         let acceleration = posture.mobility * (torque - bias * self.heaviness);
         let free = *velocity + acceleration * self.time_step;
         // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.

@@ -28,16 +28,30 @@ impl SampledController {
         Self { period, delay, samples: 0, commands, torque: JointVector::zeros() }
     }
 
-    /// Torques (Nm or N) from a time (s) on; times do not decrease. Calls `command` if a sample is due.
-    pub fn torque(&mut self, time: f64, command: impl FnOnce() -> JointVector) -> &JointVector {
+    /// Mean torques (Nm or N) over a step from a time (s) on, of a length (s); times do not decrease. Calls `command` if a
+    /// sample is due.
+    pub fn torque(&mut self, time: f64, length: f64, command: impl FnOnce() -> JointVector) -> JointVector {
         if self.samples as f64 * self.period <= time + ROUNDING {
             self.samples += 1;
             self.commands.push_back((time + self.delay, command()));
         }
         while self.commands.front().is_some_and(|(from, _)| *from <= time + ROUNDING) {
-            self.torque = self.commands.pop_front().map_or(self.torque, |(_, torque)| torque);
+            self.next();
         }
-        &self.torque
+        // Torques that come within the step act for the rest of it.
+        let mut mean = self.torque;
+        while let Some((from, torque)) = self.commands.front()
+            && *from < time + length - ROUNDING
+        {
+            mean += (torque - self.torque) * ((time + length - from) / length);
+            self.next();
+        }
+        mean
+    }
+
+    /// The oldest torques that wait become those that hold.
+    fn next(&mut self) {
+        self.torque = self.commands.pop_front().map_or(self.torque, |(_, torque)| torque);
     }
 }
 
@@ -45,18 +59,18 @@ impl SampledController {
 mod tests {
     use super::*;
 
-    /// The time of the sample that counts in each step of 1 ms; -1 before the first one has come.
+    /// The time (ms) of the sample that counts in each step of 1 ms, as a mean; -1000 before the first one has come.
     fn samples(period: f64, delay: f64) -> Vec<f64> {
         let mut controller = SampledController::new(period, delay);
         let time = |step: usize| 1e-3 * step as f64;
-        let torque = |step| controller.torque(time(step), || JointVector::repeat(1.0 + time(step)))[0];
-        (0..8).map(torque).map(|torque| ((torque - 1.0) * 1e3).round()).collect()
+        let torque = |step| controller.torque(time(step), 1e-3, || JointVector::repeat(1.0 + time(step)))[0];
+        (0..8).map(torque).map(|torque| ((torque - 1.0) * 1e4).round() / 10.0).collect()
     }
 
     #[test]
     fn torques_hold_for_a_period_and_come_late() {
         assert_eq!(samples(2e-3, 0.0), [0.0, 0.0, 2.0, 2.0, 4.0, 4.0, 6.0, 6.0]);
         assert_eq!(samples(2e-3, 3e-3), [-1000.0, -1000.0, -1000.0, 0.0, 0.0, 2.0, 2.0, 4.0]);
-        assert_eq!(samples(1e-3, 2.5e-3), [-1000.0, -1000.0, -1000.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+        assert_eq!(samples(1e-3, 2.5e-3), [-1000.0, -1000.0, -500.0, 0.5, 1.5, 2.5, 3.5, 4.5]);
     }
 }

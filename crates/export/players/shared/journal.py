@@ -1,27 +1,32 @@
-"""What happened, in the CSV format of the planner: where the robot believed the part, and the wrench at the tool."""
+"""What happened, in the CSV format of the planner: where the robot believed the part, the wrench at the tool, and the reference
+that was followed. The first line says for which plan and with which gains, so that a log needs no other file."""
 
+import json
 import pathlib
 import sys
+from typing import Any
 
 import numpy as np
 
 import rotations
-from exported_plan import ExportedPlan
+from exported_plan import ANGULAR_VELOCITY, POSITION, QUATERNION, VELOCITY, ExportedPlan, ToolState
 from guards import Measurement
 
-HEADER = (
-    "time_s,px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,"
-    "fx_n,fy_n,fz_n,tx_nm,ty_nm,tz_nm,phase"
-)
+# Version of the log; readers refuse others.
+FORMAT = 1
+
+STATE = POSITION + QUATERNION + VELOCITY + ANGULAR_VELOCITY
+WRENCH = ("fx_n", "fy_n", "fz_n", "tx_nm", "ty_nm", "tz_nm")
+COLUMNS = ("time_s", *STATE, *WRENCH, "elapsed_s", *(f"reference_{name}" for name in STATE), "phase")
 
 
 class Journal:
     """Keeps measurements and writes them at the end, whatever the end is; says on standard error what happens."""
 
-    def __init__(self, plan: ExportedPlan, file: pathlib.Path) -> None:
-        self.plan, self.file = plan, file
+    def __init__(self, plan: ExportedPlan, file: pathlib.Path, header: dict[str, Any]) -> None:
+        self.plan, self.file, self.header = plan, file, header
         self.rows: list[str] = []
-        self.phase, self.begin = "", 0.0
+        self.phase, self.begin, self.first = "", 0.0, None
 
     def start(self, phase: str, time: float) -> None:
         """Begins a phase, whose time counts from here (s)."""
@@ -32,20 +37,26 @@ class Journal:
         """Tells the user."""
         print(text, file=sys.stderr, flush=True)
 
-    def add(self, measured: Measurement) -> None:
-        """A measurement: pose and velocity of the part in the world, angular velocity in its own frame, as in the tables of
-        plans; force and torque as the robot says them."""
-        plan, tool = self.plan, measured.tool
-        part = plan.part(tool.pose)
+    def add(self, measured: Measurement, reference: ToolState) -> None:
+        """A measurement and the reference that answers it; force and torque as the robot says them."""
+        if self.first is None:
+            self.first = measured.time
+        numbers = [
+            *self.state(measured.tool), measured.force, measured.torque, [measured.time - self.first], *self.state(reference)
+        ]
+        values = ",".join(f"{number:.9g}" for number in np.concatenate(numbers))
+        self.rows.append(f"{measured.time - self.begin:.6f},{values},{self.phase}")
+
+    def state(self, tool: ToolState) -> list[np.ndarray]:
+        """Pose and velocity of the part in the world, angular velocity in its own frame, as in the tables of plans."""
+        plan, part = self.plan, self.plan.part(tool.pose)
         lever = tool.pose.rotation @ plan.grasp.position
         velocity = plan.base.rotation @ (tool.velocity + np.cross(tool.angular_velocity, lever))
         spin = part.rotation.T @ plan.base.rotation @ tool.angular_velocity
-        numbers = [part.position, rotations.quaternion(part.rotation), velocity, spin, measured.force, measured.torque]
-        values = ",".join(f"{number:.9g}" for number in np.concatenate(numbers))
-        self.rows.append(f"{measured.time - self.begin:.6f},{values},{self.phase}")
+        return [part.position, rotations.quaternion(part.rotation), velocity, spin]
 
     def write(self) -> None:
         """Writes the table."""
         self.file.parent.mkdir(parents=True, exist_ok=True)
-        self.file.write_text("\n".join([HEADER, *self.rows]) + "\n")
+        self.file.write_text("\n".join([f"# {json.dumps(self.header)}", ",".join(COLUMNS), *self.rows]) + "\n")
         self.say(f"{len(self.rows)} measurements written to {self.file}")

@@ -6,7 +6,7 @@ import pathlib
 import signal
 import sys
 from collections.abc import Callable
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -14,7 +14,7 @@ import rotations
 from kinematics import Pose
 from exported_plan import ExportedPlan, InputError, ToolState, load
 from guards import Guards, Limits, Measurement, Stopped
-from journal import Journal
+from journal import FORMAT, Journal
 
 # Straight ways to the start have at most these speeds (m/s, rad/s) and lengths (m, rad).
 APPROACH_SPEED, APPROACH_TURNING = 0.02, 0.1
@@ -146,7 +146,7 @@ class Session:
         self.journal.start(phase, begin)
         while True:
             reference = motion(measured.time - begin)
-            self.journal.add(measured)
+            self.journal.add(measured, reference)
             self.guards.check(measured, reference)
             self.robot.track(reference, measured)
             if measured.time - begin >= duration:
@@ -241,6 +241,17 @@ def settings(arguments: argparse.Namespace, plan: ExportedPlan) -> Settings:
     return Settings(arguments.dry_run, not arguments.skip_self_test, limits)
 
 
+def header(arguments: argparse.Namespace, plan: ExportedPlan) -> dict[str, Any]:
+    """What a log says of its session: the plan, its frames, the dry run (m), and the gains as they are set."""
+    document, impedance = plan.document, dict(plan.document["impedance"])
+    for kind, factor in (("stiffness", arguments.stiffness_factor), ("damping", arguments.damping_factor)):
+        for name in (f"translational_{kind}", f"rotational_{kind}"):
+            impedance[name] = (factor * np.array(impedance[name])).tolist()
+    names = ("scene", "start", "problem", "delta_m", "base", "grasp", "goal")
+    copied = {name: document[name] for name in names}
+    return {"format": FORMAT, **copied, "dry_run_m": arguments.dry_run, "impedance": impedance}
+
+
 def require_positive(arguments: argparse.Namespace, *names: str) -> None:
     """Refuses flags that are not above zero."""
     for name in names:
@@ -263,7 +274,7 @@ def main(
         plan = load(pathlib.Path(__file__).resolve().parent)
         chosen = settings(arguments, plan)
         robot = connect(arguments, plan)
-        journal = Journal(plan, arguments.log)
+        journal = Journal(plan, arguments.log, header(arguments, plan))
         try:
             return DONE if Session(plan, robot, chosen, journal).execute() else MISSED
         finally:

@@ -48,13 +48,13 @@ pub fn to_csv<T: Serialize>(rows: impl IntoIterator<Item = T>) -> Result<Vec<u8>
     writer.into_inner().map_err(|_| PlannerError::Internal("a table cannot be written"))
 }
 
-/// Rows of a CSV file. Columns are found by name; others are ignored.
+/// Rows of a CSV file. Columns are found by name; others are ignored, as are lines that begin with `#`.
 ///
 /// # Errors
 /// With the line that is wrong.
 pub fn read_csv<T: DeserializeOwned>(file: &Path) -> Result<Vec<T>, PlannerError> {
     let text = read_text(file)?;
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(text.as_bytes());
     let refuse = |error: csv::Error, row: &StringRecord| {
         let line = error.position().map_or(1, |position| position.line() as usize);
         PlannerError::line(file, line, describe(&error, row))
