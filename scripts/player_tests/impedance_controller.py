@@ -21,4 +21,4 @@ class ImpedanceController:
         position, rotation, jacobian = self.arm.tool()
         error = np.concatenate([self.position - position, rotations.vector(self.rotation @ rotation.T)])
         lag = self.twist - jacobian @ self.arm.data.qvel
-        self.arm.apply(jacobian.T @ (self.stiffness @ error + self.damping @ lag), self.period)
+        self.arm.apply(jacobian.T @ (self.stiffness @ error + self.arm.task.truth.damping * self.damping @ lag), self.period)

@@ -1,6 +1,7 @@
 """An arm in MuJoCo that takes joint torques, for stand-ins of the makers' packages: it holds a part with a grasp error in the
 scene of a recorded plan. What is simulated, and what goes wrong, stands in the variable SIMULATION (JSON)."""
 
+import collections
 import dataclasses
 import json
 import os
@@ -42,9 +43,29 @@ class Fault:
 
 
 @dataclasses.dataclass(frozen=True)
+class Truth:
+    """What the robot and the parts really are, where that is not what the plan takes them for: rotor inertia (kg m^2) and
+    friction (Nm) of every joint, delay of the torques (s), damping of the controller over that which is set, friction of
+    contacts."""
+
+    rotor_inertia: float | None = None
+    joint_friction: float | None = None
+    delay: float = 0.0
+    damping: float = 1.0
+    friction: float = FRICTION
+
+    def robot(self, robot: robots.Robot) -> robots.Robot:
+        """The arm as it is."""
+        changed = {name: getattr(self, name) for name in ("rotor_inertia", "joint_friction")}
+        joints = len(robot.configuration)
+        return dataclasses.replace(robot, **{name: [value] * joints for name, value in changed.items() if value is not None})
+
+
+@dataclasses.dataclass(frozen=True)
 class Task:
-    """What is simulated: folder of the recorded plan, name of the arm, grasp error (m, rad), by how much each
-    joint is displaced from the start (rad), whether the controller's base is turned, fault, and a file for the outcome."""
+    """What is simulated: folder of the recorded plan, name of the arm, grasp error (m, rad), by how much each joint is
+    displaced from the start (rad), whether the controller's base is turned, what the robot really is, fault, and a file for the
+    outcome."""
 
     plan: pathlib.Path
     arm: str
@@ -53,6 +74,7 @@ class Task:
     turn: tuple[float, ...] = (0.0, 0.0, 0.0)
     displaced: float = 0.0
     base_is_turned: bool = False
+    truth: Truth = Truth()
     fault: Fault = Fault()
 
     @staticmethod
@@ -60,7 +82,8 @@ class Task:
         """That of this process."""
         record = json.loads(os.environ["SIMULATION"])
         paths = {key: pathlib.Path(record[key]) for key in ("plan", "outcome")}
-        return Task(**{**record, **paths, "fault": Fault(**record.get("fault", {}))})
+        nested = {"fault": Fault(**record.get("fault", {})), "truth": Truth(**record.get("truth", {}))}
+        return Task(**{**record, **paths, **nested})
 
 
 class SimulatedArm:
@@ -70,14 +93,16 @@ class SimulatedArm:
         self.task = task
         document = json.loads((task.plan / "plan.json").read_text())
         scene = tomllib.loads((ROOT / f"scenes/{document['scene']}.toml").read_text())
-        robot = robots.read(ROOT / f"scripts/mujoco_validation/arms/{task.arm}.toml")
-        self.model = arm_world.build(world(scene, document, robot), Contact(FRICTION, TIME_STEP))
+        robot = task.truth.robot(robots.read(ROOT / f"scripts/mujoco_validation/arms/{task.arm}.toml"))
+        self.model = arm_world.build(world(scene, document, robot), Contact(task.truth.friction, TIME_STEP))
         self.player = ArmPlayer(self.model, world(scene, document, robot), NO_WINDOW)
         self.data = self.player.data
         start = np.array(document["arm"]["start_configuration"])
         # Displaced joints make the player go to the start first.
         self.player.release(start + task.displaced, GraspError(np.array(task.offset), np.array(task.turn)))
         self.still = mujoco.MjData(self.model)
+        # Torques that have not come yet, one for each time step.
+        self.pending = collections.deque([np.zeros(self.model.nv)] * round(task.truth.delay / TIME_STEP))
         self.mode, self.time, self.moved, self.goal = "position", 0.0, 0.0, np.array(document["goal"])
 
     def fails(self, kind: str) -> bool:
@@ -91,12 +116,13 @@ class SimulatedArm:
 
     def apply(self, torques: np.ndarray, seconds: float) -> None:
         """Torques (Nm) beside those that carry the arm."""
-        applied = np.clip(torques, *self.player.torque_limits) + self.gravity()
+        commanded, carried = np.clip(torques, *self.player.torque_limits), self.gravity()
         if self.fails("push"):
-            applied += self.tool()[2].T @ PUSH
+            carried += self.tool()[2].T @ PUSH
         for _ in range(round(seconds / TIME_STEP)):
             mujoco.mj_step1(self.model, self.data)
-            self.data.qfrc_applied[:] = applied
+            self.pending.append(commanded)
+            self.data.qfrc_applied[:] = self.pending.popleft() + carried
             mujoco.mj_step2(self.model, self.data)
         self.time, self.moved = self.time + seconds, self.moved + seconds
 

@@ -38,6 +38,7 @@ Examples:
   assembly-plan solve scenes/peg1.toml --robust --time-limit 120 --out out/peg1
   assembly-plan report out/peg1
   assembly-plan export out/peg1 --to csv
+  assembly-plan calibrate arm.toml dry-run.csv executed.csv --out calibrated.toml
   assembly-plan simulate scenes/peg1.toml out/peg1 --random 50 --magnitude 0.005,0.01 --friction 0,0.1";
 
 #[derive(Debug, Subcommand)]
@@ -52,6 +53,8 @@ pub enum Command {
     Report(ReportArguments),
     /// Write what a robot reads of a plan: the motion of its tool, gains, limits, a player
     Export(ExportArguments),
+    /// Fit what a scene says of its robot to logs of executed plans
+    Calibrate(CalibrateArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
     /// Write a scene to begin with, which is solved as it is
@@ -248,6 +251,33 @@ pub struct ExportArguments {
     /// Also export a plan that is not done
     #[arg(long)]
     pub anyway: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct CalibrateArguments {
+    /// Scene file (TOML) of the plans
+    pub scene: PathBuf,
+    /// Tables that players of an export wrote: of dry runs, and of runs in which the parts touched
+    #[arg(value_name = "LOG", required = true)]
+    pub logs: Vec<PathBuf>,
+    /// Write a copy of the scene with the fitted entries to this file [default: print the entries]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// With --out: replace the file if it is there
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// Fit rotor inertia and friction of each joint, not of all in the proportions of the scene
+    #[arg(long)]
+    pub per_joint: bool,
+    /// Print everything as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Threads [default: one per processor]; they change nothing but the time it takes
+    #[arg(long, value_name = "N", value_parser = jobs)]
+    pub jobs: Option<u16>,
+    /// Say nothing on the way but warnings
+    #[arg(short, long)]
+    pub quiet: bool,
 }
 
 #[derive(Debug, Args)]

@@ -1,13 +1,12 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
+use planner::Problem;
 use planner::check::{
     Explanation, MeshReport, PairReport, Play, PoseOverlap, RoundSurface, Way, explain, pair_reports,
 };
-use planner::{PlannerError, Problem};
-use serde::Serialize;
 
 use crate::arguments::CheckArguments;
-use crate::console::{say, tell};
+use crate::console::{print_json, say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::values::Pose;
 
@@ -30,12 +29,6 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, CommandError> {
         }
     }
     Ok(Exit::Done)
-}
-
-fn print_json(value: &impl Serialize) -> Result<(), PlannerError> {
-    let json = serde_json::to_string_pretty(value).map_err(|_| PlannerError::Internal("a report"))?;
-    say!("{json}");
-    Ok(())
 }
 
 fn print_pairs(reports: &[PairReport], tau: f64) {

@@ -5,6 +5,8 @@ use std::io::{Write, stderr, stdout};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use indicatif::ProgressBar;
+use planner::PlannerError;
+use serde::Serialize;
 
 /// The bar that stands on the terminal, if there is one.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
@@ -24,6 +26,16 @@ pub(crate) use {say, tell};
 /// A line of standard output.
 pub fn result(line: fmt::Arguments) {
     above_bar(|| drop(writeln!(stdout(), "{line}")));
+}
+
+/// Prints a result as JSON.
+///
+/// # Errors
+/// When it cannot be, which no result of ours causes.
+pub fn print_json(value: &impl Serialize) -> Result<(), PlannerError> {
+    let json = serde_json::to_string_pretty(value).map_err(|_| PlannerError::Internal("a report"))?;
+    say!("{json}");
+    Ok(())
 }
 
 /// A line of standard error.

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod batch;
+mod calibrate;
 mod check;
 mod completions;
 mod console;
@@ -45,6 +46,7 @@ pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u
         Command::Batch(arguments) => batch::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Export(arguments) => export::run(arguments),
+        Command::Calibrate(arguments) => calibrate::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Generate(arguments) => generate::run(arguments),

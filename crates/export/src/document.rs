@@ -1,13 +1,13 @@
 //! `plan.json`: what a player needs to know besides the trajectory.
 
-use nalgebra::SMatrix;
+use nalgebra::{Matrix3, SMatrix};
 use planner::files::StoredPlan;
 use planner::{ArmCourse, PlannerError};
 use robot::{Joint, JointKind, JointVector};
 use scene::{Robot, Scene};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use simulation::{Reference, coordinates, isometry};
-use task::GraspError;
+use task::{GraspError, Impedance};
 
 use crate::expectation::{Expectation, Guards};
 use crate::frames::Frames;
@@ -57,7 +57,7 @@ pub struct Document {
 }
 
 /// The controller of a plan.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ImpedanceRecord {
     /// Along every axis (N/m).
     pub translational_stiffness: f64,
@@ -117,7 +117,6 @@ impl Document {
         let expected = Expectation::of(plan, &frames)?;
         let gains = frames.tool_gains(&isometry(&scene.goal), &scene.impedance);
         let arm = scene.robot.as_ref().map(|robot| ArmRecord::new(plan, robot, reference)).transpose()?;
-        let impedance = &scene.impedance;
         Ok(Self {
             format: FORMAT,
             scene: plan.result.scene.clone(),
@@ -131,18 +130,36 @@ impl Document {
             goal: scene.goal,
             position_tolerance_m: scene.position_tolerance,
             angle_tolerance_rad: scene.angle_tolerance,
-            impedance: ImpedanceRecord {
-                translational_stiffness: impedance.translational_stiffness,
-                rotational_stiffness: impedance.rotational_stiffness,
-                translational_damping: rows(&impedance.translational_damping),
-                rotational_damping: rows(&impedance.rotational_damping),
-            },
+            impedance: ImpedanceRecord::from(&scene.impedance),
             tool_stiffness: rows(&gains.stiffness),
             tool_damping: rows(&gains.damping),
             expected,
             guards: expected.guards(plan.result.limits.contact_force_n),
             arm,
         })
+    }
+}
+
+impl From<&Impedance> for ImpedanceRecord {
+    fn from(impedance: &Impedance) -> Self {
+        Self {
+            translational_stiffness: impedance.translational_stiffness,
+            rotational_stiffness: impedance.rotational_stiffness,
+            translational_damping: rows(&impedance.translational_damping),
+            rotational_damping: rows(&impedance.rotational_damping),
+        }
+    }
+}
+
+impl From<&ImpedanceRecord> for Impedance {
+    fn from(record: &ImpedanceRecord) -> Self {
+        let matrix = |rows: &[[f64; 3]; 3]| Matrix3::from_fn(|row, column| rows[row][column]);
+        Self {
+            translational_stiffness: record.translational_stiffness,
+            rotational_stiffness: record.rotational_stiffness,
+            translational_damping: matrix(&record.translational_damping),
+            rotational_damping: matrix(&record.rotational_damping),
+        }
     }
 }
 

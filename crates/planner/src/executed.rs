@@ -69,7 +69,7 @@ impl Execution {
             ));
         }
         let end = rows.last().map_or_else(Isometry3::identity, pose);
-        let grasp = grasp_of(&(isometry(&problem.scene().goal).inverse() * end));
+        let grasp = GraspError::of_believed(&(isometry(&problem.scene().goal).inverse() * end));
         let tolerance = problem.success().position;
         let length = grasp.offset.iter().map(|component| component * component).sum::<f64>().sqrt();
 
@@ -90,11 +90,6 @@ impl Execution {
             mean_distance: sum / distances.len().max(1) as f64,
         })
     }
-}
-
-/// The grasp error with which a part at its goal is believed to be at a pose in its own frame.
-fn grasp_of(believed: &Isometry3<f64>) -> GraspError {
-    GraspError { offset: believed.translation.vector.into(), turn: believed.rotation.scaled_axis().into() }
 }
 
 /// Distance to the first pose at or after a time, with the time.

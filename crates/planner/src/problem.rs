@@ -187,8 +187,8 @@ impl Problem {
         }
     }
 
-    /// The arm that holds the body.
-    fn arm(&self) -> Option<ArmModel> {
+    /// The arm that holds the body, if the scene has one.
+    pub fn arm(&self) -> Option<ArmModel> {
         let robot = self.scene.robot.as_ref()?;
         let joints = robot.arm.joints().len();
         Some(ArmModel {

@@ -94,7 +94,7 @@ pub use bump::Bump;
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, Trial, TrialResult};
 pub use loads::Loads;
-pub use reference::{Knot, Reference, coordinates, isometry};
+pub use reference::{Knot, Reference, coordinates, interpolate, isometry};
 pub use refinement::Refinement;
 pub use rollout::{Outcome, Rollout, TimedState};
 pub use settings::Settings;

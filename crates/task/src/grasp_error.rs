@@ -35,6 +35,11 @@ impl GraspError {
         Isometry3::from_parts(Vector3::from(self.offset).into(), self.rotation())
     }
 
+    /// From the believed part in the frame of the part.
+    pub fn of_believed(believed: &Isometry3<f64>) -> Self {
+        Self { offset: believed.translation.vector.into(), turn: believed.rotation.scaled_axis().into() }
+    }
+
     /// The same as position (m) and unit quaternion (w x y z).
     pub fn pose(&self) -> [f64; POSE] {
         let ([x, y, z], turn) = (self.offset, self.rotation());

@@ -1,0 +1,283 @@
+//! The search: fit, see what the logs tell, hold the rest, and fit again.
+
+use faer::Mat;
+use planner::{PlannerError, Problem};
+use workers::Workers;
+
+use crate::least_squares::{Fit, Model, fit, sum_of_squares};
+use crate::log::Log;
+use crate::model::{COMPONENTS, Comparison};
+use crate::parameter::{Parameter, Quantity};
+use crate::run::Run;
+use crate::statistics::{correlation, covariance, standard_error, variance};
+
+/// What is known of a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// Which, and where the search began.
+    pub quantity: Quantity,
+    /// Its value: the fitted one, or that of the scene where the logs do not tell it.
+    pub value: f64,
+    /// Its standard error; `None` where the logs do not tell it.
+    pub standard_error: Option<f64>,
+    /// The parameter whose effect is most like its own, with the correlation of both.
+    pub partner: Option<(Parameter, f64)>,
+}
+
+/// How far rollouts are from a run, as root mean squares.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Misfit {
+    /// Distance (m).
+    pub distance: f64,
+    /// Angle (rad).
+    pub angle: f64,
+}
+
+/// What a run says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunResult {
+    /// Name of its log.
+    pub name: String,
+    /// Whether the parts could touch.
+    pub has_contact: bool,
+    /// Length (s).
+    pub duration: f64,
+    /// Number of samples that are compared.
+    pub samples: usize,
+    /// Rollouts of the scene as it is; `None` where they diverge.
+    pub before: Option<Misfit>,
+    /// Rollouts with the fitted parameters.
+    pub after: Misfit,
+    /// How far the robot was from its reference.
+    pub lag: Misfit,
+}
+
+/// What logs tell of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// All parameters.
+    pub estimates: Vec<Estimate>,
+    /// All runs.
+    pub runs: Vec<RunResult>,
+    /// Whether the search ended by itself.
+    pub converged: bool,
+}
+
+/// A fit that begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Number of parameters.
+    pub parameters: usize,
+    /// Number of logs.
+    pub logs: usize,
+}
+
+/// What a comparison has come to.
+struct Outcome {
+    values: Vec<f64>,
+    /// One for each parameter; `None` where it is not known.
+    errors: Vec<Option<f64>>,
+    partners: Vec<Option<(Parameter, f64)>>,
+    converged: bool,
+}
+
+/// Fits what a scene says of its robot to logs. With `per_joint`, joints have rotor inertias and frictions of their own.
+/// `observe` is told what is fitted.
+///
+/// # Errors
+/// When a log does not fit the scene, or no rollout can be made.
+pub fn calibrate(
+    problem: &Problem,
+    logs: &[Log],
+    per_joint: bool,
+    workers: &Workers,
+    observe: &dyn Fn(Progress),
+) -> Result<Calibration, PlannerError> {
+    let runs: Vec<Run> = logs.iter().map(|log| Run::new(log, problem)).collect::<Result<_, _>>()?;
+    let quantities = Quantity::all(problem, &runs, per_joint);
+    let mut comparison = Comparison::new(problem, &runs, &quantities, workers);
+    let before: Vec<f64> = quantities.iter().map(|quantity| quantity.before).collect();
+    let misfits_before: Vec<Option<Misfit>> = (0..runs.len()).map(|run| comparison.misfit(run, &before)).collect();
+    let (in_air, touching): (Vec<usize>, Vec<usize>) = (0..runs.len()).partition(|&run| !runs[run].has_contact());
+    let mut outcome = Outcome::nothing(&before);
+    if !in_air.is_empty() {
+        // Contacts depend on everything: what free motion tells is found first.
+        comparison.compared = in_air;
+        let is_free = |quantity: &Quantity| !quantity.parameter.is_of_contact();
+        outcome = comparison.search(&before, is_free, observe)?;
+    }
+    if !touching.is_empty() {
+        comparison.compared = (0..runs.len()).collect();
+        let begin = comparison.with_best_friction(outcome.values);
+        outcome = comparison.search(&begin, |_| true, observe)?;
+    }
+    let Outcome { values, errors, partners, converged } = outcome;
+    let results = runs.iter().enumerate().zip(misfits_before).map(|((index, run), before)| RunResult {
+        name: run.name.clone(),
+        has_contact: run.has_contact(),
+        duration: run.samples.last().map_or(0.0, |(time, _)| *time),
+        samples: run.samples.len(),
+        before,
+        after: comparison.misfit(index, &values).unwrap_or(Misfit { distance: f64::NAN, angle: f64::NAN }),
+        lag: Misfit::of(&run.lags),
+    });
+    let results = results.collect();
+    let estimates = quantities.iter().zip(values).zip(errors).zip(partners);
+    let estimates = estimates.map(|(((quantity, value), standard_error), partner)| Estimate {
+        quantity: quantity.clone(),
+        value,
+        standard_error,
+        partner,
+    });
+    Ok(Calibration { estimates: estimates.collect(), runs: results, converged })
+}
+
+impl Outcome {
+    fn nothing(values: &[f64]) -> Self {
+        let (errors, partners) = (vec![None; values.len()], vec![None; values.len()]);
+        Self { values: values.to_vec(), errors, partners, converged: true }
+    }
+}
+
+impl Comparison<'_> {
+    /// Fits the parameters that are free until the runs tell each of them that still is.
+    fn search(
+        &mut self,
+        begin: &[f64],
+        is_free: impl Fn(&Quantity) -> bool,
+        observe: &dyn Fn(Progress),
+    ) -> Result<Outcome, PlannerError> {
+        let mut free: Vec<usize> =
+            (0..self.quantities.len()).filter(|&index| is_free(&self.quantities[index])).collect();
+        let mut outcome = Outcome::nothing(begin);
+        loop {
+            observe(Progress { parameters: free.len(), logs: self.compared.len() });
+            let fit = self.fit_with_noise(&outcome.values, &free)?;
+            let known = self.known(&fit, &free);
+            let factor = variance(&fit.residuals, &self.samples(), known.len());
+            let all: Vec<usize> = (0..free.len()).collect();
+            let together = covariance(&fit.triangle, &all, factor);
+            for &column in &all {
+                outcome.partners[free[column]] = self.partner(&together, &free, column);
+            }
+            (outcome.values, outcome.converged) = (fit.values, fit.converged);
+            if known.len() == free.len() {
+                for &column in &all {
+                    outcome.errors[free[column]] = Some(self.scale(free[column]) * standard_error(&together, column));
+                }
+                return Ok(outcome);
+            }
+            for (column, &index) in free.iter().enumerate() {
+                if !known.contains(&column) {
+                    outcome.values[index] = self.quantities[index].before;
+                }
+            }
+            free = known.iter().map(|&column| free[column]).collect();
+        }
+    }
+
+    /// A fit, and another one in which deviations are weighed with the noise that the first has left.
+    fn fit_with_noise(&mut self, begin: &[f64], free: &[usize]) -> Result<Fit, PlannerError> {
+        /// Fits with noise that is more and more that of the residuals.
+        const FITS: usize = 2;
+        let mut values = begin.to_vec();
+        let mut found = None;
+        for _ in 0..FITS {
+            let fit = fit(self, &values, free).ok_or_else(|| self.refusal(&values))?;
+            values.clone_from(&fit.values);
+            self.noise = self.noise_of(&fit.residuals);
+            found = Some(fit);
+        }
+        found.ok_or(PlannerError::Internal("nothing was fitted"))
+    }
+
+    fn refusal(&self, values: &[f64]) -> PlannerError {
+        let diverges = self.compared.iter().find(|&&run| self.deviations(run, values).is_none());
+        let name = diverges.map_or("", |&run| self.runs[run].name.as_str());
+        PlannerError::file(
+            std::path::Path::new(name),
+            "a rollout of the scene with these gains swings up or leaves the arm's reach: check robot.base, robot.grasp, \
+             robot.control_period and rotor_inertia",
+        )
+    }
+
+    /// Standard deviations of a component of positions (m) and orientations (rad) after residuals in units of the noise
+    /// so far.
+    fn noise_of(&self, residuals: &[f64]) -> [f64; 2] {
+        /// Smaller noise (m, rad) is that of numbers and not of robots.
+        const LEAST: [f64; 2] = [1e-7, 1e-6];
+        std::array::from_fn(|kind| {
+            let of_kind = residuals.chunks(3).skip(kind).step_by(2).flatten().copied();
+            let squares: Vec<f64> = of_kind.collect();
+            let count = squares.len().max(1) as f64;
+            (self.noise[kind] * (sum_of_squares(&squares) / count).sqrt()).max(LEAST[kind])
+        })
+    }
+
+    /// Columns of the parameters that the runs tell. As long as one is not, the one of which they tell least goes: the others
+    /// may be known without it.
+    fn known(&self, fit: &Fit, free: &[usize]) -> Vec<usize> {
+        let mut columns: Vec<usize> = (0..free.len()).collect();
+        loop {
+            let covariance =
+                covariance(&fit.triangle, &columns, variance(&fit.residuals, &self.samples(), columns.len()));
+            let excess = |place: usize| {
+                let quantity = &self.quantities[free[columns[place]]];
+                quantity.scale * standard_error(&covariance, place) / quantity.resolution
+            };
+            let worst = (0..columns.len()).max_by(|&one, &other| excess(one).total_cmp(&excess(other)));
+            match worst {
+                // What is not a number is not known either.
+                Some(place) if !(excess(place) <= 1.0) => columns.remove(place),
+                _ => return columns,
+            };
+        }
+    }
+
+    /// The parameter that is most correlated with that of a column.
+    fn partner(&self, covariance: &Mat<f64>, free: &[usize], column: usize) -> Option<(Parameter, f64)> {
+        let others = (0..free.len()).filter(|&other| other != column);
+        let correlations = others.map(|other| (other, correlation(covariance, column, other)));
+        let (other, correlation) = correlations.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))?;
+        Some((self.quantities[free[other]].parameter, correlation))
+    }
+
+    /// Numbers of samples of the compared runs.
+    fn samples(&self) -> Vec<usize> {
+        self.compared.iter().map(|&run| self.runs[run].samples.len()).collect()
+    }
+
+    /// With the contact friction of some that explains the runs best: a motion that jams where the robot's did not tells no
+    /// derivative.
+    fn with_best_friction(&self, mut values: Vec<f64>) -> Vec<f64> {
+        const FRICTIONS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.8];
+        let Some(place) = self.quantities.iter().position(|quantity| quantity.parameter == Parameter::Friction) else {
+            return values;
+        };
+        let mut best = (f64::INFINITY, values[place]);
+        for friction in FRICTIONS {
+            values[place] = friction;
+            let squares = self.residuals(&values).map_or(f64::INFINITY, |residuals| sum_of_squares(&residuals));
+            if squares < best.0 {
+                best = (squares, friction);
+            }
+        }
+        values[place] = best.1;
+        values
+    }
+
+    fn misfit(&self, run: usize, values: &[f64]) -> Option<Misfit> {
+        self.deviations(run, values).map(|deviations| Misfit::of(&deviations))
+    }
+}
+
+impl Misfit {
+    /// Of deviations (m, rad).
+    fn of(deviations: &[[f64; COMPONENTS]]) -> Self {
+        let mean = |first: usize| {
+            let squares = deviations.iter().map(|deviation| sum_of_squares(&deviation[first..first + 3]));
+            (squares.sum::<f64>() / deviations.len().max(1) as f64).sqrt()
+        };
+        Self { distance: mean(0), angle: mean(3) }
+    }
+}

@@ -1,0 +1,201 @@
+//! `executed.csv`: what a player of an export has written.
+
+use std::path::{Path, PathBuf};
+
+use export::ImpedanceRecord;
+use nalgebra::Isometry3;
+use planner::PlannerError;
+use planner::files::{StateRow, Value, read_csv, read_text};
+use scene::Scene;
+use serde::Deserialize;
+use simulation::isometry;
+use task::{STATE, pose_of};
+
+/// Version of the log that is read.
+const FORMAT: u32 = 1;
+/// The phase with which a log ends unless the robot was stopped.
+const RESTING: &str = "resting";
+/// Longest time between two rows (s): between them, nobody knows what the robot did.
+const LONGEST_GAP: f64 = 0.1;
+/// Poses whose numbers differ by less (m, or a component of a quaternion) are the same.
+const SAME: f64 = 1e-5;
+
+/// What the first line of a log says of its session. Poses are position (m) and unit quaternion (w x y z).
+#[derive(Debug, Clone, Deserialize)]
+struct Header {
+    format: u32,
+    scene: String,
+    base: [f64; 7],
+    grasp: [f64; 7],
+    goal: [f64; 7],
+    delta_m: f64,
+    dry_run_m: f64,
+    impedance: ImpedanceRecord,
+}
+
+/// What a row has besides the state.
+#[derive(Deserialize)]
+struct FollowedRow {
+    elapsed_s: Value,
+    reference_px_m: Value,
+    reference_py_m: Value,
+    reference_pz_m: Value,
+    reference_qw: Value,
+    reference_qx: Value,
+    reference_qy: Value,
+    reference_qz: Value,
+    reference_vx_m_s: Value,
+    reference_vy_m_s: Value,
+    reference_vz_m_s: Value,
+    reference_wx_rad_s: Value,
+    reference_wy_rad_s: Value,
+    reference_wz_rad_s: Value,
+    phase: String,
+}
+
+impl FollowedRow {
+    fn state(&self) -> [f64; STATE] {
+        [
+            self.reference_px_m,
+            self.reference_py_m,
+            self.reference_pz_m,
+            self.reference_qw,
+            self.reference_qx,
+            self.reference_qy,
+            self.reference_qz,
+            self.reference_vx_m_s,
+            self.reference_vy_m_s,
+            self.reference_vz_m_s,
+            self.reference_wx_rad_s,
+            self.reference_wy_rad_s,
+            self.reference_wz_rad_s,
+        ]
+        .map(|value| value.0)
+    }
+}
+
+/// A measurement.
+#[derive(Debug, Clone, Copy)]
+pub struct Row {
+    /// Since the first row (s).
+    pub time: f64,
+    /// Where the robot believed the part.
+    pub believed: Isometry3<f64>,
+    /// What it followed from then on: pose and twist.
+    pub reference: [f64; STATE],
+}
+
+/// One execution of a plan.
+#[derive(Debug, Clone)]
+pub struct Log {
+    /// Its file.
+    pub file: PathBuf,
+    /// All rows, at least two, their times increasing.
+    pub rows: Vec<Row>,
+    /// The gains that were set.
+    pub impedance: ImpedanceRecord,
+    /// How far from the goal it was played (m); 0 where the parts were put together.
+    pub dry_run: f64,
+    /// Offset magnitude that the plan bears (m).
+    pub delta: f64,
+}
+
+impl Log {
+    /// Reads a log of a plan of a scene.
+    ///
+    /// # Errors
+    /// With file, line and column, when it is not a log, is of another scene, or was stopped before its end.
+    pub fn read(file: &Path, scene: &Scene) -> Result<Self, PlannerError> {
+        let header = read_header(file)?;
+        header.require_scene(file, scene)?;
+        let (states, followed) = (read_csv::<StateRow>(file)?, read_csv::<FollowedRow>(file)?);
+        let rows: Vec<Row> = states
+            .iter()
+            .zip(&followed)
+            .map(|(state, followed)| Row {
+                time: followed.elapsed_s.0,
+                believed: isometry(&pose_of(&state.state())),
+                reference: followed.state(),
+            })
+            .collect();
+        require_rows(file, &rows)?;
+        if followed.last().is_none_or(|row| row.phase != RESTING) {
+            let problem = "the execution was stopped before its end; leave this log out, or repeat the run";
+            return Err(PlannerError::file(file, problem));
+        }
+        let Header { impedance, dry_run_m, delta_m, .. } = header;
+        Ok(Self { file: file.to_owned(), rows, impedance, dry_run: dry_run_m, delta: delta_m })
+    }
+}
+
+/// The line above the columns.
+fn read_header(file: &Path) -> Result<Header, PlannerError> {
+    let text = read_text(file)?;
+    let first = text.lines().next().unwrap_or_default();
+    let Some(json) = first.strip_prefix('#') else {
+        let problem =
+            "the line `# {...}` with the gains that were set is missing: export the plan again, and repeat the run";
+        return Err(PlannerError::line(file, 1, problem));
+    };
+    let header: Header = serde_json::from_str(json).map_err(|error| {
+        // The `#` is the first column.
+        let problem =
+            format!("column {}: the gains cannot be read: {error}; do not change this line", error.column() + 1);
+        PlannerError::line(file, 1, problem)
+    })?;
+    match header.format {
+        FORMAT => Ok(header),
+        other => {
+            let problem =
+                format!("format {other}, this program reads {FORMAT}: export the plan again, and repeat the run");
+            Err(PlannerError::line(file, 1, problem))
+        }
+    }
+}
+
+impl Header {
+    /// Refuses logs of another scene.
+    fn require_scene(&self, file: &Path, scene: &Scene) -> Result<(), PlannerError> {
+        let refuse = |what: String| {
+            Err(PlannerError::line(file, 1, format!("the log is of another scene: {what}; name the scene of its plan")))
+        };
+        if self.scene != scene.title {
+            return refuse(format!("its title is `{}`, that of the scene `{}`", self.scene, scene.title));
+        }
+        let is_same = |one: &[f64; 7], other: &[f64; 7]| {
+            let near =
+                |sign: f64| one[3..].iter().zip(&other[3..]).all(|(one, other)| (one - sign * other).abs() < SAME);
+            one[..3].iter().zip(&other[..3]).all(|(one, other)| (one - other).abs() < SAME) && (near(1.0) || near(-1.0))
+        };
+        if !is_same(&self.goal, &scene.goal) {
+            return refuse("its goal is another pose".to_owned());
+        }
+        let Some(robot) = &scene.robot else { return Ok(()) };
+        for (name, own, given) in [("base", &self.base, &robot.base), ("grasp", &self.grasp, &robot.grasp)] {
+            if !is_same(own, given) {
+                return refuse(format!("robot.{name} is another pose"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Refuses tables that are no course of one motion.
+fn require_rows(file: &Path, rows: &[Row]) -> Result<(), PlannerError> {
+    /// Lines above the first row.
+    const ABOVE: usize = 2;
+    if rows.len() < 2 {
+        return Err(PlannerError::file(file, "has no rows: the player measured nothing; repeat the run"));
+    }
+    for (index, pair) in rows.windows(2).enumerate() {
+        let gap = pair[1].time - pair[0].time;
+        if !(gap > 0.0 && gap <= LONGEST_GAP) {
+            let problem = format!(
+                "column elapsed_s: {gap:.3} s after the row before; times must increase, by {LONGEST_GAP} s at most: \
+                 repeat the run"
+            );
+            return Err(PlannerError::line(file, index + 2 + ABOVE, problem));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,201 @@
+//! What is fitted.
+
+use std::ops::RangeInclusive;
+
+use planner::Problem;
+use simulation::{ArmModel, Settings};
+
+use crate::run::Run;
+
+/// What of the robot or of a run is to be found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameter {
+    /// Inertia of the velocity of a body without joints, over that of the scene.
+    TranslationalInertia,
+    /// Inertia of its angular velocity, likewise.
+    RotationalInertia,
+    /// Rotor inertia of a joint; without an index the mean of all, in the proportions of the scene.
+    RotorInertia(Option<usize>),
+    /// Joint friction, likewise.
+    JointFriction(Option<usize>),
+    /// Time from a sample of the controller to its torques (s).
+    Delay,
+    /// Stiffness that the robot has over that which was set.
+    Stiffness,
+    /// Damping, likewise.
+    Damping,
+    /// Coulomb's coefficient of contacts.
+    Friction,
+    /// A component of the offset of the part in the gripper, in the run of an index.
+    Offset {
+        /// Index of the run.
+        run: usize,
+        /// 0 to 2: along x, y or z of the part.
+        axis: usize,
+    },
+    /// A component of its turn, likewise.
+    Turn {
+        /// Index of the run.
+        run: usize,
+        /// 0 to 2: about x, y or z of the part.
+        axis: usize,
+    },
+}
+
+/// A parameter with what is needed to find it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    /// Which.
+    pub parameter: Parameter,
+    /// Its value as the scene says it, where the search begins.
+    pub before: f64,
+    /// How much it may typically be wrong: the unit of the search.
+    pub scale: f64,
+    /// Allowed values.
+    pub range: RangeInclusive<f64>,
+    /// Largest standard error with which it counts as known.
+    pub resolution: f64,
+}
+
+/// Smallest part of a quantity's scale by which it is changed to see what that does. Contacts and dry friction answer to
+/// smaller changes with jumps or not at all.
+pub const DIFFERENCE: f64 = 0.02;
+
+impl Quantity {
+    fn new(parameter: Parameter, before: f64, scale: f64, range: RangeInclusive<f64>, resolution: f64) -> Self {
+        Self { parameter, before, scale, range, resolution }
+    }
+
+    /// A factor of something that the scene says, or that was set.
+    fn factor(parameter: Parameter, scale: f64, resolution: f64) -> Self {
+        Self::new(parameter, 1.0, scale, 0.05..=20.0, resolution)
+    }
+
+    /// All that logs of a scene may tell; with `per_joint`, rotor inertia and friction of each joint.
+    pub fn all(problem: &Problem, runs: &[Run], per_joint: bool) -> Vec<Self> {
+        let mut quantities = match problem.arm() {
+            None => vec![
+                Self::factor(Parameter::TranslationalInertia, 0.5, 0.1),
+                Self::factor(Parameter::RotationalInertia, 0.5, 0.1),
+            ],
+            Some(arm) => Self::of_arm(&arm, per_joint),
+        };
+        quantities.push(Self::factor(Parameter::Damping, 0.3, 0.1));
+        if runs.iter().any(Run::has_contact) {
+            quantities.push(Self::new(Parameter::Friction, 0.1, 0.3, 0.0..=*Settings::FRICTIONS.end(), 0.05));
+        }
+        for (index, run) in runs.iter().enumerate().filter(|(_, run)| run.has_contact()) {
+            quantities.extend(Self::of_grasp(index, run));
+        }
+        quantities
+    }
+
+    fn of_arm(arm: &ArmModel, per_joint: bool) -> Vec<Self> {
+        /// What joints of arms typically have (kg m^2, Nm): where the scene says nothing, it is of this order.
+        const ROTOR_INERTIA: f64 = 0.1;
+        const JOINT_FRICTION: f64 = 0.5;
+        let joints = arm.joint_friction.len();
+        let which: Vec<Option<usize>> = if per_joint { (0..joints).map(Some).collect() } else { vec![None] };
+        let rotors: Vec<f64> = arm.arm.joints().iter().map(|joint| joint.rotor_inertia).collect();
+        let quantity = |parameter, values: &[f64], joint: Option<usize>, typical: f64, most: f64| {
+            let before = joint.map_or_else(|| mean(values), |joint| values[joint]);
+            let scale = before.max(typical);
+            Self::new(parameter, before, scale, 0.0..=most, 0.25 * scale)
+        };
+        let mut quantities = Vec::new();
+        for &joint in &which {
+            quantities.push(quantity(Parameter::RotorInertia(joint), &rotors, joint, ROTOR_INERTIA, 1e3));
+        }
+        for &joint in &which {
+            let most = *ArmModel::JOINT_FRICTIONS.end();
+            let parameter = Parameter::JointFriction(joint);
+            quantities.push(quantity(parameter, &arm.joint_friction, joint, JOINT_FRICTION, most));
+        }
+        quantities.push(Self::new(Parameter::Delay, arm.delay, 5e-3, 0.0..=*ArmModel::DELAYS.end(), 1e-3));
+        quantities.push(Self::factor(Parameter::Stiffness, 0.1, 0.05));
+        quantities
+    }
+
+    fn of_grasp(run: usize, Run { grasp, .. }: &Run) -> impl Iterator<Item = Self> {
+        let offset = |axis: usize| {
+            let parameter = Parameter::Offset { run, axis };
+            Self::new(parameter, grasp.offset[axis], 2e-3, -0.1..=0.1, 1e-3)
+        };
+        let turn = |axis: usize| {
+            let parameter = Parameter::Turn { run, axis };
+            Self::new(parameter, grasp.turn[axis], 0.02, -1.0..=1.0, 0.01)
+        };
+        (0..3).map(offset).chain((0..3).map(turn)).collect::<Vec<_>>().into_iter()
+    }
+}
+
+impl Parameter {
+    /// Whether what a run does depends on it.
+    pub fn acts_on(self, index: usize, run: &Run) -> bool {
+        match self {
+            Self::Friction => run.has_contact(),
+            Self::Offset { run, .. } | Self::Turn { run, .. } => run == index,
+            _ => true,
+        }
+    }
+
+    /// Whether nothing depends on it in free air.
+    pub fn is_of_contact(self) -> bool {
+        matches!(self, Self::Friction | Self::Offset { .. } | Self::Turn { .. })
+    }
+
+    /// What it is called in messages.
+    pub fn name(self) -> String {
+        let of_joint = |name: &str, joint: Option<usize>| match joint {
+            Some(joint) => format!("{name} of joint {}", joint + 1),
+            None => name.to_owned(),
+        };
+        let axis = |axis: usize| ["x", "y", "z"][axis];
+        match self {
+            Self::TranslationalInertia => "inertia of translations".to_owned(),
+            Self::RotationalInertia => "inertia of rotations".to_owned(),
+            Self::RotorInertia(joint) => of_joint("rotor inertia", joint),
+            Self::JointFriction(joint) => of_joint("joint friction", joint),
+            Self::Delay => "delay".to_owned(),
+            Self::Stiffness => "stiffness factor".to_owned(),
+            Self::Damping => "damping factor".to_owned(),
+            Self::Friction => "contact friction".to_owned(),
+            Self::Offset { run, axis: along } => format!("offset {} in log {}", axis(along), run + 1),
+            Self::Turn { run, axis: about } => format!("turn {} in log {}", axis(about), run + 1),
+        }
+    }
+
+    /// Its unit, and how many of that are one SI unit.
+    pub fn unit(self) -> (&'static str, f64) {
+        match self {
+            Self::RotorInertia(_) => ("kg m^2", 1.0),
+            Self::JointFriction(_) => ("Nm", 1.0),
+            Self::Delay => ("ms", 1e3),
+            Self::Offset { .. } => ("mm", 1e3),
+            Self::Turn { .. } => ("rad", 1.0),
+            _ => ("", 1.0),
+        }
+    }
+
+    /// Which run would tell it.
+    pub fn advice(self) -> &'static str {
+        match self {
+            Self::RotorInertia(_) | Self::TranslationalInertia | Self::RotationalInertia => {
+                "a run with faster motion, with the self-test of the frames, would tell"
+            }
+            Self::JointFriction(_) => "a run with the self-test of the frames, where joints turn back, would tell",
+            Self::Delay => "a run with faster motion or higher gains would tell",
+            Self::Stiffness => {
+                "only runs in which joint friction or the links' known masses matter tell it from inertia"
+            }
+            Self::Damping => "a run with faster motion would tell",
+            Self::Friction => "a run in which the parts touch and slide (without --dry-run) would tell",
+            Self::Offset { .. } | Self::Turn { .. } => "the parts do not touch so that it matters",
+        }
+    }
+}
+
+/// Mean of some numbers; 0 of none.
+pub fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}

@@ -1,0 +1,126 @@
+//! A log in the form in which rollouts play and are compared with it.
+
+use nalgebra::{Isometry3, Vector3};
+use planner::{PlannerError, Problem};
+use simulation::{Reference, coordinates, isometry};
+use task::{AssemblyTask, GraspError, Impedance, STATE, pose_of};
+
+use crate::log::{Log, Row};
+use crate::model::{COMPONENTS, deviation};
+
+/// Time between two samples that are compared (s), at least: closer ones say the same.
+const SAMPLE_INTERVAL: f64 = 0.01;
+/// Length of the steps of a reference (s) in multiples of which a step begins, where no controller has a period.
+const TICK: f64 = 1e-3;
+
+/// A log that is compared with rollouts.
+#[derive(Debug, Clone)]
+pub struct Run {
+    /// Name of its file.
+    pub name: String,
+    /// The world that it was played in, with the gains that were set; without pairs of parts in free air.
+    pub task: AssemblyTask,
+    /// What the robot followed, from where it believed the part at first.
+    pub reference: Reference,
+    /// Times (s) and poses where the robot believed the part.
+    pub samples: Vec<(f64, Isometry3<f64>)>,
+    /// Deviations of the robot from its reference at these times (m, rad).
+    pub lags: Vec<[f64; COMPONENTS]>,
+    /// The grasp error, as far as the end of the log tells.
+    pub grasp: GraspError,
+}
+
+impl Run {
+    /// Of a log; a step of the reference is a multiple of the control period.
+    ///
+    /// # Errors
+    /// When the part did not end at its goal, so that nobody knows how it sat in the gripper.
+    pub fn new(log: &Log, problem: &Problem) -> Result<Self, PlannerError> {
+        let mut task = AssemblyTask { impedance: Impedance::from(&log.impedance), ..problem.world() };
+        let mut grasp = GraspError::default();
+        if log.dry_run > 0.0 {
+            task.pairs.clear();
+        } else {
+            grasp = grasp_at_end(log, problem)?;
+        }
+        let time_step = time_step(log, problem.scene().robot.as_ref().map_or(TICK, |robot| robot.control_period));
+        let reference = reference(&log.rows, time_step);
+        task.start = reference.start();
+        let every = (SAMPLE_INTERVAL / time_step).round().max(1.0) as usize;
+        let (mut samples, mut lags) = (Vec::new(), Vec::new());
+        for knot in (every..reference.intervals()).step_by(every) {
+            let time = knot as f64 * time_step;
+            let believed = between(&log.rows, time, |row| row.believed);
+            samples.push((time, believed));
+            lags.push(deviation(&believed, &reference.at(knot, 0.0).pose));
+        }
+        let name = log.file.display().to_string();
+        Ok(Self { name, task, reference, samples, lags, grasp })
+    }
+
+    /// Whether the parts could touch.
+    pub fn has_contact(&self) -> bool {
+        !self.task.pairs.is_empty()
+    }
+}
+
+/// A part at its goal is believed beside it by the grasp error.
+fn grasp_at_end(log: &Log, problem: &Problem) -> Result<GraspError, PlannerError> {
+    let end = log.rows.last().map_or_else(Isometry3::identity, |row| row.believed);
+    let grasp = GraspError::of_believed(&(isometry(&problem.scene().goal).inverse() * end));
+    let (length, most) = (Vector3::from(grasp.offset).norm(), log.delta + problem.success().position);
+    if length > most {
+        let problem = format!(
+            "the part did not end at its goal, or sat {:.1} mm beside where it was believed, more than the {:.1} mm that the \
+             plan bears: leave this log out",
+            1e3 * length,
+            1e3 * most
+        );
+        return Err(PlannerError::file(&log.file, problem));
+    }
+    Ok(grasp)
+}
+
+/// About the time between two rows (s), a multiple of the control period.
+fn time_step(log: &Log, control_period: f64) -> f64 {
+    let mut gaps: Vec<f64> = log.rows.windows(2).map(|pair| pair[1].time - pair[0].time).collect();
+    gaps.sort_by(f64::total_cmp);
+    control_period * (gaps[gaps.len() / 2] / control_period).round().max(1.0)
+}
+
+/// The reference on a regular grid. It begins where the part was believed, where rollouts start at rest.
+fn reference(rows: &[Row], time_step: f64) -> Reference {
+    let last = rows.last().map_or(0.0, |row| row.time);
+    let mut twist = [0.0; 6];
+    let states: Vec<[f64; STATE]> = (0..=(last / time_step).ceil() as usize)
+        .map(|knot| {
+            let time = knot as f64 * time_step;
+            let pose = match knot {
+                0 => rows[0].believed,
+                _ => between(rows, time, |row| isometry(&pose_of(&row.reference))),
+            };
+            let mut state = [0.0; STATE];
+            state[..7].copy_from_slice(&coordinates(&pose));
+            // The twist of a knot is that of the way to it.
+            state[7..].copy_from_slice(&twist);
+            twist.copy_from_slice(&rows[row_at(rows, time)].reference[7..]);
+            state
+        })
+        .collect();
+    Reference::new(time_step, &states)
+}
+
+/// Index of the last row at or before a time (s).
+fn row_at(rows: &[Row], time: f64) -> usize {
+    /// Times are written to a microsecond.
+    const ROUNDING: f64 = 1e-5;
+    rows.partition_point(|row| row.time <= time + ROUNDING).saturating_sub(1)
+}
+
+/// A pose at a time (s) between two rows.
+fn between(rows: &[Row], time: f64, pose: impl Fn(&Row) -> Isometry3<f64>) -> Isometry3<f64> {
+    let index = row_at(rows, time);
+    let (from, Some(to)) = (&rows[index], rows.get(index + 1)) else { return pose(&rows[index]) };
+    let fraction = ((time - from.time) / (to.time - from.time)).clamp(0.0, 1.0);
+    simulation::interpolate(&pose(from), &pose(to), fraction)
+}

@@ -1,0 +1,53 @@
+"""Keeps what players log of an arm that is not what its scene says, for the tests of `calibration`: `record_logs.py FOLDER`."""
+
+import pathlib
+import sys
+import tempfile
+
+from main import Case, run
+
+# What MuJoCo is given. The scene says rotor inertia 0.1 kg m^2, joint friction 0.5 Nm and no delay.
+TRUTH = {"rotor_inertia": 0.14, "joint_friction": 0.8, "delay": 0.004, "damping": 0.85, "friction": 0.25}
+OFFSET, TURN = (0.008, 0.0, 0.01), (0.0, 0.005, 0.0)
+FLAGS = ("--message", "motion-update")
+CASES = {
+    "free_air": Case("free air", "ros2", "corner", flags=(*FLAGS, "--dry-run", "0.05")),
+    "contact": Case("contact", "ros2", "corner", flags=(*FLAGS, "--skip-self-test"), simulation={"offset": OFFSET, "turn": TURN}),
+}
+# Every so many rows are kept, with so many decimals.
+EVERY, DECIMALS = 3, 6
+# What a fit does not need.
+DROPPED = ("fx_n", "fy_n", "fz_n", "tx_nm", "ty_nm", "tz_nm")
+
+
+def shortened(text: str) -> str:
+    """A log with fewer rows, columns and decimals."""
+    header, names, *rows = text.splitlines()
+    columns = names.split(",")
+    kept = [index for index, name in enumerate(columns) if name not in DROPPED]
+
+    def cell(row: list[str], index: int) -> str:
+        return row[index] if columns[index] == "phase" else f"{round(float(row[index]), DECIMALS) + 0.0:g}"
+
+    chosen = [rows[index].split(",") for index in sorted({*range(0, len(rows), EVERY), len(rows) - 1})]
+    lines = [",".join(cell(row, index) for index in kept) for row in chosen]
+    return "\n".join([header, ",".join(columns[index] for index in kept), *lines]) + "\n"
+
+
+def main() -> int:
+    """Records all logs; returns the exit code."""
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, case in CASES.items():
+        with tempfile.TemporaryDirectory() as work:
+            case.simulation["truth"] = TRUTH
+            if problem := run(case, "", pathlib.Path(work)):
+                print(f"error: {case.name}: {problem}", file=sys.stderr)
+                return 3
+            log = (pathlib.Path(work) / case.name.replace(" ", "-") / "executed.csv").read_text()
+            (folder / f"{name}.csv").write_text(shortened(log))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
