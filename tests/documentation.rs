@@ -209,7 +209,7 @@ fn files_that_are_named_exist() {
 
 /// Long flags of the program, but for hidden ones.
 fn flags_of_program() -> BTreeSet<String> {
-    let commands: [&[&str]; 20] = [
+    let commands: [&[&str]; 21] = [
         &[],
         &["solve"],
         &["check"],
@@ -224,6 +224,7 @@ fn flags_of_program() -> BTreeSet<String> {
         &["simulate"],
         &["report"],
         &["export"],
+        &["calibrate"],
         &["batch"],
         &["batch", "expand"],
         &["batch", "run"],

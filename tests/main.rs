@@ -1,6 +1,7 @@
 //! The program as a user runs it: one binary, so that all tests share [`support`].
 
 mod batch;
+mod calibrate;
 mod documentation;
 mod end_to_end;
 mod explained;

@@ -14,9 +14,9 @@ CASES = {
     "free_air": Case("free air", "ros2", "corner", flags=(*FLAGS, "--dry-run", "0.05")),
     "contact": Case("contact", "ros2", "corner", flags=(*FLAGS, "--skip-self-test"), simulation={"offset": OFFSET, "turn": TURN}),
 }
-# Every so many rows are kept, with so many decimals.
-EVERY, DECIMALS = 3, 6
-# What a fit does not need.
+# Every so many rows are kept, with so many decimals; measured velocities, which fits do not need, with fewer.
+EVERY, DECIMALS, FEW = 3, 6, 2
+VELOCITIES = ("vx_m_s", "vy_m_s", "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s")
 DROPPED = ("fx_n", "fy_n", "fz_n", "tx_nm", "ty_nm", "tz_nm")
 
 
@@ -27,7 +27,9 @@ def shortened(text: str) -> str:
     kept = [index for index, name in enumerate(columns) if name not in DROPPED]
 
     def cell(row: list[str], index: int) -> str:
-        return row[index] if columns[index] == "phase" else f"{round(float(row[index]), DECIMALS) + 0.0:g}"
+        if columns[index] == "phase":
+            return row[index]
+        return f"{round(float(row[index]), FEW if columns[index] in VELOCITIES else DECIMALS) + 0.0:g}"
 
     chosen = [rows[index].split(",") for index in sorted({*range(0, len(rows), EVERY), len(rows) - 1})]
     lines = [",".join(cell(row, index) for index in kept) for row in chosen]

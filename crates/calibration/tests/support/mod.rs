@@ -1,0 +1,184 @@
+//! Scenes, and logs that rollouts with other values have written.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use calibration::{Calibration, Estimate, Log, Parameter, calibrate};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use planner::{Choices, Problem};
+use simulation::{ArmModel, Reference, Rollout, Settings, coordinates, isometry};
+use task::{AssemblyTask, GraspError};
+use tempfile::TempDir;
+use workers::Workers;
+
+/// A file of the project.
+pub fn project(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap().join(name)
+}
+
+/// The corner scene for an arm of six joints: rotor inertia 0.1 kg m^2, joint friction 0.5 Nm.
+pub fn arm_scene() -> String {
+    let corner = fs::read_to_string(project("scenes/corner.toml")).unwrap();
+    let replaced = ["mass", "inertia", "translational_stiffness", "rotational_stiffness"];
+    let kept = corner.lines().filter(|line| !replaced.iter().any(|key| line.starts_with(key)));
+    let robot = fs::read_to_string(project("scripts/mujoco_validation/arms/six.toml")).unwrap();
+    let urdf = project("scripts/mujoco_validation/arms/six.urdf");
+    kept.map(|line| line.to_owned() + "\n").collect::<String>() + &robot.replace("six.urdf", urdf.to_str().unwrap())
+}
+
+/// A scene in a folder of its own, which ends with this value.
+pub struct Workshop {
+    pub folder: TempDir,
+    pub problem: Problem,
+}
+
+/// What makes a robot differ from its scene.
+pub struct Truth {
+    pub arm: Option<ArmModel>,
+    pub task: AssemblyTask,
+    pub friction: f64,
+    pub grasp: GraspError,
+    /// Standard deviation of a component of measured positions (m) and orientations (rad).
+    pub noise: f64,
+}
+
+impl Workshop {
+    pub fn new(scene: &str) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("corner.toml");
+        fs::write(&file, scene).unwrap();
+        let problem = Problem::load(&file, &Choices::default()).unwrap();
+        Self { folder, problem }
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// A robot that is as the scene says.
+    pub fn truth(&self) -> Truth {
+        let (arm, task) = (self.problem.arm(), self.problem.world());
+        Truth { arm, task, friction: 0.0, grasp: GraspError::default(), noise: 2e-5 }
+    }
+
+    /// Reads logs and fits.
+    #[track_caller]
+    pub fn calibrate(&self, names: &[&str], per_joint: bool) -> Calibration {
+        let logs: Vec<Log> =
+            names.iter().map(|name| Log::read(&self.path(name), self.problem.scene()).unwrap()).collect();
+        calibrate(&self.problem, &logs, per_joint, &Workers::default(), &|_| {}).unwrap()
+    }
+
+    /// A log of a robot that follows a reference; rows are as far apart as its knots. Gains are those of the scene.
+    pub fn log(&self, name: &str, truth: &Truth, reference: &Reference, dry_run: f64) {
+        let mut task = truth.task.clone();
+        task.start = reference.start();
+        if dry_run > 0.0 {
+            task.pairs.clear();
+        }
+        let settings = Settings { friction: truth.friction, settling_time: 0.0, ..Settings::default() };
+        let mut rollout = Rollout::new(&task, settings);
+        if let Some(arm) = &truth.arm {
+            rollout = rollout.with_arm(arm).unwrap();
+        }
+        let mut poses = vec![isometry(&reference.start())];
+        rollout.play(reference, truth.grasp, |state, _| {
+            if state.time >= poses.len() as f64 * reference.time_step() - 1e-9 {
+                poses.push(isometry(&state.pose) * truth.grasp.believed());
+            }
+        });
+        let mut text = format!("# {}\n{}\n", self.header(dry_run), columns());
+        let mut random = fastrand::Rng::with_seed(5);
+        let states = reference.states();
+        for (knot, pose) in poses.iter().enumerate().take(states.len() - 1) {
+            let time = knot as f64 * reference.time_step();
+            // The sum of twelve uniform values has variance 1.
+            let mut noise = || truth.noise * ((0..12).map(|_| random.f64()).sum::<f64>() - 6.0);
+            let (shift, turn) = (Vector3::from_fn(|_, _| noise()), Vector3::from_fn(|_, _| noise()));
+            let noisy = Isometry3::from_parts(
+                (pose.translation.vector + shift).into(),
+                pose.rotation * UnitQuaternion::from_scaled_axis(turn),
+            );
+            let phase = if knot + 2 == states.len() { "resting" } else { "playing" };
+            let numbers =
+                [&[time][..], &coordinates(&noisy), &[0.0; 6], &[time], &states[knot][..7], &states[knot + 1][7..]];
+            for number in numbers.concat() {
+                write!(text, "{number},").unwrap();
+            }
+            writeln!(text, "{phase}").unwrap();
+        }
+        fs::write(self.path(name), text).unwrap();
+    }
+
+    fn header(&self, dry_run: f64) -> serde_json::Value {
+        let scene = self.problem.scene();
+        let identity = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        let [base, grasp] = scene.robot.as_ref().map_or([identity; 2], |robot| [robot.base, robot.grasp]);
+        serde_json::json!({
+            "format": 1, "scene": scene.title, "base": base, "grasp": grasp, "goal": scene.goal,
+            "delta_m": scene.offset_magnitude, "dry_run_m": dry_run,
+            "impedance": export::ImpedanceRecord::from(&scene.impedance),
+        })
+    }
+}
+
+fn columns() -> String {
+    let state = "px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s";
+    let reference: Vec<String> = state.split(',').map(|name| format!("reference_{name}")).collect();
+    format!("time_s,{state},elapsed_s,{},phase", reference.join(","))
+}
+
+/// From a pose along and about an axis after the other and back, a third of a second each.
+pub fn test_motion(start: &Isometry3<f64>) -> Reference {
+    let mut poses = vec![*start];
+    for axis in 0..6 {
+        let way = |axes: std::ops::Range<usize>, length: f64| {
+            Vector3::from_fn(|row, _| if axes.start + row == axis { length } else { 0.0 })
+        };
+        let there = Isometry3::new(way(0..3, 0.015), way(3..6, 0.08));
+        poses.extend([start * there, *start]);
+    }
+    through(&poses, 0.33)
+}
+
+/// Straight from pose to pose, each way and a short rest after it taking a time (s).
+pub fn through(poses: &[Isometry3<f64>], seconds: f64) -> Reference {
+    const TIME_STEP: f64 = 0.004;
+    /// Part of the time in which the reference moves.
+    const MOVING: f64 = 0.7;
+    let count = (seconds / TIME_STEP) as usize;
+    let mut path = vec![poses[0]];
+    for pair in poses.windows(2) {
+        path.extend((1..=count).map(|step| {
+            let fraction = (step as f64 / (MOVING * count as f64)).min(1.0);
+            simulation::interpolate(&pair[0], &pair[1], fraction)
+        }));
+    }
+    let state = |knot: usize| {
+        let (now, before) = (&path[knot], &path[knot.saturating_sub(1)]);
+        let velocity = (now.translation.vector - before.translation.vector) / TIME_STEP;
+        let angular = (before.rotation.inverse() * now.rotation).scaled_axis() / TIME_STEP;
+        let mut state = [0.0; 13];
+        state[..7].copy_from_slice(&coordinates(now));
+        state[7..10].copy_from_slice(velocity.as_slice());
+        state[10..].copy_from_slice(angular.as_slice());
+        state
+    };
+    Reference::new(TIME_STEP, &(0..path.len()).map(state).collect::<Vec<_>>())
+}
+
+/// The estimate of a parameter.
+#[track_caller]
+pub fn estimate(calibration: &Calibration, parameter: Parameter) -> &Estimate {
+    calibration.estimates.iter().find(|estimate| estimate.quantity.parameter == parameter).unwrap()
+}
+
+/// Asserts that a parameter is known, and is within a distance of a value.
+#[track_caller]
+pub fn found(calibration: &Calibration, parameter: Parameter, expected: f64, tolerance: f64) {
+    let Estimate { value, standard_error, .. } = estimate(calibration, parameter);
+    let name = parameter.name();
+    assert!((value - expected).abs() <= tolerance, "{name}: {value} +- {standard_error:?}, not {expected}");
+    assert!(standard_error.is_some(), "{name} is not known");
+}

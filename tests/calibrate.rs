@@ -1,0 +1,82 @@
+//! `calibrate` as a user runs it. What is found, the tests of the crate `calibration` say.
+
+use crate::support::{Dir, list};
+
+/// A short log of the free body of the corner scene, which its rollouts explain: it is held, and jumps aside.
+fn log() -> (Dir, String) {
+    let dir = Dir::new();
+    let gains = r#"{"translational_stiffness": 50.0, "rotational_stiffness": 5.0,
+        "translational_damping": [[14.142, 0, 0], [0, 14.142, 0], [0, 0, 14.142]],
+        "rotational_damping": [[1.414, 0, 0], [0, 1.414, 0], [0, 0, 1.414]]}"#;
+    let goal = "[0.051, 0.0, 0.031, 1.0, 0.0, 0.0, 0.0]";
+    let identity = "[0, 0, 0, 1, 0, 0, 0]";
+    let header = format!(
+        r#"# {{"format": 1, "scene": "corner", "base": {identity}, "grasp": {identity}, "goal": {goal}, "delta_m": 0.02,
+        "dry_run_m": 0.1, "impedance": {gains}}}"#
+    );
+    let state = "px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s";
+    let reference = state.split(',').map(|name| format!("reference_{name}")).collect::<Vec<_>>().join(",");
+    let mut text = format!("{}\ntime_s,{state},elapsed_s,{reference},phase\n", header.replace('\n', " "));
+    for row in 0..150 {
+        let time = 0.01 * f64::from(row);
+        // A critically damped body of 1.5 kg under these gains would move otherwise; the fit needs no exact one.
+        let rate = (50.0_f64 / 1.5).sqrt();
+        let way = 0.01 * (1.0 - (1.0 + rate * time) * (-rate * time).exp());
+        let (angle, turned) = (0.05, 7.07 * time);
+        let half = 0.5 * angle * (1.0 - (1.0 + turned) * (-turned).exp());
+        let pose = format!("{},0.2,0.3,{},0,0,{}", 0.3 + way, half.cos(), half.sin());
+        let followed = if row == 0 { (0.3, 0.0) } else { (0.31, 0.5 * angle) };
+        let followed = format!("{},0.2,0.3,{},0,0,{}", followed.0, f64::cos(followed.1), f64::sin(followed.1));
+        let phase = if row < 149 { "playing" } else { "resting" };
+        text += &format!("{time},{pose},0,0,0,0,0,0,{time},{followed},0,0,0,0,0,0,{phase}\n");
+    }
+    dir.write("log.csv", &text);
+    (dir, text)
+}
+
+#[test]
+fn a_scene_is_fitted_and_a_copy_is_written() {
+    let (dir, _) = log();
+    let scene = dir.read("corner.toml");
+    dir.run("calibrate corner.toml log.csv").code(0).says("damping factor").says("[robot]").says("apparent_inertia");
+    dir.run("calibrate corner.toml log.csv --out fitted.toml --quiet").code(0).keeps_silent_about("fitting");
+    assert_eq!(dir.read("corner.toml"), scene);
+    dir.run("calibrate corner.toml log.csv --out fitted.toml").code(2).says("--force");
+    dir.run("calibrate corner.toml log.csv --out fitted.toml --force").code(0);
+    dir.run("check fitted.toml").code(0);
+    dir.run("calibrate corner.toml log.csv --out below/fitted.toml").code(2).says("relative to its folder");
+    assert!(!dir.exists("below"));
+
+    let run = dir.run("calibrate corner.toml log.csv --json").code(0);
+    let record: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(list(&record, "parameters").len(), 3);
+    assert_eq!(list(&record, "logs")[0]["has_contact"], false);
+    assert!(record["entries"]["robustness"]["inertia_error"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn what_is_no_log_of_the_scene_is_refused() {
+    let (dir, text) = log();
+    let rows = |count: usize| text.lines().take(count).map(|line| line.to_owned() + "\n").collect::<String>();
+    for (log, words) in [
+        (text.lines().skip(1).map(|line| line.to_owned() + "\n").collect(), "wrong.csv:1: the line `# {...}`"),
+        (text.replacen("\"format\": 1", "\"format\": 9", 1), "wrong.csv:1: format 9"),
+        (text.replacen("\"dry_run_m\"", "\"dry\"", 1), "wrong.csv:1: column"),
+        (text.replacen("\"corner\"", "\"peg1\"", 1), "the log is of another scene: its title is `peg1`"),
+        (text.replacen("0.051", "0.052", 1), "its goal is another pose"),
+        (text.replacen("elapsed_s", "elapsed", 1), "there is no column `elapsed_s`"),
+        (text.replacen("reference_qw", "qqq", 1), "there is no column `reference_qw`"),
+        (rows(2), "has no rows"),
+        (rows(100), "was stopped before its end"),
+        (text.replacen("\n0.02,", "\nsoon,", 1), "wrong.csv:5: column 1: `soon` is not a finite number"),
+        (text.replacen(",0.03,", ",0.05,", 1), "wrong.csv:7: column elapsed_s"),
+        (text.replacen("\"dry_run_m\": 0.1", "\"dry_run_m\": 0", 1), "the part did not end at its goal"),
+    ] {
+        assert_ne!(log, text, "{words}");
+        dir.write("wrong.csv", log);
+        dir.run("calibrate corner.toml wrong.csv --out copy.toml").code(2).says(words);
+        assert!(!dir.exists("copy.toml"));
+    }
+    dir.run("calibrate corner.toml").code(2).says("LOG");
+    dir.run("calibrate corner.toml gone.csv").code(2).says("gone.csv");
+}
