@@ -2,16 +2,14 @@
 
 use nalgebra::{Isometry3, Vector3};
 use planner::{PlannerError, Problem};
-use simulation::{Reference, coordinates, isometry};
-use task::{AssemblyTask, GraspError, Impedance, STATE, pose_of};
+use simulation::{Reference, coordinates, interpolate, isometry};
+use task::{AssemblyTask, GraspError, Impedance, STATE};
 
 use crate::log::{Log, Row};
 use crate::model::{COMPONENTS, deviation};
 
 /// Time between two samples that are compared (s), at least: closer ones say the same.
 const SAMPLE_INTERVAL: f64 = 0.01;
-/// Length of the steps of a reference (s) in multiples of which a step begins, where no controller has a period.
-const TICK: f64 = 1e-3;
 
 /// A log that is compared with rollouts.
 #[derive(Debug, Clone)]
@@ -31,7 +29,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Of a log; a step of the reference is a multiple of the control period.
+    /// Of a log. The reference has a step for each control period of an arm, else for each row.
     ///
     /// # Errors
     /// When the part did not end at its goal, so that nobody knows how it sat in the gripper.
@@ -43,14 +41,15 @@ impl Run {
         } else {
             grasp = grasp_at_end(log, problem)?;
         }
-        let time_step = time_step(log, problem.scene().robot.as_ref().map_or(TICK, |robot| robot.control_period));
+        let robot = problem.scene().robot.as_ref();
+        let time_step = robot.map_or_else(|| median_gap(log), |robot| robot.control_period);
         let reference = reference(&log.rows, time_step);
         task.start = reference.start();
         let every = (SAMPLE_INTERVAL / time_step).round().max(1.0) as usize;
         let (mut samples, mut lags) = (Vec::new(), Vec::new());
         for knot in (every..reference.intervals()).step_by(every) {
             let time = knot as f64 * time_step;
-            let believed = between(&log.rows, time, |row| row.believed);
+            let believed = believed(&log.rows, time);
             samples.push((time, believed));
             lags.push(deviation(&believed, &reference.at(knot, 0.0).pose));
         }
@@ -81,32 +80,27 @@ fn grasp_at_end(log: &Log, problem: &Problem) -> Result<GraspError, PlannerError
     Ok(grasp)
 }
 
-/// About the time between two rows (s), a multiple of the control period.
-fn time_step(log: &Log, control_period: f64) -> f64 {
+/// Median of the times between two rows (s).
+fn median_gap(log: &Log) -> f64 {
     let mut gaps: Vec<f64> = log.rows.windows(2).map(|pair| pair[1].time - pair[0].time).collect();
     gaps.sort_by(f64::total_cmp);
-    control_period * (gaps[gaps.len() / 2] / control_period).round().max(1.0)
+    gaps[gaps.len() / 2]
 }
 
-/// The reference on a regular grid. It begins where the part was believed, where rollouts start at rest.
+/// The reference on a regular grid: that of a row holds until the next one. It begins where the part was believed, where
+/// rollouts start at rest.
 fn reference(rows: &[Row], time_step: f64) -> Reference {
     let last = rows.last().map_or(0.0, |row| row.time);
-    let mut twist = [0.0; 6];
-    let states: Vec<[f64; STATE]> = (0..=(last / time_step).ceil() as usize)
-        .map(|knot| {
-            let time = knot as f64 * time_step;
-            let pose = match knot {
-                0 => rows[0].believed,
-                _ => between(rows, time, |row| isometry(&pose_of(&row.reference))),
-            };
-            let mut state = [0.0; STATE];
-            state[..7].copy_from_slice(&coordinates(&pose));
-            // The twist of a knot is that of the way to it.
-            state[7..].copy_from_slice(&twist);
-            twist.copy_from_slice(&rows[row_at(rows, time)].reference[7..]);
-            state
-        })
-        .collect();
+    let mut states: Vec<[f64; STATE]> = Vec::new();
+    for knot in 0..=(last / time_step).ceil() as usize {
+        let mut state = rows[row_at(rows, knot as f64 * time_step)].reference;
+        // The twist of a knot is that of the way to it.
+        if let Some(before) = knot.checked_sub(1) {
+            state[7..].copy_from_slice(&rows[row_at(rows, before as f64 * time_step)].reference[7..]);
+        }
+        states.push(state);
+    }
+    states[0][..7].copy_from_slice(&coordinates(&rows[0].believed));
     Reference::new(time_step, &states)
 }
 
@@ -117,10 +111,10 @@ fn row_at(rows: &[Row], time: f64) -> usize {
     rows.partition_point(|row| row.time <= time + ROUNDING).saturating_sub(1)
 }
 
-/// A pose at a time (s) between two rows.
-fn between(rows: &[Row], time: f64, pose: impl Fn(&Row) -> Isometry3<f64>) -> Isometry3<f64> {
+/// Where the part was believed at a time (s).
+fn believed(rows: &[Row], time: f64) -> Isometry3<f64> {
     let index = row_at(rows, time);
-    let (from, Some(to)) = (&rows[index], rows.get(index + 1)) else { return pose(&rows[index]) };
+    let (from, Some(to)) = (&rows[index], rows.get(index + 1)) else { return rows[index].believed };
     let fraction = ((time - from.time) / (to.time - from.time)).clamp(0.0, 1.0);
-    simulation::interpolate(&pose(from), &pose(to), fraction)
+    interpolate(&from.believed, &to.believed, fraction)
 }

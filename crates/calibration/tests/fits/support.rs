@@ -17,11 +17,11 @@ pub fn project(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap().join(name)
 }
 
-/// The corner scene for an arm of six joints: rotor inertia 0.1 kg m^2, joint friction 0.5 Nm.
-pub fn arm_scene() -> String {
-    let corner = fs::read_to_string(project("scenes/corner.toml")).unwrap();
+/// A scene for an arm of six joints: rotor inertia 0.1 kg m^2, joint friction 0.5 Nm.
+pub fn arm_scene(name: &str) -> String {
+    let scene = fs::read_to_string(project(&format!("scenes/{name}.toml"))).unwrap();
     let replaced = ["mass", "inertia", "translational_stiffness", "rotational_stiffness"];
-    let kept = corner.lines().filter(|line| !replaced.iter().any(|key| line.starts_with(key)));
+    let kept = scene.lines().filter(|line| !replaced.iter().any(|key| line.starts_with(key)));
     let robot = fs::read_to_string(project("scripts/mujoco_validation/arms/six.toml")).unwrap();
     let urdf = project("scripts/mujoco_validation/arms/six.urdf");
     kept.map(|line| line.to_owned() + "\n").collect::<String>() + &robot.replace("six.urdf", urdf.to_str().unwrap())
@@ -46,7 +46,7 @@ pub struct Truth {
 impl Workshop {
     pub fn new(scene: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("corner.toml");
+        let file = folder.path().join("scene.toml");
         fs::write(&file, scene).unwrap();
         let problem = Problem::load(&file, &Choices::default()).unwrap();
         Self { folder, problem }
@@ -144,7 +144,7 @@ pub fn test_motion(start: &Isometry3<f64>) -> Reference {
 
 /// Straight from pose to pose, each way and a short rest after it taking a time (s).
 pub fn through(poses: &[Isometry3<f64>], seconds: f64) -> Reference {
-    const TIME_STEP: f64 = 0.004;
+    const TIME_STEP: f64 = 0.002;
     /// Part of the time in which the reference moves.
     const MOVING: f64 = 0.7;
     let count = (seconds / TIME_STEP) as usize;

@@ -1,13 +1,11 @@
 //! Values that rollouts have been given are found in what they did.
 
-mod support;
-
 use calibration::{CalibrationRecord, Entries, Parameter};
 use nalgebra::{Isometry3, Vector3};
 use simulation::isometry;
 use task::{GraspError, Inertia};
 
-use support::{Workshop, arm_scene, estimate, found, project, test_motion, through};
+use crate::support::{Workshop, arm_scene, estimate, found, project, test_motion, through};
 
 fn corner() -> String {
     std::fs::read_to_string(project("scenes/corner.toml")).unwrap()
@@ -20,7 +18,7 @@ fn above_goal(workshop: &Workshop) -> Isometry3<f64> {
 
 #[test]
 fn an_arm_is_found_in_free_air() {
-    let workshop = Workshop::new(&arm_scene());
+    let workshop = Workshop::new(&arm_scene("clamp1"));
     let mut truth = workshop.truth();
     let arm = truth.arm.as_mut().unwrap();
     arm.arm = arm.arm.clone().with_rotor_inertia(&[0.17; 6]).unwrap();
@@ -98,8 +96,8 @@ fn a_body_without_an_arm_has_another_inertia() {
     // The copy is a scene with that inertia, and has kept its comments.
     let copy = workshop.path("copy.toml");
     let entries = Entries::new(&calibration, &workshop.problem);
-    entries.write(&workshop.path("corner.toml"), &copy, false).unwrap();
-    assert!(entries.write(&workshop.path("corner.toml"), &copy, false).is_err(), "nothing is replaced");
+    entries.write(&workshop.path("scene.toml"), &copy, false).unwrap();
+    assert!(entries.write(&workshop.path("scene.toml"), &copy, false).is_err(), "nothing is replaced");
     let scene = scene::Scene::load(&copy).unwrap();
     assert!((scene.inertia.matrix()[(0, 0)] - 1.6).abs() < 0.03);
     assert!(std::fs::read_to_string(copy).unwrap().contains("# one box pushed into a corner"));
@@ -107,7 +105,7 @@ fn a_body_without_an_arm_has_another_inertia() {
 
 #[test]
 fn what_a_log_does_not_tell_is_held_and_said() {
-    let workshop = Workshop::new(&arm_scene());
+    let workshop = Workshop::new(&arm_scene("clamp1"));
     let above = above_goal(&workshop);
     // It only rests.
     workshop.log("rest.csv", &workshop.truth(), &through(&[above, above], 1.0), 0.05);
