@@ -24,6 +24,15 @@ pub struct Estimate {
     pub partner: Option<(Parameter, f64)>,
 }
 
+impl Estimate {
+    /// For a factor of the gains: whether the robot has clearly others than those which were set, so that these are to be
+    /// corrected.
+    pub fn is_off(&self) -> bool {
+        let least = |error: f64| self.quantity.resolution.max(2.0 * error);
+        self.standard_error.is_some_and(|error| (self.value - 1.0).abs() > least(error))
+    }
+}
+
 /// How far rollouts are from a run, as root mean squares.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Misfit {

@@ -44,8 +44,11 @@ impl Entries {
             Some(robot) => entries.add_arm(&known, robot),
             None => entries.add_body(&known, problem),
         }
-        if let Some((_, error)) = known.find(Parameter::Stiffness) {
-            entries.add("robustness", "stiffness_error", rounded_up(BORNE * error, 0.01).min(LARGEST_ERROR).into());
+        if let Some(estimate) = known.estimate(Parameter::Stiffness) {
+            // What the player does not correct is to be borne.
+            let left = if estimate.is_off() { 0.0 } else { (estimate.value - 1.0).abs() };
+            let error = left + BORNE * estimate.standard_error.unwrap_or_default();
+            entries.add("robustness", "stiffness_error", rounded_up(error, 0.01).min(LARGEST_ERROR).into());
         }
         if let Some((delay, error)) = known.find(Parameter::Delay) {
             entries.add("robustness", "delay", rounded_up(delay + BORNE * error, 1e-4).min(0.1).into());
@@ -159,10 +162,13 @@ impl Entries {
 struct Known<'estimate>(Vec<&'estimate Estimate>);
 
 impl Known<'_> {
+    fn estimate(&self, parameter: Parameter) -> Option<&Estimate> {
+        self.0.iter().find(|estimate| estimate.quantity.parameter == parameter).copied()
+    }
+
     /// Value and standard error.
     fn find(&self, parameter: Parameter) -> Option<(f64, f64)> {
-        let found = self.0.iter().find(|estimate| estimate.quantity.parameter == parameter)?;
-        Some((found.value, found.standard_error?))
+        self.estimate(parameter).and_then(|found| Some((found.value, found.standard_error?)))
     }
 }
 

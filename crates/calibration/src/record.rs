@@ -119,19 +119,19 @@ impl ParameterRecord {
 }
 
 /// What to do about a parameter.
-fn remark(Estimate { quantity, value, standard_error, partner }: &Estimate) -> String {
+fn remark(estimate: &Estimate) -> String {
+    let Estimate { quantity, value, standard_error, partner } = estimate;
     let parameter = quantity.parameter;
     let alike = partner
         .filter(|(_, correlation)| correlation.abs() > ALIKE)
         .map(|(other, correlation)| format!("hard to tell from {} (correlation {correlation:.2})", other.name()));
-    let Some(error) = standard_error else {
+    if standard_error.is_none() {
         let reason = alike.unwrap_or_else(|| parameter.advice().to_owned());
         return format!("not known: {reason}");
-    };
-    let differs = (value - 1.0).abs() > 2.0 * error;
+    }
     let flag = match parameter {
-        Parameter::Stiffness if differs => Some("--stiffness-factor"),
-        Parameter::Damping if differs => Some("--damping-factor"),
+        Parameter::Stiffness if estimate.is_off() => Some("--stiffness-factor"),
+        Parameter::Damping if estimate.is_off() => Some("--damping-factor"),
         _ => None,
     };
     let advice = flag.map(|flag| format!("play with {flag} {:.2}", 1.0 / value));
