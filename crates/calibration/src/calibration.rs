@@ -236,8 +236,7 @@ impl Comparison<'_> {
             };
             let worst = (0..columns.len()).max_by(|&one, &other| excess(one).total_cmp(&excess(other)));
             match worst {
-                // What is not a number is not known either.
-                Some(place) if !(excess(place) <= 1.0) => columns.remove(place),
+                Some(place) if excess(place) > 1.0 => columns.remove(place),
                 _ => return columns,
             };
         }
