@@ -51,8 +51,6 @@ pub struct RunResult {
     pub has_contact: bool,
     /// Length (s).
     pub duration: f64,
-    /// Number of samples that are compared.
-    pub samples: usize,
     /// Rollouts of the scene as it is; `None` where they diverge.
     pub before: Option<Misfit>,
     /// Rollouts with the fitted parameters.
@@ -125,7 +123,6 @@ pub fn calibrate(
         name: run.name.clone(),
         has_contact: run.has_contact(),
         duration: run.samples.last().map_or(0.0, |(time, _)| *time),
-        samples: run.samples.len(),
         before,
         after: comparison.misfit(index, &values).unwrap_or(Misfit { distance: f64::NAN, angle: f64::NAN }),
         lag: Misfit::of(&run.lags),
@@ -185,7 +182,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// A fit, and another one in which deviations are weighed with the noise that the first has left.
+    /// A fit, and another one in which deviations are weighted with the noise that the first has left.
     fn fit_with_noise(&mut self, begin: &[f64], free: &[usize]) -> Result<Fit, PlannerError> {
         /// Fits with noise that is more and more that of the residuals.
         const FITS: usize = 2;

@@ -10,7 +10,7 @@
 //! 3. Parameters ([`Parameter`]) are bounded, each with a scale. Logs with contacts also have the grasp error of their run,
 //!    which begins with what the end of the log tells.
 //! 4. Residuals are differences of believed poses over their noise, which follows from the residuals themselves: positions and
-//!    orientations are weighed by what the model leaves of each.
+//!    orientations are weighted by what the model leaves of each.
 //! 5. Levenberg and Marquardt's method finds the least sum of squares. Derivatives are differences with steps of 2 % of a
 //!    scale, as contacts and dry friction are not smooth. Runs in free air are fitted first, then all runs together, with the
 //!    contact friction of a few that does best.

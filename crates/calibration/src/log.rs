@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use export::ImpedanceRecord;
 use nalgebra::Isometry3;
-use planner::PlannerError;
 use planner::files::{StateRow, Value, read_csv, read_text};
+use planner::{PlannerError, RESTING};
 use scene::Scene;
 use serde::Deserialize;
 use simulation::isometry;
@@ -13,8 +13,6 @@ use task::{STATE, pose_of};
 
 /// Version of the log that is read.
 const FORMAT: u32 = 1;
-/// The phase with which a log ends unless the robot was stopped.
-const RESTING: &str = "resting";
 /// Longest time between two rows (s): between them, nobody knows what the robot did.
 const LONGEST_GAP: f64 = 0.1;
 /// Poses whose numbers differ by less (m, or a component of a quaternion) are the same.

@@ -44,7 +44,7 @@ struct Played {
 impl<'work> Comparison<'work> {
     /// Of all runs of a problem.
     pub fn new(problem: &Problem, runs: &'work [Run], quantities: &'work [Quantity], workers: &'work Workers) -> Self {
-        /// What deviations are weighed with until they are known.
+        /// What deviations are weighted with until they are known.
         const NOISE: [f64; 2] = [1e-3, 5e-3];
         let compared = (0..runs.len()).collect();
         Self { arm: problem.arm(), runs, compared, quantities, noise: NOISE, workers }
@@ -117,7 +117,7 @@ impl<'work> Comparison<'work> {
     }
 
     /// Deviations in standard deviations, one component after the other.
-    fn weighed(&self, deviations: &[[f64; COMPONENTS]]) -> impl Iterator<Item = f64> {
+    fn weighted(&self, deviations: &[[f64; COMPONENTS]]) -> impl Iterator<Item = f64> {
         let noise = self.noise;
         deviations.iter().flat_map(move |deviation| {
             std::array::from_fn::<f64, COMPONENTS, _>(|component| deviation[component] / noise[component / 3])
@@ -130,7 +130,7 @@ impl Model for Comparison<'_> {
         let played = self.workers.map(self.compared.iter(), |&run| self.deviations(run, values));
         let mut residuals = Vec::new();
         for deviations in played {
-            residuals.extend(self.weighed(&deviations?));
+            residuals.extend(self.weighted(&deviations?));
         }
         Some(residuals)
     }
@@ -158,7 +158,7 @@ impl Model for Comparison<'_> {
         for ((column, _, _, first), changed) in pieces.iter().zip(&changed) {
             // Where nothing can be computed, nothing is known of the derivative.
             let Some((step, deviations)) = changed else { continue };
-            for (row, residual) in (*first..).zip(self.weighed(deviations)) {
+            for (row, residual) in (*first..).zip(self.weighted(deviations)) {
                 jacobian[(row, *column)] = (residual - residuals[row]) / step;
             }
         }

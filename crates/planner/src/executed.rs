@@ -11,9 +11,10 @@ use crate::error::PlannerError;
 use crate::files::{StateRow, read_csv};
 use crate::problem::Problem;
 
-/// The phases of a log in which the plan was executed.
+/// The phase of a log in which the plan was executed.
 const PLAYING: &str = "playing";
-const RESTING: &str = "resting";
+/// The phase with which a log ends unless the robot was stopped.
+pub const RESTING: &str = "resting";
 
 /// How a motion was executed.
 #[derive(Debug, Clone, Copy, PartialEq)]
