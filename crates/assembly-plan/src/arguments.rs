@@ -140,7 +140,7 @@ pub struct RobustArguments {
     /// With --robust: keep the best plan so far after this time (s), the first solve included
     #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = seconds, requires = "robust")]
     pub time_limit: f64,
-    /// With --robust: give up refining a plan after this many changes in a row without improvement; 0 only evaluates it
+    /// With --robust: evaluate a plan anew after this many changes in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
     pub patience: u32,
     /// With --robust: Coulomb friction coefficients [default: the scene's]

@@ -149,6 +149,14 @@ fn lost_evaluations_end_early_and_whole_ones_decide() {
 }
 
 #[test]
+fn a_refinement_is_given_up_after_three_evaluations_in_vain() {
+    let plan = refined(1e-5, &RobustnessTarget { patience: 1, ..impatient() });
+    let own = &plan.robustness.as_ref().unwrap().rounds[0];
+    assert_eq!((own.planned.as_str(), own.rate), ("half the time step", Some(0.0)));
+    assert_eq!(own.added_trials, 4 * 24, "what failed in the first evaluation and in three that were not better");
+}
+
+#[test]
 fn any_reference_can_be_refined_without_a_plan() {
     let problem = corner(Success::default());
     let task = problem.task();

@@ -10,8 +10,6 @@ use crate::refine::{Refiner, SEED, SEED_STRIDE};
 use crate::robustness::Round;
 use crate::variant::Variant;
 
-/// How often in a row the refinement of a plan that is stuck begins anew in vain, before other problems are solved.
-const REPETITIONS: usize = 3;
 /// Success rate from which on a plan is refined rather than replaced.
 const NEARLY: f64 = 0.9;
 /// Marks the name of a plan that was refined before.
@@ -23,15 +21,14 @@ impl Refiner<'_> {
         self.best.as_ref().is_some_and(|best| best.rates.overall() >= NEARLY)
     }
 
-    /// Goes on with the best plan so far until this has not helped a few times in a row: other changes often help where some
-    /// did not, and they cost less than another problem.
-    pub(super) fn refine_again(&mut self, until: Deadline) -> Result<(), PlannerError> {
+    /// Goes on with the best plan so far as long as this helps: other changes often help where some did not, and they cost
+    /// less than another problem.
+    pub(super) fn refine_again(&mut self) -> Result<(), PlannerError> {
         let rate = |refiner: &Self| refiner.best.as_ref().map_or(0.0, |best| best.rates.overall());
-        let mut vain = 0;
-        while vain < REPETITIONS && self.goes_on(until) {
-            let before = rate(self);
+        let (mut before, until) = (-1.0, self.clock.end());
+        while rate(self) > before && self.goes_on(until) {
+            before = rate(self);
             self.refine_best(until)?;
-            vain = if rate(self) > before { 0 } else { vain + 1 };
         }
         Ok(())
     }

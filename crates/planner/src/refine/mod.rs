@@ -2,8 +2,8 @@
 //!
 //! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken. Random changes
 //! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
-//! that were never trained on decides; what fails there is trained on next. When refinement is stuck, a straight push is
-//! refined instead, which needs no plan; then other problems are solved, the promising first, and their plans are
+//! that were never trained on decides; what fails there is trained on next. When this does not help any more, a straight
+//! push is refined instead, which needs no plan; then other problems are solved, the promising first, and their plans are
 //! refined. The plan with the best evaluation is kept.
 //!
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
@@ -58,10 +58,10 @@ const SEED: u64 = 1;
 const SEED_STRIDE: u64 = 100;
 /// How often a robust plan is refined in the few trials that it fails.
 const POLISHES: usize = 2;
+/// Evaluations in a row without a better rate after which a refinement is given up.
+const GIVEN_UP: usize = 3;
 /// Share of the time for the first refinement of the plan of the scene itself.
-const OWN_FIRST_SHARE: f64 = 0.4;
-/// Share of the time for what is done with that plan and with a straight push, before other problems are solved.
-const OWN_SHARE: f64 = 0.6;
+const OWN_SHARE: f64 = 0.5;
 /// Share of the time for changes; the rest is for the evaluation that follows.
 const TRAINING_SHARE: f64 = 0.8;
 
@@ -165,22 +165,18 @@ impl<'run> Refiner<'run> {
         }
     }
 
-    /// Refines the plan of the scene and, where that is far from the target, a straight push; the better of the two again,
-    /// as long as this helps if it is nearly robust; then the plans of other problems, and the best once more, while there is
-    /// time.
+    /// Refines the plan of the scene; where that is given up, a straight push; the better of the two again, if it is nearly
+    /// robust; then the plans of other problems, and the best once more, while there is time.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.refine_own(plan)?;
-        if !self.is_nearly_robust() {
-            self.refine_push(homotopy)?;
-        }
-        self.refine_again(self.clock.share(self.clock.end(), OWN_SHARE))?;
+        self.refine_push(homotopy)?;
         if self.is_nearly_robust() {
-            self.refine_again(self.clock.end())?;
+            self.refine_again()?;
         }
         self.refine_variants(solving)?;
-        self.refine_again(self.clock.end())?;
+        self.refine_again()?;
         self.take_best()
     }
 
@@ -191,14 +187,14 @@ impl<'run> Refiner<'run> {
             let count = plan.iterations.len();
             self.session.tell(Event::Resumed { done: count, most: count, refining: true });
             self.best = Some(kept);
-            return self.refine_best(self.clock.share(self.clock.end(), OWN_FIRST_SHARE));
+            return self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE));
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.clock = Clock::new(self.session, spent, self.target.time_limit);
         let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let Plan { variant, iterations, .. } = plan;
         self.judge_first(variant.clone(), iterations.clone(), chosen, last)?;
-        let until = self.clock.share(self.clock.end(), OWN_FIRST_SHARE);
+        let until = self.clock.share(self.clock.end(), OWN_SHARE);
         if self.goes_on(until)
             && let Some(candidate) = self.candidate(variant, iterations, true, until)
         {
@@ -262,21 +258,22 @@ impl<'run> Refiner<'run> {
         Some(Candidate { variant, iterations, refinement, round, is_scenes_own })
     }
 
-    /// Refines a reference and evaluates it, until it is good enough, stuck, or the time is over. What is robust, but fails
-    /// in some trials, is refined in these a few times more: simulators differ, and so does reality.
+    /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over. Rates of evaluations that
+    /// end early vary, so that a lower one is no reason to go back. What is robust, but fails in some trials, is refined in
+    /// these a few times more: simulators differ, and so does reality.
     fn refine(&mut self, candidate: Candidate<'run>, until: Deadline) -> Result<(), PlannerError> {
         let begin = Instant::now();
         let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
         self.session.tell(Event::Refining { planned: &round.planned });
         let chosen_with = round.rollouts;
-        let mut polished = 0;
+        let (mut polished, mut vain) = (0, 0);
         // What failed elsewhere since it became a candidate.
         let new = self.training[refinement.trials().len()..].to_vec();
         let stop = || self.clock.is_over(until);
         let results = self.evaluator.evaluate_all(refinement.reference(), &new, &stop);
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
-            let passes = self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
+            self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
             round.rollouts = chosen_with + refinement.rollouts();
             round.refinement_s = begin.elapsed().as_secs_f64();
             let judgement = self.judge(refinement.reference(), until);
@@ -288,7 +285,8 @@ impl<'run> Refiner<'run> {
             self.session.tell(Event::Refined { rate });
             polished += usize::from(judgement.reached);
             let is_good = judgement.reached && (judgement.failures.is_empty() || polished > POLISHES);
-            let is_last = is_good || !passes || self.clock.is_over(until);
+            vain = if round.rate.is_none_or(|best| rate > best) { 0 } else { vain + 1 };
+            let is_last = is_good || vain == GIVEN_UP || self.clock.is_over(until);
             round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
             let kept = Kept {
                 variant: variant.clone(),
@@ -315,8 +313,8 @@ impl<'run> Refiner<'run> {
         Ok(())
     }
 
-    /// Improves until all training trials pass, which is what it returns, or it is stuck or the time is over.
-    fn train(&self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) -> bool {
+    /// Improves until all training trials pass, it is stuck, or the time is over.
+    fn train(&self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) {
         let (mut vain, mut last) = (0, refinement.score());
         let stop = || self.clock.is_over(until);
         while refinement.score().0 > 0 && vain < self.target.patience && !stop() {
@@ -329,7 +327,6 @@ impl<'run> Refiner<'run> {
             }
             self.session.tell(Event::Change { failing, trials: refinement.trials().len(), changes: *changes });
         }
-        refinement.score().0 == 0
     }
 
     /// Evaluates a reference at new grasp errors.

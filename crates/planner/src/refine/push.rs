@@ -8,7 +8,7 @@ use crate::refine::Refiner;
 use crate::variant::Variant;
 
 /// Share of the time that is left.
-const SHARE: f64 = 0.2;
+const SHARE: f64 = 0.4;
 
 impl Refiner<'_> {
     /// Refines the straight push from start to goal: on some scenes this is faster than the refinement of any plan. The

@@ -23,7 +23,7 @@ pub struct RobustnessTarget {
     pub delay: f64,
     /// When to stop refining, the time of the first solve included.
     pub time_limit: Duration,
-    /// Changes in a row without improvement after which the refinement of a plan is stuck.
+    /// Changes in a row without improvement after which a plan is evaluated anew.
     pub patience: usize,
 }
 
