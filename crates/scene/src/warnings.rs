@@ -41,10 +41,13 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
     }
     check(&table.require_table("goal")?, "the goal", &scene.goal)?;
     if scene.offset_magnitude > body.size() {
+        let has_unit =
+            table.require_table("body")?.tables("part", "part")?.iter().any(|part| part.find("unit").is_some());
         let message = format!(
-            "an offset of {} m is larger than the body, {:.3} m: is it in metres?",
+            "an offset of {} m is larger than the body, {:.3} m: is it in metres{}?",
             scene.offset_magnitude,
-            body.size()
+            body.size(),
+            if has_unit { ", and is the `unit` of the body's mesh right" } else { "" }
         );
         let entry = table.require_table("robustness")?.require("offset_magnitude")?;
         warnings.push(entry.refuse(message).headline());

@@ -222,6 +222,20 @@ fn density_gives_the_body_its_mass_wherever_its_origin_is() {
 }
 
 #[test]
+fn a_body_that_a_wrong_unit_makes_smaller_than_its_offsets_is_noticed() {
+    let folder = tempfile::tempdir().unwrap();
+    let square = [[0.0, 0.0], [0.03, 0.0], [0.03, 0.03], [0.0, 0.03]];
+    std::fs::write(folder.path().join("cube.stl"), binary(&prism(&square, &fan(4), 0.03))).unwrap();
+    let warnings = |unit: &str| {
+        let text = replaced("box = [0.02, 0.02, 0.1]", &format!("mesh = \"cube.stl\"\nunit = \"{unit}\""));
+        Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text }).unwrap().warnings
+    };
+    assert!(warnings("m").is_empty());
+    let asked = "0.001 m: is it in metres, and is the `unit` of the body's mesh right?";
+    assert!(warnings("inch").iter().any(|warning| warning.contains(asked)), "{:?}", warnings("inch"));
+}
+
+#[test]
 fn files_that_are_no_mesh_are_refused() {
     let square = [[0.0, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]];
     let cube = prism(&square, &fan(4), 20.0);
