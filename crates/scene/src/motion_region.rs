@@ -9,7 +9,7 @@ use crate::scene::StartPose;
 
 /// Poses between a start and the goal that are looked at.
 const SAMPLES: usize = 9;
-/// Turn (rad) of the body away from these poses.
+/// Turn (rad) of the body away from these poses, further than in the gripper.
 const TURN: f64 = 0.1;
 /// Offsets by which the body may move away from these poses.
 const OFFSETS: f64 = 1.0;
@@ -35,19 +35,25 @@ pub struct MotionRegion {
 pub struct Motions {
     poses: Vec<Isometry3<f64>>,
     margin: f64,
+    turn: f64,
     surroundings: f64,
 }
 
 impl Motions {
-    /// Of a body with points at these coordinates (m), with offsets of a magnitude (m).
-    pub fn new(starts: &[StartPose], goal: &[f64; 7], magnitude: f64, body: &[[f64; 3]]) -> Self {
+    /// Of a body with points at these coordinates (m), with offsets of a magnitude (m), turned by so much (rad) in the gripper.
+    pub fn new(starts: &[StartPose], goal: &[f64; 7], (magnitude, turn): (f64, f64), body: &[[f64; 3]]) -> Self {
         let goal = of_pose(goal);
         let poses = starts.iter().flat_map(|start| {
             let start = of_pose(&start.pose);
             (0..SAMPLES).map(move |sample| between(&start, &goal, sample as f64 / (SAMPLES - 1) as f64))
         });
         let size = body.iter().map(|point| norm(point)).fold(0.0, f64::max);
-        Self { poses: poses.collect(), margin: OFFSETS * magnitude + MARGIN * size, surroundings: SURROUNDINGS * size }
+        Self {
+            poses: poses.collect(),
+            margin: OFFSETS * magnitude + MARGIN * size,
+            turn: TURN + turn,
+            surroundings: SURROUNDINGS * size,
+        }
     }
 
     /// The region of a body whose parts are the convex hulls of some points (m, body frame).
@@ -80,7 +86,7 @@ impl Motions {
     /// Boxes in which points of the body are near a pose.
     fn reaches<'a>(&'a self, pose: &'a Isometry3<f64>, points: &'a [[f64; 3]]) -> impl Iterator<Item = Extent> + 'a {
         points.iter().map(move |point| {
-            let reach = self.margin + TURN * norm(point);
+            let reach = self.margin + self.turn * norm(point);
             let place = pose.transform_point(&Point3::from(*point));
             [-1.0, 1.0].map(|sign| std::array::from_fn(|axis| place[axis] + sign * reach))
         })
@@ -91,4 +97,23 @@ impl Motions {
 pub fn meet(one: &Polytope, other: &Polytope) -> bool {
     let pair = Pair::new(one.clone(), other.clone());
     pair.exact_distance(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]) <= 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_region_grows_with_offsets_and_turns_in_the_gripper() {
+        let (goal, tip) = ([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -0.2]);
+        let start = StartPose { name: "1".to_owned(), pose: goal };
+        let reach = |errors: (f64, f64)| {
+            let motions = Motions::new(std::slice::from_ref(&start), &goal, errors, &[tip]);
+            motions.region(&[vec![tip]]).extent[1][0]
+        };
+        let exact = reach((0.0, 0.0));
+        assert!((exact - (MARGIN + TURN + SURROUNDINGS) * 0.2).abs() < 1e-12, "{exact}");
+        assert!((reach((0.01, 0.0)) - exact - 0.01).abs() < 1e-12);
+        assert!((reach((0.0, 0.05)) - exact - 0.05 * 0.2).abs() < 1e-12);
+    }
 }

@@ -63,7 +63,8 @@ impl Scene {
         let robot = Robot::read(&table.table("robot")?, material.as_ref(), (&starts, &goal))?;
         let inertia = inertia(table, robot.as_ref(), (material.as_ref(), &body), &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
-        let motions = Motions::new(&starts, &goal, offset_magnitude, &points);
+        let borne = sections::borne(&robustness)?;
+        let motions = Motions::new(&starts, &goal, (offset_magnitude, borne.turn), &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
             shapes(&body, &environment, &motions, &goal)?;
         let (pairs, far_pairs) = pairs(
@@ -102,7 +103,7 @@ impl Scene {
             offset_directions,
             turn_axes,
             inertia,
-            borne: sections::borne(&robustness)?,
+            borne,
             robot,
             chosen: Vec::new(),
             warnings: Vec::new(),
