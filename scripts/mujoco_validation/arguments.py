@@ -7,8 +7,8 @@ import pathlib
 DESCRIPTION = """\
 Plays plans of `assembly-plan solve` through MuJoCo and prints how often they succeed.
 
-The body moves freely, driven by the impedance wrench alone, at offsets (errors of the part in the gripper, body frame)
-that are injected as in the plan: the body starts displaced by the offset and the controller never learns of it. After
+The body moves freely, driven by the impedance wrench alone, with errors of the part in the gripper (body frame) that are
+injected as in the plan: the body starts displaced and turned by the error, and the controller never learns of it. After
 the last knot the reference rests for the settling time, then the final pose is judged.
 
 With --arm a whole arm plays the plan: that of its [robot] table, with its rotor inertia, joint friction, gravity, and
@@ -52,6 +52,12 @@ def parse_arguments() -> argparse.Namespace:
         "CSV file with the header x_m,y_m,z_m",
     )
     add(
+        "--turn",
+        type=not_negative,
+        metavar="RAD",
+        help="the part is also turned in the gripper, at random, by up to this [default: the plan's, else 0]",
+    )
+    add(
         "--position-tolerance",
         type=positive(float),
         metavar="M",
@@ -89,10 +95,10 @@ def parse_arguments() -> argparse.Namespace:
     arguments = parser.parse_args()
     if not arguments.folders and not arguments.self_test:
         parser.error("name at least one folder, or --self-test")
-    optional = (arguments.robot, arguments.joint_friction, arguments.turn)
-    is_given = optional != (None, None, None) or arguments.gain_factor != 1 or arguments.delay > 0
+    optional = (arguments.robot, arguments.joint_friction)
+    is_given = optional != (None, None) or arguments.gain_factor != 1 or arguments.delay > 0
     if is_given and not arguments.arm:
-        parser.error("--robot, --gain-factor, --joint-friction, --delay and --turn need --arm")
+        parser.error("--robot, --gain-factor, --joint-friction and --delay need --arm")
     if arguments.compare and arguments.arm:
         parser.error("--compare plays free bodies, as `assembly-plan simulate` does; leave --arm out")
     return arguments
@@ -112,12 +118,6 @@ def add_arm(group: argparse._ArgumentGroup) -> None:
     )
     add("--joint-friction", type=not_negative, metavar="NM", help="of every joint [default: the robot's]")
     add("--delay", type=not_negative, default=0.0, metavar="S", help="of the torques [default: 0 s]")
-    add(
-        "--turn",
-        type=not_negative,
-        metavar="RAD",
-        help="the part is also turned in the gripper, at random, by up to this [default: the plan's, else 0]",
-    )
 
 
 def positive(kind: type) -> functools.partial:

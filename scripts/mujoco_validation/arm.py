@@ -8,7 +8,7 @@ import numpy as np
 from inverse_kinematics import configuration_at
 from offsets import GraspError
 from plans import InputError, Plan
-from rollout import Player, State, impedance_wrench
+from rollout import Player, State, impedance_wrench, quaternion_of
 from shapes import rotation_matrix
 from world import clearance
 
@@ -49,10 +49,8 @@ class ArmPlayer(Player):
 
     def misplace(self, grasp_error: GraspError) -> None:
         """Moves the part in the gripper: its pose, shifted by the offset and turned, is the believed one."""
-        nominal, turn, quaternion = self.plan.robot.grasp, np.zeros(4), np.zeros(4)
-        angle = np.linalg.norm(grasp_error.turn)
-        mujoco.mju_axisAngle2Quat(turn, -grasp_error.turn / angle if angle else np.zeros(3), angle)
-        mujoco.mju_mulQuat(quaternion, nominal[3:], turn)
+        nominal, quaternion = self.plan.robot.grasp, np.zeros(4)
+        mujoco.mju_mulQuat(quaternion, nominal[3:], quaternion_of(-grasp_error.turn))
         self.model.body_pos[self.part] = nominal[:3] - rotation_matrix(quaternion) @ grasp_error.offset
         self.model.body_quat[self.part] = quaternion
 

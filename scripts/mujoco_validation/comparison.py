@@ -6,6 +6,7 @@ import pathlib
 
 import numpy as np
 
+from offsets import GraspError
 from plans import InputError, Plan
 from results import Tolerance, markdown
 from rollout import Outcome
@@ -13,13 +14,11 @@ from rollout import Outcome
 
 @dataclasses.dataclass(frozen=True)
 class Rollout:
-    """A motion that `assembly-plan simulate` played: offset (m, body frame), whether the part was turned in the gripper,
-    success and final errors (m, rad)."""
+    """A motion that `assembly-plan simulate` played, success and final errors (m, rad)."""
 
     motion: str
     friction: float
-    offset: np.ndarray
-    turned: bool
+    grasp_error: GraspError
     success: bool
     position_error: float
     angle_error: float
@@ -34,8 +33,6 @@ def read(path: pathlib.Path, plan: Plan) -> list[Rollout]:
             rows = [rollout(row) for row in csv.DictReader(file) if pathlib.Path(row["plan"]).resolve().name == name]
     except (OSError, KeyError, TypeError, ValueError) as error:
         raise InputError(f"--compare {path}: no rollouts.csv of `assembly-plan simulate`: {error}") from error
-    if any(row.turned for row in rows):
-        raise InputError(f"--compare {path}: parts that are turned in the gripper (--turn) cannot be compared")
     if not rows:
         raise InputError(f"--compare {path}: no rollouts of a plan in a folder called {name}")
     return rows
@@ -43,11 +40,12 @@ def read(path: pathlib.Path, plan: Plan) -> list[Rollout]:
 
 def rollout(row: dict[str, str]) -> Rollout:
     """One row of the file."""
+    offset = np.array([float(row[column]) for column in ("x_m", "y_m", "z_m")])
+    turn = np.array([float(row[column]) for column in ("turn_x_rad", "turn_y_rad", "turn_z_rad")])
     return Rollout(
         motion=row["motion"],
         friction=float(row["friction"]),
-        offset=np.array([float(row[column]) for column in ("x_m", "y_m", "z_m")]),
-        turned=any(float(row[column]) for column in ("turn_x_rad", "turn_y_rad", "turn_z_rad")),
+        grasp_error=GraspError(offset, turn),
         success=row["success"] == "1",
         position_error=float(row["position_error_m"]),
         angle_error=float(row["orientation_error_rad"]),

@@ -99,6 +99,8 @@ def run(task: Task) -> Outcome:
 def load(arguments: argparse.Namespace) -> list[Plan]:
     """The plans of all folders, with the arm that shall play them if that is asked for."""
     loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
+    if arguments.turn is not None:
+        loaded = [dataclasses.replace(plan, turn=arguments.turn) for plan in loaded]
     return [with_arm(arguments, plan) for plan in loaded] if arguments.arm else loaded
 
 
@@ -114,8 +116,7 @@ def with_arm(arguments: argparse.Namespace, plan: Plan) -> Plan:
     robot = dataclasses.replace(robot, delay=arguments.delay)
     if arguments.joint_friction is not None:
         robot = dataclasses.replace(robot, joint_friction=np.full(len(robot.configuration), arguments.joint_friction))
-    turn = plan.turn if arguments.turn is None else arguments.turn
-    return dataclasses.replace(plan, robot=robot, turn=turn, impedance=plan.impedance.scaled(arguments.gain_factor))
+    return dataclasses.replace(plan, robot=robot, impedance=plan.impedance.scaled(arguments.gain_factor))
 
 
 def play_all(arguments: argparse.Namespace, plan: Plan, tasks: list[Task]) -> list[Outcome]:
@@ -135,9 +136,8 @@ def validate(arguments: argparse.Namespace, plan: Plan, cells: list[offsets.Cell
 
 
 def cells_of(arguments: argparse.Namespace, plan: Plan) -> list[offsets.Cell]:
-    """Grasp errors that the arguments ask for; a free body is never turned."""
-    turn = plan.turn if plan.robot else 0.0
-    return offsets.cells(plan, arguments.offsets, arguments.magnitudes, arguments.count, arguments.seed, turn)
+    """Grasp errors that the arguments ask for."""
+    return offsets.cells(plan, arguments.offsets, arguments.magnitudes, arguments.count, arguments.seed)
 
 
 def write_trace(arguments: argparse.Namespace) -> None:
@@ -156,7 +156,7 @@ def compare(arguments: argparse.Namespace) -> None:
     loaded = load(arguments)
     known = [comparison.read(arguments.compare, plan) for plan in loaded]
     for plan, theirs in zip(loaded, known):
-        tasks = [(other.motion, other.friction, GraspError(other.offset, np.zeros(3))) for other in theirs]
+        tasks = [(other.motion, other.friction, other.grasp_error) for other in theirs]
         ours = play_all(arguments, plan, tasks)
         print(f"### {plan.title}, start {plan.start_name}: {len(theirs)} motions in both simulators\n")
         print(comparison.table(theirs, ours, tolerance_of(arguments, loaded)) + "\n", flush=True)

@@ -34,26 +34,26 @@ class Cell:
         return [GraspError(offset, turn) for offset, turn in zip(self.offsets, self.turns)]
 
 
-def cells(plan: Plan, source: str, magnitudes: str, count: int, seed: int, turn: float = 0.0) -> list[Cell]:
+def cells(plan: Plan, source: str, magnitudes: str, count: int, seed: int) -> list[Cell]:
     """One cell per magnitude, or a single one from a file.
 
     `planned`: the offsets of the plan's scenarios, scaled to the magnitude.
     `random`: convex combinations of these, weights uniform on the simplex; the same weights in every cell, so that
     cells differ by nothing but the magnitude.
 
-    Turns are random rotation vectors, uniform in the ball of radius `turn` (rad), the same in every cell.
+    Turns are random rotation vectors, uniform in the ball of the plan's largest turn, the same in every cell.
     """
     generator = np.random.default_rng(seed)
     if source not in ("planned", "random"):
         path = pathlib.Path(source)
         offsets = read_offsets(path)
-        return [distinct(path.name, offsets, ball(generator, len(offsets), turn))]
+        return [distinct(path.name, offsets, ball(generator, len(offsets), plan.turn))]
     # Without magnitude there is nothing to scale, and nothing to divide by.
     directions = plan.offsets / plan.delta if plan.delta > 0 else 0 * plan.offsets
     if source == "random":
         weights = generator.dirichlet(np.ones(len(directions)), count)
         directions = weights @ directions
-    turns = ball(generator, len(directions), turn)
+    turns = ball(generator, len(directions), plan.turn)
     return [
         distinct(label, magnitude * directions, turns)
         for label, magnitude in parse_magnitudes(magnitudes, plan.delta)

@@ -39,6 +39,11 @@ class Impedance:
     translational_damping: Matrix
     rotational_damping: Matrix
 
+    def turned(self, rotation: np.ndarray) -> "Impedance":
+        """With the rotational damping of a frame whose axes, seen from the body, are the columns of a matrix."""
+        damping = rotation @ np.array(self.rotational_damping) @ rotation.T
+        return dataclasses.replace(self, rotational_damping=damping_matrix(damping.tolist()))
+
     def scaled(self, factor: float) -> "Impedance":
         """All gains times a factor."""
         return Impedance(

@@ -158,18 +158,23 @@ class FreePlayer(Player):
         self.isotropic = np.allclose(self.body.inertia, self.body.inertia[0, 0] * np.eye(3))
 
     def begin(self, samples: list[State], grasp_error: GraspError) -> None:
-        self.release(displaced(np.array(samples[0]), grasp_error.offset), grasp_error.offset)
+        self.release(displaced(np.array(samples[0]), grasp_error), grasp_error)
 
-    def release(self, initial: np.ndarray, offset: np.ndarray) -> None:
-        """Puts the body into a state (13 numbers) with an offset (m) in the gripper."""
+    def release(self, initial: np.ndarray, grasp_error: GraspError) -> None:
+        """Puts the body into a state (13 numbers) with an error in the gripper."""
         mujoco.mj_resetData(self.model, self.data)
         self.data.qpos[:], self.data.qvel[:] = initial[:7], initial[7:]
-        self.offset = offset.tolist()
+        self.offset = grasp_error.offset.tolist()
+        # Damping acts in the frame that the robot believes to be that of the body.
+        self.turn = quaternion_of(grasp_error.turn)
+        self.impedance = self.plan.impedance.turned(rotation_matrix(self.turn))
 
     def advance(self, step: int, reference: State) -> None:
         data, body = self.data, self.body
         pose, velocity = data.qpos.tolist(), data.qvel.tolist()
-        wrench = impedance_wrench(self.plan.impedance, reference, pose, velocity, self.offset)
+        if self.turn[0] < 1:
+            reference = turned_back(np.array(reference), self.turn).tolist()
+        wrench = impedance_wrench(self.impedance, reference, pose, velocity, self.offset)
         if not self.isotropic:
             # The model of the plan has no gyroscopic term, MuJoCo has: it is cancelled.
             spin = gyroscopic_torque(self.inertia, velocity[3:])
@@ -191,9 +196,27 @@ class FreePlayer(Player):
         return clearance(self.model, self.data)
 
 
-def displaced(reference: np.ndarray, offset: np.ndarray) -> np.ndarray:
+def displaced(reference: np.ndarray, grasp_error: GraspError) -> np.ndarray:
     """The state at rest in which the body really is when the robot believes it at the reference: `P_q^-1`."""
     state = np.zeros(13)
-    state[:7] = reference[:7]
-    state[:3] -= rotation_matrix(reference[3:7]) @ offset
+    state[:7] = turned_back(reference, quaternion_of(grasp_error.turn))[:7]
+    state[:3] -= rotation_matrix(state[3:7]) @ grasp_error.offset
     return state
+
+
+def turned_back(reference: np.ndarray, turn: np.ndarray) -> np.ndarray:
+    """A reference for the believed body (13 numbers) as orientation and angular velocity of the body, from whose orientation
+    the quaternion `turn` leads to the believed one."""
+    state, back = reference.copy(), np.zeros(4)
+    mujoco.mju_negQuat(back, turn)
+    mujoco.mju_mulQuat(state[3:7], reference[3:7], back)
+    mujoco.mju_rotVecQuat(state[10:], reference[10:], turn)
+    return state
+
+
+def quaternion_of(turn: np.ndarray) -> np.ndarray:
+    """The quaternion of a rotation vector (rad)."""
+    quaternion, angle = np.array([1.0, 0.0, 0.0, 0.0]), np.linalg.norm(turn)
+    if angle:
+        mujoco.mju_axisAngle2Quat(quaternion, turn / angle, angle)
+    return quaternion
