@@ -144,29 +144,3 @@ fn only_earlier_exports_are_replaced() {
     dir.write("notes/plan.json", "{}");
     dir.run("export out --to csv --out notes").code(2).says("notes/plan.json");
 }
-
-#[test]
-fn what_a_robot_did_is_compared_with_a_rollout() {
-    let dir = plan();
-    // A robot that follows the reference exactly: the part is where it is believed, and the corner is not in its way.
-    let reference = dir.read("out/reference.csv");
-    let mut lines = reference.lines();
-    let mut log = format!("{},phase\n", lines.next().unwrap());
-    let rows: Vec<&str> = lines.collect();
-    for (phase, rows) in [("going to the start", &rows[..1]), ("playing", &rows[..])] {
-        log.extend(rows.iter().map(|row| format!("{row},{phase}\n")));
-    }
-    dir.write("stopped.csv", &log);
-    let compare = "simulate corner.toml out --executed";
-    dir.run(&format!("{compare} stopped.csv")).code(2).says("was stopped before its end");
-
-    // At its end, the part is believed 8 mm beside the goal along x, as a part with this offset is at the goal.
-    let end = "1.0,0.059,0,0.031,1,0,0,0,0,0,0,0,0,0";
-    dir.write("executed.csv", format!("{log}{end},resting\n"));
-    dir.run(&format!("{compare} executed.csv")).code(0).says("offset 8.0 0.0 0.0 mm").says("on average");
-    dir.write("missed.csv", format!("{log}{},resting\n", end.replace("0.059", "0.159")));
-    dir.run(&format!("{compare} missed.csv")).code(1).says("was not planned for");
-    dir.run(&format!("{compare} executed.csv --friction 0,0.1")).code(2).says("one friction");
-    dir.write("other.csv", reference);
-    dir.run(&format!("{compare} other.csv")).code(2).says("phase");
-}

@@ -4,6 +4,7 @@ mod batch;
 mod calibrate;
 mod documentation;
 mod end_to_end;
+mod executed;
 mod explained;
 mod export;
 mod failures;

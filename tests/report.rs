@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::support::{Dir, list, number};
 
 /// The data of a page.
-fn data(dir: &Dir, page: &str) -> Value {
+pub fn data(dir: &Dir, page: &str) -> Value {
     let page = dir.read(page);
     let begin = page.split_once("id=\"data\">").unwrap().1;
     serde_json::from_str(begin.split_once("</script>").unwrap().0).unwrap()

@@ -56,6 +56,7 @@ class Case:
     environment: dict = dataclasses.field(default_factory=dict)
     interrupted_at: str = ""
     has_packages: bool = True
+    has_receiver: bool = True
 
 
 def insertions() -> list[Case]:
@@ -118,6 +119,7 @@ def guards() -> list[Case]:
         ),
         Case("franka protective", "franka", "corner", 1, "stopped: ", simulation=fault("protective")),
         Case("ros2 motion-update", "ros2", "corner", inserts=True, flags=("--skip-self-test", "--message", "motion-update")),
+        Case("urscript without receiver", "urscript", "corner", inserts=True, has_receiver=False),
         Case("urscript turned base", "urscript", "corner", inserts=True, simulation={"base_is_turned": True}),
         Case("urscript frame", "urscript", "corner", 1, "tool point (TCP)", simulation=fault("frame", 0.0)),
         Case("urscript force", "urscript", "corner", 1, "beyond the limit", simulation=fault("force")),
@@ -140,16 +142,15 @@ def run(case: Case, address: str, work: pathlib.Path) -> str:
     with contextlib.ExitStack() as stack:
         if case.target == "loopback":
             stack.enter_context(server(address, environment))
+        if case.target == "urscript" and case.has_receiver:
+            stack.enter_context(receiver(address, folder, environment))
         code, said = play(case, command_of(case, folder, address), environment)
     return judge(case, code, said, folder)
 
 
 def assemble(case: Case, recorded: pathlib.Path, player: pathlib.Path, folder: pathlib.Path) -> None:
     """The folder of an export: a recorded plan with the files of its player."""
-    shutil.copytree(recorded, folder)
-    if case.target == "urscript":
-        return
-    for source in (PLAYERS / "shared", player):
+    for source in (PLAYERS / "shared", player, recorded):
         shutil.copytree(source, folder, dirs_exist_ok=True)
     if case.target == "ros2":
         shutil.copy(HERE / "stand_ins/ros2/middleware.py", folder)
@@ -158,7 +159,7 @@ def assemble(case: Case, recorded: pathlib.Path, player: pathlib.Path, folder: p
 def command_of(case: Case, folder: pathlib.Path, address: str) -> list[str]:
     """What a user types."""
     if case.target == "urscript":
-        return [sys.executable, str(HERE / "script_runner.py"), str(folder / "plan.script")]
+        return [sys.executable, str(HERE / "script_runner.py"), str(folder / "plan.script"), *([address] * case.has_receiver)]
     host = [] if case.target == "ros2" else [address]
     # Without `site`, Python finds no packages.
     python = [sys.executable] if case.has_packages else [sys.executable, "-S"]
@@ -205,6 +206,20 @@ def server(address: str, environment: dict[str, str]) -> Iterator[None]:
         process.wait()
 
 
+@contextlib.contextmanager
+def receiver(address: str, folder: pathlib.Path, environment: dict[str, str]) -> Iterator[None]:
+    """The receiver of a script's log, which ends with the script."""
+    command = [sys.executable, str(folder / "receive.py"), "--address", address, "--log", str(folder / "executed.csv")]
+    process = subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True)
+    try:
+        process.stderr.readline()
+        yield
+        process.communicate(timeout=PATIENCE)
+    finally:
+        process.kill()
+        process.wait()
+
+
 def judge(case: Case, code: int, said: str, folder: pathlib.Path) -> str:
     """What is wrong with the end of a case."""
     if code != case.code or case.says not in said or "Traceback" in said:
@@ -218,11 +233,16 @@ def judge(case: Case, code: int, said: str, folder: pathlib.Path) -> str:
     is_inside = left["position_error_m"] <= POSITION_TOLERANCE and left["angle_error_rad"] <= ANGLE_TOLERANCE
     if case.inserts and not is_inside:
         return f"the part is not at its goal: {left}\n{said}"
-    if case.target != "urscript" and code in (0, 1, 130):
+    if case.has_receiver and code in (0, 1, 130):
         with (folder / "executed.csv").open(newline="") as file:
-            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-        if not rows or any(len(row) != len(rows[0]) or None in row.values() for row in rows):
+            header = json.loads(file.readline().removeprefix("#"))
+            rows = list(csv.DictReader(file))
+        # A script may refuse to begin.
+        is_empty = not rows and (case.target != "urscript" or code == 0)
+        if is_empty or any(len(row) != len(rows[0]) or None in row.values() for row in rows):
             return "executed.csv is empty or broken"
+        if ("stopped" in said or "interrupted" in said) != ("stopped" in header):
+            return f"executed.csv does not say whether the robot was stopped: {header}\n{said}"
     return ""
 
 

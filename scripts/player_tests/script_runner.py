@@ -1,9 +1,11 @@
 """Runs what `plan.script` uses of URScript, translated line by line to Python, with the simulated robot behind its functions.
-`script_runner.py FILE` exits with 0 when the script says that the plan is played, and with 1 when it stops."""
+`script_runner.py FILE [RECEIVER]` exits with 0 when the script says that the plan is played, and with 1 when it stops; RECEIVER
+is the address at which receive.py waits."""
 
 import math
 import pathlib
 import re
+import socket
 import sys
 from typing import Any
 
@@ -13,6 +15,8 @@ import rotations
 from simulated_arm import SimulatedArm, Task
 
 STEP_TIME = 0.002
+# Longest string of URScript.
+LONGEST_STRING = 1023
 # Gains of straight moves (N/m, Nm/rad; Ns/m, Nms/rad).
 MOVE_GAINS = np.array([2000.0] * 3 + [100.0] * 3)
 MOVE_DAMPING = np.array([250.0] * 3 + [15.0] * 3)
@@ -67,6 +71,7 @@ class Controller:
         self.base = np.diag([-1.0, -1.0, 1.0]) if task.base_is_turned else np.eye(3)
         self.thread: Any = None
         self.variables: dict[str, Any] = {}
+        self.sockets: dict[str, socket.socket] = {}
         self.is_played = False
 
     def functions(self) -> dict[str, Any]:
@@ -74,6 +79,7 @@ class Controller:
         named = {name: getattr(self, name) for name in dir(Controller) if name.startswith("get_")}
         own = ("pose_trans", "pose_inv", "interpolate_pose", "movel", "zero_ftsensor", "sync", "run", "join", "halt")
         named |= {name: getattr(self, name) for name in (*own, "textmsg", "popup", "direct_torque", "stopj")}
+        named |= {name: getattr(self, name) for name in ("socket_open", "socket_send_line", "str_cat", "to_str")}
         return named | {"sqrt": math.sqrt, "floor": math.floor, "Matrix": Matrix}
 
     def tool(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -159,6 +165,32 @@ class Controller:
     def popup(self, text: str, error: bool, blocking: bool) -> None:
         print(text, file=sys.stderr)
 
+    def socket_open(self, address: str, port: int, name: str) -> bool:
+        try:
+            self.sockets[name] = socket.create_connection((address, port), timeout=2.0)
+        except OSError:
+            return False
+        return True
+
+    def socket_send_line(self, text: str, name: str) -> bool:
+        try:
+            self.sockets[name].sendall(f"{text}\n".encode("ascii"))
+        except OSError:
+            return False
+        return True
+
+    def str_cat(self, first: str, second: str) -> str:
+        # Longer strings stop a script.
+        if len(first + second) > LONGEST_STRING:
+            raise ValueError(f"a string of {len(first + second)} characters")
+        return first + second
+
+    def to_str(self, value: Any) -> str:
+        """Numbers have at most six decimals."""
+        if isinstance(value, list):
+            return f"[{','.join(map(self.to_str, value))}]"
+        return str(value) if isinstance(value, str) else f"{float(value):.6f}".rstrip("0").rstrip(".")
+
     def textmsg(self, text: str, values: Any = "") -> None:
         print(text, values, file=sys.stderr)
         self.is_played = self.is_played or text.startswith("the plan is played")
@@ -177,7 +209,10 @@ class _Once:
 def main() -> int:
     """Runs the script of a file."""
     controller = Controller(Task.read())
-    code = compile(translated(pathlib.Path(sys.argv[1]).read_text()), sys.argv[1], "exec")
+    script = pathlib.Path(sys.argv[1]).read_text()
+    if len(sys.argv) > 2:
+        script = script.replace('global receiver = ""', f'global receiver = "{sys.argv[2]}"')
+    code = compile(translated(script), sys.argv[1], "exec")
     controller.variables = controller.functions()
     try:
         exec(code, controller.variables)

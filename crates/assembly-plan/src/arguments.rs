@@ -225,6 +225,10 @@ pub struct ReportArguments {
     /// Folder that `solve`, `batch` or `simulate` wrote
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+    /// Also show what a robot did, as the player of an export logged it, beside a rollout that has the same grasp error;
+    /// can be given several times
+    #[arg(long, value_name = "LOG")]
+    pub executed: Vec<PathBuf>,
     /// HTML file to write; it needs no network and no other file [default: DIR/report.html]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,

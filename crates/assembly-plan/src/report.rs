@@ -11,8 +11,8 @@ use crate::exit::{CommandError, Exit};
 
 /// Writes the page of a folder, those of the finished cells of a batch, and figures.
 pub fn run(arguments: &ReportArguments) -> Result<Exit, CommandError> {
-    let ReportArguments { folder, out, figures } = arguments;
-    let written = report::write(folder, out.as_deref(), figures.as_deref())?;
+    let ReportArguments { folder, executed, out, figures } = arguments;
+    let written = report::write(folder, executed, out.as_deref(), figures.as_deref())?;
     tell_pages(&written);
     if let Some(folder) = figures {
         say!("figures written to {}: {}", folder.display(), written.figures.join(", "));
@@ -25,7 +25,7 @@ pub fn run(arguments: &ReportArguments) -> Result<Exit, CommandError> {
 /// # Errors
 /// When the folder cannot be read or the page cannot be written.
 pub fn write_into(folder: &Path) -> Result<(), PlannerError> {
-    tell_pages(&report::write(folder, None, None)?);
+    tell_pages(&report::write(folder, &[], None, None)?);
     Ok(())
 }
 

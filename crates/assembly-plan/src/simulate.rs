@@ -5,12 +5,12 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use planner::files::{
-    GraspRecord, RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
-    require_rollout_tables, to_csv, write_file, write_rollout_tables,
+    RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables, to_csv,
+    write_file, write_rollout_tables,
 };
 use planner::simulate::overlap_warning;
 use planner::{
-    Choices, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable,
+    Choices, Ending, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable,
     simulate,
 };
 use simulation::{Reference, TimedState};
@@ -96,21 +96,9 @@ fn show_execution(
         let problem = "--executed compares one plan with one rollout: name the folder of a plan, and one friction";
         return Err(CommandError::Usage(problem.to_owned()));
     };
-    let execution = Execution::read(log, problem, &plan.reference()?, request.settings(*friction))?;
-    let (largest, time) = execution.largest_distance;
-    say!("if the part ended at its goal, it sat in the gripper with {}", GraspRecord::from(&execution.grasp));
-    say!(
-        "with this grasp error, a rollout at friction {friction} {} the goal; the robot was up to {:.1} mm from it (at \
-         {time:.2} s), {:.1} mm on average",
-        if execution.rollout_succeeds { "reaches" } else { "misses" },
-        1e3 * largest,
-        1e3 * execution.mean_distance
-    );
-    if execution.is_planned {
-        return Ok(Exit::Done);
-    }
-    say!("so large an offset was not planned for ({:.1} mm): the part did not end at its goal", 1e3 * problem.delta());
-    Ok(Exit::NoPlan)
+    let execution = Execution::read(log, problem, plan, &[request.settings(*friction)])?;
+    execution.sentences().iter().for_each(|sentence| say!("{sentence}"));
+    Ok(if execution.ending == Ending::AtGoal { Exit::Done } else { Exit::NoPlan })
 }
 
 /// The problem of a plan in the given scene, which must have the plan's shapes, start and goal.

@@ -4,15 +4,13 @@ use std::path::{Path, PathBuf};
 
 use export::ImpedanceRecord;
 use nalgebra::Isometry3;
-use planner::files::{StateRow, Value, read_csv, read_text};
-use planner::{PlannerError, RESTING};
+use planner::PlannerError;
+use planner::files::{RESTING, StateRow, Value, read_csv, read_log_header};
 use scene::Scene;
 use serde::Deserialize;
 use simulation::isometry;
 use task::{STATE, pose_of};
 
-/// Version of the log that is read.
-const FORMAT: u32 = 1;
 /// Longest time between two rows (s): between them, nobody knows what the robot did.
 const LONGEST_GAP: f64 = 0.1;
 /// Poses whose numbers differ by less (m, or a component of a quaternion) are the same.
@@ -21,7 +19,6 @@ const SAME: f64 = 1e-5;
 /// What the first line of a log says of its session. Poses are position (m) and unit quaternion (w x y z).
 #[derive(Debug, Clone, Deserialize)]
 struct Header {
-    format: u32,
     scene: String,
     base: [f64; 7],
     grasp: [f64; 7],
@@ -29,6 +26,8 @@ struct Header {
     delta_m: f64,
     dry_run_m: f64,
     impedance: ImpedanceRecord,
+    /// Why the robot was stopped, if it was.
+    stopped: Option<String>,
 }
 
 /// What a row has besides the state.
@@ -117,7 +116,7 @@ impl Log {
             })
             .collect();
         require_rows(file, &rows)?;
-        if followed.last().is_none_or(|row| row.phase != RESTING) {
+        if header.stopped.is_some() || followed.last().is_none_or(|row| row.phase != RESTING) {
             let problem = "the execution was stopped before its end; leave this log out, or repeat the run";
             return Err(PlannerError::file(file, problem));
         }
@@ -126,29 +125,13 @@ impl Log {
     }
 }
 
-/// The line above the columns.
+/// The line above the columns, which must be there.
 fn read_header(file: &Path) -> Result<Header, PlannerError> {
-    let text = read_text(file)?;
-    let first = text.lines().next().unwrap_or_default();
-    let Some(json) = first.strip_prefix('#') else {
+    read_log_header(file)?.ok_or_else(|| {
         let problem =
             "the line `# {...}` with the gains that were set is missing: export the plan again, and repeat the run";
-        return Err(PlannerError::line(file, 1, problem));
-    };
-    let header: Header = serde_json::from_str(json).map_err(|error| {
-        // The `#` is the first column.
-        let problem =
-            format!("column {}: the gains cannot be read: {error}; do not change this line", error.column() + 1);
         PlannerError::line(file, 1, problem)
-    })?;
-    match header.format {
-        FORMAT => Ok(header),
-        other => {
-            let problem =
-                format!("format {other}, this program reads {FORMAT}: export the plan again, and repeat the run");
-            Err(PlannerError::line(file, 1, problem))
-        }
-    }
+    })
 }
 
 impl Header {

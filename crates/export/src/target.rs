@@ -63,7 +63,8 @@ impl Target {
     /// The files of its player.
     pub(crate) fn player(self) -> Vec<File> {
         let own: &[File] = match self {
-            Self::Csv | Self::UrScript => return Vec::new(),
+            Self::Csv => return Vec::new(),
+            Self::UrScript => &[("receive.py", include_str!("../players/urscript/receive.py"))],
             Self::UrRtde => &[
                 ("play.py", include_str!("../players/ur_rtde/play.py")),
                 ("ur_robot.py", include_str!("../players/ur_rtde/ur_robot.py")),

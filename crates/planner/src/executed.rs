@@ -2,99 +2,235 @@
 
 use std::path::Path;
 
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, Vector3};
 use serde::Deserialize;
-use simulation::{Reference, Settings, isometry};
-use task::{GraspError, pose_of};
+use simulation::{Reference, Settings, coordinates, interpolate, isometry};
+use task::{GraspError, POSE, pose_of};
 
 use crate::error::PlannerError;
-use crate::files::{StateRow, read_csv};
+use crate::files::{ExecutedState, GraspRecord, PlayedRows, StoredPlan, read_log_header, read_played_rows};
 use crate::problem::Problem;
 
-/// The phase of a log in which the plan was executed.
-const PLAYING: &str = "playing";
-/// The phase with which a log ends unless the robot was stopped.
-pub const RESTING: &str = "resting";
-
-/// How a motion was executed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Execution {
-    /// How the part sits in the gripper, if it ended at its goal.
-    pub grasp: GraspError,
-    /// Whether that was planned for: no longer than the plan's offsets and the tolerance of success.
-    pub is_planned: bool,
-    /// Whether a rollout with this grasp error reaches the goal.
-    pub rollout_succeeds: bool,
-    /// Largest distance (m) between where the robot and the rollout believe the part at one time, and that time (s).
-    pub largest_distance: (f64, f64),
-    /// Mean of these distances (m).
-    pub mean_distance: f64,
+/// What the first line of a log says of its session.
+#[derive(Debug, Default, Deserialize)]
+struct Header {
+    scene: String,
+    problem: String,
+    dry_run_m: f64,
+    /// Why the robot was stopped, if it was.
+    #[serde(default)]
+    stopped: Option<String>,
 }
 
-#[derive(Deserialize)]
-struct PhaseRow {
-    phase: String,
+/// How a motion ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ending {
+    /// As if the part were at its goal and sat in the gripper with a grasp error that was planned for.
+    AtGoal,
+    /// Elsewhere: at its goal, the part would sit in the gripper with this error, longer than the plan's offsets and the
+    /// tolerance of success.
+    Missed(GraspError),
+    /// Before the end of the plan, and why, if the log says that.
+    Stopped(Option<String>),
+}
+
+/// How a motion was executed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Execution {
+    /// How it ended.
+    pub ending: Ending,
+    /// How the part sat in the gripper, if it ended at its goal; else the planned grasp error whose rollout is closest to
+    /// the motion.
+    pub grasp: GraspError,
+    /// Friction of that rollout: of those given, the one that is closest to the motion.
+    pub friction: f64,
+    /// Whether that rollout reaches the goal.
+    pub rollout_succeeds: bool,
+    /// The motion since the plan was begun, at least one state; times increase.
+    pub course: Vec<ExecutedState>,
+    /// Distance (m) between where the robot and the rollout believe the part at these times.
+    pub distances: Vec<f64>,
+    /// Offset magnitude that was planned for (m).
+    delta: f64,
 }
 
 impl Execution {
-    /// Of the log of a player: the columns of `reference.csv` with where the robot believed the part, and `phase`.
+    /// Of the log of a player: the columns of `reference.csv` with where the robot believed the part, and `phase`. Rollouts
+    /// have these frictions, at least one.
     ///
     /// # Errors
-    /// When the log cannot be read or has no executed plan, or a rollout cannot be made.
+    /// When the log cannot be read, is of another plan or of a dry run, or has no executed plan; when a rollout cannot be
+    /// made.
     pub fn read(
         file: &Path,
         problem: &Problem,
-        reference: &Reference,
-        settings: Settings,
+        plan: &StoredPlan,
+        settings: &[Settings],
     ) -> Result<Self, PlannerError> {
-        let (rows, phases) = (read_csv::<StateRow>(file)?, read_csv::<PhaseRow>(file)?);
-        let pose = |row: &StateRow| isometry(&pose_of(&row.state()));
-        let began = phases.iter().position(|row| row.phase == PLAYING);
-        let Some(began) = began else {
-            return Err(PlannerError::file(
-                file,
-                format!("no row has the phase `{PLAYING}`: the plan was not executed"),
-            ));
+        let header = read_log_header::<Header>(file)?.unwrap_or_default();
+        header.require_comparable(file, plan)?;
+        let Some(PlayedRows { course, rested }) = read_played_rows(file)? else {
+            let reason = header.stopped.map_or_else(String::new, |reason| format!(": {reason}"));
+            let problem = format!("no row has the phase `playing`: the plan was not executed{reason}");
+            return Err(PlannerError::file(file, problem));
         };
-        let executed: Vec<(f64, Isometry3<f64>)> = rows[began..]
-            .iter()
-            .zip(&phases[began..])
-            .take_while(|(_, row)| row.phase == PLAYING)
-            .map(|(row, _)| (row.time(), pose(row)))
-            .collect();
-        let rested = phases.last().is_some_and(|row| row.phase == RESTING);
-        if !rested {
-            return Err(PlannerError::file(
-                file,
-                "the execution was stopped before its end: there is nothing to compare",
-            ));
-        }
-        let end = rows.last().map_or_else(Isometry3::identity, pose);
-        let grasp = GraspError::of_believed(&(isometry(&problem.scene().goal).inverse() * end));
-        let tolerance = problem.success().position;
-        let length = grasp.offset.iter().map(|component| component * component).sum::<f64>().sqrt();
+        let ending = match header.stopped {
+            None if rested => ending(problem, &course),
+            reason => Ending::Stopped(reason),
+        };
+        let grasps = match ending {
+            Ending::AtGoal => vec![grasp_at_end(problem, &course)],
+            _ => GraspError::distinct(problem.task().grasps.clone()),
+        };
+        let reference = plan.reference()?;
+        let rollouts = settings.iter().flat_map(|settings| grasps.iter().map(move |grasp| (settings, grasp)));
+        let beside = |(settings, grasp): (&Settings, &GraspError)| {
+            Self::beside(&course, &ending, (problem, &reference), *settings, *grasp)
+        };
+        let executions: Vec<Self> = rollouts.map(beside).collect::<Result<_, _>>()?;
+        let closest = executions.into_iter().min_by(|one, other| one.mean_distance().total_cmp(&other.mean_distance()));
+        closest.ok_or(PlannerError::Internal("an execution without a rollout"))
+    }
 
+    /// Beside a rollout with some grasp error.
+    fn beside(
+        course: &[ExecutedState],
+        ending: &Ending,
+        (problem, reference): (&Problem, &Reference),
+        settings: Settings,
+        grasp: GraspError,
+    ) -> Result<Self, PlannerError> {
         let mut believed = Vec::new();
-        let rollout = problem.rollout(settings)?;
-        let outcome = rollout.play(reference, grasp, |state, _| {
+        let outcome = problem.rollout(settings)?.play(reference, grasp, |state, _| {
             believed.push((state.time, isometry(&state.pose) * grasp.believed()));
         });
-        let distances: Vec<(f64, f64)> =
-            executed.iter().filter_map(|(time, pose)| distance(&believed, *time, pose)).collect();
-        let largest = distances.iter().copied().max_by(|one, other| one.0.total_cmp(&other.0));
-        let sum: f64 = distances.iter().map(|(distance, _)| distance).sum();
         Ok(Self {
+            ending: ending.clone(),
             grasp,
-            is_planned: length <= problem.delta() + tolerance,
+            friction: settings.friction,
             rollout_succeeds: outcome.reaches_goal(&problem.success()),
-            largest_distance: largest.unwrap_or_default(),
-            mean_distance: sum / distances.len().max(1) as f64,
+            course: course.to_vec(),
+            distances: course.iter().map(|state| distance(&believed, state)).collect(),
+            delta: problem.delta(),
         })
+    }
+
+    /// Largest of the distances (m), and its time (s).
+    pub fn largest_distance(&self) -> (f64, f64) {
+        let distances = self.distances.iter().zip(&self.course).map(|(distance, state)| (*distance, state.time));
+        distances.max_by(|one, other| one.0.total_cmp(&other.0)).unwrap_or_default()
+    }
+
+    /// Mean of the distances (m).
+    pub fn mean_distance(&self) -> f64 {
+        self.distances.iter().sum::<f64>() / self.distances.len() as f64
+    }
+
+    /// Time at which it ended (s), since the plan was begun.
+    pub fn duration(&self) -> f64 {
+        self.course.last().map_or(0.0, |state| state.time)
+    }
+
+    /// State at a time (s) between the first and the last one, and distance there (m). Poses in between are on the straight
+    /// way.
+    pub fn at(&self, time: f64) -> (ExecutedState, f64) {
+        let after = self.course.partition_point(|state| state.time <= time).min(self.course.len() - 1);
+        let before = after.saturating_sub(1);
+        let (from, to) = (&self.course[before], &self.course[after]);
+        let fraction = ((time - from.time) / (to.time - from.time).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        let nearest = if fraction < 0.5 { before } else { after };
+        let mut state = ExecutedState { time, ..self.course[nearest] };
+        let [from, to] = [from, to].map(|state| isometry(&pose_of(&state.believed)));
+        state.believed[..POSE].copy_from_slice(&coordinates(&interpolate(&from, &to, fraction)));
+        (state, self.distances[nearest])
+    }
+
+    /// What it tells: sentences without full stops.
+    pub fn sentences(&self) -> Vec<String> {
+        let in_words = |grasp: &GraspError| {
+            let length = Vector3::from(grasp.offset).norm();
+            format!(
+                "{} ({:.1} mm of the {:.1} mm planned for)",
+                GraspRecord::from(grasp),
+                1e3 * length,
+                1e3 * self.delta
+            )
+        };
+        let mut sentences = match &self.ending {
+            Ending::AtGoal => {
+                vec![format!("if the part ended at its goal, it sat in the gripper with {}", in_words(&self.grasp))]
+            }
+            Ending::Missed(grasp) => vec![format!(
+                "the part did not end at its goal: there, it would sit in the gripper with {}, and so large an offset was not \
+                 planned for",
+                in_words(grasp)
+            )],
+            Ending::Stopped(reason) => vec![format!(
+                "the robot was stopped {:.2} s after the plan was begun: {}",
+                self.duration(),
+                reason.as_deref().unwrap_or("the log does not say why")
+            )],
+        };
+        let (largest, time) = self.largest_distance();
+        let compared = match self.ending {
+            Ending::AtGoal => "with this grasp error".to_owned(),
+            _ => format!(
+                "the grasp error cannot be told; of the planned ones, that with {} is closest: with it",
+                GraspRecord::from(&self.grasp)
+            ),
+        };
+        sentences.push(format!(
+            "{compared}, a rollout at friction {} {} the goal; the robot was up to {:.1} mm from it (at {time:.2} s), {:.1} mm \
+             on average",
+            self.friction,
+            if self.rollout_succeeds { "reaches" } else { "misses" },
+            1e3 * largest,
+            1e3 * self.mean_distance()
+        ));
+        sentences
     }
 }
 
-/// Distance to the first pose at or after a time, with the time.
-fn distance(course: &[(f64, Isometry3<f64>)], time: f64, pose: &Isometry3<f64>) -> Option<(f64, f64)> {
-    let (_, other) = course.get(course.partition_point(|(at, _)| *at < time))?;
-    Some(((other.translation.vector - pose.translation.vector).norm(), time))
+impl Header {
+    /// Refuses logs of other plans and of dry runs.
+    fn require_comparable(&self, file: &Path, plan: &StoredPlan) -> Result<(), PlannerError> {
+        if !self.problem.is_empty() && self.problem != plan.result.made_from.problem {
+            let problem = format!(
+                "the log is of another plan than {}, of scene `{}`; name the folder of the plan that was exported",
+                plan.folder.display(),
+                self.scene
+            );
+            return Err(PlannerError::line(file, 1, problem));
+        }
+        if self.dry_run_m > 0.0 {
+            let problem = format!(
+                "a dry run, {:.0} mm from the goal, touches nothing, and there is nothing to compare; `assembly-plan calibrate` \
+                 reads it",
+                1e3 * self.dry_run_m
+            );
+            return Err(PlannerError::line(file, 1, problem));
+        }
+        Ok(())
+    }
+}
+
+/// How a motion ended that was not stopped.
+fn ending(problem: &Problem, course: &[ExecutedState]) -> Ending {
+    let grasp = grasp_at_end(problem, course);
+    let is_planned = Vector3::from(grasp.offset).norm() <= problem.delta() + problem.success().position;
+    if is_planned { Ending::AtGoal } else { Ending::Missed(grasp) }
+}
+
+/// A part at its goal is believed beside it by the grasp error.
+fn grasp_at_end(problem: &Problem, course: &[ExecutedState]) -> GraspError {
+    let end = course.last().map_or_else(Isometry3::identity, |state| isometry(&pose_of(&state.believed)));
+    GraspError::of_believed(&(isometry(&problem.scene().goal).inverse() * end))
+}
+
+/// Distance (m) to the first pose of a rollout at or after the time of a state. At its end, a rollout rests.
+fn distance(rollout: &[(f64, Isometry3<f64>)], state: &ExecutedState) -> f64 {
+    let index = rollout.partition_point(|(time, _)| *time < state.time);
+    let position = Vector3::from_column_slice(&state.believed[..3]);
+    let beside = rollout.get(index).or(rollout.last());
+    beside.map_or(f64::NAN, |(_, pose)| (pose.translation.vector - position).norm())
 }

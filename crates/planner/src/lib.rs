@@ -71,7 +71,7 @@ mod warnings;
 pub use arm_course::ArmCourse;
 pub use attempt::AttemptRecord;
 pub use error::{Fault, PlannerError, Unusable};
-pub use executed::{Execution, RESTING};
+pub use executed::{Ending, Execution};
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
 pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;

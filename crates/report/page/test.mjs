@@ -1,5 +1,5 @@
 // Drives report pages in Chromium, as a reader would, and lets axe look for what some readers could not use. Arguments: a
-// folder with the pages of plans (plan, robust, lossy, arm), a batch and a simulation; with a second one, pictures of the
+// folder with the pages of plans (plan, robust, lossy, arm, executed), a batch and a simulation; with a second one, pictures of the
 // pages are written there.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
@@ -127,6 +127,23 @@ async function testArm(name) {
   await page.close();
 }
 
+/** What a robot did, beside a rollout. */
+async function testExecuted(name) {
+  const page = await open(name);
+  const button = (words) => page.getByRole("button", { name: words });
+  assert.equal(await button("Executed: executed.csv").getAttribute("aria-pressed"), "true", "the page opens with the first log");
+  assert.match(await page.locator("main").textContent(), /If the part ended at its goal.*was stopped.*force of 41 N/s);
+  const plot = (title) => page.getByText(title, { exact: true }).count();
+  assert.equal(await plot("Distance between robot and rollout"), 1);
+  assert.equal(await plot("Measured force at the tool, robot"), 1);
+  await scrub(page, 0.5);
+  await changesPicture(page, "the rollout", () => button(/^Rollout/).click());
+  assert.equal(await page.getByText(/^Measured/).count(), 0, "a rollout measures nothing");
+  await button("Executed: stopped.csv").click();
+  assert.equal(await page.getByText(/^stopped after/).count(), 1, "the robot says when it was stopped");
+  await page.close();
+}
+
 async function testBatch(name) {
   const page = await open(name);
   const links = page.locator("a.cell");
@@ -173,6 +190,7 @@ try {
   await testSimulation("simulation/report.html");
   await testLossy("lossy/report.html");
   await testArm("arm/report.html");
+  await testExecuted("executed/report.html");
   const pages = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isDirectory()).map(({ name }) => name);
   for (const name of pages) {
     // Colours do not depend on the width.

@@ -33,7 +33,7 @@ pub struct PlanData {
     pub environment: Vec<PartData>,
     /// Names of all pairs, `BODY PART/ENVIRONMENT PART`.
     pub pairs: Vec<String>,
-    /// The plan first, then the homotopy iterations, then rollouts with hard contact.
+    /// The plan first, then the homotopy iterations, rollouts with hard contact, and what robots did.
     pub motions: Vec<MotionData>,
     /// How the arm of the scene moves, if there is one.
     pub arm: Option<ArmData>,
@@ -74,6 +74,8 @@ pub enum Source {
         /// Coulomb's coefficient.
         friction: f64,
     },
+    /// What a robot did, beside a rollout with the same grasp error.
+    Executed,
 }
 
 /// A reference and the motions of the body that tracks it.
@@ -86,8 +88,25 @@ pub struct MotionData {
     pub time_step: f64,
     /// Poses of the reference, seven numbers each.
     pub reference: Vec<f64>,
-    /// One per grasp error.
+    /// One per grasp error; of what a robot did, the robot and a rollout.
     pub scenarios: Vec<ScenarioData>,
+    /// Of what a robot did, what the log tells.
+    pub execution: Option<ExecutionData>,
+}
+
+/// What the log of a robot tells.
+#[derive(Debug, Clone, Serialize)]
+pub struct ExecutionData {
+    /// Name of the log's file.
+    pub log: String,
+    /// Friction of the rollout.
+    pub friction: f64,
+    /// Time at which the robot was stopped, if it was.
+    pub stopped: Option<f64>,
+    /// Ending, grasp error and distance from the rollout: sentences without full stops.
+    pub sentences: Vec<String>,
+    /// Distance between where robot and rollout believe the body, at each knot until the robot's end.
+    pub distances: Vec<f64>,
 }
 
 /// How the body moves with one grasp error.
@@ -109,8 +128,11 @@ pub struct ScenarioData {
     pub wrenches: Vec<f64>,
     /// Smallest distance of all pairs after each step; null where it is not known.
     pub distances: Vec<f64>,
-    /// Sum of the normal forces of all pairs in each step.
+    /// Sum of the normal forces of all pairs in each step; empty where it is not known.
     pub forces: Vec<f64>,
+    /// What a robot measured at its tool point in each step, along the axes of its base: force, torque; six numbers each.
+    /// Empty where there is no such measurement.
+    pub measured: Vec<f64>,
     /// Where pairs push in each step: pair, force, point (m, world frame) and direction of the force on the body; eight
     /// numbers each.
     pub contacts: Vec<Vec<f64>>,

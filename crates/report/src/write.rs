@@ -25,15 +25,20 @@ pub struct Written {
 }
 
 /// Writes the page of a folder, by default into it, with a batch also the pages of its finished cells, and its figures
-/// into another folder, if one is named.
+/// into another folder, if one is named. The page of a plan also shows the executions that logs tell.
 ///
 /// # Errors
 /// When the folder cannot be read or has no figures, or a file stands in the way that is none of ours. Then neither the
 /// page nor a figure is written.
-pub fn write(folder: &Path, file: Option<&Path>, figures: Option<&Path>) -> Result<Written, PlannerError> {
+pub fn write(
+    folder: &Path,
+    logs: &[PathBuf],
+    file: Option<&Path>,
+    figures: Option<&Path>,
+) -> Result<Written, PlannerError> {
     let target = file.map_or_else(|| folder.join(PAGE), Path::to_owned);
     require_writable(&target)?;
-    let mut data = read(folder)?;
+    let mut data = read(folder, logs)?;
     let drawn = figures.map_or(Ok(Vec::new()), |figures| drawn(&data, folder, figures))?;
     let cells = match &mut data {
         PageData::Batch(batch) => write_cells(batch, folder, file.is_some())?,
@@ -53,7 +58,7 @@ fn write_cells(batch: &mut BatchData, folder: &Path, is_elsewhere: bool) -> Resu
     let mut count = 0;
     for link in batch.cells.iter_mut().filter_map(|cell| cell.page.as_mut()) {
         let own = folder.join(&*link);
-        write(own.parent().unwrap_or(folder), None, None)?;
+        write(own.parent().unwrap_or(folder), &[], None, None)?;
         count += 1;
         if is_elsewhere {
             *link = own.canonicalize().unwrap_or(own).display().to_string();

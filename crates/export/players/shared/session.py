@@ -277,23 +277,33 @@ def main(
         journal = Journal(plan, arguments.log, header(arguments, plan))
         try:
             return DONE if Session(plan, robot, chosen, journal).execute() else MISSED
+        except BaseException as error:
+            journal.header["stopped"] = reason(error)
+            raise
         finally:
             journal.write()
-    except KeyboardInterrupt:
-        print("interrupted; the robot was stopped", file=sys.stderr)
+    except KeyboardInterrupt as error:
+        print(f"{reason(error)}; the robot was stopped", file=sys.stderr)
         return INTERRUPTED
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return WRONG_INPUT
     except Stopped as error:
-        # What went wrong while stopping hides nothing of what went wrong before.
-        reasons = [error, error.__context__] if isinstance(error.__context__, Stopped) else [error]
-        print("stopped: " + "; ".join(str(reason) for reason in reversed(reasons)), file=sys.stderr)
+        print(f"stopped: {reason(error)}", file=sys.stderr)
         return MISSED
     except (OSError, RuntimeError, *failures) as error:
         # The robot was stopped as far as it still listens.
         print(f"error: {error}", file=sys.stderr)
         return FAILED
+
+
+def reason(error: BaseException) -> str:
+    """Why a session ended early, in words."""
+    if isinstance(error, KeyboardInterrupt):
+        return "interrupted"
+    # What went wrong while stopping hides nothing of what went wrong before.
+    before = error.__context__ if isinstance(error, Stopped) else None
+    return f"{before}; {error}" if isinstance(before, Stopped) else str(error)
 
 
 def interrupt(*_: object) -> None:

@@ -10,6 +10,7 @@
 //! | `manifest.jsonl` of a batch | [`Manifest`] |
 //! | `cells.csv`, `cells.json` of a batch | [`cells`] |
 //! | `rollouts.csv`, `success.csv` of a simulation | [`RolloutRow`], [`SuccessRow`] |
+//! | `executed.csv` of a player | [`PlayedRows`] |
 //!
 //! [`PlanFolder`] writes a plan, [`StoredPlan`] reads one and refuses it when a file was cut or changed.
 
@@ -18,6 +19,7 @@ pub mod cells;
 mod checkpoint;
 mod folder;
 mod grasp;
+mod log;
 mod manifest;
 mod new_scene;
 mod refinement;
@@ -32,6 +34,7 @@ pub use atomic::{hash, read_text, remove_file, require_folder, write_file};
 pub use checkpoint::Checkpoint;
 pub use folder::PlanFolder;
 pub use grasp::GraspRecord;
+pub use log::{ExecutedState, PlayedRows, RESTING, read_log_header, read_played_rows};
 pub use manifest::{Cell, MANIFEST, Manifest};
 pub use new_scene::write_new_scene;
 pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};

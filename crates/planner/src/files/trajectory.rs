@@ -4,7 +4,9 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use simulation::Reference;
-use task::{AssemblyTask, Contact, GraspError, Limits, Quality, STATE, ScenarioTrajectory, TWIST, Trajectory, pose_of};
+use task::{
+    AssemblyTask, Contact, GraspError, Limits, POSE, Quality, STATE, ScenarioTrajectory, TWIST, Trajectory, pose_of,
+};
 
 use crate::error::PlannerError;
 use crate::files::atomic::write_file;
@@ -102,6 +104,19 @@ impl StateRow {
         let Self { px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, .. } = *self;
         [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s].map(|value| value.0)
     }
+
+    /// Why the row is no state of a body, if so. The norm of its quaternion may differ from 1 by `norm_error`.
+    pub(crate) fn problem(&self, norm_error: f64) -> Option<&'static str> {
+        /// Largest value that means anything (m, m/s, rad/s).
+        const LARGEST: f64 = 1e6;
+        let state = self.state();
+        let norm = state[3..POSE].iter().map(|component| component * component).sum::<f64>().sqrt();
+        if (norm - 1.0).abs() > norm_error {
+            return Some("qw, qx, qy, qz are not a unit quaternion");
+        }
+        let is_absurd = self.time().abs() > LARGEST || state.iter().any(|value| value.abs() > LARGEST);
+        is_absurd.then_some("a value is out of any reasonable range")
+    }
 }
 
 impl ScenarioRow {
@@ -189,8 +204,6 @@ pub fn read_reference(file: &Path) -> Result<Reference, PlannerError> {
 fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
     /// How far the norm of a quaternion may be from 1.
     const NORM: f64 = 1e-6;
-    /// Largest value that means anything (m, m/s, rad/s).
-    const LARGEST: f64 = 1e6;
     let rows: Vec<StateRow> = read_csv(file)?;
     let wrong = |row: usize, problem: &str| Err(PlannerError::line(file, row + 2, problem));
     let [first, .., last] = rows.as_slice() else {
@@ -201,13 +214,8 @@ fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
         if !(time_step > 0.0 && (row.time() - first.time() - index as f64 * time_step).abs() < 1e-3 * time_step) {
             return wrong(index, "times must increase in equal steps");
         }
-        let state = row.state();
-        let norm = state[3..7].iter().map(|component| component * component).sum::<f64>().sqrt();
-        if (norm - 1.0).abs() > NORM {
-            return wrong(index, "qw, qx, qy, qz are not a unit quaternion");
-        }
-        if state.iter().any(|value| value.abs() > LARGEST) {
-            return wrong(index, "a value is out of any reasonable range");
+        if let Some(problem) = row.problem(NORM) {
+            return wrong(index, problem);
         }
     }
     Ok((time_step, rows.iter().map(StateRow::state).collect()))

@@ -3,7 +3,7 @@ import { element } from "./dom.js";
 import { duration } from "./state.js";
 import { scenarioColour } from "./theme.js";
 import { VIEWS } from "./scene.js";
-import { injectionInWords, short } from "./words.js";
+import { capitalised, injectionInWords, scenarioName, short } from "./words.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 
@@ -60,11 +60,12 @@ function toggle(shown) {
   shown.set({ playing: !shown.values.playing });
 }
 
-/** Which motion is shown: the plan, a homotopy iteration or rollouts. */
+/** Which motion is shown: the plan, a homotopy iteration, rollouts or what a robot did. */
 export function motionChoice(data, shown) {
   const first = (source) => data.motions.findIndex((motion) => motion.source === source);
   const iterations = data.motions.filter(({ source }) => source === "iteration");
   const rollouts = data.motions.filter(({ source }) => source === "rollouts");
+  const executed = data.motions.filter(({ source }) => source === "executed");
   const choose = (motion) => shown.set({ motion, selected: 0, hidden: new Set(), time: ofSameShare(data, shown.values, motion) });
   const button = (name, motion, isShown) => {
     const node = element("button", { type: "button", click: () => choose(motion) }, name);
@@ -94,14 +95,15 @@ export function motionChoice(data, shown) {
     { class: "segments", role: "group", "aria-label": "Motion" },
     button("Plan", 0, ({ source }) => source === "plan"),
     button("Homotopy", first("iteration") + iterations.length - 1, ({ source }) => source === "iteration"),
-    rollouts.map((motion) =>
-      button(rolloutName(motion), data.motions.indexOf(motion), (other) => other === motion),
+    [...rollouts, ...executed].map((motion) =>
+      button(motionName(motion), data.motions.indexOf(motion), (other) => other === motion),
     ),
   );
   return [choices, row];
 }
 
-function rolloutName({ friction, scenarios }) {
+function motionName({ friction, scenarios, execution }) {
+  if (execution) return `Executed: ${execution.log}`;
   const failed = scenarios.filter(({ success }) => !success).length;
   const result = failed === 0 ? "" : ` (${failed} ${failed === 1 ? "fails" : "fail"})`;
   return `Hard contact, friction ${short(friction)}${result}`;
@@ -119,7 +121,9 @@ export function scenarioChoice(data, shown) {
     const focused = list.contains(document.activeElement) ? document.activeElement.dataset.name : null;
     list.replaceChildren(
       ...data.motions[motion].scenarios.map((scenario, index) => {
-        const name = `Scenario ${index + 1}: ${injectionInWords(scenario)}`;
+        const { execution } = data.motions[motion];
+        const shortName = execution ? capitalised(scenarioName(data.motions[motion], index)) : String(index + 1);
+        const name = `${capitalised(scenarioName(data.motions[motion], index))}: ${injectionInWords(scenario)}`;
         const select = element(
           "button",
           {
@@ -129,8 +133,8 @@ export function scenarioChoice(data, shown) {
             click: () => shown.set({ selected: index, hidden: without(hidden, index) }),
           },
           element("span", { class: "dot", style: `--mark:${scenarioColour(index)}` }),
-          `${index + 1}  ${injectionInWords(scenario)}`,
-          scenario.success ? null : element("span", { class: "missed" }, "misses the goal"),
+          `${shortName}  ${injectionInWords(scenario)}`,
+          scenario.success ? null : element("span", { class: "missed" }, failure(execution, index)),
         );
         const eye = element(
           "button",
@@ -150,6 +154,11 @@ export function scenarioChoice(data, shown) {
     list.querySelector(`[data-name="${focused}"]`)?.focus();
   });
   return list;
+}
+
+/** How a scenario that does not reach the goal ends; the first one of an execution is the robot. */
+function failure(execution, index) {
+  return index === 0 && execution?.stopped ? `stopped after ${execution.stopped.toFixed(2)} s` : "misses the goal";
 }
 
 function without(set, member) {

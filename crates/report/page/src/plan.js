@@ -6,13 +6,15 @@ import { robustness } from "./robustness.js";
 import { sceneView } from "./scene.js";
 import { rateMatrix } from "./simulation.js";
 import { duration, store } from "./state.js";
-import { convergence, madeFrom, notes } from "./story.js";
+import { convergence, executions, madeFrom, notes } from "./story.js";
 import { themeButton } from "./theme.js";
 import { magnitude } from "./words.js";
 
 export function planPage(root, data) {
+  // Who names a log wants to see what the robot did.
+  const executed = data.motions.findIndex(({ execution }) => execution);
   const shown = store({
-    motion: 0,
+    motion: Math.max(executed, 0),
     time: 0,
     playing: false,
     speed: 1,
@@ -62,6 +64,7 @@ function openView(canvas, data, shown) {
 function cards(data, shown) {
   const { result, simulation } = data;
   return [
+    executions(data),
     notes(data),
     result.robust ? robustness(result, data.weakest) : null,
     simulation ? rateMatrix(simulation) : null,

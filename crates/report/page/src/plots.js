@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import { element } from "./dom.js";
 import { orientationErrors, positionErrors } from "./motion.js";
 import { colour, onTheme, scenarioColour } from "./theme.js";
+import { scenarioName } from "./words.js";
 
 const HEIGHT = 108;
 const AXIS_COLOURS = ["#d8453e", "#2f9e44", "#3b7ddd"];
@@ -23,10 +24,12 @@ const BY_SCENARIO = [
     of: ({ distances }) => fromFirstStep(distances.map((distance) => (distance === null ? null : 1e3 * distance))),
   },
 ];
-/** Plots of the selected scenario: three components from the first one on. */
+/** Plots of the selected scenario: three components of its wrenches from the first one on. */
 const OF_SELECTED = [
-  { title: "Controller force", unit: "N", first: 0 },
-  { title: "Controller torque", unit: "Nm", first: 3 },
+  { title: "Controller force", unit: "N", of: ({ wrenches }) => wrenches, first: 0 },
+  { title: "Controller torque", unit: "Nm", of: ({ wrenches }) => wrenches, first: 3 },
+  { title: "Measured force at the tool", unit: "N", of: ({ measured }) => measured, first: 0 },
+  { title: "Measured torque at the tool", unit: "Nm", of: ({ measured }) => measured, first: 3 },
 ];
 
 /** All plots of the shown motion. */
@@ -55,25 +58,34 @@ function series(data, { selected, hidden }, motion) {
     title,
     unit,
     lines: visible.map((index) => ({
-      name: `scenario ${index + 1}`,
+      name: scenarioName(motion, index),
       colour: scenarioColour(index),
       width: index === selected ? 2.2 : 1.1,
       leads: index === selected,
       values: of(motion.scenarios[index], data.goal),
     })),
   }));
-  const ofSelected = OF_SELECTED.map(({ title, unit, first }) => ({
-    title: `${title}, scenario ${selected + 1}`,
+  const ofSelected = OF_SELECTED.map(({ title, unit, of, first }) => ({
+    title: `${title}, ${scenarioName(motion, selected)}`,
     unit,
     lines: [0, 1, 2].map((axis) => ({
       name: "xyz"[axis],
       colour: AXIS_COLOURS[axis],
       width: 1.5,
-      values: component(motion.scenarios[selected].wrenches, first + axis),
+      values: component(of(motion.scenarios[selected]), first + axis),
     })),
   }));
   const joints = motion.source === "plan" && data.arm ? jointPlots(data.arm, selected) : [];
-  return [...byScenario, ...ofSelected, ...joints].filter(({ lines }) => lines.length > 0);
+  const all = [...distanceFromRollout(motion), ...byScenario, ...ofSelected, ...joints];
+  const known = all.map((plot) => ({ ...plot, lines: plot.lines.filter(({ values }) => values.some((value) => value !== null)) }));
+  return known.filter(({ lines }) => lines.length > 0);
+}
+
+/** How far the robot was from the rollout with the same grasp error. */
+function distanceFromRollout({ execution }) {
+  if (!execution) return [];
+  const values = execution.distances.map((distance) => (distance === null ? null : 1e3 * distance));
+  return [{ title: "Distance between robot and rollout", unit: "mm", lines: [{ name: "distance", colour: scenarioColour(0), width: 2.2, leads: true, values }] }];
 }
 
 function jointPlots({ joints, scenarios }, selected) {

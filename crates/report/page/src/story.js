@@ -69,6 +69,17 @@ export function madeFrom({ made_from: facts, result }) {
   return card("Made from", element("dl", {}, pairs));
 }
 
+/** What the logs of robots tell. */
+export function executions({ motions }) {
+  const executed = motions.filter(({ execution }) => execution);
+  if (executed.length === 0) return null;
+  const story = ({ execution: { log, sentences } }) => [
+    element("h3", {}, log),
+    element("ul", { class: "notes" }, sentences.map((words) => element("li", {}, sentence(words)))),
+  ];
+  return card("Executed", executed.map(story).flat());
+}
+
 /** Warnings, and why a plan is not done. */
 export function notes({ result, notes: all }) {
   if (all.length === 0) return null;

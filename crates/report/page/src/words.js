@@ -17,14 +17,21 @@ export function short(number) {
   return size >= 1e4 || size < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)));
 }
 
+/** Words with a capital letter. */
+export const capitalised = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
+
 /** Words of the planner as a sentence. */
-export const sentence = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+export const sentence = (words) => `${capitalised(words)}.`;
 
 /** An offset (m) in words. */
 function offsetInWords(offset) {
   if (offset.every((component) => Math.abs(component) < 5e-7)) return "no offset";
   return `${offset.map((component) => Number((1e3 * component).toFixed(2))).join(", ")} mm`;
 }
+
+/** The name of a scenario of a motion: what a robot did has one, and so has the rollout beside it. */
+export const scenarioName = (motion, index) =>
+  motion.execution ? ["robot", `rollout, friction ${short(motion.execution.friction)}`][index] : `scenario ${index + 1}`;
 
 /** What is injected into a scenario, in words. */
 export function injectionInWords({ offset, turn, disturbances }) {

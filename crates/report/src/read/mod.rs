@@ -2,28 +2,34 @@
 
 mod arm;
 mod batch;
+mod executed;
 mod motion;
 mod plan;
 mod simulation;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use planner::PlannerError;
 use planner::files::{MANIFEST, RESULT, SUCCESS};
 
 use crate::model::PageData;
 
-/// Reads a folder.
+/// Reads a folder, and logs of executions of the plan in it.
 ///
 /// # Errors
-/// When it is no plan, batch or simulation, is unfinished or damaged, or was written by another version.
-pub fn read(folder: &Path) -> Result<PageData, PlannerError> {
+/// When it is no plan, batch or simulation, is unfinished or damaged, or was written by another version; when there are logs
+/// that are not of its plan.
+pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PageData, PlannerError> {
     let holds = |name: &str| folder.join(name).exists();
     if !folder.is_dir() {
         return Err(PlannerError::file(folder, "is no folder; name one that `solve`, `batch` or `simulate` wrote"));
     }
     if holds(RESULT) {
-        return Ok(PageData::Plan(Box::new(plan::read(folder)?)));
+        return Ok(PageData::Plan(Box::new(plan::read(folder, logs)?)));
+    }
+    if let ([log, ..], true) = (logs, holds(MANIFEST) || holds(SUCCESS)) {
+        let problem = format!("is no folder of a plan, of which {} could be an execution; name one", log.display());
+        return Err(PlannerError::file(folder, problem));
     }
     if holds(MANIFEST) {
         return Ok(PageData::Batch(batch::read(folder)?));

@@ -80,6 +80,7 @@ impl World {
             time_step: tables.time_step,
             reference: tables.reference.iter().flat_map(|state| pose(&state[..7])).collect(),
             scenarios: scenarios.map(|(scenario, errors)| self.scenario(scenario, *errors, &shown)).collect(),
+            execution: None,
         })
     }
 
@@ -107,6 +108,7 @@ impl World {
             wrenches: scenario.wrenches.iter().flatten().map(|&component| rounded(component, FORCE)).collect(),
             distances: scenario.contacts.iter().map(smallest).collect(),
             forces: scenario.contacts.iter().map(sum).collect(),
+            measured: Vec::new(),
             contacts: scenario.contacts.iter().zip(&scenario.states[1..]).map(pushing).collect(),
         }
     }

@@ -1,6 +1,6 @@
 //! A plan: its parts, its motion, its homotopy and its rollouts with hard contact.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use planner::explain::LossRecord;
 use planner::files::trajectory::read_tables;
@@ -11,18 +11,19 @@ use simulation::{Injection, Settings, Solid};
 use task::{GraspError, ScenarioTrajectory, Trajectory};
 
 use super::motion::World;
-use super::{arm, simulation as rates};
+use super::{arm, executed, simulation as rates};
 use crate::model::{MotionData, PartData, PlanData, Source};
 use crate::rounded::{LENGTH, rounded};
 
 /// Smoothing of distances in rollouts and where they touch (N m): none that can be seen.
-const HARD: f64 = 1e-6;
+pub const HARD: f64 = 1e-6;
 
-/// Reads the plan of a folder and computes what it does not hold.
+/// Reads the plan of a folder and logs of its executions, and computes what they do not hold.
 ///
 /// # Errors
-/// When it is damaged, was written by another version or has no homotopy iterations, or its arm cannot be simulated.
-pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
+/// When the plan is damaged, was written by another version or has no homotopy iterations, or its arm cannot be simulated;
+/// when a log cannot be compared with it.
+pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     let plan = StoredPlan::open(folder)?;
     require_readable(&plan)?;
     let problem = problem(&plan)?;
@@ -33,6 +34,9 @@ pub fn read(folder: &Path) -> Result<PlanData, PlannerError> {
     let mut motions = vec![world.motion(&tables, &ends, Source::Plan, plan_tau(&plan.result))?];
     motions.extend(iterations(&plan, &world)?);
     motions.extend(rollouts(&plan, &problem, &world)?);
+    for log in logs {
+        motions.push(executed::motion(log, &plan, &problem, &world)?);
+    }
     let grasps = plan.result.scenarios.iter().map(|scenario| &scenario.grasp);
     // A warning of the plan says why, where the arm cannot follow it.
     let arm = arm::courses(&problem, &tables, grasps).and_then(Result::ok);
@@ -131,7 +135,7 @@ fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<M
 }
 
 /// A rollout as tables, whose pairs are all of the scene.
-fn tables(played: Trajectory, scene: &Scene) -> MotionTables {
+pub fn tables(played: Trajectory, scene: &Scene) -> MotionTables {
     let of_scenario = |motion: ScenarioTrajectory| {
         let ScenarioTrajectory { states, wrenches, contacts, .. } = motion;
         ScenarioTables { states, wrenches, contacts }

@@ -1,0 +1,102 @@
+//! What robots did, beside rollouts with the same grasp errors.
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+use planner::files::{ExecutedState, StoredPlan};
+use planner::{Ending, Execution, PlannerError, Problem, RobustnessTarget};
+use simulation::{Reference, Settings, coordinates, isometry};
+use task::{GraspError, POSE, STATE, ScenarioTrajectory, Trajectory, at_rest, pose_of};
+
+use super::motion::World;
+use super::plan::{HARD, tables};
+use crate::model::{ExecutionData, MotionData, Source};
+use crate::rounded::{FORCE, LENGTH, rounded};
+
+/// The motion that a log tells. Its first scenario is the robot, its second one a rollout at that friction of the scene
+/// that is closest to it.
+///
+/// # Errors
+/// When the log cannot be compared with the plan.
+pub fn motion(log: &Path, plan: &StoredPlan, problem: &Problem, world: &World) -> Result<MotionData, PlannerError> {
+    let frictions = RobustnessTarget::of(&problem.scene().borne).frictions;
+    let settings: Vec<Settings> =
+        frictions.into_iter().map(|friction| Settings { friction, ..Settings::default() }).collect();
+    let execution = Execution::read(log, problem, plan, &settings)?;
+    let reference = with_rest(&plan.reference()?, execution.duration());
+    let settings = Settings { friction: execution.friction, ..Settings::default() };
+    let mut played = problem.rollout(settings)?.trajectory(&reference, &[execution.grasp], HARD);
+    let (time_step, duration) = (reference.time_step(), execution.duration());
+    // A robot that was stopped is shown until then.
+    let knots = 0..=(duration / time_step).ceil() as usize;
+    let states: Vec<(ExecutedState, f64)> =
+        knots.map(|knot| execution.at(duration.min(knot as f64 * time_step))).collect();
+    played.scenarios.insert(0, robot(problem, &execution.grasp, &played, &states));
+    let ends: Vec<[f64; 2]> = played.scenarios.iter().map(errors).collect();
+    let mut motion = world.motion(&tables(played, problem.scene()), &ends, Source::Executed, HARD)?;
+    let beside = motion.scenarios[1].clone();
+    let robot = &mut motion.scenarios[0];
+    // A robot need not begin exactly at its reference, and does not feel where parts touch.
+    (robot.offset, robot.turn) = (beside.offset, beside.turn);
+    robot.success = execution.ending == Ending::AtGoal;
+    robot.forces.clear();
+    robot.measured = measured(&states);
+    motion.execution = Some(ExecutionData {
+        log: log.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        friction: execution.friction,
+        stopped: matches!(execution.ending, Ending::Stopped(_)).then_some(duration),
+        sentences: execution.sentences(),
+        distances: states.iter().map(|(_, distance)| rounded(*distance, LENGTH)).collect(),
+    });
+    Ok(motion)
+}
+
+/// A reference that is held at its end until a time (s).
+fn with_rest(reference: &Reference, time: f64) -> Reference {
+    let mut states = reference.states();
+    let knots = 1 + (time / reference.time_step()).ceil() as usize;
+    let end = at_rest(&pose_of(&states[states.len() - 1]));
+    states.resize(knots.max(states.len()), end);
+    Reference::new(reference.time_step(), &states)
+}
+
+/// The motion of the part in the gripper of the robot, with the wrench that the plan's controller has there. Nobody knows the
+/// contact forces.
+fn robot(
+    problem: &Problem,
+    grasp: &GraspError,
+    beside: &Trajectory,
+    states: &[(ExecutedState, f64)],
+) -> ScenarioTrajectory {
+    let actual: Vec<[f64; STATE]> = states.iter().map(|(state, _)| actual(grasp, &state.believed)).collect();
+    let world = problem.world();
+    let unknown = vec![0.0; world.pairs.len()];
+    let reference = &beside.reference[..actual.len()];
+    ScenarioTrajectory::new(&world, *grasp, beside.time_step, reference, &actual, |_| &unknown, HARD)
+}
+
+/// State of a part that is believed to be in another one.
+fn actual(grasp: &GraspError, believed: &[f64; STATE]) -> [f64; STATE] {
+    let pose = grasp.actual(&pose_of(believed));
+    let [vx, vy, vz, wx, wy, wz] = [7, 8, 9, 10, 11, 12].map(|index| believed[index]);
+    let believed = isometry(&pose_of(believed));
+    let spin = believed.rotation * Vector3::new(wx, wy, wz);
+    let lever = isometry(&pose).translation.vector - believed.translation.vector;
+    let velocity = Vector3::new(vx, vy, vz) + spin.cross(&lever);
+    let spin = grasp.rotation() * Vector3::new(wx, wy, wz);
+    let mut state = [0.0; STATE];
+    state[..POSE].copy_from_slice(&coordinates(&isometry(&pose)));
+    state[POSE..POSE + 3].copy_from_slice(velocity.as_slice());
+    state[POSE + 3..].copy_from_slice(spin.as_slice());
+    state
+}
+
+/// Wrenches from the first step on, none if the log has no column for them.
+fn measured(states: &[(ExecutedState, f64)]) -> Vec<f64> {
+    let wrenches: Option<Vec<[f64; 6]>> = states[1..].iter().map(|(state, _)| state.wrench).collect();
+    wrenches.unwrap_or_default().iter().flatten().map(|&component| rounded(component, FORCE)).collect()
+}
+
+fn errors(scenario: &ScenarioTrajectory) -> [f64; 2] {
+    [scenario.quality.position_error, scenario.quality.orientation_error]
+}
