@@ -113,6 +113,7 @@ fn logs_that_are_not_of_the_plan_are_refused() {
             "executed.csv:6: column time_s: times must",
         ),
         (text.replace("0.031,1,0,0,0", "0.031,0.5,0,0,0"), "qw, qx, qy, qz are not a unit quaternion"),
+        (text.replace(END, &END.replacen("1.0", "1e5", 1)), "the log goes on for 100002 s"),
         (text.replace(",phase\n", ",state\n"), "there is no column `phase`"),
         (String::new(), "executed.csv"),
     ] {

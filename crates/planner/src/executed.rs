@@ -74,6 +74,8 @@ impl Execution {
             let problem = format!("no row has the phase `playing`: the plan was not executed{reason}");
             return Err(PlannerError::file(file, problem));
         };
+        let reference = plan.reference()?;
+        require_duration(file, &course, &reference)?;
         let ending = match header.stopped {
             None if rested => ending(problem, &course),
             reason => Ending::Stopped(reason),
@@ -82,7 +84,6 @@ impl Execution {
             Ending::AtGoal => vec![grasp_at_end(problem, &course)],
             _ => GraspError::distinct(problem.task().grasps.clone()),
         };
-        let reference = plan.reference()?;
         let rollouts = settings.iter().flat_map(|settings| grasps.iter().map(move |grasp| (settings, grasp)));
         let beside = |(settings, grasp): (&Settings, &GraspError)| {
             Self::beside(&course, &ending, (problem, &reference), *settings, *grasp)
@@ -212,6 +213,22 @@ impl Header {
         }
         Ok(())
     }
+}
+
+/// Refuses logs that go on much longer than their plan.
+fn require_duration(file: &Path, course: &[ExecutedState], reference: &Reference) -> Result<(), PlannerError> {
+    /// Longest rest at the end of a plan (s).
+    const LONGEST_REST: f64 = 60.0;
+    let (plan, log) =
+        (reference.intervals() as f64 * reference.time_step(), course.last().map_or(0.0, |state| state.time));
+    if log > plan + LONGEST_REST {
+        let problem = format!(
+            "column time_s: the log goes on for {log:.0} s after the plan was begun, which takes {plan:.1} s; name the folder of \
+             the plan that was exported, and keep the rows as the player wrote them"
+        );
+        return Err(PlannerError::file(file, problem));
+    }
+    Ok(())
 }
 
 /// How a motion ended that was not stopped.

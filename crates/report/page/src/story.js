@@ -77,7 +77,7 @@ export function executions({ motions }) {
     element("h3", {}, log),
     element("ul", { class: "notes" }, sentences.map((words) => element("li", {}, sentence(words)))),
   ];
-  return card("Executed", executed.map(story).flat());
+  return card("Executed", ...executed.flatMap(story));
 }
 
 /** Warnings, and why a plan is not done. */

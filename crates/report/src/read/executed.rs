@@ -1,6 +1,6 @@
 //! What robots did, beside rollouts with the same grasp errors.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 use planner::files::{ExecutedState, StoredPlan};
@@ -13,12 +13,39 @@ use super::plan::{HARD, tables};
 use crate::model::{ExecutionData, MotionData, Source};
 use crate::rounded::{FORCE, LENGTH, rounded};
 
-/// The motion that a log tells. Its first scenario is the robot, its second one a rollout at that friction of the scene
-/// that is closest to it.
+/// The motions that logs tell.
 ///
 /// # Errors
-/// When the log cannot be compared with the plan.
-pub fn motion(log: &Path, plan: &StoredPlan, problem: &Problem, world: &World) -> Result<MotionData, PlannerError> {
+/// When a log cannot be compared with the plan.
+pub fn motions(
+    logs: &[PathBuf],
+    plan: &StoredPlan,
+    problem: &Problem,
+    world: &World,
+) -> Result<Vec<MotionData>, PlannerError> {
+    logs.iter().map(|log| motion(log, name(log, logs), plan, problem, world)).collect()
+}
+
+/// The end of a path that no other one has.
+fn name(log: &Path, logs: &[PathBuf]) -> String {
+    let end = |path: &Path, count: usize| -> PathBuf {
+        let parts: Vec<_> = path.components().collect();
+        parts[parts.len().saturating_sub(count)..].iter().collect()
+    };
+    let is_unique = |count: &usize| logs.iter().filter(|other| end(other, *count) == end(log, *count)).count() == 1;
+    let count = (1..log.components().count()).find(is_unique).unwrap_or(log.components().count());
+    end(log, count).display().to_string()
+}
+
+/// The motion that a log tells. Its first scenario is the robot, its second one a rollout at that friction of the scene
+/// that is closest to it.
+fn motion(
+    log: &Path,
+    name: String,
+    plan: &StoredPlan,
+    problem: &Problem,
+    world: &World,
+) -> Result<MotionData, PlannerError> {
     let frictions = RobustnessTarget::of(&problem.scene().borne).frictions;
     let settings: Vec<Settings> =
         frictions.into_iter().map(|friction| Settings { friction, ..Settings::default() }).collect();
@@ -42,7 +69,7 @@ pub fn motion(log: &Path, plan: &StoredPlan, problem: &Problem, world: &World) -
     robot.forces.clear();
     robot.measured = measured(&states);
     motion.execution = Some(ExecutionData {
-        log: log.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        log: name,
         friction: execution.friction,
         stopped: matches!(execution.ending, Ending::Stopped(_)).then_some(duration),
         sentences: execution.sentences(),
@@ -99,4 +126,29 @@ fn measured(states: &[(ExecutedState, f64)]) -> Vec<f64> {
 
 fn errors(scenario: &ScenarioTrajectory) -> [f64; 2] {
     [scenario.quality.position_error, scenario.quality.orientation_error]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logs_have_the_shortest_names_that_differ() {
+        let logs = ["a/executed.csv", "b/executed.csv", "/c/b/dry.csv"].map(PathBuf::from);
+        let names: Vec<String> = logs.iter().map(|log| name(log, &logs)).collect();
+        assert_eq!(names, ["a/executed.csv", "b/executed.csv", "dry.csv"]);
+        let twice = [logs[0].clone(), logs[0].clone()];
+        assert_eq!(name(&twice[0], &twice), "a/executed.csv");
+    }
+
+    #[test]
+    fn the_part_moves_with_the_gripper() {
+        let grasp = GraspError { offset: [0.0, 0.1, 0.0], turn: [0.0; 3] };
+        let mut believed = at_rest(&[1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0]);
+        believed[12] = 0.5;
+        let actual = actual(&grasp, &believed);
+        assert_eq!(actual[..3], [1.0, 1.9, 3.0]);
+        // Turning about z, a part below the believed one moves along x.
+        assert!((actual[7] - 0.05).abs() < 1e-12 && actual[12] == 0.5, "{actual:?}");
+    }
 }

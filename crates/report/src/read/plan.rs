@@ -34,9 +34,7 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     let mut motions = vec![world.motion(&tables, &ends, Source::Plan, plan_tau(&plan.result))?];
     motions.extend(iterations(&plan, &world)?);
     motions.extend(rollouts(&plan, &problem, &world)?);
-    for log in logs {
-        motions.push(executed::motion(log, &plan, &problem, &world)?);
-    }
+    motions.extend(executed::motions(logs, &plan, &problem, &world)?);
     let grasps = plan.result.scenarios.iter().map(|scenario| &scenario.grasp);
     // A warning of the plan says why, where the arm cannot follow it.
     let arm = arm::courses(&problem, &tables, grasps).and_then(Result::ok);
