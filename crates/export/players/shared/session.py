@@ -87,6 +87,7 @@ class Session:
             for number in (signal.SIGINT, signal.SIGTERM):
                 signal.signal(number, signal.SIG_IGN)
             self.robot.end()
+            self.journal.say("the robot was left at rest")
         return self.judge(measured)
 
     def check_ready(self, measured: Measurement) -> None:
@@ -269,21 +270,35 @@ def main(
     ones; returns the exit code."""
     add_flags(parser)
     arguments = parser.parse_args()
-    signal.signal(signal.SIGTERM, interrupt)
-    try:
+
+    def play() -> bool:
         plan = load(pathlib.Path(__file__).resolve().parent)
         chosen = settings(arguments, plan)
         robot = connect(arguments, plan)
         journal = Journal(plan, arguments.log, header(arguments, plan))
-        try:
-            return DONE if Session(plan, robot, chosen, journal).execute() else MISSED
-        except BaseException as error:
-            journal.header["stopped"] = reason(error)
-            raise
-        finally:
-            journal.write()
+        return keeping(journal, Session(plan, robot, chosen, journal).execute)
+
+    return exit_code(play, failures)
+
+
+def keeping(journal: Journal, run: Callable[[], bool]) -> bool:
+    """Runs something and writes the log whatever happens, with what went wrong."""
+    try:
+        return run()
+    except BaseException as error:
+        journal.header["stopped"] = reason(error)
+        raise
+    finally:
+        journal.write()
+
+
+def exit_code(run: Callable[[], bool], failures: tuple[type[Exception], ...] = ()) -> int:
+    """Runs a program that returns whether it did what it should, and says what goes wrong; returns the exit code."""
+    signal.signal(signal.SIGTERM, interrupt)
+    try:
+        return DONE if run() else MISSED
     except KeyboardInterrupt as error:
-        print(f"{reason(error)}; the robot was stopped", file=sys.stderr)
+        print(reason(error), file=sys.stderr)
         return INTERRUPTED
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)

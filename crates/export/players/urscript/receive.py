@@ -6,19 +6,19 @@ damping; `playing` or `resting` with a row; `stopped` with a reason; `done`."""
 import argparse
 import json
 import pathlib
-import signal
 import socket
 import sys
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
 import rotations
 from exported_plan import ExportedPlan, InputError, ToolState, load
-from guards import Measurement
+from guards import Measurement, Stopped
 from journal import Journal
 from kinematics import Pose
-from session import DONE, FAILED, INTERRUPTED, MISSED, WRONG_INPUT, header, interrupt
+from session import exit_code, header, keeping
 
 # Where `plan.script` connects to.
 PORT = 50042
@@ -29,14 +29,12 @@ NUMBERS = TIME + STATE + WRENCH + STATE
 
 
 def receive(lines: Iterable[str], plan: ExportedPlan, journal: Journal) -> bool:
-    """Keeps what the script sends until it ends; returns whether it played the plan."""
+    """Keeps what the script sends until it has played the plan. Stopped says why it did not."""
     begin = last = 0.0
     for line in lines:
         word, _, rest = line.strip().partition(" ")
         if word == "session":
-            dry_run, stiffness, damping = numbers(rest, 3)
-            factors = {"stiffness_factor": stiffness, "damping_factor": damping}
-            journal.header = header(argparse.Namespace(dry_run=dry_run, **factors), plan)
+            journal.header = session(numbers(rest, 3), plan)
         elif word in ("playing", "resting"):
             row = numbers(rest, NUMBERS)
             if word != journal.phase:
@@ -45,16 +43,18 @@ def receive(lines: Iterable[str], plan: ExportedPlan, journal: Journal) -> bool:
             last = row[0]
             journal.add(measurement(row), tool_state(row[-STATE:]))
         elif word == "stopped":
-            journal.header["stopped"] = rest
-            journal.say(f"stopped: {rest}")
-            return False
+            raise Stopped(rest)
         elif word == "done":
             return True
         else:
             raise InputError(f"`{line.strip()}` is nothing that plan.script sends: export the plan again, and load the new script")
-    journal.header["stopped"] = "the script or its connection ended"
-    journal.say("stopped: the script or its connection ended before the plan was played")
-    return False
+    raise Stopped("the script or its connection ended before the plan was played")
+
+
+def session(values: list[float], plan: ExportedPlan) -> dict[str, Any]:
+    """The header of a log, from dry run (m) and factors of stiffness and damping."""
+    dry_run, stiffness, damping = values
+    return header(argparse.Namespace(dry_run=dry_run, stiffness_factor=stiffness, damping_factor=damping), plan)
 
 
 def numbers(text: str, count: int) -> list[float]:
@@ -80,39 +80,27 @@ def measurement(row: list[float]) -> Measurement:
     return Measurement(row[0], unknown, unknown, tool_state(row[TIME : TIME + STATE]), wrench[:3], wrench[3:])
 
 
+def run(arguments: argparse.Namespace) -> bool:
+    """Waits for one run of the script and writes its log; returns whether it played the plan."""
+    plan = load(pathlib.Path(__file__).resolve().parent)
+    journal = Journal(plan, arguments.log, session([0.0, 1.0, 1.0], plan))
+    with socket.create_server((arguments.address, arguments.port)) as server:
+        journal.say(f"waiting for plan.script at port {arguments.port}")
+        connection, (robot, _) = server.accept()
+    journal.say(f"connected to {robot}")
+    with connection, connection.makefile(encoding="ascii", errors="replace") as lines:
+        return keeping(journal, lambda: receive(lines, plan, journal))
+
+
 def main() -> int:
-    """Waits for one run of the script; returns the exit code."""
+    """Returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     add = parser.add_argument
     add("--address", default="", help="address of this computer at which to wait [default: all that it has]")
     add("--port", type=int, default=PORT, help="port, as in plan.script [default: %(default)s]")
     add("--log", type=pathlib.Path, default=pathlib.Path("executed.csv"), metavar="FILE", help="[default: %(default)s]")
     arguments = parser.parse_args()
-    signal.signal(signal.SIGTERM, interrupt)
-    try:
-        plan = load(pathlib.Path(__file__).resolve().parent)
-        with socket.create_server((arguments.address, arguments.port)) as server:
-            print(f"waiting for plan.script at port {arguments.port}", file=sys.stderr, flush=True)
-            connection, (robot, _) = server.accept()
-        journal = Journal(plan, arguments.log, {})
-        journal.say(f"connected to {robot}")
-        with connection, connection.makefile(encoding="ascii", errors="replace") as lines:
-            try:
-                return DONE if receive(lines, plan, journal) else MISSED
-            except KeyboardInterrupt:
-                journal.header["stopped"] = "the receiver was interrupted"
-                raise
-            finally:
-                journal.write()
-    except KeyboardInterrupt:
-        print("interrupted; the robot goes on", file=sys.stderr)
-        return INTERRUPTED
-    except InputError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return WRONG_INPUT
-    except OSError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return FAILED
+    return exit_code(lambda: run(arguments))
 
 
 if __name__ == "__main__":
