@@ -1,7 +1,7 @@
 // Plots over time, linked by the shown instant.
 import uPlot from "uplot";
 import { element } from "./dom.js";
-import { orientationErrors, positionErrors } from "./motion.js";
+import { knots, orientationErrors, positionErrors } from "./motion.js";
 import { colour, onTheme, scenarioColour } from "./theme.js";
 import { scenarioName } from "./words.js";
 
@@ -40,7 +40,7 @@ export function plots(data, shown) {
     charts.splice(0).forEach((chart) => chart.destroy());
     root.replaceChildren();
     const motion = data.motions[shown.values.motion];
-    for (const plot of series(data, shown.values, motion)) charts.push(chart(root, plot, shown, motion.time_step));
+    for (const plot of series(data, shown.values, motion)) charts.push(chart(root, plot, shown, motion));
     follow();
   };
   const follow = () => charts.forEach((chart) => chart.moveTo(shown.values.time));
@@ -101,7 +101,7 @@ function jointPlots({ joints, scenarios }, selected) {
 }
 
 /** One plot in a figure of its own. */
-function chart(root, { title, unit, lines }, shown, timeStep) {
+function chart(root, { title, unit, lines }, shown, { reference, time_step: timeStep }) {
   const value = element("output", { class: "value" });
   const frame = element("div", { class: "frame" });
   const leading = lines.findIndex(({ leads }) => leads);
@@ -115,7 +115,7 @@ function chart(root, { title, unit, lines }, shown, timeStep) {
     value,
   );
   root.append(element("figure", { class: "plot" }, caption, frame));
-  const length = Math.max(...lines.map(({ values }) => values.length));
+  const length = knots(reference);
   const times = Array.from({ length }, (_, step) => step * timeStep);
   // A motion that ended early has nothing at the end.
   const columns = lines.map(({ values }) => times.map((_, step) => values[step] ?? null));
