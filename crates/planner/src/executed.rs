@@ -1,4 +1,7 @@
 //! What a robot did, beside what a rollout does with the grasp error that there was.
+//!
+//! A part that ends at its goal tells how it sat in the gripper. Of any other motion nobody knows that, and the rollout of a planned
+//! grasp error that is closest to it stands in.
 
 use std::path::Path;
 

@@ -2,7 +2,8 @@
 //!
 //! A folder is read ([`read()`]) into the data of a page ([`PageData`]), and the page is that data as JSON, a script and a
 //! style sheet in one HTML file ([`html`]) that needs no network. What the folder does not hold is computed again while
-//! it is read: where parts touch, rollouts with hard contact, the joints of the arm. [`figures`]
+//! it is read: where parts touch, rollouts with hard contact, the joints of the arm. Logs of robots are shown beside rollouts.
+//! [`figures`]
 //! draws the same data as SVG files for papers and slides.
 //!
 //! | module | what it holds |
