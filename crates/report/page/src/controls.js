@@ -122,8 +122,8 @@ export function scenarioChoice(data, shown) {
     list.replaceChildren(
       ...data.motions[motion].scenarios.map((scenario, index) => {
         const { execution } = data.motions[motion];
-        const shortName = execution ? capitalised(scenarioName(data.motions[motion], index)) : String(index + 1);
-        const name = `${capitalised(scenarioName(data.motions[motion], index))}: ${injectionInWords(scenario)}`;
+        const ownName = capitalised(scenarioName(data.motions[motion], index));
+        const name = `${ownName}: ${injectionInWords(scenario)}`;
         const select = element(
           "button",
           {
@@ -133,7 +133,7 @@ export function scenarioChoice(data, shown) {
             click: () => shown.set({ selected: index, hidden: without(hidden, index) }),
           },
           element("span", { class: "dot", style: `--mark:${scenarioColour(index)}` }),
-          `${shortName}  ${injectionInWords(scenario)}`,
+          execution ? ownName : `${index + 1}  ${injectionInWords(scenario)}`,
           scenario.success ? null : element("span", { class: "missed" }, failure(execution, index)),
         );
         const eye = element(
