@@ -35,6 +35,8 @@ SAME_JACOBIAN = 0.05
 # The package may return what its registers held before.
 JACOBIAN_TRIES = 5
 ALL_AXES, FRAME_AS_GIVEN = [1] * 6, 2
+# Connections live until the program exits: to delete one to a robot that does not answer would never return.
+connections: list["Connection"] = []
 
 
 class Connection:
@@ -46,6 +48,7 @@ class Connection:
         self.control = RTDEControlInterface(host, FREQUENCY)
         self.period = self.control.initPeriod()
         self.time, self.root, self.is_lost = -1.0, None, False
+        connections.append(self)
 
     def read(self) -> Measurement:
         """Waits for the end of the control period and measures."""
