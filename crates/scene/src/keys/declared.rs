@@ -145,7 +145,7 @@ pub const KEYS: &[Key] = &[
 
     key("homotopy", "iterations", Integer(Range::closed(1.0, 100.0)), "", Default(5.0), "how often the problem is solved, at least, each time with less smoothing"),
     key("homotopy", "further_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(10.0), "how often it is solved beyond that, at most, until parts overlap by less than a tenth of the clearance at the goal"),
-    key("homotopy", "coarse_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(2.0), "so many of the first iterations have half of the steps, which saves time; at most all but one of `iterations`"),
+    key("homotopy", "coarse_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(4.0), "so many of the first iterations have half of the steps, which saves time; at most all but one of `iterations`"),
     key("homotopy", "tau", Number(Range::closed(1e-9, 1.0)), "N m", Default(0.003), "smoothing of the distances in the first iteration"),
     key("homotopy", "sigma", Number(Range::closed(1e-12, 1.0)), "N m", Default(0.0015), "how far force x gap may be from zero in the first iteration"),
     key("homotopy", "mu_init", Number(Range::above(1e-12, 1e6)), "", Default(0.01), "initial barrier parameter of Ipopt in the first iteration"),
