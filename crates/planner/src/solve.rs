@@ -31,11 +31,10 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
     let first = earlier.as_ref().map_or(0, |earlier| earlier.attempt);
     let order = (first..changes.len()).chain(0..first);
     let mut best: Option<Plan> = None;
-    let mut attempts = BTreeMap::new();
+    let mut attempts: BTreeMap<usize, AttemptRecord> = BTreeMap::new();
     for (index, is_last) in order.enumerate().map(|(count, index)| (index, count + 1 == changes.len())) {
         let attempt = Attempt { index, problem: changes[index].of(problem), gives_up: !is_last };
-        if let Some(best) = &best {
-            let position_error = best.trajectory.worst_errors().0;
+        if let Some(position_error) = attempts.values().map(|record| record.position_error_m).reduce(f64::min) {
             session.tell(Event::Attempt { planned: changes[index].name(), position_error });
         }
         let plan = match attempt.solve(earlier.take(), session) {
@@ -44,14 +43,17 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
         };
         attempts.insert(index, AttemptRecord::new(changes[index], &plan));
         let ends = plan.interrupted || plan.status() == PlanStatus::Done || session.is_over();
-        if best.as_ref().is_none_or(|best| plan.interrupted || is_better(&plan, best)) {
+        // Of an attempt that was given up on the coarse grid nothing but its record is kept.
+        let is_plan = plan.interrupted || !plan.chosen().record.is_coarse(&plan.task);
+        if is_plan && best.as_ref().is_none_or(|best| plan.interrupted || is_better(&plan, best)) {
             best = Some(plan);
         }
         if ends {
             break;
         }
     }
-    let best = best.ok_or(PlannerError::Internal("attempts"))?;
+    // The last attempt is not given up.
+    let best = best.ok_or(PlannerError::OutOfTime)?;
     Ok(Plan { attempts: attempts.into_values().collect(), ..best })
 }
 
@@ -99,7 +101,8 @@ impl Attempt {
             }
             finished.iterations.truncate(finished.iterations.len() - usize::from(is_cut));
         }
-        if finished.iterations.iter().all(|iteration| iteration.record.is_coarse(&variant.task)) {
+        let is_coarse = finished.iterations.iter().all(|iteration| iteration.record.is_coarse(&variant.task));
+        if is_coarse && !is_lost(&finished.iterations) {
             return Err(PlannerError::OutOfTime);
         }
         Ok(Plan::new(&self.problem, variant, finished.iterations, session.threads, false))
