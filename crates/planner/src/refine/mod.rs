@@ -276,7 +276,8 @@ impl<'run> Refiner<'run> {
             self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
             round.rollouts = chosen_with + refinement.rollouts();
             round.refinement_s = begin.elapsed().as_secs_f64();
-            let judgement = self.judge(refinement.reference(), until);
+            // Whatever the share of the time: an evaluation that takes long is one that may succeed.
+            let judgement = self.judge(refinement.reference(), self.clock.end());
             if judgement.rates.rollouts() == 0 {
                 // The time is over.
                 break;
