@@ -1,9 +1,12 @@
-//! Friction against Coulomb's law, written down a second time, against closed-form mechanics and against rollouts.
+//! Friction against Coulomb's law, written down a second time, against closed-form mechanics, rollouts and MuJoCo.
+
+mod mujoco;
+mod played;
 
 use collision::{Pair, Polytope, Solutions};
 use kkt::Owner;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
-use nlp::{Bounds, Control, EvaluationError, LinearSystemSolver, Options, Pattern, Problem, Start};
+use nlp::Problem;
 use ocp::{CONTACT_FORCE, Owners, Transcription, VELOCITY_DYNAMICS};
 use simulation::{Reference, Rollout, Settings};
 use task::{
@@ -11,14 +14,14 @@ use task::{
     Limits, POSE, STATE, TWIST, TrajectoryCost, at_rest,
 };
 
+use crate::played::{ITERATIONS, motions};
+
 const FRICTION: f64 = 0.3;
 const STIFFNESS: f64 = 50.0;
 const EDGE: f64 = 0.1;
 const STEP: f64 = 0.04;
 /// Steps in which the reference goes down, in which it goes sideways, and in which it rests.
 const PHASES: [usize; 3] = [12, 30, 12];
-/// Homotopy iterations.
-const ITERATIONS: usize = 5;
 /// How far the reference moves sideways where the block slides (m).
 const SLIDE: f64 = 0.2;
 /// Height of the start, and depth of the reference below the height at which the block touches the floor (m).
@@ -58,82 +61,9 @@ fn reference_velocities(length: f64) -> Vec<[f64; TWIST]> {
     [down, along, [0.0; TWIST]].iter().zip(PHASES).flat_map(|(twist, steps)| vec![*twist; steps]).collect()
 }
 
-/// A transcription whose reference has given velocities: what is left to find is the motion of the block.
-struct Played {
-    inner: Transcription,
-    velocities: Vec<[f64; TWIST]>,
-}
-
-impl Problem for Played {
-    fn variable_bounds(&self) -> Bounds {
-        let mut bounds = self.inner.variable_bounds();
-        for (index, twist) in self.velocities.iter().enumerate() {
-            let first = self.inner.layout().state(index + 1, Owner::Reference) + POSE;
-            bounds.lower[first..][..TWIST].copy_from_slice(twist);
-            bounds.upper[first..][..TWIST].copy_from_slice(twist);
-        }
-        bounds
-    }
-
-    fn constraint_bounds(&self) -> Bounds {
-        self.inner.constraint_bounds()
-    }
-
-    fn jacobian_pattern(&self) -> Pattern {
-        self.inner.jacobian_pattern()
-    }
-
-    fn hessian_pattern(&self) -> Pattern {
-        self.inner.hessian_pattern()
-    }
-
-    fn set_point(&mut self, x: &[f64]) -> Result<(), EvaluationError> {
-        self.inner.set_point(x)
-    }
-
-    fn objective(&mut self) -> Result<f64, EvaluationError> {
-        self.inner.objective()
-    }
-
-    fn gradient(&mut self, gradient: &mut [f64]) -> Result<(), EvaluationError> {
-        self.inner.gradient(gradient)
-    }
-
-    fn constraints(&mut self, values: &mut [f64]) -> Result<(), EvaluationError> {
-        self.inner.constraints(values)
-    }
-
-    fn jacobian(&mut self, values: &mut [f64]) -> Result<(), EvaluationError> {
-        self.inner.jacobian(values)
-    }
-
-    fn hessian(&mut self, factor: f64, multipliers: &[f64], values: &mut [f64]) -> Result<(), EvaluationError> {
-        self.inner.hessian(factor, multipliers, values)
-    }
-}
-
-/// States of the block at the end of every step, with less and less smoothing: one motion per smoothing.
+/// States of the block at the end of every step, one motion per smoothing.
 fn planned(task: &AssemblyTask, length: f64) -> Vec<Vec<[f64; STATE]>> {
-    let inner = Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
-    let mut problem = Played { velocities: reference_velocities(length), inner };
-    let mut start = Start::Cold(problem.inner.initial_guess());
-    let settings = scene::default_homotopy();
-    let mut motions = Vec::new();
-    for smoothing in settings.schedule().take(ITERATIONS) {
-        problem.inner.set_smoothing(smoothing.tau, smoothing.sigma);
-        let mut options = Options::default();
-        options.set("mu_init", smoothing.mu_init);
-        options.set("max_iter", 300);
-        for push in ["bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac", "mult_bound_push"] {
-            options.set(&format!("warm_start_{push}"), 1e-9);
-        }
-        let solver = LinearSystemSolver::Named("mumps");
-        let solution = nlp::solve(&mut problem, &start, &options, solver, &mut |_| Control::Continue).unwrap();
-        assert!(solution.status.is_success(), "{smoothing:?}: {:?}", solution.status);
-        motions.push(problem.inner.motion(&solution.iterate.x, smoothing.tau).scenarios.remove(0).states[1..].to_vec());
-        start = Start::Warm(solution.iterate);
-    }
-    motions
+    motions(task, reference_velocities(length))
 }
 
 /// Positions of the block along x at the end of every step in a rollout with hard contact.
