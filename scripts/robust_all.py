@@ -6,7 +6,7 @@ import pathlib
 import sys
 
 import robust_arm
-from robust_cases import SEED, Case, by_offset, cases, run, shares, summary, table_row
+from robust_cases import COUNT, SEED, Case, by_offset, cases, run, shares, summary, table_row
 
 # Wall seconds that the paper's solver took for a plan without any refinement (Table total_comp_times).
 PAPER_SECONDS = {"peg1": 86, "peg2": 171, "peg3": 391, "peg4": 380, "peg5": 344}
@@ -18,7 +18,7 @@ PAGE = """\
 # Robust plans, played in MuJoCo
 
 Every start of every scene, planned by `solve --robust --time-limit {limit}` and then played in MuJoCo with frictions 0, 0.1 and
-0.3 by `scripts/validate_mujoco --seed {seed}`: 20 random offsets in the hull of the planned ones at each of
+0.3 by `scripts/validate_mujoco --seed {seed}`: {count} random offsets in the hull of the planned ones at each of
 0, 25, 50 and 75 % of delta-hat and at delta-hat less 1 mm (one without offset). Success: within 3 mm and 0.1 rad of the
 goal, one second after the end of the reference. The push is an unplanned straight motion from start to goal in the same
 time, frictionless. `scripts/robust-all` repeats all of it and writes this page.
@@ -52,8 +52,11 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument(
         "--arm",
         type=pathlib.Path,
+        action="append",
+        default=[],
         metavar="FILE",
-        help="plan for the [robot] table of this TOML file, let the whole arm play, and write docs/robustness-arm.md",
+        help="plan for the [robot] table of this TOML file, let the whole arm play, and write docs/robustness-arm.md; "
+        "may be repeated",
     )
     parser.add_argument("--starts", type=int, metavar="N", help="only the first N starts of each scene [default: all]")
     return parser.parse_args()
@@ -93,6 +96,7 @@ def page(done: list[Case], missing: list[Case], jobs: int) -> str:
     """Everything as Markdown."""
     return PAGE.format(
         seed=SEED,
+        count=COUNT,
         limit=TIME_LIMIT,
         jobs=jobs,
         summary=summary(done, missing),
@@ -101,25 +105,37 @@ def page(done: list[Case], missing: list[Case], jobs: int) -> str:
     )
 
 
+def chosen(arguments: argparse.Namespace, out: str) -> list[Case]:
+    """What is to be planned, in a folder below the root."""
+    return first_starts(cases(arguments.root, arguments.scenes, out), arguments.starts)
+
+
+def free_bodies(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
+    """Plans free bodies; their page."""
+    root, out = arguments.root, "out/robust"
+    for case in [] if arguments.no_run else chosen(arguments, out):
+        print(case.label(), file=sys.stderr)
+        run(arguments, case, root / f"scenes/{case.scene}.toml", ["--time-limit", TIME_LIMIT], [])
+    everything = cases(root, [], out)
+    done = [case for case in everything if case.is_played()]
+    missing = [case for case in everything if case not in done]
+    return root / "docs/robustness.md", page(done, missing, arguments.jobs)
+
+
+def arms(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
+    """Plans for arms; their page."""
+    for arm in arguments.arm:
+        for case in [] if arguments.no_run else chosen(arguments, f"out/robust-arm/{arm.stem}"):
+            print(f"{arm.stem}: {case.label()}", file=sys.stderr)
+            robust_arm.make(arguments, arm, case)
+    everything = {arm: cases(arguments.root, [], f"out/robust-arm/{arm.stem}") for arm in arguments.arm}
+    return arguments.root / "docs/robustness-arm.md", robust_arm.page(arguments, everything)
+
+
 def main() -> None:
     """Runs what is missing and writes the page."""
     arguments = parse_arguments()
-    root = arguments.root
-    out = "out/robust-arm" if arguments.arm else "out/robust"
-    everything = cases(root, [], out)
-    if not arguments.no_run:
-        for case in first_starts(cases(root, arguments.scenes, out), arguments.starts):
-            print(case.label(), file=sys.stderr)
-            if arguments.arm:
-                robust_arm.make(arguments, case)
-            else:
-                run(arguments, case, root / f"scenes/{case.scene}.toml", ["--time-limit", TIME_LIMIT], [])
-    done = [case for case in everything if case.is_played()]
-    missing = [case for case in everything if case not in done]
-    if arguments.arm:
-        file, text = root / "docs/robustness-arm.md", robust_arm.page(arguments, done, missing)
-    else:
-        file, text = root / "docs/robustness.md", page(done, missing, arguments.jobs)
+    file, text = arms(arguments) if arguments.arm else free_bodies(arguments)
     file.write_text(text)
     print(f"written to {file}", file=sys.stderr)
 

@@ -1,4 +1,4 @@
-"""Robust plans for an arm, played by the whole arm: docs/robustness-arm.md."""
+"""Robust plans for arms, played by the whole arms: docs/robustness-arm.md."""
 
 import argparse
 import json
@@ -8,33 +8,48 @@ import statistics
 import sys
 import tomllib
 
-from robust_cases import SEED, Case, by_offset, run, shares, summary, table_row
+from robust_cases import COUNT, SEED, Case, by_offset, run, shares, summary, table_row
 
 FRICTIONS = ("0.0", "0.1", "0.3")
 MAGNITUDES = "0,0.5,0.95"
 TURN = "0.02"
 
+# Seconds after which the best plan so far is kept.
+TIME_LIMIT = "120"
+# Largest force of a contact (N).
+LARGEST_FORCE = 60.0
+LIMITS = f"[limits]\ncontact_force = {LARGEST_FORCE}\n"
+
 # What the arm replaces in a scene: the inertia of a free body, and the gains, which are chosen for the arm.
 REPLACED = re.compile(r"(mass|inertia|(translational|rotational)_(stiffness|damping))\s*=")
 
 PAGE = """\
-# Robust plans, played by a whole arm
+# Robust plans, played by whole arms
 
-Every start of the scenes, planned by `solve --robust --friction {frictions} --turn {turn}` for the arm of `{robot}`, with
-gains that the program chose for it, and then played in MuJoCo by the whole arm: rotor inertia, gravity, joint friction of
-{joint_friction} Nm, torques held for {control_period:g} ms. Each plan is played with 20 random offsets in the hull of the
-planned ones at 0, 50 and 95 % of delta-hat, the part turned in the gripper by up to {turn} rad about any axis
-(`scripts/validate_mujoco --arm --seed {seed}`: [validation.md](validation.md#the-whole-arm)). The push is an unplanned
-straight motion with the same gains and in the same time, without contact friction. `scripts/robust-all --arm {robot}`
-repeats all of it and writes this page.
+Starts of the scenes, planned by `solve --robust --friction {frictions} --turn {turn} --time-limit {limit}` for an arm with a
+contact force of at most 60 N (`[limits]`), with gains that the program chose for it, and then played in MuJoCo by the whole
+arm: rotor inertia, gravity, joint friction, torques held for a control period. Each plan is played with {count} random offsets in
+the hull of the planned ones at each of 50 and 95 % of delta-hat and one without offset, the part turned in the gripper by up
+to {turn} rad about any axis (`scripts/validate_mujoco --arm --seed {seed}`: [validation.md](validation.md#the-whole-arm)). The
+push is an unplanned straight motion with the same gains and in the same time, without contact friction.
+`scripts/robust-all{arms}` repeats all of it and writes this page.
 
-Forces are the largest of all motions of a scene's plans, as means over 10 ms. Seconds are the median of
-`solve --robust --jobs {jobs}` with everything it does, on a shared machine.
+Own rollouts are those of the evaluation, of all plans of a scene together. Forces are the largest of all motions of a scene's
+plans, as means over 10 ms, and how many of the motions stay below 60 N. Seconds are the median of `solve --robust --jobs {jobs}`
+with everything it does, on a shared machine.
+
+{sections}
+"""
+
+SECTION = """\
+## The arm of `{robot}`
+
+Joint friction of {joint_friction} Nm, torques held for {control_period:g} ms.
 
 {summary}
 
-| scene | plans | friction 0 | friction 0.1 | friction 0.3 | push | force, N | wall s |
-|---|---|---|---|---|---|---|---|
+| scene | plans | own rollouts, % | friction 0 | friction 0.1 | friction 0.3 | push | force, N | below 60 N | wall s |
+|---|---|---|---|---|---|---|---|---|---|
 {rows}
 
 By magnitude of the offset, all plans together:
@@ -63,24 +78,24 @@ def toml(value: object) -> str:
 
 
 def with_robot(scene: str, robot: dict) -> str:
-    """The text of a scene for a robot instead of a free body."""
+    """The text of a scene for a robot instead of a free body, which may push with a limited force."""
     kept = [line for line in scene.splitlines() if not REPLACED.match(line)]
-    return "\n".join([*kept, "", "[robot]", *(f"{key} = {toml(value)}" for key, value in robot.items())]) + "\n"
+    return "\n".join([*kept, "", LIMITS, "[robot]", *(f"{key} = {toml(value)}" for key, value in robot.items())]) + "\n"
 
 
-def make(arguments: argparse.Namespace, case: Case) -> None:
+def make(arguments: argparse.Namespace, arm: pathlib.Path, case: Case) -> None:
     """Makes a plan for the arm and lets the arm play it, unless that is done."""
     scene = case.folder.parent / f"{case.scene}.toml"
     scene.parent.mkdir(parents=True, exist_ok=True)
     text = (arguments.root / f"scenes/{case.scene}.toml").read_text()
-    scene.write_text(with_robot(text, robot_of(arguments.arm)))
+    scene.write_text(with_robot(text, robot_of(arm)))
     frictions = ",".join(FRICTIONS)
     to_play = ["--arm", "--magnitudes", MAGNITUDES]
     run(
         arguments,
         case,
         scene,
-        ["--friction", frictions, "--turn", TURN],
+        ["--friction", frictions, "--turn", TURN, "--time-limit", TIME_LIMIT],
         ["--friction", frictions, "--turn", TURN, *to_play],
     )
 
@@ -88,27 +103,49 @@ def make(arguments: argparse.Namespace, case: Case) -> None:
 def row(scene: str, done: list[Case]) -> str:
     """One line of the table: all plans of a scene."""
     rows = [row for case in done for row in case.motions()]
-    force = max(float(row["force_n"]) for row in rows if row["motion"] == "plan")
-    seconds = [json.loads((case.folder / "result.json").read_text())["robust"]["wall_s"] for case in done]
-    cells = [scene, str(len(done)), *shares(rows, FRICTIONS), f"{force:.0f}", f"{statistics.median(seconds):.0f}"]
+    forces = [float(row["force_n"]) for row in rows if row["motion"] == "plan"]
+    results = [json.loads((case.folder / "result.json").read_text())["robust"] for case in done]
+    cells = [
+        scene,
+        str(len(done)),
+        f"{100 * statistics.fmean(result['rate_after'] for result in results):.1f}",
+        *shares(rows, FRICTIONS),
+        f"{max(forces):.0f}",
+        f"{sum(force <= LARGEST_FORCE for force in forces)}/{len(forces)}",
+        f"{statistics.median(result['wall_s'] for result in results):.0f}",
+    ]
     return table_row(cells)
 
 
-def page(arguments: argparse.Namespace, done: list[Case], missing: list[Case]) -> str:
-    """Everything as Markdown."""
-    robot = robot_of(arguments.arm)
+def section(arm: pathlib.Path, done: list[Case], missing: list[Case]) -> str:
+    """What one arm does."""
+    robot = robot_of(arm)
     scenes: dict[str, list[Case]] = {}
     for case in done:
         scenes.setdefault(f"{case.scene}, {1e3 * case.delta:g} mm", []).append(case)
-    return PAGE.format(
-        robot=arguments.arm,
-        frictions=",".join(FRICTIONS),
-        turn=TURN,
+    return SECTION.format(
+        robot=arm.name,
         joint_friction=robot.get("joint_friction", 0),
         control_period=1e3 * robot.get("control_period", 0.002),
-        seed=SEED,
-        jobs=arguments.jobs,
         summary=summary(done, missing),
         rows="\n".join(row(scene, plans) for scene, plans in scenes.items()),
         magnitudes=by_offset(done, FRICTIONS),
+    )
+
+
+def page(arguments: argparse.Namespace, cases: dict[pathlib.Path, list[Case]]) -> str:
+    """Everything as Markdown."""
+    sections = []
+    for arm, of_arm in cases.items():
+        done = [case for case in of_arm if case.is_played()]
+        sections.append(section(arm, done, [case for case in of_arm if case not in done]))
+    return PAGE.format(
+        arms="".join(f" --arm {arm}" for arm in cases),
+        frictions=",".join(FRICTIONS),
+        limit=TIME_LIMIT,
+        turn=TURN,
+        seed=SEED,
+        count=COUNT,
+        jobs=arguments.jobs,
+        sections="\n".join(sections),
     )

@@ -13,9 +13,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from robust_arm import robot_of, with_robot
 
 # Scenes and arms.
-PLANS = (("corner", "six"), ("clamp1", "six"), ("peg1", "six"), ("corner", "seven"), ("clamp1", "seven"))
-# Largest force of a contact (N).
-LIMITS = "\n[limits]\ncontact_force = 60.0\n"
+PLANS = (("corner", "six"), ("clamp1", "six"), ("peg1", "six"), ("corner", "seven"), ("clamp1", "seven"), ("peg1", "seven"))
 FLAGS = ["--robust", "--turn", "0.01", "--friction", "0,0.1", "--time-limit", "150"]
 # Of `urscript`, everything that a player reads is kept.
 KEPT = ("plan.json", "trajectory.csv", "plan.script")
@@ -26,7 +24,7 @@ def record(program: pathlib.Path, scene: str, arm: str) -> None:
     robot = robot_of(ROOT / f"scripts/mujoco_validation/arms/{arm}.toml")
     with tempfile.TemporaryDirectory() as work:
         file, plan = pathlib.Path(work) / f"{scene}.toml", pathlib.Path(work) / "plan"
-        file.write_text(with_robot((ROOT / f"scenes/{scene}.toml").read_text(), robot) + LIMITS)
+        file.write_text(with_robot((ROOT / f"scenes/{scene}.toml").read_text(), robot))
         # A plan that is nearly as robust as wanted will do.
         if subprocess.run([program, "solve", file, *FLAGS, "--out", plan], check=False).returncode > 1:
             sys.exit(f"error: {scene} has no plan for {arm}")
