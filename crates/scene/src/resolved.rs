@@ -45,19 +45,7 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
             ])
             .into(),
         ),
-        (
-            "robustness",
-            table([
-                ("offset_magnitude", offset_magnitude.into()),
-                ("offset_directions", Value::Array(scene.offset_directions.iter().map(numbers).collect())),
-                ("friction", numbers(&scene.borne.frictions)),
-                ("turn", scene.borne.turn.into()),
-                ("inertia_error", scene.borne.inertia_error.into()),
-                ("stiffness_error", scene.borne.stiffness_error.into()),
-                ("delay", scene.borne.delay.into()),
-            ])
-            .into(),
-        ),
+        ("robustness", robustness(scene, offset_magnitude).into()),
         (
             "horizon",
             table([
@@ -77,12 +65,6 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("homotopy", homotopy.into()),
         ("ipopt", ipopt.into()),
     ]);
-    if scene.has_turned_scenarios()
-        && let Some(Value::Table(robustness)) = document.get_mut("robustness")
-    {
-        let directions = scene.turn_axes.iter().map(numbers);
-        robustness.insert("turn_axes".into(), Value::Array(directions.collect()));
-    }
     let mut robot = scene.robot.as_ref().map_or(Table::new(), arm);
     if mass.is_none() || scene.robot.is_some() {
         robot.insert("apparent_inertia".into(), rows(scene.inertia.matrix()));
@@ -94,6 +76,24 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         document.insert("limits".into(), limits(&scene.limits).into());
     }
     toml::to_string(&document).expect("a table of plain values is valid TOML")
+}
+
+/// The offsets that are planned for, and what a robust plan must bear.
+fn robustness(scene: &Scene, offset_magnitude: f64) -> Table {
+    let mut robustness = table([
+        ("offset_magnitude", offset_magnitude.into()),
+        ("offset_directions", Value::Array(scene.offset_directions.iter().map(numbers).collect())),
+        ("friction", numbers(&scene.borne.frictions)),
+        ("turn", scene.borne.turn.into()),
+        ("inertia_error", scene.borne.inertia_error.into()),
+        ("stiffness_error", scene.borne.stiffness_error.into()),
+        ("delay", scene.borne.delay.into()),
+    ]);
+    if scene.has_turned_scenarios() {
+        robustness.insert("turn_axes".into(), Value::Array(scene.turn_axes.iter().map(numbers).collect()));
+    }
+    robustness.extend(scene.borne.size_error.map(|error| ("size_error".to_owned(), error.into())));
+    robustness
 }
 
 fn table<const N: usize>(entries: [(&str, Value); N]) -> Table {

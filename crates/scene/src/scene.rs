@@ -23,7 +23,7 @@ pub struct StartPose {
     pub pose: [f64; 7],
 }
 
-/// What a robust plan must bear besides offsets. Errors are relative, in both directions.
+/// What a robust plan must bear besides offsets. Errors of inertia and stiffness are relative; all errors go both ways.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Borne {
     /// Coulomb coefficients of contacts, at least one.
@@ -36,11 +36,20 @@ pub struct Borne {
     pub stiffness_error: f64,
     /// Delay of an arm's controller (s).
     pub delay: f64,
+    /// Error of the body's size (m); chosen from the clearance where the scene does not give it.
+    pub size_error: Option<f64>,
 }
 
 impl Default for Borne {
     fn default() -> Self {
-        Self { frictions: vec![0.0, 0.1, 0.3], turn: 0.0, inertia_error: 0.0, stiffness_error: 0.0, delay: 0.0 }
+        Self {
+            frictions: vec![0.0, 0.1, 0.3],
+            turn: 0.0,
+            inertia_error: 0.0,
+            stiffness_error: 0.0,
+            delay: 0.0,
+            size_error: None,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use task::{GraspError, Impedance, Inertia};
 
 use crate::settings_error::{SettingsError, check};
 
-/// How robot and controller differ from what they are taken for. The default is that they do not.
+/// How robot, controller and parts differ from what they are taken for. The default is that they do not.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Disturbance {
     /// Relative error of the inertia of the body or, with an arm, of its mass matrix; -0.9 to 10. Gravity stays compensated.
@@ -17,6 +17,8 @@ pub struct Disturbance {
     pub delay: f64,
     /// Relative error of the joint friction of the arm's model, -1 to 10. A free body has none.
     pub joint_friction: f64,
+    /// By how much the body is larger than its model, everywhere (m), -0.01 to 0.01.
+    pub size: f64,
 }
 
 impl Disturbance {
@@ -27,6 +29,9 @@ impl Disturbance {
     /// Allowed relative errors of joint friction.
     pub const JOINT_FRICTIONS: RangeInclusive<f64> = -1.0..=10.0;
 
+    /// Allowed errors of the size (m).
+    pub const SIZES: RangeInclusive<f64> = -0.01..=0.01;
+
     /// Whether every field lies in its range.
     ///
     /// # Errors
@@ -35,7 +40,8 @@ impl Disturbance {
         check("inertia", self.inertia, &Self::ERRORS, "")?;
         check("stiffness", self.stiffness, &Self::ERRORS, "")?;
         check("delay", self.delay, &Self::DELAYS, "s")?;
-        check("joint_friction", self.joint_friction, &Self::JOINT_FRICTIONS, "")
+        check("joint_friction", self.joint_friction, &Self::JOINT_FRICTIONS, "")?;
+        check("size", self.size, &Self::SIZES, "m")
     }
 
     /// The inertia that a body really has.
@@ -58,7 +64,7 @@ impl Disturbance {
 pub struct Injection {
     /// Of the part in the gripper.
     pub grasp: GraspError,
-    /// Of robot and controller.
+    /// Of robot, controller and parts.
     pub disturbance: Disturbance,
 }
 

@@ -240,7 +240,7 @@ mod tests {
         let impedance = Impedance::critically_damped(stiffness, stiffness, &inertia);
         let mut stepper = Stepper::new((TIME_STEP, COUNT), &inertia, &impedance, Vector3::zeros(), 0.0).unwrap();
         let shapes = Shapes::new(&[]);
-        let mut finder = ContactFinder::new(&shapes);
+        let mut finder = ContactFinder::new(&shapes, 0.0);
         let still = |x: f64| Knot {
             pose: Isometry3::translation(x, 0.0, 0.0),
             velocity: Vector3::zeros(),

@@ -19,7 +19,7 @@ pub struct Trial {
     pub friction: usize,
     /// Injected grasp error.
     pub grasp: GraspError,
-    /// How robot and controller differ from what they are taken for.
+    /// How robot, controller and parts differ from what they are taken for.
     pub disturbance: Disturbance,
 }
 

@@ -2,7 +2,7 @@
 
 use collision::Polytope;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
-use simulation::{Reference, Rollout, Settings, TimedState};
+use simulation::{Disturbance, Injection, Reference, Rollout, Settings, TimedState};
 use task::{AssemblyTask, GraspError, Impedance, Inertia};
 
 use crate::world::{
@@ -270,6 +270,30 @@ fn a_peg_enters_a_hole_that_it_meets_and_rests_on_a_rim_that_it_does_not() {
     });
     assert!((heights[0] + 0.005).abs() < 1e-3 && (heights[1] + 0.005).abs() < 1e-3, "{heights:?}");
     assert!((heights[2] - 0.04).abs() < 1e-3, "{heights:?}");
+}
+
+#[test]
+fn a_larger_body_is_larger_everywhere() {
+    let (peg, settings) = (block([0.04, 0.04, 0.08], [0.0; 3]), Settings::default());
+    let rollout = Rollout::new(&task(&peg, &hole(0.041)), settings);
+    // Through the rim, and pressed onto the bottom.
+    let reference = through(&[[0.0, 0.0, 0.06], [0.0, 0.0, -0.02]], 2.0);
+    let end = |offset: f64, size: f64| {
+        let disturbance = Disturbance { size, ..Disturbance::default() };
+        rollout.play(&reference, Injection { grasp: [offset, 0.0, 0.0].into(), disturbance }, |_, _| {}).pose
+    };
+    for size in [-5e-4, -1e-4, 0.0, 1e-4] {
+        let edges = [0.04, 0.04, 0.08].map(|edge| edge + 2.0 * size);
+        let expected = Rollout::new(&task(&block(edges, [0.0; 3]), &hole(0.041)), settings).play(
+            &reference,
+            [3e-4, 0.0, 0.0],
+            |_, _| {},
+        );
+        let pose = end(3e-4, size);
+        let differences = pose.iter().zip(&expected.pose).map(|(one, other)| (one - other).abs());
+        assert!(differences.fold(0.0, f64::max) < 1e-6, "{size}: {pose:?}, not {:?}", expected.pose);
+    }
+    assert!(end(0.0, 6e-4)[2] > 0.04, "too large for the hole");
 }
 
 #[test]
