@@ -104,7 +104,7 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
     );
     let tolerance = problem.success();
     say!("success: to end within {:.2} mm and {} rad of the goal", 1e3 * tolerance.position, tolerance.orientation);
-    say!("--robust also bears a body that is up to {:.3} mm larger or smaller everywhere", 1e3 * problem.size_error());
+    say!("--robust also bears edges with radii of up to {:.3} mm", 1e3 * problem.edge_radius());
     if !explanation.chosen.is_empty() {
         say!("chosen, as the scene does not say it: {}", explanation.chosen.join(", "));
     }

@@ -38,7 +38,7 @@ pub struct Problem {
     start: StartPose,
     delta: f64,
     success: Success,
-    size_error: f64,
+    edge_radius: f64,
     task: AssemblyTask,
     homotopy: HomotopySettings,
     resolved: String,
@@ -95,7 +95,7 @@ impl Problem {
         let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
         let task = scene.task(Some(&start.name), Some(delta))?;
         ocp::check_settings(&homotopy)?;
-        let size_error = *scene.borne.size_error.get_or_insert_with(|| size_error(&task));
+        let edge_radius = *scene.borne.edge_radius.get_or_insert_with(|| edge_radius(&task));
         // What counts as success and what refinement must bear do not change how the problem is solved, but for turns of
         // scenarios.
         let turn = if scene.has_turned_scenarios() { scene.borne.turn } else { 0.0 };
@@ -105,7 +105,7 @@ impl Problem {
         let identity = hash(format!("{}\n{solved}", env!("CARGO_PKG_VERSION")).as_bytes());
         (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
         let resolved = resolved(&scene, &start, delta, &homotopy);
-        Ok(Self { scene, start, delta, success, size_error, task, homotopy, resolved, identity })
+        Ok(Self { scene, start, delta, success, edge_radius, task, homotopy, resolved, identity })
     }
 
     /// Whether nothing but the linear solver was chosen of the homotopy.
@@ -150,9 +150,9 @@ impl Problem {
         self.success
     }
 
-    /// How much larger or smaller than its model the body may be (m).
-    pub fn size_error(&self) -> f64 {
-        self.size_error
+    /// How round edges may be (m).
+    pub fn edge_radius(&self) -> f64 {
+        self.edge_radius
     }
 
     /// What is planned.
@@ -281,13 +281,13 @@ pub fn success(scene: &Scene) -> Result<Success, PlannerError> {
     Ok(Success { position, orientation: scene.angle_tolerance })
 }
 
-/// Largest error of the body's size that is chosen (m), also in clearances at the goal.
-const SIZE_ERROR: f64 = 5e-5;
-const SIZE_ERROR_IN_CLEARANCES: f64 = 0.2;
+/// Largest radius of edges that is chosen (m), also in clearances at the goal.
+const EDGE_RADIUS: f64 = 1e-4;
+const EDGE_RADIUS_IN_CLEARANCES: f64 = 0.5;
 
-/// The error of the body's size that is chosen for a task: a plan must not depend on edges that just catch.
-fn size_error(task: &AssemblyTask) -> f64 {
-    let chosen = SIZE_ERROR.min(SIZE_ERROR_IN_CLEARANCES * task.clearance(&task.goal).max(0.0));
+/// The radius of edges that is chosen for a task: a plan must not depend on edges that just catch.
+fn edge_radius(task: &AssemblyTask) -> f64 {
+    let chosen = EDGE_RADIUS.min(EDGE_RADIUS_IN_CLEARANCES * task.clearance(&task.goal).max(0.0));
     (1e6 * chosen).round() / 1e6
 }
 

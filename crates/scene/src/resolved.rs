@@ -92,7 +92,7 @@ fn robustness(scene: &Scene, offset_magnitude: f64) -> Table {
     if scene.has_turned_scenarios() {
         robustness.insert("turn_axes".into(), Value::Array(scene.turn_axes.iter().map(numbers).collect()));
     }
-    robustness.extend(scene.borne.size_error.map(|error| ("size_error".to_owned(), error.into())));
+    robustness.extend(scene.borne.edge_radius.map(|error| ("edge_radius".to_owned(), error.into())));
     robustness
 }
 

@@ -23,7 +23,7 @@ pub struct StartPose {
     pub pose: [f64; 7],
 }
 
-/// What a robust plan must bear besides offsets. Errors of inertia and stiffness are relative; all errors go both ways.
+/// What a robust plan must bear besides offsets. Errors are relative, in both directions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Borne {
     /// Coulomb coefficients of contacts, at least one.
@@ -36,8 +36,8 @@ pub struct Borne {
     pub stiffness_error: f64,
     /// Delay of an arm's controller (s).
     pub delay: f64,
-    /// Error of the body's size (m); chosen from the clearance where the scene does not give it.
-    pub size_error: Option<f64>,
+    /// Largest radius of edges (m); chosen from the clearance where the scene does not give it.
+    pub edge_radius: Option<f64>,
 }
 
 impl Default for Borne {
@@ -48,7 +48,7 @@ impl Default for Borne {
             inertia_error: 0.0,
             stiffness_error: 0.0,
             delay: 0.0,
-            size_error: None,
+            edge_radius: None,
         }
     }
 }

@@ -50,7 +50,7 @@ pub fn borne(robustness: &Table) -> Result<Borne, SceneError> {
         inertia_error: robustness.number("inertia_error")?,
         stiffness_error: robustness.number("stiffness_error")?,
         delay: robustness.number("delay")?,
-        size_error: robustness.find("size_error").map(|entry| entry.number()).transpose()?,
+        edge_radius: robustness.find("edge_radius").map(|entry| entry.number()).transpose()?,
     })
 }
 

@@ -67,8 +67,8 @@ impl Shapes {
 #[derive(Debug, Clone)]
 pub struct ContactFinder<'shapes> {
     shapes: &'shapes Shapes,
-    /// By how much the body is larger than its shapes (m).
-    excess: f64,
+    /// How round edges are (m).
+    edge_radius: f64,
     bodies: Vec<PlacedBody>,
     pairs: Vec<Pair>,
     /// The last pose, the reach (m) there, and the smallest separation (m) of the pairs that were examined.
@@ -89,20 +89,20 @@ struct PlacedBody {
 
 #[derive(Debug, Clone)]
 struct Pair {
-    /// Lower bound on the gap between the shapes (m).
+    /// Lower bound on the gap (m).
     clearance: f64,
     candidates: Candidates,
 }
 
 impl<'shapes> ContactFinder<'shapes> {
-    /// For the shapes of a task, and a body that is larger than they are by `excess` (m) in the direction of every contact.
-    pub fn new(shapes: &'shapes Shapes, excess: f64) -> Self {
+    /// For the shapes of a task with edges of a radius (m).
+    pub fn new(shapes: &'shapes Shapes, edge_radius: f64) -> Self {
         let pair = Pair { clearance: f64::NEG_INFINITY, candidates: Candidates::default() };
         Self {
             bodies: shapes.bodies.iter().map(|solid| PlacedBody { solid: solid.clone(), is_current: false }).collect(),
             pairs: vec![pair; shapes.pairs.len()],
             shapes,
-            excess,
+            edge_radius,
             last: Isometry3::identity(),
             reach: f64::NEG_INFINITY,
             smallest: f64::INFINITY,
@@ -134,7 +134,7 @@ impl<'shapes> ContactFinder<'shapes> {
             let pair = &mut self.pairs[index];
             pair.clearance -= shift + radius * turn;
             pair.candidates.moved(shift, turn);
-            if pair.clearance - self.excess > reach {
+            if pair.clearance > reach {
                 continue;
             }
             let placed = &mut self.bodies[*body];
@@ -142,22 +142,25 @@ impl<'shapes> ContactFinder<'shapes> {
                 placed.solid.place(&shapes.bodies[*body], &pose.rotation.to_rotation_matrix(), position);
                 placed.is_current = true;
             }
+            let before = self.contacts.len();
             let separation = self.examine(index, position, reach);
             self.pairs[index].clearance = separation;
-            smallest = smallest.min(separation - self.excess);
+            // Without a contact, round edges overlap.
+            if separation >= 0.0 || self.contacts.len() > before {
+                smallest = smallest.min(separation);
+            }
         }
         self.smallest = smallest;
         smallest
     }
 
-    /// Adds the contacts of a pair whose body is placed. Returns the separation of its shapes (m).
+    /// Adds the contacts of a pair whose body is placed. Returns the pair's separation (m).
     fn examine(&mut self, index: usize, position: &Vector3<f64>, reach: f64) -> f64 {
         let PairShapes { body, environment, edges, .. } = &self.shapes.pairs[index];
-        let Self { bodies, pairs, contacts, patch, excess, .. } = self;
-        let excess = *excess;
+        let Self { bodies, pairs, contacts, patch, edge_radius, .. } = self;
         let (body, candidates) = (&bodies[*body].solid, &mut pairs[index].candidates);
         let mut axis = candidates.best_facet(body, position, environment, reach);
-        if axis.separation - excess > reach {
+        if axis.separation > reach {
             return axis.separation;
         }
         patch.clear();
@@ -172,6 +175,9 @@ impl<'shapes> ContactFinder<'shapes> {
             let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
             better = if is_best { None } else { candidates.better_edges(body, edges, &axis) };
         }
+        if better.is_none() && axis.separation > -*edge_radius && patch.width(&axis.normal) < *edge_radius {
+            return axis.separation;
+        }
         if let Some(better) = better {
             axis = better;
             patch.clear();
@@ -181,17 +187,12 @@ impl<'shapes> ContactFinder<'shapes> {
             }
         }
         let before = contacts.len();
-        let near = patch.points.iter().filter(|(_, gap)| *gap - excess <= reach);
-        contacts.extend(near.map(|&(point, gap)| Contact {
-            pair: index,
-            point,
-            normal: axis.normal,
-            gap: gap - excess,
-        }));
-        if contacts.len() == before && axis.separation < excess {
+        let near = patch.points.iter().filter(|(_, gap)| *gap <= reach);
+        contacts.extend(near.map(|&(point, gap)| Contact { pair: index, point, normal: axis.normal, gap }));
+        if contacts.len() == before && axis.separation < 0.0 {
             // The touching features overlap without facing each other: the deepest vertex is the contact.
             let deepest = body.vertices[body.lowest(0..body.vertices.len(), &axis.normal).0];
-            contacts.push(Contact { pair: index, point: deepest, normal: axis.normal, gap: axis.separation - excess });
+            contacts.push(Contact { pair: index, point: deepest, normal: axis.normal, gap: axis.separation });
         }
         axis.separation
     }

@@ -17,8 +17,8 @@ pub struct Disturbance {
     pub delay: f64,
     /// Relative error of the joint friction of the arm's model, -1 to 10. A free body has none.
     pub joint_friction: f64,
-    /// By how much the body is larger than its model, everywhere (m), -0.01 to 0.01.
-    pub size: f64,
+    /// How round edges are (m), 0 to 0.01: where faces overlap by less, they slip past each other.
+    pub edge_radius: f64,
 }
 
 impl Disturbance {
@@ -29,8 +29,8 @@ impl Disturbance {
     /// Allowed relative errors of joint friction.
     pub const JOINT_FRICTIONS: RangeInclusive<f64> = -1.0..=10.0;
 
-    /// Allowed errors of the size (m).
-    pub const SIZES: RangeInclusive<f64> = -0.01..=0.01;
+    /// Allowed radii of edges (m).
+    pub const EDGE_RADII: RangeInclusive<f64> = 0.0..=0.01;
 
     /// Whether every field lies in its range.
     ///
@@ -41,7 +41,7 @@ impl Disturbance {
         check("stiffness", self.stiffness, &Self::ERRORS, "")?;
         check("delay", self.delay, &Self::DELAYS, "s")?;
         check("joint_friction", self.joint_friction, &Self::JOINT_FRICTIONS, "")?;
-        check("size", self.size, &Self::SIZES, "m")
+        check("edge_radius", self.edge_radius, &Self::EDGE_RADII, "m")
     }
 
     /// The inertia that a body really has.

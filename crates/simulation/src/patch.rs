@@ -4,6 +4,9 @@ use nalgebra::Vector3;
 
 use crate::solid::Solid;
 
+/// Shorter sides (m) are corners.
+const SHORTEST_SIDE: f64 = 1e-9;
+
 /// The points of a contact with their gaps (m).
 #[derive(Debug, Clone, Default)]
 pub struct Patch {
@@ -37,6 +40,17 @@ impl Patch {
     /// other.
     pub fn distance(&self) -> f64 {
         self.points.iter().map(|(_, gap)| gap.abs()).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Smallest width of the region, seen along a normal (m); infinite without sides.
+    pub fn width(&self, normal: &Vector3<f64>) -> f64 {
+        let mut least = f64::INFINITY;
+        for ((from, _), (to, _)) in self.points.iter().zip(self.points.iter().cycle().skip(1)) {
+            let Some(across) = normal.cross(&(to - from)).try_normalize(SHORTEST_SIDE) else { continue };
+            let widths = self.points.iter().map(|(point, _)| across.dot(&(point - from)).abs());
+            least = least.min(widths.fold(0.0, f64::max));
+        }
+        least
     }
 
     /// Keeps the region where `height` is not positive (Sutherland and Hodgman).

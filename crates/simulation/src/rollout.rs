@@ -157,7 +157,7 @@ impl Rollout {
         let believed = reference;
         let reference = &reference.of_part(&injection.grasp);
         let (time_step, substeps) = self.settings.divide(reference.time_step());
-        let mut finder = ContactFinder::new(&self.shapes, disturbance.size);
+        let mut finder = ContactFinder::new(&self.shapes, disturbance.edge_radius);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
         let mut loads = LoadMeter::new(self.task.pairs.len());
         // Of a step, and since the last knot.

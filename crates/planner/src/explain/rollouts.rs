@@ -41,8 +41,8 @@ pub struct LossRecord {
     pub stiffness_error: f64,
     /// Its delay of an arm's controller.
     pub delay_s: f64,
-    /// By how much its body is larger than the model.
-    pub size_error_m: f64,
+    /// Its radius of edges.
+    pub edge_radius_m: f64,
     /// Its largest contact force.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
@@ -84,7 +84,7 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
         inertia_error: disturbance.inertia,
         stiffness_error: disturbance.stiffness,
         delay_s: disturbance.delay,
-        size_error_m: disturbance.size,
+        edge_radius_m: disturbance.edge_radius,
         max_force_n: motion.quality.max_force,
         exceeds_contact_force: motion.quality.max_force > (1.0 + LIMIT_SLACK) * world.limits.contact_force,
         end: MotionEnd::new(&world, motion, time_step, &problem.success()),
@@ -128,20 +128,22 @@ impl LossRecord {
 
     /// The errors of that rollout.
     pub fn injection(&self) -> Injection {
-        let Self { inertia_error: inertia, stiffness_error: stiffness, delay_s: delay, size_error_m: size, .. } = *self;
+        let Self {
+            inertia_error: inertia, stiffness_error: stiffness, delay_s: delay, edge_radius_m: edge_radius, ..
+        } = *self;
         Injection {
             grasp: GraspError::from(&self.grasp),
-            disturbance: Disturbance { inertia, stiffness, delay, size, ..Disturbance::default() },
+            disturbance: Disturbance { inertia, stiffness, delay, edge_radius, ..Disturbance::default() },
         }
     }
 
-    /// How robot, controller and body differ there, such as `+10 % of inertia`; nothing where they do not.
+    /// How robot, controller and edges differ there, such as `+10 % of inertia`; nothing where they do not.
     pub fn disturbance_in_words(&self) -> Vec<String> {
         [
             (self.inertia_error, format!("{:+.0} % of inertia", 100.0 * self.inertia_error)),
             (self.stiffness_error, format!("{:+.0} % of stiffness", 100.0 * self.stiffness_error)),
             (self.delay_s, format!("{:.1} ms of delay", 1e3 * self.delay_s)),
-            (self.size_error_m, format!("{:+.3} mm of size", 1e3 * self.size_error_m)),
+            (self.edge_radius_m, format!("{:.3} mm of radius of edges", 1e3 * self.edge_radius_m)),
         ]
         .into_iter()
         .filter_map(|(size, words)| (size != 0.0).then_some(words))

@@ -33,8 +33,8 @@ pub struct RefinementCheckpoint {
     pub stiffness_error: f64,
     /// Largest delay of the controller that it must bear.
     pub delay_s: f64,
-    /// Largest error of the body's size that it must bear.
-    pub size_error_m: f64,
+    /// Largest radius of edges that it must bear.
+    pub edge_radius_m: f64,
     /// Tolerances of success: distance (m) and angle (rad).
     pub tolerance: [f64; 2],
     /// Wall time so far.
@@ -99,8 +99,8 @@ pub struct TrialRecord {
     pub stiffness_error: f64,
     /// Delay of the controller.
     pub delay_s: f64,
-    /// Error of the body's size.
-    pub size_error_m: f64,
+    /// Radius of edges.
+    pub edge_radius_m: f64,
 }
 
 impl From<&Trial> for TrialRecord {
@@ -112,7 +112,7 @@ impl From<&Trial> for TrialRecord {
             inertia_error: disturbance.inertia,
             stiffness_error: disturbance.stiffness,
             delay_s: disturbance.delay,
-            size_error_m: disturbance.size,
+            edge_radius_m: disturbance.edge_radius,
         }
     }
 }
@@ -124,7 +124,7 @@ impl From<&TrialRecord> for Trial {
             stiffness: record.stiffness_error,
             delay: record.delay_s,
             joint_friction: 0.0,
-            size: record.size_error_m,
+            edge_radius: record.edge_radius_m,
         };
         Self { friction: record.friction, grasp: GraspError::from(&record.grasp), disturbance }
     }

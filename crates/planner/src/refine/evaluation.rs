@@ -30,7 +30,7 @@ const ENOUGH_FAILURES: usize = 8;
 const DISTURBANCE_SEED: u64 = 75;
 
 /// Largest errors to be borne: of the grasp, an offset `delta-hat` (m) and a turn (rad); of robot and controller, relative
-/// ones of inertia and stiffness, and a delay (s); of the body's size (m).
+/// ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
 #[derive(Debug, Clone, Copy)]
 pub struct ErrorRange {
     delta: f64,
@@ -38,7 +38,7 @@ pub struct ErrorRange {
     inertia: f64,
     stiffness: f64,
     delay: f64,
-    size: f64,
+    edge_radius: f64,
 }
 
 impl ErrorRange {
@@ -50,15 +50,16 @@ impl ErrorRange {
             inertia: target.inertia_error,
             stiffness: target.stiffness_error,
             delay: target.delay,
-            size: problem.size_error(),
+            edge_radius: problem.edge_radius(),
         }
     }
 
-    /// A robot, controller and body within the range, all of them equally likely.
+    /// A robot, controller and edges within the range, all of them equally likely.
     fn disturbance(&self, random: &mut Rng) -> Disturbance {
-        let mut within = |largest: f64| largest * (2.0 * random.f64() - 1.0);
-        let (inertia, stiffness, size) = (within(self.inertia), within(self.stiffness), within(self.size));
-        Disturbance { inertia, stiffness, delay: self.delay * random.f64(), joint_friction: 0.0, size }
+        let mut relative = |largest: f64| largest * (2.0 * random.f64() - 1.0);
+        let (inertia, stiffness) = (relative(self.inertia), relative(self.stiffness));
+        let (delay, edge_radius) = (self.delay * random.f64(), self.edge_radius * random.f64());
+        Disturbance { inertia, stiffness, delay, joint_friction: 0.0, edge_radius }
     }
 }
 
@@ -90,7 +91,7 @@ impl Judgement {
 }
 
 impl Evaluation {
-    /// At most `count` random offsets per friction and magnitude, each with a turn and errors of robot, controller and size, and
+    /// At most `count` random offsets per friction and magnitude, each with a turn, errors of robot and controller and round edges, and
     /// the planned grasp errors without other errors.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
         let &ErrorRange { delta, turn, .. } = range;

@@ -27,7 +27,7 @@ impl Refiner<'_> {
             inertia_error: self.target.inertia_error,
             stiffness_error: self.target.stiffness_error,
             delay_s: self.target.delay,
-            size_error_m: self.problem.size_error(),
+            edge_radius_m: self.problem.edge_radius(),
             tolerance: [success.position, success.orientation],
             elapsed_s: self.clock.elapsed().as_secs_f64(),
             evaluations: self.evaluations,
@@ -65,7 +65,7 @@ impl Refiner<'_> {
                     && checkpoint.inertia_error == self.target.inertia_error
                     && checkpoint.stiffness_error == self.target.stiffness_error
                     && checkpoint.delay_s == self.target.delay
-                    && checkpoint.size_error_m == self.problem.size_error()
+                    && checkpoint.edge_radius_m == self.problem.edge_radius()
                     && checkpoint.tolerance == [success.position, success.orientation];
                 if same {
                     return Ok(Some(checkpoint));

@@ -36,7 +36,7 @@ impl Default for RobustnessTarget {
 impl RobustnessTarget {
     /// For what a scene says must be borne.
     pub fn of(borne: &Borne) -> Self {
-        let Borne { frictions, turn, inertia_error, stiffness_error, delay, size_error: _ } = borne.clone();
+        let Borne { frictions, turn, inertia_error, stiffness_error, delay, edge_radius: _ } = borne.clone();
         Self {
             wanted_rate: 0.99,
             frictions,

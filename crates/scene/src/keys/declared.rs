@@ -98,7 +98,7 @@ pub const KEYS: &[Key] = &[
     key("robustness", "inertia_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the inertia that `--robust` bears"),
     key("robustness", "stiffness_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the stiffness that `--robust` bears"),
     key("robustness", "delay", Number(Range::closed(0.0, 0.1)), "s", Default(0.0), "delay of an arm's controller that `--robust` bears"),
-    key("robustness", "size_error", Number(Range::closed(0.0, 0.01)), "m", Means("a fifth of the clearance at the goal, at most 0.00005"), "how much larger or smaller than its model the body may be, everywhere; `--robust` bears it"),
+    key("robustness", "edge_radius", Number(Range::closed(0.0, 0.01)), "m", Means("half of the clearance at the goal, at most 0.0001"), "how round edges may be: `--robust` bears that faces which overlap by less slip past each other"),
 
     key("robot", "urdf", File, "", Means("a free body"), "URDF file of the arm; the inertia is that of the arm at the goal"),
     key("robot", "tip", Name, "", Means("needed with `urdf`"), "link that holds the body"),
