@@ -22,8 +22,8 @@
 //!
 //! With an [`ArmModel`] ([`Rollout::with_arm`]), rollouts are those of the whole arm in joint space: its mass matrix,
 //! Coriolis torques, dry friction of the joints, and a controller that samples, is late and holds its torques. The part
-//! may sit elsewhere in the gripper than the arm believes, and a [`Disturbance`] makes arm and controller differ from
-//! their model. Joints give no more torque than they can. Left out are gravity, which the arm compensates, limits of
+//! may sit elsewhere in the gripper than the arm believes, and a [`Disturbance`] makes arm, controller and
+//! edges differ from their model. Joints give no more torque than they can. Left out are gravity, which the arm compensates, limits of
 //! positions and speeds, and elasticity. A
 //! redundant arm has no torques for its other motions: only joint friction brakes them.
 //!
@@ -39,7 +39,8 @@
 //!
 //! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
 //! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its
-//! points. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
+//! points. Edges are sharp, unless a [`Disturbance`] gives them a radius: then faces that overlap by less do not touch,
+//! as if corners of that size were cut off. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
 //! first order in the time step; steps are longer where the velocity changes little, and then of second order. Results
 //! are deterministic and do not depend on the number of threads.
 //!

@@ -186,6 +186,26 @@ mod tests {
         Evaluation { groups: vec![group(true), group(false)], trials: vec![trial; numbers.len()], group: numbers }
     }
 
+    #[test]
+    fn errors_fill_their_range() {
+        let range = ErrorRange { delta: 0.0, turn: 0.0, inertia: 0.1, stiffness: 0.2, delay: 0.003, edge_radius: 1e-4 };
+        let mut random = Rng::with_seed(1);
+        let drawn: Vec<Disturbance> = (0..200).map(|_| range.disturbance(&mut random)).collect();
+        let extremes = |of: fn(&Disturbance) -> f64| {
+            let values = drawn.iter().map(of);
+            (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
+        };
+        for (of, least, most) in [
+            (extremes(|drawn| drawn.inertia), -0.1, 0.1),
+            (extremes(|drawn| drawn.stiffness), -0.2, 0.2),
+            (extremes(|drawn| drawn.delay), 0.0, 0.003),
+            (extremes(|drawn| drawn.edge_radius), 0.0, 1e-4),
+        ] {
+            let margin = 0.05 * (most - least);
+            assert!(least <= of.0 && of.0 < least + margin && most - margin < of.1 && of.1 <= most, "{of:?}");
+        }
+    }
+
     fn played(groups: &[SuccessRate], counts: [(usize, usize); 2]) -> Vec<SuccessRate> {
         let count =
             |(group, (rollouts, successes)): (&SuccessRate, _)| SuccessRate { rollouts, successes, ..group.clone() };
