@@ -32,8 +32,6 @@ TARGETS = {
     "ros2": ("ros2", "ros2"),
     "urscript": ("urscript", ""),
 }
-# Plans that `franka` plays on the arm of seven joints; elsewhere it has six, which players do not mind.
-SEVEN_JOINTS = ("corner", "clamp1")
 # Longest time of a player (s).
 PATIENCE = 60.0
 # What the players say of success: distance (m) and angle (rad) to the goal.
@@ -132,7 +130,7 @@ def run(case: Case, address: str, work: pathlib.Path) -> str:
     """Plays a case as a user does; returns what is wrong, or nothing."""
     folder, outcome = work / case.name.replace(" ", "-"), work / case.name.replace(" ", "-") / "outcome.json"
     player, stand_ins = TARGETS[case.target]
-    arm = "seven" if case.target == "franka" and case.plan in SEVEN_JOINTS else "six"
+    arm = "seven" if case.target == "franka" else "six"
     recorded = RECORDED / f"{case.plan}-{arm}"
     assemble(case, recorded, PLAYERS / player, folder)
     simulation = {"plan": str(recorded), "arm": arm, "offset": (0.0, 0.0, 0.0), "outcome": str(outcome), **case.simulation}

@@ -14,7 +14,7 @@ from robust_arm import robot_of, with_robot
 
 # Scenes and arms.
 PLANS = (("corner", "six"), ("clamp1", "six"), ("peg1", "six"), ("corner", "seven"), ("clamp1", "seven"), ("peg1", "seven"))
-FLAGS = ["--robust", "--turn", "0.01", "--friction", "0,0.1", "--time-limit", "150"]
+FLAGS = ["--robust", "--turn", "0.01", "--friction", "0,0.1", "--time-limit", "300"]
 # Of `urscript`, everything that a player reads is kept.
 KEPT = ("plan.json", "trajectory.csv", "plan.script")
 
