@@ -6,10 +6,10 @@ use scene::{Borne, Scene, StartPose, TaskError, resolved};
 use simulation::{ArmModel, Evaluator, Rollout, Settings, Success};
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver};
 
-use crate::check::play::farthest_rest;
 use crate::error::PlannerError;
 use crate::files::hash;
-use crate::refine::require_turn;
+use crate::play::farthest_rest;
+use crate::ranges::require_turn;
 
 /// What is chosen of a scene; the default is the scene's own.
 #[derive(Debug, Clone, Default)]

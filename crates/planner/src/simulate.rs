@@ -8,7 +8,7 @@ use workers::Workers;
 
 use crate::error::PlannerError;
 use crate::problem::Problem;
-use crate::refine::{require, require_frictions, require_threads, require_turn};
+use crate::ranges::{require, require_frictions, require_threads, require_turn};
 use crate::session::{Event, Session};
 
 /// What is played.

@@ -12,7 +12,7 @@ use crate::files::{Checkpoint, PlanFolder};
 use crate::iteration::{IterationRecord, PlanIteration};
 use crate::plan::{Plan, PlanStatus};
 use crate::problem::Problem;
-use crate::refine::require_threads;
+use crate::ranges::require_threads;
 use crate::session::{Event, Session};
 use crate::variant::Variant;
 

@@ -4,7 +4,6 @@ mod delay;
 mod oddities;
 pub(crate) mod overlaps;
 mod parts;
-pub(crate) mod play;
 mod way;
 
 use ocp::{Layout, standard_terms};
@@ -15,14 +14,14 @@ use task::ContactPair;
 use crate::check::oddities::oddities;
 use crate::check::overlaps::overlaps;
 use crate::error::PlannerError;
+use crate::play::{along_insertion, farthest_rest};
 use crate::problem::Problem;
-use crate::refine::require;
+use crate::ranges::require;
 
+pub use crate::play::{AxisPlay, Play};
 pub(crate) use oddities::{first_smoothing, rest, step};
 pub use overlaps::{PoseOverlap, start_inside};
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
-pub use play::{AxisPlay, Play};
-pub(crate) use play::{along_insertion, farthest_rest};
 pub use way::Way;
 
 /// What plain solves of the shipped scenes took on two cores.

@@ -6,7 +6,7 @@ use std::collections::{BTreeSet, VecDeque};
 use serde::Serialize;
 use task::AssemblyTask;
 
-use crate::check::play::between;
+use crate::play::between;
 
 /// Poses on the straight line.
 const SAMPLES: usize = 200;

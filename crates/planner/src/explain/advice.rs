@@ -3,11 +3,12 @@
 use nlp::SolveStatus;
 use task::{POSE, STATE, pose_of};
 
-use crate::check::{along_insertion, farthest_rest, first_smoothing, rest, step};
+use crate::check::{first_smoothing, rest, step};
 use crate::explain::limits::ActiveLimitRecord;
 use crate::explain::stuck::StuckScenario;
 use crate::explain::words::norm;
 use crate::plan::Plan;
+use crate::play::{along_insertion, farthest_rest};
 
 /// Overlap that is worth a word (m).
 const OVERLAP: f64 = 1e-4;

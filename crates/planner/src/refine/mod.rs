@@ -31,6 +31,7 @@ use crate::explain::loss;
 use crate::iteration::PlanIteration;
 use crate::plan::Plan;
 use crate::problem::Problem;
+use crate::ranges::require_threads;
 use crate::refine::bounds::near;
 use crate::refine::candidate::Candidate;
 use crate::refine::clock::{Clock, Deadline};
@@ -42,7 +43,6 @@ use crate::variant::Variant;
 
 pub(crate) use candidate::Kept;
 pub use target::RobustnessTarget;
-pub(crate) use target::{require, require_frictions, require_threads, require_turn};
 
 /// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so
 /// that one is enough. More cost more rollouts than they save.
