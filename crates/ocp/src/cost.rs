@@ -6,11 +6,13 @@ use kkt::Owner;
 use task::algebra::{dot, rotation};
 use task::{AssemblyTask, CostWeights, POSE, TWIST};
 
+use crate::block::Owners;
 use crate::function::PointFunction;
 use crate::layout::Layout;
 use crate::least_squares::LeastSquares;
 use crate::pattern::PatternBuilder;
-use crate::term::{Owners, Point, Points, Source};
+use crate::point::{Point, Points};
+use crate::term::Source;
 
 /// Cost of the velocities of all trajectories at all stages.
 pub fn running_cost(task: &AssemblyTask, layout: &Layout, hessian: &mut PatternBuilder) -> LeastSquares {

@@ -8,9 +8,9 @@ use nlp::EvaluationError;
 use task::{AssemblyTask, ContactPair, POSE};
 use workers::Workers;
 
+use crate::block::Owners;
 use crate::layout::{CONTACT, CONTACT_AND_POINT, Layout};
 use crate::pattern::{ABSENT, PatternBuilder, add};
-use crate::term::Owners;
 
 /// Poses of a pair that are evaluated as one piece of work, whole groups of lanes in every instruction set.
 const CHUNK: usize = 64;

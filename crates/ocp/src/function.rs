@@ -4,7 +4,8 @@
 use autodiff::{Batch, Jacobian, LagrangianHessian, Tape, Workspace};
 
 use crate::pattern::{ABSENT, PatternBuilder, add};
-use crate::term::{Point, Source};
+use crate::point::Point;
+use crate::term::Source;
 
 /// A tape with derivatives at many points, and the decision variable behind every input of every point.
 pub struct PointFunction {

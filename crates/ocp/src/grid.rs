@@ -9,8 +9,8 @@ use kkt::{Class, Label, Owner};
 use nlp::Iterate;
 use task::{AssemblyTask, CostWeights, Horizon, STATE, at_rest};
 
+use crate::block::Owners;
 use crate::layout::Layout;
-use crate::term::Owners;
 use crate::transcription::Transcription;
 
 /// Fewest steps of a coarse grid.

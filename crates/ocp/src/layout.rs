@@ -9,8 +9,8 @@ use kkt::{Class, Label, Owner};
 use nlp::Bounds;
 use task::{AssemblyTask, TWIST};
 
-use crate::term::{Block, Owners, Point, Points, StepTerm};
-use crate::terms::POSE_VARIABLES;
+use crate::block::{Block, Blocks, Owners, POSE_VARIABLES};
+use crate::point::{Point, Points};
 
 /// Number of components of the contact information `W = (Phi_tau, n~_tau)`.
 pub const CONTACT: usize = 1 + TWIST;
@@ -72,20 +72,18 @@ pub struct Member {
 }
 
 impl Layout {
-    /// Assigns indices to all blocks that the terms declare.
+    /// Assigns indices to all blocks that the terms of a task declare.
     ///
     /// # Panics
     /// When a trajectory has two blocks of the same name.
-    pub fn new(task: &AssemblyTask, terms: &[Box<dyn StepTerm>]) -> Self {
-        let (scenarios, pairs) = (task.grasps.len(), task.pairs.len());
-        let variables: Vec<Block> = terms.iter().flat_map(|term| term.variables()).collect();
-        let rows: Vec<Block> = terms.iter().flat_map(|term| term.rows()).collect();
+    pub fn new(task: &AssemblyTask, blocks: &Blocks) -> Self {
+        let pairs = task.pairs.len();
         Self {
             steps: task.horizon.steps,
-            scenarios,
+            scenarios: task.grasps.len(),
             pairs,
-            variables: StageOrder::new(&variables, pairs),
-            rows: StageOrder::new(&rows, pairs),
+            variables: StageOrder::new(&blocks.variables, pairs),
+            rows: StageOrder::new(&blocks.rows, pairs),
         }
     }
 
@@ -137,14 +135,14 @@ impl Layout {
         (0..pairs).flat_map(stages).collect()
     }
 
-    /// Bounds of all variables.
-    pub fn variable_bounds(&self, terms: &[Box<dyn StepTerm>]) -> Bounds {
-        self.bounds(&self.variables, terms.iter().flat_map(|term| term.variables()))
+    /// Bounds of all variables, from the blocks of the layout.
+    pub fn variable_bounds(&self, blocks: &Blocks) -> Bounds {
+        self.bounds(&self.variables, &blocks.variables)
     }
 
-    /// Bounds of all constraints.
-    pub fn constraint_bounds(&self, terms: &[Box<dyn StepTerm>]) -> Bounds {
-        self.bounds(&self.rows, terms.iter().flat_map(|term| term.rows()))
+    /// Bounds of all constraints, from the blocks of the layout.
+    pub fn constraint_bounds(&self, blocks: &Blocks) -> Bounds {
+        self.bounds(&self.rows, &blocks.rows)
     }
 
     /// Labels of all variables.
@@ -167,11 +165,11 @@ impl Layout {
         self.members(&self.rows)
     }
 
-    fn bounds(&self, order: &StageOrder, blocks: impl Iterator<Item = Block>) -> Bounds {
+    fn bounds(&self, order: &StageOrder, blocks: &[Block]) -> Bounds {
         let count = self.steps * order.length(self.scenarios);
         let mut bounds = Bounds { lower: vec![f64::NAN; count], upper: vec![f64::NAN; count] };
         for Block { name, owners, bounds: declared, .. } in blocks {
-            for (stage, owner) in self.stages_of(owners) {
+            for (stage, owner) in self.stages_of(*owners) {
                 let start = order.index(name, stage, owner, self.scenarios);
                 bounds.lower[start..][..declared.lower.len()].copy_from_slice(&declared.lower);
                 bounds.upper[start..][..declared.upper.len()].copy_from_slice(&declared.upper);
@@ -268,16 +266,5 @@ impl TrajectoryOrder {
     fn start(&self, name: &str) -> usize {
         let found = self.blocks.iter().find(|block| block.name == name);
         found.unwrap_or_else(|| panic!("no term declares the block \"{name}\"")).start
-    }
-}
-
-impl Owners {
-    /// Whether they include a trajectory.
-    pub fn include(self, owner: Owner) -> bool {
-        match self {
-            Self::All => true,
-            Self::Reference => owner == Owner::Reference,
-            Self::Scenarios => owner != Owner::Reference,
-        }
     }
 }

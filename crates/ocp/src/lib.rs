@@ -38,6 +38,7 @@
 //!
 //! Limits of velocities, accelerations, forces and wrenches ([`task::Limits`]) are an addition.
 
+mod block;
 mod cost;
 mod crawl;
 mod distances;
@@ -48,6 +49,7 @@ mod layout;
 mod least_squares;
 mod motion;
 mod pattern;
+mod point;
 mod residuals;
 mod stage_solver;
 mod term;
@@ -55,14 +57,16 @@ mod term_function;
 mod terms;
 mod transcription;
 
+pub use block::{Block, Blocks, Owners, POSE_VARIABLES, TWIST_VARIABLES};
 pub use distances::MissingDistance;
 pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationEnd, IterationTiming, check_settings};
 pub use layout::{CONTACT, CONTACT_AND_POINT, Layout, Member};
+pub use point::{Point, Points};
 pub use residuals::{Activity, ConstraintIndex, Residual};
 pub use stage_solver::TranscriptionSolver;
-pub use term::{Block, Owners, Point, Points, Source, StepTerm};
+pub use term::{Source, StepTerm, blocks};
 pub use terms::{
-    ACCELERATION, CONTACT_FORCE, GAP, POSE_DYNAMICS, POSE_VARIABLES, PRODUCT, REFERENCE_KINEMATICS, TWIST_VARIABLES,
-    VELOCITY_DYNAMICS, WRENCH, standard_terms,
+    ACCELERATION, CONTACT_FORCE, GAP, POSE_DYNAMICS, PRODUCT, REFERENCE_KINEMATICS, VELOCITY_DYNAMICS, WRENCH,
+    standard_terms,
 };
 pub use transcription::Transcription;

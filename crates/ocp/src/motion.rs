@@ -3,7 +3,7 @@
 use kkt::Owner;
 use task::{POSE, STATE, ScenarioTrajectory, Trajectory, at_rest};
 
-use crate::term::Owners;
+use crate::block::Owners;
 use crate::terms::CONTACT_FORCE;
 use crate::transcription::{INITIAL_CONTACT_FORCE, Transcription};
 

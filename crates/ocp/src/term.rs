@@ -1,10 +1,10 @@
 //! The interface of the parts of the model that add to the constraints of every time step.
 
 use autodiff::Tape;
-use kkt::{Class, Owner};
-use nlp::Bounds;
 
+use crate::block::{Block, Blocks};
 use crate::layout::Layout;
+use crate::point::{Point, Points};
 
 /// A part of the model that adds to the constraints of every time step: kinematics, dynamics, limits, contact.
 ///
@@ -40,63 +40,11 @@ pub trait StepTerm: Send + Sync {
     fn row(&self, output: usize, point: &Point, layout: &Layout) -> usize;
 }
 
-/// Variables or constraint rows that a term adds to every stage of some trajectories.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Block {
-    /// Name by which the [`Layout`] finds it.
-    pub name: &'static str,
-    /// The trajectories.
-    pub owners: Owners,
-    /// Class of the variables, or of the multipliers of the rows, in a KKT matrix. Inequalities have the class
-    /// [`Class::InequalityMultiplier`]; rows of any other class are equalities, that is, their bounds are equal.
-    pub class: Class,
-    /// Whether the members belong to contact pairs: the same number to each pair, those of a pair consecutive.
-    pub per_pair: bool,
-    /// Lower and upper bound of each member; their number is the size of the block.
-    pub bounds: Bounds,
-}
-
-/// Some of the trajectories.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Owners {
-    /// The reference.
-    Reference,
-    /// The compliant trajectories, one per scenario.
-    Scenarios,
-    /// The reference and the compliant trajectories.
-    All,
-}
-
-/// A set of points at which a tape is evaluated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Points {
-    /// Every stage of these trajectories.
-    Stages(Owners),
-    /// Every contact pair at every stage of every scenario.
-    Pairs,
-}
-
-/// A point at which a tape is evaluated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Point {
-    /// Stage, 1 to `N`, at the end of the step.
-    pub stage: usize,
-    /// Trajectory.
-    pub owner: Owner,
-    /// Contact pair; 0 unless the points are [`Points::Pairs`].
-    pub pair: usize,
-}
-
-impl Point {
-    /// The scenario, from 0.
-    ///
-    /// # Panics
-    /// When the point belongs to the reference.
-    pub fn scenario(&self) -> usize {
-        match self.owner {
-            Owner::Scenario(scenario) => scenario,
-            Owner::Reference => panic!("the reference is no scenario"),
-        }
+/// What some terms declare, in their order.
+pub fn blocks(terms: &[Box<dyn StepTerm>]) -> Blocks {
+    Blocks {
+        variables: terms.iter().flat_map(|term| term.variables()).collect(),
+        rows: terms.iter().flat_map(|term| term.rows()).collect(),
     }
 }
 

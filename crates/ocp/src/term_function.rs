@@ -7,7 +7,8 @@ use crate::distances::Distances;
 use crate::function::{PointFunction, scatter};
 use crate::layout::Layout;
 use crate::pattern::{ABSENT, Patterns, add};
-use crate::term::{Points, StepTerm};
+use crate::point::Points;
+use crate::term::StepTerm;
 
 /// The tape of a term at all of its points, with the rows and slots that its values and derivatives are added to.
 pub struct TermFunction {

@@ -5,12 +5,13 @@ use task::{AssemblyTask, Complementarity, HessianKind, POSE, STATE, at_rest, pos
 
 use workers::Workers;
 
+use crate::block::Owners;
 use crate::cost::{running_cost, terminal_cost};
 use crate::distances::Distances;
 use crate::layout::Layout;
 use crate::least_squares::LeastSquares;
 use crate::pattern::Patterns;
-use crate::term::{Owners, StepTerm};
+use crate::term::{StepTerm, blocks};
 use crate::term_function::TermFunction;
 use crate::terms::{initial_states, standard_terms};
 
@@ -40,7 +41,7 @@ impl Transcription {
 
     /// [`Transcription::new`] with other terms than [`standard_terms`].
     pub fn with_terms(task: &AssemblyTask, terms: Vec<Box<dyn StepTerm>>, hessian_kind: HessianKind) -> Self {
-        let layout = Layout::new(task, &terms);
+        let layout = Layout::new(task, &blocks(&terms));
         let initial_compliant = initial_states(task);
         let initial_poses: Vec<[f64; POSE]> = initial_compliant.iter().map(pose_of).collect();
         let mut distances = Distances::new(task, &layout, &initial_poses);
@@ -120,11 +121,11 @@ impl Transcription {
 
 impl Problem for Transcription {
     fn variable_bounds(&self) -> Bounds {
-        self.layout.variable_bounds(&self.terms)
+        self.layout.variable_bounds(&blocks(&self.terms))
     }
 
     fn constraint_bounds(&self) -> Bounds {
-        self.layout.constraint_bounds(&self.terms)
+        self.layout.constraint_bounds(&blocks(&self.terms))
     }
 
     fn jacobian_pattern(&self) -> Pattern {

@@ -8,8 +8,10 @@ use task::algebra::dot;
 use task::{AssemblyTask, Complementarity, Inertia, POSE, TWIST};
 
 use super::dynamics::{VELOCITY_DYNAMICS, accelerate};
+use crate::block::{Block, Owners};
 use crate::layout::{CONTACT, Layout};
-use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
+use crate::point::{Point, Points};
+use crate::term::{Source, StepTerm};
 
 /// Variables: normal force `lambda_n` of every pair in the step that leads to a stage (N).
 pub const CONTACT_FORCE: &str = "contact force";

@@ -6,13 +6,11 @@ use nlp::Bounds;
 use task::algebra::apply;
 use task::{AssemblyTask, GraspError, Impedance, Inertia, Limits, POSE, STATE, TWIST, at_rest};
 
+use crate::block::{Block, Owners, POSE_VARIABLES, TWIST_VARIABLES};
 use crate::layout::Layout;
-use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
+use crate::point::{Point, Points};
+use crate::term::{Source, StepTerm};
 
-/// Variables: pose (7).
-pub const POSE_VARIABLES: &str = "pose";
-/// Variables: twist (6); it follows the pose.
-pub const TWIST_VARIABLES: &str = "twist";
 /// Rows: kinematic defect of the reference (7, Eq. discretizedOCP), `q - q_prev - dt Q(q_prev) v`.
 pub const REFERENCE_KINEMATICS: &str = "reference kinematics";
 /// Rows: pose defect of a scenario (7, Eq. ts1), `q - q_prev - dt Q(q) v`.

@@ -9,7 +9,8 @@ use task::{AssemblyTask, Inertia, POSE, STATE, TWIST};
 use super::contacts::CONTACT_FORCE;
 use super::dynamics::{VELOCITY_DYNAMICS, accelerate, initial_states};
 use crate::layout::{CONTACT, Layout};
-use crate::term::{Point, Points, Source, StepTerm};
+use crate::point::{Point, Points};
+use crate::term::{Source, StepTerm};
 
 /// The speed `eps` of creeping per smoothing `tau` of the distances (m/s per N m): about 0.1 m/s in the first homotopy
 /// iteration.

@@ -5,8 +5,10 @@ use kkt::Class;
 use nlp::Bounds;
 use task::{AssemblyTask, GraspError, Impedance, POSE, STATE, TWIST};
 
+use crate::block::{Block, Owners};
 use crate::layout::Layout;
-use crate::term::{Block, Owners, Point, Points, Source, StepTerm};
+use crate::point::{Point, Points};
+use crate::term::{Source, StepTerm};
 
 /// Rows: limited axes of the acceleration of a step.
 pub const ACCELERATION: &str = "acceleration";

@@ -7,7 +7,7 @@ mod limits;
 
 pub use contacts::{CONTACT_FORCE, GAP, PRODUCT};
 pub(crate) use dynamics::initial_states;
-pub use dynamics::{POSE_DYNAMICS, POSE_VARIABLES, REFERENCE_KINEMATICS, TWIST_VARIABLES, VELOCITY_DYNAMICS};
+pub use dynamics::{POSE_DYNAMICS, REFERENCE_KINEMATICS, VELOCITY_DYNAMICS};
 pub use limits::{ACCELERATION, WRENCH};
 
 use task::{AssemblyTask, Complementarity};

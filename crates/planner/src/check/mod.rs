@@ -6,7 +6,7 @@ pub(crate) mod overlaps;
 mod parts;
 mod way;
 
-use ocp::{Layout, standard_terms};
+use ocp::{Layout, blocks, standard_terms};
 use scene::Part;
 use serde::Serialize;
 use task::ContactPair;
@@ -177,7 +177,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
 
 fn size(problem: &Problem) -> SizeReport {
     let (task, settings) = (problem.task(), problem.homotopy());
-    let layout = Layout::new(task, &standard_terms(task, settings.complementarity));
+    let layout = Layout::new(task, &blocks(&standard_terms(task, settings.complementarity)));
     let constraints = layout.constraint_count();
     SizeReport {
         steps: layout.steps,
