@@ -4,9 +4,10 @@ use faer::Mat;
 use planner::{PlannerError, Problem};
 use workers::Workers;
 
+use crate::deviation::COMPONENTS;
 use crate::least_squares::{Fit, Model, fit, sum_of_squares};
 use crate::log::Log;
-use crate::model::{COMPONENTS, Comparison};
+use crate::model::Comparison;
 use crate::parameter::{Parameter, Quantity};
 use crate::run::Run;
 use crate::statistics::{correlation, covariance, standard_error, variance};

@@ -21,12 +21,14 @@
 //! | module | what it holds |
 //! |---|---|
 //! | `log`, `run` | logs, and what rollouts need of them |
+//! | `deviation` | how far poses are from each other |
 //! | `parameter`, `model` | parameters, and rollouts with them |
 //! | `least_squares`, `statistics` | the fit and how well it is known; dense algebra is faer's |
 //! | `calibration` | the search |
 //! | `entries`, `record` | what is written |
 
 mod calibration;
+mod deviation;
 mod entries;
 mod least_squares;
 mod log;

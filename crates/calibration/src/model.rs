@@ -3,18 +3,16 @@
 use std::ops::RangeInclusive;
 
 use faer::Mat;
-use nalgebra::{Isometry3, Matrix6};
+use nalgebra::Matrix6;
 use planner::Problem;
 use simulation::{ArmModel, Rollout, Settings, isometry};
 use task::{AssemblyTask, GraspError, Inertia};
 use workers::Workers;
 
+use crate::deviation::{COMPONENTS, deviation};
 use crate::least_squares::Model;
 use crate::parameter::{DIFFERENCE, Parameter, Quantity, mean};
 use crate::run::Run;
-
-/// Components of a residual: three of the position, then three of the orientation.
-pub const COMPONENTS: usize = 6;
 
 /// Residuals of some runs: where rollouts and robot believe the part, at the same times.
 #[derive(Debug, Clone)]
@@ -172,13 +170,6 @@ impl Model for Comparison<'_> {
     fn range(&self, index: usize) -> RangeInclusive<f64> {
         self.quantities[index].range.clone()
     }
-}
-
-/// The position (m) and the rotation vector (rad) of one pose seen from another.
-pub fn deviation(pose: &Isometry3<f64>, from: &Isometry3<f64>) -> [f64; COMPONENTS] {
-    let shift = pose.translation.vector - from.translation.vector;
-    let turn = (from.rotation.inverse() * pose.rotation).scaled_axis();
-    [shift.x, shift.y, shift.z, turn.x, turn.y, turn.z]
 }
 
 /// Sets the value of a joint, or the mean of all: then in their proportions, or the same for all where there are none.

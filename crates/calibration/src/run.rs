@@ -5,8 +5,8 @@ use planner::{PlannerError, Problem};
 use simulation::{Reference, coordinates, interpolate, isometry};
 use task::{AssemblyTask, GraspError, Impedance, STATE};
 
+use crate::deviation::{COMPONENTS, deviation};
 use crate::log::{Log, Row};
-use crate::model::{COMPONENTS, deviation};
 
 /// Time between two samples that are compared (s), at least: closer ones say the same.
 const SAMPLE_INTERVAL: f64 = 0.01;

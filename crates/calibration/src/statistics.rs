@@ -2,7 +2,7 @@
 
 use faer::Mat;
 
-use crate::model::COMPONENTS;
+use crate::deviation::COMPONENTS;
 
 /// Covariance of fitted values, in units of their scales.
 ///

@@ -1,0 +1,13 @@
+//! How far poses are from each other.
+
+use nalgebra::Isometry3;
+
+/// Components of a deviation: three of the position, then three of the orientation.
+pub const COMPONENTS: usize = 6;
+
+/// The position (m) and the rotation vector (rad) of one pose seen from another.
+pub fn deviation(pose: &Isometry3<f64>, from: &Isometry3<f64>) -> [f64; COMPONENTS] {
+    let shift = pose.translation.vector - from.translation.vector;
+    let turn = (from.rotation.inverse() * pose.rotation).scaled_axis();
+    [shift.x, shift.y, shift.z, turn.x, turn.y, turn.z]
+}
