@@ -1,7 +1,6 @@
 //! `batch`: every start, offset magnitude and homotopy of some scenes, on one machine or as a job array. Each cell is
 //! solved by a `solve` of its own, in a process of its own.
 
-mod arguments;
 mod process;
 mod run;
 mod status;
@@ -10,12 +9,10 @@ mod tally;
 
 use planner::batch::{Manifest, collect, expand};
 
-pub use arguments::BatchArguments;
-
+use crate::arguments::{BatchArguments, BatchCommand, MatrixArguments};
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::report;
-use arguments::{BatchCommand, MatrixArguments};
 
 /// Runs one of the steps or, when none is named, all that a batch on this machine needs.
 pub fn run(arguments: &BatchArguments) -> Result<Exit, CommandError> {

@@ -8,8 +8,8 @@ use planner::PlannerError;
 use planner::batch::Manifest;
 use planner::files::write_file;
 
-use super::arguments::SubmitArguments;
 use super::process::in_system;
+use crate::arguments::SubmitArguments;
 use crate::console::say;
 use crate::exit::{CommandError, Exit};
 use crate::program::Program;

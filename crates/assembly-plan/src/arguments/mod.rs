@@ -1,5 +1,8 @@
 //! What the user can say.
 
+mod batch;
+mod generate;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -10,10 +13,11 @@ use scene::{Axis, Scene};
 use simulation::Settings;
 use task::LinearSolver;
 
-use crate::batch::BatchArguments;
-use crate::generate::GenerateArguments;
 use crate::progress::ProgressArguments;
 use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds};
+
+pub use batch::{BatchArguments, BatchCommand, MatrixArguments, SubmitArguments};
+pub use generate::GenerateArguments;
 
 /// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
 ///

@@ -1,11 +1,8 @@
 //! `generate`: write the scene of a peg and its hole.
 
-mod arguments;
-
 use planner::files::write_new_scene;
 
-pub use arguments::GenerateArguments;
-
+use crate::arguments::GenerateArguments;
 use crate::console::say;
 use crate::exit::{CommandError, Exit};
 
