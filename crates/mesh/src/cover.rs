@@ -9,34 +9,12 @@ use crate::facing::{Place, Places, surface_on};
 use crate::geometry::Vector;
 use crate::merge::merge;
 use crate::partition::partition;
+use crate::settings::CoverSettings;
 use crate::solid::Solid;
 use crate::surface::CurvedSurface;
 
 /// Covers with more pieces are refused.
 pub const MOST_PIECES: usize = 1000;
-const FACETS: std::ops::RangeInclusive<usize> = 3..=360;
-
-/// How to cover a part.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoverSettings {
-    /// Facets per full turn of curved surfaces, 3 to 360.
-    pub facets: usize,
-    /// Distance (m) between a curved surface and its facets that is small enough: surfaces that keep it with fewer facets
-    /// have fewer. Zero if all shall have as many.
-    pub error: f64,
-    /// Distance (m) by which pieces may be larger than the faceted part to have fewer halfspaces; zero for none.
-    pub tolerance: f64,
-    /// Lower and upper corner (m) of a box outside of which the part is left out.
-    pub crop: Option<[[f64; 3]; 2]>,
-    /// Distance (m) by which all surfaces are moved into the material.
-    pub clearance: f64,
-}
-
-impl Default for CoverSettings {
-    fn default() -> Self {
-        Self { facets: 24, error: 0.0, tolerance: 0.0, crop: None, clearance: 0.0 }
-    }
-}
 
 /// A convex piece `{p | normals p <= offsets}`, rows of unit length, none redundant.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,7 +60,7 @@ impl Cover {
     /// # Errors
     /// As [`Cover::of`].
     pub fn facing(solid: &Solid, settings: &CoverSettings, places: &[Place]) -> Result<Self, MeshError> {
-        check(settings)?;
+        settings.check()?;
         let whole_solid =
             Elements::of(solid, &CoverSettings { crop: None, ..*settings }).ok_or(MeshError::NothingLeft)?;
         let is_convex = whole_solid.is_convex();
@@ -182,21 +160,6 @@ impl Cover {
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
-}
-
-fn check(settings: &CoverSettings) -> Result<(), MeshError> {
-    if !FACETS.contains(&settings.facets) {
-        return Err(MeshError::Setting { name: "facets", value: settings.facets as f64, range: "3 to 360" });
-    }
-    for (name, value) in
-        [("error", settings.error), ("tolerance", settings.tolerance), ("clearance", settings.clearance)]
-    {
-        if !(value >= 0.0 && value.is_finite()) {
-            return Err(MeshError::Setting { name, value, range: "zero or a positive length" });
-        }
-    }
-    let not_finite = settings.crop.iter().flatten().flatten().find(|coordinate| coordinate.is_nan());
-    not_finite.map_or(Ok(()), |&value| Err(MeshError::Setting { name: "crop", value, range: "two corners of a box" }))
 }
 
 /// A convex part is one cell.

@@ -1,11 +1,11 @@
 //! The surface of a part as convex polygons, each with the plane that stands for it.
 
 use crate::cell::{Bound, Cell, is_wide};
-use crate::cover::CoverSettings;
 use crate::curved::Curved;
 use crate::facets::{Sector, facet_counts, sectors};
 use crate::geometry::{Plane, Vector, bounds, clip};
 use crate::planes::Planes;
+use crate::settings::CoverSettings;
 use crate::solid::Solid;
 
 /// A convex polygon of the surface.

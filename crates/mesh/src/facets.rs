@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::cover::CoverSettings;
 use crate::curved::{Curved, turn};
 use crate::geometry::{Plane, Vector, clip};
+use crate::settings::CoverSettings;
 use crate::surface::CurvedSurface;
 
 /// Angles (rad) closer than this are equal.
