@@ -2,6 +2,7 @@
 
 use crate::cell::{Bound, Cell};
 use crate::coarsen::coarsen;
+use crate::curved_surface::CurvedSurface;
 use crate::elements::Elements;
 use crate::error::MeshError;
 use crate::facets::facet_counts;
@@ -11,7 +12,6 @@ use crate::merge::merge;
 use crate::partition::partition;
 use crate::settings::CoverSettings;
 use crate::solid::Solid;
-use crate::surface::CurvedSurface;
 
 /// Covers with more pieces are refused.
 pub const MOST_PIECES: usize = 1000;

@@ -6,7 +6,7 @@ use crate::bvh::BoxTree;
 use crate::edges::edges;
 use crate::error::MeshError;
 use crate::geometry::{Plane, Vector, area_vector, bounds, boxes_meet};
-use crate::repair::Surface;
+use crate::surface::Surface;
 
 /// Refuses a surface whose triangles properly cross: an edge of one passes through the inside of another by more than
 /// the tolerance (m), which is that of the vertices; or one is folded back onto its neighbour. Signs are exact.

@@ -3,9 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::curved::{Curved, turn};
+use crate::curved_surface::CurvedSurface;
 use crate::geometry::{Plane, Vector, clip};
 use crate::settings::CoverSettings;
-use crate::surface::CurvedSurface;
 
 /// Angles (rad) closer than this are equal.
 const SAME_ANGLE: f64 = 1e-4;

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::crossing::refuse_crossings;
-use crate::edges::{Edges, components, directed, edges, undirected};
+use crate::edges::{Edges, directed, edges, undirected};
 use crate::error::MeshError;
 use crate::geometry::{Plane, Vector, area_vector, mean};
 use crate::read::TriangleMesh;
-use crate::shells;
+use crate::shells::orient;
+use crate::surface::{Repair, Surface};
 use crate::triangulate::triangulate;
 use crate::weld::weld;
 
@@ -17,63 +18,6 @@ pub const SAME: f64 = 4.0;
 const SMALL_HOLE: f64 = 0.02;
 /// A hole with more edges is not capped.
 const MOST_EDGES: usize = 2000;
-
-/// What was changed in a mesh. Places are in the unit of the file.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Repair {
-    /// Triangles two of whose corners are the same point within the precision of the file were dropped.
-    Collapsed {
-        /// Number of triangles.
-        triangles: usize,
-    },
-    /// Triangles that are there several times were dropped.
-    Duplicates {
-        /// Number of triangles.
-        triangles: usize,
-    },
-    /// Triangles wound against their neighbours were turned around.
-    Rewound {
-        /// Number of triangles.
-        triangles: usize,
-    },
-    /// Shells whose outside was inside were turned around.
-    Inverted {
-        /// Number of shells.
-        shells: usize,
-    },
-    /// A planar hole, or a gap of zero width beside a corner in the middle of an edge, was closed.
-    Capped {
-        /// Middle of the hole's corners.
-        place: [f64; 3],
-        /// Number of its edges.
-        edges: usize,
-        /// Its area (m^2).
-        area: f64,
-    },
-}
-
-impl std::fmt::Display for Repair {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Collapsed { triangles } => write!(formatter, "{triangles} triangles without area dropped"),
-            Self::Duplicates { triangles } => write!(formatter, "{triangles} duplicate triangles dropped"),
-            Self::Rewound { triangles } => write!(formatter, "{triangles} triangles wound the wrong way turned around"),
-            Self::Inverted { shells } => write!(formatter, "{shells} shells turned inside out"),
-            Self::Capped { place: [x, y, z], edges, area } => write!(
-                formatter,
-                "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed, area {:.3} mm^2",
-                1e6 * area
-            ),
-        }
-    }
-}
-
-/// A closed and consistently wound surface.
-pub struct Surface {
-    pub vertices: Vec<Vector>,
-    pub triangles: Vec<[usize; 3]>,
-    pub repairs: Vec<Repair>,
-}
 
 /// Repairs a mesh.
 ///
@@ -96,7 +40,7 @@ pub fn repair(mesh: &TriangleMesh) -> Result<Surface, MeshError> {
     close(&mut surface, mesh.scale, tolerance)?;
     refuse_flat(&surface, tolerance)?;
     refuse_crossings(&surface, mesh.scale, tolerance)?;
-    let inverted = shells::orient(&mut surface, mesh.scale, tolerance)?;
+    let inverted = orient(&mut surface, mesh.scale, tolerance)?;
     note(&mut surface.repairs, inverted, |shells| Repair::Inverted { shells });
     Ok(surface)
 }
@@ -277,9 +221,4 @@ fn continues(surface: &Surface, edges: &Edges, hole: &[usize], points: &[Vector]
             low.abs().max(high.abs()) <= 2.0 * tolerance && area.dot(&normal) > 0.99 * area.norm()
         })
     })
-}
-
-/// Triangles (indices) of each shell.
-pub fn shells_of(surface: &Surface) -> Vec<Vec<usize>> {
-    components(surface.triangles.len(), &edges(&surface.triangles))
 }

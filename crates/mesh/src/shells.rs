@@ -2,7 +2,7 @@
 
 use crate::error::MeshError;
 use crate::geometry::{Vector, area_vector, bounds, boxes_meet, mean};
-use crate::repair::{Surface, shells_of};
+use crate::surface::Surface;
 
 /// Triangles of a shell that are asked whether they are inside of another.
 const WITNESSES: usize = 16;
@@ -27,7 +27,7 @@ pub fn winding_number(point: &Vector, triangles: impl Iterator<Item = [Vector; 3
 /// # Errors
 /// When nothing is enclosed, or an inner shell is oriented like the one around it.
 pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<usize, MeshError> {
-    let shells = shells_of(surface);
+    let shells = surface.shells();
     let corners = |triangle: usize| surface.triangles[triangle].map(|corner| surface.vertices[corner]);
     let boxes: Vec<[Vector; 2]> = shells
         .iter()

@@ -1,14 +1,15 @@
 //! A closed surface with what is known about it.
 
 use crate::curved::{Curved, Mesh, recognise};
+use crate::curved_surface::CurvedSurface;
 use crate::edges::edges;
 use crate::error::MeshError;
 use crate::faces::Faces;
 use crate::geometry::{Vector, bounds};
 use crate::mass::MassProperties;
 use crate::read::TriangleMesh;
-use crate::repair::{Repair, SAME, repair};
-use crate::surface::CurvedSurface;
+use crate::repair::{SAME, repair};
+use crate::surface::Repair;
 
 /// A closed, consistently oriented mesh with its planar faces and curved surfaces.
 #[derive(Debug, Clone)]

@@ -1,58 +1,68 @@
-//! What callers are told about curved surfaces.
+//! The surface of a mesh as triangles, and the repairs that closed it and wound it consistently.
 
-use std::f64::consts::{PI, TAU};
+use crate::edges::{components, edges};
+use crate::geometry::Vector;
 
-use crate::curved::Curved;
-
-/// Cylinder or cone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CurvedKind {
-    /// One radius.
-    Cylinder,
-    /// A radius that changes along the axis.
-    Cone,
+/// What was changed in a mesh. Places are in the unit of the file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Repair {
+    /// Triangles two of whose corners are the same point within the precision of the file were dropped.
+    Collapsed {
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// Triangles that are there several times were dropped.
+    Duplicates {
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// Triangles wound against their neighbours were turned around.
+    Rewound {
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// Shells whose outside was inside were turned around.
+    Inverted {
+        /// Number of shells.
+        shells: usize,
+    },
+    /// A planar hole, or a gap of zero width beside a corner in the middle of an edge, was closed.
+    Capped {
+        /// Middle of the hole's corners.
+        place: [f64; 3],
+        /// Number of its edges.
+        edges: usize,
+        /// Its area (m^2).
+        area: f64,
+    },
 }
 
-/// A curved surface of a mesh, as large as it is in the mesh.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CurvedSurface {
-    /// Cylinder or cone.
-    pub kind: CurvedKind,
-    /// Whether the material is inside of it: a peg, not a hole.
-    pub is_convex: bool,
-    /// Points of the axis (m) where the surface begins and ends.
-    pub axis: [[f64; 3]; 2],
-    /// Radii there (m). Vertices of the mesh lie at them.
-    pub radii: [f64; 2],
-    /// Extent around the axis (rad), 2 pi for a full turn.
-    pub angle: f64,
-    /// Facets of the mesh, and the distance between them and the surface (m).
-    pub mesh_facets: usize,
-    /// Largest distance between the facets of the mesh and the surface (m).
-    pub mesh_error: f64,
-}
-
-impl CurvedSurface {
-    pub(crate) fn of(curved: &Curved) -> Self {
-        let cone = &curved.cone;
-        let radii = curved.heights.map(|height| cone.radius_at(height).max(0.0));
-        Self {
-            kind: if cone.slope == 0.0 { CurvedKind::Cylinder } else { CurvedKind::Cone },
-            is_convex: curved.is_convex,
-            axis: curved.heights.map(|height| (cone.origin + cone.axis * height).into()),
-            radii,
-            angle: curved.extent.min(TAU),
-            mesh_facets: (curved.extent / curved.widest()).round() as usize,
-            mesh_error: curved.radius() * (1.0 - (0.5 * curved.widest()).cos()) + curved.deviation,
+impl std::fmt::Display for Repair {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Collapsed { triangles } => write!(formatter, "{triangles} triangles without area dropped"),
+            Self::Duplicates { triangles } => write!(formatter, "{triangles} duplicate triangles dropped"),
+            Self::Rewound { triangles } => write!(formatter, "{triangles} triangles wound the wrong way turned around"),
+            Self::Inverted { shells } => write!(formatter, "{shells} shells turned inside out"),
+            Self::Capped { place: [x, y, z], edges, area } => write!(
+                formatter,
+                "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed, area {:.3} mm^2",
+                1e6 * area
+            ),
         }
     }
+}
 
-    /// Largest distance (m) between the surface and `facets` facets per full turn: of those around a convex surface the
-    /// corners, of those inside of a concave one the middles. A concave surface is inscribed in the mesh where its own
-    /// facets do not have corners at the same angles, which adds at most the error of the mesh.
-    pub fn error(&self, facets: usize) -> f64 {
-        let radius = self.radii[0].max(self.radii[1]);
-        let cosine = (PI / facets as f64).cos();
-        if self.is_convex { radius * (1.0 / cosine - 1.0) } else { radius * (1.0 - cosine) }
+/// A closed and consistently wound surface.
+pub struct Surface {
+    pub vertices: Vec<Vector>,
+    pub triangles: Vec<[usize; 3]>,
+    pub repairs: Vec<Repair>,
+}
+
+impl Surface {
+    /// Triangles (indices) of each shell.
+    pub fn shells(&self) -> Vec<Vec<usize>> {
+        components(self.triangles.len(), &edges(&self.triangles))
     }
 }
