@@ -65,6 +65,7 @@
 mod callbacks;
 mod derivative_check;
 mod error;
+mod handle;
 mod kkt_solver;
 mod linear_solver;
 #[cfg(feature = "mumps")]

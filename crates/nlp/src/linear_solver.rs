@@ -1,9 +1,13 @@
 //! Which linear solvers the loaded Ipopt can run.
 
+use crate::callbacks::Session;
 use crate::error::SolveError;
+use crate::handle::Handle;
+use crate::options::Options;
 use crate::problem::{Bounds, EvaluationError, Pattern, Problem};
 use crate::slot;
-use crate::solve;
+use crate::solution::{Control, Progress, Start};
+use crate::status::SolveStatus;
 
 /// Solvers of the HSL collection that Ipopt loads from a library of the user's.
 const HSL: [&str; 3] = ["ma27", "ma57", "ma97"];
@@ -42,7 +46,7 @@ pub fn require(name: &str) -> Result<(), SolveError> {
         return Err(refusal(name, format!("unknown; choose {MUMPS} or {}", HSL.join(", "))));
     }
     slot::vacate();
-    match solve::starts(&mut Nothing, name) {
+    match starts(name) {
         Ok(true) => Ok(()),
         Ok(false) => {
             let library = format!("{}hsl{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
@@ -50,6 +54,23 @@ pub fn require(name: &str) -> Result<(), SolveError> {
         }
         Err(error) => Err(refusal(name, format!("this Ipopt cannot load it: {error}"))),
     }
+}
+
+/// Whether Ipopt begins to solve a problem of one variable with a linear solver of its own, which it looks for only then.
+///
+/// # Errors
+/// When it does not know the solver.
+fn starts(linear_solver: &str) -> Result<bool, SolveError> {
+    let start = Start::Cold(vec![0.0]);
+    let mut options = Options::defaults(&start, linear_solver);
+    options.set("max_iter", 0);
+    let handle = Handle::create(&Nothing)?;
+    handle.set_options(&options)?;
+    let mut observer = |_: &Progress| Control::Continue;
+    let mut problem = Nothing;
+    let mut session = Session::new(&mut problem, &mut observer, Pattern::default(), Pattern::default());
+    let outcome = handle.solve(&mut handle.starting_iterate(&start)?, &mut session);
+    Ok(outcome.status.is_success() || outcome.status == SolveStatus::IterationLimit)
 }
 
 /// A problem of one variable with nothing to minimise.

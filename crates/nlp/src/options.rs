@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::solution::Start;
+
 /// Value of an option.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OptionValue {
@@ -48,6 +50,18 @@ pub struct Options {
 }
 
 impl Options {
+    /// Those that every solve begins with, with one of Ipopt's names of linear solvers.
+    pub(crate) fn defaults(start: &Start, linear_solver: &str) -> Self {
+        let mut options = Self::default();
+        options.set("print_level", 0);
+        options.set("sb", "yes");
+        // A file ipopt.opt in the working directory must not change results.
+        options.set("option_file_name", "");
+        options.set("linear_solver", linear_solver);
+        options.set("warm_start_init_point", if matches!(start, Start::Warm(_)) { "yes" } else { "no" });
+        options
+    }
+
     /// Sets an option and replaces an earlier value. Ipopt checks names and types when a problem is solved.
     pub fn set(&mut self, name: &str, value: impl Into<OptionValue>) {
         let value = value.into();

@@ -1,25 +1,20 @@
 //! Solution of a problem by Ipopt.
 
-#![allow(unsafe_code)]
-
-use std::ffi::CString;
 use std::panic::resume_unwind;
 use std::path::Path;
 use std::sync::{PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::Instant;
 
-use ipopt_sys as ipopt;
-
-use crate::callbacks::{self, Session, Truth};
+use crate::callbacks::Session;
 use crate::error::SolveError;
+use crate::handle::{Handle, Outcome};
 use crate::kkt_solver::LinearSystemSolver;
 use crate::linear_solver;
-use crate::options::{OptionValue, Options};
-use crate::problem::{Bounds, Pattern, Problem};
+use crate::options::Options;
+use crate::problem::{Bounds, Problem};
 use crate::slot::{self, Slot};
-use crate::solution::{Control, Iterate, Progress, Solution, Start, Timing};
+use crate::solution::{Control, Progress, Solution, Start, Timing};
 use crate::statistics;
-use crate::status::SolveStatus;
 
 /// Sequential MUMPS keeps global state, so that two simultaneous solves corrupt memory. HSL's MA57 and the caller's
 /// solver are called through the same global function pointers. Solves with solvers of the caller share the lock.
@@ -56,7 +51,7 @@ pub fn solve(
     let mut solver = SolverInUse::new(linear_solver)?;
     let statistics_file = tempfile::NamedTempFile::new().ok();
     let handle = Handle::create(problem)?;
-    let mut all = defaults(start, solver.option());
+    let mut all = Options::defaults(start, solver.option());
     if solver.own.is_some() {
         // Ipopt takes it for MA57 and would scale with MC19 if HSL is installed; results must not depend on that.
         all.set("linear_system_scaling", "none");
@@ -69,7 +64,7 @@ pub fn solve(
     all.extend(options);
     handle.set_options(&all)?;
 
-    let mut iterate = starting_iterate(start, &handle)?;
+    let mut iterate = handle.starting_iterate(start)?;
     let variable_bounds = problem.variable_bounds();
     let constraint_bounds = problem.constraint_bounds();
     let patterns = (problem.jacobian_pattern(), problem.hessian_pattern());
@@ -111,22 +106,6 @@ pub fn check(options: &Options, linear_solver: Option<&str>) -> Result<(), Solve
         let _solver = SolverInUse::new(LinearSystemSolver::Named(name))?;
     }
     Handle::probe()?.set_options(options)
-}
-
-/// Whether Ipopt begins to solve a problem of one variable with a linear solver of its own, which it looks for only then.
-///
-/// # Errors
-/// When it does not know the solver.
-pub fn starts(problem: &mut dyn Problem, linear_solver: &str) -> Result<bool, SolveError> {
-    let start = Start::Cold(vec![0.0]);
-    let mut options = defaults(&start, linear_solver);
-    options.set("max_iter", 0);
-    let handle = Handle::create(problem)?;
-    handle.set_options(&options)?;
-    let mut observer = |_: &Progress| Control::Continue;
-    let mut session = Session::new(problem, &mut observer, Pattern::default(), Pattern::default());
-    let outcome = handle.solve(&mut starting_iterate(&start, &handle)?, &mut session);
-    Ok(outcome.status.is_success() || outcome.status == SolveStatus::IterationLimit)
 }
 
 /// The linear solver of a running solve.
@@ -192,172 +171,7 @@ impl<'solver> SolverInUse<'solver> {
     }
 }
 
-/// Defaults of options.
-fn defaults(start: &Start, linear_solver: &str) -> Options {
-    let mut options = Options::default();
-    options.set("print_level", 0);
-    options.set("sb", "yes");
-    // A file ipopt.opt in the working directory must not change results.
-    options.set("option_file_name", "");
-    options.set("linear_solver", linear_solver);
-    options.set("warm_start_init_point", if matches!(start, Start::Warm(_)) { "yes" } else { "no" });
-    options
-}
-
-fn starting_iterate(start: &Start, handle: &Handle) -> Result<Iterate, SolveError> {
-    let iterate = match start {
-        Start::Warm(iterate) => iterate.clone(),
-        Start::Cold(x) => Iterate {
-            x: x.clone(),
-            constraint_multipliers: vec![0.0; handle.constraints],
-            lower_multipliers: vec![0.0; x.len()],
-            upper_multipliers: vec![0.0; x.len()],
-        },
-    };
-    let lengths = [
-        (iterate.x.len(), handle.variables),
-        (iterate.lower_multipliers.len(), handle.variables),
-        (iterate.upper_multipliers.len(), handle.variables),
-        (iterate.constraint_multipliers.len(), handle.constraints),
-    ];
-    match lengths.iter().find(|(actual, expected)| actual != expected) {
-        Some((actual, expected)) => {
-            Err(SolveError::Problem(format!("the starting point has {actual} values where {expected} are needed")))
-        }
-        None => Ok(iterate),
-    }
-}
-
 fn violation(values: &[f64], bounds: &Bounds) -> f64 {
     let sides = values.iter().zip(bounds.lower.iter().zip(&bounds.upper));
     sides.map(|(value, (lower, upper))| (lower - value).max(value - upper)).fold(0.0, f64::max)
-}
-
-/// An Ipopt problem that is freed when dropped.
-struct Handle {
-    problem: ipopt::IpoptProblem,
-    variables: usize,
-    constraints: usize,
-}
-
-struct Outcome {
-    status: SolveStatus,
-    objective: f64,
-    constraints: Vec<f64>,
-}
-
-impl Handle {
-    fn create(problem: &dyn Problem) -> Result<Self, SolveError> {
-        let (variables, constraints) = (problem.variable_bounds(), problem.constraint_bounds());
-        let (jacobian, hessian) = (problem.jacobian_pattern(), problem.hessian_pattern());
-        let (n, m) = (variables.lower.len(), constraints.lower.len());
-        let inside = |indices: &[usize], limit| indices.iter().all(|&index| index < limit);
-        let consistent = variables.upper.len() == n
-            && constraints.upper.len() == m
-            && jacobian.rows.len() == jacobian.columns.len()
-            && hessian.rows.len() == hessian.columns.len()
-            && inside(&jacobian.rows, m)
-            && inside(&jacobian.columns, n)
-            && inside(&hessian.rows, n)
-            && hessian.rows.iter().zip(&hessian.columns).all(|(row, column)| column <= row);
-        if !consistent {
-            return Err(SolveError::Problem(
-                "bounds or patterns do not match the numbers of variables and constraints".into(),
-            ));
-        }
-        Self::allocate(variables, constraints, jacobian.rows.len(), hessian.rows.len())
-    }
-
-    /// For the smallest problem there is.
-    fn probe() -> Result<Self, SolveError> {
-        Self::allocate(Bounds { lower: vec![0.0], upper: vec![1.0] }, Bounds::default(), 0, 0)
-    }
-
-    /// For a problem with these bounds, each with as many lower as upper ones, and numbers of nonzeros.
-    fn allocate(
-        mut variables: Bounds,
-        mut constraints: Bounds,
-        jacobian_nonzeros: usize,
-        hessian_nonzeros: usize,
-    ) -> Result<Self, SolveError> {
-        let (n, m) = (variables.lower.len(), constraints.lower.len());
-        // SAFETY: the bounds have n and m values, which Ipopt copies; the callbacks have the right types.
-        let handle = unsafe {
-            ipopt::CreateIpoptProblem(
-                n as ipopt::Index,
-                variables.lower.as_mut_ptr(),
-                variables.upper.as_mut_ptr(),
-                m as ipopt::Index,
-                constraints.lower.as_mut_ptr(),
-                constraints.upper.as_mut_ptr(),
-                jacobian_nonzeros as ipopt::Index,
-                hessian_nonzeros as ipopt::Index,
-                0,
-                Some(callbacks::objective),
-                Some(callbacks::constraints),
-                Some(callbacks::gradient),
-                Some(callbacks::jacobian),
-                Some(callbacks::hessian),
-            )
-        };
-        if handle.is_null() {
-            return Err(SolveError::Problem("Ipopt rejects it".into()));
-        }
-        // SAFETY: the handle is valid and the callback has the right type.
-        unsafe { ipopt::SetIntermediateCallback(handle, Some(callbacks::iteration)) };
-        Ok(Self { problem: handle, variables: n, constraints: m })
-    }
-
-    fn set_options(&self, options: &Options) -> Result<(), SolveError> {
-        for (name, value) in options.iter() {
-            if !self.set_option(name, value) {
-                return Err(SolveError::Option { name: name.to_owned(), value: value.clone() });
-            }
-        }
-        Ok(())
-    }
-
-    fn set_option(&self, name: &str, value: &OptionValue) -> bool {
-        let Ok(key) = CString::new(name) else { return false };
-        let key = key.as_ptr().cast_mut();
-        // SAFETY: the handle is valid; key and text are zero-terminated and copied by Ipopt.
-        unsafe {
-            match value {
-                OptionValue::Integer(value) => {
-                    ipopt::AddIpoptIntOption(self.problem, key, *value).into_truth()
-                        || ipopt::AddIpoptNumOption(self.problem, key, f64::from(*value)).into_truth()
-                }
-                OptionValue::Number(value) => ipopt::AddIpoptNumOption(self.problem, key, *value).into_truth(),
-                OptionValue::Text(text) => CString::new(text.as_str()).is_ok_and(|text| {
-                    ipopt::AddIpoptStrOption(self.problem, key, text.as_ptr().cast_mut()).into_truth()
-                }),
-            }
-        }
-    }
-
-    fn solve(&self, iterate: &mut Iterate, session: &mut Session) -> Outcome {
-        let mut constraints = vec![0.0; self.constraints];
-        let mut objective = 0.0;
-        // SAFETY: all arrays have the lengths that the handle was created with; the session outlives the call.
-        let status = unsafe {
-            ipopt::IpoptSolve(
-                self.problem,
-                iterate.x.as_mut_ptr(),
-                constraints.as_mut_ptr(),
-                &mut objective,
-                iterate.constraint_multipliers.as_mut_ptr(),
-                iterate.lower_multipliers.as_mut_ptr(),
-                iterate.upper_multipliers.as_mut_ptr(),
-                std::ptr::from_mut(session).cast(),
-            )
-        };
-        Outcome { status: SolveStatus::from_code(status), objective, constraints }
-    }
-}
-
-impl Drop for Handle {
-    fn drop(&mut self) {
-        // SAFETY: the handle was created by Ipopt and is freed once.
-        unsafe { ipopt::FreeIpoptProblem(self.problem) };
-    }
 }
