@@ -2,8 +2,6 @@
 
 use nalgebra::{IsometryMatrix3, Matrix3, Vector3};
 
-use crate::spatial::parallel_axes;
-
 /// Inertia of a rigid body in a frame that is fixed to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidInertia {
@@ -105,4 +103,9 @@ impl RigidInertia {
         let about_centre = |body: &Self| body.rotational + parallel_axes(&(body.centre - centre)) * body.mass;
         Self { mass, centre, rotational: about_centre(self) + about_centre(other) }
     }
+}
+
+/// `|c|^2 1 - c c'` (m^2): times the mass, what a shift by `c` from the centre of mass adds to a rotational inertia.
+pub fn parallel_axes(shift: &Vector3<f64>) -> Matrix3<f64> {
+    Matrix3::from_diagonal_element(shift.norm_squared()) - shift * shift.transpose()
 }

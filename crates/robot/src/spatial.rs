@@ -3,7 +3,7 @@
 
 use nalgebra::{IsometryMatrix3, Matrix3, Vector3};
 
-use crate::inertia::RigidInertia;
+use crate::inertia::{RigidInertia, parallel_axes};
 
 /// A velocity, an acceleration or a joint's axis: of the body-fixed point that passes the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,9 +116,4 @@ impl SpatialInertia {
             force: motion.linear * self.mass + motion.angular.cross(&self.moment),
         }
     }
-}
-
-/// `|c|^2 1 - c c'` (m^2): times the mass, what a shift by `c` from the centre of mass adds to a rotational inertia.
-pub fn parallel_axes(shift: &Vector3<f64>) -> Matrix3<f64> {
-    Matrix3::from_diagonal_element(shift.norm_squared()) - shift * shift.transpose()
 }
