@@ -4,27 +4,16 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use nalgebra::{Isometry3, IsometryMatrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Isometry3, IsometryMatrix3, Vector3};
 
 use crate::chain::Chain;
 use crate::error::{Fault, RobotError};
 use crate::inertia::RigidInertia;
-use crate::joint::Joint;
-use crate::posture::Posture;
+use crate::joint::{Joint, JointVector};
 use crate::urdf::Urdf;
 
-/// Largest number of moving joints.
-pub const MOST_JOINTS: usize = 8;
 /// Larger files (bytes) are a mistake.
 const LARGEST_FILE: u64 = 1 << 20;
-
-/// One number per joint, from the base to the tip. Rows beyond the last joint are ignored as input and zero as output.
-pub type JointVector = SVector<f64, MOST_JOINTS>;
-/// Rows and columns as in [`JointVector`].
-pub type JointMatrix = SMatrix<f64, MOST_JOINTS, MOST_JOINTS>;
-/// Velocity of the part's origin in the world frame (m/s), then its angular velocity in the body frame (rad/s), per speed
-/// of each joint. Columns as in [`JointVector`].
-pub type Jacobian = SMatrix<f64, 6, MOST_JOINTS>;
 
 /// A serial arm with fixed base whose tip holds a part.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,8 +66,8 @@ pub enum ArmError {
 }
 
 impl Arm {
-    /// Reads the joints between the root of a URDF file and the link `tip`, of which at most [`MOST_JOINTS`] may move. The
-    /// part's frame is that of the tip, the base is at the origin of the world; there is no payload.
+    /// Reads the joints between the root of a URDF file and the link `tip`, of which at most [`crate::MOST_JOINTS`] may
+    /// move. The part's frame is that of the tip, the base is at the origin of the world; there is no payload.
     ///
     /// Links that hang on the arm beside its chain, or behind the tip, add their inertia to the link that carries them;
     /// their joints stay at zero, or at the limit next to it. Damping and friction in the file are not used.
@@ -171,16 +160,6 @@ impl Arm {
             }),
             None => Ok(()),
         }
-    }
-
-    /// The arm at joint positions (rad or m), which may be beyond limits.
-    pub fn posture(&self, configuration: &JointVector) -> Posture<'_> {
-        Posture::new(self, configuration)
-    }
-
-    /// Pose of the part in the world frame.
-    pub fn pose(&self, configuration: &JointVector) -> Isometry3<f64> {
-        self.posture(configuration).pose()
     }
 
     /// Points (m, world frame) that outline the arm at joint positions (rad or m): the origins of its base, of each joint and

@@ -2,10 +2,9 @@
 
 use nalgebra::IsometryMatrix3;
 
-use crate::arm::MOST_JOINTS;
 use crate::error::{Fault, suggest};
 use crate::inertia::RigidInertia;
-use crate::joint::{Joint, JointKind};
+use crate::joint::{Joint, JointKind, MOST_JOINTS};
 use crate::urdf::{Urdf, UrdfJoint, UrdfKind, UrdfLink};
 
 /// Moving joints from the root to the tip, and the tip in the frame of the last one's link.

@@ -5,7 +5,7 @@
 
 use nalgebra::{Cholesky, Matrix6, Vector3, Vector6};
 
-use crate::arm::{JointMatrix, JointVector, MOST_JOINTS};
+use crate::joint::{JointMatrix, JointVector, MOST_JOINTS};
 use crate::posture::Posture;
 use crate::spatial::{Force, Motion, SpatialInertia};
 

@@ -2,8 +2,9 @@
 
 use nalgebra::Isometry3;
 
-use crate::arm::{Arm, JointVector};
+use crate::arm::Arm;
 use crate::inverse::InverseError;
+use crate::joint::JointVector;
 
 /// Joint positions along a motion, and where they come close to what the arm can do.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,8 @@
 
 use nalgebra::{Cholesky, Isometry3, Matrix6, Vector6};
 
-use crate::arm::{Arm, ArmError, Jacobian, JointVector};
+use crate::arm::{Arm, ArmError};
+use crate::joint::{Jacobian, JointVector};
 use crate::posture::{CHARACTERISTIC_LENGTH, Posture};
 
 /// Why there are no joint positions for a pose.

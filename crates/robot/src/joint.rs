@@ -1,8 +1,19 @@
 //! Joints of an arm.
 
-use nalgebra::{Isometry3, IsometryMatrix3, Rotation3, Unit, Vector3};
+use nalgebra::{Isometry3, IsometryMatrix3, Rotation3, SMatrix, SVector, Unit, Vector3};
 
 use crate::inertia::RigidInertia;
+
+/// Largest number of moving joints.
+pub const MOST_JOINTS: usize = 8;
+
+/// One number per joint, from the base to the tip. Rows beyond the last joint are ignored as input and zero as output.
+pub type JointVector = SVector<f64, MOST_JOINTS>;
+/// Rows and columns as in [`JointVector`].
+pub type JointMatrix = SMatrix<f64, MOST_JOINTS, MOST_JOINTS>;
+/// Velocity of the part's origin in the world frame (m/s), then its angular velocity in the body frame (rad/s), per speed
+/// of each joint. Columns as in [`JointVector`].
+pub type Jacobian = SMatrix<f64, 6, MOST_JOINTS>;
 
 /// A joint that moves, with the link behind it.
 #[derive(Debug, Clone, PartialEq)]

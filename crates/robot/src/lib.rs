@@ -29,10 +29,10 @@ mod posture;
 mod spatial;
 mod urdf;
 
-pub use arm::{Arm, ArmError, Jacobian, JointMatrix, JointVector, MOST_JOINTS};
+pub use arm::{Arm, ArmError};
 pub use error::RobotError;
 pub use follow::{FollowError, FollowReason, JointExtreme, JointPath};
 pub use inertia::{InertiaError, RigidInertia};
 pub use inverse::InverseError;
-pub use joint::{Joint, JointKind};
+pub use joint::{Jacobian, Joint, JointKind, JointMatrix, JointVector, MOST_JOINTS};
 pub use posture::{CHARACTERISTIC_LENGTH, Posture};

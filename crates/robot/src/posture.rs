@@ -3,8 +3,8 @@
 
 use nalgebra::{Isometry3, IsometryMatrix3, Vector3, Vector6};
 
-use crate::arm::{Arm, Jacobian, JointVector, MOST_JOINTS};
-use crate::joint::JointKind;
+use crate::arm::Arm;
+use crate::joint::{Jacobian, JointKind, JointVector, MOST_JOINTS};
 use crate::spatial::{Motion, SpatialInertia};
 
 /// An arm at given joint positions: what depends on these is computed once, without allocations.
@@ -24,8 +24,20 @@ pub const CHARACTERISTIC_LENGTH: f64 = 0.5;
 /// Largest number of iterations for singular values, which take about ten.
 const ITERATIONS: usize = 1000;
 
+impl Arm {
+    /// The arm at joint positions (rad or m), which may be beyond limits.
+    pub fn posture(&self, configuration: &JointVector) -> Posture<'_> {
+        Posture::new(self, configuration)
+    }
+
+    /// Pose of the part in the world frame.
+    pub fn pose(&self, configuration: &JointVector) -> Isometry3<f64> {
+        self.posture(configuration).pose()
+    }
+}
+
 impl<'arm> Posture<'arm> {
-    pub(crate) fn new(arm: &'arm Arm, configuration: &JointVector) -> Self {
+    fn new(arm: &'arm Arm, configuration: &JointVector) -> Self {
         let mut axes = [Motion::zero(); MOST_JOINTS];
         let mut inertias = [SpatialInertia::zero(); MOST_JOINTS];
         let mut frame = IsometryMatrix3::identity();

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix6, Vector6};
 
-use crate::arm::{Jacobian, MOST_JOINTS};
+use crate::joint::{Jacobian, MOST_JOINTS};
 
 /// The largest wrench of the controller that joint friction can hold while the arm rests.
 #[derive(Debug, Clone, Copy, PartialEq)]
