@@ -4,6 +4,8 @@ use planner::PlannerError;
 
 use crate::model::PageData;
 
+/// Name of a page in the folder that it shows.
+pub const PAGE: &str = "report.html";
 /// How pages of ours begin; only such a file is replaced.
 pub const BEGIN: &str = "<!doctype html>\n<!-- written by assembly-plan report -->\n";
 

@@ -23,6 +23,7 @@ mod read;
 mod rounded;
 mod write;
 
+pub use html::PAGE;
 pub use model::PageData;
 pub use read::read;
-pub use write::{PAGE, Written, require_writable, write};
+pub use write::{Written, require_writable, write};

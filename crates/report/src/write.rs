@@ -6,12 +6,9 @@ use planner::PlannerError;
 use planner::files::{read_text, require_folder, write_file};
 
 use crate::figures::{BEGIN as FIGURE, figures};
-use crate::html::{BEGIN, page};
+use crate::html::{BEGIN, PAGE, page};
 use crate::model::{BatchData, PageData};
 use crate::read::read;
-
-/// Name of a page in the folder that it shows.
-pub const PAGE: &str = "report.html";
 
 /// What was written.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -7,9 +7,9 @@ use planner::batch::{Cell, CellState, Manifest};
 use planner::files::PlanResult;
 
 use super::{simulation, title};
+use crate::html::PAGE;
 use crate::model::{BatchData, CellData};
 use crate::rounded::{LENGTH, rounded};
-use crate::write::PAGE;
 
 /// Reads the manifest of a folder and what has become of its cells.
 ///
