@@ -8,8 +8,7 @@ use planner::{Ending, Execution, PlannerError, Problem, RobustnessTarget};
 use simulation::{Reference, Settings, coordinates, isometry};
 use task::{GraspError, POSE, STATE, ScenarioTrajectory, Trajectory, at_rest, pose_of};
 
-use super::motion::World;
-use super::plan::{HARD, tables};
+use super::motion::{HARD, World};
 use crate::model::{ExecutionData, MotionData, Source};
 use crate::rounded::{FORCE, LENGTH, rounded};
 
@@ -60,7 +59,7 @@ fn motion(
         knots.map(|knot| execution.at(duration.min(knot as f64 * time_step))).collect();
     played.scenarios.insert(0, robot(problem, &execution.grasp, &played, &states));
     let ends: Vec<[f64; 2]> = played.scenarios.iter().map(errors).collect();
-    let mut motion = world.motion(&tables(played, problem.scene()), &ends, Source::Executed, HARD)?;
+    let mut motion = world.motion(&world.tables(played), &ends, Source::Executed, HARD)?;
     let beside = motion.scenarios[1].clone();
     let robot = &mut motion.scenarios[0];
     // A robot need not begin exactly at its reference, and does not feel where parts touch.

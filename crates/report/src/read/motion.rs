@@ -7,11 +7,13 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use planner::PlannerError;
 use planner::files::{MotionTables, ScenarioTables};
 use simulation::Success;
-use task::{Contact, ContactPair, pose_of};
+use task::{Contact, ContactPair, ScenarioTrajectory, Trajectory, pose_of};
 
 use crate::model::{MotionData, ScenarioData, Source};
 use crate::rounded::{ANGLE, FORCE, LENGTH, all, pose, rounded};
 
+/// Smoothing of distances in rollouts and where they touch (N m): none that can be seen.
+pub const HARD: f64 = 1e-6;
 /// Forces below this fraction of a motion's largest one have no arrow.
 const SHOWN: f64 = 0.02;
 /// Smallest force that has an arrow (N).
@@ -47,6 +49,20 @@ impl World {
     /// Names of the pairs.
     pub fn names(&self) -> Vec<String> {
         self.pairs.iter().map(ContactPair::to_string).collect()
+    }
+
+    /// A rollout as tables, whose pairs are all of the scene.
+    pub fn tables(&self, played: Trajectory) -> MotionTables {
+        let of_scenario = |motion: ScenarioTrajectory| {
+            let ScenarioTrajectory { states, wrenches, contacts, .. } = motion;
+            ScenarioTables { states, wrenches, contacts }
+        };
+        MotionTables {
+            time_step: played.time_step,
+            reference: played.reference,
+            pairs: self.names(),
+            scenarios: played.scenarios.into_iter().map(of_scenario).collect(),
+        }
     }
 
     /// Distance from the goal (m) and angle to it (rad) of every scenario of a motion at its last knot.

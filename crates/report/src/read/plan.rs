@@ -4,19 +4,16 @@ use std::path::{Path, PathBuf};
 
 use planner::explain::LossRecord;
 use planner::files::trajectory::read_tables;
-use planner::files::{MotionTables, PlanResult, STAGES, ScenarioTables, StoredPlan};
+use planner::files::{MotionTables, PlanResult, STAGES, StoredPlan};
 use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
-use scene::{Part, Scene};
+use scene::Part;
 use simulation::{Injection, Settings, Solid};
-use task::{GraspError, ScenarioTrajectory, Trajectory};
+use task::GraspError;
 
-use super::motion::World;
+use super::motion::{HARD, World};
 use super::{arm, executed, simulation as rates};
 use crate::model::{MotionData, PartData, PlanData, Source};
 use crate::rounded::{LENGTH, rounded};
-
-/// Smoothing of distances in rollouts and where they touch (N m): none that can be seen.
-pub const HARD: f64 = 1e-6;
 
 /// Reads the plan of a folder and logs of its executions, and computes what they do not hold.
 ///
@@ -123,27 +120,13 @@ fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<M
         let played = problem.rollout(settings)?.trajectory(&reference, &injections, HARD);
         let quality = played.scenarios.iter().map(|motion| &motion.quality);
         let ends: Vec<[f64; 2]> = quality.map(|quality| [quality.position_error, quality.orientation_error]).collect();
-        let mut motion = world.motion(&tables(played, problem.scene()), &ends, Source::Rollouts { friction }, HARD)?;
+        let mut motion = world.motion(&world.tables(played), &ends, Source::Rollouts { friction }, HARD)?;
         if let (Some(loss), Some(scenario)) = (lost, motion.scenarios.last_mut()) {
             scenario.disturbances = loss.disturbance_in_words();
         }
         Ok(motion)
     };
     RobustnessTarget::of(&problem.scene().borne).frictions.into_iter().map(at_friction).collect()
-}
-
-/// A rollout as tables, whose pairs are all of the scene.
-pub fn tables(played: Trajectory, scene: &Scene) -> MotionTables {
-    let of_scenario = |motion: ScenarioTrajectory| {
-        let ScenarioTrajectory { states, wrenches, contacts, .. } = motion;
-        ScenarioTables { states, wrenches, contacts }
-    };
-    MotionTables {
-        time_step: played.time_step,
-        reference: played.reference,
-        pairs: scene.all_pairs().iter().map(ToString::to_string).collect(),
-        scenarios: played.scenarios.into_iter().map(of_scenario).collect(),
-    }
 }
 
 fn part(part: &Part) -> PartData {
