@@ -7,8 +7,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeValue};
 
 use crate::error::{SceneError, Source};
-use crate::keys::{Key, MAX_NAME_LENGTH, UNITS, Values};
-use crate::mesh::SCALES;
+use crate::keys::{Key, MAX_NAME_LENGTH, SCALES, UNITS, Values};
 use crate::range::Range;
 use crate::words::{clipped, suggest};
 

@@ -1,19 +1,17 @@
 //! The apparent inertia of the body: the robot's, else that of the body's own mass.
 
-use nalgebra::{Matrix3, Matrix6, SMatrix, SymmetricEigen, Vector3};
+use nalgebra::{Matrix3, Matrix6, SMatrix, SymmetricEigen};
 use task::Inertia;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
+use crate::material::Material;
 use crate::part::GivenPart;
-use crate::pose::{norm, of_pose};
 use crate::robot::Robot;
 use crate::table::Table;
 
 /// Relative difference of two numbers of a matrix that counts as rounding.
 const ROUNDING: f64 = 1e-9;
-/// Distance of the centre of mass from the origin, in sizes of the body, that counts as rounding.
-const CENTERED: f64 = 1e-6;
 /// Ratio of the largest to the smallest principal value of an apparent inertia, scaled by masses and lengths, beyond
 /// which nothing can be computed with it.
 const WORST_CONDITION: f64 = 1e8;
@@ -70,53 +68,6 @@ fn of_body(
         }
         (None, _, Some(rotational)) => Ok(Inertia::of_body(body.number("mass")?, symmetric(&rotational)?)),
         (None, _, None) => Ok(Inertia::of_body(body.number("mass")?, Matrix3::identity() * body.number("inertia")?)),
-    }
-}
-
-/// Parts of known density.
-pub struct Material {
-    pub mass: f64,
-    pub center: Vector3<f64>,
-    /// About the origin.
-    pub rotational: Matrix3<f64>,
-}
-
-impl Material {
-    /// Of a body whose parts are meshes with a density, if any of them has one.
-    pub fn of(parts: &[GivenPart]) -> Result<Option<Self>, SceneError> {
-        let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.making.density.is_some())) else {
-            return Ok(None);
-        };
-        let (mut mass, mut moment, mut rotational) = (0.0, Vector3::zeros(), Matrix3::zeros());
-        for part in parts {
-            let Some((mesh, density)) = part.mesh().and_then(|mesh| Some((mesh, mesh.making.density?))) else {
-                return Err(first.refuse(format!("`density` is given here but not for part `{}`", part.name)));
-            };
-            let (properties, placement) = (mesh.solid.mass_properties(), part.placement());
-            let own = density * properties.volume;
-            let center = placement.transform_point(&properties.center.into()).coords;
-            let turn = placement.rotation.to_rotation_matrix();
-            let rows = Matrix3::from_fn(|row, column| properties.inertia[row][column]);
-            mass += own;
-            moment += own * center;
-            rotational += density * (turn * rows * turn.inverse())
-                + own * (Matrix3::identity() * center.norm_squared() - center * center.transpose());
-        }
-        Ok(Some(Self { mass, center: moment / mass, rotational }))
-    }
-
-    /// About the origin of the body's frame. Beside its centre of mass `c`, the momentum `m (nu + R (omega x c))` depends
-    /// on the angular velocity and, as the apparent inertia is constant, on the orientation `R` at the goal.
-    fn inertia(&self, parts: &[GivenPart], goal: &[f64; 7]) -> Inertia {
-        let mut matrix = *Inertia::of_body(self.mass, self.rotational).matrix();
-        let size = parts.iter().flat_map(GivenPart::points).map(|point| norm(&point)).fold(0.0, f64::max);
-        if self.center.norm() > CENTERED * size {
-            let turn = of_pose(goal).rotation.to_rotation_matrix();
-            let coupling = turn.matrix() * self.center.cross_matrix() * -self.mass;
-            matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&coupling);
-            matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&coupling.transpose());
-        }
-        Inertia::from_matrix(matrix)
     }
 }
 

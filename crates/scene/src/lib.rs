@@ -6,6 +6,7 @@
 //! how to solve it, and [`resolved`] writes both into one file that reproduces the run. [`scene_schema`] and
 //! [`homotopy_schema`] are JSON schemas of the files.
 
+mod boxes;
 mod chosen;
 mod draft;
 mod entry;
@@ -18,6 +19,7 @@ mod inertia;
 mod ipopt;
 mod keys;
 mod limits;
+mod material;
 mod mesh;
 mod model;
 mod motion_region;
@@ -49,10 +51,11 @@ pub use limits::OutOfReach;
 pub use mesh::MeshPart;
 pub use motion_region::MotionRegion;
 pub use part::Part;
+pub use pose::StartPose;
 pub use range::Range;
 pub use resolved::resolved;
 pub use robot::Robot;
-pub use scene::{Borne, Scene, StartPose};
+pub use scene::{Borne, Scene};
 pub use schema::{homotopy_schema, scene_schema};
 pub use starter::{Axis, FilePair, starter_scene};
 pub use task_error::TaskError;

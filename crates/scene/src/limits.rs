@@ -3,8 +3,8 @@
 use task::{FORCE_WINDOW, Horizon, Inertia, Limits, pose};
 
 use crate::error::SceneError;
+use crate::pose::StartPose;
 use crate::robot::Robot;
-use crate::scene::StartPose;
 use crate::table::Table;
 
 /// Limits that are chosen leave this multiple of the speed with which the goal is reached in time.

@@ -9,17 +9,13 @@ use collision::Polytope;
 use mesh::{Cover, CoverSettings, MeshError, Place, Solid, TriangleMesh};
 use nalgebra::Isometry3;
 
+use crate::boxes::{corners_of, in_frame};
 use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::facets::ChosenFacets;
-use crate::keys::UNITS;
+use crate::keys::{SCALES, UNITS};
 use crate::motion_region::MotionRegion;
-use crate::part::corners_of;
 use crate::table::Table;
-
-/// The units of lengths (m), in the order of their names.
-pub const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
-const _: () = assert!(SCALES.len() == UNITS.len());
 
 /// Share of the error of curved surfaces by which pieces may grow so that they have fewer facets.
 const COARSENING: f64 = 0.5;
@@ -161,19 +157,6 @@ impl<'text> GivenMesh<'text> {
         };
         Ok((mesh, pieces))
     }
-}
-
-/// The smallest box along the axes of a frame that holds a box of its parent.
-fn in_frame(parent: &[[f64; 3]; 2], placement: &Isometry3<f64>) -> [[f64; 3]; 2] {
-    let mut frame = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    for corner in corners_of(parent) {
-        let point = placement.inverse_transform_point(&corner.into());
-        for axis in 0..3 {
-            frame[0][axis] = frame[0][axis].min(point[axis]);
-            frame[1][axis] = frame[1][axis].max(point[axis]);
-        }
-    }
-    frame
 }
 
 /// The halfspaces of a place of the parent.

@@ -8,10 +8,10 @@ use link::{Geometry, Link, LinkShape, Model, ModelError};
 use mesh::{Solid, TriangleMesh};
 use nalgebra::{Isometry3, Point3};
 
+use crate::boxes::corners_of;
 use crate::error::{SceneError, Source};
 use crate::file::read_text;
 use crate::mesh::{GivenMesh, Making};
-use crate::part::corners_of;
 use crate::table::Table;
 use crate::words::{clipped, listed, suggest};
 

@@ -3,9 +3,8 @@
 use collision::{Pair, Polytope};
 use nalgebra::{Isometry3, Point3};
 
-use crate::part::corners_of;
-use crate::pose::{between, norm, of_pose};
-use crate::scene::StartPose;
+use crate::boxes::corners_of;
+use crate::pose::{StartPose, between, norm, of_pose};
 
 /// Poses between a start and the goal that are looked at.
 const SAMPLES: usize = 9;

@@ -196,13 +196,6 @@ fn normals(entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
     }
 }
 
-/// Corners of a box, given by its lower and upper one.
-pub fn corners_of(&[low, high]: &[[f64; 3]; 2]) -> [[f64; 3]; 8] {
-    std::array::from_fn(|corner| {
-        std::array::from_fn(|axis| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] })
-    })
-}
-
 fn values<T>(entries: Vec<Spanned<T>>) -> Vec<T> {
     entries.into_iter().map(Spanned::into_inner).collect()
 }

@@ -1,4 +1,4 @@
-//! Positions, orientations and numbers with a range.
+//! Positions, orientations and directions.
 
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
 use toml::Spanned;
@@ -9,6 +9,15 @@ use crate::table::Table;
 
 /// How far the norm of a quaternion or direction may be from 1: files are written with few digits.
 pub const NORM_TOLERANCE: f64 = 1e-3;
+
+/// A start pose with its name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StartPose {
+    /// Unique name.
+    pub name: String,
+    /// Position (m) and unit quaternion (w x y z).
+    pub pose: [f64; 7],
+}
 
 /// Position (m) and unit quaternion of a start or goal.
 pub fn pose(table: &Table) -> Result<[f64; 7], SceneError> {

@@ -6,8 +6,9 @@ use toml::{Table, Value};
 
 use crate::homotopy;
 use crate::part::Part;
+use crate::pose::StartPose;
 use crate::robot::Robot;
-use crate::scene::{Scene, StartPose};
+use crate::scene::Scene;
 
 /// Text of a scene file that contains all defaults, the given start and offset magnitude (m), meshes as halfspaces, and
 /// the tables of the homotopy.

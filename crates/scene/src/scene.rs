@@ -10,18 +10,10 @@ use crate::limits::{OutOfReach, check_reach};
 use crate::mesh::MeshPart;
 use crate::motion_region::MotionRegion;
 use crate::part::{Extent, Part};
+use crate::pose::StartPose;
 use crate::robot::Robot;
 use crate::task_error::TaskError;
 use crate::words::nearest;
-
-/// A start pose with its name.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StartPose {
-    /// Unique name.
-    pub name: String,
-    /// Position (m) and unit quaternion (w x y z).
-    pub pose: [f64; 7],
-}
 
 /// What a robust plan must bear besides offsets. Errors are relative, in both directions.
 #[derive(Debug, Clone, PartialEq)]

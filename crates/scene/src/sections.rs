@@ -5,9 +5,9 @@ use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
 use crate::chosen;
 use crate::error::SceneError;
 use crate::inertia::symmetric;
-use crate::pose::{directions, pose};
+use crate::pose::{StartPose, directions, pose};
 use crate::robot::Stiffness;
-use crate::scene::{Borne, StartPose};
+use crate::scene::Borne;
 use crate::table::Table;
 
 /// The start poses.

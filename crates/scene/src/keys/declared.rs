@@ -10,6 +10,9 @@ use crate::range::Range;
 
 /// Units of mesh files.
 pub const UNITS: &[&str] = &["m", "cm", "mm", "inch"];
+/// Their lengths (m).
+pub const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
+const _: () = assert!(SCALES.len() == UNITS.len());
 
 const COORDINATE: Range = Range::closed(-1e3, 1e3);
 const LENGTH: Range = Range::closed(1e-5, 1e3);

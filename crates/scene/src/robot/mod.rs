@@ -12,9 +12,8 @@ use nalgebra::{Isometry3, Matrix3, Matrix6};
 
 use crate::entry::Entry;
 use crate::error::SceneError;
-use crate::inertia::Material;
-use crate::pose::{between, of_pose, orientation};
-use crate::scene::StartPose;
+use crate::material::Material;
+use crate::pose::{StartPose, between, of_pose, orientation};
 use crate::table::Table;
 
 pub use stiffness::{Stiffness, stiffness};

@@ -2,7 +2,6 @@
 
 use super::Robot;
 use crate::error::SceneError;
-use crate::scene::Scene;
 use crate::table::Table;
 
 /// A joint nearer to its limit (rad or m) than this needs a remark.
@@ -12,7 +11,7 @@ const NEAR_SINGULAR: f64 = 0.05;
 
 /// Remarks on limits and singular postures on the straight ways between goal and starts, and on keys that the arm
 /// replaces.
-pub fn warnings(scene: &Table, read: &Scene) -> Result<Vec<String>, SceneError> {
+pub fn warnings(scene: &Table, robot: Option<&Robot>) -> Result<Vec<String>, SceneError> {
     let (table, body) = (scene.table("robot")?, scene.require_table("body")?);
     let mut warnings = Vec::new();
     if table.find("urdf").or_else(|| table.find("apparent_inertia")).is_some() {
@@ -21,7 +20,7 @@ pub fn warnings(scene: &Table, read: &Scene) -> Result<Vec<String>, SceneError> 
             warnings.push(entry.refuse_name(message).headline());
         }
     }
-    if let (Some(robot), Some(entry)) = (&read.robot, table.find("configuration")) {
+    if let (Some(robot), Some(entry)) = (robot, table.find("configuration")) {
         let remark = |message: String| entry.refuse(message).headline();
         warnings.extend(near_limit(robot).map(remark));
         warnings.extend(near_singular(robot).map(remark));

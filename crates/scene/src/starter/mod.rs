@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::draft::{Draft, DraftPart, DraftShape, rounded};
 use crate::error::SceneError;
-use crate::keys::UNITS;
-use crate::mesh::SCALES;
+use crate::keys::{SCALES, UNITS};
 use crate::warnings::USUAL_SIZES;
 use bounding_box::BoundingBox;
 use relative::relative_path;
