@@ -6,10 +6,10 @@ use task::{GraspError, Impedance};
 
 use crate::arm_model::ArmModel;
 use crate::arm_posture::ArmPosture;
+use crate::body::Body;
 use crate::contact::{Contact, ContactFinder};
 use crate::contact_solver::ContactSolver;
 use crate::disturbance::Disturbance;
-use crate::dynamics::Body;
 use crate::joint_friction::JointFriction;
 use crate::reference::{Knot, coordinates};
 use crate::sampled_controller::SampledController;

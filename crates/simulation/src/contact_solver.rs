@@ -1,9 +1,9 @@
 //! What contacts do to the velocity of the body, and how overlaps are removed.
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Vector3};
 
+use crate::body::{Body, moved};
 use crate::contact::{Contact, ContactFinder};
-use crate::dynamics::Body;
 use crate::least_distance::{Cone, LeastDistance, Vector6};
 use crate::metric::Metric;
 
@@ -133,13 +133,6 @@ impl ContactSolver {
     pub fn pushes(&self) -> bool {
         !self.solver.active.is_empty()
     }
-}
-
-/// A pose shifted in the world frame and turned in the body frame.
-pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, turn: &Vector3<f64>) -> Isometry3<f64> {
-    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*turn);
-    rotation.renormalize_fast();
-    Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
 }
 
 /// Two unit tangents, at right angles. The first is along the tangential velocity, if there is one.

@@ -1,41 +1,14 @@
 //! One time step of the body: impedance control, contacts, motion.
 
-use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3};
 use task::{Impedance, Inertia};
 
+use crate::body::{Body, moved};
 use crate::contact::ContactFinder;
-use crate::contact_solver::{ContactSolver, moved};
+use crate::contact_solver::ContactSolver;
 use crate::least_distance::Vector6;
 use crate::metric::{Metric, effective_inertia};
 use crate::reference::Knot;
-
-/// Pose and twist of the body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Body {
-    /// Position (m) and orientation.
-    pub pose: Isometry3<f64>,
-    /// Velocity in the world frame (m/s).
-    pub velocity: Vector3<f64>,
-    /// Angular velocity in the body frame (rad/s).
-    pub angular_velocity: Vector3<f64>,
-}
-
-impl Body {
-    /// Pose and twist at a fraction of the way to those of `next`, which differ little.
-    pub fn towards(&self, next: &Self, fraction: f64) -> Self {
-        if fraction == 1.0 {
-            return *next;
-        }
-        Self {
-            pose: Isometry3::from_parts(
-                self.pose.translation.vector.lerp(&next.pose.translation.vector, fraction).into(),
-                self.pose.rotation.nlerp(&next.pose.rotation, fraction),
-            ),
-            velocity: self.velocity.lerp(&next.velocity, fraction),
-            angular_velocity: self.angular_velocity.lerp(&next.angular_velocity, fraction),
-        }
-    }
-}
 
 /// Steps of a body under the impedance law (Eq. ts with Eq. impedancewrench). They are linearly implicit in stiffness
 /// and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without restitution.
@@ -228,6 +201,8 @@ fn fastest_rate(inertia: &Inertia, impedance: &Impedance) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Isometry3;
+
     use super::*;
     use crate::contact::Shapes;
 

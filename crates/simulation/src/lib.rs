@@ -65,6 +65,7 @@ mod arm_dynamics;
 mod arm_model;
 mod arm_posture;
 mod axis;
+mod body;
 mod bounds;
 mod bump;
 mod candidates;

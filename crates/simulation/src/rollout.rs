@@ -7,9 +7,10 @@ use workers::Workers;
 
 use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
+use crate::body::Body;
 use crate::contact::{ContactFinder, Shapes};
 use crate::disturbance::Injection;
-use crate::dynamics::{Body, Stepper};
+use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
 use crate::reference::{Knot, Reference, coordinates, isometry};
 use crate::settings::Settings;

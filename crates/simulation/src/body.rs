@@ -1,0 +1,38 @@
+//! States of the body, and how its pose moves.
+
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+
+/// Pose and twist of the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    /// Position (m) and orientation.
+    pub pose: Isometry3<f64>,
+    /// Velocity in the world frame (m/s).
+    pub velocity: Vector3<f64>,
+    /// Angular velocity in the body frame (rad/s).
+    pub angular_velocity: Vector3<f64>,
+}
+
+impl Body {
+    /// Pose and twist at a fraction of the way to those of `next`, which differ little.
+    pub fn towards(&self, next: &Self, fraction: f64) -> Self {
+        if fraction == 1.0 {
+            return *next;
+        }
+        Self {
+            pose: Isometry3::from_parts(
+                self.pose.translation.vector.lerp(&next.pose.translation.vector, fraction).into(),
+                self.pose.rotation.nlerp(&next.pose.rotation, fraction),
+            ),
+            velocity: self.velocity.lerp(&next.velocity, fraction),
+            angular_velocity: self.angular_velocity.lerp(&next.angular_velocity, fraction),
+        }
+    }
+}
+
+/// A pose shifted in the world frame and turned in the body frame.
+pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, turn: &Vector3<f64>) -> Isometry3<f64> {
+    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*turn);
+    rotation.renormalize_fast();
+    Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
+}
