@@ -97,10 +97,15 @@ def table_row(cells: list[str]) -> str:
     return "| " + " | ".join(cells) + " |"
 
 
-def summary(done: list[Case], missing: list[Case]) -> str:
-    """How many motions of the plans succeed, and which plans are missing."""
+def succeeded(done: list[Case]) -> str:
+    """How many motions of the plans succeed."""
     planned = [row["success"] == "1" for case in done for row in case.motions() if row["motion"] == "plan"]
-    text = f"{len(done)} plans: {sum(planned)} of {len(planned)} motions in MuJoCo succeed."
+    return f"{sum(planned)} of {len(planned)} motions in MuJoCo succeed."
+
+
+def summary(done: list[Case], missing: list[Case]) -> str:
+    """How many plans there are, how many of their motions succeed, and which plans are missing."""
+    text = f"{len(done)} plans: {succeeded(done)}"
     return text + (f" Missing: {'; '.join(case.label() for case in missing)}." if missing else "")
 
 
