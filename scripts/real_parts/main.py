@@ -51,8 +51,8 @@ writes this page.
 {parts}
 
 Seconds are wall time of `solve --robust --jobs {jobs} --time-limit {time_limit}` with the default frictions of 0, 0.1 and 0.3: of
-the optimal control problem alone, and with everything, on a machine that others used at the same time. Own rollouts are those of the evaluation before and after refinement;
-`(short)` where the target was not reached in time. Overlap is the deepest of all motions in MuJoCo, whose contacts give way when
+the optimal control problem alone, and with everything, on a machine that others used at the same time. Own rollouts are
+those of the evaluation before and after refinement; `(short)` where the target was not reached in time. Overlap is the deepest of all motions in MuJoCo, whose contacts give way when
 parts hit each other. The last two columns are of the planned motions of all scenarios.
 
 {plans}

@@ -175,7 +175,8 @@ impl<'shapes> ContactFinder<'shapes> {
             let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
             better = if is_best { None } else { candidates.better_edges(body, edges, &axis) };
         }
-        if better.is_none() && axis.separation > -*edge_radius && patch.width(&axis.normal) < *edge_radius {
+        let is_round = *edge_radius > 0.0 && better.is_none() && axis.separation > -*edge_radius;
+        if is_round && patch.width(&axis.normal) < *edge_radius {
             return axis.separation;
         }
         if let Some(better) = better {

@@ -40,7 +40,7 @@
 //! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
 //! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its
 //! points. Edges are sharp, unless a [`Disturbance`] gives them a radius: then faces that overlap by less do not touch,
-//! as if corners of that size were cut off. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
+//! as if corners of that size were cut off; facets that are narrower count as edges. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
 //! first order in the time step; steps are longer where the velocity changes little, and then of second order. Results
 //! are deterministic and do not depend on the number of threads.
 //!

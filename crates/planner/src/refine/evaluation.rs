@@ -91,8 +91,8 @@ impl Judgement {
 }
 
 impl Evaluation {
-    /// At most `count` random offsets per friction and magnitude, each with a turn, errors of robot and controller and round edges, and
-    /// the planned grasp errors without other errors.
+    /// At most `count` random offsets per friction and magnitude, each with a turn, errors of robot and controller and round
+    /// edges, and the planned grasp errors without other errors.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
         let &ErrorRange { delta, turn, .. } = range;
         let mut random = Rng::with_seed(seed + DISTURBANCE_SEED);
