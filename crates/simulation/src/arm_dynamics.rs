@@ -6,11 +6,12 @@ use task::{GraspError, Impedance};
 
 use crate::arm_model::ArmModel;
 use crate::arm_posture::ArmPosture;
-use crate::body::Body;
+use crate::body::{Body, moved};
 use crate::contact::{Contact, ContactFinder};
 use crate::contact_solver::ContactSolver;
 use crate::disturbance::Disturbance;
 use crate::joint_friction::JointFriction;
+use crate::least_distance::Vector6;
 use crate::reference::{Knot, coordinates};
 use crate::sampled_controller::SampledController;
 
@@ -35,16 +36,22 @@ pub struct ArmStepper<'arm> {
     friction: JointFriction,
     solver: ContactSolver,
     steps: usize,
+    /// Joint positions (rad or m).
     configuration: JointVector,
     /// Joint speeds (rad/s or m/s).
     velocity: JointVector,
-    posture: ArmPosture<'arm>,
+    /// Of joint positions nearby.
+    posture: ArmPosture,
 }
 
-/// Acceleration by gravity (m/s^2, world frame).
-const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
+/// Speed of a joint (rad/s or m/s): a posture serves until a joint has moved as far as it would with this speed in one step.
+const SLOW: f64 = 1.0;
+/// Largest number of steps that a posture serves, so that it is exact at rest.
+const SERVED: usize = 50;
 /// Largest number of times that contacts and joint friction follow each other in a step.
 const ROUNDS: usize = 20;
+/// In the first of these, joint friction takes the contacts that push for ones that go on to.
+const HOPEFUL: usize = 5;
 
 impl<'arm> ArmStepper<'arm> {
     /// At rest, for steps of `time_step` seconds: `body` is where the part really is, `grasp` the believed part in its
@@ -62,7 +69,7 @@ impl<'arm> ArmStepper<'arm> {
         let heaviness = 1.0 + disturbance.inertia;
         let torques = model.joint_friction.iter().map(|torque| torque * (1.0 + disturbance.joint_friction));
         Some(Self {
-            posture: ArmPosture::new(arm, &configuration, &grasp, heaviness)?,
+            posture: ArmPosture::new(arm, (&configuration, &JointVector::zeros()), &grasp, heaviness)?,
             arm,
             time_step,
             impedance,
@@ -89,44 +96,62 @@ impl<'arm> ArmStepper<'arm> {
     ) -> f64 {
         let time = self.steps as f64 * self.time_step;
         self.steps += 1;
-        let Self { posture, velocity, impedance, .. } = self;
-        let bias = posture.posture.bias(velocity);
+        let Self { posture, velocity, impedance, grasp, .. } = self;
         let torque = self.controller.torque(time, self.time_step, || {
-            within_limits(self.arm, posture, command(posture, velocity, impedance, &target()) + bias)
+            // Rotations of reference and impedance are those of the part.
+            let believed = body.pose.rotation * grasp.translation.vector + body.pose.translation.vector;
+            let believed = Isometry3::from_parts(believed.into(), body.pose.rotation);
+            within_limits(self.arm, posture, command(posture, (&believed, velocity), impedance, &target()))
         });
-        let acceleration = posture.mobility * (torque - bias * self.heaviness);
+        let acceleration = posture.mobility * (torque - posture.bias * self.heaviness);
         let free = *velocity + acceleration * self.time_step;
         // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.
         let norm = free.dot(&(posture.mass * free)).max(0.0).sqrt();
         let reach = self.time_step * posture.metric.fastest(norm, finder.radius());
-        body.pose = posture.pose;
+        let before = body.pose;
         let overlap = self.solver.correct(&posture.metric, &mut body.pose, finder, reach);
         if overlap > 0.0 {
-            self.configuration += posture.correction(&body.pose);
+            self.configuration += posture.correction(&before, &body.pose);
         }
         self.resolve(&free, body, &finder.contacts);
         for (pair, impulse) in self.solver.impulses() {
             impulses[pair] += impulse;
         }
         self.configuration += self.velocity * self.time_step;
-        match ArmPosture::new(self.arm, &self.configuration, &self.grasp, self.heaviness) {
-            Some(posture) => {
-                let twist = posture.jacobian * self.velocity;
-                *body = Body {
-                    pose: posture.pose,
-                    velocity: twist.fixed_rows::<3>(0).into(),
-                    angular_velocity: twist.fixed_rows::<3>(3).into(),
-                };
-                self.posture = posture;
-            }
-            None => body.velocity = Vector3::repeat(f64::NAN),
-        }
+        self.follow(body);
         overlap
+    }
+
+    /// Moves the body with the joints.
+    fn follow(&mut self, body: &mut Body) {
+        let is_near = !self.steps.is_multiple_of(SERVED)
+            && (self.configuration - self.posture.configuration).amax() < SLOW * self.time_step;
+        if !is_near {
+            let state = (&self.configuration, &self.velocity);
+            let Some(posture) = ArmPosture::new(self.arm, state, &self.grasp, self.heaviness) else {
+                body.velocity = Vector3::repeat(f64::NAN);
+                return;
+            };
+            self.posture = posture;
+        }
+        let twist = self.posture.jacobian * self.velocity;
+        (body.velocity, body.angular_velocity) = (twist.fixed_rows::<3>(0).into(), twist.fixed_rows::<3>(3).into());
+        body.pose = if is_near {
+            moved(&body.pose, &(body.velocity * self.time_step), &(body.angular_velocity * self.time_step))
+        } else {
+            self.posture.pose
+        };
     }
 
     /// Joint speeds after the step of the body from those without contacts and joint friction.
     fn resolve(&mut self, free: &JointVector, body: &Body, contacts: &[Contact]) {
         let Self { posture, solver, friction, .. } = self;
+        if contacts.is_empty() {
+            solver.release();
+            self.velocity = free + posture.mobility * friction.impulses();
+            friction.brake(&posture.mobility, &mut self.velocity);
+            return;
+        }
         for round in 1..=ROUNDS {
             let without = free + posture.mobility * friction.impulses();
             let scaled = posture.scaled(&without);
@@ -138,10 +163,12 @@ impl<'arm> ArmStepper<'arm> {
             if solver.pushes() {
                 self.velocity += posture.change(&(resolved - scaled));
             }
-            if round == ROUNDS || friction.is_zero() || !friction.brake(&posture.mobility, &mut self.velocity) {
+            if round == ROUNDS || friction.is_zero() {
                 break;
             }
-            if contacts.is_empty() {
+            // Contacts that push go on to hold, mostly; where they do not, blocks follow each other.
+            let held = if round <= HOPEFUL { solver.held() } else { &[] };
+            if !friction.brake(&posture.mobility_held(held), &mut self.velocity) {
                 break;
             }
         }
@@ -150,22 +177,26 @@ impl<'arm> ArmStepper<'arm> {
 
 /// What of the commanded torques (Nm or N) the joints can give while they also carry the arm, without what carries it.
 fn within_limits(arm: &Arm, posture: &ArmPosture, torque: JointVector) -> JointVector {
-    let mut given = torque;
-    let weight = posture.posture.gravity(&GRAVITY);
+    let (mut given, weight) = (torque, &posture.weight);
     for (index, joint) in arm.joints().iter().enumerate() {
         given[index] = (torque[index] + weight[index]).clamp(-joint.effort, joint.effort) - weight[index];
     }
     given
 }
 
-/// Torques (Nm or N) of the impedance law at the believed pose.
-fn command(posture: &ArmPosture, velocity: &JointVector, impedance: &Impedance, target: &Knot) -> JointVector {
+/// Torques (Nm or N) of the impedance law and for the bias, with the part `believed` at a pose and the joints at speeds `velocity`
+/// (rad/s or m/s).
+fn command(
+    posture: &ArmPosture,
+    (believed, velocity): (&Isometry3<f64>, &JointVector),
+    impedance: &Impedance,
+    target: &Knot,
+) -> JointVector {
     let mut state = [0.0; 13];
-    let believed = Isometry3::from_parts(posture.believed.into(), posture.pose.rotation);
-    state[..7].copy_from_slice(&coordinates(&believed));
+    state[..7].copy_from_slice(&coordinates(believed));
     state[7..].copy_from_slice((posture.tracked * velocity).as_slice());
     let wrench = impedance.wrench(&target.state(), &state, &GraspError::default().pose());
-    posture.tracked.tr_mul(&wrench.into())
+    posture.tracked.tr_mul(&Vector6::from(wrench)) + posture.bias
 }
 
 #[cfg(test)]
@@ -180,8 +211,9 @@ mod tests {
         let arm = Arm::read(&urdf, "tip").unwrap();
         let mut configuration = JointVector::zeros();
         [0.1, 0.7, 0.9, -0.3, 0.5, 0.2].iter().enumerate().for_each(|(joint, angle)| configuration[joint] = *angle);
-        let posture = ArmPosture::new(&arm, &configuration, &Isometry3::identity(), 1.0).unwrap();
-        let weight = posture.posture.gravity(&GRAVITY);
+        let still = JointVector::zeros();
+        let posture = ArmPosture::new(&arm, (&configuration, &still), &Isometry3::identity(), 1.0).unwrap();
+        let weight = posture.weight;
         assert!(weight.amax() > 1.0, "it is heavy: {weight}");
         for wanted in [1e4, -1e4] {
             let given = within_limits(&arm, &posture, JointVector::repeat(wanted)) + weight;

@@ -102,6 +102,11 @@ impl ContactSolver {
         }
     }
 
+    /// For a step without contacts: nothing pushes.
+    pub fn release(&mut self) {
+        self.solver.active.clear();
+    }
+
     /// Eq. ts3 for all contacts at once: of all velocities that are allowed, the one nearest to the free velocity in
     /// kinetic energy.
     pub fn resolve(&mut self, free: &Vector6) -> Vector6 {
@@ -127,6 +132,12 @@ impl ContactSolver {
     /// Pair and normal impulse (Ns) of the contacts that push, when the velocity was last resolved.
     pub fn impulses(&self) -> impl Iterator<Item = (usize, f64)> {
         self.solver.active.iter().map(|active| (self.pairs[active.cone], active.multiplier))
+    }
+
+    /// Orthonormal directions in which the contacts that push let the scaled velocity not change, when it was last
+    /// resolved.
+    pub fn held(&self) -> &[Vector6] {
+        self.solver.active_basis()
     }
 
     /// Whether contacts push, when the velocity was last resolved.

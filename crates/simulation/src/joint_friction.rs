@@ -17,6 +17,8 @@ pub struct JointFriction {
 /// Sweeps end when no joint's impulse changes by more than this part of its largest one. At rest, sweeps of later steps
 /// remove the rest.
 const TOLERANCE: f64 = 1e-4;
+/// Mobility (1/(kg m^2) or 1/kg) of a joint that contacts hold.
+const HELD: f64 = 1e-9;
 /// Largest number of sweeps in a step. What is missing then is small, and the next step goes on from there.
 const SWEEPS: usize = 50;
 
@@ -40,12 +42,15 @@ impl JointFriction {
     }
 
     /// Changes the impulses so that they suit the joint speeds `velocity` (rad/s or m/s), which contain those so far, and
-    /// the speeds with them. `mobility` is the inverse of the mass matrix. Returns whether they had to change.
+    /// the speeds with them. `mobility` is the inverse of the mass matrix, or what contacts leave of it. Returns whether they had to change.
     pub fn brake(&mut self, mobility: &JointMatrix, velocity: &mut JointVector) -> bool {
         for sweep in 0..SWEEPS {
             let mut is_done = true;
             for joint in 0..self.joints {
                 let (before, largest) = (self.impulses[joint], self.largest[joint]);
+                if mobility[(joint, joint)] < HELD {
+                    continue;
+                }
                 let stopping = before - velocity[joint] / mobility[(joint, joint)];
                 let impulse = stopping.max(-largest).min(largest);
                 let change = impulse - before;

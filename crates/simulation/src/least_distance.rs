@@ -98,6 +98,11 @@ impl LeastDistance {
         point
     }
 
+    /// An orthonormal basis of the active normals.
+    pub fn active_basis(&self) -> &[Vector6] {
+        &self.basis[..self.active.len()]
+    }
+
     fn most_violated(&self, point: &Vector6, cones: &[Cone]) -> Option<(usize, usize)> {
         let mut worst = (None, TOLERANCE);
         for (index, cone) in cones.iter().enumerate() {
