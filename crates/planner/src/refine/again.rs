@@ -16,9 +16,10 @@ const NEARLY: f64 = 0.9;
 const CONTINUED: &str = ", continued";
 
 impl Refiner<'_> {
-    /// Whether the best plan so far fails so seldom that its refinement helps more than another plan.
-    pub(super) fn is_nearly_robust(&self) -> bool {
-        self.best.as_ref().is_some_and(|best| best.rates.overall() >= NEARLY)
+    /// Goes on with the best plan so far, where it fails so seldom that this helps more than another plan.
+    pub(super) fn refine_if_nearly_robust(&mut self) -> Result<(), PlannerError> {
+        let is_nearly_robust = self.best.as_ref().is_some_and(|best| best.rates.overall() >= NEARLY);
+        if is_nearly_robust { self.refine_again() } else { Ok(()) }
     }
 
     /// Goes on with the best plan so far as long as this helps: other changes often help where some did not, and they cost

@@ -165,16 +165,15 @@ impl<'run> Refiner<'run> {
         }
     }
 
-    /// Refines the plan of the scene; where that is given up, a straight push; the better of the two again, if it is nearly
-    /// robust; then the plans of other problems, and the best once more, while there is time.
+    /// Refines the plan of the scene; where that is given up, a straight push; after each of the two the best so far again, if
+    /// it is nearly robust; then the plans of other problems, and the best once more, while there is time.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.refine_own(plan)?;
+        self.refine_if_nearly_robust()?;
         self.refine_push(homotopy)?;
-        if self.is_nearly_robust() {
-            self.refine_again()?;
-        }
+        self.refine_if_nearly_robust()?;
         self.refine_variants(solving)?;
         self.refine_again()?;
         self.take_best()
@@ -258,10 +257,10 @@ impl<'run> Refiner<'run> {
         Some(Candidate { variant, iterations, refinement, round, is_scenes_own })
     }
 
-    /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over. Rates of evaluations that
-    /// end early vary, so that a lower one is no reason to go back. What is robust, but fails in some trials, is refined in
+    /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over; what is the best so far and
+    /// still becomes better may take more. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What is robust, but fails in some trials, is refined in
     /// these a few times more: simulators differ, and so does reality.
-    fn refine(&mut self, candidate: Candidate<'run>, until: Deadline) -> Result<(), PlannerError> {
+    fn refine(&mut self, candidate: Candidate<'run>, mut until: Deadline) -> Result<(), PlannerError> {
         let begin = Instant::now();
         let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
         self.session.tell(Event::Refining { planned: &round.planned });
@@ -269,8 +268,7 @@ impl<'run> Refiner<'run> {
         let (mut polished, mut vain) = (0, 0);
         // What failed elsewhere since it became a candidate.
         let new = self.training[refinement.trials().len()..].to_vec();
-        let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(refinement.reference(), &new, &stop);
+        let results = self.evaluator.evaluate_all(refinement.reference(), &new, &|| self.clock.is_over(until));
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
             self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
@@ -287,7 +285,7 @@ impl<'run> Refiner<'run> {
             polished += usize::from(judgement.reached);
             let is_good = judgement.reached && (judgement.failures.is_empty() || polished > POLISHES);
             vain = if round.rate.is_none_or(|best| rate > best) { 0 } else { vain + 1 };
-            let is_last = is_good || vain == GIVEN_UP || self.clock.is_over(until);
+            let number = self.rounds.len() + 1;
             round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
             let kept = Kept {
                 variant: variant.clone(),
@@ -296,12 +294,16 @@ impl<'run> Refiner<'run> {
                 failing: judgement.failing(),
                 rates: judgement.rates,
                 reached: judgement.reached,
-                round: self.rounds.len() + 1,
+                round: number,
                 chosen: round.chosen_stage,
                 changes: round.changes,
                 is_scenes_own,
             };
             self.keep_if_best(kept, &round)?;
+            if vain == 0 && self.clock.is_over(until) && self.best.as_ref().is_some_and(|best| best.round == number) {
+                until = self.clock.share(self.clock.end(), OWN_SHARE);
+            }
+            let is_last = is_good || vain == GIVEN_UP || self.clock.is_over(until);
             round.added_trials += judgement.failures.len();
             self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
             refinement.add(judgement.failures);
