@@ -9,13 +9,13 @@ use crate::contact_solver::ContactSolver;
 use crate::least_distance::Vector6;
 use crate::metric::{Metric, effective_inertia};
 use crate::reference::Knot;
+use crate::step_length::StepLength;
 
 /// Steps of a body under the impedance law (Eq. ts with Eq. impedancewrench). They are linearly implicit in stiffness
 /// and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without restitution.
 ///
-/// Where the velocity changes little, a step takes the place of 2, 4, 8, ... of the shortest ones. Impacts change it
-/// much: they fall into the shortest steps. Longer steps follow the midpoint rule, with the contacts of a predicted
-/// middle pose, so that they are about as accurate.
+/// Longer steps ([`StepLength`]) follow the midpoint rule, with the contacts of a predicted middle pose, so that they are about
+/// as accurate.
 #[derive(Debug, Clone)]
 pub struct Stepper {
     impedance: Impedance,
@@ -23,8 +23,7 @@ pub struct Stepper {
     offset: Vector3<f64>,
     /// Every length is twice the one before.
     lengths: Vec<Length>,
-    /// Index of the longest step to try.
-    longest: usize,
+    steps: StepLength,
     solver: ContactSolver,
 }
 
@@ -43,10 +42,8 @@ struct Length {
     carried: Matrix6<f64>,
 }
 
-/// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
-const STEADY: f64 = 1.0;
 /// A longer step leaves no larger overlap (m).
-const LARGEST_OVERLAP: f64 = 1e-6;
+pub const LARGEST_OVERLAP: f64 = 1e-6;
 /// The longest step takes the place of at most two to this power.
 const DOUBLINGS: u32 = 6;
 /// Longer steps are at most this part of the shortest time in which the free body answers.
@@ -74,11 +71,13 @@ impl Stepper {
         let is_short = |length: &Option<Length>| {
             length.as_ref().is_none_or(|length| length.weight == 1.0 || length.time_step * rate <= SMOOTH)
         };
+        let lengths: Vec<Length> =
+            (0..=count.ilog2().min(DOUBLINGS)).map(length).take_while(is_short).collect::<Option<_>>()?;
         Some(Self {
             impedance: impedance.clone(),
             offset,
-            lengths: (0..=count.ilog2().min(DOUBLINGS)).map(length).take_while(is_short).collect::<Option<_>>()?,
-            longest: 0,
+            steps: StepLength::new(time_step, lengths.len() - 1),
+            lengths,
             solver: ContactSolver::new(friction),
         })
     }
@@ -94,39 +93,16 @@ impl Stepper {
         finder: &mut ContactFinder,
         impulses: &mut [f64],
     ) -> (usize, f64) {
-        let most = self.largest_change();
-        let mut length = self.longest.min(done.trailing_zeros().min((count - done).ilog2()) as usize);
-        loop {
-            let taken = 1 << length;
-            let mut next = *body;
-            let (overlap, mut change) = self.advance(
-                &mut next,
-                length,
-                &target(done as f64 + self.lengths[length].weight * taken as f64),
-                finder,
-            );
-            if length == 0 || change <= most {
-                for (pair, impulse) in self.solver.impulses() {
-                    impulses[pair] += impulse;
-                }
-                if 2.0 * change <= most {
-                    self.longest = self.longest.max(length + 1).min(self.lengths.len() - 1);
-                }
-                *body = next;
-                return (taken, overlap);
-            }
-            // Half of the step changes half as much.
-            length -= 1;
-            while length > 0 && 0.5 * change > most {
-                (length, change) = (length - 1, 0.5 * change);
-            }
-            self.longest = length;
+        let mut steps = self.steps;
+        let (taken, overlap) = steps.step(body, (done, count), |body, length| {
+            let weight = self.lengths[length].weight;
+            self.advance(body, length, &target(done as f64 + weight * f64::from(1_u32 << length)), finder)
+        });
+        self.steps = steps;
+        for (pair, impulse) in self.solver.impulses() {
+            impulses[pair] += impulse;
         }
-    }
-
-    /// Largest change of velocity (m/s) in a longer step.
-    fn largest_change(&self) -> f64 {
-        STEADY * self.lengths[0].time_step
+        (taken, overlap)
     }
 
     /// Moves the body by a step of some length. Returns the overlap (m) before, and how much the velocity (m/s) of any
@@ -141,7 +117,7 @@ impl Stepper {
             // Contacts only dissipate: with or without them, no point of the body moves further than this.
             time_step * metric.fastest(free.norm(), radius)
         } else {
-            time_step * (speed(&body.velocity, &body.angular_velocity) + self.largest_change())
+            time_step * (speed(&body.velocity, &body.angular_velocity) + self.steps.largest_change())
         };
         let overlap = self.solver.correct(&self.lengths[0].metric, &mut body.pose, finder, reach);
         let start = body.pose;
@@ -158,7 +134,7 @@ impl Stepper {
         let shift = mean(&before.velocity, &body.velocity);
         body.pose = moved(&start, &shift, &mean(&before.angular_velocity, &body.angular_velocity));
         let mut change = speed(&(body.velocity - before.velocity), &(body.angular_velocity - before.angular_velocity));
-        let is_long = length > 0 && change <= self.largest_change();
+        let is_long = length > 0 && change <= self.steps.largest_change();
         if is_long && -finder.find(&body.pose, reach) > LARGEST_OVERLAP {
             change = f64::INFINITY;
         }

@@ -88,6 +88,7 @@ mod sampled_controller;
 mod settings;
 mod settings_error;
 mod solid;
+mod step_length;
 mod success;
 
 pub use arm_model::{ArmModel, ArmModelError};

@@ -1,0 +1,58 @@
+//! How many of the shortest steps are taken as one.
+
+/// The length of steps. Where the velocity changes little, a step takes the place of 2, 4, 8, ... of the shortest ones.
+/// Impacts change it much: they fall into the shortest steps.
+#[derive(Debug, Clone, Copy)]
+pub struct StepLength {
+    /// The longest step to try takes the place of two to this power.
+    longest: usize,
+    /// Bound of that.
+    bound: usize,
+    /// Largest change of velocity (m/s) in a longer step.
+    largest_change: f64,
+}
+
+/// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
+const STEADY: f64 = 1.0;
+
+impl StepLength {
+    /// For shortest steps of `time_step` seconds, of which at most two to the power of `bound` are taken as one.
+    pub fn new(time_step: f64, bound: usize) -> Self {
+        Self { longest: 0, bound, largest_change: STEADY * time_step }
+    }
+
+    /// Largest change of velocity (m/s) in a longer step.
+    pub fn largest_change(&self) -> f64 {
+        self.largest_change
+    }
+
+    /// Takes a step, when `done` of the `count` shortest steps of an interval have been taken. `advance` moves a copy of the
+    /// state by two to some power of them, and returns the overlap (m) that the previous step has left, and how much the
+    /// velocity (m/s) of any point has changed. Returns how many steps were taken, and the overlap.
+    pub fn step<S: Clone>(
+        &mut self,
+        state: &mut S,
+        (done, count): (usize, usize),
+        mut advance: impl FnMut(&mut S, usize) -> (f64, f64),
+    ) -> (usize, f64) {
+        let most = self.largest_change;
+        let mut doublings = self.longest.min(done.trailing_zeros().min((count - done).ilog2()) as usize);
+        loop {
+            let mut next = state.clone();
+            let (overlap, mut change) = advance(&mut next, doublings);
+            if doublings == 0 || change <= most {
+                if 2.0 * change <= most {
+                    self.longest = self.longest.max(doublings + 1).min(self.bound);
+                }
+                *state = next;
+                return (1 << doublings, overlap);
+            }
+            // Half of the step changes half as much.
+            doublings -= 1;
+            while doublings > 0 && 0.5 * change > most {
+                (doublings, change) = (doublings - 1, 0.5 * change);
+            }
+            self.longest = doublings;
+        }
+    }
+}
