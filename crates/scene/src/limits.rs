@@ -8,7 +8,7 @@ use crate::robot::Robot;
 use crate::table::Table;
 
 /// Limits that are chosen leave this multiple of the speed with which the goal is reached in time.
-const HASTE: f64 = 2.0;
+const HASTE: f64 = 12.0;
 
 /// What limits of velocities follow from where the scene does not give them.
 pub struct Motion<'scene> {

@@ -1,23 +1,32 @@
 //! One time step of an arm that holds the body: control at samples, joint friction, contacts, motion.
 
 use nalgebra::{Isometry3, Vector3};
-use robot::{Arm, JointVector};
-use task::{GraspError, Impedance};
+use robot::{Arm, JointMatrix, JointVector};
+use task::Impedance;
 
+use crate::arm_mobility::ArmMobility;
 use crate::arm_model::ArmModel;
 use crate::arm_posture::ArmPosture;
 use crate::body::{Body, moved};
 use crate::contact::{Contact, ContactFinder};
 use crate::contact_solver::ContactSolver;
 use crate::disturbance::Disturbance;
+use crate::dynamics::LARGEST_OVERLAP;
 use crate::joint_friction::JointFriction;
-use crate::least_distance::Vector6;
-use crate::reference::{Knot, coordinates};
+use crate::late_torques::{DOUBLINGS, doublings, inert, late};
+use crate::metric::added_inertia;
+use crate::reference::Knot;
 use crate::sampled_controller::SampledController;
+use crate::step_length::StepLength;
 
 /// Steps of an arm, semi-implicit Euler in joint space: `M (v+ - v) = h (torques - bias) + friction + J' contacts` with
 /// joint speeds `v` and impulses of joint friction and contacts, then positions move with `v+`. As torques hold between
 /// samples, the controller is explicit and may be unstable, as it would be on the arm.
+///
+/// Longer steps ([`StepLength`]) follow the midpoint rule, with the contacts of a predicted middle pose. They are implicit in
+/// stiffness and damping. That torques come late by `w`, half of a control period and the delay, they know to first order,
+/// and are taken only where this is enough: with `x(t - w) = x - w v` and `v(t - w) = v - w a`, the damping `D` becomes
+/// `D - w K` and the mass matrix `M - w J' D J`.
 ///
 /// Contacts see the velocity of the part only. Among all joint speeds with the same velocity of the part, the nearest in
 /// kinetic energy are those that an impulse on the part gives; so contacts are resolved as those of a free body with the
@@ -28,20 +37,38 @@ pub struct ArmStepper<'arm> {
     arm: &'arm Arm,
     time_step: f64,
     impedance: Impedance,
+    /// For how long torques wait on average (s), and what that makes of the impedance.
+    waiting: f64,
+    late: Impedance,
     /// The believed part in the frame of the part.
     grasp: Isometry3<f64>,
     /// Factor of the mass matrix, and with it of all inertia.
     heaviness: f64,
     controller: SampledController,
-    friction: JointFriction,
+    /// Whether the controller has its samples: it has none of longer steps.
+    is_sampled: bool,
     solver: ContactSolver,
+    length: StepLength,
+    /// The shortest steps so far.
     steps: usize,
+    state: State,
+    /// Of joint positions nearby.
+    posture: ArmPosture,
+    /// The mass matrix less what late damping takes from it.
+    inert: JointMatrix,
+    /// In steps of two to the power of 1, 2, ... of the shortest ones; `None` until it is needed.
+    longer: [Option<ArmMobility>; DOUBLINGS],
+}
+
+/// What moves.
+#[derive(Debug, Clone)]
+struct State {
     /// Joint positions (rad or m).
     configuration: JointVector,
     /// Joint speeds (rad/s or m/s).
     velocity: JointVector,
-    /// Of joint positions nearby.
-    posture: ArmPosture,
+    friction: JointFriction,
+    body: Body,
 }
 
 /// Speed of a joint (rad/s or m/s): a posture serves until a joint has moved as far as it would with this speed in one step.
@@ -52,9 +79,11 @@ const SERVED: usize = 50;
 const ROUNDS: usize = 20;
 /// In the first of these, joint friction takes the contacts that push for ones that go on to.
 const HOPEFUL: usize = 5;
+/// Smaller differences of torques (Nm or N) are rounding errors.
+const ROUNDING: f64 = 1e-9;
 
 impl<'arm> ArmStepper<'arm> {
-    /// At rest, for steps of `time_step` seconds: `body` is where the part really is, `grasp` the believed part in its
+    /// At rest, for shortest steps of `time_step` seconds: `body` is where the part really is, `grasp` the believed part in its
     /// frame, and `near` names the branch. `None` if the arm does not reach that pose, or a number is none.
     pub fn new(
         model: &'arm ArmModel,
@@ -68,110 +97,229 @@ impl<'arm> ArmStepper<'arm> {
         let configuration = arm.inverse_kinematics(&(body * grasp), near).ok()?;
         let heaviness = 1.0 + disturbance.inertia;
         let torques = model.joint_friction.iter().map(|torque| torque * (1.0 + disturbance.joint_friction));
+        let velocity = JointVector::zeros();
+        let posture = ArmPosture::new(arm, (&configuration, &velocity), &grasp, heaviness)?;
+        let delay = model.delay + disturbance.delay;
+        let waiting = delay + 0.5 * model.control_period;
+        let doublings = doublings(&posture, &impedance, waiting, time_step);
+        let body = Body { pose: *body, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
         Some(Self {
-            posture: ArmPosture::new(arm, (&configuration, &JointVector::zeros()), &grasp, heaviness)?,
             arm,
             time_step,
-            impedance,
+            late: late(&impedance, waiting),
+            waiting,
             grasp,
             heaviness,
-            controller: SampledController::new(model.control_period, model.delay + disturbance.delay),
-            friction: JointFriction::new(torques, time_step),
+            controller: SampledController::new(model.control_period, delay),
+            is_sampled: true,
             solver: ContactSolver::new(friction),
+            length: StepLength::new(time_step, doublings),
             steps: 0,
-            configuration,
-            velocity: JointVector::zeros(),
+            state: State { configuration, velocity, friction: JointFriction::new(torques), body },
+            inert: inert(&posture, &impedance, waiting),
+            posture,
+            impedance,
+            longer: [const { None }; DOUBLINGS],
         })
     }
 
-    /// Moves the body by one step, with `target` the reference at its begin. Adds the normal impulse (Ns) of every pair to
-    /// `impulses`. Returns the overlap (m) that the previous step has left. Where the arm is singular, the velocity of the
-    /// body is no number any more.
+    /// Moves the body by one step, when `done` of the `count` shortest steps of an interval have been taken. `target` is the
+    /// reference after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
+    /// shortest steps it takes the place of, and the overlap that the previous step has left. Where the arm is singular, the
+    /// velocity of the body is no number any more.
     pub fn step(
         &mut self,
         body: &mut Body,
-        target: impl FnOnce() -> Knot,
+        (done, count): (usize, usize),
+        target: impl Fn(f64) -> Knot,
         finder: &mut ContactFinder,
         impulses: &mut [f64],
-    ) -> f64 {
-        let time = self.steps as f64 * self.time_step;
-        self.steps += 1;
-        let Self { posture, velocity, impedance, grasp, .. } = self;
-        let torque = self.controller.torque(time, self.time_step, || {
-            // Rotations of reference and impedance are those of the part.
-            let believed = body.pose.rotation * grasp.translation.vector + body.pose.translation.vector;
-            let believed = Isometry3::from_parts(believed.into(), body.pose.rotation);
-            within_limits(self.arm, posture, command(posture, (&believed, velocity), impedance, &target()))
+    ) -> (usize, f64) {
+        let (mut state, mut length) = (self.state.clone(), self.length);
+        let (taken, overlap) = length.step(&mut state, (done, count), |state, doublings| {
+            if doublings == 0 {
+                self.advance(state, &target(done as f64), finder)
+            } else {
+                let middle = done as f64 + 0.5 * f64::from(1_u32 << doublings) - self.waiting / self.time_step;
+                self.advance_far(state, doublings, &target(middle.max(0.0)), finder)
+            }
         });
-        let acceleration = posture.mobility * (torque - posture.bias * self.heaviness);
-        let free = *velocity + acceleration * self.time_step;
-        // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.
-        let norm = free.dot(&(posture.mass * free)).max(0.0).sqrt();
-        let reach = self.time_step * posture.metric.fastest(norm, finder.radius());
-        let before = body.pose;
-        let overlap = self.solver.correct(&posture.metric, &mut body.pose, finder, reach);
-        if overlap > 0.0 {
-            self.configuration += posture.correction(&before, &body.pose);
-        }
-        self.resolve(&free, body, &finder.contacts);
+        self.is_sampled = taken == 1;
+        self.steps += taken;
+        (self.state, self.length) = (state, length);
         for (pair, impulse) in self.solver.impulses() {
             impulses[pair] += impulse;
         }
-        self.configuration += self.velocity * self.time_step;
-        self.follow(body);
+        self.renew_posture(taken);
+        *body = self.state.body;
+        (taken, overlap)
+    }
+
+    /// The shortest step. Returns the overlap (m) before, and how much the velocity (m/s) of any point has changed.
+    fn advance(&mut self, state: &mut State, target: &Knot, finder: &mut ContactFinder) -> (f64, f64) {
+        let Self { posture, impedance, .. } = self;
+        let (time, time_step) = ((self.steps) as f64 * self.time_step, self.time_step);
+        let command = || {
+            let wanted =
+                posture.torque(impedance, &state.believed(&self.grasp), &state.velocity, target) + posture.bias;
+            within_limits(self.arm, posture, wanted)
+        };
+        if !self.is_sampled {
+            self.controller.restart(time, command());
+        }
+        let torque = self.controller.torque(time, time_step, command);
+        let mobility = &posture.mobility;
+        let acceleration = mobility.inverse * (torque - posture.bias * self.heaviness);
+        let free = state.velocity + acceleration * time_step;
+        // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.
+        let norm = free.dot(&(mobility.mass * free)).max(0.0).sqrt();
+        let reach = time_step * mobility.metric.fastest(norm, finder.radius());
+        let before = state.body;
+        let overlap = state.part_from(mobility, &mut self.solver, finder, reach);
+        let velocity = resolve(mobility, &mut self.solver, state, &free, &finder.contacts, time_step);
+        state.velocity = velocity;
+        state.follow(posture, &velocity, time_step);
+        (overlap, state.body.change(&before, finder.radius()))
+    }
+
+    /// A longer step, likewise; the change is infinite if the step should be shorter.
+    fn advance_far(
+        &mut self,
+        state: &mut State,
+        doublings: usize,
+        target: &Knot,
+        finder: &mut ContactFinder,
+    ) -> (f64, f64) {
+        const TOO_LONG: (f64, f64) = (0.0, f64::INFINITY);
+        let time_step = self.time_step * f64::from(1_u32 << doublings);
+        let half = 0.5 * time_step;
+        let Self { posture, impedance, .. } = self;
+        let longer = &mut self.longer[doublings - 1];
+        if longer.is_none() {
+            let mass = self.inert + posture.of_joints(&added_inertia(half, &self.late));
+            *longer = ArmMobility::new(mass, &posture.jacobian);
+        }
+        let Some(mobility) = longer else { return TOO_LONG };
+        let (believed, still) = (state.believed(&self.grasp), JointVector::zeros());
+        let wanted = posture.torque(impedance, &believed, &state.velocity, target) + posture.bias;
+        if (within_limits(self.arm, posture, wanted) - wanted).amax() > ROUNDING {
+            return TOO_LONG;
+        }
+        // The torques of damping and of what positions change by are in the mass matrix.
+        let torque = posture.torque(impedance, &believed, &still, target) + posture.bias * (1.0 - self.heaviness);
+        let carried: JointMatrix = self.inert * 2.0 - mobility.mass;
+        let free = mobility.inverse * (carried * state.velocity + torque * time_step);
+        let (before, radius) = (state.body, finder.radius());
+        let reach = time_step * (before.fastest(radius) + self.length.largest_change());
+        let overlap = state.part_from(&posture.mobility, &mut self.solver, finder, reach);
+        let start = state.body.pose;
+        if !finder.contacts.is_empty() {
+            // Contacts slide and turn meanwhile: forces are those of the middle of the step.
+            state.body.pose = moved(&start, &(before.velocity * half), &(before.angular_velocity * half));
+            finder.find(&state.body.pose, reach);
+        }
+        let velocity = resolve(mobility, &mut self.solver, state, &free, &finder.contacts, time_step);
+        let mean = (state.velocity + velocity) * 0.5;
+        state.body.pose = start;
+        state.velocity = velocity;
+        state.follow(posture, &mean, time_step);
+        let change = state.body.change(&before, radius);
+        if change <= self.length.largest_change() && -finder.find(&state.body.pose, reach) > LARGEST_OVERLAP {
+            return TOO_LONG;
+        }
+        (overlap, change)
+    }
+
+    /// Renews what depends on the posture, if the arm has moved too far from it in the last steps.
+    fn renew_posture(&mut self, taken: usize) {
+        let State { configuration, velocity, body, .. } = &mut self.state;
+        let is_old = self.steps / SERVED != (self.steps - taken) / SERVED;
+        let is_near = (*configuration - self.posture.configuration).amax() < SLOW * self.time_step;
+        if is_near && !is_old {
+            return;
+        }
+        match ArmPosture::new(self.arm, (configuration, velocity), &self.grasp, self.heaviness) {
+            Some(posture) => {
+                body.pose = posture.pose;
+                body.set_twist(&(posture.jacobian * *velocity));
+                self.inert = inert(&posture, &self.impedance, self.waiting);
+                self.posture = posture;
+                self.longer.fill(None);
+            }
+            None => body.velocity = Vector3::repeat(f64::NAN),
+        }
+    }
+}
+
+impl State {
+    /// Where the controller believes the part's origin, with the rotation of the part: those of reference and impedance are its.
+    fn believed(&self, grasp: &Isometry3<f64>) -> Isometry3<f64> {
+        let Isometry3 { rotation, translation } = self.body.pose;
+        Isometry3::from_parts((translation.vector + rotation * grasp.translation.vector).into(), rotation)
+    }
+
+    /// Finds the contacts within `reach` (m), and moves the part and the joints out of an overlap. Returns the overlap (m).
+    fn part_from(
+        &mut self,
+        mobility: &ArmMobility,
+        solver: &mut ContactSolver,
+        finder: &mut ContactFinder,
+        reach: f64,
+    ) -> f64 {
+        let before = self.body.pose;
+        let overlap = solver.correct(&mobility.metric, &mut self.body.pose, finder, reach);
+        if overlap > 0.0 {
+            self.configuration += mobility.correction(&before, &self.body.pose);
+        }
         overlap
     }
 
-    /// Moves the body with the joints.
-    fn follow(&mut self, body: &mut Body) {
-        let is_near = !self.steps.is_multiple_of(SERVED)
-            && (self.configuration - self.posture.configuration).amax() < SLOW * self.time_step;
-        if !is_near {
-            let state = (&self.configuration, &self.velocity);
-            let Some(posture) = ArmPosture::new(self.arm, state, &self.grasp, self.heaviness) else {
-                body.velocity = Vector3::repeat(f64::NAN);
-                return;
-            };
-            self.posture = posture;
-        }
-        let twist = self.posture.jacobian * self.velocity;
-        (body.velocity, body.angular_velocity) = (twist.fixed_rows::<3>(0).into(), twist.fixed_rows::<3>(3).into());
-        body.pose = if is_near {
-            moved(&body.pose, &(body.velocity * self.time_step), &(body.angular_velocity * self.time_step))
-        } else {
-            self.posture.pose
-        };
+    /// Moves joints and part for a time (s) with mean joint speeds (rad/s or m/s).
+    fn follow(&mut self, posture: &ArmPosture, mean: &JointVector, time_step: f64) {
+        self.configuration += mean * time_step;
+        self.body.set_twist(&(posture.jacobian * mean));
+        let Body { pose, velocity, angular_velocity } = self.body;
+        self.body.pose = moved(&pose, &(velocity * time_step), &(angular_velocity * time_step));
+        self.body.set_twist(&(posture.jacobian * self.velocity));
     }
+}
 
-    /// Joint speeds after the step of the body from those without contacts and joint friction.
-    fn resolve(&mut self, free: &JointVector, body: &Body, contacts: &[Contact]) {
-        let Self { posture, solver, friction, .. } = self;
-        if contacts.is_empty() {
-            solver.release();
-            self.velocity = free + posture.mobility * friction.impulses();
-            friction.brake(&posture.mobility, &mut self.velocity);
-            return;
+/// Joint speeds after a step (s) of the state from those without contacts and joint friction.
+fn resolve(
+    mobility: &ArmMobility,
+    solver: &mut ContactSolver,
+    state: &mut State,
+    free: &JointVector,
+    contacts: &[Contact],
+    time_step: f64,
+) -> JointVector {
+    let State { friction, body, .. } = state;
+    if contacts.is_empty() {
+        solver.release();
+        let mut velocity = free + mobility.inverse * friction.impulses(time_step);
+        friction.brake(&mobility.inverse, &mut velocity, time_step);
+        return velocity;
+    }
+    let mut round = 1;
+    loop {
+        let mut velocity = free + mobility.inverse * friction.impulses(time_step);
+        let scaled = mobility.scaled(&velocity);
+        if round == 1 {
+            solver.set(&mobility.metric, body, time_step, &scaled, contacts);
         }
-        for round in 1..=ROUNDS {
-            let without = free + posture.mobility * friction.impulses();
-            let scaled = posture.scaled(&without);
-            if round == 1 {
-                solver.set(&posture.metric, body, self.time_step, &scaled, contacts);
-            }
-            let resolved = solver.resolve(&scaled);
-            self.velocity = without;
-            if solver.pushes() {
-                self.velocity += posture.change(&(resolved - scaled));
-            }
-            if round == ROUNDS || friction.is_zero() {
-                break;
-            }
-            // Contacts that push go on to hold, mostly; where they do not, blocks follow each other.
-            let held = if round <= HOPEFUL { solver.held() } else { &[] };
-            if !friction.brake(&posture.mobility_held(held), &mut self.velocity) {
-                break;
-            }
+        let resolved = solver.resolve(&scaled);
+        if solver.pushes() {
+            velocity += mobility.change(&(resolved - scaled));
         }
+        if round == ROUNDS || friction.is_zero() {
+            return velocity;
+        }
+        // Contacts that push go on to hold, mostly; where they do not, blocks follow each other.
+        let held = if round <= HOPEFUL { solver.held() } else { &[] };
+        if !friction.brake(&mobility.held(held), &mut velocity, time_step) {
+            return velocity;
+        }
+        round += 1;
     }
 }
 
@@ -182,21 +330,6 @@ fn within_limits(arm: &Arm, posture: &ArmPosture, torque: JointVector) -> JointV
         given[index] = (torque[index] + weight[index]).clamp(-joint.effort, joint.effort) - weight[index];
     }
     given
-}
-
-/// Torques (Nm or N) of the impedance law and for the bias, with the part `believed` at a pose and the joints at speeds `velocity`
-/// (rad/s or m/s).
-fn command(
-    posture: &ArmPosture,
-    (believed, velocity): (&Isometry3<f64>, &JointVector),
-    impedance: &Impedance,
-    target: &Knot,
-) -> JointVector {
-    let mut state = [0.0; 13];
-    state[..7].copy_from_slice(&coordinates(believed));
-    state[7..].copy_from_slice((posture.tracked * velocity).as_slice());
-    let wrench = impedance.wrench(&target.state(), &state, &GraspError::default().pose());
-    posture.tracked.tr_mul(&Vector6::from(wrench)) + posture.bias
 }
 
 #[cfg(test)]

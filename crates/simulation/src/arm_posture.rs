@@ -1,10 +1,12 @@
 //! What steps need of an arm at its joint positions.
 
-use nalgebra::{Cholesky, Isometry3, SMatrix, Vector3};
+use nalgebra::{Isometry3, Matrix6, Vector3};
 use robot::{Arm, Jacobian, JointMatrix, JointVector, MOST_JOINTS};
+use task::{GraspError, Impedance};
 
+use crate::arm_mobility::ArmMobility;
 use crate::least_distance::Vector6;
-use crate::metric::Metric;
+use crate::reference::{Knot, coordinates};
 
 /// An arm at joint positions whose part sits where it really does.
 #[derive(Debug, Clone)]
@@ -17,18 +19,13 @@ pub struct ArmPosture {
     pub bias: JointVector,
     /// Torques (Nm or N) that carry the arm.
     pub weight: JointVector,
-    /// Velocity of that point (world frame), and the angular velocity in the part's frame, per speed of each joint.
+    /// Velocity of the point where the controller believes the part's origin (world frame), and the angular velocity in the
+    /// part's frame, per speed of each joint.
     pub tracked: Jacobian,
     /// Velocity of the part's origin (world frame), and the same angular velocity.
     pub jacobian: Jacobian,
-    /// Of the joints (kg m^2, kg m or kg).
-    pub mass: JointMatrix,
-    /// Its inverse.
-    pub mobility: JointMatrix,
-    /// Speeds of all joints per impulse on the part.
-    pub answer: SMatrix<f64, MOST_JOINTS, 6>,
-    /// Of the apparent inertia `(J M^-1 J')^-1`.
-    pub metric: Metric,
+    /// In the shortest steps.
+    pub mobility: ArmMobility,
 }
 
 /// Acceleration by gravity (m/s^2, world frame).
@@ -56,49 +53,29 @@ impl ArmPosture {
             let shift = turning.column(joint).cross(&lever);
             jacobian.fixed_view_mut::<3, 1>(0, joint).zip_apply(&shift, |velocity, shift| *velocity += shift);
         }
-        let mass = posture.mass_matrix() * heaviness;
-        let mobility = Cholesky::new(mass)?.inverse();
-        let answer = mobility * jacobian.transpose();
-        let metric = Metric::of_mobility(&(jacobian * answer))?;
+        let mobility = ArmMobility::new(posture.mass_matrix() * heaviness, &jacobian)?;
         let (bias, weight) = (posture.bias(velocity), posture.gravity(&GRAVITY));
-        Some(Self {
-            configuration: *configuration,
-            pose,
-            bias,
-            weight,
-            tracked,
-            jacobian,
-            mass,
-            mobility,
-            answer,
-            metric,
-        })
+        Some(Self { configuration: *configuration, pose, bias, weight, tracked, jacobian, mobility })
     }
 
-    /// Scaled velocity of the part at joint speeds (rad/s or m/s).
-    pub fn scaled(&self, velocity: &JointVector) -> Vector6 {
-        let twist = self.jacobian * velocity;
-        self.metric.scale_velocity(&twist.fixed_rows::<3>(0).into(), &twist.fixed_rows::<3>(3).into())
+    /// Torques (Nm or N) of the impedance law with the part `believed` at a pose and the joints at speeds `velocity` (rad/s or
+    /// m/s).
+    pub fn torque(
+        &self,
+        impedance: &Impedance,
+        believed: &Isometry3<f64>,
+        velocity: &JointVector,
+        target: &Knot,
+    ) -> JointVector {
+        let mut state = [0.0; 13];
+        state[..7].copy_from_slice(&coordinates(believed));
+        state[7..].copy_from_slice((self.tracked * velocity).as_slice());
+        let wrench = impedance.wrench(&target.state(), &state, &GraspError::default().pose());
+        self.tracked.tr_mul(&Vector6::from(wrench))
     }
 
-    /// How the joints move (rad or m) when the part is moved from one pose to another nearby by impulses on it.
-    pub fn correction(&self, from: &Isometry3<f64>, to: &Isometry3<f64>) -> JointVector {
-        let shift = to.translation.vector - from.translation.vector;
-        let turn = (from.rotation.inverse() * to.rotation).scaled_axis();
-        self.change(&self.metric.scale_velocity(&shift, &turn))
-    }
-
-    /// The mobility while contacts hold the scaled velocity of the part in some directions, which are orthonormal.
-    pub fn mobility_held(&self, directions: &[Vector6]) -> JointMatrix {
-        directions.iter().fold(self.mobility, |mobility, direction| {
-            // A direction's change of the joint speeds is also its component of the velocity that a joint's impulse gives.
-            let change = self.change(direction);
-            mobility - change * change.transpose()
-        })
-    }
-
-    /// How joint speeds (rad/s or m/s) change when impulses on the part change its scaled velocity.
-    pub fn change(&self, scaled: &Vector6) -> JointVector {
-        self.answer * self.metric.momentum(scaled)
+    /// What an inertia, a damping or a stiffness of the believed part is for the joints.
+    pub fn of_joints(&self, matrix: &Matrix6<f64>) -> JointMatrix {
+        self.tracked.tr_mul(&(matrix * self.tracked))
     }
 }

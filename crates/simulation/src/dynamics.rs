@@ -112,12 +112,11 @@ impl Stepper {
         let free = self.free_velocity(body, length, target);
         let Length { time_step, weight, metric, .. } = &self.lengths[length];
         let (time_step, weight, radius) = (*time_step, *weight, finder.radius());
-        let speed = |velocity: &Vector3<f64>, angular: &Vector3<f64>| velocity.norm() + radius * angular.norm();
         let reach = if length == 0 {
             // Contacts only dissipate: with or without them, no point of the body moves further than this.
             time_step * metric.fastest(free.norm(), radius)
         } else {
-            time_step * (speed(&body.velocity, &body.angular_velocity) + self.steps.largest_change())
+            time_step * (body.fastest(radius) + self.steps.largest_change())
         };
         let overlap = self.solver.correct(&self.lengths[0].metric, &mut body.pose, finder, reach);
         let start = body.pose;
@@ -133,7 +132,7 @@ impl Stepper {
         let mean = |from: &Vector3<f64>, to: &Vector3<f64>| from.lerp(to, weight) * time_step;
         let shift = mean(&before.velocity, &body.velocity);
         body.pose = moved(&start, &shift, &mean(&before.angular_velocity, &body.angular_velocity));
-        let mut change = speed(&(body.velocity - before.velocity), &(body.angular_velocity - before.angular_velocity));
+        let mut change = body.change(&before, radius);
         let is_long = length > 0 && change <= self.steps.largest_change();
         if is_long && -finder.find(&body.pose, reach) > LARGEST_OVERLAP {
             change = f64::INFINITY;

@@ -7,14 +7,14 @@ use robot::{JointMatrix, JointVector};
 /// work, found by projected Gauss-Seidel sweeps from those of the step before.
 #[derive(Debug, Clone)]
 pub struct JointFriction {
-    /// Largest impulse of each joint (Nms or Ns).
+    /// Largest torque of each joint (Nm or N).
     largest: JointVector,
-    /// Impulse of each joint (Nms or Ns).
-    impulses: JointVector,
+    /// Mean torque of each joint in a step (Nm or N).
+    torques: JointVector,
     joints: usize,
 }
 
-/// Sweeps end when no joint's impulse changes by more than this part of its largest one. At rest, sweeps of later steps
+/// Sweeps end when no joint's torque changes by more than this part of its largest one. At rest, sweeps of later steps
 /// remove the rest.
 const TOLERANCE: f64 = 1e-4;
 /// Mobility (1/(kg m^2) or 1/kg) of a joint that contacts hold.
@@ -23,12 +23,12 @@ const HELD: f64 = 1e-9;
 const SWEEPS: usize = 50;
 
 impl JointFriction {
-    /// For the friction torque of each joint (Nm or N), in steps of `time_step` seconds.
-    pub fn new(torques: impl ExactSizeIterator<Item = f64>, time_step: f64) -> Self {
+    /// For the friction torque of each joint (Nm or N).
+    pub fn new(torques: impl ExactSizeIterator<Item = f64>) -> Self {
         let joints = torques.len();
         let mut largest = JointVector::zeros();
-        largest.iter_mut().zip(torques).for_each(|(largest, torque)| *largest = torque * time_step);
-        Self { largest, impulses: JointVector::zeros(), joints }
+        largest.iter_mut().zip(torques).for_each(|(largest, torque)| *largest = torque);
+        Self { largest, torques: JointVector::zeros(), joints }
     }
 
     /// Whether there is any.
@@ -36,27 +36,28 @@ impl JointFriction {
         self.largest == JointVector::zeros()
     }
 
-    /// The impulses (Nms or Ns).
-    pub fn impulses(&self) -> &JointVector {
-        &self.impulses
+    /// The impulses (Nms or Ns) in a step (s).
+    pub fn impulses(&self, time_step: f64) -> JointVector {
+        self.torques * time_step
     }
 
-    /// Changes the impulses so that they suit the joint speeds `velocity` (rad/s or m/s), which contain those so far, and
-    /// the speeds with them. `mobility` is the inverse of the mass matrix, or what contacts leave of it. Returns whether they had to change.
-    pub fn brake(&mut self, mobility: &JointMatrix, velocity: &mut JointVector) -> bool {
+    /// Changes the impulses in a step (s) so that they suit the joint speeds `velocity` (rad/s or m/s), which contain those so
+    /// far, and the speeds with them. `mobility` is the inverse of the mass matrix, or what contacts leave of it. Returns
+    /// whether they had to change.
+    pub fn brake(&mut self, mobility: &JointMatrix, velocity: &mut JointVector, time_step: f64) -> bool {
         for sweep in 0..SWEEPS {
             let mut is_done = true;
             for joint in 0..self.joints {
-                let (before, largest) = (self.impulses[joint], self.largest[joint]);
+                let (before, largest) = (self.torques[joint], self.largest[joint]);
                 if mobility[(joint, joint)] < HELD {
                     continue;
                 }
-                let stopping = before - velocity[joint] / mobility[(joint, joint)];
-                let impulse = stopping.max(-largest).min(largest);
-                let change = impulse - before;
+                let stopping = before - velocity[joint] / (mobility[(joint, joint)] * time_step);
+                let torque = stopping.max(-largest).min(largest);
+                let change = torque - before;
                 is_done &= change.abs() <= TOLERANCE * largest;
-                self.impulses[joint] = impulse;
-                velocity.axpy(change, &mobility.column(joint), 1.0);
+                self.torques[joint] = torque;
+                velocity.axpy(change * time_step, &mobility.column(joint), 1.0);
             }
             if is_done {
                 return sweep > 0;
@@ -84,14 +85,14 @@ mod tests {
             let factor = JointMatrix::from_column_slice(&entries);
             let mobility = factor * factor.transpose() + JointMatrix::identity() * 0.5;
             let free = JointVector::from_column_slice(&free);
-            let mut friction = JointFriction::new(torques.iter().copied(), 1e-3);
+            let mut friction = JointFriction::new(torques.iter().copied());
             let mut velocity = free;
             for _ in 0..1000 {
-                friction.brake(&mobility, &mut velocity);
+                friction.brake(&mobility, &mut velocity, 1e-3);
             }
-            prop_assert!((free + mobility * friction.impulses() - velocity).amax() < 1e-12);
+            prop_assert!((free + mobility * friction.impulses(1e-3) - velocity).amax() < 1e-12);
             for joint in 0..MOST_JOINTS {
-                let (impulse, largest, speed) = (friction.impulses()[joint], 1e-3 * torques[joint], velocity[joint]);
+                let (impulse, largest, speed) = (friction.impulses(1e-3)[joint], 1e-3 * torques[joint], velocity[joint]);
                 prop_assert!(impulse.abs() <= largest);
                 prop_assert!(speed.abs() < 1e-5 || impulse == -largest.copysign(speed), "{impulse} at {speed}");
             }

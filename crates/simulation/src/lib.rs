@@ -29,9 +29,9 @@
 //!
 //! | question | answer |
 //! |---|---|
-//! | how does the arm move? | semi-implicit Euler in joint space, a posture and a mass matrix in every step; `arm_dynamics` |
+//! | how does the arm move? | semi-implicit Euler in joint space, and the midpoint rule in longer steps, with the mass matrix of a posture nearby; `arm_dynamics`, `step_length` |
 //! | what do contacts see? | the part as a free body with the inertia `(J M^-1 J')^-1`: the same solver; `contact_solver` |
-//! | how do joints stick? | exactly: impulses within the box of Coulomb, by projected Gauss-Seidel; `joint_friction` |
+//! | how do joints stick? | exactly: torques within the box of Coulomb, by projected Gauss-Seidel; `joint_friction` |
 //! | when does the controller act? | `sampled_controller` |
 //!
 //! An [`Evaluator`] simulates a reference in several [`Trial`]s. A [`Refinement`] changes the reference until it passes
@@ -62,6 +62,7 @@
 
 mod arc;
 mod arm_dynamics;
+mod arm_mobility;
 mod arm_model;
 mod arm_posture;
 mod axis;
@@ -75,6 +76,7 @@ mod disturbance;
 mod dynamics;
 mod evaluator;
 mod joint_friction;
+mod late_torques;
 mod least_distance;
 mod loads;
 mod metric;

@@ -1,7 +1,5 @@
 //! Inertias, and coordinates in which they are the identity.
 
-use std::ops::AddAssign;
-
 use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
 use task::{Impedance, Inertia};
 
@@ -9,15 +7,20 @@ use crate::least_distance::Vector6;
 
 /// Effective inertia of a step of `h` seconds that is implicit in stiffness and damping: `M + h D + h^2 K`.
 pub fn effective_inertia(time_step: f64, inertia: &Inertia, impedance: &Impedance) -> Matrix6<f64> {
+    inertia.matrix() + added_inertia(time_step, impedance)
+}
+
+/// What stiffness and damping add to the inertia of a step of `h` seconds that is implicit in them: `h D + h^2 K`.
+pub fn added_inertia(time_step: f64, impedance: &Impedance) -> Matrix6<f64> {
     let h = time_step;
     let added =
         |damping: Matrix3<f64>, stiffness: f64| damping * h + Matrix3::from_diagonal_element(stiffness) * (h * h);
+    let mut inertia = Matrix6::zeros();
     let linear = added(impedance.translational_damping, impedance.translational_stiffness);
     let angular = added(impedance.rotational_damping, impedance.rotational_stiffness);
-    let mut effective = *inertia.matrix();
-    effective.fixed_view_mut::<3, 3>(0, 0).add_assign(linear);
-    effective.fixed_view_mut::<3, 3>(3, 3).add_assign(angular);
-    effective
+    inertia.fixed_view_mut::<3, 3>(0, 0).copy_from(&linear);
+    inertia.fixed_view_mut::<3, 3>(3, 3).copy_from(&angular);
+    inertia
 }
 
 /// Kinetic energy of a body as a measure of its velocity.

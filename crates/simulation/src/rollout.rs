@@ -44,7 +44,7 @@ impl Plant<'_> {
     ) -> (usize, f64) {
         match self {
             Self::Body(stepper) => stepper.step(body, (done, count), target, finder, impulses),
-            Self::Arm(stepper) => (1, stepper.step(body, || target(done as f64), finder, impulses)),
+            Self::Arm(stepper) => stepper.step(body, (done, count), target, finder, impulses),
         }
     }
 }

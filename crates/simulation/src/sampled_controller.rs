@@ -49,6 +49,13 @@ impl SampledController {
         mean
     }
 
+    /// Goes on at a time (s) with torques (Nm or N) that have held for the delay.
+    pub fn restart(&mut self, time: f64, torque: JointVector) {
+        self.samples = (time / self.period - ROUNDING).ceil() as usize;
+        self.commands.clear();
+        self.torque = torque;
+    }
+
     /// The oldest torques that wait become those that hold.
     fn next(&mut self) {
         self.torque = self.commands.pop_front().map_or(self.torque, |(_, torque)| torque);

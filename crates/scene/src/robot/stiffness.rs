@@ -15,9 +15,11 @@ pub struct Stiffness {
     pub rotational: f64,
 }
 
-/// Largest error (m, rad) at which joint friction may hold the arm.
+/// Largest error (m, rad) at which joint friction may hold the arm; a plan that bears larger offsets also bears a larger one.
 const DEADBAND: f64 = 3e-3;
 const ANGULAR_DEADBAND: f64 = 0.03;
+/// Part of the offset magnitude that the deadband may be.
+const DEADBAND_OF_OFFSETS: f64 = 0.4;
 /// Largest contact force (N) where the scene has no limit.
 const LARGEST_FORCE: f64 = 60.0;
 
@@ -66,16 +68,18 @@ pub fn stiffness(
     let holds = robot.and_then(|robot| robot.friction_wrench);
     let limit = scene.table("limits")?.find("contact_force").map(|entry| entry.number()).transpose()?;
     let load = if robot.is_some() { limit.unwrap_or(LARGEST_FORCE) } else { f64::INFINITY };
+    // The arm is not stiffer than its offsets ask for: they press it against contacts.
+    let allowed = (DEADBAND_OF_OFFSETS * offset_magnitude / DEADBAND).max(1.0);
     let translation = Demand {
         friction: holds.map_or(0.0, |wrench| wrench.force),
-        deadband: DEADBAND,
+        deadband: DEADBAND * allowed,
         press: offset_magnitude,
         load,
         range: ranges[0],
     };
     let rotation = Demand {
         friction: holds.map_or(0.0, |wrench| wrench.torque),
-        deadband: ANGULAR_DEADBAND,
+        deadband: ANGULAR_DEADBAND * allowed,
         press: 0.0,
         load: f64::INFINITY,
         range: ranges[1],

@@ -1,0 +1,67 @@
+//! What longer steps know of torques that come late.
+
+use nalgebra::{Matrix3, Matrix6};
+use robot::JointMatrix;
+use task::Impedance;
+
+use crate::arm_posture::ArmPosture;
+
+/// The longest step takes the place of at most two to this power.
+pub const DOUBLINGS: usize = 4;
+/// Longer steps are at most this multiple of the shortest time in which the arm answers: what is faster follows at once.
+const FOLLOWING: f64 = 8.0;
+/// They need a controller that waits for at most this part of that time.
+const PROMPT: f64 = 0.5;
+
+/// Bound on the fastest rate (1/s) at which damping stops any motion of the arm.
+fn fastest_rate(posture: &ArmPosture, impedance: &Impedance) -> f64 {
+    posture.mobility.inverse.component_mul(&posture.of_joints(&damping(impedance))).sum()
+}
+
+/// Damping of translations (Ns/m) and rotations (Nms/rad).
+fn damping(impedance: &Impedance) -> Matrix6<f64> {
+    let mut damping = Matrix6::zeros();
+    damping.fixed_view_mut::<3, 3>(0, 0).copy_from(&impedance.translational_damping);
+    damping.fixed_view_mut::<3, 3>(3, 3).copy_from(&impedance.rotational_damping);
+    damping
+}
+
+/// The mass matrix with damping that comes late (s), to first order.
+pub fn inert(posture: &ArmPosture, impedance: &Impedance, waiting: f64) -> JointMatrix {
+    posture.mobility.mass - posture.of_joints(&damping(impedance)) * waiting
+}
+
+/// The impedance of torques that come late (s), to first order.
+pub fn late(impedance: &Impedance, waiting: f64) -> Impedance {
+    let less = |damping: Matrix3<f64>, stiffness: f64| damping - Matrix3::from_diagonal_element(stiffness * waiting);
+    Impedance {
+        translational_damping: less(impedance.translational_damping, impedance.translational_stiffness),
+        rotational_damping: less(impedance.rotational_damping, impedance.rotational_stiffness),
+        ..impedance.clone()
+    }
+}
+
+/// Largest number of doublings of the shortest step (s) of an arm whose torques come late (s).
+pub fn doublings(posture: &ArmPosture, impedance: &Impedance, waiting: f64, time_step: f64) -> usize {
+    doublings_at(fastest_rate(posture, impedance), waiting, time_step)
+}
+
+/// The same for an arm that answers at a rate (1/s).
+fn doublings_at(rate: f64, waiting: f64, time_step: f64) -> usize {
+    let is_allowed = |doublings: &usize| rate * time_step * f64::from(1_u32 << doublings) <= FOLLOWING;
+    if rate * waiting <= PROMPT { (1..=DOUBLINGS).take_while(is_allowed).count() } else { 0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_long_where_the_arm_answers_slowly_and_its_controller_at_once() {
+        assert_eq!(doublings_at(400.0, 1e-3, 2e-3), 3, "16 ms");
+        assert_eq!(doublings_at(2000.0, 1e-4, 2e-3), 1, "4 ms");
+        assert_eq!(doublings_at(1.0, 1e-3, 2e-3), DOUBLINGS);
+        assert_eq!(doublings_at(400.0, 2e-3, 2e-3), 0, "what is damped in 2.5 ms is late by 2 ms");
+        assert_eq!(doublings_at(f64::NAN, 1e-3, 2e-3), 0);
+    }
+}
