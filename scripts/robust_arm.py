@@ -15,7 +15,7 @@ MAGNITUDES = "0,0.5,0.95"
 TURN = "0.02"
 
 # Seconds after which the best plan so far is kept.
-TIME_LIMIT = "120"
+TIME_LIMIT = "60"
 # Largest force of a contact (N).
 LARGEST_FORCE = 60.0
 LIMITS = f"[limits]\ncontact_force = {LARGEST_FORCE}\n"

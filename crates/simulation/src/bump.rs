@@ -22,6 +22,8 @@ pub struct Bump {
 
 /// Smallest and largest width, as fractions of the duration.
 const WIDTHS: [f64; 2] = [0.04, 0.34];
+/// Part of the duration in which late changes lie.
+const LATE: f64 = 0.25;
 /// Fraction of changes that last.
 const LASTING: f64 = 0.2;
 /// Standard deviation of the logarithm of the size.
@@ -52,6 +54,13 @@ impl Bump {
         let shift = vector(success.position, kind != 1);
         let turn = vector(TURN * success.orientation, kind != 0);
         Self { center, width, lasting, shift, turn }
+    }
+
+    /// A random shift or turn that comes and goes shortly before the end.
+    pub fn late(random: &mut Rng, success: &Success) -> Self {
+        let [least, _] = WIDTHS;
+        let (center, width) = (1.0 - LATE * random.f64(), least * (1.0 + random.f64()));
+        Self { center, width, lasting: false, ..Self::random(random, success) }
     }
 
     /// A change like this one: at about the same time and in about the same direction, of another size; `other` is added

@@ -30,6 +30,10 @@ const BATCH: usize = 8;
 const FIRST_BATCH: usize = 4;
 /// Fraction of changes that lead towards what a failing trial lacks.
 const AIMED: f64 = 0.3;
+/// Final errors that are less than this multiple of the position tolerance are those of a body that is nearly there, and how
+/// many of its changes go too far and back.
+const NEAR: f64 = 4.0;
+const TOO_FAR: f64 = 0.5;
 /// Fraction of the others that resemble earlier ones.
 const LEARNED: f64 = 0.5;
 /// Changes that are looked at until one keeps the bounds, and how often each is halved.
@@ -119,6 +123,10 @@ impl<'evaluator> Refinement<'evaluator> {
         if self.random.f64() < AIMED
             && let Some(TrialResult { missing_shift, missing_turn, .. }) = self.some_failing()
         {
+            // Dry friction holds a body short of the goal: going too far and back again takes it there.
+            let is_near = missing_shift.norm() < NEAR * self.evaluator.success().position;
+            let goes_too_far = is_near && self.random.f64() < TOO_FAR;
+            let new = if goes_too_far { Bump::late(&mut self.random, self.evaluator.success()) } else { new };
             return new.aimed(&missing_shift, &missing_turn, &mut self.random);
         }
         if self.helped.is_empty() || self.random.f64() >= LEARNED {
