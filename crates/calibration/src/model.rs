@@ -53,7 +53,7 @@ impl<'work> Comparison<'work> {
         let run = &self.runs[index];
         let Played { arm, task, friction, grasp } = self.played(index, values)?;
         let settings = Settings { friction, settling_time: 0.0, ..Settings::default() };
-        let mut rollout = Rollout::new(&task, settings);
+        let mut rollout = Rollout::new(&task, settings).with_even_steps();
         if let Some(arm) = &arm {
             rollout = rollout.with_arm(arm).ok()?;
         }

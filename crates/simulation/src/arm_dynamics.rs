@@ -83,14 +83,14 @@ const HOPEFUL: usize = 5;
 const ROUNDING: f64 = 1e-9;
 
 impl<'arm> ArmStepper<'arm> {
-    /// At rest, for shortest steps of `time_step` seconds: `body` is where the part really is, `grasp` the believed part in its
+    /// At rest, for shortest steps of `time_step` seconds of which at most `most` are taken as one: `body` is where the part really is, `grasp` the believed part in its
     /// frame, and `near` names the branch. `None` if the arm does not reach that pose, or a number is none.
     pub fn new(
         model: &'arm ArmModel,
         near: &JointVector,
         (body, grasp): (&Isometry3<f64>, Isometry3<f64>),
         (impedance, disturbance): (Impedance, &Disturbance),
-        time_step: f64,
+        (time_step, most): (f64, usize),
         friction: f64,
     ) -> Option<Self> {
         let arm = &model.arm;
@@ -101,7 +101,7 @@ impl<'arm> ArmStepper<'arm> {
         let posture = ArmPosture::new(arm, (&configuration, &velocity), &grasp, heaviness)?;
         let delay = model.delay + disturbance.delay;
         let waiting = delay + 0.5 * model.control_period;
-        let doublings = doublings(&posture, &impedance, waiting, time_step);
+        let doublings = doublings(&posture, &impedance, waiting, time_step).min(most.ilog2() as usize);
         let body = Body { pose: *body, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
         Some(Self {
             arm,

@@ -50,7 +50,7 @@ const DOUBLINGS: u32 = 6;
 const SMOOTH: f64 = 0.5;
 
 impl Stepper {
-    /// For shortest steps of `time_step` seconds of which `count` make an interval, an offset of which the controller
+    /// For shortest steps of `time_step` seconds of which at most `count` are taken as one, an offset of which the controller
     /// does not know (m, body frame), and a friction coefficient; `None` unless the effective inertia is positive definite and finite.
     pub fn new(
         (time_step, count): (f64, usize),

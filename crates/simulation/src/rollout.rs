@@ -22,6 +22,8 @@ pub struct Rollout {
     pub(crate) task: AssemblyTask,
     pub(crate) settings: Settings,
     shapes: Shapes,
+    /// Whether all steps have the same length.
+    has_even_steps: bool,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
     arm: Option<(ArmModel, JointVector)>,
 }
@@ -103,7 +105,7 @@ impl TimedState {
 impl Rollout {
     /// Prepares the shapes of a task. Callers validate the settings ([`Settings::validate_for`]).
     pub fn new(task: &AssemblyTask, settings: Settings) -> Self {
-        Self { task: task.clone(), settings, shapes: Shapes::new(&task.pairs), arm: None }
+        Self { task: task.clone(), settings, shapes: Shapes::new(&task.pairs), has_even_steps: false, arm: None }
     }
 
     /// With an arm that holds the body. The inertia is that of the arm then, not that of the task; the time step becomes
@@ -118,6 +120,11 @@ impl Rollout {
         self.settings.time_step = self.settings.divide(model.control_period).0;
         self.arm = Some((model.clone(), start));
         Ok(self)
+    }
+
+    /// With steps that are all of the same length, so that motions depend smoothly on the parameters of task and arm.
+    pub fn with_even_steps(self) -> Self {
+        Self { has_even_steps: true, ..self }
     }
 
     /// One rollout of a reference per injection, grasp error or offset (m, body frame). Outcomes are in
@@ -198,16 +205,18 @@ impl Rollout {
         let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let friction = self.settings.friction;
+        let most = if self.has_even_steps { 1 } else { substeps };
         match &self.arm {
             None => {
                 let inertia = disturbance.inertia(&self.task.inertia);
                 let offset = Vector3::from(grasp.offset);
-                let stepper = Stepper::new((time_step, substeps), &inertia, &impedance, offset, friction);
+                let stepper = Stepper::new((time_step, most), &inertia, &impedance, offset, friction);
                 stepper.map(|stepper| Plant::Body(Box::new(stepper)))
             }
             Some((model, near)) => {
                 let control = (impedance, disturbance);
-                let stepper = ArmStepper::new(model, near, (start, grasp.believed()), control, time_step, friction);
+                let stepper =
+                    ArmStepper::new(model, near, (start, grasp.believed()), control, (time_step, most), friction);
                 stepper.map(|stepper| Plant::Arm(Box::new(stepper)))
             }
         }
