@@ -19,7 +19,7 @@ pub struct Stiffness {
 const DEADBAND: f64 = 3e-3;
 const ANGULAR_DEADBAND: f64 = 0.03;
 /// Part of the offset magnitude that the deadband may be.
-const DEADBAND_OF_OFFSETS: f64 = 0.4;
+const DEADBAND_OF_OFFSETS: f64 = 0.3;
 /// Largest contact force (N) where the scene has no limit.
 const LARGEST_FORCE: f64 = 60.0;
 
