@@ -257,9 +257,10 @@ impl<'run> Refiner<'run> {
         Some(Candidate { variant, iterations, refinement, round, is_scenes_own })
     }
 
-    /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over; what is the best so far and
-    /// still becomes better may take more. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What is robust, but fails in some trials, is refined in
-    /// these a few times more: simulators differ, and so does reality.
+    /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over; what is the best so far
+    /// and still becomes better may take more. Rates of evaluations that end early vary, so that a lower one is no reason to
+    /// go back. What is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so
+    /// does reality.
     fn refine(&mut self, candidate: Candidate<'run>, mut until: Deadline) -> Result<(), PlannerError> {
         let begin = Instant::now();
         let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
