@@ -11,7 +11,7 @@ impl Transcription {
     /// The trajectory at a point `x`, with distances smoothed by `tau`.
     pub fn motion(&self, x: &[f64], tau: f64) -> Trajectory {
         let (task, layout) = (self.task(), self.layout());
-        let time_step = task.horizon.time_step;
+        let (time_step, unit) = (task.horizon.time_step, task.impedance.force_unit());
         let reference = self.states(x, &at_rest(&task.start), Owner::Reference);
         let compliant: Vec<Vec<[f64; STATE]>> = (0..layout.scenarios)
             .map(|scenario| self.states(x, &self.initial_compliant()[scenario], Owner::Scenario(scenario)))
@@ -22,7 +22,7 @@ impl Transcription {
             .enumerate()
             .map(|(scenario, states)| {
                 let first = |stage: usize| layout.variable(CONTACT_FORCE, stage, Owner::Scenario(scenario));
-                let forces = |stage: usize| &x[first(stage)..][..layout.pairs];
+                let forces = |stage: usize| x[first(stage)..][..layout.pairs].iter().map(|force| force * unit);
                 ScenarioTrajectory::new(task, task.grasps[scenario], time_step, &reference, states, forces, tau)
             })
             .collect();
@@ -34,7 +34,7 @@ impl Transcription {
     /// # Panics
     /// When the trajectory has fewer steps or scenarios than the transcription.
     pub fn point_at(&self, motion: &Trajectory) -> Vec<f64> {
-        let layout = self.layout();
+        let (layout, unit) = (self.layout(), self.task().impedance.force_unit());
         let mut x = vec![INITIAL_CONTACT_FORCE; layout.variable_count()];
         for (stage, owner) in layout.stages_of(Owners::All) {
             let state = &mut x[layout.state(stage, owner)..][..STATE];
@@ -46,7 +46,7 @@ impl Transcription {
             state.copy_from_slice(&scenario_motion.states[stage]);
             let forces = &mut x[layout.variable(CONTACT_FORCE, stage, owner)..][..layout.pairs];
             for (force, contact) in forces.iter_mut().zip(&scenario_motion.contacts[stage - 1]) {
-                *force = contact.force.max(INITIAL_CONTACT_FORCE);
+                *force = (contact.force / unit).max(INITIAL_CONTACT_FORCE);
             }
         }
         x

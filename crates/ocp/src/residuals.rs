@@ -3,6 +3,7 @@
 use nlp::{EvaluationError, Iterate, Problem};
 
 use crate::layout::Member;
+use crate::terms::{CONTACT_FORCE, PRODUCT};
 use crate::transcription::Transcription;
 
 /// Distance from a bound that is zero, below which the bound is active (in the unit of the row).
@@ -77,7 +78,7 @@ impl Residual {
 
 impl Transcription {
     /// Every constraint row, then every variable with a bound, at a primal-dual point, with the smoothing that was set
-    /// last.
+    /// last. Forces are in N, as in the scene.
     ///
     /// # Errors
     /// When a distance cannot be computed there.
@@ -89,29 +90,35 @@ impl Transcription {
         self.set_point(&point.x)?;
         self.constraints(&mut values)?;
         let bounds = self.constraint_bounds();
-        let rows = self.layout().row_members().into_iter().enumerate().map(|(row, member)| Residual {
-            member,
-            index: ConstraintIndex::Row(row),
-            value: values[row],
-            lower: bounds.lower[row],
-            upper: bounds.upper[row],
-            multiplier: point.constraint_multipliers[row],
+        let rows = self.layout().row_members().into_iter().enumerate().map(|(row, member)| {
+            let unit = self.unit(&member);
+            Residual {
+                member,
+                index: ConstraintIndex::Row(row),
+                value: values[row] * unit,
+                lower: bounds.lower[row] * unit,
+                upper: bounds.upper[row] * unit,
+                multiplier: point.constraint_multipliers[row] / unit,
+            }
         });
         let bounds = self.variable_bounds();
-        let variables = self.layout().variable_members().into_iter().enumerate().map(|(index, member)| Residual {
-            member,
-            index: ConstraintIndex::Variable(index),
-            value: point.x[index],
-            lower: bounds.lower[index],
-            upper: bounds.upper[index],
-            multiplier: point.upper_multipliers[index] - point.lower_multipliers[index],
+        let variables = self.layout().variable_members().into_iter().enumerate().map(|(index, member)| {
+            let unit = self.unit(&member);
+            Residual {
+                member,
+                index: ConstraintIndex::Variable(index),
+                value: point.x[index] * unit,
+                lower: bounds.lower[index] * unit,
+                upper: bounds.upper[index] * unit,
+                multiplier: (point.upper_multipliers[index] - point.lower_multipliers[index]) / unit,
+            }
         });
         let bounded = variables.filter(|variable| variable.lower.is_finite() || variable.upper.is_finite());
         Ok(rows.chain(bounded).collect())
     }
 
     /// Gradients of some constraints at a point `x`: for each the indices of variables, ascending, with the derivatives
-    /// by them. Structural zeros are left out.
+    /// by them, all forces in N. Structural zeros are left out.
     ///
     /// # Errors
     /// When a distance cannot be computed there.
@@ -127,15 +134,26 @@ impl Transcription {
         let mut values = vec![0.0; pattern.rows.len()];
         self.set_point(x)?;
         self.jacobian(&mut values)?;
+        let units = |members: Vec<Member>| -> Vec<f64> { members.iter().map(|member| self.unit(member)).collect() };
+        let row_units = units(self.layout().row_members());
+        let column_units = units(self.layout().variable_members());
         let mut rows: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.layout().constraint_count()];
         for ((&row, &column), &value) in pattern.rows.iter().zip(&pattern.columns).zip(&values) {
-            rows[row].push((column, value));
+            rows[row].push((column, value * row_units[row] / column_units[column]));
         }
         let gradient = |index: &ConstraintIndex| match *index {
             ConstraintIndex::Row(row) => summed(rows[row].clone()),
             ConstraintIndex::Variable(variable) => vec![(variable, 1.0)],
         };
         Ok(indices.iter().map(gradient).collect())
+    }
+
+    /// What a row or variable is a multiple of, in the units of the scene.
+    fn unit(&self, member: &Member) -> f64 {
+        match member.block {
+            CONTACT_FORCE | PRODUCT => self.task().impedance.force_unit(),
+            _ => 1.0,
+        }
     }
 }
 

@@ -15,7 +15,7 @@ use crate::term::{StepTerm, blocks};
 use crate::term_function::TermFunction;
 use crate::terms::{initial_states, standard_terms};
 
-/// Contact force in the initial guess (N), and the value of all variables that are not states.
+/// Contact force in the initial guess (in the unit of force), and the value of all variables that are not states.
 pub const INITIAL_CONTACT_FORCE: f64 = 1e-3;
 
 /// Layout, tapes and patterns of a task, built once. The smoothing is set before each homotopy iteration.

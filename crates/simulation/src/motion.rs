@@ -46,7 +46,7 @@ impl Rollout {
             reference.time_step(),
             &reference.states(),
             &states,
-            |step| &forces[step - 1],
+            |step| forces[step - 1].iter().copied(),
             tau,
         );
         let quality = Quality {

@@ -19,7 +19,17 @@ pub struct Impedance {
     pub rotational_damping: Matrix3<f64>,
 }
 
+/// The stiffness (N/m) that the usual settings of the homotopy are made for.
+const USUAL_STIFFNESS: f64 = 50.0;
+
 impl Impedance {
+    /// Contact forces in the optimal control problem are multiples of this force (N). A controller that is so many times as
+    /// stiff pushes so many times as hard for the same error; so its contact is relaxed and scaled like that of a soft one, and
+    /// the same settings of the homotopy suit both.
+    pub fn force_unit(&self) -> f64 {
+        self.translational_stiffness / USUAL_STIFFNESS
+    }
+
     /// Critical damping for the given inertia: `D_t = 2 sqrt(k_t m)`, or the matrix square root of a mass that differs
     /// from axis to axis, and `D_r = 2 sqrt(k_r I_jj)` per axis.
     pub fn critically_damped(translational_stiffness: f64, rotational_stiffness: f64, inertia: &Inertia) -> Self {

@@ -28,6 +28,11 @@ impl Inertia {
         &self.matrix
     }
 
+    /// The same inertia where forces and torques are multiples of `unit` (N, Nm).
+    pub fn in_units_of(&self, unit: f64) -> Self {
+        Self { matrix: self.matrix / unit }
+    }
+
     /// Of velocities (kg).
     pub fn translational(&self) -> Matrix3<f64> {
         self.matrix.fixed_view::<3, 3>(0, 0).into()

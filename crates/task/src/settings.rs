@@ -93,7 +93,8 @@ pub struct HomotopySettings {
     pub coarse_iterations: usize,
     /// Smoothing of the distances in the first iteration, `tau_1` (N m, the barrier parameter of Eq. KKTsystem).
     pub tau: f64,
-    /// Relaxation of complementarity in the first iteration, `sigma_1` (N m).
+    /// Relaxation of complementarity in the first iteration, `sigma_1` (N m at 50 N/m: see
+    /// [`Impedance::force_unit`](crate::Impedance::force_unit)).
     pub sigma: f64,
     /// Ipopt's initial barrier parameter in the first iteration, `mu_init_1`.
     pub mu_init: f64,

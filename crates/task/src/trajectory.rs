@@ -71,13 +71,13 @@ impl Trajectory {
 impl ScenarioTrajectory {
     /// A scenario from the raw states of reference and body at k = 0..N, `time_step` seconds apart. `forces(k)` are the
     /// contact forces (N) of all pairs in the step that ends at k = 1..N. Distances are smoothed by `tau`.
-    pub fn new<'x>(
+    pub fn new<Forces: Iterator<Item = f64>>(
         task: &AssemblyTask,
         grasp: GraspError,
         time_step: f64,
         reference: &[[f64; STATE]],
         raw: &[[f64; STATE]],
-        forces: impl Fn(usize) -> &'x [f64],
+        forces: impl Fn(usize) -> Forces,
         tau: f64,
     ) -> Self {
         let states: Vec<[f64; STATE]> = raw.iter().map(normalised).collect();
@@ -86,7 +86,7 @@ impl ScenarioTrajectory {
         let contacts: Vec<Vec<Contact>> = (1..poses.len())
             .map(|step| {
                 let pairs = distances.iter().zip(forces(step));
-                pairs.map(|(distances, &force)| Contact { distance: distances[step - 1], force }).collect()
+                pairs.map(|(distances, force)| Contact { distance: distances[step - 1], force }).collect()
             })
             .collect();
         let quality = Quality::new(task, &poses, &contacts);

@@ -13,18 +13,20 @@ use crate::layout::{CONTACT, Layout};
 use crate::point::{Point, Points};
 use crate::term::{Source, StepTerm};
 
-/// Variables: normal force `lambda_n` of every pair in the step that leads to a stage (N).
+/// Variables: normal force `lambda_n` of every pair in the step that leads to a stage, in [`task::Impedance::force_unit`].
 pub const CONTACT_FORCE: &str = "contact force";
 /// Rows: linearised gap `a` of every pair.
 pub const GAP: &str = "gap";
-/// Rows: product `a lambda_n` of every pair.
+/// Rows: product `a lambda_n` of every pair (m times the unit of force).
 pub const PRODUCT: &str = "complementarity product";
 
 /// Normal force, gap and complementarity of every pair.
 pub struct Contacts {
     time_step: f64,
+    /// In the unit of force.
     inertia: Inertia,
     pairs: usize,
+    /// In the unit of force.
     largest_force: f64,
     complementarity: Complementarity,
     sigma: f64,
@@ -33,11 +35,12 @@ pub struct Contacts {
 impl Contacts {
     /// The contacts of all pairs of a task.
     pub fn new(task: &AssemblyTask, complementarity: Complementarity) -> Self {
+        let unit = task.impedance.force_unit();
         Self {
             time_step: task.horizon.time_step,
-            inertia: task.inertia.clone(),
+            inertia: task.inertia.in_units_of(unit),
             pairs: task.pairs.len(),
-            largest_force: task.limits.contact_force,
+            largest_force: task.limits.contact_force / unit,
             complementarity,
             sigma: f64::NAN,
         }

@@ -33,6 +33,7 @@ const POINT_END: usize = NORMAL_END + 3;
 pub struct Friction {
     coefficient: f64,
     time_step: f64,
+    /// In the unit of force.
     inertia: Inertia,
     /// Compliant states at the start.
     initial: Vec<[f64; STATE]>,
@@ -44,7 +45,7 @@ impl Friction {
         Self {
             coefficient: task.friction,
             time_step: task.horizon.time_step,
-            inertia: task.inertia.clone(),
+            inertia: task.inertia.in_units_of(task.impedance.force_unit()),
             initial: initial_states(task),
         }
     }

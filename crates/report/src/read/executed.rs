@@ -96,9 +96,9 @@ fn robot(
 ) -> ScenarioTrajectory {
     let actual: Vec<[f64; STATE]> = states.iter().map(|(state, _)| actual(grasp, &state.believed)).collect();
     let world = problem.world();
-    let unknown = vec![0.0; world.pairs.len()];
+    let unknown = |_| std::iter::repeat_n(0.0, world.pairs.len());
     let reference = &beside.reference[..actual.len()];
-    ScenarioTrajectory::new(&world, *grasp, beside.time_step, reference, &actual, |_| &unknown, HARD)
+    ScenarioTrajectory::new(&world, *grasp, beside.time_step, reference, &actual, unknown, HARD)
 }
 
 /// State of a part that is believed to be in another one.

@@ -151,7 +151,7 @@ pub const KEYS: &[Key] = &[
     key("homotopy", "further_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(10.0), "how often it is solved beyond that, at most, until parts overlap by less than a tenth of the clearance at the goal"),
     key("homotopy", "coarse_iterations", Integer(Range::closed(0.0, 100.0)), "", Default(4.0), "so many of the first iterations have half of the steps, which saves time; at most all but one of `iterations`"),
     key("homotopy", "tau", Number(Range::closed(1e-9, 1.0)), "N m", Default(0.003), "smoothing of the distances in the first iteration"),
-    key("homotopy", "sigma", Number(Range::closed(1e-12, 1.0)), "N m", Default(0.0015), "how far force x gap may be from zero in the first iteration"),
+    key("homotopy", "sigma", Number(Range::closed(1e-12, 1.0)), "N m", Default(0.0015), "how far force x gap may be from zero in the first iteration, at 50 N/m; in proportion to the stiffness at others"),
     key("homotopy", "mu_init", Number(Range::above(1e-12, 1e6)), "", Default(0.01), "initial barrier parameter of Ipopt in the first iteration"),
     key("homotopy", "tau_rate", Number(RATE), "", Default(0.3), "factor of `tau` from one iteration to the next"),
     key("homotopy", "sigma_rate", Number(RATE), "", Default(0.5), "factor of `sigma` from one iteration to the next"),
