@@ -7,6 +7,8 @@ pub struct Demand {
     pub friction: f64,
     /// Largest deadband that is wanted (m or rad), positive.
     pub deadband: f64,
+    /// Largest deadband where no smaller one is possible (m or rad), not smaller than the wanted one.
+    pub allowed: f64,
     /// How far the reference presses beyond contact (m or rad), not negative.
     pub press: f64,
     /// Largest contact force that is wanted (N or Nm); infinity without a limit.
@@ -48,22 +50,12 @@ pub enum Refusal {
         /// That the controller accepts.
         lowest: f64,
     },
-    /// No one factor suits translations and rotations.
-    #[error(
-        "translations need gains of {:.2} to {:.2} times the plan's, rotations of {:.2} to {:.2} times; plan with another ratio of rotational to translational stiffness", translations[0], translations[1], rotations[0], rotations[1]
-    )]
-    Proportion {
-        /// Smallest and largest factor for translations.
-        translations: [f64; 2],
-        /// Smallest and largest factor for rotations.
-        rotations: [f64; 2],
-    },
 }
 
 impl Demand {
-    /// Smallest stiffness that keeps the deadband: at rest `k e <= friction`, so `k >= friction / deadband`.
+    /// Smallest stiffness that keeps the allowed deadband: at rest `k e <= friction`, so `k >= friction / allowed`.
     pub fn smallest(&self) -> f64 {
-        self.friction / self.deadband
+        self.friction / self.allowed
     }
 
     /// Largest stiffness that keeps the contact force: the spring alone presses with `k press`, so `k <= load / press`.
@@ -88,26 +80,14 @@ impl Demand {
             Ok([smallest.max(lowest), largest.min(highest)])
         }
     }
-}
 
-/// The factor for all gains of a plan that is nearest to that of similarity ([`crate::gains::Similarity::factor`]) and
-/// satisfies the demands on translation and rotation, for a plan with a translational (N/m) and a rotational stiffness
-/// (Nm/rad).
-///
-/// # Errors
-/// When there is none.
-pub fn execution_factor(
-    similarity: f64,
-    translational_stiffness: f64,
-    rotational_stiffness: f64,
-    translation: &Demand,
-    rotation: &Demand,
-) -> Result<f64, Refusal> {
-    let translations = translation.stiffnesses()?.map(|stiffness| stiffness / translational_stiffness);
-    let rotations = rotation.stiffnesses()?.map(|stiffness| stiffness / rotational_stiffness);
-    let (smallest, largest) = (translations[0].max(rotations[0]), translations[1].min(rotations[1]));
-    if smallest > largest {
-        return Err(Refusal::Proportion { translations, rotations });
+    /// The stiffness for execution: that of similarity, or more where the wanted deadband asks for it, within what the other
+    /// demands allow.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub fn stiffness(&self, similar: f64) -> Result<f64, Refusal> {
+        let [smallest, largest] = self.stiffnesses()?;
+        Ok(similar.max(self.friction / self.deadband).clamp(smallest, largest))
     }
-    Ok(similarity.clamp(smallest, largest))
 }

@@ -1,6 +1,6 @@
 //! Which stiffness the robot's controller is to have.
 
-use ::robot::gains::{Demand, execution_factor};
+use ::robot::gains::Demand;
 use task::Inertia;
 
 use super::Robot;
@@ -15,17 +15,19 @@ pub struct Stiffness {
     pub rotational: f64,
 }
 
-/// Largest error (m, rad) at which joint friction may hold the arm; a plan that bears larger offsets also bears a larger one.
+/// Error (m, rad) at which joint friction is wanted to hold the arm at most.
 const DEADBAND: f64 = 3e-3;
-const ANGULAR_DEADBAND: f64 = 0.03;
-/// Part of the offset magnitude that the deadband may be.
+const ANGULAR_DEADBAND: f64 = 0.04;
+/// Part of the offset magnitude that the deadband may be where the contact force or the controller allows no less; the angle
+/// in proportion. A plan that bears larger offsets also bears a larger deadband.
 const DEADBAND_OF_OFFSETS: f64 = 0.3;
 /// Largest contact force (N) where the scene has no limit.
 const LARGEST_FORCE: f64 = 60.0;
 
 /// The stiffness that the scene gives. Where it leaves it out: the one that makes a body of this inertia move as light ones
 /// do under soft controllers, which is dynamic similarity; with an arm as stiff as joint friction demands, and as soft as
-/// the limit of contact forces and the controller's range allow.
+/// the limit of contact forces and the controller's range allow. Translations and rotations are chosen on their own: a part
+/// that is turned in the gripper wedges with the rotational stiffness, so that one that rotations do not need only harms.
 pub fn stiffness(
     scene: &Table,
     inertia: &Inertia,
@@ -65,33 +67,34 @@ pub fn stiffness(
             rotational: similar.rotational.clamp(softest_turning, stiffest_turning),
         });
     }
+    let Some(entry) = scene.find("robot") else { return Ok(similar) };
     let holds = robot.and_then(|robot| robot.friction_wrench);
     let limit = scene.table("limits")?.find("contact_force").map(|entry| entry.number()).transpose()?;
     let load = if robot.is_some() { limit.unwrap_or(LARGEST_FORCE) } else { f64::INFINITY };
-    // The arm is not stiffer than its offsets ask for: they press it against contacts.
     let allowed = (DEADBAND_OF_OFFSETS * offset_magnitude / DEADBAND).max(1.0);
     let translation = Demand {
         friction: holds.map_or(0.0, |wrench| wrench.force),
-        deadband: DEADBAND * allowed,
+        deadband: DEADBAND,
+        allowed: DEADBAND * allowed,
         press: offset_magnitude,
         load,
         range: ranges[0],
     };
     let rotation = Demand {
         friction: holds.map_or(0.0, |wrench| wrench.torque),
-        deadband: ANGULAR_DEADBAND * allowed,
+        deadband: ANGULAR_DEADBAND,
+        allowed: ANGULAR_DEADBAND * allowed,
         press: 0.0,
         load: f64::INFINITY,
         range: ranges[1],
     };
-    let factor = execution_factor(1.0, similar.translational, similar.rotational, &translation, &rotation);
-    match (factor, scene.find("robot")) {
-        (Ok(factor), _) => {
-            Ok(Stiffness { translational: factor * similar.translational, rotational: factor * similar.rotational })
-        }
-        (Err(refusal), Some(entry)) => {
-            Err(entry.refuse(format!("no stiffness suits this robot: {refusal}; or set impedance yourself")))
-        }
-        (Err(_), None) => Ok(similar),
-    }
+    let chosen = |of: &str, demand: Demand, similar: f64| {
+        demand.stiffness(similar).map_err(|refusal| {
+            entry.refuse(format!("no stiffness of {of} suits this robot: {refusal}; or set impedance yourself"))
+        })
+    };
+    Ok(Stiffness {
+        translational: chosen("translations", translation, similar.translational)?,
+        rotational: chosen("rotations", rotation, similar.rotational)?,
+    })
 }
