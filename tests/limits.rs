@@ -50,8 +50,10 @@ fn every_limit_is_kept_where_it_is_active() {
                 continue;
             };
             assert_eq!(result["limits"][key], limit);
-            assert!(value <= limit + TOLERANCE, "{limits}: {key} is {value}");
-            assert!(value > 0.97 * limit, "{limits}: {key} is not active at {value}");
+            // Plans leave a margin of contact forces.
+            let usable = if key == "contact_force_n" { 0.7 * limit } else { limit };
+            assert!(value <= usable + TOLERANCE, "{limits}: {key} is {value}");
+            assert!(value > 0.97 * usable, "{limits}: {key} is not active at {value}");
         }
     }
 }

@@ -77,8 +77,8 @@ impl Plan {
         interrupted: bool,
     ) -> Self {
         let trajectory = iterations[iterations.len() - 1].trajectory.clone();
-        let task = variant.task.clone();
         let problem = problem.clone();
+        let task = AssemblyTask { limits: problem.task().limits, ..variant.task.clone() };
         let mut plan = Self {
             problem,
             attempts: Vec::new(),

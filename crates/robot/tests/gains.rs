@@ -70,8 +70,10 @@ fn friction_holds_any_wrench_of_a_singular_arm() {
     assert!(FrictionWrench::new(&Jacobian::identity(), &[0.5; 6]).is_some());
 }
 
-const TRANSLATION: Demand = Demand { friction: 1.0, deadband: 0.002, allowed: 0.004, press: 0.01, load: 20.0, range: [100.0, 3000.0] };
-const ROTATION: Demand = Demand { friction: 0.2, deadband: 0.01, allowed: 0.02, press: 0.0, load: f64::INFINITY, range: [5.0, 200.0] };
+const TRANSLATION: Demand =
+    Demand { friction: 1.0, deadband: 0.002, allowed: 0.004, press: 0.01, load: 20.0, range: [100.0, 3000.0] };
+const ROTATION: Demand =
+    Demand { friction: 0.2, deadband: 0.01, allowed: 0.02, press: 0.0, load: f64::INFINITY, range: [5.0, 200.0] };
 
 #[test]
 fn stiffness_keeps_deadband_and_force_within_what_the_controller_accepts() {

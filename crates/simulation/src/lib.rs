@@ -85,6 +85,7 @@ pub mod offsets;
 mod patch;
 mod reference;
 mod refinement;
+mod rest;
 mod rollout;
 mod sampled_controller;
 mod settings;

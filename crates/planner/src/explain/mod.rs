@@ -66,7 +66,7 @@ impl Plan {
 
 fn explain(plan: &Plan) -> FailureExplanation {
     let scenarios = stuck::of_plan(plan);
-    let active_limits = limits::active(&plan.task.limits, &plan.trajectory);
+    let active_limits = limits::active(&plan.variant.task.limits, &plan.trajectory);
     let (residuals, dependencies) = constraints(plan).unwrap_or_default();
     let advice = advice::advice(plan, &scenarios, &active_limits);
     FailureExplanation { residuals, dependencies, scenarios, active_limits, advice }
@@ -77,7 +77,7 @@ fn explain(plan: &Plan) -> FailureExplanation {
 fn constraints(plan: &Plan) -> Option<(Vec<ResidualRecord>, Vec<DependencyRecord>)> {
     let chosen = plan.chosen();
     let (point, record, settings) = (chosen.point.as_deref()?, &chosen.record, &plan.variant.settings);
-    let task = record.task(&plan.task);
+    let task = record.task(&plan.variant.task);
     let mut transcription = Transcription::new(&task, settings.complementarity, settings.hessian);
     transcription.set_smoothing(record.tau, record.sigma);
     let residuals: Vec<Residual> = transcription.residuals(point).ok()?;
