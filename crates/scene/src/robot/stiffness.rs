@@ -68,6 +68,25 @@ pub fn stiffness(
         });
     }
     let Some(entry) = scene.find("robot") else { return Ok(similar) };
+    let [translation, rotation] = demands(scene, offset_magnitude, robot, ranges)?;
+    let chosen = |of: &str, demand: Demand, similar: f64| {
+        demand.stiffness(similar).map_err(|refusal| {
+            entry.refuse(format!("no stiffness of {of} suits this robot: {refusal}; or set impedance yourself"))
+        })
+    };
+    Ok(Stiffness {
+        translational: chosen("translations", translation, similar.translational)?,
+        rotational: chosen("rotations", rotation, similar.rotational)?,
+    })
+}
+
+/// What joint friction and contact forces ask of the stiffness of translations and rotations, which lie in these ranges.
+fn demands(
+    scene: &Table,
+    offset_magnitude: f64,
+    robot: Option<&Robot>,
+    [translational, rotational]: [[f64; 2]; 2],
+) -> Result<[Demand; 2], SceneError> {
     let holds = robot.and_then(|robot| robot.friction_wrench);
     let limit = scene.table("limits")?.find("contact_force").map(|entry| entry.number()).transpose()?;
     let load = if robot.is_some() { limit.unwrap_or(LARGEST_FORCE) } else { f64::INFINITY };
@@ -78,7 +97,7 @@ pub fn stiffness(
         allowed: DEADBAND * allowed,
         press: offset_magnitude,
         load,
-        range: ranges[0],
+        range: translational,
     };
     let rotation = Demand {
         friction: holds.map_or(0.0, |wrench| wrench.torque),
@@ -86,15 +105,7 @@ pub fn stiffness(
         allowed: ANGULAR_DEADBAND * allowed,
         press: 0.0,
         load: f64::INFINITY,
-        range: ranges[1],
+        range: rotational,
     };
-    let chosen = |of: &str, demand: Demand, similar: f64| {
-        demand.stiffness(similar).map_err(|refusal| {
-            entry.refuse(format!("no stiffness of {of} suits this robot: {refusal}; or set impedance yourself"))
-        })
-    };
-    Ok(Stiffness {
-        translational: chosen("translations", translation, similar.translational)?,
-        rotational: chosen("rotations", rotation, similar.rotational)?,
-    })
+    Ok([translation, rotation])
 }
