@@ -74,6 +74,12 @@ impl Residual {
             None => 0.0,
         }
     }
+
+    /// With values that are so many times as large.
+    fn times(self, unit: f64) -> Self {
+        let Self { value, lower, upper, multiplier, .. } = self;
+        Self { value: value * unit, lower: lower * unit, upper: upper * unit, multiplier: multiplier / unit, ..self }
+    }
 }
 
 impl Transcription {
@@ -90,31 +96,25 @@ impl Transcription {
         self.set_point(&point.x)?;
         self.constraints(&mut values)?;
         let bounds = self.constraint_bounds();
-        let rows = self.layout().row_members().into_iter().enumerate().map(|(row, member)| {
-            let unit = self.unit(&member);
-            Residual {
-                member,
-                index: ConstraintIndex::Row(row),
-                value: values[row] * unit,
-                lower: bounds.lower[row] * unit,
-                upper: bounds.upper[row] * unit,
-                multiplier: point.constraint_multipliers[row] / unit,
-            }
+        let rows = self.layout().row_members().into_iter().enumerate().map(|(row, member)| Residual {
+            member,
+            index: ConstraintIndex::Row(row),
+            value: values[row],
+            lower: bounds.lower[row],
+            upper: bounds.upper[row],
+            multiplier: point.constraint_multipliers[row],
         });
         let bounds = self.variable_bounds();
-        let variables = self.layout().variable_members().into_iter().enumerate().map(|(index, member)| {
-            let unit = self.unit(&member);
-            Residual {
-                member,
-                index: ConstraintIndex::Variable(index),
-                value: point.x[index] * unit,
-                lower: bounds.lower[index] * unit,
-                upper: bounds.upper[index] * unit,
-                multiplier: (point.upper_multipliers[index] - point.lower_multipliers[index]) / unit,
-            }
+        let variables = self.layout().variable_members().into_iter().enumerate().map(|(index, member)| Residual {
+            member,
+            index: ConstraintIndex::Variable(index),
+            value: point.x[index],
+            lower: bounds.lower[index],
+            upper: bounds.upper[index],
+            multiplier: point.upper_multipliers[index] - point.lower_multipliers[index],
         });
         let bounded = variables.filter(|variable| variable.lower.is_finite() || variable.upper.is_finite());
-        Ok(rows.chain(bounded).collect())
+        Ok(rows.chain(bounded).map(|residual| residual.times(self.unit(&residual.member))).collect())
     }
 
     /// Gradients of some constraints at a point `x`: for each the indices of variables, ascending, with the derivatives

@@ -83,8 +83,9 @@ const HOPEFUL: usize = 5;
 const ROUNDING: f64 = 1e-9;
 
 impl<'arm> ArmStepper<'arm> {
-    /// At rest, for shortest steps of `time_step` seconds of which at most `most` are taken as one: `body` is where the part really is, `grasp` the believed part in its
-    /// frame, and `near` names the branch. `None` if the arm does not reach that pose, or a number is none.
+    /// At rest, for shortest steps of `time_step` seconds of which at most `most` are taken as one: `body` is where the part
+    /// really is, `grasp` the believed part in its frame, and `near` names the branch. `None` if the arm does not reach that
+    /// pose, or a number is none.
     pub fn new(
         model: &'arm ArmModel,
         near: &JointVector,

@@ -85,7 +85,6 @@ pub mod offsets;
 mod patch;
 mod reference;
 mod refinement;
-mod rest;
 mod rollout;
 mod sampled_controller;
 mod settings;

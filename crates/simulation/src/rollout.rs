@@ -13,7 +13,6 @@ use crate::disturbance::Injection;
 use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
 use crate::reference::{Knot, Reference, coordinates, isometry};
-use crate::rest::Rest;
 use crate::settings::Settings;
 use crate::success::Success;
 
@@ -172,14 +171,7 @@ impl Rollout {
         // Of a step, and since the last knot.
         let mut step_impulses = vec![0.0; self.task.pairs.len()];
         let mut impulses = step_impulses.clone();
-        let latency = self.arm.as_ref().map_or(0.0, |(model, _)| model.control_period + model.delay);
-        let mut rest = Rest::new(latency + disturbance.delay);
         for interval in 0..reference.intervals() + self.settings.settling_intervals(reference.time_step()) {
-            let time = |moment: usize| (interval * substeps + moment) as f64 * time_step;
-            if rest.is_final() {
-                (1..=substeps).for_each(|moment| observe(&TimedState::new(time(moment), &body), &impulses));
-                continue;
-            }
             impulses.fill(0.0);
             let mut done = 0;
             while done < substeps {
@@ -193,11 +185,9 @@ impl Rollout {
                 let wrench = impedance.wrench(&tracked.state(), &TimedState::new(0.0, &body).state(), &grasp);
                 loads.add(taken as f64 * time_step, &step_impulses, &wrench);
                 for moment in 1..=taken {
+                    let time = (interval * substeps + done + moment) as f64 * time_step;
                     let state = before.towards(&body, moment as f64 / taken as f64);
-                    observe(&TimedState::new(time(done + moment), &state), &impulses);
-                }
-                if interval >= reference.intervals() {
-                    rest.add(taken as f64 * time_step, body.fastest(finder.radius()));
+                    observe(&TimedState::new(time, &state), &impulses);
                 }
                 done += taken;
             }

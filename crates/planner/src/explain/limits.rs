@@ -21,17 +21,17 @@ pub struct ActiveLimitRecord {
     pub of: usize,
 }
 
-/// The limits that a motion reaches.
-pub fn active(limits: &Limits, motion: &Trajectory) -> Vec<ActiveLimitRecord> {
+/// The limits of which a motion uses all that is `usable`.
+pub fn active(limits: &Limits, usable: &Limits, motion: &Trajectory) -> Vec<ActiveLimitRecord> {
     let steps: Vec<Limits> = (1..motion.reference.len()).map(|step| kept_in(motion, step)).collect();
     let reached =
         |index: usize, limit: f64| steps.iter().filter(|step| step.named()[index].2 >= REACHED * limit).count();
-    let all = limits.named().into_iter().enumerate();
-    let records = all.map(|(index, (name, unit, value))| ActiveLimitRecord {
+    let all = limits.named().into_iter().zip(usable.named()).enumerate();
+    let records = all.map(|(index, ((name, unit, value), (_, _, usable)))| ActiveLimitRecord {
         limit: name.to_owned(),
         value,
         unit: unit.to_owned(),
-        steps: reached(index, value),
+        steps: reached(index, usable),
         of: steps.len(),
     });
     records.filter(|record| record.value.is_finite() && record.steps > 0).collect()

@@ -66,7 +66,7 @@ impl Plan {
 
 fn explain(plan: &Plan) -> FailureExplanation {
     let scenarios = stuck::of_plan(plan);
-    let active_limits = limits::active(&plan.variant.task.limits, &plan.trajectory);
+    let active_limits = limits::active(&plan.task.limits, &plan.variant.task.limits, &plan.trajectory);
     let (residuals, dependencies) = constraints(plan).unwrap_or_default();
     let advice = advice::advice(plan, &scenarios, &active_limits);
     FailureExplanation { residuals, dependencies, scenarios, active_limits, advice }

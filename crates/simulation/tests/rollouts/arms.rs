@@ -279,9 +279,6 @@ fn an_arm_with_joint_friction_comes_to_rest_within_its_deadband() {
     let torque = record.model.arm.posture(&configuration).jacobian().tr_mul(&Vector6::from(wrench));
     assert!(torque.amax() < 2.0 * (1.0 + 1e-4), "{torque}");
     assert!((last.translation.vector - target.translation.vector).norm() > 1e-3, "friction leaves an error");
-    // It stays there.
-    assert_eq!(states.len(), 6001);
-    assert_eq!(states[5500], TimedState { time: states[5500].time, ..states[6000] });
 }
 
 #[test]
