@@ -80,7 +80,7 @@ impl Layout {
         let pairs = task.pairs.len();
         Self {
             steps: task.horizon.steps,
-            scenarios: task.grasps.len(),
+            scenarios: task.grasps.len() * task.frictions.len(),
             pairs,
             variables: StageOrder::new(&blocks.variables, pairs),
             rows: StageOrder::new(&blocks.rows, pairs),

@@ -59,6 +59,7 @@ mod transcription;
 
 pub use block::{Block, Blocks, Owners, POSE_VARIABLES, TWIST_VARIABLES};
 pub use distances::MissingDistance;
+pub use grid::coarsened;
 pub use homotopy::{Event, Homotopy, HomotopyIteration, IterationEnd, IterationTiming, check_settings};
 pub use layout::{CONTACT, CONTACT_AND_POINT, Layout, Member};
 pub use point::{Point, Points};

@@ -1,7 +1,7 @@
 //! Conversion between points of the transcription and trajectories.
 
 use kkt::Owner;
-use task::{POSE, STATE, ScenarioTrajectory, Trajectory, at_rest};
+use task::{POSE, STATE, Scenario, ScenarioTrajectory, Trajectory, at_rest};
 
 use crate::block::Owners;
 use crate::terms::CONTACT_FORCE;
@@ -19,11 +19,12 @@ impl Transcription {
         let drift = compliant.iter().map(|states| norm_drift(states)).fold(norm_drift(&reference), f64::max);
         let scenarios = compliant
             .iter()
+            .zip(task.scenarios())
             .enumerate()
-            .map(|(scenario, states)| {
+            .map(|(scenario, (states, Scenario { grasp, .. }))| {
                 let first = |stage: usize| layout.variable(CONTACT_FORCE, stage, Owner::Scenario(scenario));
                 let forces = |stage: usize| x[first(stage)..][..layout.pairs].iter().map(|force| force * unit);
-                ScenarioTrajectory::new(task, task.grasps[scenario], time_step, &reference, states, forces, tau)
+                ScenarioTrajectory::new(task, grasp, time_step, &reference, states, forces, tau)
             })
             .collect();
         Trajectory::new(time_step, &reference, scenarios, drift)

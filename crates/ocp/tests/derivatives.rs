@@ -84,8 +84,9 @@ fn full_inertia() {
 #[test]
 fn friction() {
     for (scene, steps, pairs) in [("corner", 3, 2), ("clamp1", 2, 3)] {
-        check(&AssemblyTask { friction: 0.3, ..task(scene, steps, pairs) });
+        check(&AssemblyTask { frictions: vec![0.3], ..task(scene, steps, pairs) });
     }
+    check(&AssemblyTask { frictions: vec![0.0, 0.3], ..task("corner", 3, 2) });
 }
 
 #[test]

@@ -178,7 +178,7 @@ fn many_pairs_and_three_scenarios_agree_with_mumps() {
 
 #[test]
 fn friction_agrees_with_mumps() {
-    let (_, report) = compare_on(&AssemblyTask { friction: 0.3, ..task(PLAIN.scene, PLAIN.steps) }, PLAIN);
+    let (_, report) = compare_on(&AssemblyTask { frictions: vec![0.3], ..task(PLAIN.scene, PLAIN.steps) }, PLAIN);
     assert_eq!(report.general_path, 0);
 }
 

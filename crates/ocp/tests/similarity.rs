@@ -14,7 +14,7 @@ fn light() -> AssemblyTask {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
     let mut task = scene::Scene::load(&path).unwrap().task(None, None).unwrap();
     task.horizon.steps = 3;
-    task.friction = 0.1;
+    task.frictions = vec![0.1];
     task.limits.contact_force = 5.0;
     task
 }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use scene::{Borne, Scene, StartPose, TaskError, resolved};
-use simulation::{ArmModel, Evaluator, Rollout, Settings, Success};
-use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver};
+use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
+use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
 
 use crate::error::PlannerError;
 use crate::files::hash;
@@ -182,6 +182,25 @@ impl Problem {
         }
     }
 
+    /// The motion of every scenario of a world when a reference is played, as rollouts; distances are smoothed by `tau`.
+    pub(crate) fn motions(
+        &self,
+        world: &AssemblyTask,
+        reference: &Reference,
+        tau: f64,
+    ) -> Result<Trajectory, PlannerError> {
+        let mut motions = Vec::with_capacity(world.frictions.len());
+        for &friction in &world.frictions {
+            let rollout = self.rollout_in(world, Settings { friction, ..Settings::default() })?;
+            motions.push(rollout.trajectory(reference, &world.grasps, tau));
+        }
+        let all = motions.into_iter().reduce(|mut all, next| {
+            all.scenarios.extend(next.scenarios);
+            all
+        });
+        all.ok_or(PlannerError::Internal("a plan without a friction"))
+    }
+
     /// Evaluates references in reality, at some friction coefficients.
     ///
     /// # Errors
@@ -236,11 +255,11 @@ impl Problem {
     /// Hash (hexadecimal) of everything else: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy,
     /// what the joints and the controller of an arm do.
     pub fn settings_hash(&self) -> String {
-        let AssemblyTask { inertia, impedance, friction, grasps, horizon, cost, limits, .. } = &self.task;
+        let AssemblyTask { inertia, impedance, frictions, grasps, horizon, cost, limits, .. } = &self.task;
         let robot = self.scene.robot.as_ref().map(|robot| (&robot.joint_friction, robot.control_period));
         let homotopy = &self.homotopy;
         let text = format!(
-            "{inertia:?} {impedance:?} {friction:?} {grasps:?} {horizon:?} {cost:?} {limits:?} {homotopy:?} {robot:?}"
+            "{inertia:?} {impedance:?} {frictions:?} {grasps:?} {horizon:?} {cost:?} {limits:?} {homotopy:?} {robot:?}"
         );
         hash(text.as_bytes())
     }

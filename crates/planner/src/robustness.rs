@@ -46,6 +46,8 @@ pub struct Round {
     pub planned: String,
     /// Planned grasp errors.
     pub scenarios: Vec<GraspRecord>,
+    /// Coulomb coefficients, each of which was planned with every grasp error.
+    pub frictions: Vec<f64>,
     /// Steps of the horizon.
     pub steps: usize,
     /// Time step of the horizon.
@@ -80,6 +82,7 @@ impl Round {
         Self {
             planned: variant.name.clone(),
             scenarios: variant.task.grasps.iter().map(GraspRecord::from).collect(),
+            frictions: variant.task.frictions.clone(),
             steps: variant.task.horizon.steps,
             time_step_s: variant.task.horizon.time_step,
             solve_status: records().next_back().map_or_else(String::new, |record| record.status.clone()),

@@ -97,7 +97,7 @@ impl Scene {
             region,
             pairs,
             far_pairs,
-            friction: table.table("contact")?.number("friction")?,
+            frictions: sections::frictions(table)?,
             starts,
             goal,
             offset_magnitude,
@@ -117,7 +117,8 @@ impl Scene {
     /// Refuses a problem that is too large to be solved.
     fn check_size(&self, table: &Table) -> Result<(), SceneError> {
         let (steps, offsets, pairs) = (self.horizon.steps, self.offset_directions.len(), self.pairs.len());
-        let forces = steps * offsets * pairs;
+        let frictions = self.frictions.len();
+        let forces = steps * offsets * pairs * frictions;
         if forces <= MAX_CONTACT_FORCES {
             return Ok(());
         }
@@ -125,9 +126,14 @@ impl Scene {
             Some(steps) => steps,
             None => table.require_table("robustness")?.require("offset_magnitude")?,
         };
+        let (several, or_friction) = if frictions > 1 {
+            (format!(" x {frictions} coefficients of friction"), ", contact.friction")
+        } else {
+            Default::default()
+        };
         Err(place.refuse(format!(
-            "{steps} steps x {offsets} offset directions x {pairs} contact pairs make {forces} contact forces, more \
-             than {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
+            "{steps} steps x {offsets} offset directions x {pairs} contact pairs{several} make {forces} contact forces, more than \
+             {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions{or_friction} or contact.pairs"
         )))
     }
 

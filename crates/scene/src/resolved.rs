@@ -24,8 +24,8 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         .iter()
         .map(|&(part, other)| vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into());
     let mut contact = table([("pairs", Value::Array(pairs.collect()))]);
-    if scene.friction > 0.0 {
-        contact.insert("friction".into(), scene.friction.into());
+    if scene.frictions != [0.0] {
+        contact.insert("friction".into(), numbers(&scene.frictions));
     }
     let mut start_table = pose(&start.pose);
     start_table.insert("name".into(), start.name.clone().into());

@@ -66,8 +66,8 @@ pub struct Scene {
     pub pairs: Vec<(usize, usize)>,
     /// Pairs that are left out because no motion from start to goal comes near to them.
     pub far_pairs: Vec<(usize, usize)>,
-    /// Coulomb's coefficient of friction in plans.
-    pub friction: f64,
+    /// Coulomb's coefficients of friction in plans, at least one.
+    pub frictions: Vec<f64>,
     /// Start poses; the first is the default.
     pub starts: Vec<StartPose>,
     /// Goal pose.
@@ -170,7 +170,7 @@ impl Scene {
         Ok(AssemblyTask {
             inertia: self.inertia.clone(),
             pairs: self.pairs.iter().map(|&(part, other)| self.pair(part, other)).collect(),
-            friction: self.friction,
+            frictions: self.frictions.clone(),
             start: start.pose,
             goal: self.goal,
             impedance: self.impedance.clone(),

@@ -38,6 +38,15 @@ pub fn impedance(scene: &Table, inertia: &Inertia, stiffness: Stiffness) -> Resu
     Ok(impedance)
 }
 
+/// Friction in the plan.
+pub fn frictions(scene: &Table) -> Result<Vec<f64>, SceneError> {
+    let contact = scene.table("contact")?;
+    match contact.find("friction") {
+        Some(entry) => entry.number_or_numbers(),
+        None => Ok(vec![contact.number("friction")?]),
+    }
+}
+
 /// What a robust plan must bear besides offsets.
 pub fn borne(robustness: &Table) -> Result<Borne, SceneError> {
     let frictions = match robustness.find("friction") {

@@ -37,5 +37,5 @@ pub use overlap::Overlap;
 pub use quality::{Contact, Peak, Quality};
 pub use settings::{Complementarity, HessianKind, HomotopySettings, IpoptOption, IpoptValue, LinearSolver, Smoothing};
 pub use state::{POSE, STATE, TWIST, at_rest, pose_of};
-pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, TrajectoryCost};
+pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Scenario, TrajectoryCost};
 pub use trajectory::{ScenarioTrajectory, Trajectory};

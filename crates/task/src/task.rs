@@ -12,15 +12,16 @@ pub struct AssemblyTask {
     pub inertia: Inertia,
     /// Pairs `Pi` of body and environment parts that may touch.
     pub pairs: Vec<ContactPair>,
-    /// Coulomb's coefficient of friction of all pairs in the plan, 0 to 2; 0 is the frictionless contact of the paper.
-    pub friction: f64,
+    /// Coulomb's coefficients of friction of all pairs in the plan, 0 to 2, each for scenarios of its own; 0 is the
+    /// frictionless contact of the paper.
+    pub frictions: Vec<f64>,
     /// Start pose of the reference (position m, unit quaternion w x y z).
     pub start: [f64; 7],
     /// Goal pose of the body (position m, unit quaternion w x y z).
     pub goal: [f64; 7],
     /// The Cartesian impedance controller that tracks the reference (Eq. impedancewrench).
     pub impedance: Impedance,
-    /// Grasp errors `q^(l)`, one per scenario (Sec. ocp:ocp).
+    /// Grasp errors `q^(l)` (Sec. ocp:ocp).
     pub grasps: Vec<GraspError>,
     /// Time grid.
     pub horizon: Horizon,
@@ -30,13 +31,28 @@ pub struct AssemblyTask {
     pub limits: Limits,
 }
 
+/// What one of the planned motions meets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scenario {
+    /// Where the body sits in the gripper.
+    pub grasp: GraspError,
+    /// Coulomb's coefficient of friction.
+    pub friction: f64,
+}
+
 impl AssemblyTask {
+    /// Every grasp error with every friction: first all with the first friction.
+    pub fn scenarios(&self) -> Vec<Scenario> {
+        let of = |&friction| self.grasps.iter().map(move |&grasp| Scenario { grasp, friction });
+        self.frictions.iter().flat_map(of).collect()
+    }
+
     /// Smallest exact distance of all pairs (m) at a pose, negative where parts overlap; infinite without pairs.
     pub fn clearance(&self, pose: &[f64; 7]) -> f64 {
         self.pairs.iter().map(|pair| pair.shapes.exact_distance(pose)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Offsets of all scenarios (m, body frame).
+    /// Offsets of all grasp errors (m, body frame).
     pub fn offsets(&self) -> Vec<[f64; 3]> {
         self.grasps.iter().map(|grasp| grasp.offset).collect()
     }

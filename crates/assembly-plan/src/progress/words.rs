@@ -53,7 +53,7 @@ pub fn line(event: &Event) -> String {
         Event::Refining { planned } => format!("refining: {planned}"),
         Event::Refined { rate } => format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate),
         Event::Variant { name, number, count } => {
-            format!("refinement was given up; solving variant {number}/{count}: {name}")
+            format!("planning anew, {number} of {count}: {name}")
         }
         Event::VariantSolved { status } => format!("  {status}"),
         Event::VariantTried { failing, trials } => format!("  {failing} of {trials} training rollouts fail"),

@@ -4,7 +4,7 @@ use autodiff::{Expression, Tape};
 use kkt::{Class, Owner};
 use nlp::Bounds;
 use task::algebra::apply;
-use task::{AssemblyTask, GraspError, Impedance, Inertia, Limits, POSE, STATE, TWIST, at_rest};
+use task::{AssemblyTask, Impedance, Inertia, Limits, POSE, STATE, TWIST, at_rest};
 
 use crate::block::{Block, Owners, POSE_VARIABLES, TWIST_VARIABLES};
 use crate::layout::Layout;
@@ -87,7 +87,7 @@ impl CompliantDynamics {
             time_step: task.horizon.time_step,
             inertia: task.inertia.clone(),
             impedance: task.impedance.clone(),
-            grasps: task.grasps.iter().map(GraspError::pose).collect(),
+            grasps: grasps(task),
             initial: initial_states(task),
             limits: task.limits,
         }
@@ -152,7 +152,12 @@ impl StepTerm for CompliantDynamics {
 
 /// Compliant states at the start, one per scenario: at rest at the pose `P_q^-1(start, grasp)`.
 pub fn initial_states(task: &AssemblyTask) -> Vec<[f64; STATE]> {
-    task.grasps.iter().map(|grasp| at_rest(&grasp.actual(&task.start))).collect()
+    task.scenarios().iter().map(|scenario| at_rest(&scenario.grasp.actual(&task.start))).collect()
+}
+
+/// Where the body sits in the gripper, one pose per scenario.
+pub fn grasps(task: &AssemblyTask) -> Vec<[f64; POSE]> {
+    task.scenarios().iter().map(|scenario| scenario.grasp.pose()).collect()
 }
 
 /// `M^-1` times a wrench: the acceleration (6).

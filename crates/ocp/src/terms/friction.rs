@@ -31,7 +31,8 @@ const POINT_END: usize = NORMAL_END + 3;
 
 /// Friction of every pair.
 pub struct Friction {
-    coefficient: f64,
+    /// One per scenario.
+    coefficients: Vec<f64>,
     time_step: f64,
     /// In the unit of force.
     inertia: Inertia,
@@ -43,7 +44,7 @@ impl Friction {
     /// The friction of a task.
     pub fn new(task: &AssemblyTask) -> Self {
         Self {
-            coefficient: task.friction,
+            coefficients: task.scenarios().iter().map(|scenario| scenario.friction).collect(),
             time_step: task.horizon.time_step,
             inertia: task.inertia.in_units_of(task.impedance.force_unit()),
             initial: initial_states(task),
@@ -52,7 +53,7 @@ impl Friction {
 
     /// Force (world frame) on a body whose touching point moves with a velocity.
     fn force<'tape>(
-        &self,
+        coefficient: Expression<'tape>,
         velocity: &[Expression<'tape>; 3],
         normal_force: Expression<'tape>,
         normal: &[Expression<'tape>],
@@ -63,7 +64,7 @@ impl Friction {
         let tangential: [Expression; 3] = std::array::from_fn(|axis| velocity[axis] - normal[axis] * along);
         let creep = tau * CREEP_PER_SMOOTHING;
         let speed = (dot(&tangential, &tangential) + creep * creep + LEAST_CREEP * LEAST_CREEP).sqrt();
-        let scale = normal_force * squared_norm.sqrt() * -self.coefficient / speed;
+        let scale = -coefficient * normal_force * squared_norm.sqrt() / speed;
         tangential.map(|component| component * scale)
     }
 }
@@ -73,14 +74,14 @@ impl StepTerm for Friction {
         Points::Pairs
     }
 
-    /// Inputs twist (6), pose before the step (7), contact force, normal (3) and touching point (3) at that pose, and
-    /// `tau`. Outputs what the pair adds to the velocity defect, `-dt M^-1 (f, R' (r x f))` (6), where `r` leads from
+    /// Inputs twist (6), pose before the step (7), contact force, normal (3) and touching point (3) at that pose, `tau` and
+    /// `mu`. Outputs what the pair adds to the velocity defect, `-dt M^-1 (f, R' (r x f))` (6), where `r` leads from
     /// the body's origin to the touching point.
     fn tape(&self) -> Tape {
-        Tape::record(POINT_END + 1, |inputs| {
+        Tape::record(POINT_END + 2, |inputs| {
             let (twist, pose) = (&inputs[..TWIST_END], &inputs[TWIST_END..POSE_END]);
             let (normal_force, normal) = (inputs[POSE_END], &inputs[FORCE_END..NORMAL_END]);
-            let (point, tau) = (&inputs[NORMAL_END..POINT_END], inputs[POINT_END]);
+            let (point, tau, coefficient) = (&inputs[NORMAL_END..POINT_END], inputs[POINT_END], inputs[POINT_END + 1]);
             let squared_norm = dot(&pose[3..], &pose[3..]);
             let to_world = rotation(&pose[3..]).map(|row| row.map(|entry| entry / squared_norm));
             let to_body: [[Expression; 3]; 3] = std::array::from_fn(|row| to_world.map(|column| column[row]));
@@ -88,7 +89,7 @@ impl StepTerm for Friction {
             let lever = to_body.map(|row| dot(&row, &lever));
             let turning = cross(&twist[3..], &lever);
             let velocity = std::array::from_fn(|axis| twist[axis] + dot(&to_world[axis], &turning));
-            let force = self.force(&velocity, normal_force, normal, tau);
+            let force = Self::force(coefficient, &velocity, normal_force, normal, tau);
             let torque = cross(&lever, &to_body.map(|row| dot(&row, &force)));
             let wrench = [force[0], force[1], force[2], torque[0], torque[1], torque[2]];
             accelerate(&self.inertia, &wrench).map(|component| component * -self.time_step).to_vec()
@@ -104,7 +105,8 @@ impl StepTerm for Friction {
             POSE_END..FORCE_END => Source::Variable(layout.variable(CONTACT_FORCE, stage, owner) + pair),
             FORCE_END..NORMAL_END => Source::Contact(NORMAL + input - FORCE_END),
             NORMAL_END..POINT_END => Source::Contact(POINT + input - NORMAL_END),
-            _ => Source::Smoothing,
+            POINT_END => Source::Smoothing,
+            _ => Source::Constant(self.coefficients[point.scenario()]),
         }
     }
 

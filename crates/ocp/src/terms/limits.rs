@@ -3,12 +3,13 @@
 use autodiff::Tape;
 use kkt::Class;
 use nlp::Bounds;
-use task::{AssemblyTask, GraspError, Impedance, POSE, STATE, TWIST};
+use task::{AssemblyTask, Impedance, POSE, STATE, TWIST};
 
 use crate::block::{Block, Owners};
 use crate::layout::Layout;
 use crate::point::{Point, Points};
 use crate::term::{Source, StepTerm};
+use crate::terms::dynamics::grasps;
 
 /// Rows: limited axes of the acceleration of a step.
 pub const ACCELERATION: &str = "acceleration";
@@ -73,8 +74,7 @@ pub struct WrenchLimits {
 impl WrenchLimits {
     /// The limits of a task.
     pub fn new(task: &AssemblyTask) -> Self {
-        let grasps = task.grasps.iter().map(GraspError::pose).collect();
-        Self { impedance: task.impedance.clone(), grasps, limits: task.limits.wrenches() }
+        Self { impedance: task.impedance.clone(), grasps: grasps(task), limits: task.limits.wrenches() }
     }
 }
 

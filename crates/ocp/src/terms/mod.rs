@@ -27,7 +27,7 @@ pub fn standard_terms(task: &AssemblyTask, complementarity: Complementarity) -> 
         Box::new(WrenchLimits::new(task)),
         Box::new(Contacts::new(task, complementarity)),
     ];
-    if task.friction > 0.0 {
+    if task.frictions.iter().any(|&friction| friction > 0.0) {
         terms.push(Box::new(Friction::new(task)));
     }
     terms

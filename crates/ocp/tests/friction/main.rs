@@ -42,7 +42,7 @@ fn block() -> AssemblyTask {
     let start = [0.0, 0.0, 0.5 * EDGE + HEIGHT, 1.0, 0.0, 0.0, 0.0];
     AssemblyTask {
         pairs: vec![ContactPair { body: "block".into(), environment: "floor".into(), shapes }],
-        friction: FRICTION,
+        frictions: vec![FRICTION],
         start,
         goal: start,
         impedance: Impedance::critically_damped(STIFFNESS, 5.0, &inertia),
@@ -77,7 +77,7 @@ fn rolled_out(task: &AssemblyTask, length: f64) -> Vec<f64> {
         }
         states.push(state);
     }
-    let settings = Settings { friction: task.friction, settling_time: 0.0, ..Settings::default() };
+    let settings = Settings { friction: task.frictions[0], settling_time: 0.0, ..Settings::default() };
     let trajectory = Rollout::new(task, settings).trajectory(&Reference::new(STEP, &states), &[[0.0; 3]], 1e-5);
     trajectory.scenarios[0].states[1..].iter().map(|state| state[0]).collect()
 }
@@ -110,8 +110,36 @@ fn a_block_sticks_but_for_creeping() {
     let (task, length) = (block(), 2.0 / 3.0 * FRICTION * DEPTH);
     let deviations = deviations(&task, length);
     assert!(deviations[ITERATIONS - 1] < 2e-3 && deviations[ITERATIONS - 1] < 0.5 * deviations[0], "{deviations:?}");
-    let without = planned(&AssemblyTask { friction: 0.0, ..task }, length);
+    let without = planned(&AssemblyTask { frictions: vec![0.0], ..task }, length);
     assert!(without[ITERATIONS - 1].last().unwrap()[0] > 0.9 * length);
+}
+
+#[test]
+fn scenarios_with_frictions_of_their_own_move_as_if_alone() {
+    let frictions = [0.0, FRICTION];
+    let layout = |frictions: &[f64]| {
+        let task = AssemblyTask { frictions: frictions.to_vec(), ..block() };
+        Transcription::new(&task, Complementarity::Relaxation, HessianKind::Exact).layout().clone()
+    };
+    let defects = |frictions: &[f64], x: &[f64], scenario: usize| {
+        velocity_defects(&AssemblyTask { frictions: frictions.to_vec(), ..block() }, x, 1e-3, scenario)
+    };
+    let (both, single) = (layout(&frictions), layout(&[0.0]));
+    let x: Vec<f64> = (0..both.variable_count()).map(|index| 0.5 + 0.1 * noise(index)).collect();
+    for (scenario, friction) in frictions.into_iter().enumerate() {
+        // The reference and the variables of this scenario.
+        let mut alone = vec![0.0; single.variable_count()];
+        for (stage, owner) in single.stages_of(Owners::All) {
+            let from = if owner == Owner::Reference { owner } else { Owner::Scenario(scenario) };
+            alone[single.state(stage, owner)..][..STATE].copy_from_slice(&x[both.state(stage, from)..][..STATE]);
+            if owner != Owner::Reference {
+                alone[single.variable(CONTACT_FORCE, stage, owner)] = x[both.variable(CONTACT_FORCE, stage, from)];
+            }
+        }
+        let together = defects(&frictions, &x, scenario);
+        assert_eq!(together, defects(&[friction], &alone, 0));
+        assert_ne!(together, defects(&[0.5], &alone, 0));
+    }
 }
 
 /// A deterministic number in (-1, 1).
@@ -119,14 +147,14 @@ fn noise(index: usize) -> f64 {
     (index as f64 * 12.9898).sin()
 }
 
-/// The velocity defects of a transcription at a point.
-fn velocity_defects(task: &AssemblyTask, x: &[f64], tau: f64) -> Vec<Vector6<f64>> {
+/// The velocity defects of a scenario at a point of the transcription.
+fn velocity_defects(task: &AssemblyTask, x: &[f64], tau: f64, scenario: usize) -> Vec<Vector6<f64>> {
     let mut problem = Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
     problem.set_smoothing(tau, 1e-3);
     let mut values = vec![0.0; problem.layout().constraint_count()];
     problem.set_point(x).unwrap();
     problem.constraints(&mut values).unwrap();
-    let row = |stage: usize| problem.layout().row(VELOCITY_DYNAMICS, stage, Owner::Scenario(0));
+    let row = |stage: usize| problem.layout().row(VELOCITY_DYNAMICS, stage, Owner::Scenario(scenario));
     (1..=task.horizon.steps).map(|stage| Vector6::from_column_slice(&values[row(stage)..][..TWIST])).collect()
 }
 
@@ -141,8 +169,10 @@ fn a_pair_adds_coulombs_wrench_at_its_touching_point_and_brakes() {
     for (stage, owner) in layout.stages_of(Owners::All) {
         x[layout.state(stage, owner) + 3] += 1.0;
     }
-    let (with, without) =
-        (velocity_defects(&task, &x, tau), velocity_defects(&AssemblyTask { friction: 0.0, ..task.clone() }, &x, tau));
+    let (with, without) = (
+        velocity_defects(&task, &x, tau, 0),
+        velocity_defects(&AssemblyTask { frictions: vec![0.0], ..task.clone() }, &x, tau, 0),
+    );
     let owner = Owner::Scenario(0);
     for stage in 1..=task.horizon.steps {
         let pose: [f64; POSE] = match stage {

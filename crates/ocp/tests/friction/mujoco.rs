@@ -29,7 +29,7 @@ fn task(plan: &str, friction: f64) -> AssemblyTask {
     let task = Scene::load(&file).unwrap().task(None, None).unwrap();
     let Horizon { steps, time_step } = task.horizon;
     let horizon = Horizon { steps: PARTS * steps, time_step: time_step / PARTS as f64 };
-    AssemblyTask { friction, horizon, ..task }
+    AssemblyTask { frictions: vec![friction], horizon, ..task }
 }
 
 /// How far the planned motion of a recorded reference is from that of MuJoCo, and how far it is where the planner knows no

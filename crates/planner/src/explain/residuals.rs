@@ -58,14 +58,15 @@ fn record(task: &AssemblyTask, residual: &Residual) -> ResidualRecord {
         Owner::Reference => None,
         Owner::Scenario(index) => Some(index),
     };
+    let grasp = scenario.map(|index| task.grasps[index % task.grasps.len()]);
     ResidualRecord {
         kind: kind.to_owned(),
         violation: residual.violation(),
         unit: unit.to_owned(),
         axis: axis.map(str::to_owned),
         scenario: scenario.map(|index| index + 1),
-        offset_m: scenario.map(|index| task.grasps[index].offset),
-        turn_rad: scenario.map(|index| task.grasps[index].turn),
+        offset_m: grasp.map(|grasp| grasp.offset),
+        turn_rad: grasp.map(|grasp| grasp.turn),
         time_s: member.stage as f64 * task.horizon.time_step,
         pair: member.pair.map(|pair| task.pairs[pair].to_string()),
     }

@@ -57,8 +57,10 @@ pub struct RefinementCheckpoint {
 pub struct BestRecord {
     /// The problem it comes from, in words.
     pub name: String,
-    /// Its scenarios.
+    /// Its planned grasp errors.
     pub scenarios: Vec<GraspRecord>,
+    /// Coulomb coefficients of its scenarios.
+    pub planned_frictions: Vec<f64>,
     /// Its horizon.
     pub steps: usize,
     /// Its horizon.

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use simulation::Reference;
 use task::{
-    AssemblyTask, Contact, GraspError, Limits, POSE, Quality, STATE, ScenarioTrajectory, TWIST, Trajectory, pose_of,
+    AssemblyTask, Contact, Limits, POSE, Quality, STATE, Scenario, ScenarioTrajectory, TWIST, Trajectory, pose_of,
 };
 
 use crate::error::PlannerError;
@@ -310,12 +310,12 @@ pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory,
     let (time_step, steps) = (task.horizon.time_step, task.horizon.steps);
     for (file, rows, expected) in [
         (REFERENCE, reference.len() - 1, steps),
-        (SCENARIOS, scenarios.len() * (steps + 1), task.grasps.len() * (steps + 1)),
+        (SCENARIOS, scenarios.len() * (steps + 1), task.scenarios().len() * (steps + 1)),
         (CONTACTS, scenarios.len() * steps * pairs.len(), scenarios.len() * steps * task.pairs.len()),
     ] {
         require_rows(&folder.join(file), rows, expected)?;
     }
-    let scenario = |(tables, &grasp): (ScenarioTables, &GraspError)| {
+    let scenario = |(tables, Scenario { grasp, .. }): (ScenarioTables, Scenario)| {
         let ScenarioTables { states, wrenches, contacts } = tables;
         let poses: Vec<_> = states.iter().map(pose_of).collect();
         let quality = Quality::new(task, &poses, &contacts);
@@ -326,7 +326,7 @@ pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory,
         time_step,
         reference_keeps: Limits::kept_by(&reference, time_step, &[], 0.0),
         reference,
-        scenarios: scenarios.into_iter().zip(&task.grasps).map(scenario).collect(),
+        scenarios: scenarios.into_iter().zip(task.scenarios()).map(scenario).collect(),
         quaternion_drift: 0.0,
     })
 }

@@ -11,7 +11,7 @@ use crate::robustness::Round;
 use crate::variant::Variant;
 
 /// Success rate from which on a plan is refined rather than replaced.
-const NEARLY: f64 = 0.9;
+const NEARLY: f64 = 0.75;
 /// Marks the name of a plan that was refined before.
 const CONTINUED: &str = ", continued";
 

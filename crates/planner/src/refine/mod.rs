@@ -14,6 +14,7 @@ mod bounds;
 mod candidate;
 mod clock;
 mod evaluation;
+mod friction;
 mod portfolio;
 mod push;
 mod race;
@@ -23,7 +24,7 @@ mod variants;
 
 use std::time::{Duration, Instant};
 
-use simulation::{Evaluator, Reference, Refinement, Settings, Trial};
+use simulation::{Evaluator, Reference, Refinement, Trial};
 use workers::Workers;
 
 use crate::error::PlannerError;
@@ -87,9 +88,12 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     // Reality is the problem's; only the grid of time is the variant's.
     world.horizon = best.variant.task.horizon;
     let tau = best.iterations[best.iterations.len() - 1].record.tau;
-    let settings = Settings { friction: target.least_friction(), ..Settings::default() };
-    let rollout = problem.rollout_in(&world, settings)?;
-    let trajectory = rollout.trajectory(&best.reference, &world.grasps, tau);
+    // One friction in the plan is not what is shown: the least that is borne is.
+    let mut shown = world.clone();
+    if let [friction] = &mut shown.frictions[..] {
+        *friction = target.least_friction();
+    }
+    let trajectory = problem.motions(&shown, &best.reference, tau)?;
     let Kept { variant, iterations, .. } = best;
     let (robustness, interrupted) = (Some(report), session.is_interrupted());
     Ok(Plan { problem, attempts, variant, iterations, trajectory, task: world, robustness, threads, interrupted })
@@ -198,7 +202,7 @@ impl<'run> Refiner<'run> {
             && let Some(candidate) = self.candidate(variant, iterations, true, until)
         {
             self.rounds.clear();
-            self.refine(candidate, until)?;
+            self.refine_better(candidate, spent)?;
         }
         Ok(())
     }

@@ -36,6 +36,7 @@ impl Refiner<'_> {
             best: BestRecord {
                 name: kept.variant.name.clone(),
                 scenarios: kept.variant.task.grasps.iter().map(GraspRecord::from).collect(),
+                planned_frictions: kept.variant.task.frictions.clone(),
                 steps: kept.variant.task.horizon.steps,
                 time_step_s: kept.variant.task.horizon.time_step,
                 homotopy_iterations: kept.variant.settings.iterations,
@@ -83,6 +84,7 @@ impl Refiner<'_> {
         let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
         let mut variant = Variant { name: best.name, ..plan.variant.clone() };
         variant.task.grasps = best.scenarios.iter().map(GraspError::from).collect();
+        variant.task.frictions = best.planned_frictions;
         variant.task.horizon.steps = best.steps;
         variant.task.horizon.time_step = best.time_step_s;
         variant.settings.iterations = best.homotopy_iterations;

@@ -67,6 +67,11 @@ impl RobustnessTarget {
         require_turn(self.turn)
     }
 
+    /// The largest friction.
+    pub fn largest_friction(&self) -> f64 {
+        self.frictions.iter().copied().fold(0.0, f64::max)
+    }
+
     /// The smallest friction: that of the motions which the plan shows.
     pub fn least_friction(&self) -> f64 {
         self.frictions.iter().copied().fold(f64::INFINITY, f64::min)

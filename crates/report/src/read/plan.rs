@@ -156,7 +156,7 @@ fn made_from(problem: &Problem, tables: &MotionTables) -> Vec<[String; 2]> {
         ("horizon", format!("{steps} steps of {} s, {time:.2} s", tables.time_step)),
         ("translational stiffness", format!("{:.1} N/m", task.impedance.translational_stiffness)),
         ("rotational stiffness", format!("{:.2} Nm/rad", task.impedance.rotational_stiffness)),
-        ("friction in the plan", task.friction.to_string()),
+        ("friction in the plan", task.frictions.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")),
     ];
     if let Some(mass) = task.inertia.mass() {
         facts.push(("mass", format!("{mass:.3} kg")));

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, resolved};
-use task::Limits;
+use task::{Limits, Scenario};
 
 use crate::support::{SCENE, folder, parse, replaced};
 
@@ -92,11 +92,17 @@ fn limits_are_read_and_resolved() {
 #[test]
 fn friction_is_read_and_resolved() {
     let scene = parse(&SCENE.replace("[horizon]", "[contact]\nfriction = 0.3\n[horizon]")).unwrap();
-    assert_eq!(scene.task(None, None).unwrap().friction, 0.3);
+    assert_eq!(scene.task(None, None).unwrap().frictions, [0.3]);
     let text = |scene: &Scene| resolved(scene, &scene.starts[0], 0.01, &default_homotopy());
-    assert_eq!(parse(&text(&scene)).unwrap().friction, 0.3);
+    assert_eq!(parse(&text(&scene)).unwrap().frictions, [0.3]);
+    let several = parse(&SCENE.replace("[horizon]", "[contact]\nfriction = [0, 0.3]\n[horizon]")).unwrap();
+    assert_eq!(parse(&text(&several)).unwrap().frictions, [0.0, 0.3]);
+    let task = several.task(None, None).unwrap();
+    let scenarios = task.scenarios();
+    assert_eq!(scenarios.len(), 2 * task.grasps.len(), "every offset with every friction");
+    assert_eq!(scenarios[task.grasps.len()], Scenario { grasp: task.grasps[0], friction: 0.3 });
     let frictionless = parse(SCENE).unwrap();
-    assert_eq!(frictionless.friction, 0.0);
+    assert_eq!(frictionless.frictions, [0.0]);
     assert!(!text(&frictionless).contains("friction = 0.0"), "that of the plan; [robustness] has a list");
 }
 

@@ -63,6 +63,8 @@ fn a_problem_that_is_too_large_says_what_to_lower() {
         "{error}"
     );
     assert!(parse(&large.replace("steps = 10000", "steps = 3333")).is_ok());
+    let with_frictions = format!("{}[contact]\nfriction = [0, 0.3]\n", large.replace("steps = 10000", "steps = 3333"));
+    assert!(parse(&with_frictions).unwrap_err().message().contains("x 2 coefficients of friction make 1999800"));
 }
 
 #[test]

@@ -363,6 +363,8 @@ const CASES: &[(&str, &str, usize, &str)] = &[
     ("[contact]", "[contact]\nadhesion = 0.3", 18, "unknown key `adhesion`; valid are: pairs, friction"),
     ("[contact]", "[contact]\nfriction = -0.1", 18, "contact.friction = -0.1"),
     ("[contact]", "[contact]\nfriction = 2.1", 18, "contact.friction = 2.1"),
+    ("[contact]", "[contact]\nfriction = [0, 2.1]", 18, "contact.friction: 2.1 must lie between 0 and 2"),
+    ("[contact]", "[contact]\nfriction = []", 18, "contact.friction"),
 ];
 
 #[test]

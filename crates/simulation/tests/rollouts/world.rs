@@ -51,7 +51,7 @@ pub fn task(body: &Polytope, obstacles: &[Polytope]) -> AssemblyTask {
     };
     AssemblyTask {
         pairs: obstacles.iter().map(pair).collect(),
-        friction: 0.0,
+        frictions: vec![0.0],
         start: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
         goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
         impedance: Impedance::critically_damped(STIFFNESS, ROTATIONAL_STIFFNESS, &inertia),
