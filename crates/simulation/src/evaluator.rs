@@ -7,6 +7,7 @@ use workers::Workers;
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
+use crate::pressed::Pressed;
 use crate::reference::{Reference, isometry};
 use crate::rollout::Rollout;
 use crate::settings::Settings;
@@ -42,6 +43,9 @@ pub struct TrialResult {
     pub missing_shift: Vector3<f64>,
     /// Rotation vector that turns the body from there to its goal (rad, body frame); zero when passed.
     pub missing_turn: Vector3<f64>,
+    /// What to take back of the reference where the contact force is largest, so that a spring would push with the
+    /// limit; `None` when it keeps the limit.
+    pub too_far: Option<Pressed>,
 }
 
 impl TrialResult {
@@ -50,6 +54,7 @@ impl TrialResult {
         miss: 0.0,
         missing_shift: Vector3::new(0.0, 0.0, 0.0),
         missing_turn: Vector3::new(0.0, 0.0, 0.0),
+        too_far: None,
     };
 }
 
@@ -107,6 +112,11 @@ impl Evaluator {
         &self.success
     }
 
+    /// Whether contact forces have a limit.
+    pub fn limits_contact_forces(&self) -> bool {
+        self.limits.contact_force.is_finite()
+    }
+
     /// How references may move: within the task's limits, if nothing else was said.
     pub fn bounds(&self) -> &Bounds {
         &self.bounds
@@ -126,12 +136,14 @@ impl Evaluator {
             outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
         let miss = errors + excess;
         let end = isometry(&outcome.pose);
+        let surplus = 1.0 - self.limits.contact_force / outcome.loads.contact_force;
         TrialResult {
             passed: false,
             // The comparison is false for NaN, which becomes the largest miss.
             miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS },
             missing_shift: self.goal.translation.vector - end.translation.vector,
             missing_turn: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),
+            too_far: (surplus > 0.0).then(|| outcome.pressed.scaled(surplus)),
         }
     }
 

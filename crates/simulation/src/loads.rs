@@ -50,8 +50,8 @@ impl LoadMeter {
     }
 
     /// Takes over a step: its duration (s), the normal impulse (Ns) of every pair, whose force is constant meanwhile, and
-    /// the controller's wrench after it.
-    pub fn add(&mut self, duration: f64, impulses: &[f64], wrench: &[f64; 6]) {
+    /// the controller's wrench after it. Returns whether the contact force is larger than ever before.
+    pub fn add(&mut self, duration: f64, impulses: &[f64], wrench: &[f64; 6]) -> bool {
         let mut pushing = self.spare.pop().unwrap_or_default();
         pushing.extend(impulses.iter().copied().enumerate().filter(|(_, impulse)| *impulse != 0.0));
         for (pair, impulse) in &pushing {
@@ -64,10 +64,13 @@ impl LoadMeter {
         {
             self.forget_first();
         }
-        self.largest.contact_force = self.largest.contact_force.max(self.mean());
+        let mean = self.mean();
+        let is_largest = mean > self.largest.contact_force;
+        self.largest.contact_force = self.largest.contact_force.max(mean);
         let largest = |part: &[f64], before: f64| part.iter().fold(before, |most, component| most.max(component.abs()));
         self.largest.force = largest(&wrench[..3], self.largest.force);
         self.largest.torque = largest(&wrench[3..], self.largest.torque);
+        is_largest
     }
 
     fn forget_first(&mut self) {
@@ -118,7 +121,8 @@ mod tests {
     fn an_impact_counts_by_its_impulse() {
         let mut meter = LoadMeter::new(1);
         for step in 0..20 {
-            meter.add(0.001, &[if step == 13 { 0.6 } else { 0.0 }], &STILL);
+            let is_largest = meter.add(0.001, &[if step == 13 { 0.6 } else { 0.0 }], &STILL);
+            assert_eq!(is_largest, step == 13);
         }
         assert!((meter.largest().contact_force - 60.0).abs() < 1e-9);
     }

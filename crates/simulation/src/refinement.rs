@@ -1,5 +1,6 @@
 //! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more trials pass are
-//! kept. Some lead towards the goal that a failing trial misses, some resemble changes that have helped before.
+//! kept. Some lead back from where a failing trial pushes too hard, some lead towards the goal that a failing trial
+//! misses, some resemble changes that have helped before.
 //!
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
 //! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
@@ -28,7 +29,9 @@ pub struct Refinement<'evaluator> {
 const BATCH: usize = 8;
 /// Number of trials in the first batch. A change is dropped after it if the sum of the misses there did not decrease.
 const FIRST_BATCH: usize = 4;
-/// Fraction of changes that lead towards what a failing trial lacks.
+/// Fraction of changes that lead away from where a failing trial exceeds the limit of contact forces.
+const RELIEVING: f64 = 0.3;
+/// Fraction of the others that lead towards what a failing trial lacks.
 const AIMED: f64 = 0.3;
 /// Final errors that are less than this multiple of the position tolerance are those of a body that is nearly there, and how
 /// many of its changes go too far and back.
@@ -117,8 +120,15 @@ impl<'evaluator> Refinement<'evaluator> {
         None
     }
 
-    /// A random change, one towards what a failing trial lacks, or one that resembles a change which has helped.
+    /// A random change, one away from where a failing trial pushes too hard, one towards what it lacks, or one that
+    /// resembles a change which has helped.
     fn random_change(&mut self) -> Bump {
+        if self.evaluator.limits_contact_forces()
+            && self.random.f64() < RELIEVING
+            && let Some(TrialResult { too_far: Some(too_far), .. }) = self.some_failing()
+        {
+            return Bump::relief(&mut self.random, &too_far);
+        }
         let new = Bump::random(&mut self.random, self.evaluator.success());
         if self.random.f64() < AIMED
             && let Some(TrialResult { missing_shift, missing_turn, .. }) = self.some_failing()

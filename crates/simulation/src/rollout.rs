@@ -12,6 +12,7 @@ use crate::contact::{ContactFinder, Shapes};
 use crate::disturbance::Injection;
 use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
+use crate::pressed::Pressed;
 use crate::reference::{Knot, Reference, coordinates, isometry};
 use crate::settings::Settings;
 use crate::success::Success;
@@ -64,6 +65,8 @@ pub struct Outcome {
     pub max_penetration: f64,
     /// Largest contact force, and largest wrench of the controller.
     pub loads: Loads,
+    /// Where the contact force is largest.
+    pub pressed: Pressed,
     /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields then mean
     /// nothing.
     pub diverged: bool,
@@ -158,7 +161,7 @@ impl Rollout {
             angular_velocity: Vector3::zeros(),
         };
         let Some(mut plant) = self.plant(reference, &body.pose, &injection) else {
-            return Outcome { diverged: true, ..self.outcome(&body, 0.0, &LoadMeter::new(0)) };
+            return Outcome { diverged: true, ..self.outcome(&body, 0.0, &LoadMeter::new(0), Pressed::NONE) };
         };
         let Injection { grasp, disturbance } = &injection;
         let (impedance, grasp) = (disturbance.impedance(self.task.impedance.clone()), grasp.pose());
@@ -167,7 +170,7 @@ impl Rollout {
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let mut finder = ContactFinder::new(&self.shapes, disturbance.edge_radius);
         let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
-        let mut loads = LoadMeter::new(self.task.pairs.len());
+        let (mut loads, mut pressed) = (LoadMeter::new(self.task.pairs.len()), Pressed::NONE);
         // Of a step, and since the last knot.
         let mut step_impulses = vec![0.0; self.task.pairs.len()];
         let mut impulses = step_impulses.clone();
@@ -183,7 +186,11 @@ impl Rollout {
                 impulses.iter_mut().zip(&step_impulses).for_each(|(sum, impulse)| *sum += impulse);
                 let tracked = believed.at(interval, (done + taken) as f64 / substeps as f64);
                 let wrench = impedance.wrench(&tracked.state(), &TimedState::new(0.0, &body).state(), &grasp);
-                loads.add(taken as f64 * time_step, &step_impulses, &wrench);
+                if loads.add(taken as f64 * time_step, &step_impulses, &wrench) {
+                    let part = (done + taken) as f64 / substeps as f64;
+                    let fraction = (interval as f64 + part) / reference.intervals() as f64;
+                    pressed = Pressed::new(fraction, &reference.at(interval, part).pose, &body.pose);
+                }
                 for moment in 1..=taken {
                     let time = (interval * substeps + done + moment) as f64 * time_step;
                     let state = before.towards(&body, moment as f64 / taken as f64);
@@ -195,7 +202,7 @@ impl Rollout {
                 break;
             }
         }
-        self.outcome(&body, max_penetration, &loads)
+        self.outcome(&body, max_penetration, &loads, pressed)
     }
 
     /// What moves from a pose of the body at rest; `None` if it cannot be simulated.
@@ -222,11 +229,11 @@ impl Rollout {
         }
     }
 
-    fn outcome(&self, body: &Body, max_penetration: f64, loads: &LoadMeter) -> Outcome {
+    fn outcome(&self, body: &Body, max_penetration: f64, loads: &LoadMeter, pressed: Pressed) -> Outcome {
         let pose = coordinates(&body.pose);
         let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
         let diverged = !is_finite(body);
-        Outcome { pose, position_error, orientation_error, max_penetration, loads: loads.largest(), diverged }
+        Outcome { pose, position_error, orientation_error, max_penetration, loads: loads.largest(), pressed, diverged }
     }
 }
 

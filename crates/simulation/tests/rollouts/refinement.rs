@@ -96,6 +96,9 @@ fn a_push_beyond_the_limit_is_no_success() {
     assert!(evaluate(1.2 * force).passed);
     let gentle = evaluate(0.5 * force);
     assert!(!gentle.passed && (gentle.miss - 1.0).abs() < 0.01, "{gentle:?}");
+    let too_far = gentle.too_far.expect("the force is too large");
+    assert!((too_far.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{too_far:?}");
+    assert!(too_far.turn.norm() < 1e-6 && too_far.fraction > 0.9, "{too_far:?}");
 }
 
 #[test]
