@@ -1,6 +1,6 @@
 //! Joints of an arm along a motion of the body.
 
-use std::path::{Path, PathBuf};
+mod support;
 
 use nalgebra::{Isometry3, Vector3, Vector6};
 use planner::{ArmCourse, Choices, Problem};
@@ -12,27 +12,13 @@ use task::{GraspError, pose_of};
 const KNOTS: usize = 21;
 const TIME_STEP: f64 = 0.1;
 
-/// A box and a corner, moved by an arm.
-fn problem() -> Problem {
-    problem_with_period(0.002)
+/// With a time between two commands of the controller (s).
+fn problem_with_period(control_period: f64) -> Problem {
+    support::problem_of_arm(control_period, &Choices::default())
 }
 
-/// Likewise, with a time between two commands of the controller (s).
-fn problem_with_period(control_period: f64) -> Problem {
-    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let read = |file: &Path| std::fs::read_to_string(root.join(file)).unwrap();
-    let arms = root.join("scripts/mujoco_validation/arms");
-    let robot = read(&arms.join("six.toml")).replace("six.urdf", arms.join("six.urdf").to_str().unwrap());
-    let robot = robot.replace("control_period = 0.002", &format!("control_period = {control_period}"));
-    // The arm has its own inertia and gains.
-    let is_of_free_body =
-        |line: &&str| ["mass", "inertia", "translational_s", "rotational_s"].iter().any(|key| line.starts_with(key));
-    let corner = read(Path::new("scenes/corner.toml"));
-    let kept: Vec<&str> = corner.lines().filter(|line| !is_of_free_body(line)).collect();
-    let folder = tempfile::tempdir().unwrap();
-    let scene = folder.path().join("arm.toml");
-    std::fs::write(&scene, format!("{}\n{robot}", kept.join("\n"))).unwrap();
-    Problem::load(&scene, &Choices::default()).unwrap()
+fn problem() -> Problem {
+    problem_with_period(0.002)
 }
 
 /// States of a body that is believed to move straight from the start to the goal.

@@ -4,7 +4,8 @@
 //! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
 //! that were never trained on decides; what fails there is trained on next. When this does not help any more, a straight
 //! push is refined instead, which needs no plan; then other problems are solved, the promising first, and their plans are
-//! refined. The plan with the best evaluation is kept.
+//! refined. The plan with the best evaluation is kept. With an arm, the best of several drafts takes the place of a plan
+//! that fails too often, and no push is refined.
 //!
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
 //! and every problem has its share of the time.
@@ -13,8 +14,9 @@ mod again;
 mod bounds;
 mod candidate;
 mod clock;
+mod draft;
+mod drafts;
 mod evaluation;
-mod friction;
 mod portfolio;
 mod push;
 mod race;
@@ -170,14 +172,20 @@ impl<'run> Refiner<'run> {
     }
 
     /// Refines the plan of the scene; where that is given up, a straight push; after each of the two the best so far again, if
-    /// it is nearly robust; then the plans of other problems, and the best once more, while there is time.
+    /// it is nearly robust; then the plans of other problems, and the best once more, while there is time. With an arm there
+    /// is no push.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.refine_own(plan)?;
-        self.refine_if_nearly_robust()?;
-        self.refine_push(homotopy)?;
-        self.refine_if_nearly_robust()?;
+        if self.problem.arm().is_some() {
+            // A straight push has never become robust with an arm.
+            self.refine_again()?;
+        } else {
+            self.refine_if_nearly_robust()?;
+            self.refine_push(homotopy)?;
+            self.refine_if_nearly_robust()?;
+        }
         self.refine_variants(solving)?;
         self.refine_again()?;
         self.take_best()

@@ -19,16 +19,12 @@ const SLOWNESS: f64 = 10.0;
 /// Iterations of the homotopy that begins at a motion.
 const RESOLVED_ITERATIONS: usize = 2;
 
-/// Iterations of the homotopy with friction, all of them with half of the steps.
-const FRICTION_ITERATIONS: usize = 6;
-
 /// Its first barrier parameter: there are no multipliers yet.
 const RESOLVED_BARRIER: f64 = 1e-2;
 
 /// A way to change the problem, in scenarios, horizon, weights, smoothing or first guess.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Recipe {
-    FrictionsAsScenarios,
     HalfTheTimeStep,
     StraightFirstGuess,
     FailingOffsetsFromRefinedPlan,
@@ -56,11 +52,10 @@ pub const PORTFOLIO: [Recipe; 10] = [
 ];
 
 impl Recipe {
-    /// The changed problem. `friction` is the largest that must be borne, `refined` the best reference so far, and `failing`
-    /// are grasp errors at which it fails.
-    pub fn variant(self, scene: &Variant, friction: f64, refined: &Reference, failing: &[GraspError]) -> Variant {
+    /// The changed problem. `refined` is the best reference so far, and `failing` are grasp errors at which it fails.
+    pub fn variant(self, scene: &Variant, refined: &Reference, failing: &[GraspError]) -> Variant {
         let mut variant = Variant { name: self.name().to_owned(), ..scene.clone() };
-        self.change(&mut variant.task, &mut variant.settings, friction, failing);
+        self.change(&mut variant.task, &mut variant.settings, failing);
         variant.task.grasps = GraspError::distinct(variant.task.grasps);
         let task = &variant.task;
         let first_guess = match self {
@@ -81,7 +76,6 @@ impl Recipe {
 
     fn name(self) -> &'static str {
         match self {
-            Self::FrictionsAsScenarios => "no and largest friction as scenarios, half of the steps",
             Self::HalfTheTimeStep => "half the time step",
             Self::StraightFirstGuess => "straight motion as first guess",
             Self::FailingOffsetsFromRefinedPlan => "failing offsets as scenarios, from the refined plan",
@@ -95,17 +89,11 @@ impl Recipe {
         }
     }
 
-    fn change(self, task: &mut AssemblyTask, settings: &mut HomotopySettings, friction: f64, failing: &[GraspError]) {
+    fn change(self, task: &mut AssemblyTask, settings: &mut HomotopySettings, failing: &[GraspError]) {
         let scaled = |grasps: &[GraspError], factor: f64| -> Vec<GraspError> {
             grasps.iter().map(|grasp| grasp.scaled(factor)).collect()
         };
         match self {
-            Self::FrictionsAsScenarios => {
-                *task = ocp::coarsened(task).unwrap_or_else(|| task.clone());
-                task.frictions = vec![0.0, friction];
-                settings.coarse_iterations = 0;
-                (settings.iterations, settings.further_iterations) = (FRICTION_ITERATIONS, 0);
-            }
             Self::HalfTheTimeStep => {
                 task.horizon.steps *= 2;
                 task.horizon.time_step *= 0.5;
@@ -177,24 +165,6 @@ fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::problem::{Choices, Problem};
-
-    #[test]
-    fn frictions_as_scenarios_double_the_scenarios_on_half_of_the_steps() {
-        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/peg1.toml");
-        let problem = Problem::load(&scene, &Choices::default()).unwrap();
-        let task = problem.task();
-        let refined = Reference::straight(&task.start, &task.goal, task.horizon);
-        let of_scene = Variant::of_scene(&problem);
-        let variant = Recipe::FrictionsAsScenarios.variant(&of_scene, 0.3, &refined, &[]);
-        let scenarios = variant.task.scenarios();
-        assert_eq!(scenarios.len(), 2 * task.grasps.len());
-        assert_eq!((scenarios[0].friction, scenarios[5].friction), (0.0, 0.3));
-        let (fine, coarse) = (task.horizon, variant.task.horizon);
-        assert_eq!((2 * coarse.steps, coarse.time_step), (fine.steps, 2.0 * fine.time_step));
-        assert_eq!(variant.settings.most_iterations(), FRICTION_ITERATIONS);
-        assert!(variant.near.is_none());
-    }
 
     #[test]
     fn failures_that_are_turned_are_far_from_scenarios_that_are_not() {

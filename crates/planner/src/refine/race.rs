@@ -16,7 +16,7 @@ pub struct Winner {
     pub rollouts: usize,
 }
 
-/// The reference that passes most trials; of equals the later one. `None` without references, or when `stop` returns true
+/// The reference that passes most trials; of equals the one that misses the goal less in all, then the later one. `None` without references, or when `stop` returns true
 /// before the end. The first trials speak for all.
 pub fn race(
     evaluator: &Evaluator,
@@ -34,7 +34,11 @@ pub fn race(
         }
         played = wanted;
         let failures = |results: &[TrialResult]| results.iter().filter(|result| !result.passed).count();
-        running.sort_by_key(|(index, results)| (failures(results), std::cmp::Reverse(*index)));
+        let miss = |results: &[TrialResult]| results.iter().map(|result| result.miss).sum::<f64>();
+        running.sort_by(|(index, one), (next, other)| {
+            let fewer = failures(one).cmp(&failures(other));
+            fewer.then(miss(one).total_cmp(&miss(other))).then(next.cmp(index))
+        });
         let kept = if played < trials.len() { running.len().div_ceil(2) } else { 1 };
         running.truncate(kept);
     }
@@ -68,6 +72,10 @@ mod tests {
         assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
         let equals = [push.clone(), push];
         assert_eq!(race(&evaluator, &equals, &trials, &|| false).unwrap().index, 1, "of equals the later");
+        // A push that ends halfway misses the goal by less than rest.
+        let halfway = std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index]));
+        let failing = [Reference::straight(&task.start, &halfway, task.horizon), references[0].clone()];
+        assert_eq!(race(&evaluator, &failing, &trials, &|| false).unwrap().index, 0, "of equals the nearer");
         assert!(race(&evaluator, &references, &trials, &|| true).is_none(), "no time");
         assert!(race(&evaluator, &[], &trials, &|| false).is_none(), "no references");
     }

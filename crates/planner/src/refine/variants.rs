@@ -52,7 +52,7 @@ impl<'run> Refiner<'run> {
     }
 
     /// Solves a variant, given by its number among all that are solved. `None` when nothing of its homotopy was finished in time.
-    pub(super) fn solve_variant(
+    fn solve_variant(
         &self,
         recipe: Recipe,
         (number, count): (usize, usize),
@@ -60,8 +60,7 @@ impl<'run> Refiner<'run> {
     ) -> Result<Option<Candidate<'run>>, PlannerError> {
         let Some(best) = &self.best else { return Ok(None) };
         let failing: Vec<GraspError> = best.failing.iter().map(|trial| trial.grasp).collect();
-        let friction = self.target.largest_friction();
-        let variant = recipe.variant(&Variant::of_scene(self.problem), friction, &best.reference, &failing);
+        let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &failing);
         self.session.tell(Event::Variant { name: &variant.name, number, count });
         let solving = self.clock.share(until, SOLVING_SHARE);
         let observe = |_: &ocp::Event| if self.clock.is_over(solving) { Control::Stop } else { Control::Continue };

@@ -1,0 +1,101 @@
+//! Many drafts instead of one plan.
+//!
+//! A rollout of an arm takes several times as long as one of a free body, so that refinement tries few changes, and it
+//! matters where it begins. How many trials plans pass before they are refined differs tenfold with weights and offsets,
+//! and which of them are good differs from scene to scene: so several are made, each by one thread, and compared.
+
+use std::time::Duration;
+
+use fastrand::Rng;
+use nlp::{Control, SolveStatus};
+use simulation::{Reference, Refinement};
+use workers::Workers;
+
+use crate::error::PlannerError;
+use crate::iteration::PlanIteration;
+use crate::refine::candidate::{self, Candidate};
+use crate::refine::clock::Deadline;
+use crate::refine::draft::Draft;
+use crate::refine::{OWN_SHARE, Refiner, SEED, race};
+use crate::robustness::Round;
+use crate::session::Event;
+use crate::solve::run_homotopy;
+use crate::variant::Variant;
+
+/// Fraction of the training trials in which the plan of the scene must fail.
+const LOST: f64 = 0.5;
+/// Share of the time that is left for drafts.
+const SHARE: f64 = 0.3;
+/// Largest number of drafts.
+const MOST: usize = 100;
+
+impl<'run> Refiner<'run> {
+    /// Refines the plan of the scene, which took `solving`, or the best of drafts where that fails in fewer trials.
+    pub(super) fn refine_better(&mut self, own: Candidate<'run>, solving: Duration) -> Result<(), PlannerError> {
+        let is_wanted = self.problem.arm().is_some()
+            && own.refinement.failing_fraction() > LOST
+            && solving < self.clock.left().mul_f64(SHARE);
+        let draft = if is_wanted { self.best_draft(self.clock.share(self.clock.end(), SHARE))? } else { None };
+        let until = self.clock.share(self.clock.end(), OWN_SHARE);
+        match draft {
+            Some(draft) if draft.refinement.failing_fraction() < own.refinement.failing_fraction() => {
+                self.rounds.push(own.round);
+                self.refine(draft, until)
+            }
+            Some(draft) => {
+                self.refine(own, until)?;
+                self.rounds.push(draft.round);
+                Ok(())
+            }
+            None => self.refine(own, until),
+        }
+    }
+
+    /// The best reference of all drafts that are made until a time. `None` when nothing of them is finished then.
+    fn best_draft(&mut self, until: Deadline) -> Result<Option<Candidate<'run>>, PlannerError> {
+        self.session.tell(Event::Variant { name: "drafts", number: 1, count: 1 });
+        let mut solved = self.solve_drafts(until)?;
+        self.session.tell(Event::VariantSolved { status: &format!("{} drafts", solved.len()) });
+        let mut places = Vec::new();
+        let mut references: Vec<Reference> = Vec::new();
+        for (draft, (_, iterations)) in solved.iter().enumerate() {
+            places.extend((0..iterations.len()).map(|index| (draft, index)));
+            references.extend(iterations.iter().map(|iteration| candidate::reference(&iteration.trajectory)));
+        }
+        let end = self.clock.end();
+        let Some(best) = race::race(self.evaluator, &references, &self.training, &|| self.clock.is_over(end)) else {
+            return Ok(None);
+        };
+        let (draft, index) = places[best.index];
+        let (variant, iterations) = solved.swap_remove(draft);
+        let mut round = Round::new(&variant, &iterations, index + 1, &best.results);
+        round.rollouts = best.rollouts;
+        let (failing, trials) = (round.training_failures, round.training_trials);
+        self.session.tell(Event::VariantTried { failing, trials });
+        let reference = references.swap_remove(best.index);
+        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), best.results, self.seed);
+        Ok(Some(Candidate { variant, iterations, refinement, round, is_scenes_own: false }))
+    }
+
+    /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy iterations count that it
+    /// has finished; those that have none are left out.
+    fn solve_drafts(&self, until: Deadline) -> Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> {
+        let scene = Variant::of_scene(self.problem);
+        let mut random = Rng::with_seed(SEED);
+        let friction = self.target.largest_friction();
+        let drafts = (0..MOST).map(|_| Draft::random(&mut random, friction).variant(&scene));
+        let solve = |variant: Variant| {
+            let is_over = || self.clock.is_over(until);
+            let observe = |_: &ocp::Event| if is_over() { Control::Stop } else { Control::Continue };
+            let iterations = match is_over() {
+                true => Vec::new(),
+                false => run_homotopy(&variant, 1, &[], None, observe, |_, _| Control::Continue)?,
+            };
+            let finished = iterations.iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
+            Ok((variant, finished.map(PlanIteration::from).collect()))
+        };
+        let solved = Workers::new(self.session.threads).map(drafts.into_iter(), solve);
+        let solved: Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> = solved.into_iter().collect();
+        Ok(solved?.into_iter().filter(|(_, iterations)| !iterations.is_empty()).collect())
+    }
+}
