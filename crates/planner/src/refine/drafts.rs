@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use fastrand::Rng;
 use nlp::{Control, SolveStatus};
-use simulation::{Reference, Refinement};
+use simulation::Reference;
 use workers::Workers;
 
 use crate::error::PlannerError;
@@ -17,7 +17,6 @@ use crate::refine::candidate::{self, Candidate};
 use crate::refine::clock::Deadline;
 use crate::refine::draft::Draft;
 use crate::refine::{OWN_SHARE, Refiner, SEED, race};
-use crate::robustness::Round;
 use crate::session::Event;
 use crate::solve::run_homotopy;
 use crate::variant::Variant;
@@ -68,13 +67,11 @@ impl<'run> Refiner<'run> {
         };
         let (draft, index) = places[best.index];
         let (variant, iterations) = solved.swap_remove(draft);
-        let mut round = Round::new(&variant, &iterations, index + 1, &best.results);
-        round.rollouts = best.rollouts;
-        let (failing, trials) = (round.training_failures, round.training_trials);
-        self.session.tell(Event::VariantTried { failing, trials });
         let reference = references.swap_remove(best.index);
-        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), best.results, self.seed);
-        Ok(Some(Candidate { variant, iterations, refinement, round, is_scenes_own: false }))
+        let candidate = self.candidate_of(best, reference, variant, (iterations, index), false);
+        let (failing, trials) = (candidate.round.training_failures, candidate.round.training_trials);
+        self.session.tell(Event::VariantTried { failing, trials });
+        Ok(Some(candidate))
     }
 
     /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy iterations count that it

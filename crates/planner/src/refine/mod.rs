@@ -262,11 +262,24 @@ impl<'run> Refiner<'run> {
             fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
         let stop = || self.clock.is_over(until);
         let best = race::race(self.evaluator, &references, &self.training, &stop)?;
-        let mut round = Round::new(&variant, &iterations, fine[best.index] + 1, &best.results);
-        round.rollouts = best.rollouts;
         let reference = references[best.index].clone();
-        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), best.results, self.seed);
-        Some(Candidate { variant, iterations, refinement, round, is_scenes_own })
+        let index = fine[best.index];
+        Some(self.candidate_of(best, reference, variant, (iterations, index), is_scenes_own))
+    }
+
+    /// The candidate of a race's winner: its reference, its problem, and the index of its homotopy iteration.
+    fn candidate_of(
+        &self,
+        winner: race::Winner,
+        reference: Reference,
+        variant: Variant,
+        (iterations, index): (Vec<PlanIteration>, usize),
+        is_scenes_own: bool,
+    ) -> Candidate<'run> {
+        let mut round = Round::new(&variant, &iterations, index + 1, &winner.results);
+        round.rollouts = winner.rollouts;
+        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), winner.results, self.seed);
+        Candidate { variant, iterations, refinement, round, is_scenes_own }
     }
 
     /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over; what is the best so far

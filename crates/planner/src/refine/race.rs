@@ -16,8 +16,8 @@ pub struct Winner {
     pub rollouts: usize,
 }
 
-/// The reference that passes most trials; of equals the one that misses the goal less in all, then the later one. `None` without references, or when `stop` returns true
-/// before the end. The first trials speak for all.
+/// The reference that passes most trials; of equals the one that misses the goal less in all, then the later one. `None`
+/// without references, or when `stop` returns true before the end. The first trials speak for all.
 pub fn race(
     evaluator: &Evaluator,
     references: &[Reference],
