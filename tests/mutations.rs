@@ -170,7 +170,9 @@ fn play(folder: &Path) -> Result<(), PlannerError> {
         motions.push((Motion::Plan, plan.reference()?));
         let never = AtomicBool::new(false);
         let played = simulate(&problem, &motions, &request, &Session::new(&|_: &planner::Event| {}, &never))?;
-        let rows = to_csv(played.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)))?;
+        // The name of a temporary folder may contain "inf".
+        let rows = played.iter().map(|rollout| RolloutRow::new(Path::new("plan"), &plan.result.start, rollout));
+        let rows = to_csv(rows)?;
         for rollout in &played {
             let outcome = rollout.outcome;
             let numbers = [
