@@ -308,7 +308,7 @@ fn resolve(
         if round == 1 {
             solver.set(&mobility.metric, body, time_step, &scaled, contacts);
         }
-        let resolved = solver.resolve(&scaled);
+        let resolved = solver.resolve_next(&scaled);
         if solver.pushes() {
             velocity += mobility.change(&(resolved - scaled));
         }

@@ -13,6 +13,8 @@ pub struct ContactSolver {
     /// Coulomb's coefficient.
     pub friction: f64,
     solver: LeastDistance,
+    /// For overlaps.
+    corrector: LeastDistance,
     cones: Vec<Cone>,
     /// Pair of every cone.
     pairs: Vec<usize>,
@@ -33,6 +35,7 @@ impl ContactSolver {
         Self {
             friction,
             solver: LeastDistance::default(),
+            corrector: LeastDistance::default(),
             cones: Vec::new(),
             pairs: Vec::new(),
             closing: Vec::new(),
@@ -60,7 +63,7 @@ impl ContactSolver {
             for Contact { point, normal, gap, .. } in &finder.contacts {
                 self.cones.push(Cone { normal: placed.along(point, normal), tangents: None, bound: -gap });
             }
-            let correction = self.solver.solve(&Vector6::zeros(), &self.cones);
+            let correction = self.corrector.solve(&Vector6::zeros(), &self.cones);
             let (shift, turn) = metric.unscale(&correction);
             *pose = moved(pose, &shift, &turn);
             overlap = -finder.find(pose, reach);
@@ -110,8 +113,25 @@ impl ContactSolver {
     /// Eq. ts3 for all contacts at once: of all velocities that are allowed, the one nearest to the free velocity in
     /// kinetic energy.
     pub fn resolve(&mut self, free: &Vector6) -> Vector6 {
-        let velocity = self.solver.solve(free, &self.cones);
-        if self.friction > 0.0 && self.slow_down(&velocity) { self.solver.solve(free, &self.cones) } else { velocity }
+        self.resolve_by(LeastDistance::solve, free)
+    }
+
+    /// The same, from the contacts that pushed when a velocity was last resolved.
+    pub fn resolve_next(&mut self, free: &Vector6) -> Vector6 {
+        self.resolve_by(LeastDistance::solve_next, free)
+    }
+
+    fn resolve_by(
+        &mut self,
+        solve: impl Fn(&mut LeastDistance, &Vector6, &[Cone]) -> Vector6,
+        free: &Vector6,
+    ) -> Vector6 {
+        let velocity = solve(&mut self.solver, free, &self.cones);
+        if self.friction > 0.0 && self.slow_down(&velocity) {
+            solve(&mut self.solver, free, &self.cones)
+        } else {
+            velocity
+        }
     }
 
     /// Where sliding becomes so much slower that the parts would overlap, as at impacts, takes the speed after the step

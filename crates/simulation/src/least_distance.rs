@@ -82,13 +82,66 @@ const TOLERANCE: f64 = 1e-12;
 const DEPENDENT: f64 = 1e-7;
 
 impl LeastDistance {
-    /// The nearest point, by the dual active-set method (Goldfarb and Idnani, 1983): starts at the target and adds the
-    /// most violated facet until none is violated. At most six are active at once, however many points touch. A facet
-    /// that contradicts the active ones is ignored.
+    /// The nearest point, by the dual active-set method (Goldfarb and Idnani, 1983), from the target. At most six facets are
+    /// active at once, however many points touch. A facet that contradicts the active ones is ignored.
     pub fn solve(&mut self, target: &Vector6, cones: &[Cone]) -> Vector6 {
         self.active.clear();
         self.excluded.clear();
-        let mut point = *target;
+        self.descend(*target, cones)
+    }
+
+    /// The same, but starts at the facets that were active last, of cones in the same order. That is faster where cones and
+    /// target differ little from the last ones.
+    pub fn solve_next(&mut self, target: &Vector6, cones: &[Cone]) -> Vector6 {
+        self.excluded.clear();
+        let start = self.nearest_of_active(target, cones);
+        let point = self.descend(start, cones);
+        // Which of contradicting facets are ignored depends on the start.
+        if self.excluded.is_empty() { point } else { self.solve(target, cones) }
+    }
+
+    /// The point of the active facets that is nearest to `target`, without those whose multiplier would be negative.
+    fn nearest_of_active(&mut self, target: &Vector6, cones: &[Cone]) -> Vector6 {
+        self.renew_basis(cones);
+        loop {
+            let mut shift = Vector6::zeros();
+            for (row, &Active { cone, facet, .. }) in self.active.iter().enumerate() {
+                let missing = cones[cone].bound - cones[cone].facet(facet).dot(target);
+                shift[row] = (missing - self.triangle[row].dot(&shift)) / self.triangle[row][row];
+            }
+            let directions = self.active_basis().iter().zip(shift.iter());
+            let point = directions.fold(*target, |point, (direction, length)| point + direction * *length);
+            let multipliers = self.coefficients(shift);
+            for (active, multiplier) in self.active.iter_mut().zip(multipliers.iter()) {
+                active.multiplier = *multiplier;
+            }
+            let lowest = (0..self.active.len()).min_by(|&one, &other| multipliers[one].total_cmp(&multipliers[other]));
+            match lowest {
+                Some(position) if multipliers[position] < 0.0 => self.leave(position, cones),
+                _ => return point,
+            }
+        }
+    }
+
+    /// Finds the basis of the active facets, without those that depend on others and those of missing cones.
+    fn renew_basis(&mut self, cones: &[Cone]) {
+        let mut kept = 0;
+        for index in 0..self.active.len() {
+            let active = self.active[index];
+            let Some(cone) = cones.get(active.cone) else { continue };
+            let normal = cone.facet(active.facet);
+            let (column, rest) = orthogonalise(&normal, &self.basis[..kept]);
+            if rest.norm() > DEPENDENT * normal.norm() {
+                self.extend_basis(kept, column, &rest);
+                self.active[kept] = active;
+                kept += 1;
+            }
+        }
+        self.active.truncate(kept);
+    }
+
+    /// Adds the most violated facet until none is violated, from the point of the active facets that is nearest to the target.
+    fn descend(&mut self, mut point: Vector6, cones: &[Cone]) -> Vector6 {
         // Every addition increases the distance from the target, so that no active set recurs. The limit is for
         // rounding.
         for _ in 0..10 * (cones.len() + DIMENSIONS) {
@@ -214,12 +267,21 @@ mod tests {
     proptest! {
         /// Only the nearest point fulfils the Karush-Kuhn-Tucker conditions.
         #[test]
-        fn the_nearest_point_is_optimal(target in proptest::array::uniform6(-3.0..3.0_f64), mut set in cones()) {
+        fn the_nearest_point_is_optimal(
+            target in proptest::array::uniform6(-3.0..3.0_f64),
+            before in proptest::array::uniform6(-3.0..3.0_f64),
+            mut set in cones(),
+        ) {
             // Equal and dependent normals, as the contact points of one facet have them.
             set.extend(set.clone());
+            let (target, before) = (Vector6::from(target), Vector6::from(before));
             let mut solver = LeastDistance::default();
-            let target = Vector6::from(target);
             let point = solver.solve(&target, &set);
+            // From what was active elsewhere, with some more cones.
+            let mut other = LeastDistance::default();
+            other.solve(&before, &set[..set.len() / 2]);
+            prop_assert!((other.solve_next(&target, &set) - point).norm() < 1e-9);
+            prop_assert!((solver.solve_next(&target, &set) - point).norm() < 1e-9, "from the solution");
             let mut sum = target;
             for &Active { cone, facet, multiplier } in &solver.active {
                 let normal = set[cone].facet(facet);
