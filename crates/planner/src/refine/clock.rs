@@ -4,6 +4,9 @@ use std::time::{Duration, Instant};
 
 use crate::session::Session;
 
+/// Fraction of the time that is left for the comparison at the end.
+const COMPARISON: f64 = 0.04;
+
 /// Time that has passed and time that is left.
 pub struct Clock<'run> {
     session: &'run Session<'run>,
@@ -28,14 +31,19 @@ impl<'run> Clock<'run> {
         self.spent + self.begin.elapsed()
     }
 
-    /// The end of all work.
+    /// The end of all work but the comparison of what it has found.
     pub fn end(&self) -> Deadline {
+        Deadline(self.limit.mul_f64(1.0 - COMPARISON))
+    }
+
+    /// The end of all work.
+    pub fn limit(&self) -> Deadline {
         Deadline(self.limit)
     }
 
-    /// Time until the end of all work.
+    /// Time until the comparison.
     pub fn left(&self) -> Duration {
-        self.limit.saturating_sub(self.elapsed())
+        self.end().0.saturating_sub(self.elapsed())
     }
 
     /// The end of a fraction of the time that is left until a deadline.
@@ -63,9 +71,10 @@ mod tests {
         let session = Session::new(&|_: &Event| {}, &stopped);
         let seconds = Duration::from_secs;
         let clock = Clock::new(&session, seconds(40), seconds(100));
-        let half = clock.share(clock.end(), 0.5);
+        let half = clock.share(clock.limit(), 0.5);
         assert!(half >= Deadline(seconds(70)) && half < Deadline(seconds(71)));
         assert!(!clock.is_over(half) && clock.is_over(Deadline(seconds(40))));
+        assert!(clock.end() > half && clock.end() < clock.limit());
         let late = Clock::new(&session, seconds(200), seconds(100));
         assert!(late.is_over(late.share(late.end(), 0.5)));
         stopped.store(true, std::sync::atomic::Ordering::Relaxed);

@@ -77,7 +77,7 @@ impl Draft {
         let Self { angle, reference_weight, compliant_weight, friction, is_slower, is_smoother } = self;
         let mut name = format!(
             "draft with offsets turned by {:.0} degrees, weights of velocities times {reference_weight:.1} (reference) \
-             and {compliant_weight:.1} (compliant), friction {friction}",
+             and {compliant_weight:.1} (compliant), friction {friction:.2}",
             angle.to_degrees()
         );
         for (is_so, words) in [(is_slower, ", 1.5 times the time"), (is_smoother, ", twice the first smoothing")] {

@@ -62,7 +62,9 @@ impl<'run> Refiner<'run> {
             references.extend(iterations.iter().map(|iteration| candidate::reference(&iteration.trajectory)));
         }
         let end = self.clock.end();
-        let Some(best) = race::race(self.evaluator, &references, &self.training, &|| self.clock.is_over(end)) else {
+        let Some(best) =
+            race::race(self.evaluator, &references, (&self.training, race::FIRST), &|| self.clock.is_over(end))
+        else {
             return Ok(None);
         };
         let (draft, index) = places[best.index];

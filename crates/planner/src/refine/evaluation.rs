@@ -127,6 +127,11 @@ impl Evaluation {
     }
 
     /// The trials, in the order in which they are played.
+    pub fn trials(&self) -> &[Trial] {
+        &self.trials
+    }
+
+    /// The trials themselves.
     pub fn into_trials(self) -> Vec<Trial> {
         self.trials
     }
@@ -140,26 +145,30 @@ impl Evaluation {
         wanted: f64,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Judgement {
-        let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
-        let mut played = 0;
+        let mut results = Vec::new();
         for batch in self.trials.chunks(BATCH) {
-            let is_lost = failures.len() >= ENOUGH_FAILURES && !self.can_satisfy(&groups, wanted);
-            if is_lost {
+            let Judgement { rates, failures, .. } = self.judgement(&results, wanted);
+            if failures.len() >= ENOUGH_FAILURES && !self.can_satisfy(&rates.0, wanted) {
                 break;
             }
-            let Some(results) = evaluator.evaluate_all(reference, batch, stop) else { break };
-            for (trial, result) in batch.iter().zip(results) {
-                let group = &mut groups[self.group[played]];
-                group.rollouts += 1;
-                group.successes += usize::from(result.passed);
-                if !result.passed {
-                    failures.push((*trial, result));
-                }
-                played += 1;
+            let Some(new) = evaluator.evaluate_all(reference, batch, stop) else { break };
+            results.extend(new);
+        }
+        self.judgement(&results, wanted)
+    }
+
+    /// What the results of the first trials show.
+    pub fn judgement(&self, results: &[TrialResult], wanted: f64) -> Judgement {
+        let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
+        for ((result, trial), &group) in results.iter().zip(&self.trials).zip(&self.group) {
+            groups[group].rollouts += 1;
+            groups[group].successes += usize::from(result.passed);
+            if !result.passed {
+                failures.push((*trial, *result));
             }
         }
         let rates = SuccessRates(groups);
-        Judgement { reached: played == self.trials.len() && rates.satisfy(wanted), rates, failures }
+        Judgement { reached: results.len() == self.trials.len() && rates.satisfy(wanted), rates, failures }
     }
 
     /// Whether the wanted rate could be reached if all trials to come succeeded.

@@ -4,8 +4,9 @@
 //! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
 //! that were never trained on decides; what fails there is trained on next. When this does not help any more, a straight
 //! push is refined instead, which needs no plan; then other problems are solved, the promising first, and their plans are
-//! refined. The plan with the best evaluation is kept. With an arm, the best of several drafts takes the place of a plan
-//! that fails too often, and no push is refined.
+//! refined. The plan with the best evaluation is kept; where none is robust in the end, the latest are compared in the
+//! same trials. With an arm, the best of several drafts takes the place of a plan that fails too often, and no push is
+//! refined.
 //!
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
 //! and every problem has its share of the time.
@@ -14,6 +15,7 @@ mod again;
 mod bounds;
 mod candidate;
 mod clock;
+mod comparison;
 mod draft;
 mod drafts;
 mod evaluation;
@@ -22,9 +24,11 @@ mod push;
 mod race;
 mod resume;
 mod target;
+mod training;
 mod variants;
 
-use std::time::{Duration, Instant};
+use std::collections::VecDeque;
+use std::time::Duration;
 
 use simulation::{Evaluator, Reference, Refinement, Trial};
 use workers::Workers;
@@ -38,7 +42,7 @@ use crate::ranges::require_threads;
 use crate::refine::bounds::near;
 use crate::refine::candidate::Candidate;
 use crate::refine::clock::{Clock, Deadline};
-use crate::refine::evaluation::{ErrorRange, Evaluation, Judgement};
+use crate::refine::evaluation::{ErrorRange, Evaluation};
 use crate::robustness::{RobustnessReport, Round};
 use crate::session::{Event, Session};
 use crate::success_rates::SuccessRates;
@@ -50,23 +54,12 @@ pub use target::RobustnessTarget;
 /// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so
 /// that one is enough. More cost more rollouts than they save.
 const TRAINING: usize = 1;
-/// Random offsets per friction and magnitude of an evaluation. A plan that fails in 4 % of the offsets of one magnitude
-/// passes 50 of them by luck in 13 of 100 cases, and 100 of them in 2.
-const EVALUATION: usize = 100;
-/// Misses that shrink by less than this factor are no improvement: refinement could creep until the time is over.
-const CREEPING: f64 = 0.99;
 /// Seed of training offsets and changes; evaluations have the seeds after it.
 const SEED: u64 = 1;
 /// Distance between the seeds of evaluations, which need one per magnitude.
 const SEED_STRIDE: u64 = 100;
-/// How often a robust plan is refined in the few trials that it fails.
-const POLISHES: usize = 2;
-/// Evaluations in a row without a better rate after which a refinement is given up.
-const GIVEN_UP: usize = 3;
 /// Share of the time for the first refinement of the plan of the scene itself.
 const OWN_SHARE: f64 = 0.5;
-/// Share of the time for changes; the rest is for the evaluation that follows.
-const TRAINING_SHARE: f64 = 0.8;
 
 /// Makes a plan robust. With a folder in the session, the best plan so far is kept there, and the refinement of an
 /// earlier run of the same problem is continued.
@@ -124,6 +117,7 @@ pub fn refine_reference(
     while refiner.goes_on(until) {
         refiner.refine_best(until)?;
     }
+    refiner.compare_latest()?;
     let best = refiner.take_best()?;
     Ok((best.reference.clone(), refiner.report(&best)))
 }
@@ -143,6 +137,8 @@ struct Refiner<'run> {
     before: SuccessRates,
     rounds: Vec<Round>,
     best: Option<Kept>,
+    /// The latest that were evaluated.
+    latest: VecDeque<Kept>,
     /// Smallest fraction of training trials that failed after a refinement.
     least_failing: f64,
 }
@@ -167,13 +163,14 @@ impl<'run> Refiner<'run> {
             before: SuccessRates(Vec::new()),
             rounds: Vec::new(),
             best: None,
+            latest: VecDeque::new(),
             least_failing: 1.0,
         }
     }
 
     /// Refines the plan of the scene; where that is given up, a straight push; after each of the two the best so far again, if
     /// it is nearly robust; then the plans of other problems, and the best once more, while there is time. With an arm there
-    /// is no push.
+    /// is no push. What is not robust then is the best of the latest in a comparison.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
@@ -188,6 +185,7 @@ impl<'run> Refiner<'run> {
         }
         self.refine_variants(solving)?;
         self.refine_again()?;
+        self.compare_latest()?;
         self.take_best()
     }
 
@@ -242,6 +240,7 @@ impl<'run> Refiner<'run> {
             changes: 0,
             is_scenes_own: true,
         };
+        self.remember(kept.clone());
         self.keep_if_best(kept, &round)?;
         self.rounds.push(round);
         Ok(())
@@ -261,7 +260,7 @@ impl<'run> Refiner<'run> {
         let references: Vec<Reference> =
             fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
         let stop = || self.clock.is_over(until);
-        let best = race::race(self.evaluator, &references, &self.training, &stop)?;
+        let best = race::race(self.evaluator, &references, (&self.training, race::FIRST), &stop)?;
         let reference = references[best.index].clone();
         let index = fine[best.index];
         Some(self.candidate_of(best, reference, variant, (iterations, index), is_scenes_own))
@@ -282,99 +281,17 @@ impl<'run> Refiner<'run> {
         Candidate { variant, iterations, refinement, round, is_scenes_own }
     }
 
-    /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over; what is the best so far
-    /// and still becomes better may take more. Rates of evaluations that end early vary, so that a lower one is no reason to
-    /// go back. What is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so
-    /// does reality.
-    fn refine(&mut self, candidate: Candidate<'run>, mut until: Deadline) -> Result<(), PlannerError> {
-        let begin = Instant::now();
-        let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
-        self.session.tell(Event::Refining { planned: &round.planned });
-        let chosen_with = round.rollouts;
-        let (mut polished, mut vain) = (0, 0);
-        // What failed elsewhere since it became a candidate.
-        let new = self.training[refinement.trials().len()..].to_vec();
-        let results = self.evaluator.evaluate_all(refinement.reference(), &new, &|| self.clock.is_over(until));
-        refinement.add(new.into_iter().zip(results.into_iter().flatten()));
-        loop {
-            self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
-            round.rollouts = chosen_with + refinement.rollouts();
-            round.refinement_s = begin.elapsed().as_secs_f64();
-            // Whatever the share of the time: an evaluation that takes long is one that may succeed.
-            let judgement = self.judge(refinement.reference(), self.clock.end());
-            if judgement.rates.rollouts() == 0 {
-                // The time is over.
-                break;
-            }
-            let rate = judgement.rates.overall();
-            self.session.tell(Event::Refined { rate });
-            polished += usize::from(judgement.reached);
-            let is_good = judgement.reached && (judgement.failures.is_empty() || polished > POLISHES);
-            vain = if round.rate.is_none_or(|best| rate > best) { 0 } else { vain + 1 };
-            let number = self.rounds.len() + 1;
-            round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
-            let kept = Kept {
-                variant: variant.clone(),
-                iterations: iterations.clone(),
-                reference: refinement.reference().clone(),
-                failing: judgement.failing(),
-                rates: judgement.rates,
-                reached: judgement.reached,
-                round: number,
-                chosen: round.chosen_stage,
-                changes: round.changes,
-                is_scenes_own,
-            };
-            self.keep_if_best(kept, &round)?;
-            if vain == 0 && self.clock.is_over(until) && self.best.as_ref().is_some_and(|best| best.round == number) {
-                until = self.clock.share(self.clock.end(), OWN_SHARE);
-            }
-            let is_last = is_good || vain == GIVEN_UP || self.clock.is_over(until);
-            round.added_trials += judgement.failures.len();
-            self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
-            refinement.add(judgement.failures);
-            if is_last {
-                break;
-            }
-        }
-        self.least_failing = self.least_failing.min(refinement.failing_fraction());
-        self.rounds.push(round);
-        Ok(())
-    }
-
-    /// Improves until all training trials pass, it is stuck, or the time is over.
-    fn train(&self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) {
-        let (mut vain, mut last) = (0, refinement.score());
-        let stop = || self.clock.is_over(until);
-        while refinement.score().0 > 0 && vain < self.target.patience && !stop() {
-            *changes += usize::from(refinement.improve(&stop));
-            let (failing, miss) = refinement.score();
-            if failing < last.0 || miss < CREEPING * last.1 {
-                (vain, last) = (0, (failing, miss));
-            } else {
-                vain += 1;
-            }
-            self.session.tell(Event::Change { failing, trials: refinement.trials().len(), changes: *changes });
-        }
-    }
-
-    /// Evaluates a reference at new grasp errors.
-    fn judge(&mut self, reference: &Reference, until: Deadline) -> Judgement {
-        self.evaluations += 1;
-        let seed = SEED + SEED_STRIDE * self.evaluations;
-        let tolerance = ErrorRange::new(self.problem, self.target);
-        let evaluation = Evaluation::new(self.problem.task(), &tolerance, &self.target.frictions, EVALUATION, seed);
-        let stop = || self.clock.is_over(until);
-        evaluation.judge(self.evaluator, reference, self.target.wanted_rate, &stop)
-    }
-
-    /// Keeps a plan in memory and in the session's folder if it is better than the best so far.
+    /// Keeps a plan if it is better than the best so far; `round` goes on.
     fn keep_if_best(&mut self, kept: Kept, round: &Round) -> Result<(), PlannerError> {
         if self.best.as_ref().is_some_and(|best| !kept.is_better_than(best)) {
             return Ok(());
         }
+        self.keep(kept, self.rounds.iter().chain([round]).cloned().collect())
+    }
+
+    /// Keeps a plan in memory and in the session's folder.
+    fn keep(&mut self, kept: Kept, rounds: Vec<Round>) -> Result<(), PlannerError> {
         if let Some(folder) = self.session.folder {
-            let rounds = self.rounds.iter().chain([round]).cloned().collect();
             let are_kept = self.best.as_ref().is_some_and(|best| best.round == kept.round);
             if !kept.is_scenes_own && !are_kept {
                 let motions = kept.iterations.iter().map(|iteration| &iteration.trajectory);

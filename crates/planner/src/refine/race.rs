@@ -2,9 +2,8 @@
 
 use simulation::{Evaluator, Reference, Trial, TrialResult};
 
-/// Trials in which all references are played at first. Half of them are then dropped, and the others are played in twice
-/// as many (successive halving).
-const FIRST: usize = 6;
+/// Trials in which all references are played at first, where most of them differ much.
+pub const FIRST: usize = 6;
 
 /// How the best reference did.
 pub struct Winner {
@@ -17,17 +16,18 @@ pub struct Winner {
 }
 
 /// The reference that passes most trials; of equals the one that misses the goal less in all, then the later one. `None`
-/// without references, or when `stop` returns true before the end. The first trials speak for all.
+/// without references, or when `stop` returns true before the end. The first trials speak for all: after `first` of them half
+/// of the references are dropped, and the others are played in twice as many (successive halving).
 pub fn race(
     evaluator: &Evaluator,
     references: &[Reference],
-    trials: &[Trial],
+    (trials, first): (&[Trial], usize),
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Winner> {
     let mut running: Vec<(usize, Vec<TrialResult>)> = (0..references.len()).map(|index| (index, Vec::new())).collect();
     let (mut played, mut rollouts) = (0, 0);
     while running.len() > 1 || played < trials.len() {
-        let wanted = if running.len() > 1 { (2 * played).max(FIRST).min(trials.len()) } else { trials.len() };
+        let wanted = if running.len() > 1 { (2 * played).max(first).min(trials.len()) } else { trials.len() };
         for (index, results) in &mut running {
             results.extend(evaluator.evaluate_all(&references[*index], &trials[played..wanted], stop)?);
             rollouts += wanted - played;
@@ -65,18 +65,18 @@ mod tests {
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
         let trials = [Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() }; 30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
-        let winner = race(&evaluator, &references, &trials, &|| false).unwrap();
+        let winner = race(&evaluator, &references, (&trials, FIRST), &|| false).unwrap();
         assert_eq!((winner.index, winner.results.len()), (1, trials.len()));
         assert!(winner.results.iter().all(|result| result.passed));
         // Six trials of all four, six more of two, then the others of one.
         assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
         let equals = [push.clone(), push];
-        assert_eq!(race(&evaluator, &equals, &trials, &|| false).unwrap().index, 1, "of equals the later");
+        assert_eq!(race(&evaluator, &equals, (&trials, FIRST), &|| false).unwrap().index, 1, "of equals the later");
         // A push that ends halfway misses the goal by less than rest.
         let halfway = std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index]));
         let failing = [Reference::straight(&task.start, &halfway, task.horizon), references[0].clone()];
-        assert_eq!(race(&evaluator, &failing, &trials, &|| false).unwrap().index, 0, "of equals the nearer");
-        assert!(race(&evaluator, &references, &trials, &|| true).is_none(), "no time");
-        assert!(race(&evaluator, &[], &trials, &|| false).is_none(), "no references");
+        assert_eq!(race(&evaluator, &failing, (&trials, FIRST), &|| false).unwrap().index, 0, "of equals the nearer");
+        assert!(race(&evaluator, &references, (&trials, FIRST), &|| true).is_none(), "no time");
+        assert!(race(&evaluator, &[], (&trials, FIRST), &|| false).is_none(), "no references");
     }
 }

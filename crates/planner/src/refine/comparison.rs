@@ -1,0 +1,116 @@
+//! The last word: the latest references, compared in the same trials.
+//!
+//! An evaluation ends as soon as it is decided, mostly after few trials of its own. So its rate says whether a reference is
+//! good enough, but hardly which of two is better.
+
+use simulation::Reference;
+
+use crate::error::PlannerError;
+use crate::refine::candidate::Kept;
+use crate::refine::{Refiner, race};
+use crate::session::Event;
+
+/// So many of the latest are compared.
+const LATEST: usize = 8;
+/// Random grasp errors per friction and magnitude, and trials in which all references are played.
+const RANDOM: usize = 10;
+const FIRST: usize = 24;
+
+impl Refiner<'_> {
+    /// Takes note of a reference for the comparison.
+    pub(super) fn remember(&mut self, kept: Kept) {
+        if self.latest.len() == LATEST {
+            self.latest.pop_front();
+        }
+        self.latest.push_back(kept);
+    }
+
+    /// Keeps the best of the latest and the best so far, unless that is robust or the time is over.
+    pub(super) fn compare_latest(&mut self) -> Result<(), PlannerError> {
+        let Some(best) = self.best.clone().filter(|best| !best.reached) else { return Ok(()) };
+        let mut compared = Vec::from(std::mem::take(&mut self.latest));
+        if !compared.iter().any(|kept| (kept.round, kept.changes) == (best.round, best.changes)) {
+            compared.insert(0, best);
+        }
+        if compared.len() < 2 {
+            return Ok(());
+        }
+        let references: Vec<Reference> = compared.iter().map(|kept| kept.reference.clone()).collect();
+        let evaluation = self.new_evaluation(RANDOM);
+        let stop = || self.clock.is_over(self.clock.limit());
+        let Some(winner) = race::race(self.evaluator, &references, (evaluation.trials(), FIRST), &stop) else {
+            return Ok(());
+        };
+        let judgement = evaluation.judgement(&winner.results, self.target.wanted_rate);
+        let (rates, failing) = (judgement.rates.clone(), judgement.failing());
+        self.session.tell(Event::Refined { rate: rates.overall() });
+        self.keep(Kept { rates, failing, ..compared.swap_remove(winner.index) }, self.rounds.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+    use std::time::Duration;
+
+    use task::at_rest;
+
+    use super::*;
+    use crate::problem::{Choices, Problem};
+    use crate::refine::RobustnessTarget;
+    use crate::session::Session;
+    use crate::success_rates::{SuccessRate, SuccessRates};
+    use crate::variant::Variant;
+
+    /// What is kept after a comparison of a motion that stays at the start with a push to the goal.
+    fn kept_in(time_limit: Duration) -> Kept {
+        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+        let problem = Problem::load(&scene, &Choices::default()).unwrap();
+        let target = RobustnessTarget { frictions: vec![0.0], time_limit, ..RobustnessTarget::default() };
+        let evaluator = problem.evaluator(&target.frictions).unwrap();
+        let interrupted = AtomicBool::new(false);
+        let session = Session::new(&|_: &Event| {}, &interrupted);
+        let mut refiner = Refiner::new(&problem, &target, &evaluator, &session);
+        let task = problem.task();
+        let lucky = |reference: Reference, changes: usize, successes: usize| Kept {
+            variant: Variant::of_scene(&problem),
+            iterations: Vec::new(),
+            reference,
+            rates: SuccessRates(vec![SuccessRate {
+                friction: 0.0,
+                magnitude_m: 0.0,
+                planned: false,
+                rollouts: 2,
+                successes,
+            }]),
+            reached: false,
+            failing: Vec::new(),
+            round: 1,
+            chosen: 1,
+            changes,
+            is_scenes_own: true,
+        };
+        let resting = lucky(Reference::new(0.1, &[at_rest(&task.start); 3]), 1, 2);
+        refiner.best = Some(resting.clone());
+        refiner.remember(lucky(Reference::straight(&task.start, &task.goal, task.horizon), 2, 0));
+        for changes in 3..LATEST + 2 {
+            refiner.remember(Kept { changes, ..resting.clone() });
+        }
+        refiner.compare_latest().unwrap();
+        refiner.take_best().unwrap()
+    }
+
+    #[test]
+    fn what_does_best_in_the_same_trials_is_kept_whatever_its_own_evaluation_said() {
+        let kept = kept_in(Duration::from_secs(100));
+        assert_eq!(kept.changes, 2);
+        assert!(kept.rates.rollouts() > FIRST, "all trials of the evaluation: {}", kept.rates.rollouts());
+        assert!(kept.rates.overall() > 0.5, "{}", kept.rates.overall());
+    }
+
+    #[test]
+    fn without_time_the_best_so_far_is_kept() {
+        let kept = kept_in(Duration::ZERO);
+        assert_eq!((kept.changes, kept.rates.rollouts()), (1, 2));
+    }
+}
