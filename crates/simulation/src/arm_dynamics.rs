@@ -32,7 +32,7 @@ use crate::step_length::StepLength;
 /// kinetic energy are those that an impulse on the part gives; so contacts are resolved as those of a free body with the
 /// apparent inertia. Impulses of contacts and joint friction follow each other until they agree: both minimise the same
 /// convex function, one block after the other.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct ArmStepper<'arm> {
     arm: &'arm Arm,
     time_step: f64,

@@ -39,6 +39,10 @@ const LATER: f64 = 0.1;
 const MIXED: f64 = 0.3;
 /// How far aimed changes go astray, as a multiple of the way ahead: up to 30 degrees.
 const ASTRAY: f64 = 0.5;
+/// Multiples of the width at which a passing change begins and ends before and after its center, and a lasting one is
+/// none or whole.
+const PASSING_ENDS: f64 = 2.5;
+const LASTING_ENDS: f64 = 1.0;
 /// Fraction of the duration over which a change fades in, so that the start does not change.
 const FADE: f64 = 0.05;
 
@@ -113,8 +117,13 @@ impl Bump {
     /// Fraction of the change that applies at a fraction of the duration.
     pub fn weight(&self, fraction: f64) -> f64 {
         let distance = (fraction - self.center) / self.width;
-        let shape =
-            if self.lasting { 1.0 / (1.0 + (-4.0 * distance).exp()) } else { (-0.5 * distance * distance).exp() };
+        let shape = if self.lasting {
+            let part = (0.5 + 0.5 * distance / LASTING_ENDS).clamp(0.0, 1.0);
+            part * part * (3.0 - 2.0 * part)
+        } else {
+            // Nearly a normal distribution, but with ends: what was before need not be simulated again.
+            (1.0 - (distance / PASSING_ENDS).powi(2)).max(0.0).powi(3)
+        };
         (fraction / FADE).min(1.0) * shape
     }
 }

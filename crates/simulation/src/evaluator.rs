@@ -9,7 +9,7 @@ use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
 use crate::pressed::Pressed;
 use crate::reference::{Reference, isometry};
-use crate::rollout::Rollout;
+use crate::rollout::{Outcome, Rollout, Stage};
 use crate::settings::Settings;
 use crate::success::Success;
 
@@ -56,6 +56,27 @@ impl TrialResult {
         missing_turn: Vector3::new(0.0, 0.0, 0.0),
         too_far: None,
     };
+}
+
+/// A result, and where rollouts of similar references can go on from.
+#[derive(Debug, Clone)]
+pub(crate) struct Record<'evaluator> {
+    pub result: TrialResult,
+    /// Unknown when only the result is.
+    stages: Option<Vec<Stage<'evaluator>>>,
+}
+
+impl Record<'_> {
+    /// Whether more than the result is known.
+    pub fn has_stages(&self) -> bool {
+        self.stages.is_some()
+    }
+}
+
+impl From<TrialResult> for Record<'_> {
+    fn from(result: TrialResult) -> Self {
+        Self { result, stages: None }
+    }
 }
 
 /// Evaluates references in trials.
@@ -127,7 +148,11 @@ impl Evaluator {
     /// # Panics
     /// When the evaluator has no friction coefficient of the trial's index.
     pub fn evaluate(&self, reference: &Reference, trial: &Trial) -> TrialResult {
-        let outcome = self.rollouts[trial.friction].play(reference, trial.injection(), |_, _| {});
+        self.result(&self.rollouts[trial.friction].play(reference, trial.injection(), |_, _| {}))
+    }
+
+    /// What an outcome means for a trial.
+    fn result(&self, outcome: &Outcome) -> TrialResult {
         let excess = outcome.loads.excess(&self.limits);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
             return TrialResult::PASSED;
@@ -160,5 +185,25 @@ impl Evaluator {
     ) -> Option<Vec<TrialResult>> {
         let evaluate = |trial: &Trial| (!stop()).then(|| self.evaluate(reference, trial));
         self.workers.map(trials.iter(), evaluate).into_iter().collect()
+    }
+
+    /// As [`evaluate_all`](Self::evaluate_all), but every trial has a record with another reference that is the same on the
+    /// first `same` intervals. Only what follows is simulated; nothing else changes.
+    pub(crate) fn record_all<'evaluator>(
+        &'evaluator self,
+        reference: &Reference,
+        trials: &[(Trial, &Record<'evaluator>)],
+        same: usize,
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Vec<Record<'evaluator>>> {
+        let record = |(trial, known): &(Trial, &Record<'evaluator>)| {
+            let rollout = &self.rollouts[trial.friction];
+            (!stop()).then(|| {
+                let stages = known.stages.as_deref().unwrap_or_default();
+                let (outcome, stages) = rollout.replay(reference, &trial.injection(), (stages, same));
+                Record { result: self.result(&outcome), stages: Some(stages) }
+            })
+        };
+        self.workers.map(trials.iter(), record).into_iter().collect()
     }
 }

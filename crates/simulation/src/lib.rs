@@ -35,7 +35,8 @@
 //! | when does the controller act? | `sampled_controller` |
 //!
 //! An [`Evaluator`] simulates a reference in several [`Trial`]s. A [`Refinement`] changes the reference until it passes
-//! all of them.
+//! all of them. Changes begin at definite times, and the states of earlier rollouts are kept, so that only what follows is
+//! simulated; outcomes are the same to the last bit.
 //!
 //! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
 //! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its
@@ -72,6 +73,7 @@ mod bump;
 mod candidates;
 mod contact;
 mod contact_solver;
+mod course;
 mod disturbance;
 mod dynamics;
 mod evaluator;
@@ -83,6 +85,7 @@ mod metric;
 mod motion;
 pub mod offsets;
 mod patch;
+mod plant;
 mod pressed;
 mod reference;
 mod refinement;

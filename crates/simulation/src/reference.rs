@@ -68,15 +68,16 @@ impl Reference {
         Self { time_step: horizon.time_step, knots: (0..=horizon.steps).map(knot).collect() }
     }
 
-    /// The reference changed by a bump, with the twists that lead from knot to knot.
+    /// The reference changed by a bump, with the twists that lead from knot to knot. Knots before the bump stay as they are.
     pub fn bent(&self, bump: &Bump) -> Self {
         let mut knots = self.knots.clone();
-        for (index, knot) in knots.iter_mut().enumerate() {
-            let weight = bump.weight(index as f64 / self.intervals().max(1) as f64);
-            knot.pose.translation.vector += bump.shift * weight;
-            knot.pose.rotation *= UnitQuaternion::from_scaled_axis(bump.turn * weight);
+        let weight = |index: usize| bump.weight(index as f64 / self.intervals().max(1) as f64);
+        let first = (0..knots.len()).find(|&index| weight(index) > 0.0).unwrap_or(knots.len());
+        for (index, knot) in knots.iter_mut().enumerate().skip(first) {
+            knot.pose.translation.vector += bump.shift * weight(index);
+            knot.pose.rotation *= UnitQuaternion::from_scaled_axis(bump.turn * weight(index));
         }
-        for index in 1..knots.len() {
+        for index in first.max(1)..knots.len() {
             let (from, to) = (knots[index - 1].pose, knots[index].pose);
             knots[index].velocity = (to.translation.vector - from.translation.vector) / self.time_step;
             let turn = from.rotation.rotation_to(&to.rotation).scaled_axis();
@@ -95,6 +96,16 @@ impl Reference {
             ..*knot
         };
         Self { time_step: self.time_step, knots: self.knots.iter().map(turned).collect() }
+    }
+
+    /// On how many of the first intervals another reference is the same.
+    pub fn shared_intervals(&self, other: &Self) -> usize {
+        let knots = || self.knots.iter().zip(&other.knots);
+        match knots().position(|(one, other)| one != other) {
+            _ if self.time_step != other.time_step => 0,
+            Some(first) => first.saturating_sub(1),
+            None => knots().len() - 1,
+        }
     }
 
     /// States (pose, twist) at the knots.

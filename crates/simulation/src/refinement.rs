@@ -9,7 +9,7 @@ use fastrand::Rng;
 
 use crate::bounds::Bounds;
 use crate::bump::Bump;
-use crate::evaluator::{Evaluator, Trial, TrialResult};
+use crate::evaluator::{Evaluator, Record, Trial, TrialResult};
 use crate::reference::Reference;
 
 /// A reference that is being refined.
@@ -19,7 +19,8 @@ pub struct Refinement<'evaluator> {
     random: Rng,
     reference: Reference,
     trials: Vec<Trial>,
-    results: Vec<TrialResult>,
+    /// Of the reference, one of every trial.
+    records: Vec<Record<'evaluator>>,
     rollouts: usize,
     /// The last changes that helped.
     helped: Vec<Bump>,
@@ -60,7 +61,8 @@ impl<'evaluator> Refinement<'evaluator> {
         assert_eq!(trials.len(), results.len(), "every trial has a result");
         let bounds = evaluator.bounds().including(&reference);
         let random = Rng::with_seed(seed);
-        Self { evaluator, bounds, random, reference, trials, results, rollouts: 0, helped: Vec::new() }
+        let records = results.into_iter().map(Record::from).collect();
+        Self { evaluator, bounds, random, reference, trials, records, rollouts: 0, helped: Vec::new() }
     }
 
     /// The best reference so far.
@@ -82,7 +84,7 @@ impl<'evaluator> Refinement<'evaluator> {
     pub fn add(&mut self, trials: impl IntoIterator<Item = (Trial, TrialResult)>) {
         for (trial, result) in trials {
             self.trials.push(trial);
-            self.results.push(result);
+            self.records.push(result.into());
         }
     }
 
@@ -96,6 +98,7 @@ impl<'evaluator> Refinement<'evaluator> {
     /// takes to see that the change is no improvement. A change that leaves the bounds is dropped, and so is the current
     /// one when `stop` returns true.
     pub fn improve(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> bool {
+        self.record_failing(stop);
         let Some((change, reference)) = self.propose() else { return false };
         let is_better = self.attempt(reference, stop);
         if is_better {
@@ -103,6 +106,30 @@ impl<'evaluator> Refinement<'evaluator> {
             self.helped.drain(..self.helped.len().saturating_sub(REMEMBERED));
         }
         is_better
+    }
+
+    /// Plays failing trials of which only results are known again, for records to go on from: they are played in every attempt.
+    fn record_failing(&mut self, stop: &(dyn Fn() -> bool + Sync)) {
+        let is_unknown = |&index: &usize| !self.records[index].result.passed && !self.records[index].has_stages();
+        let unknown: Vec<usize> = (0..self.trials.len()).filter(is_unknown).collect();
+        let reference = self.reference.clone();
+        if let Some(new) = self.play(&reference, &unknown, stop) {
+            unknown.into_iter().zip(new).for_each(|(index, new)| self.records[index] = new);
+        }
+    }
+
+    /// Plays some of the trials with a reference.
+    fn play(
+        &mut self,
+        reference: &Reference,
+        indices: &[usize],
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Vec<Record<'evaluator>>> {
+        let trials: Vec<_> = indices.iter().map(|&index| (self.trials[index], &self.records[index])).collect();
+        let same = self.reference.shared_intervals(reference);
+        let new = self.evaluator.record_all(reference, &trials, same, stop)?;
+        self.rollouts += new.len();
+        Some(new)
     }
 
     /// A change that keeps the bounds, and what it makes of the reference; halved until it does. `None` where none was found.
@@ -148,13 +175,13 @@ impl<'evaluator> Refinement<'evaluator> {
 
     /// The result of any trial that fails.
     fn some_failing(&mut self) -> Option<TrialResult> {
-        let failing: Vec<&TrialResult> = self.results.iter().filter(|result| !result.passed).collect();
-        (!failing.is_empty()).then(|| *failing[self.random.usize(..failing.len())])
+        let failing: Vec<TrialResult> = self.results().filter(|result| !result.passed).copied().collect();
+        (!failing.is_empty()).then(|| failing[self.random.usize(..failing.len())])
     }
 
     /// Takes over a reference if it is better than the best so far.
     fn attempt(&mut self, reference: Reference, stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        let mut results = self.results.clone();
+        let mut records = Vec::new();
         let (failing, passing) = self.shuffled();
         // Change of the sum of misses, and of the number of failing trials.
         let (mut miss, mut count) = (0.0, 0_isize);
@@ -163,35 +190,39 @@ impl<'evaluator> Refinement<'evaluator> {
         // After these only trials follow that the change can lose.
         let failing_batches = 1 + rest.len().div_ceil(BATCH);
         for (batches_done, batch) in (1..).zip(batches) {
-            let trials: Vec<Trial> = batch.iter().map(|&index| self.trials[index]).collect();
-            let Some(new) = self.evaluator.evaluate_all(&reference, &trials, stop) else { return false };
-            self.rollouts += trials.len();
+            let Some(new) = self.play(&reference, batch, stop) else { return false };
             for (&index, new) in batch.iter().zip(new) {
-                let old = std::mem::replace(&mut results[index], new);
-                miss += new.miss - old.miss;
-                count += isize::from(old.passed) - isize::from(new.passed);
+                let (old, now) = (self.records[index].result, new.result);
+                miss += now.miss - old.miss;
+                count += isize::from(old.passed) - isize::from(now.passed);
+                records.push((index, new));
             }
             let is_useless = batches_done == 1 && miss >= 0.0;
             if is_useless || batches_done >= failing_batches && (count > 0 || count == 0 && miss >= 0.0) {
                 return false;
             }
         }
-        (self.reference, self.results) = (reference, results);
+        self.reference = reference;
+        records.into_iter().for_each(|(index, new)| self.records[index] = new);
         true
     }
 
     /// Indices of failing and of passing trials, in random order.
     fn shuffled(&mut self) -> (Vec<usize>, Vec<usize>) {
         let (mut failing, mut passing): (Vec<usize>, Vec<usize>) =
-            (0..self.trials.len()).partition(|&index| !self.results[index].passed);
+            (0..self.trials.len()).partition(|&index| !self.records[index].result.passed);
         self.random.shuffle(&mut failing);
         self.random.shuffle(&mut passing);
         (failing, passing)
     }
 
+    fn results(&self) -> impl Iterator<Item = &TrialResult> + Clone {
+        self.records.iter().map(|record| &record.result)
+    }
+
     /// Number of failing trials and the sum of their misses. Fewer failing trials are better, then a smaller sum.
     pub fn score(&self) -> (usize, f64) {
-        let failing = self.results.iter().filter(|result| !result.passed);
+        let failing = self.results().filter(|result| !result.passed);
         (failing.clone().count(), failing.map(|result| result.miss).sum())
     }
 }

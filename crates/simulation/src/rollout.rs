@@ -1,5 +1,7 @@
 //! Closed-loop rollouts of plans under injected errors.
 
+use std::sync::Arc;
+
 use nalgebra::{Isometry3, Vector3};
 use robot::JointVector;
 use task::AssemblyTask;
@@ -9,13 +11,21 @@ use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::body::Body;
 use crate::contact::{ContactFinder, Shapes};
+use crate::course::Course;
 use crate::disturbance::Injection;
 use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
+use crate::plant::Plant;
 use crate::pressed::Pressed;
-use crate::reference::{Knot, Reference, coordinates, isometry};
+use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
 use crate::success::Success;
+
+/// A rollout under way, kept to go on from.
+pub(crate) type Stage<'rollout> = Arc<Course<'rollout>>;
+
+/// Largest number of stages of a rollout.
+const STAGES: usize = 10;
 
 /// A task that is ready to be simulated.
 #[derive(Debug, Clone)]
@@ -27,29 +37,6 @@ pub struct Rollout {
     has_even_steps: bool,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
     arm: Option<(ArmModel, JointVector)>,
-}
-
-/// What moves.
-enum Plant<'arm> {
-    Body(Box<Stepper>),
-    Arm(Box<ArmStepper<'arm>>),
-}
-
-impl Plant<'_> {
-    /// Moves the body by one step; as [`Stepper::step`].
-    fn step(
-        &mut self,
-        body: &mut Body,
-        (done, count): (usize, usize),
-        target: impl Fn(f64) -> Knot,
-        finder: &mut ContactFinder,
-        impulses: &mut [f64],
-    ) -> (usize, f64) {
-        match self {
-            Self::Body(stepper) => stepper.step(body, (done, count), target, finder, impulses),
-            Self::Arm(stepper) => stepper.step(body, (done, count), target, finder, impulses),
-        }
-    }
 }
 
 /// How a rollout ended.
@@ -93,7 +80,7 @@ pub struct TimedState {
 }
 
 impl TimedState {
-    fn new(time: f64, body: &Body) -> Self {
+    pub(crate) fn new(time: f64, body: &Body) -> Self {
         let (velocity, angular_velocity) = (body.velocity.into(), body.angular_velocity.into());
         Self { time, pose: coordinates(&body.pose), velocity, angular_velocity }
     }
@@ -155,54 +142,76 @@ impl Rollout {
         mut observe: impl FnMut(&TimedState, &[f64]),
     ) -> Outcome {
         let injection = injection.into();
-        let mut body = Body {
-            pose: isometry(&injection.grasp.actual(&reference.start())),
-            velocity: Vector3::zeros(),
-            angular_velocity: Vector3::zeros(),
+        let Some(course) = self.begin(reference, &injection) else { return self.impossible(reference, &injection) };
+        self.finish(course, reference, &injection, &mut observe, |_| {})
+    }
+
+    /// As [`play`](Self::play), but goes on from the last of the `stages` of the rollout of another reference that is the same on
+    /// the first `same` intervals. Returns the outcome and stages of its own.
+    pub(crate) fn replay<'rollout>(
+        &'rollout self,
+        reference: &Reference,
+        injection: &Injection,
+        (stages, same): (&[Stage<'rollout>], usize),
+    ) -> (Outcome, Vec<Stage<'rollout>>) {
+        let mut stages: Vec<Stage> = stages.iter().filter(|stage| stage.intervals <= same).cloned().collect();
+        let course = match stages.last() {
+            Some(stage) => Some(Course::clone(stage)),
+            None => self.begin(reference, injection),
         };
-        let Some(mut plant) = self.plant(reference, &body.pose, &injection) else {
-            return Outcome { diverged: true, ..self.outcome(&body, 0.0, &LoadMeter::new(0), Pressed::NONE) };
-        };
-        let Injection { grasp, disturbance } = &injection;
-        let (impedance, grasp) = (disturbance.impedance(self.task.impedance.clone()), grasp.pose());
-        let believed = reference;
-        let reference = &reference.of_part(&injection.grasp);
-        let (time_step, substeps) = self.settings.divide(reference.time_step());
+        let Some(course) = course else { return (self.impossible(reference, injection), stages) };
+        let (first, last) = (course.intervals, reference.intervals());
+        let apart = last.div_ceil(STAGES).max(1);
+        let outcome = self.finish(course, reference, injection, &mut |_, _| {}, |course| {
+            if course.intervals > first && course.intervals < last && course.intervals % apart == 0 {
+                stages.push(Arc::new(course.clone()));
+            }
+        });
+        (outcome, stages)
+    }
+
+    /// The rollout before its first step. `None` if it cannot be simulated.
+    fn begin(&self, reference: &Reference, injection: &Injection) -> Option<Course<'_>> {
+        let Injection { grasp, disturbance } = injection;
+        let pose = isometry(&grasp.actual(&reference.start()));
         let mut finder = ContactFinder::new(&self.shapes, disturbance.edge_radius);
-        let mut max_penetration = (-finder.find(&body.pose, 0.0)).max(0.0);
-        let (mut loads, mut pressed) = (LoadMeter::new(self.task.pairs.len()), Pressed::NONE);
-        // Of a step, and since the last knot.
-        let mut step_impulses = vec![0.0; self.task.pairs.len()];
-        let mut impulses = step_impulses.clone();
-        for interval in 0..reference.intervals() + self.settings.settling_intervals(reference.time_step()) {
-            impulses.fill(0.0);
-            let mut done = 0;
-            while done < substeps {
-                let target = |count: f64| reference.at(interval, count / substeps as f64);
-                let before = body;
-                step_impulses.fill(0.0);
-                let (taken, overlap) = plant.step(&mut body, (done, substeps), target, &mut finder, &mut step_impulses);
-                max_penetration = max_penetration.max(overlap);
-                impulses.iter_mut().zip(&step_impulses).for_each(|(sum, impulse)| *sum += impulse);
-                let tracked = believed.at(interval, (done + taken) as f64 / substeps as f64);
-                let wrench = impedance.wrench(&tracked.state(), &TimedState::new(0.0, &body).state(), &grasp);
-                if loads.add(taken as f64 * time_step, &step_impulses, &wrench) {
-                    let part = (done + taken) as f64 / substeps as f64;
-                    let fraction = (interval as f64 + part) / reference.intervals() as f64;
-                    pressed = Pressed::new(fraction, &reference.at(interval, part).pose, &body.pose);
-                }
-                for moment in 1..=taken {
-                    let time = (interval * substeps + done + moment) as f64 * time_step;
-                    let state = before.towards(&body, moment as f64 / taken as f64);
-                    observe(&TimedState::new(time, &state), &impulses);
-                }
-                done += taken;
-            }
-            if !is_finite(&body) {
-                break;
-            }
+        let pairs = self.task.pairs.len();
+        Some(Course {
+            plant: self.plant(reference, &pose, injection)?,
+            body: Body { pose, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() },
+            max_penetration: (-finder.find(&pose, 0.0)).max(0.0),
+            finder,
+            impedance: disturbance.impedance(self.task.impedance.clone()),
+            grasp: grasp.pose(),
+            steps: self.settings.divide(reference.time_step()),
+            intervals: 0,
+            loads: LoadMeter::new(pairs),
+            pressed: Pressed::NONE,
+            step_impulses: vec![0.0; pairs],
+            impulses: vec![0.0; pairs],
+        })
+    }
+
+    /// The rest of a rollout; `note` gets it after every interval.
+    fn finish<'rollout>(
+        &'rollout self,
+        mut course: Course<'rollout>,
+        reference: &Reference,
+        injection: &Injection,
+        observe: &mut impl FnMut(&TimedState, &[f64]),
+        mut note: impl FnMut(&Course<'rollout>),
+    ) -> Outcome {
+        let of_part = reference.of_part(&injection.grasp);
+        let intervals = reference.intervals() + self.settings.settling_intervals(reference.time_step());
+        while course.intervals < intervals && course.is_finite() {
+            course.follow(reference, &of_part, observe);
+            note(&course);
         }
-        self.outcome(&body, max_penetration, &loads, pressed)
+        let Course { body, max_penetration, loads, pressed, .. } = &course;
+        Outcome {
+            diverged: !course.is_finite(),
+            ..self.outcome(&body.pose, *max_penetration, loads.largest(), *pressed)
+        }
     }
 
     /// What moves from a pose of the body at rest; `None` if it cannot be simulated.
@@ -229,15 +238,15 @@ impl Rollout {
         }
     }
 
-    fn outcome(&self, body: &Body, max_penetration: f64, loads: &LoadMeter, pressed: Pressed) -> Outcome {
-        let pose = coordinates(&body.pose);
-        let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
-        let diverged = !is_finite(body);
-        Outcome { pose, position_error, orientation_error, max_penetration, loads: loads.largest(), pressed, diverged }
+    /// What comes of a rollout that cannot be simulated.
+    fn impossible(&self, reference: &Reference, injection: &Injection) -> Outcome {
+        let pose = isometry(&injection.grasp.actual(&reference.start()));
+        Outcome { diverged: true, ..self.outcome(&pose, 0.0, LoadMeter::new(0).largest(), Pressed::NONE) }
     }
-}
 
-fn is_finite(body: &Body) -> bool {
-    let pose = coordinates(&body.pose);
-    pose.iter().chain(&body.velocity).chain(&body.angular_velocity).all(|component| component.is_finite())
+    fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, pressed: Pressed) -> Outcome {
+        let pose = coordinates(pose);
+        let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
+        Outcome { pose, position_error, orientation_error, max_penetration, loads, pressed, diverged: false }
+    }
 }

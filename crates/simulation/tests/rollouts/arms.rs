@@ -8,11 +8,12 @@ use robot::gains::FrictionWrench;
 use robot::{Arm, JointVector, RigidInertia};
 use serde_json::Value;
 use simulation::{
-    ArmModel, Disturbance, Evaluator, Injection, Reference, Rollout, Settings, Success, TimedState, Trial,
+    ArmModel, Disturbance, Evaluator, Injection, Reference, Refinement, Rollout, Settings, Success, TimedState, Trial,
 };
 use task::{AssemblyTask, GraspError, Impedance, Inertia};
 use workers::Workers;
 
+use crate::refinement::assert_records_are_whole_rollouts;
 use crate::world::{at_rest, block, task};
 
 /// A motion that MuJoCo has played.
@@ -345,6 +346,18 @@ fn evaluations_trajectories_and_any_number_of_threads_see_the_same_arm() {
         let miss = outcome.position_error / success.position + outcome.orientation_error / success.orientation;
         assert_eq!(result.miss, if result.passed { 0.0 } else { miss.min(60.0) });
     }
+}
+
+#[test]
+fn rollouts_of_an_arm_that_go_on_from_earlier_ones_are_like_whole_ones() {
+    let record = Record::read("rubbing");
+    let mut task = record.task.clone();
+    task.goal[0] += 0.03;
+    let evaluator = Evaluator::new(&task, &[0.0, 0.3], Success::default()).with_arm(&record.model).unwrap();
+    let trials = [0, 1].map(|friction| Trial { friction, grasp: record.grasp, disturbance: Disturbance::default() });
+    let results = evaluator.evaluate_all(&record.reference, &trials, &|| false).unwrap();
+    let refinement = Refinement::new(&evaluator, record.reference, trials.to_vec(), results, 1);
+    assert_records_are_whole_rollouts(&evaluator, refinement, 40);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Success, Trial};
-use task::GraspError;
+use task::{GraspError, Horizon};
 use workers::Workers;
 
 use crate::world::{STIFFNESS, block, floor, hole, task, through};
@@ -50,6 +50,42 @@ fn what_fails_is_refined_until_it_passes() {
     assert_eq!(refinement.score().0, 0);
     let results = evaluator.evaluate_all(refinement.reference(), &trials(), &|| false).unwrap();
     assert!(results.iter().all(|result| result.passed && result.miss == 0.0));
+}
+
+/// Changes a reference, and compares what is known of the trials with whole rollouts of what has become of it.
+pub fn assert_records_are_whole_rollouts(evaluator: &Evaluator, mut refinement: Refinement, changes: usize) {
+    let mut improvements = 0;
+    for _ in 0..changes {
+        if refinement.improve(&|| false) {
+            improvements += 1;
+            let results = evaluator.evaluate_all(refinement.reference(), refinement.trials(), &|| false).unwrap();
+            let failing = results.iter().filter(|result| !result.passed);
+            assert_eq!(refinement.score(), (failing.clone().count(), failing.map(|result| result.miss).sum()));
+        }
+    }
+    assert!(improvements > 2, "{improvements}");
+}
+
+#[test]
+fn rollouts_that_go_on_from_earlier_ones_are_like_whole_ones() {
+    let evaluator = evaluator();
+    assert_records_are_whole_rollouts(&evaluator, refinement(&evaluator, 2), 60);
+}
+
+#[test]
+fn references_share_the_intervals_before_a_change() {
+    let reference = beside();
+    let last = reference.intervals();
+    assert_eq!(reference.shared_intervals(&reference), last);
+    assert_eq!(reference.shared_intervals(&through(&[[0.0; 3]; 2], 2.0)), 0);
+    let (mut random, success) = (fastrand::Rng::with_seed(7), Success::default());
+    for _ in 0..50 {
+        let bump = Bump::random(&mut random, &success);
+        let changed = (0..=last).position(|knot| bump.weight(knot as f64 / last as f64) > 0.0);
+        assert_eq!(reference.shared_intervals(&reference.bent(&bump)), changed.map_or(last, |first| first - 1));
+        let late = Bump::late(&mut random, &success);
+        assert!(2 * reference.shared_intervals(&reference.bent(&late)) >= last, "{late:?}");
+    }
 }
 
 #[test]
@@ -103,11 +139,13 @@ fn a_push_beyond_the_limit_is_no_success() {
 
 #[test]
 fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
+    let (pose, horizon) = (|height| [0.0, 0.0, height, 1.0, 0.0, 0.0, 0.0], Horizon { steps: 25, time_step: 0.04 });
+    let straight = Reference::straight(&pose(0.06), &pose(0.0), horizon);
     let mut random = fastrand::Rng::with_seed(5);
     for _ in 0..50 {
         let bump = Bump::random(&mut random, &Success::default());
-        let bent = beside().bent(&bump);
-        assert_eq!(bent.start(), beside().start());
+        let bent = straight.bent(&bump);
+        assert_eq!(bent.start(), straight.start());
         for pair in bent.states().windows(2) {
             let (from, to) = (&pair[0], &pair[1]);
             let moved =

@@ -1,0 +1,79 @@
+//! A rollout under way.
+
+use task::Impedance;
+
+use crate::body::Body;
+use crate::contact::ContactFinder;
+use crate::loads::LoadMeter;
+use crate::plant::Plant;
+use crate::pressed::Pressed;
+use crate::reference::{Reference, coordinates};
+use crate::rollout::TimedState;
+
+/// A rollout after some intervals of its reference. What follows depends on nothing else but the rest of the reference: a
+/// rollout of another reference that has been the same so far goes on from a copy.
+#[derive(Debug, Clone)]
+pub struct Course<'rollout> {
+    pub body: Body,
+    pub plant: Plant<'rollout>,
+    pub finder: ContactFinder<'rollout>,
+    /// Of the controller, and the pose of the believed part in the frame of the part.
+    pub impedance: Impedance,
+    pub grasp: [f64; 7],
+    /// Length of the shortest steps (s), and how many there are in an interval.
+    pub steps: (f64, usize),
+    /// Intervals so far.
+    pub intervals: usize,
+    /// Deepest overlap of a pair (m) so far.
+    pub max_penetration: f64,
+    pub loads: LoadMeter,
+    pub pressed: Pressed,
+    /// Normal impulse (Ns) of every pair in the last step, and since the last knot.
+    pub step_impulses: Vec<f64>,
+    pub impulses: Vec<f64>,
+}
+
+impl Course<'_> {
+    /// Follows a reference to its next knot, or rests at its end. It is given as what the robot tracks, and as what that means
+    /// for the part ([`Reference::of_part`]).
+    pub fn follow(
+        &mut self,
+        believed: &Reference,
+        reference: &Reference,
+        observe: &mut impl FnMut(&TimedState, &[f64]),
+    ) {
+        let (interval, (time_step, substeps)) = (self.intervals, self.steps);
+        self.impulses.fill(0.0);
+        let mut done = 0;
+        while done < substeps {
+            let Self { body, finder, step_impulses, .. } = self;
+            let target = |count: f64| reference.at(interval, count / substeps as f64);
+            let before = *body;
+            step_impulses.fill(0.0);
+            let (taken, overlap) = self.plant.step(body, (done, substeps), target, finder, step_impulses);
+            self.max_penetration = self.max_penetration.max(overlap);
+            self.impulses.iter_mut().zip(&*step_impulses).for_each(|(sum, impulse)| *sum += impulse);
+            let part = (done + taken) as f64 / substeps as f64;
+            let tracked = believed.at(interval, part);
+            let wrench = self.impedance.wrench(&tracked.state(), &TimedState::new(0.0, body).state(), &self.grasp);
+            if self.loads.add(taken as f64 * time_step, step_impulses, &wrench) {
+                let fraction = (interval as f64 + part) / reference.intervals() as f64;
+                self.pressed = Pressed::new(fraction, &reference.at(interval, part).pose, &body.pose);
+            }
+            for moment in 1..=taken {
+                let time = (interval * substeps + done + moment) as f64 * time_step;
+                let state = before.towards(body, moment as f64 / taken as f64);
+                observe(&TimedState::new(time, &state), &self.impulses);
+            }
+            done += taken;
+        }
+        self.intervals += 1;
+    }
+
+    /// Whether the state is one.
+    pub fn is_finite(&self) -> bool {
+        let Body { pose, velocity, angular_velocity } = &self.body;
+        let pose = coordinates(pose);
+        pose.iter().chain(velocity).chain(angular_velocity).all(|component| component.is_finite())
+    }
+}

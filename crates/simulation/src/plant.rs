@@ -1,0 +1,31 @@
+//! What moves in a rollout.
+
+use crate::arm_dynamics::ArmStepper;
+use crate::body::Body;
+use crate::contact::ContactFinder;
+use crate::dynamics::Stepper;
+use crate::reference::Knot;
+
+/// A free body, or an arm that holds one.
+#[derive(Debug, Clone)]
+pub enum Plant<'arm> {
+    Body(Box<Stepper>),
+    Arm(Box<ArmStepper<'arm>>),
+}
+
+impl Plant<'_> {
+    /// Moves the body by one step; as [`Stepper::step`].
+    pub fn step(
+        &mut self,
+        body: &mut Body,
+        (done, count): (usize, usize),
+        target: impl Fn(f64) -> Knot,
+        finder: &mut ContactFinder,
+        impulses: &mut [f64],
+    ) -> (usize, f64) {
+        match self {
+            Self::Body(stepper) => stepper.step(body, (done, count), target, finder, impulses),
+            Self::Arm(stepper) => stepper.step(body, (done, count), target, finder, impulses),
+        }
+    }
+}
