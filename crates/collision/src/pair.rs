@@ -55,13 +55,26 @@ impl Pair {
         let mut bound = [f64::NAN];
         // Where the smallest smoothing fails, a larger one still gives an upper bound, though a looser one.
         for tau in [EXACT_TAU, 1e-11, 1e-9] {
-            let request = Request::<CONTACT>::Bounds(&mut bound);
-            let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());
-            if self.run(Instructions::best(), poses, tau, EXACT_TOLERANCE, solutions, request).is_ok() {
+            if self.bound(std::slice::from_ref(pose), tau, &mut bound).is_ok() {
                 break;
             }
         }
         bound[0]
+    }
+
+    /// Exact distances at many poses, which take less time together.
+    pub fn exact_distances(&self, poses: &[[f64; POSE]]) -> Vec<f64> {
+        let mut bounds = vec![f64::NAN; poses.len()];
+        match self.bound(poses, EXACT_TAU, &mut bounds) {
+            Ok(_) => bounds,
+            Err(_) => poses.iter().map(|pose| self.exact_distance(pose)).collect(),
+        }
+    }
+
+    /// Upper bounds on exact distances, tight for a small smoothing.
+    fn bound(&self, poses: &[[f64; POSE]], tau: f64, bounds: &mut [f64]) -> Result<usize, DistanceError> {
+        let request = Request::<CONTACT>::Bounds(bounds);
+        self.run(Instructions::best(), poses, tau, EXACT_TOLERANCE, &mut Solutions::default(), request)
     }
 
     /// `(Phi_tau, n_tau)` at the normalised pose.

@@ -47,6 +47,17 @@ proptest! {
     }
 
     #[test]
+    fn exact_distances_are_the_same_one_by_one_and_together(a in points(), b in points(), poses in prop::collection::vec(pose(), 0..20)) {
+        let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
+        let pair = Pair::new(a, b);
+        let together = pair.exact_distances(&poses);
+        prop_assert_eq!(together.len(), poses.len());
+        for (pose, distance) in poses.iter().zip(together) {
+            prop_assert!((pair.exact_distance(pose) - distance).abs() < 1e-10);
+        }
+    }
+
+    #[test]
     fn a_pair_has_the_distance_of_the_swapped_pair(a in points(), b in points(), pose in pose()) {
         let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
         let (position, turn) = unit(&pose);
@@ -176,6 +187,15 @@ proptest! {
 }
 
 /// Requests at two lists of poses and two smoothings in turn, each pose with its own seed.
+#[test]
+fn exact_distances_at_an_invalid_pose_are_nan_there_alone() {
+    let pair = Pair::new(Polytope::from_box([0.1; 3]).unwrap(), Polytope::from_box([0.1; 3]).unwrap());
+    let apart = [0.0, 0.0, 0.3, 1.0, 0.0, 0.0, 0.0];
+    let distances = pair.exact_distances(&[apart, [f64::NAN; 7], apart]);
+    assert!((distances[0] - 0.2).abs() < 1e-10 && distances[2] == distances[0], "{distances:?}");
+    assert!(distances[1].is_nan());
+}
+
 #[test]
 fn kept_solutions_change_no_bit() {
     let pair = Pair::new(Polytope::from_box([0.1; 3]).unwrap(), Polytope::from_box([0.2, 0.1, 0.05]).unwrap());

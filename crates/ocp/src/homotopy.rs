@@ -9,6 +9,7 @@ use workers::Workers;
 
 use crate::crawl::{self, Crawl};
 use crate::grid::{carried_over, coarsened};
+use crate::near_pairs::NearPairs;
 use crate::stage_solver::TranscriptionSolver;
 use crate::transcription::Transcription;
 
@@ -53,10 +54,12 @@ pub struct HomotopyIteration {
 }
 
 impl HomotopyIteration {
-    /// With the effort of a first try of which nothing else is kept.
-    fn after(mut self, first: &Self) -> Self {
-        self.iterations += first.iterations;
-        self.timing = self.timing + first.timing;
+    /// With the effort of a first try, if there was one, of which nothing else is kept.
+    fn after(mut self, first: Option<&Self>) -> Self {
+        if let Some(first) = first {
+            self.iterations += first.iterations;
+            self.timing = self.timing + first.timing;
+        }
         self
     }
 }
@@ -254,7 +257,7 @@ fn iteration_options(settings: &HomotopySettings, smoothing: Smoothing) -> Optio
     options
 }
 
-/// Solves with one smoothing. Where a warm start crawls, it is tried once more with a larger barrier parameter.
+/// Solves with one smoothing: from a warm start, without the pairs that stay far apart.
 fn solve_iteration(
     transcription: &mut Transcription,
     start: &Start,
@@ -262,9 +265,42 @@ fn solve_iteration(
     smoothing: Smoothing,
     observer: &mut dyn FnMut(&Progress) -> Control,
 ) -> Result<HomotopyIteration, SolveError> {
-    if matches!(start, Start::Cold(_)) {
+    let Start::Warm(point) = start else {
         return attempt_iteration(transcription, start, settings, smoothing, observer);
+    };
+    let mut near = NearPairs::at(&point.x, transcription);
+    let mut before: Option<HomotopyIteration> = None;
+    loop {
+        let point = before.as_ref().map_or(point, |before| &before.iterate);
+        if near.are_all() {
+            let last = watch_iteration(transcription, point, settings, smoothing, observer)?;
+            return Ok(last.after(before.as_ref()));
+        }
+        let task = near.of_task(transcription.task());
+        let mut of_near = Transcription::new(&task, settings.complementarity, settings.hessian)
+            .with_workers(transcription.workers().clone());
+        of_near.set_smoothing(smoothing.tau, smoothing.sigma);
+        let point = near.restrict(point, transcription);
+        let mut last = watch_iteration(&mut of_near, &point, settings, smoothing, observer)?;
+        last.iterate = near.extend(&last.iterate, transcription);
+        last.trajectory = transcription.motion(&last.iterate.x, smoothing.tau);
+        let last = last.after(before.as_ref());
+        match near.with_missing(&last.trajectory) {
+            Some(more) if last.status != SolveStatus::Interrupted => (near, before) = (more, Some(last)),
+            _ => return Ok(last),
+        }
     }
+}
+
+/// Solves with one smoothing from a warm start. Where it crawls, it is tried once more with a larger barrier parameter.
+fn watch_iteration(
+    transcription: &mut Transcription,
+    start: &Iterate,
+    settings: &HomotopySettings,
+    smoothing: Smoothing,
+    observer: &mut dyn FnMut(&Progress) -> Control,
+) -> Result<HomotopyIteration, SolveError> {
+    let start = &Start::Warm(start.clone());
     let mut crawl = Crawl::default();
     let mut watch = |progress: &Progress| {
         crawl.see(progress);
@@ -275,7 +311,7 @@ fn solve_iteration(
         return Ok(first);
     }
     let wider = Smoothing { mu_init: smoothing.mu_init * crawl::WIDER, ..smoothing };
-    Ok(attempt_iteration(transcription, start, settings, wider, observer)?.after(&first))
+    Ok(attempt_iteration(transcription, start, settings, wider, observer)?.after(Some(&first)))
 }
 
 /// Solves with one smoothing from a start.

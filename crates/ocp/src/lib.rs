@@ -48,6 +48,7 @@ mod homotopy;
 mod layout;
 mod least_squares;
 mod motion;
+mod near_pairs;
 mod pattern;
 mod point;
 mod residuals;

@@ -13,9 +13,7 @@ impl Transcription {
         let (task, layout) = (self.task(), self.layout());
         let (time_step, unit) = (task.horizon.time_step, task.impedance.force_unit());
         let reference = self.states(x, &at_rest(&task.start), Owner::Reference);
-        let compliant: Vec<Vec<[f64; STATE]>> = (0..layout.scenarios)
-            .map(|scenario| self.states(x, &self.initial_compliant()[scenario], Owner::Scenario(scenario)))
-            .collect();
+        let compliant = self.compliant_states(x);
         let drift = compliant.iter().map(|states| norm_drift(states)).fold(norm_drift(&reference), f64::max);
         let scenarios = compliant
             .iter()
@@ -51,6 +49,12 @@ impl Transcription {
             }
         }
         x
+    }
+
+    /// States of the body at k = 0..N, of every scenario.
+    pub(crate) fn compliant_states(&self, x: &[f64]) -> Vec<Vec<[f64; STATE]>> {
+        let states = |(scenario, initial)| self.states(x, initial, Owner::Scenario(scenario));
+        self.initial_compliant().iter().enumerate().map(states).collect()
     }
 
     /// States of a trajectory at k = 0..N.

@@ -43,8 +43,7 @@ pub struct Peak {
 impl Quality {
     /// Measures of a motion with poses at k = 0..N and contacts at k = 1..N.
     pub fn new(task: &AssemblyTask, poses: &[[f64; POSE]], contacts: &[Vec<Contact>]) -> Self {
-        let distances: Vec<Vec<f64>> =
-            task.pairs.iter().map(|pair| poses.iter().map(|pose| pair.shapes.exact_distance(pose)).collect()).collect();
+        let distances: Vec<Vec<f64>> = task.pairs.iter().map(|pair| pair.shapes.exact_distances(poses)).collect();
         let overlaps = distances.iter().enumerate().flat_map(|(pair, distances)| {
             distances.iter().enumerate().map(move |(step, distance)| Peak { value: -distance, step, pair })
         });

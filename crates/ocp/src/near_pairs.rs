@@ -1,0 +1,94 @@
+//! Pairs that come near to each other.
+//!
+//! Of parts with many pieces most pairs never touch, but each of them has variables and constraints at every step. A
+//! homotopy iteration with a warm start is solved without the pairs that stay far apart there. Where one of them overlaps
+//! in what it finds, it is added, and the iteration goes on.
+
+use nlp::Iterate;
+use task::{AssemblyTask, ContactPair, POSE, Trajectory, pose_of};
+
+use crate::layout::Member;
+use crate::transcription::Transcription;
+
+/// Pairs are near below this fraction of the size of the largest part of the body.
+const NEAR: f64 = 0.0125;
+
+/// Some of the pairs of a task.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NearPairs {
+    /// Of every pair.
+    is_near: Vec<bool>,
+}
+
+impl NearPairs {
+    /// Those whose exact shapes come near at a point `x`. Smoothed distances are longer: with much smoothing, even of
+    /// parts that overlap.
+    pub fn at(x: &[f64], transcription: &Transcription) -> Self {
+        let pairs = &transcription.task().pairs;
+        let largest = pairs.iter().map(|pair| pair.shapes.body().size()).fold(0.0, f64::max);
+        let poses: Vec<[f64; POSE]> = transcription.compliant_states(x).iter().flatten().map(pose_of).collect();
+        let is_near = |pair: &ContactPair| {
+            let is_far = |distance: &f64| *distance >= NEAR * largest;
+            !pair.shapes.exact_distances(&poses).iter().all(is_far)
+        };
+        Self { is_near: pairs.iter().map(is_near).collect() }
+    }
+
+    /// Whether no pair is left out.
+    pub fn are_all(&self) -> bool {
+        self.is_near.iter().all(|&is_near| is_near)
+    }
+
+    /// With the pairs that were left out and overlap in a motion. `None` when there are none.
+    pub fn with_missing(&self, motion: &Trajectory) -> Option<Self> {
+        let contacts = motion.scenarios.iter().flat_map(|scenario| &scenario.contacts);
+        let overlaps = |pair: usize| !contacts.clone().all(|contacts| contacts[pair].distance >= 0.0);
+        let is_near = (0..).zip(&self.is_near).map(|(pair, &is_near)| is_near || overlaps(pair)).collect();
+        let more = Self { is_near };
+        (more != *self).then_some(more)
+    }
+
+    /// The task without the others.
+    pub fn of_task(&self, task: &AssemblyTask) -> AssemblyTask {
+        let pairs = task.pairs.iter().zip(&self.is_near).filter(|&(_, &is_near)| is_near);
+        AssemblyTask { pairs: pairs.map(|(pair, _)| pair.clone()).collect(), ..task.clone() }
+    }
+
+    /// A point of the transcription of all pairs as one of the near ones.
+    pub fn restrict(&self, point: &Iterate, all: &Transcription) -> Iterate {
+        let (variables, rows) = self.indices(all);
+        let chosen = |values: &[f64], indices: &[usize]| indices.iter().map(|&index| values[index]).collect();
+        Iterate {
+            x: chosen(&point.x, &variables),
+            constraint_multipliers: chosen(&point.constraint_multipliers, &rows),
+            lower_multipliers: chosen(&point.lower_multipliers, &variables),
+            upper_multipliers: chosen(&point.upper_multipliers, &variables),
+        }
+    }
+
+    /// A point of the near pairs as one of all: the others exert no force.
+    pub fn extend(&self, point: &Iterate, all: &Transcription) -> Iterate {
+        let (variables, rows) = self.indices(all);
+        let placed = |values: &[f64], indices: &[usize], count: usize| {
+            let mut of_all = vec![0.0; count];
+            indices.iter().zip(values).for_each(|(&index, &value)| of_all[index] = value);
+            of_all
+        };
+        let count = all.layout().variable_count();
+        Iterate {
+            x: placed(&point.x, &variables, count),
+            constraint_multipliers: placed(&point.constraint_multipliers, &rows, all.layout().constraint_count()),
+            lower_multipliers: placed(&point.lower_multipliers, &variables, count),
+            upper_multipliers: placed(&point.upper_multipliers, &variables, count),
+        }
+    }
+
+    /// Indices of the variables and rows that there are without the other pairs. Their order is the same there.
+    fn indices(&self, all: &Transcription) -> (Vec<usize>, Vec<usize>) {
+        let there = |members: Vec<Member>| -> Vec<usize> {
+            let is_there = |member: &Member| member.pair.is_none_or(|pair| self.is_near[pair]);
+            (0..).zip(&members).filter(|(_, member)| is_there(member)).map(|(index, _)| index).collect()
+        };
+        (there(all.layout().variable_members()), there(all.layout().row_members()))
+    }
+}
