@@ -71,6 +71,16 @@ impl Pair {
         }
     }
 
+    /// Smoothed distances `Phi_tau` (m) at many poses, which take less time together; NaN where one cannot be computed.
+    pub fn smoothed_distances(&self, poses: &[[f64; POSE]], tau: f64) -> Vec<f64> {
+        let mut values = vec![[f64::NAN; CONTACT]; poses.len()];
+        let alone = |pose| self.distance(pose, tau).map_or(f64::NAN, |distance| distance.smoothed_distance);
+        match self.contacts(poses, tau, &mut Solutions::default(), &mut values) {
+            Ok(()) => values.iter().map(|[distance, ..]| *distance).collect(),
+            Err(_) => poses.iter().map(alone).collect(),
+        }
+    }
+
     /// Upper bounds on exact distances, tight for a small smoothing.
     fn bound(&self, poses: &[[f64; POSE]], tau: f64, bounds: &mut [f64]) -> Result<usize, DistanceError> {
         let request = Request::<CONTACT>::Bounds(bounds);

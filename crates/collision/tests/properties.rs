@@ -58,6 +58,19 @@ proptest! {
     }
 
     #[test]
+    fn smoothed_distances_are_the_same_one_by_one_and_together(
+        (a, b) in (points(), points()),
+        poses in prop::collection::vec(pose(), 0..20),
+        tau in 1e-5..1e-2_f64,
+    ) {
+        let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
+        let pair = Pair::new(a, b);
+        let alone = |pose: &[f64; 7]| pair.distance(pose, tau).unwrap().smoothed_distance;
+        let all: Vec<f64> = poses.iter().map(alone).collect();
+        prop_assert_eq!(pair.smoothed_distances(&poses, tau), all);
+    }
+
+    #[test]
     fn a_pair_has_the_distance_of_the_swapped_pair(a in points(), b in points(), pose in pose()) {
         let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
         let (position, turn) = unit(&pose);
@@ -186,16 +199,18 @@ proptest! {
     }
 }
 
-/// Requests at two lists of poses and two smoothings in turn, each pose with its own seed.
 #[test]
-fn exact_distances_at_an_invalid_pose_are_nan_there_alone() {
+fn distances_at_an_invalid_pose_are_nan_there_alone() {
     let pair = Pair::new(Polytope::from_box([0.1; 3]).unwrap(), Polytope::from_box([0.1; 3]).unwrap());
     let apart = [0.0, 0.0, 0.3, 1.0, 0.0, 0.0, 0.0];
-    let distances = pair.exact_distances(&[apart, [f64::NAN; 7], apart]);
-    assert!((distances[0] - 0.2).abs() < 1e-10 && distances[2] == distances[0], "{distances:?}");
-    assert!(distances[1].is_nan());
+    let poses = [apart, [f64::NAN; 7], apart];
+    for distances in [pair.exact_distances(&poses), pair.smoothed_distances(&poses, 1e-6)] {
+        assert!((distances[0] - 0.2).abs() < 1e-4 && distances[2] == distances[0], "{distances:?}");
+        assert!(distances[1].is_nan());
+    }
 }
 
+/// Requests at two lists of poses and two smoothings in turn, each pose with its own seed.
 #[test]
 fn kept_solutions_change_no_bit() {
     let pair = Pair::new(Polytope::from_box([0.1; 3]).unwrap(), Polytope::from_box([0.2, 0.1, 0.05]).unwrap());

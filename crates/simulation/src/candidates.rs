@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use crate::arc::Arc;
 use crate::axis::{Axis, Feature, PREFERENCE};
-use crate::solid::{Edge, Facet, Solid};
+use crate::solid::{Edge, Solid};
 
 /// Candidates of a pair, valid until the body has moved by more than the skin.
 #[derive(Debug, Clone, Default)]
@@ -45,14 +45,12 @@ impl StillEdge {
     }
 }
 
-/// Facets of one solid, with the vertices of another one that may be the nearest.
+/// Facets of one solid, each with the vertex of another one that was the nearest when it was last measured.
 #[derive(Debug, Clone, Default)]
 struct Facets {
-    /// Facets, and where their vertices end.
     facets: Vec<(usize, usize)>,
-    vertices: Vec<usize>,
-    /// Separation of every facet of the solid (m).
-    separations: Vec<f64>,
+    /// The same of all facets that were measured, with their separations (m).
+    measured: Vec<(usize, usize, f64)>,
 }
 
 /// Rounding errors of separations are smaller (m), and so are those of products on the Gauss map.
@@ -79,15 +77,16 @@ impl Candidates {
             self.find_facets(body, environment);
             self.edges_are_found = false;
         }
-        let (facet, vertex, separation) = self.environment_facets.best(environment, body);
-        let normal = environment.facets[facet].normal;
-        let best = Axis { separation, normal, feature: Feature::EnvironmentFacet { facet, vertex } };
-        let (facet, vertex, separation) = self.body_facets.best(body, environment);
-        if separation > best.separation + PREFERENCE {
+        // At least one facet was chosen.
+        let of_environment = self.environment_facets.better(f64::NEG_INFINITY, environment, body);
+        let least = of_environment.map_or(f64::NEG_INFINITY, |best| best.2 + PREFERENCE);
+        if let Some((facet, vertex, separation)) = self.body_facets.better(least, body, environment) {
             let normal = -body.facets[facet].normal;
             return Axis { separation, normal, feature: Feature::BodyFacet { facet, vertex } };
         }
-        best
+        let (facet, vertex, separation) = of_environment.unwrap_or((0, 0, f64::NEG_INFINITY));
+        let normal = environment.facets[facet].normal;
+        Axis { separation, normal, feature: Feature::EnvironmentFacet { facet, vertex } }
     }
 
     /// The axis of the edges that were the best ones before, if it is still better than that of the best facet and
@@ -101,45 +100,79 @@ impl Candidates {
     }
 
     /// The best axis of all pairs of edges, if it is better than that of the best facet, which has just been found.
-    pub fn better_edges(&mut self, body: &Solid, environment: &[StillEdge], facet: &Axis) -> Option<Axis> {
+    pub fn better_edges(
+        &mut self,
+        body: &Solid,
+        (environment, edges): (&Solid, &[StillEdge]),
+        facet: &Axis,
+    ) -> Option<Axis> {
         if !self.edges_are_found {
-            self.find_edges(body, environment, facet.separation);
+            self.find_edges(body, edges, &touching(body, environment, facet), facet.separation);
             self.edges_are_found = true;
         }
-        let best = best_of(&self.edges, body, environment, facet.separation + PREFERENCE);
-        self.last = best.and_then(|best| match best.feature {
-            Feature::Edges(edge, opposite) => Some((edge, opposite)),
-            _ => None,
-        });
+        let best = best_of(&self.edges, body, edges, facet.separation + PREFERENCE);
+        if let Some(Axis { feature: Feature::Edges(edge, opposite), .. }) = best {
+            self.last = Some((edge, opposite));
+        }
         best
     }
 
     fn find_facets(&mut self, body: &Solid, environment: &Solid) {
-        let best = self.environment_facets.measure(environment, body).max(self.body_facets.measure(body, environment));
-        let margin = 2.0 * self.skin + ROUNDING;
-        self.environment_facets.choose(environment, body, best - PREFERENCE - margin, margin);
-        self.body_facets.choose(body, environment, best - PREFERENCE - margin, margin);
+        let margin = 2.0 * self.skin + ROUNDING + PREFERENCE;
+        let best = self.environment_facets.measure(environment, body, f64::NEG_INFINITY, margin);
+        let best = self.body_facets.measure(body, environment, best, margin);
+        self.environment_facets.choose(best - margin);
+        self.body_facets.choose(best - margin);
     }
 
-    /// Finds the pairs of edges that can become better than the best facet, whose separation is `facet` (m).
-    fn find_edges(&mut self, body: &Solid, environment: &[StillEdge], facet: f64) {
+    /// Finds the pairs of edges that can become better than the best facet, whose separation is `facet` (m). Of each part a
+    /// vertex is given that is near to the other one.
+    fn find_edges(&mut self, body: &Solid, environment: &[StillEdge], near: &[Vector3<f64>; 2], facet: f64) {
         let turn = self.skin / self.lever + ROUNDING;
         // Components along an arc are bounded by those along its ends only if they are negative.
         let least = (facet - 2.0 * self.skin - ROUNDING).min(0.0);
+        // A separation along a common normal is, of a gap between any two vertices, at most the component along a normal of
+        // either arc. The arc of the body turns with it: components of the gap, which is no longer than two levers, change by
+        // two more skins.
+        let (is_still_below, is_body_below) = (
+            |still: &StillEdge, end: &Vector3<f64>| still.reversed.is_below(&(still.segment[0] - end), least),
+            |arc: &Arc, gap: &Vector3<f64>| arc.is_below(gap, least - 2.0 * self.skin),
+        );
+        let [of_body, of_environment] = near;
+        let reachable = |&edge: &usize| !is_still_below(&environment[edge], of_body);
+        let opposites: Vec<usize> = (0..environment.len()).filter(reachable).collect();
         self.edges.clear();
         for (index, edge) in body.edges.iter().enumerate() {
             let (arc, end) = (Arc::new(body, edge), body.vertices[edge.ends[0]]);
-            for (opposite, still) in environment.iter().enumerate() {
-                let gap = still.segment[0] - end;
-                // A separation along a common normal is a component along a normal of either arc. That of the body
-                // turns with it: components of the gap, which is no longer than two levers, change by two more skins.
+            if is_body_below(&arc, &(of_environment - end)) {
+                continue;
+            }
+            for &opposite in &opposites {
+                let still = &environment[opposite];
                 if arc.may_cross(&still.reversed, turn)
-                    && !still.reversed.is_below(&gap, least)
-                    && !arc.is_below(&gap, least - 2.0 * self.skin)
+                    && !is_still_below(still, &end)
+                    && !is_body_below(&arc, &(still.segment[0] - end))
                 {
                     self.edges.push((index, opposite));
                 }
             }
+        }
+    }
+}
+
+/// The vertices of body and environment that define the axis of a facet.
+fn touching(body: &Solid, environment: &Solid, facet: &Axis) -> [Vector3<f64>; 2] {
+    match facet.feature {
+        Feature::EnvironmentFacet { facet, vertex } => {
+            let vertex = body.vertices[vertex];
+            [vertex, environment.nearest_corner(facet, &vertex)]
+        }
+        Feature::BodyFacet { facet, vertex } => {
+            let vertex = environment.vertices[vertex];
+            [body.nearest_corner(facet, &vertex), vertex]
+        }
+        Feature::Edges(edge, opposite) => {
+            [body.vertices[body.edges[edge].ends[0]], environment.vertices[environment.edges[opposite].ends[0]]]
         }
     }
 }
@@ -177,43 +210,50 @@ pub fn edge_point(first: &[Vector3<f64>; 2], second: &[Vector3<f64>; 2]) -> Opti
 }
 
 impl Facets {
-    /// Measures the separations of all facets of `solid` from `other`, and returns the largest (m).
-    fn measure(&mut self, solid: &Solid, other: &Solid) -> f64 {
-        let separation = |facet: &Facet| other.lowest(0..other.vertices.len(), &facet.normal).1 - facet.offset;
-        self.separations.clear();
-        self.separations.extend(solid.facets.iter().map(separation));
-        self.separations.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Chooses the measured facets whose separation is at least `least` (m), with the vertices whose height exceeds
-    /// that of the lowest by no more than `margin` (m).
-    fn choose(&mut self, solid: &Solid, other: &Solid, least: f64, margin: f64) {
-        self.facets.clear();
-        self.vertices.clear();
+    /// Measures the separations of the facets of `solid` from `other` that may be at most `margin` (m) less than the largest
+    /// and than `best` (m). Returns the larger of both.
+    fn measure(&mut self, solid: &Solid, other: &Solid, mut best: f64, margin: f64) -> f64 {
+        let mut nearest = 0;
+        self.measured.clear();
         for (index, facet) in solid.facets.iter().enumerate() {
-            if self.separations[index] < least {
+            // No vertex is lower than the lowest.
+            if facet.normal.dot(&other.vertices[nearest]) - facet.offset < best - margin {
                 continue;
             }
-            let highest = self.separations[index] + facet.offset + margin;
-            let near = |&vertex: &usize| facet.normal.dot(&other.vertices[vertex]) <= highest;
-            self.vertices.extend((0..other.vertices.len()).filter(near));
-            self.facets.push((index, self.vertices.len()));
+            let height;
+            (nearest, height) = other.descend(nearest, &facet.normal);
+            let separation = height - facet.offset;
+            best = best.max(separation);
+            self.measured.push((index, nearest, separation));
         }
+        best
+    }
+
+    /// Chooses the measured facets whose separation is at least `least` (m).
+    fn choose(&mut self, least: f64) {
+        self.facets.clear();
+        // The widest gaps come first, so that the others need not be measured again.
+        self.measured.sort_by(|one, other| other.2.total_cmp(&one.2));
+        let wide = self.measured.iter().take_while(|measured| measured.2 >= least);
+        self.facets.extend(wide.map(|&(facet, nearest, _)| (facet, nearest)));
     }
 
     /// The facet of `solid` with the widest gap to `other`, the vertex that is nearest to it, and the width of the gap
-    /// (m).
-    fn best(&self, solid: &Solid, other: &Solid) -> (usize, usize, f64) {
-        let mut best = (0, 0, f64::NEG_INFINITY);
-        let mut begin = 0;
-        for &(index, end) in &self.facets {
-            let facet = &solid.facets[index];
-            let (vertex, height) = other.lowest(self.vertices[begin..end].iter().copied(), &facet.normal);
-            if height - facet.offset > best.2 {
-                best = (index, vertex, height - facet.offset);
+    /// (m), if that is more than `least`.
+    fn better(&mut self, least: f64, solid: &Solid, other: &Solid) -> Option<(usize, usize, f64)> {
+        let mut best = (None, least);
+        for (index, nearest) in &mut self.facets {
+            let facet = &solid.facets[*index];
+            // No vertex is lower than the lowest.
+            if facet.normal.dot(&other.vertices[*nearest]) - facet.offset <= best.1 {
+                continue;
             }
-            begin = end;
+            let height;
+            (*nearest, height) = other.descend(*nearest, &facet.normal);
+            if height - facet.offset > best.1 {
+                best = (Some((*index, *nearest)), height - facet.offset);
+            }
         }
-        best
+        best.0.map(|(facet, nearest)| (facet, nearest, best.1))
     }
 }

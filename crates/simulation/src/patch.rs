@@ -42,15 +42,18 @@ impl Patch {
         self.points.iter().map(|(_, gap)| gap.abs()).fold(f64::INFINITY, f64::min)
     }
 
-    /// Smallest width of the region, seen along a normal (m); infinite without sides.
-    pub fn width(&self, normal: &Vector3<f64>) -> f64 {
-        let mut least = f64::INFINITY;
-        for ((from, _), (to, _)) in self.points.iter().zip(self.points.iter().cycle().skip(1)) {
-            let Some(across) = normal.cross(&(to - from)).try_normalize(SHORTEST_SIDE) else { continue };
-            let widths = self.points.iter().map(|(point, _)| across.dot(&(point - from)).abs());
-            least = least.min(widths.fold(0.0, f64::max));
-        }
-        least
+    /// Whether the region, seen along a normal, is narrower than a width (m). Without sides it is not.
+    pub fn is_narrower(&self, width: f64, normal: &Vector3<f64>) -> bool {
+        let count = self.points.len();
+        let corner = |index: usize| self.points[index % count].0;
+        (0..count).any(|side| {
+            let from = corner(side);
+            let Some(across) = normal.cross(&(corner(side + 1) - from)).try_normalize(SHORTEST_SIDE) else {
+                return false;
+            };
+            // Opposite corners come first, as they are the farthest.
+            (0..count).all(|next| across.dot(&(corner(side + count / 2 + next) - from)).abs() < width)
+        })
     }
 
     /// Keeps the region where `height` is not positive (Sutherland and Hodgman).

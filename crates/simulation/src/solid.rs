@@ -1,6 +1,6 @@
 //! Polytopes with their facets, edges and corners, the features that can touch.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use collision::Polytope;
 use nalgebra::{Rotation3, Vector3};
@@ -16,6 +16,8 @@ pub struct Solid {
     pub edges: Vec<Edge>,
     /// The facets that meet in each vertex.
     pub meeting: Vec<Vec<usize>>,
+    /// The next vertices along the facets that meet in each vertex, one after the other, and where those of a vertex end.
+    neighbours: (Vec<usize>, Vec<usize>),
 }
 
 /// A facet `{p | normal p = offset}` with its corners, counter-clockwise as seen from outside.
@@ -58,7 +60,8 @@ impl Solid {
         let edges = edges(&facets);
         let meet = |vertex: usize| (0..facets.len()).filter(|&facet| facets[facet].corners.contains(&vertex)).collect();
         let meeting = (0..vertices.len()).map(meet).collect();
-        Self { vertices, facets, edges, meeting }
+        let neighbours = neighbours(vertices.len(), &facets);
+        Self { vertices, facets, edges, meeting, neighbours }
     }
 
     /// Largest distance of a vertex from a point (m).
@@ -84,6 +87,37 @@ impl Solid {
         heights.fold((0, f64::INFINITY), |lowest, next| if next.1 < lowest.1 { next } else { lowest })
     }
 
+    /// The lowest vertex along a direction and its height, found from a vertex near it by descending along edges.
+    pub fn descend(&self, vertex: usize, direction: &Vector3<f64>) -> (usize, f64) {
+        let height = |vertex: usize| direction.dot(&self.vertices[vertex]);
+        let mut lowest = (vertex, height(vertex));
+        loop {
+            let from = lowest;
+            for &next in self.neighbours(from.0) {
+                let height = height(next);
+                if height < lowest.1 {
+                    lowest = (next, height);
+                }
+            }
+            if lowest.0 == from.0 {
+                return lowest;
+            }
+        }
+    }
+
+    fn neighbours(&self, vertex: usize) -> &[usize] {
+        let (neighbours, ends) = &self.neighbours;
+        let begin = if vertex == 0 { 0 } else { ends[vertex - 1] };
+        &neighbours[begin..ends[vertex]]
+    }
+
+    /// The corner of a facet that is nearest to a point.
+    pub fn nearest_corner(&self, facet: usize, point: &Vector3<f64>) -> Vector3<f64> {
+        let corners = self.facets[facet].corners.iter().map(|&corner| self.vertices[corner]);
+        let distance = |corner: &Vector3<f64>| (corner - point).norm_squared();
+        corners.min_by(|one, other| distance(one).total_cmp(&distance(other))).unwrap_or(self.vertices[0])
+    }
+
     /// End points of an edge.
     pub fn segment(&self, edge: &Edge) -> [Vector3<f64>; 2] {
         edge.ends.map(|end| self.vertices[end])
@@ -104,6 +138,20 @@ fn corners(vertices: &[Vector3<f64>], normal: &Vector3<f64>, offset: f64, tolera
     };
     corners.sort_by(|one, other| angle(one).total_cmp(&angle(other)));
     corners
+}
+
+/// The vertices before and after each of some vertices on the facets that meet in it, each once, one vertex after the other,
+/// and where those of a vertex end.
+fn neighbours(count: usize, facets: &[Facet]) -> (Vec<usize>, Vec<usize>) {
+    let mut pairs = BTreeSet::new();
+    for Facet { corners, .. } in facets {
+        for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            pairs.extend([(from, to), (to, from)]);
+        }
+    }
+    let pairs: Vec<(usize, usize)> = pairs.into_iter().collect();
+    let ends = (0..count).map(|vertex| pairs.partition_point(|pair| pair.0 <= vertex)).collect();
+    (pairs.into_iter().map(|(_, to)| to).collect(), ends)
 }
 
 /// The edges in which two facets meet.

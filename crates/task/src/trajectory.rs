@@ -5,7 +5,7 @@ use crate::limits::Limits;
 use crate::pose;
 use crate::quality::{Contact, Quality};
 use crate::state::{POSE, STATE, TWIST, pose_of};
-use crate::task::AssemblyTask;
+use crate::task::{AssemblyTask, ContactPair};
 
 /// A reference trajectory, and the motion of the body in every scenario while the robot tracks it. Quaternions have
 /// unit norm.
@@ -82,7 +82,8 @@ impl ScenarioTrajectory {
     ) -> Self {
         let states: Vec<[f64; STATE]> = raw.iter().map(normalised).collect();
         let poses: Vec<[f64; POSE]> = states.iter().map(pose_of).collect();
-        let distances: Vec<Vec<f64>> = task.pairs.iter().map(|pair| smoothed(&pair.shapes, &poses[1..], tau)).collect();
+        let smoothed = |pair: &ContactPair| pair.shapes.smoothed_distances(&poses[1..], tau);
+        let distances: Vec<Vec<f64>> = task.pairs.iter().map(smoothed).collect();
         let contacts: Vec<Vec<Contact>> = (1..poses.len())
             .map(|step| {
                 let pairs = distances.iter().zip(forces(step));
@@ -94,11 +95,6 @@ impl ScenarioTrajectory {
         let keeps = Limits::kept_by(&states, time_step, &wrenches, quality.max_force);
         Self { grasp, states, wrenches, contacts, quality, keeps }
     }
-}
-
-/// Smoothed distances, NaN where one cannot be computed.
-fn smoothed(pair: &collision::Pair, poses: &[[f64; POSE]], tau: f64) -> Vec<f64> {
-    poses.iter().map(|pose| pair.distance(pose, tau).map_or(f64::NAN, |distance| distance.smoothed_distance)).collect()
 }
 
 fn wrenches(
