@@ -10,6 +10,7 @@ from robust_cases import COUNT, SEED, Case, by_offset, cases, run, shares, summa
 
 # Wall seconds that the paper's solver took for a plan without any refinement (Table total_comp_times).
 PAPER_SECONDS = {"peg1": 86, "peg2": 171, "peg3": 391, "peg4": 380, "peg5": 344}
+# Friction coefficients that --robust asks for by default.
 FRICTIONS = ("0.0", "0.1", "0.3")
 # Seconds after which the best plan so far is kept.
 TIME_LIMIT = "120"
@@ -17,27 +18,25 @@ TIME_LIMIT = "120"
 PAGE = """\
 # Robust plans, played in MuJoCo
 
-Every start of every scene, planned by `solve --robust --time-limit {limit}` and then played in MuJoCo with frictions 0, 0.1 and
-0.3 by `scripts/validate_mujoco --seed {seed}`: {count} random offsets in the hull of the planned ones at each of
+Every start of every scene, planned by `solve --robust{asked} --time-limit {limit}` and then played in MuJoCo with frictions
+{frictions} by `scripts/validate_mujoco --seed {seed}`: {count} random offsets in the hull of the planned ones at each of
 0, 25, 50 and 75 % of delta-hat and at delta-hat less 1 mm (one without offset). Success: within 3 mm and 0.1 rad of the
 goal, one second after the end of the reference. The push is an unplanned straight motion from start to goal in the same
-time, frictionless. `scripts/robust-all` repeats all of it and writes this page.
+time, frictionless. `scripts/robust-all{options}` repeats all of it and writes this page.
 
 In our own simulator: success in rollouts of the plain plan, and of the robust one at offsets that it was not trained
 on; `(short)` where the target, 99 % at each friction and every planned offset, was not reached in time.
 Times are those of `solve --robust --jobs {jobs}` with everything it does, on a shared machine; the paper's are those of a
 plan without refinement, on a laptop.
 
-{summary}
+{summary} The plans took {seconds:.0f} s in all, {longest:.0f} s at most.
 
-| plan | own rollouts, plain -> robust, % | changes | in MuJoCo, friction 0 | friction 0.1 | friction 0.3 | push | largest error, mm | force, N | wall s | CPU s | paper s |
-|---|---|---|---|---|---|---|---|---|---|---|---|
+{head}
 {rows}
 
 By magnitude of the offset in MuJoCo, all plans together:
 
-| offset | friction 0 | friction 0.1 | friction 0.3 | push |
-|---|---|---|---|---|
+{magnitude_head}
 {magnitudes}
 """
 
@@ -48,6 +47,12 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("scenes", nargs="*", help="only these scenes, by name [default: all]")
     parser.add_argument("--root", type=pathlib.Path, help=argparse.SUPPRESS)
     parser.add_argument("--jobs", type=int, default=1, help="threads of each solve, processes of MuJoCo [default: 1]")
+    parser.add_argument("--count", default=COUNT, help=f"random offsets of each magnitude in MuJoCo [default: {COUNT}]")
+    parser.add_argument(
+        "--friction",
+        metavar="LIST",
+        help="plan and play with these friction coefficients, 0.0,0.1 for example, and write docs/robustness-low-friction.md",
+    )
     parser.add_argument("--no-run", action="store_true", help="only write the page, from what is in out/")
     parser.add_argument(
         "--arm",
@@ -70,7 +75,12 @@ def first_starts(chosen: list[Case], count: int | None) -> list[Case]:
     return [case for group in starts.values() for case in group[:count]]
 
 
-def row(case: Case) -> str:
+def header(cells: list[str]) -> str:
+    """The first lines of a Markdown table."""
+    return table_row(cells) + "\n" + "|---" * len(cells) + "|"
+
+
+def row(case: Case, frictions: tuple[str, ...]) -> str:
     """One line of the table."""
     robust = json.loads((case.folder / "result.json").read_text())["robust"]
     rows = case.motions()
@@ -82,7 +92,7 @@ def row(case: Case) -> str:
             case.label(),
             f"{100 * robust['rate_before']:.1f} -> {100 * robust['rate_after']:.1f}" + ("" if robust["reached"] else " (short)"),
             f"{kept['changes']}{variant}" if kept["changes"] else "left alone",
-            *shares(rows, FRICTIONS),
+            *shares(rows, frictions),
             f"{1e3 * max(float(row['position_error_m']) for row in planned):.1f}",
             f"{max(float(row['force_n']) for row in planned):.0f}",
             f"{robust['wall_s']:.0f}",
@@ -92,16 +102,28 @@ def row(case: Case) -> str:
     )
 
 
-def page(done: list[Case], missing: list[Case], jobs: int) -> str:
+def page(arguments: argparse.Namespace, frictions: tuple[str, ...], done: list[Case], missing: list[Case]) -> str:
     """Everything as Markdown."""
+    shown = [f"{float(friction):g}" for friction in frictions]
+    columns = [f"friction {friction}" for friction in shown]
+    seconds = [json.loads((case.folder / "result.json").read_text())["robust"]["wall_s"] for case in done]
+    options = f" --friction {arguments.friction} --count {arguments.count}" if arguments.friction else ""
+    before, after = ["plan", "own rollouts, plain -> robust, %", "changes"], ["push", "largest error, mm", "force, N"]
     return PAGE.format(
+        asked=f" --friction {','.join(shown)}" if arguments.friction else "",
+        frictions=" and ".join([", ".join(shown[:-1]), shown[-1]]),
+        options=options,
         seed=SEED,
-        count=COUNT,
+        count=arguments.count,
         limit=TIME_LIMIT,
-        jobs=jobs,
+        jobs=arguments.jobs,
         summary=summary(done, missing),
-        rows="\n".join(row(case) for case in done),
-        magnitudes=by_offset(done, FRICTIONS),
+        seconds=sum(seconds),
+        longest=max(seconds, default=0.0),
+        head=header([*before, *columns, *after, "wall s", "CPU s", "paper s"]),
+        rows="\n".join(row(case, frictions) for case in done),
+        magnitude_head=header(["offset", *columns, "push"]),
+        magnitudes=by_offset(done, frictions),
     )
 
 
@@ -112,14 +134,17 @@ def chosen(arguments: argparse.Namespace, out: str) -> list[Case]:
 
 def free_bodies(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
     """Plans free bodies; their page."""
-    root, out = arguments.root, "out/robust"
+    root, name, out, frictions, asked = arguments.root, "robustness", "out/robust", FRICTIONS, []
+    if arguments.friction:
+        name, out = f"{name}-low-friction", f"{out}-low-friction"
+        frictions, asked = tuple(arguments.friction.split(",")), ["--friction", arguments.friction]
     for case in [] if arguments.no_run else chosen(arguments, out):
         print(case.label(), file=sys.stderr)
-        run(arguments, case, root / f"scenes/{case.scene}.toml", ["--time-limit", TIME_LIMIT], [])
+        run(arguments, case, root / f"scenes/{case.scene}.toml", ["--time-limit", TIME_LIMIT, *asked], asked)
     everything = cases(root, [], out)
     done = [case for case in everything if case.is_played()]
     missing = [case for case in everything if case not in done]
-    return root / "docs/robustness.md", page(done, missing, arguments.jobs)
+    return root / f"docs/{name}.md", page(arguments, frictions, done, missing)
 
 
 def arms(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:

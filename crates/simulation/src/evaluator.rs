@@ -1,5 +1,7 @@
 //! Evaluation of references by rollouts.
 
+use std::ops::ControlFlow;
+
 use nalgebra::{Isometry3, Vector3};
 use task::{AssemblyTask, GraspError, Limits};
 use workers::Workers;
@@ -188,15 +190,20 @@ impl Evaluator {
     }
 
     /// As [`evaluate_all`](Self::evaluate_all), but every trial has a record with another reference that is the same on the
-    /// first `same` intervals. Only what follows is simulated; nothing else changes.
-    pub(crate) fn record_all<'evaluator>(
+    /// first `same` intervals. Only what follows is simulated; nothing else changes. `goes_on` gets the results in the order of
+    /// the trials; when it returns false, the result is `None`, too.
+    pub(crate) fn record_all<'evaluator, 'record>(
         &'evaluator self,
         reference: &Reference,
-        trials: &[(Trial, &Record<'evaluator>)],
+        trials: impl Iterator<Item = (Trial, &'record Record<'evaluator>)>,
         same: usize,
         stop: &(dyn Fn() -> bool + Sync),
-    ) -> Option<Vec<Record<'evaluator>>> {
-        let record = |(trial, known): &(Trial, &Record<'evaluator>)| {
+        mut goes_on: impl FnMut(&TrialResult) -> bool,
+    ) -> Option<Vec<Record<'evaluator>>>
+    where
+        'evaluator: 'record,
+    {
+        let record = |(trial, known): (Trial, &Record<'evaluator>)| {
             let rollout = &self.rollouts[trial.friction];
             (!stop()).then(|| {
                 let stages = known.stages.as_deref().unwrap_or_default();
@@ -204,6 +211,17 @@ impl Evaluator {
                 Record { result: self.result(&outcome), stages: Some(stages) }
             })
         };
-        self.workers.map(trials.iter(), record).into_iter().collect()
+        let (mut records, mut is_whole) = (Vec::new(), true);
+        self.workers.in_order(trials, record, |new| match new {
+            Some(new) if goes_on(&new.result) => {
+                records.push(new);
+                ControlFlow::Continue(())
+            }
+            _ => {
+                is_whole = false;
+                ControlFlow::Break(())
+            }
+        });
+        is_whole.then_some(records)
     }
 }

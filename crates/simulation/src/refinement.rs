@@ -5,6 +5,8 @@
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
 //! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
 
+use std::cmp::Reverse;
+
 use fastrand::Rng;
 
 use crate::bounds::Bounds;
@@ -21,15 +23,15 @@ pub struct Refinement<'evaluator> {
     trials: Vec<Trial>,
     /// Of the reference, one of every trial.
     records: Vec<Record<'evaluator>>,
+    /// How many changes each trial has decided against, which it had passed before.
+    refusals: Vec<usize>,
     rollouts: usize,
     /// The last changes that helped.
     helped: Vec<Bump>,
 }
 
-/// Number of trials in a batch, independent of the number of threads, so that the results are, too.
-const BATCH: usize = 8;
-/// Number of trials in the first batch. A change is dropped after it if the sum of the misses there did not decrease.
-const FIRST_BATCH: usize = 4;
+/// A change is dropped if the sum of the misses of so many failing trials, which are played first, does not decrease.
+const FIRST: usize = 4;
 /// Fraction of changes that lead away from where a failing trial exceeds the limit of contact forces.
 const RELIEVING: f64 = 0.3;
 /// Fraction of the others that lead towards what a failing trial lacks.
@@ -62,7 +64,8 @@ impl<'evaluator> Refinement<'evaluator> {
         let bounds = evaluator.bounds().including(&reference);
         let random = Rng::with_seed(seed);
         let records = results.into_iter().map(Record::from).collect();
-        Self { evaluator, bounds, random, reference, trials, records, rollouts: 0, helped: Vec::new() }
+        let refusals = vec![0; trials.len()];
+        Self { evaluator, bounds, random, reference, trials, records, refusals, rollouts: 0, helped: Vec::new() }
     }
 
     /// The best reference so far.
@@ -85,6 +88,7 @@ impl<'evaluator> Refinement<'evaluator> {
         for (trial, result) in trials {
             self.trials.push(trial);
             self.records.push(result.into());
+            self.refusals.push(0);
         }
     }
 
@@ -113,23 +117,29 @@ impl<'evaluator> Refinement<'evaluator> {
         let is_unknown = |&index: &usize| !self.records[index].result.passed && !self.records[index].has_stages();
         let unknown: Vec<usize> = (0..self.trials.len()).filter(is_unknown).collect();
         let reference = self.reference.clone();
-        if let Some(new) = self.play(&reference, &unknown, stop) {
+        if let Some(new) = self.play(&reference, &unknown, stop, |_| true) {
             unknown.into_iter().zip(new).for_each(|(index, new)| self.records[index] = new);
         }
     }
 
-    /// Plays some of the trials with a reference.
+    /// Plays some of the trials with a reference, as long as their results go on. `None` when they do not, or `stop` returned
+    /// true.
     fn play(
         &mut self,
         reference: &Reference,
         indices: &[usize],
         stop: &(dyn Fn() -> bool + Sync),
+        mut goes_on: impl FnMut(&TrialResult) -> bool,
     ) -> Option<Vec<Record<'evaluator>>> {
-        let trials: Vec<_> = indices.iter().map(|&index| (self.trials[index], &self.records[index])).collect();
+        let trials = indices.iter().map(|&index| (self.trials[index], &self.records[index]));
         let same = self.reference.shared_intervals(reference);
-        let new = self.evaluator.record_all(reference, &trials, same, stop)?;
-        self.rollouts += new.len();
-        Some(new)
+        let mut rollouts = 0;
+        let new = self.evaluator.record_all(reference, trials, same, stop, |result| {
+            rollouts += 1;
+            goes_on(result)
+        });
+        self.rollouts += rollouts;
+        new
     }
 
     /// A change that keeps the bounds, and what it makes of the reference; halved until it does. `None` where none was found.
@@ -181,29 +191,30 @@ impl<'evaluator> Refinement<'evaluator> {
 
     /// Takes over a reference if it is better than the best so far.
     fn attempt(&mut self, reference: Reference, stop: &(dyn Fn() -> bool + Sync)) -> bool {
-        let mut records = Vec::new();
-        let (failing, passing) = self.shuffled();
-        // Change of the sum of misses, and of the number of failing trials.
-        let (mut miss, mut count) = (0.0, 0_isize);
-        let (first, rest) = failing.split_at(FIRST_BATCH.min(failing.len()));
-        let batches = std::iter::once(first).chain(rest.chunks(BATCH)).chain(passing.chunks(BATCH));
-        // After these only trials follow that the change can lose.
-        let failing_batches = 1 + rest.len().div_ceil(BATCH);
-        for (batches_done, batch) in (1..).zip(batches) {
-            let Some(new) = self.play(&reference, batch, stop) else { return false };
-            for (&index, new) in batch.iter().zip(new) {
-                let (old, now) = (self.records[index].result, new.result);
-                miss += now.miss - old.miss;
-                count += isize::from(old.passed) - isize::from(now.passed);
-                records.push((index, new));
+        let (failing, mut passing) = self.shuffled();
+        // The order of these does not matter to what is found: a change must not lose any without a gain elsewhere.
+        passing.sort_by_key(|&index| Reverse(self.refusals[index]));
+        let miss_of = |indices: &[usize]| indices.iter().map(|&index| self.records[index].result.miss).sum::<f64>();
+        let (first, before) = (FIRST.min(failing.len()), (failing.len(), miss_of(&failing)));
+        let miss_of_first = miss_of(&failing[..first]);
+        let order = [failing, passing].concat();
+        // So far: trials, and those that fail with the sum of their misses. The more are played, the larger these become.
+        let (mut played, mut now) = (0, (0, 0.0));
+        let new = self.play(&reference, &order, stop, |result| {
+            played += 1;
+            now = (now.0 + usize::from(!result.passed), now.1 + result.miss);
+            let is_useless = played <= first && now.1 >= miss_of_first;
+            let is_no_better = played >= before.0 && now >= before;
+            !is_useless && !is_no_better
+        });
+        let Some(new) = new else {
+            if played > before.0 {
+                self.refusals[order[played - 1]] += 1;
             }
-            let is_useless = batches_done == 1 && miss >= 0.0;
-            if is_useless || batches_done >= failing_batches && (count > 0 || count == 0 && miss >= 0.0) {
-                return false;
-            }
-        }
+            return false;
+        };
         self.reference = reference;
-        records.into_iter().for_each(|(index, new)| self.records[index] = new);
+        order.into_iter().zip(new).for_each(|(index, new)| self.records[index] = new);
         true
     }
 

@@ -145,6 +145,22 @@ proptest! {
         }
     }
 
+    #[test]
+    fn descending_along_edges_ends_at_the_lowest_vertex(
+        shape in shape(),
+        orientation in orientation(),
+        direction in proptest::array::uniform3(-1.0..1.0_f64),
+        first in 0..1000_usize,
+    ) {
+        let solid = placed(&Solid::new(&shape), &Isometry3::from_parts(Translation3::identity(), orientation));
+        for direction in [direction, [0.0, 0.0, 1.0]].map(Vector3::from) {
+            let (vertex, height) = solid.descend(first % solid.vertices.len(), &direction);
+            prop_assert_eq!(height, direction.dot(&solid.vertices[vertex]));
+            let lowest = solid.lowest(0..solid.vertices.len(), &direction).1;
+            prop_assert!((height - lowest).abs() < 1e-15, "{} and {}", height, lowest);
+        }
+    }
+
     /// The planner's distance is an independent oracle: its sign is that of the separation.
     #[test]
     fn separation_has_the_sign_of_the_exact_distance(

@@ -1,0 +1,217 @@
+//! One homotopy iteration: the problem solved with one smoothing, and what came of it.
+
+use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
+use task::{HessianKind, HomotopySettings, IpoptValue, LinearSolver, Smoothing, Trajectory};
+
+use crate::crawl::{self, Crawl};
+use crate::near_pairs::NearPairs;
+use crate::stage_solver::TranscriptionSolver;
+use crate::transcription::Transcription;
+
+/// Result of a homotopy iteration.
+#[derive(Debug, Clone)]
+pub struct HomotopyIteration {
+    /// Its smoothing.
+    pub smoothing: Smoothing,
+    /// Outcome of the solve.
+    pub status: SolveStatus,
+    /// The last failure to evaluate the problem, if there was one.
+    pub message: Option<String>,
+    /// Number of iterations, those of a first try that crawled included.
+    pub iterations: usize,
+    /// Cost (Sec. ocp:cost).
+    pub objective: f64,
+    /// Largest violation of a constraint or bound.
+    pub constraint_violation: f64,
+    /// Wall times.
+    pub timing: IterationTiming,
+    /// The linear solver that ran.
+    pub linear_solver: String,
+    /// Statistics of the stage solver, if it ran.
+    pub stage_solver: Option<kkt::Report>,
+    /// The motion.
+    pub trajectory: Trajectory,
+    /// The primal-dual point.
+    pub iterate: Iterate,
+}
+
+impl HomotopyIteration {
+    /// With the effort of a first try, if there was one, of which nothing else is kept.
+    fn after(mut self, first: Option<&Self>) -> Self {
+        if let Some(first) = first {
+            self.iterations += first.iterations;
+            self.timing = self.timing + first.timing;
+        }
+        self
+    }
+}
+
+/// Wall seconds of a homotopy iteration.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct IterationTiming {
+    /// Total.
+    pub total: f64,
+    /// Distances and their derivatives.
+    pub distances: f64,
+    /// Model functions and assembly of the sparse matrices.
+    pub model: f64,
+    /// Factorisations and solves.
+    pub linear_solver: f64,
+    /// The rest, which is Ipopt's own work.
+    pub rest: f64,
+}
+
+impl std::ops::Add for IterationTiming {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            total: self.total + other.total,
+            distances: self.distances + other.distances,
+            model: self.model + other.model,
+            linear_solver: self.linear_solver + other.linear_solver,
+            rest: self.rest + other.rest,
+        }
+    }
+}
+
+/// Solves with one smoothing.
+pub(crate) struct IterationSolver<'run> {
+    /// What does not change from one homotopy iteration to the next.
+    pub settings: &'run HomotopySettings,
+    /// That of this one.
+    pub smoothing: Smoothing,
+    /// Gets every iteration of Ipopt.
+    pub observer: &'run mut dyn FnMut(&Progress) -> Control,
+}
+
+impl IterationSolver<'_> {
+    /// From a cold start with all pairs, from a warm one without those that stay far apart.
+    pub fn solve(&mut self, transcription: &mut Transcription, start: &Start) -> Result<HomotopyIteration, SolveError> {
+        match start {
+            Start::Warm(point) => self.solve_near(transcription, point),
+            Start::Cold(_) => self.attempt(transcription, start),
+        }
+    }
+
+    /// From a warm start, without the pairs that stay far apart. Where one of them overlaps in the result, it goes on with it.
+    fn solve_near(
+        &mut self,
+        transcription: &mut Transcription,
+        point: &Iterate,
+    ) -> Result<HomotopyIteration, SolveError> {
+        let (settings, smoothing) = (self.settings, self.smoothing);
+        let mut near = NearPairs::at(&point.x, transcription);
+        let mut before: Option<HomotopyIteration> = None;
+        loop {
+            let point = before.as_ref().map_or(point, |before| &before.iterate);
+            if near.are_all() {
+                let last = self.watch(transcription, point)?;
+                return Ok(last.after(before.as_ref()));
+            }
+            let task = near.of_task(transcription.task());
+            let mut of_near = Transcription::new(&task, settings.complementarity, settings.hessian)
+                .with_workers(transcription.workers().clone());
+            of_near.set_smoothing(smoothing.tau, smoothing.sigma);
+            let point = near.restrict(point, transcription);
+            let mut last = self.watch(&mut of_near, &point)?;
+            last.iterate = near.extend(&last.iterate, transcription);
+            last.trajectory = transcription.motion(&last.iterate.x, smoothing.tau);
+            let last = last.after(before.as_ref());
+            match near.with_missing(&last.trajectory) {
+                Some(more) if last.status != SolveStatus::Interrupted => (near, before) = (more, Some(last)),
+                _ => return Ok(last),
+            }
+        }
+    }
+
+    /// From a warm start. Where it crawls, it is tried once more with a larger barrier parameter.
+    fn watch(&mut self, transcription: &mut Transcription, start: &Iterate) -> Result<HomotopyIteration, SolveError> {
+        let Self { settings, smoothing, observer } = self;
+        let start = &Start::Warm(start.clone());
+        let mut crawl = Crawl::default();
+        let mut watch = |progress: &Progress| {
+            crawl.see(progress);
+            if crawl.is_found() { Control::Stop } else { observer(progress) }
+        };
+        let mut watched = IterationSolver { settings, smoothing: *smoothing, observer: &mut watch };
+        let first = watched.attempt(transcription, start)?;
+        if !crawl.is_found() {
+            return Ok(first);
+        }
+        let wider = Smoothing { mu_init: smoothing.mu_init * crawl::WIDER, ..*smoothing };
+        let mut again = IterationSolver { settings, smoothing: wider, observer: &mut **observer };
+        Ok(again.attempt(transcription, start)?.after(Some(&first)))
+    }
+
+    /// From a start, as it is.
+    fn attempt(&mut self, transcription: &mut Transcription, start: &Start) -> Result<HomotopyIteration, SolveError> {
+        let options = options(self.settings, self.smoothing);
+        transcription.distances().reset_seconds();
+        let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.workers().clone());
+        let chosen = match self.settings.linear_solver {
+            LinearSolver::Stage if nlp::takes_own_solver() => nlp::LinearSystemSolver::Own(&mut stage_solver),
+            LinearSolver::Stage => nlp::LinearSystemSolver::Named(LinearSolver::Mumps.name()),
+            other => nlp::LinearSystemSolver::Named(other.name()),
+        };
+        let solution = nlp::solve(transcription, start, &options, chosen, &mut *self.observer)?;
+        let distances = transcription.distances().seconds();
+        let timing = IterationTiming {
+            total: solution.timing.total,
+            distances,
+            model: solution.timing.evaluation - distances,
+            linear_solver: solution.timing.linear_solver,
+            rest: solution.timing.total - solution.timing.evaluation - solution.timing.linear_solver,
+        };
+        Ok(HomotopyIteration {
+            smoothing: self.smoothing,
+            status: solution.status,
+            message: solution.evaluation_error.map(|error| error.to_string()),
+            iterations: solution.iterations,
+            objective: solution.objective,
+            constraint_violation: solution.constraint_violation,
+            timing,
+            linear_solver: solution.linear_solver,
+            stage_solver: stage_solver.report().copied(),
+            trajectory: transcription.motion(&solution.iterate.x, self.smoothing.tau),
+            iterate: solution.iterate,
+        })
+    }
+}
+
+/// Options that keep a warm start in place. Ipopt's defaults move it so far from its bounds that the next homotopy
+/// iteration may converge to a worse optimum.
+const WARM_START_PUSHES: [&str; 5] = [
+    "warm_start_bound_push",
+    "warm_start_bound_frac",
+    "warm_start_slack_bound_push",
+    "warm_start_slack_bound_frac",
+    "warm_start_mult_bound_push",
+];
+
+/// Options of Ipopt for one smoothing.
+pub(crate) fn options(settings: &HomotopySettings, smoothing: Smoothing) -> Options {
+    let mut options = Options::default();
+    options.set("mu_init", smoothing.mu_init);
+    for push in WARM_START_PUSHES {
+        options.set(push, 1e-9);
+    }
+    if settings.linear_solver == LinearSolver::Stage && nlp::takes_own_solver() {
+        // The stage solver refines its solutions itself where necessary.
+        options.set("min_refinement_steps", 0);
+    }
+    if settings.hessian == HessianKind::LimitedMemory {
+        options.set("hessian_approximation", "limited-memory");
+    }
+    for option in &settings.ipopt {
+        options.set(
+            &option.name,
+            match &option.value {
+                IpoptValue::Integer(value) => (*value).into(),
+                IpoptValue::Number(value) => (*value).into(),
+                IpoptValue::Text(value) => nlp::OptionValue::from(value.as_str()),
+            },
+        );
+    }
+    options
+}
