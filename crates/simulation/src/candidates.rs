@@ -2,7 +2,8 @@
 //!
 //! Most facets and edges of two parts are far from touching, and remain so for a while. When the body moves by no more
 //! than a skin, no separation changes by more than that: a feature that is worse than the best one by twice the skin
-//! cannot become the best. These are left out; what the others give is exactly what all would give.
+//! cannot become the best. These are left out; what the others give is exactly what all would give. The vertex that is nearest
+//! to a facet is found by descending along edges from where it was last.
 
 use nalgebra::Vector3;
 
