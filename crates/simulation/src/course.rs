@@ -8,7 +8,7 @@ use crate::loads::LoadMeter;
 use crate::plant::Plant;
 use crate::pressed::Pressed;
 use crate::reference::{Reference, coordinates};
-use crate::rollout::TimedState;
+use crate::timed_state::TimedState;
 
 /// A rollout after some intervals of its reference. What follows depends on nothing else but the rest of the reference: a
 /// rollout of another reference that has been the same so far goes on from a copy.

@@ -96,6 +96,7 @@ mod settings_error;
 mod solid;
 mod step_length;
 mod success;
+mod timed_state;
 
 pub use arm_model::{ArmModel, ArmModelError};
 pub use bounds::Bounds;
@@ -106,8 +107,9 @@ pub use loads::Loads;
 pub use pressed::Pressed;
 pub use reference::{Knot, Reference, coordinates, interpolate, isometry};
 pub use refinement::Refinement;
-pub use rollout::{Outcome, Rollout, TimedState};
+pub use rollout::{Outcome, Rollout};
 pub use settings::Settings;
 pub use settings_error::SettingsError;
 pub use solid::{Edge, Facet, Solid};
 pub use success::{Success, wilson_interval};
+pub use timed_state::TimedState;
