@@ -8,7 +8,7 @@ import statistics
 import sys
 import tomllib
 
-from robust_cases import COUNT, SEED, Case, by_offset, run, shares, succeeded, table_row
+from robust_cases import SEED, Case, by_offset, run, shares, succeeded, table_row
 
 FRICTIONS = ("0.0", "0.1", "0.3")
 MAGNITUDES = "0,0.5,0.95"
@@ -143,7 +143,7 @@ def page(arguments: argparse.Namespace, cases: dict[pathlib.Path, list[Case]]) -
         limit=TIME_LIMIT,
         turn=TURN,
         seed=SEED,
-        count=COUNT,
+        count=arguments.count,
         jobs=arguments.jobs,
         sections="\n".join(section(arm, of_arm) for arm, of_arm in cases.items()),
     )

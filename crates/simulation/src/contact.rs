@@ -192,7 +192,7 @@ impl<'shapes> ContactFinder<'shapes> {
         contacts.extend(near.map(|&(point, gap)| Contact { pair: index, point, normal: axis.normal, gap }));
         if contacts.len() == before && axis.separation < 0.0 {
             // The touching features overlap without facing each other: the deepest vertex is the contact.
-            let deepest = body.vertices[body.lowest(0..body.vertices.len(), &axis.normal).0];
+            let deepest = body.vertices[body.lowest(&axis.normal).0];
             contacts.push(Contact { pair: index, point: deepest, normal: axis.normal, gap: axis.separation });
         }
         axis.separation

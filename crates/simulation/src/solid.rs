@@ -80,10 +80,10 @@ impl Solid {
         }
     }
 
-    /// The lowest of some vertices along a direction (the support of the opposite one), and its height along the
-    /// direction. Of vertices of the same height it is the first.
-    pub fn lowest(&self, vertices: impl Iterator<Item = usize>, direction: &Vector3<f64>) -> (usize, f64) {
-        let heights = vertices.map(|vertex| (vertex, direction.dot(&self.vertices[vertex])));
+    /// The lowest vertex along a direction (the support of the opposite one), and its height along the direction. Of
+    /// vertices of the same height it is the first.
+    pub fn lowest(&self, direction: &Vector3<f64>) -> (usize, f64) {
+        let heights = self.vertices.iter().map(|vertex| direction.dot(vertex)).enumerate();
         heights.fold((0, f64::INFINITY), |lowest, next| if next.1 < lowest.1 { next } else { lowest })
     }
 

@@ -31,7 +31,7 @@ fn best_axis(body: &Solid, environment: &Solid, reach: f64) -> Axis {
 fn best_facet(first: &Solid, second: &Solid) -> (usize, usize, f64) {
     let mut best = (0, 0, f64::NEG_INFINITY);
     for (index, facet) in first.facets.iter().enumerate() {
-        let (vertex, height) = second.lowest(0..second.vertices.len(), &facet.normal);
+        let (vertex, height) = second.lowest(&facet.normal);
         if height - facet.offset > best.2 {
             best = (index, vertex, height - facet.offset);
         }
@@ -124,8 +124,8 @@ proptest! {
         let mut pose = Isometry3::from_parts(Translation3::identity(), orientation);
         // In contact along the direction but for the gap.
         let direction = Vector3::from(direction.map(f64::from)).try_normalize(0.5).unwrap_or(Vector3::z());
-        let lowest = placed(own, &pose).lowest(0..own.vertices.len(), &direction).1;
-        let highest = -environment.lowest(0..environment.vertices.len(), &-direction).1;
+        let lowest = placed(own, &pose).lowest(&direction).1;
+        let highest = -environment.lowest(&-direction).1;
         pose.translation.vector = direction * (highest - lowest + gap);
         let mut finder = ContactFinder::new(&shapes, 0.0);
         for step in motion {
@@ -156,7 +156,7 @@ proptest! {
         for direction in [direction, [0.0, 0.0, 1.0]].map(Vector3::from) {
             let (vertex, height) = solid.descend(first % solid.vertices.len(), &direction);
             prop_assert_eq!(height, direction.dot(&solid.vertices[vertex]));
-            let lowest = solid.lowest(0..solid.vertices.len(), &direction).1;
+            let lowest = solid.lowest(&direction).1;
             prop_assert!((height - lowest).abs() < 1e-15, "{} and {}", height, lowest);
         }
     }
