@@ -95,6 +95,7 @@ mod settings;
 mod settings_error;
 mod solid;
 mod step_length;
+mod strokes;
 mod success;
 mod timed_state;
 
@@ -111,5 +112,6 @@ pub use rollout::{Outcome, Rollout};
 pub use settings::Settings;
 pub use settings_error::SettingsError;
 pub use solid::{Edge, Facet, Solid};
+pub use strokes::Strokes;
 pub use success::{Success, wilson_interval};
 pub use timed_state::TimedState;

@@ -77,13 +77,26 @@ impl Reference {
             knot.pose.translation.vector += bump.shift * weight(index);
             knot.pose.rotation *= UnitQuaternion::from_scaled_axis(bump.turn * weight(index));
         }
-        for index in first.max(1)..knots.len() {
-            let (from, to) = (knots[index - 1].pose, knots[index].pose);
-            knots[index].velocity = (to.translation.vector - from.translation.vector) / self.time_step;
+        Self { time_step: self.time_step, knots }.with_twists_from(first)
+    }
+
+    /// The reference, followed by other poses.
+    pub(crate) fn continued(&self, poses: impl Iterator<Item = Isometry3<f64>>) -> Self {
+        let still =
+            |pose: Isometry3<f64>| Knot { pose, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
+        let knots = self.knots.iter().copied().chain(poses.map(still)).collect();
+        Self { time_step: self.time_step, knots }.with_twists_from(self.knots.len())
+    }
+
+    /// The same poses with the twists that lead from knot to knot, from a knot on.
+    fn with_twists_from(mut self, first: usize) -> Self {
+        for index in first.max(1)..self.knots.len() {
+            let (from, to) = (self.knots[index - 1].pose, self.knots[index].pose);
+            self.knots[index].velocity = (to.translation.vector - from.translation.vector) / self.time_step;
             let turn = from.rotation.rotation_to(&to.rotation).scaled_axis();
-            knots[index].angular_velocity = from.rotation.inverse() * turn / self.time_step;
+            self.knots[index].angular_velocity = from.rotation.inverse() * turn / self.time_step;
         }
-        Self { time_step: self.time_step, knots }
+        self
     }
 
     /// What a part in the gripper is to do while the robot follows the reference: the same motion, described with the frame
@@ -126,6 +139,11 @@ impl Reference {
     /// Time between two knots (s).
     pub fn time_step(&self) -> f64 {
         self.time_step
+    }
+
+    /// Number of intervals between knots, and the time between them.
+    pub fn horizon(&self) -> Horizon {
+        Horizon { steps: self.intervals(), time_step: self.time_step }
     }
 
     /// Number of intervals between knots.

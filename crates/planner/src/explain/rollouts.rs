@@ -66,7 +66,7 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
     let is_worst = |trial: &&Trial| frictions.get(trial.friction) == Some(&worst.friction);
     let failing: Vec<Trial> = best.failing.iter().filter(is_worst).copied().collect();
     let mut world = problem.world();
-    world.horizon = best.variant.task.horizon;
+    world.horizon = best.reference.horizon();
     let settings = Settings { friction: worst.friction, ..Settings::default() };
     // The arm has reached the start before.
     let rollout = problem.rollout_in(&world, settings).ok()?;

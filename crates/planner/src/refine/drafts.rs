@@ -16,7 +16,7 @@ use crate::iteration::PlanIteration;
 use crate::refine::candidate::{self, Candidate};
 use crate::refine::clock::Deadline;
 use crate::refine::draft::Draft;
-use crate::refine::{OWN_SHARE, Refiner, SEED, race};
+use crate::refine::{OWN_SHARE, Refiner, SEED};
 use crate::session::Event;
 use crate::solve::run_homotopy;
 use crate::variant::Variant;
@@ -61,16 +61,10 @@ impl<'run> Refiner<'run> {
             places.extend((0..iterations.len()).map(|index| (draft, index)));
             references.extend(iterations.iter().map(|iteration| candidate::reference(&iteration.trajectory)));
         }
-        let end = self.clock.end();
-        let Some(best) =
-            race::race(self.evaluator, &references, (&self.training, race::FIRST), &|| self.clock.is_over(end))
-        else {
-            return Ok(None);
-        };
-        let (draft, index) = places[best.index];
+        let Some(best) = self.best_of(references, self.clock.end()) else { return Ok(None) };
+        let (draft, index) = places[best.winner.index];
         let (variant, iterations) = solved.swap_remove(draft);
-        let reference = references.swap_remove(best.index);
-        let candidate = self.candidate_of(best, reference, variant, (iterations, index), false);
+        let candidate = self.candidate_of(best, variant, (iterations, index), false);
         let (failing, trials) = (candidate.round.training_failures, candidate.round.training_trials);
         self.session.tell(Event::VariantTried { failing, trials });
         Ok(Some(candidate))

@@ -1,7 +1,7 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken. Random changes
-//! of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
+//! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken, with strokes at its
+//! end where these help. Random changes of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
 //! that were never trained on decides; what fails there is trained on next. When this does not help any more, a straight
 //! push is refined instead, which needs no plan; then other problems are solved, the promising first, and their plans are
 //! refined. The plan with the best evaluation is kept; where none is robust in the end, the latest are compared in the
@@ -18,6 +18,7 @@ mod clock;
 mod comparison;
 mod draft;
 mod drafts;
+mod ends;
 mod evaluation;
 mod portfolio;
 mod push;
@@ -30,7 +31,7 @@ mod variants;
 use std::collections::VecDeque;
 use std::time::Duration;
 
-use simulation::{Evaluator, Reference, Refinement, Trial};
+use simulation::{Evaluator, Reference, Strokes, Trial};
 use workers::Workers;
 
 use crate::error::PlannerError;
@@ -80,8 +81,8 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     let mut refiner = Refiner::new(&problem, target, &evaluator, session);
     let best = refiner.run(plan)?;
     let report = refiner.report(&best);
-    // Reality is the problem's; only the grid of time is the variant's.
-    world.horizon = best.variant.task.horizon;
+    // Reality is the problem's; only the grid of time is the reference's.
+    world.horizon = best.reference.horizon();
     let tau = best.iterations[best.iterations.len() - 1].record.tau;
     // One friction in the plan is not what is shown: the least that is borne is.
     let mut shown = world.clone();
@@ -128,6 +129,8 @@ struct Refiner<'run> {
     target: &'run RobustnessTarget,
     evaluator: &'run Evaluator,
     session: &'run Session<'run>,
+    /// Where dry friction may hold the body short of its goal.
+    strokes: Option<Strokes>,
     clock: Clock<'run>,
     /// Trials that every reference is refined in; failures of evaluations are added.
     training: Vec<Trial>,
@@ -156,6 +159,7 @@ impl<'run> Refiner<'run> {
             target,
             evaluator,
             session,
+            strokes: ends::strokes(problem, target),
             clock: Clock::new(session, Duration::ZERO, target.time_limit),
             training: Evaluation::new(problem.task(), &tolerance, &target.frictions, TRAINING, SEED).into_trials(),
             evaluations: 0,
@@ -257,28 +261,10 @@ impl<'run> Refiner<'run> {
     ) -> Option<Candidate<'run>> {
         let fine: Vec<usize> =
             (0..iterations.len()).filter(|&index| !iterations[index].record.is_coarse(&variant.task)).collect();
-        let references: Vec<Reference> =
-            fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
-        let stop = || self.clock.is_over(until);
-        let best = race::race(self.evaluator, &references, (&self.training, race::FIRST), &stop)?;
-        let reference = references[best.index].clone();
-        let index = fine[best.index];
-        Some(self.candidate_of(best, reference, variant, (iterations, index), is_scenes_own))
-    }
-
-    /// The candidate of a race's winner: its reference, its problem, and the index of its homotopy iteration.
-    fn candidate_of(
-        &self,
-        winner: race::Winner,
-        reference: Reference,
-        variant: Variant,
-        (iterations, index): (Vec<PlanIteration>, usize),
-        is_scenes_own: bool,
-    ) -> Candidate<'run> {
-        let mut round = Round::new(&variant, &iterations, index + 1, &winner.results);
-        round.rollouts = winner.rollouts;
-        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), winner.results, self.seed);
-        Candidate { variant, iterations, refinement, round, is_scenes_own }
+        let references = fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
+        let best = self.best_of(references, until)?;
+        let index = fine[best.winner.index];
+        Some(self.candidate_of(best, variant, (iterations, index), is_scenes_own))
     }
 
     /// Keeps a plan if it is better than the best so far; `round` goes on.

@@ -1,0 +1,65 @@
+//! How references end: as they were planned, or with strokes.
+
+use simulation::{Reference, Refinement, Strokes};
+
+use crate::iteration::PlanIteration;
+use crate::problem::Problem;
+use crate::refine::candidate::Candidate;
+use crate::refine::clock::Deadline;
+use crate::refine::race::{FIRST, Winner, race};
+use crate::refine::{Refiner, RobustnessTarget};
+use crate::robustness::Round;
+use crate::variant::Variant;
+
+/// Added to the name of a plan whose reference ends with strokes.
+const WITH_STROKES: &str = ", with strokes at the end";
+
+/// The best of several references in the training trials.
+pub struct Best {
+    /// Its index is that of the reference.
+    pub winner: Winner,
+    reference: Reference,
+    has_strokes: bool,
+}
+
+/// Strokes for the references of a problem. `None` where nothing holds the body short of its goal.
+pub fn strokes(problem: &Problem, target: &RobustnessTarget) -> Option<Strokes> {
+    let holds = problem.arm().is_some_and(|arm| arm.joint_friction.iter().any(|torque| *torque > 0.0));
+    let are_wanted = holds || target.largest_friction() > 0.0;
+    if are_wanted { Strokes::new(problem.task(), &problem.success()) } else { None }
+}
+
+impl<'run> Refiner<'run> {
+    /// Races some references in the training trials, each as it is and with strokes at its end; of equals it is the one
+    /// without. `None` without references or time.
+    pub(super) fn best_of(&self, references: Vec<Reference>, until: Deadline) -> Option<Best> {
+        let count = references.len();
+        let strokes = self.strokes.iter();
+        let mut ends: Vec<Reference> =
+            strokes.flat_map(|strokes| references.iter().map(|plain| plain.with_strokes(strokes))).collect();
+        let first_plain = ends.len();
+        ends.extend(references);
+        let stop = || self.clock.is_over(until);
+        // Of equals the later wins.
+        let Winner { index, results, rollouts } = race(self.evaluator, &ends, (&self.training, FIRST), &stop)?;
+        let winner = Winner { index: index % count, results, rollouts };
+        Some(Best { winner, reference: ends.swap_remove(index), has_strokes: index < first_plain })
+    }
+
+    /// The candidate of the best reference, of its problem and the index of its homotopy iteration.
+    pub(super) fn candidate_of(
+        &self,
+        Best { winner, reference, has_strokes }: Best,
+        mut variant: Variant,
+        (iterations, index): (Vec<PlanIteration>, usize),
+        is_scenes_own: bool,
+    ) -> Candidate<'run> {
+        if has_strokes {
+            variant.name += WITH_STROKES;
+        }
+        let mut round = Round::new(&variant, &iterations, index + 1, &winner.results);
+        round.rollouts = winner.rollouts;
+        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), winner.results, self.seed);
+        Candidate { variant, iterations, refinement, round, is_scenes_own }
+    }
+}

@@ -1,0 +1,142 @@
+//! Strokes at the end of a reference.
+//!
+//! Dry friction holds a body anywhere in a band around where the reference ends. So the reference goes past the goal and
+//! back beyond it, each time less far, and friction leaves the body near the middle, as alternating fields that fade
+//! demagnetise a magnet. No coefficient need be known.
+
+use nalgebra::{Isometry3, Unit, Vector3};
+use task::AssemblyTask;
+
+use crate::reference::Reference;
+use crate::success::Success;
+
+/// How a reference goes past the goal and back, on the line from start to goal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strokes {
+    goal: Vector3<f64>,
+    direction: Unit<Vector3<f64>>,
+    /// How much less far than the one before each stroke goes (m).
+    decrease: f64,
+    /// Duration of each stroke (s).
+    duration: f64,
+}
+
+/// Number of strokes that go past the goal, the first and the third ones along the direction; one more ends at the goal.
+const COUNT: usize = 3;
+/// A body in any band that the first stroke overcomes ends within half of the decrease of the goal: this part of the position
+/// tolerance makes two thirds of it.
+const DECREASE: f64 = 4.0 / 3.0;
+/// A stroke takes this multiple of `sqrt(mass / stiffness)`, in which the body follows.
+const RESPONSES: f64 = 4.0;
+/// Largest velocity and acceleration of a smooth stroke of one metre in one second.
+const PEAKS: [f64; 2] = [1.5, 6.0];
+
+impl Strokes {
+    /// For a task, where a body that ends within the tolerance succeeds. They keep the limits of translational velocity and
+    /// acceleration. `None` where start and goal are at the same place, or a number is none.
+    pub fn new(task: &AssemblyTask, success: &Success) -> Option<Self> {
+        let position = |pose: &[f64; 7]| Vector3::new(pose[0], pose[1], pose[2]);
+        let goal = position(&task.goal);
+        let direction = Unit::try_new(goal - position(&task.start), success.position)?;
+        let decrease = DECREASE * success.position;
+        let mass = direction.dot(&(task.inertia.translational() * *direction));
+        let response = RESPONSES * (mass / task.impedance.translational_stiffness).sqrt();
+        // From one side of the goal to the other.
+        let longest = (2 * COUNT - 1) as f64 * decrease;
+        let [velocity, acceleration] = PEAKS.map(|peak| peak * longest);
+        let duration = response
+            .max(velocity / task.limits.translational_velocity)
+            .max((acceleration / task.limits.translational_acceleration).sqrt());
+        duration.is_finite().then_some(Self { goal, direction, decrease, duration })
+    }
+
+    /// Shifts (m, world frame) from the last position of a reference with knots `time_step` seconds apart, one for each
+    /// further knot.
+    fn shifts(&self, last: &Vector3<f64>, time_step: f64) -> impl Iterator<Item = Vector3<f64>> {
+        let ahead = self.direction.dot(&(self.goal - last));
+        let turning = move |stroke: usize| {
+            let reach = (COUNT - stroke) as f64 * self.decrease;
+            ahead + if stroke.is_multiple_of(2) { reach } else { -reach }
+        };
+        let knots = (self.duration / time_step).ceil().max(1.0) as usize;
+        (0..=COUNT).flat_map(move |stroke| {
+            let (from, to) = (if stroke == 0 { 0.0 } else { turning(stroke - 1) }, turning(stroke));
+            (1..=knots).map(move |knot| {
+                let part = knot as f64 / knots as f64;
+                *self.direction * (from + (to - from) * part * part * (3.0 - 2.0 * part))
+            })
+        })
+    }
+}
+
+impl Reference {
+    /// The reference, followed by strokes: its last orientation and its last position beside the line of the strokes stay.
+    pub fn with_strokes(&self, strokes: &Strokes) -> Self {
+        let last = self.at(self.intervals(), 0.0).pose;
+        let shifted =
+            |shift: Vector3<f64>| Isometry3::from_parts((last.translation.vector + shift).into(), last.rotation);
+        self.continued(strokes.shifts(&last.translation.vector, self.time_step()).map(shifted))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use task::{Horizon, at_rest};
+
+    use super::*;
+
+    const GOAL: [f64; 7] = [0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+
+    /// Of 12, 8 and 4 mm along x.
+    fn strokes() -> Strokes {
+        let goal = Vector3::new(GOAL[0], GOAL[1], GOAL[2]);
+        Strokes { goal, direction: Vector3::x_axis(), decrease: 4e-3, duration: 0.3 }
+    }
+
+    fn push() -> Reference {
+        let mut start = GOAL;
+        start[0] = 0.0;
+        Reference::straight(&start, &GOAL, Horizon { steps: 20, time_step: 0.02 })
+    }
+
+    /// Where a body ends that is held anywhere within a band (m) around a reference on the x axis.
+    fn end_in_band(reference: &Reference, band: f64) -> f64 {
+        let follow = |body: f64, position: [f64; 3]| body.clamp(position[0] - band, position[0] + band);
+        reference.positions().fold(0.0, follow)
+    }
+
+    #[test]
+    fn a_body_ends_near_the_goal_whatever_holds_it() {
+        let (plain, reference) = (push(), push().with_strokes(&strokes()));
+        for band in (0..=14).map(|millimetres| 1e-3 * f64::from(millimetres)) {
+            assert!((end_in_band(&reference, band) - GOAL[0]).abs() < 2.01e-3, "{band} m");
+            assert!((end_in_band(&plain, band) - GOAL[0] + band).abs() < 1e-12, "short of it without strokes");
+        }
+    }
+
+    #[test]
+    fn strokes_go_on_from_a_reference_and_end_at_the_goal() {
+        // It ends 5 mm short of the goal and 1 mm beside it.
+        let mut states = push().states();
+        let last = states.len() - 1;
+        (states[last][0], states[last][1]) = (GOAL[0] - 5e-3, 1e-3);
+        let plain = Reference::new(0.02, &states);
+        let reference = plain.with_strokes(&strokes());
+        assert_eq!(reference.intervals(), 20 + 4 * 15);
+        assert_eq!(plain.shared_intervals(&reference), 20);
+        let states = reference.states();
+        assert!((states[20 + 60][0] - GOAL[0]).abs() < 1e-12 && states[20..].iter().all(|state| state[1] == 1e-3));
+        for (knot, reach) in [(20 + 15, 12e-3), (20 + 30, -8e-3), (20 + 45, 4e-3)] {
+            assert!((states[knot][0] - GOAL[0] - reach).abs() < 1e-12);
+        }
+        for pair in states[20..].windows(2) {
+            assert!((pair[1][0] - pair[0][0] - 0.02 * pair[1][7]).abs() < 1e-12, "velocities lead from knot to knot");
+        }
+    }
+
+    #[test]
+    fn they_start_from_rest_as_well() {
+        let rest = Reference::new(0.02, &[at_rest(&GOAL)]);
+        assert_eq!(rest.with_strokes(&strokes()).intervals(), 60);
+    }
+}
