@@ -18,8 +18,12 @@ const CONTINUED: &str = ", continued";
 impl Refiner<'_> {
     /// Goes on with the best plan so far, where it fails so seldom that this helps more than another plan.
     pub(super) fn refine_if_nearly_robust(&mut self) -> Result<(), PlannerError> {
-        let is_nearly_robust = self.best.as_ref().is_some_and(|best| best.rates.overall() >= NEARLY);
-        if is_nearly_robust { self.refine_again() } else { Ok(()) }
+        if self.is_nearly_robust() { self.refine_again() } else { Ok(()) }
+    }
+
+    /// Whether the best plan so far fails seldom.
+    pub(super) fn is_nearly_robust(&self) -> bool {
+        self.best.as_ref().is_some_and(|best| best.rates.overall() >= NEARLY)
     }
 
     /// Goes on with the best plan so far as long as this helps: other changes often help where some did not, and they cost

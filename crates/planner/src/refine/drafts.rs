@@ -34,7 +34,12 @@ impl<'run> Refiner<'run> {
         let is_wanted = self.problem.arm().is_some()
             && own.refinement.failing_fraction() > LOST
             && solving < self.clock.left().mul_f64(SHARE);
-        let draft = if is_wanted { self.best_draft(self.clock.share(self.clock.end(), SHARE))? } else { None };
+        if is_wanted {
+            self.session.tell(Event::Variant { name: "drafts", number: 1, count: 1 });
+            self.drafts = self.solve_drafts(self.clock.share(self.clock.end(), SHARE))?;
+            self.session.tell(Event::VariantSolved { status: &format!("{} drafts", self.drafts.len()) });
+        }
+        let draft = self.best_draft();
         let until = self.clock.share(self.clock.end(), OWN_SHARE);
         match draft {
             Some(draft) if draft.refinement.failing_fraction() < own.refinement.failing_fraction() => {
@@ -50,24 +55,32 @@ impl<'run> Refiner<'run> {
         }
     }
 
-    /// The best reference of all drafts that are made until a time. `None` when nothing of them is finished then.
-    fn best_draft(&mut self, until: Deadline) -> Result<Option<Candidate<'run>>, PlannerError> {
-        self.session.tell(Event::Variant { name: "drafts", number: 1, count: 1 });
-        let mut solved = self.solve_drafts(until)?;
-        self.session.tell(Event::VariantSolved { status: &format!("{} drafts", solved.len()) });
+    /// Refines the best of the other drafts, if the best plan so far fails too often to be refined further. Where refinement ends
+    /// is a matter of luck, but one that gets stuck does so early.
+    pub(super) fn refine_other_draft(&mut self) -> Result<(), PlannerError> {
+        let end = self.clock.end();
+        if self.is_nearly_robust() || !self.goes_on(end) {
+            return Ok(());
+        }
+        let Some(draft) = self.best_draft() else { return Ok(()) };
+        self.refine(draft, self.clock.share(end, OWN_SHARE))
+    }
+
+    /// Takes out the draft with the best reference. `None` without drafts or time.
+    fn best_draft(&mut self) -> Option<Candidate<'run>> {
         let mut places = Vec::new();
         let mut references: Vec<Reference> = Vec::new();
-        for (draft, (_, iterations)) in solved.iter().enumerate() {
+        for (draft, (_, iterations)) in self.drafts.iter().enumerate() {
             places.extend((0..iterations.len()).map(|index| (draft, index)));
             references.extend(iterations.iter().map(|iteration| candidate::reference(&iteration.trajectory)));
         }
-        let Some(best) = self.best_of(references, self.clock.end()) else { return Ok(None) };
+        let best = self.best_of(&references, self.clock.end())?;
         let (draft, index) = places[best.winner.index];
-        let (variant, iterations) = solved.swap_remove(draft);
+        let (variant, iterations) = self.drafts.swap_remove(draft);
         let candidate = self.candidate_of(best, variant, (iterations, index), false);
         let (failing, trials) = (candidate.round.training_failures, candidate.round.training_trials);
         self.session.tell(Event::VariantTried { failing, trials });
-        Ok(Some(candidate))
+        Some(candidate)
     }
 
     /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy iterations count that it

@@ -30,20 +30,24 @@ pub fn strokes(problem: &Problem, target: &RobustnessTarget) -> Option<Strokes> 
 }
 
 impl<'run> Refiner<'run> {
-    /// Races some references in the training trials, each as it is and with strokes at its end; of equals it is the one
-    /// without. `None` without references or time.
-    pub(super) fn best_of(&self, references: Vec<Reference>, until: Deadline) -> Option<Best> {
-        let count = references.len();
-        let strokes = self.strokes.iter();
-        let mut ends: Vec<Reference> =
-            strokes.flat_map(|strokes| references.iter().map(|plain| plain.with_strokes(strokes))).collect();
-        let first_plain = ends.len();
-        ends.extend(references);
-        let stop = || self.clock.is_over(until);
+    /// Races some references in the training trials, each as it is and, where that keeps the limits, with strokes at its end; of
+    /// equals it is the one without. `None` without references or time.
+    pub(super) fn best_of(&self, references: &[Reference], until: Deadline) -> Option<Best> {
+        let (mut places, mut ends) = (Vec::new(), Vec::new());
+        for (index, plain) in references.iter().enumerate() {
+            let with_strokes = self.strokes.iter().map(|strokes| plain.with_strokes(strokes));
+            for end in with_strokes.filter(|end| self.evaluator.bounds().including(end).allow(end)) {
+                places.push((index, true));
+                ends.push(end);
+            }
+        }
         // Of equals the later wins.
-        let Winner { index, results, rollouts } = race(self.evaluator, &ends, (&self.training, FIRST), &stop)?;
-        let winner = Winner { index: index % count, results, rollouts };
-        Some(Best { winner, reference: ends.swap_remove(index), has_strokes: index < first_plain })
+        places.extend((0..references.len()).map(|index| (index, false)));
+        ends.extend_from_slice(references);
+        let stop = || self.clock.is_over(until);
+        let winner = race(self.evaluator, &ends, (&self.training, FIRST), &stop)?;
+        let (reference, (index, has_strokes)) = (ends.swap_remove(winner.index), places[winner.index]);
+        Some(Best { winner: Winner { index, ..winner }, reference, has_strokes })
     }
 
     /// The candidate of the best reference, of its problem and the index of its homotopy iteration.

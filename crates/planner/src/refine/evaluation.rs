@@ -29,6 +29,10 @@ const ENOUGH_FAILURES: usize = 8;
 /// Distance between the seeds of errors of the robot and of offsets, likewise.
 const DISTURBANCE_SEED: u64 = 75;
 
+/// Axes about which training turns the part. There are six, and five magnitudes, so that each friction begins with another one.
+const AXES: [[f64; 3]; 6] =
+    [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
+
 /// Largest errors to be borne: of the grasp, an offset `delta-hat` (m) and a turn (rad); of robot and controller, relative
 /// ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
 #[derive(Debug, Clone, Copy)]
@@ -131,9 +135,17 @@ impl Evaluation {
         &self.trials
     }
 
-    /// The trials themselves.
-    pub fn into_trials(self) -> Vec<Trial> {
-        self.trials
+    /// The trials to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
+    /// each about another axis. What bears these mostly bears smaller turns.
+    pub fn into_training(self, range: &ErrorRange) -> Vec<Trial> {
+        let mut turns = AXES.iter().cycle().map(|axis| axis.map(|component| component * range.turn));
+        let Self { groups, mut trials, group } = self;
+        for (trial, group) in trials.iter_mut().zip(group) {
+            if !groups[group].planned {
+                trial.grasp.turn = turns.next().unwrap_or_default();
+            }
+        }
+        trials
     }
 
     /// Plays a reference in the trials until it is decided whether it succeeds at the wanted rate (0 to 1), and
@@ -193,6 +205,18 @@ mod tests {
         let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
         Evaluation { groups: vec![group(true), group(false)], trials: vec![trial; numbers.len()], group: numbers }
+    }
+
+    #[test]
+    fn training_turns_the_part_as_far_as_may_be_about_all_axes() {
+        let range = ErrorRange { delta: 0.01, turn: 0.02, inertia: 0.0, stiffness: 0.0, delay: 0.0, edge_radius: 0.0 };
+        let trials = evaluation(12).into_training(&range);
+        let turns: Vec<[f64; 3]> = trials.iter().map(|trial| trial.grasp.turn).collect();
+        assert_eq!(turns[..2], [[0.0; 3]; 2], "planned errors are as they are planned");
+        for axis in AXES {
+            let wanted = axis.map(|component| 0.02 * component);
+            assert_eq!(turns.iter().filter(|turn| **turn == wanted).count(), 2, "{wanted:?}");
+        }
     }
 
     #[test]

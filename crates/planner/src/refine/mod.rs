@@ -1,12 +1,12 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken, with strokes at its
-//! end where these help. Random changes of this reference are kept when more trials pass ([`simulation::Refinement`]). Then an evaluation at grasp errors
-//! that were never trained on decides; what fails there is trained on next. When this does not help any more, a straight
-//! push is refined instead, which needs no plan; then other problems are solved, the promising first, and their plans are
-//! refined. The plan with the best evaluation is kept; where none is robust in the end, the latest are compared in the
-//! same trials. With an arm, the best of several drafts takes the place of a plan that fails too often, and no push is
-//! refined.
+//! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken, with strokes at
+//! its end where these help. Random changes of this reference are kept when more trials pass ([`simulation::Refinement`]).
+//! Then an evaluation at grasp errors that were never trained on decides; what fails there is trained on next. When this
+//! does not help any more, a straight push is refined instead, which needs no plan; then other problems are solved, the
+//! promising first, and their plans are refined. The plan with the best evaluation is kept; where none is robust in the
+//! end, the latest are compared in the same trials. With an arm, the best of several drafts takes the place of a plan that
+//! fails too often, and no push is refined.
 //!
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
 //! and every problem has its share of the time.
@@ -131,6 +131,8 @@ struct Refiner<'run> {
     session: &'run Session<'run>,
     /// Where dry friction may hold the body short of its goal.
     strokes: Option<Strokes>,
+    /// Drafts that were not refined, each with the homotopy iterations that it has finished, at least one.
+    drafts: Vec<(Variant, Vec<PlanIteration>)>,
     clock: Clock<'run>,
     /// Trials that every reference is refined in; failures of evaluations are added.
     training: Vec<Trial>,
@@ -153,15 +155,17 @@ impl<'run> Refiner<'run> {
         evaluator: &'run Evaluator,
         session: &'run Session<'run>,
     ) -> Self {
-        let tolerance = ErrorRange::new(problem, target);
+        let range = ErrorRange::new(problem, target);
+        let training = Evaluation::new(problem.task(), &range, &target.frictions, TRAINING, SEED).into_training(&range);
         Self {
             problem,
             target,
             evaluator,
             session,
             strokes: ends::strokes(problem, target),
+            drafts: Vec::new(),
             clock: Clock::new(session, Duration::ZERO, target.time_limit),
-            training: Evaluation::new(problem.task(), &tolerance, &target.frictions, TRAINING, SEED).into_trials(),
+            training,
             evaluations: 0,
             seed: SEED,
             before: SuccessRates(Vec::new()),
@@ -173,14 +177,16 @@ impl<'run> Refiner<'run> {
     }
 
     /// Refines the plan of the scene; where that is given up, a straight push; after each of the two the best so far again, if
-    /// it is nearly robust; then the plans of other problems, and the best once more, while there is time. With an arm there
-    /// is no push. What is not robust then is the best of the latest in a comparison.
+    /// it is nearly robust; then the plans of other problems, and the best once more, while there is time. With an arm,
+    /// another draft takes the place of a push. What is not robust then is the best of the latest in a comparison.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.refine_own(plan)?;
         if self.problem.arm().is_some() {
             // A straight push has never become robust with an arm.
+            self.refine_if_nearly_robust()?;
+            self.refine_other_draft()?;
             self.refine_again()?;
         } else {
             self.refine_if_nearly_robust()?;
@@ -261,8 +267,9 @@ impl<'run> Refiner<'run> {
     ) -> Option<Candidate<'run>> {
         let fine: Vec<usize> =
             (0..iterations.len()).filter(|&index| !iterations[index].record.is_coarse(&variant.task)).collect();
-        let references = fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
-        let best = self.best_of(references, until)?;
+        let references: Vec<Reference> =
+            fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
+        let best = self.best_of(&references, until)?;
         let index = fine[best.winner.index];
         Some(self.candidate_of(best, variant, (iterations, index), is_scenes_own))
     }

@@ -15,8 +15,9 @@ pub struct Stiffness {
     pub rotational: f64,
 }
 
-/// Error (m, rad) at which joint friction is wanted to hold the arm at most.
-const DEADBAND: f64 = 3e-3;
+/// Error (m, rad) at which joint friction is wanted to hold the arm at most. Strokes at the end of a reference overcome the
+/// first; a stiffer arm pushes harder.
+const DEADBAND: f64 = 4e-3;
 const ANGULAR_DEADBAND: f64 = 0.04;
 /// Part of the offset magnitude that the deadband may be where the contact force or the controller allows no less; the angle
 /// in proportion. A plan that bears larger offsets also bears a larger deadband.

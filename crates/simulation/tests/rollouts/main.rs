@@ -6,5 +6,6 @@ mod convergence;
 mod physics;
 mod properties;
 mod refinement;
+mod strokes;
 mod trajectories;
 mod world;
