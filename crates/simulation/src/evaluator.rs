@@ -118,6 +118,12 @@ impl Evaluator {
         Self { workers, ..self }
     }
 
+    /// With a limit of contact forces that is a part of the task's.
+    pub fn with_force_share(mut self, share: f64) -> Self {
+        self.limits.contact_force *= share;
+        self
+    }
+
     /// With an arm that holds the body. Steps are longer then: 2 ms, or a control period if that is shorter.
     ///
     /// # Errors

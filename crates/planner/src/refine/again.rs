@@ -1,14 +1,12 @@
 //! Refinement of the best plan so far, once more.
 
-use simulation::{Reference, Refinement};
+use simulation::Refinement;
 
 use crate::error::PlannerError;
-use crate::iteration::PlanIteration;
 use crate::refine::candidate::{Candidate, Kept};
 use crate::refine::clock::Deadline;
 use crate::refine::{Refiner, SEED, SEED_STRIDE};
 use crate::robustness::Round;
-use crate::variant::Variant;
 
 /// Success rate from which on a plan is refined rather than replaced.
 const NEARLY: f64 = 0.75;
@@ -45,24 +43,16 @@ impl Refiner<'_> {
         if !variant.name.ends_with(CONTINUED) {
             variant.name += CONTINUED;
         }
-        self.refine_reference(variant, iterations, (chosen, reference), is_scenes_own, until)
-    }
-
-    /// Refines a reference, from homotopy iteration `chosen` or 0 for none, with other changes than before.
-    pub(super) fn refine_reference(
-        &mut self,
-        variant: Variant,
-        iterations: Vec<PlanIteration>,
-        (chosen, reference): (usize, Reference),
-        is_scenes_own: bool,
-        until: Deadline,
-    ) -> Result<(), PlannerError> {
-        let stop = || self.clock.is_over(until);
-        let results = self.evaluator.evaluate_all(&reference, &self.training, &stop);
+        let results = self.trainer.evaluate_all(&reference, &self.training, &|| self.clock.is_over(until));
         let Some(results) = results else { return Ok(()) };
         let round = Round { rollouts: results.len(), ..Round::new(&variant, &iterations, chosen, &results) };
-        self.seed = SEED + SEED_STRIDE * self.evaluations;
-        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), results, self.seed);
+        self.change_seed();
+        let refinement = Refinement::new(self.trainer, reference, self.training.clone(), results, self.seed);
         self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until)
+    }
+
+    /// Other changes follow than before.
+    pub(super) fn change_seed(&mut self) {
+        self.seed = SEED + SEED_STRIDE * self.evaluations;
     }
 }

@@ -70,7 +70,7 @@ mod tests {
         let evaluator = problem.evaluator(&target.frictions).unwrap();
         let interrupted = AtomicBool::new(false);
         let session = Session::new(&|_: &Event| {}, &interrupted);
-        let mut refiner = Refiner::new(&problem, &target, &evaluator, &session);
+        let mut refiner = Refiner::new(&problem, &target, (&evaluator, &evaluator), &session);
         let task = problem.task();
         let lucky = |reference: Reference, changes: usize, successes: usize| Kept {
             variant: Variant::of_scene(&problem),

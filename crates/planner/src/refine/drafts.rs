@@ -77,7 +77,7 @@ impl<'run> Refiner<'run> {
         let best = self.best_of(&references, self.clock.end())?;
         let (draft, index) = places[best.winner.index];
         let (variant, iterations) = self.drafts.swap_remove(draft);
-        let candidate = self.candidate_of(best, variant, (iterations, index), false);
+        let candidate = self.candidate_of(best, variant, (iterations, index + 1), false);
         let (failing, trials) = (candidate.round.training_failures, candidate.round.training_trials);
         self.session.tell(Event::VariantTried { failing, trials });
         Some(candidate)

@@ -36,7 +36,7 @@ impl<'run> Refiner<'run> {
         let (mut places, mut ends) = (Vec::new(), Vec::new());
         for (index, plain) in references.iter().enumerate() {
             let with_strokes = self.strokes.iter().map(|strokes| plain.with_strokes(strokes));
-            for end in with_strokes.filter(|end| self.evaluator.bounds().including(end).allow(end)) {
+            for end in with_strokes.filter(|end| self.trainer.bounds().including(end).allow(end)) {
                 places.push((index, true));
                 ends.push(end);
             }
@@ -45,25 +45,25 @@ impl<'run> Refiner<'run> {
         places.extend((0..references.len()).map(|index| (index, false)));
         ends.extend_from_slice(references);
         let stop = || self.clock.is_over(until);
-        let winner = race(self.evaluator, &ends, (&self.training, FIRST), &stop)?;
+        let winner = race(self.trainer, &ends, (&self.training, FIRST), &stop)?;
         let (reference, (index, has_strokes)) = (ends.swap_remove(winner.index), places[winner.index]);
         Some(Best { winner: Winner { index, ..winner }, reference, has_strokes })
     }
 
-    /// The candidate of the best reference, of its problem and the index of its homotopy iteration.
+    /// The candidate of the best reference, of its problem, and the number of its homotopy iteration, from 1, or 0 for none.
     pub(super) fn candidate_of(
         &self,
         Best { winner, reference, has_strokes }: Best,
         mut variant: Variant,
-        (iterations, index): (Vec<PlanIteration>, usize),
+        (iterations, chosen): (Vec<PlanIteration>, usize),
         is_scenes_own: bool,
     ) -> Candidate<'run> {
         if has_strokes {
             variant.name += WITH_STROKES;
         }
-        let mut round = Round::new(&variant, &iterations, index + 1, &winner.results);
+        let mut round = Round::new(&variant, &iterations, chosen, &winner.results);
         round.rollouts = winner.rollouts;
-        let refinement = Refinement::new(self.evaluator, reference, self.training.clone(), winner.results, self.seed);
+        let refinement = Refinement::new(self.trainer, reference, self.training.clone(), winner.results, self.seed);
         Candidate { variant, iterations, refinement, round, is_scenes_own }
     }
 }

@@ -59,6 +59,8 @@ const TRAINING: usize = 1;
 const SEED: u64 = 1;
 /// Distance between the seeds of evaluations, which need one per magnitude.
 const SEED_STRIDE: u64 = 100;
+/// Part of the limit of contact forces that training trials may use: forces of simulators differ by some percent.
+const FORCE_SHARE: f64 = 0.95;
 /// Share of the time for the first refinement of the plan of the scene itself.
 const OWN_SHARE: f64 = 0.5;
 
@@ -78,7 +80,8 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     let evaluator = plan.problem.evaluator(&target.frictions)?.with_workers(Workers::new(session.threads));
     let evaluator = near(evaluator, &plan.problem, &plan.reference());
     let (problem, attempts, threads) = (plan.problem.clone(), plan.attempts.clone(), plan.threads);
-    let mut refiner = Refiner::new(&problem, target, &evaluator, session);
+    let trainer = trainer(&evaluator);
+    let mut refiner = Refiner::new(&problem, target, (&evaluator, &trainer), session);
     let best = refiner.run(plan)?;
     let report = refiner.report(&best);
     // Reality is the problem's; only the grid of time is the reference's.
@@ -111,7 +114,8 @@ pub fn refine_reference(
     let session = Session { folder: None, ..*session };
     let evaluator = problem.evaluator(&target.frictions)?.with_workers(Workers::new(session.threads));
     let evaluator = near(evaluator, problem, &reference);
-    let mut refiner = Refiner::new(problem, target, &evaluator, &session);
+    let trainer = trainer(&evaluator);
+    let mut refiner = Refiner::new(problem, target, (&evaluator, &trainer), &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
     refiner.judge_first(variant, Vec::new(), 0, reference)?;
     let until = refiner.clock.end();
@@ -123,11 +127,18 @@ pub fn refine_reference(
     Ok((best.reference.clone(), refiner.report(&best)))
 }
 
+/// Plays training trials, with a margin of contact forces.
+fn trainer(evaluator: &Evaluator) -> Evaluator {
+    evaluator.clone().with_force_share(FORCE_SHARE)
+}
+
 /// The loop's state.
 struct Refiner<'run> {
     problem: &'run Problem,
     target: &'run RobustnessTarget,
     evaluator: &'run Evaluator,
+    /// Of training trials.
+    trainer: &'run Evaluator,
     session: &'run Session<'run>,
     /// Where dry friction may hold the body short of its goal.
     strokes: Option<Strokes>,
@@ -152,7 +163,7 @@ impl<'run> Refiner<'run> {
     fn new(
         problem: &'run Problem,
         target: &'run RobustnessTarget,
-        evaluator: &'run Evaluator,
+        (evaluator, trainer): (&'run Evaluator, &'run Evaluator),
         session: &'run Session<'run>,
     ) -> Self {
         let range = ErrorRange::new(problem, target);
@@ -161,6 +172,7 @@ impl<'run> Refiner<'run> {
             problem,
             target,
             evaluator,
+            trainer,
             session,
             strokes: ends::strokes(problem, target),
             drafts: Vec::new(),
@@ -183,13 +195,12 @@ impl<'run> Refiner<'run> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         self.refine_own(plan)?;
+        self.refine_if_nearly_robust()?;
         if self.problem.arm().is_some() {
             // A straight push has never become robust with an arm.
-            self.refine_if_nearly_robust()?;
             self.refine_other_draft()?;
             self.refine_again()?;
         } else {
-            self.refine_if_nearly_robust()?;
             self.refine_push(homotopy)?;
             self.refine_if_nearly_robust()?;
         }
@@ -271,7 +282,7 @@ impl<'run> Refiner<'run> {
             fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
         let best = self.best_of(&references, until)?;
         let index = fine[best.winner.index];
-        Some(self.candidate_of(best, variant, (iterations, index), is_scenes_own))
+        Some(self.candidate_of(best, variant, (iterations, index + 1), is_scenes_own))
     }
 
     /// Keeps a plan if it is better than the best so far; `round` goes on.

@@ -21,6 +21,9 @@ impl Refiner<'_> {
             return Ok(());
         }
         let variant = Variant { name: "a straight push".to_owned(), ..Variant::of_scene(self.problem) };
-        self.refine_reference(variant, homotopy, (0, reference), true, until)
+        let Some(best) = self.best_of(&[reference], until) else { return Ok(()) };
+        self.change_seed();
+        let candidate = self.candidate_of(best, variant, (homotopy, 0), true);
+        self.refine(candidate, until)
     }
 }

@@ -36,7 +36,7 @@ impl<'run> Refiner<'run> {
         let (mut polished, mut vain) = (0, 0);
         // What failed elsewhere since it became a candidate.
         let new = self.training[refinement.trials().len()..].to_vec();
-        let results = self.evaluator.evaluate_all(refinement.reference(), &new, &|| self.clock.is_over(until));
+        let results = self.trainer.evaluate_all(refinement.reference(), &new, &|| self.clock.is_over(until));
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
             self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));

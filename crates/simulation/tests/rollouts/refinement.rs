@@ -123,14 +123,16 @@ fn a_push_beyond_the_limit_is_no_success() {
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
     world.goal[2] = 0.04;
     let pressing = through(&[[0.0, 0.0, 0.04], [0.0, 0.0, 0.04 - DEPTH]], 1.0);
-    let mut evaluate = |limit: f64| {
+    let mut evaluate = |limit: f64, share: f64| {
         world.limits.contact_force = limit;
-        Evaluator::new(&world, &[0.0], Success::default()).evaluate(&pressing, &trial)
+        let evaluator = Evaluator::new(&world, &[0.0], Success::default()).with_force_share(share);
+        evaluator.evaluate(&pressing, &trial)
     };
-    assert!(evaluate(f64::INFINITY).passed);
+    assert!(evaluate(f64::INFINITY, 1.0).passed && evaluate(f64::INFINITY, 0.1).passed);
     let force = STIFFNESS * DEPTH;
-    assert!(evaluate(1.2 * force).passed);
-    let gentle = evaluate(0.5 * force);
+    assert!(evaluate(1.2 * force, 1.0).passed);
+    assert!(!evaluate(1.2 * force, 0.8).passed, "with a margin");
+    let gentle = evaluate(0.5 * force, 1.0);
     assert!(!gentle.passed && (gentle.miss - 1.0).abs() < 0.01, "{gentle:?}");
     let too_far = gentle.too_far.expect("the force is too large");
     assert!((too_far.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{too_far:?}");
