@@ -29,10 +29,9 @@ fn the_best_draft_is_refined_where_the_plan_of_an_arm_fails() {
     let planned: Vec<&str> = report.rounds.iter().map(|round| round.planned.as_str()).collect();
     let drafts: Vec<_> = report.rounds.iter().filter(|round| round.planned.starts_with("draft with")).collect();
     assert!(planned[1].starts_with("draft with"), "the best of them is refined first: {planned:?}");
-    // As it is no better, another one follows.
+    // As it is no better, another one may follow, but not all of them.
     let names: BTreeSet<&str> = drafts.iter().map(|round| round.planned.trim_end_matches(", continued")).collect();
     assert!(names.len() <= 2, "{planned:?}");
-    assert_eq!(planned[2].starts_with("draft with"), names.len() == 2, "{planned:?}");
     // So few steps are not halved.
     let steps = problem.task().horizon.steps;
     assert!(drafts.iter().all(|round| [steps, steps + steps / 2].contains(&round.steps)), "{drafts:?}");
@@ -40,5 +39,5 @@ fn the_best_draft_is_refined_where_the_plan_of_an_arm_fails() {
     let said = said.into_inner().unwrap();
     assert_eq!(said[0], "drafts");
     let count: usize = said[1].strip_suffix(" drafts").unwrap().parse().unwrap();
-    assert!(count > 0 && count >= drafts.len(), "{said:?}");
+    assert!(count >= names.len(), "{said:?}");
 }

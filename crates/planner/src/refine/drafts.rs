@@ -25,8 +25,8 @@ use crate::variant::Variant;
 const LOST: f64 = 0.5;
 /// Share of the time that is left for drafts.
 const SHARE: f64 = 0.3;
-/// Largest number of drafts.
-const MOST: usize = 100;
+/// Largest number of drafts: more would take more time to compare than to make.
+const MOST: usize = 24;
 
 impl<'run> Refiner<'run> {
     /// Refines the plan of the scene, which took `solving`, or the best of drafts where that fails in fewer trials.

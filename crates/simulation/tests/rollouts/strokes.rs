@@ -1,30 +1,31 @@
 //! Strokes at the end of references.
 
 use simulation::{Reference, Rollout, Settings, Strokes, Success};
-use task::{AssemblyTask, Horizon, Limits};
+use task::{AssemblyTask, Limits};
 use workers::Workers;
 
-use crate::world::{block, hole, task};
+use crate::world::{at_rest, block, hole, task, through};
 
 const WIDTH: f64 = 0.04;
 
-/// A block that is pushed down in a hole, from 3 cm above its goal.
-fn insertion() -> (AssemblyTask, Reference) {
+/// A block in a hole, 3 cm above its goal.
+fn insertion() -> AssemblyTask {
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.001));
     world.start[2] = 0.03;
-    let push = Reference::straight(&world.start, &world.goal, Horizon { steps: 50, time_step: 0.04 });
-    (world, push)
+    world
 }
 
-/// How far from the goal the block ends (m), pressed against a wall by an offset of 15 mm.
+/// How far from the goal the block ends (m).
 fn error(world: &AssemblyTask, reference: &Reference, friction: f64) -> f64 {
     let rollout = Rollout::new(world, Settings { friction, ..Settings::default() });
-    rollout.simulate(reference, &[[0.015, 0.0, 0.0]], &Workers::default())[0].position_error
+    rollout.simulate(reference, &[[0.0; 3]], &Workers::default())[0].position_error
 }
 
 #[test]
 fn a_block_that_walls_hold_back_reaches_its_goal_with_strokes() {
-    let (world, push) = insertion();
+    let world = insertion();
+    // It is pressed against a wall and pushed down.
+    let push = through(&[[0.0, 0.0, 0.03], [0.015, 0.0, 0.03], [0.015, 0.0, 0.0]], 1.0);
     let reference = push.with_strokes(&Strokes::new(&world, &Success::default()).unwrap());
     let tolerance = Success::default().position;
     for friction in [0.0, 0.1, 0.3, 0.6] {
@@ -36,10 +37,10 @@ fn a_block_that_walls_hold_back_reaches_its_goal_with_strokes() {
 
 #[test]
 fn strokes_keep_the_limits() {
-    let (mut world, push) = insertion();
+    let mut world = insertion();
     let kept_with = |world: &AssemblyTask| {
         let strokes = Strokes::new(world, &Success::default()).unwrap();
-        let reference = push.with_strokes(&strokes);
+        let reference = Reference::new(0.04, &[at_rest([0.0; 3])]).with_strokes(&strokes);
         (reference.limits_kept(), reference.intervals())
     };
     let (free, shortest) = kept_with(&world);
@@ -56,7 +57,7 @@ fn strokes_keep_the_limits() {
 
 #[test]
 fn without_a_way_from_start_to_goal_there_are_none() {
-    let (mut world, _) = insertion();
+    let mut world = insertion();
     world.start = world.goal;
     assert_eq!(Strokes::new(&world, &Success::default()), None);
 }
