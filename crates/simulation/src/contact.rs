@@ -154,6 +154,13 @@ impl<'shapes> ContactFinder<'shapes> {
         smallest
     }
 
+    /// The part of a way (m, world frame) that no contact at the last pose blocks.
+    pub fn unblocked(&self, way: &Vector3<f64>) -> Vector3<f64> {
+        let slide = |way: Vector3<f64>, contact: &Contact| way - contact.normal * contact.normal.dot(&way).min(0.0);
+        // What one contact leaves, another may block.
+        (0..SLIDES).fold(*way, |way, _| self.contacts.iter().fold(way, slide))
+    }
+
     /// Adds the contacts of a pair whose body is placed. Returns the pair's separation (m).
     fn examine(&mut self, index: usize, position: &Vector3<f64>, reach: f64) -> f64 {
         let PairShapes { body, environment, edges, .. } = &self.shapes.pairs[index];
@@ -198,6 +205,9 @@ impl<'shapes> ContactFinder<'shapes> {
         axis.separation
     }
 }
+
+/// How often all contacts are asked what they leave of a way.
+const SLIDES: usize = 3;
 
 /// Upper bound on how far a turn from one orientation to the other moves a point at a distance of one; it is close for
 /// small turns.

@@ -1,6 +1,7 @@
 //! Evaluation of references by rollouts.
 
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::{Isometry3, Vector3};
 use task::{AssemblyTask, GraspError, Limits};
@@ -43,6 +44,8 @@ pub struct TrialResult {
     pub miss: f64,
     /// From where the body ends to its goal (m, world frame); zero when passed.
     pub missing_shift: Vector3<f64>,
+    /// The part of this shift that no contact blocks (m, world frame); zero when passed.
+    pub unblocked_shift: Vector3<f64>,
     /// Rotation vector that turns the body from there to its goal (rad, body frame); zero when passed.
     pub missing_turn: Vector3<f64>,
     /// What to take back of the reference where the contact force is largest, so that a spring would push with the
@@ -55,6 +58,7 @@ impl TrialResult {
         passed: true,
         miss: 0.0,
         missing_shift: Vector3::new(0.0, 0.0, 0.0),
+        unblocked_shift: Vector3::new(0.0, 0.0, 0.0),
         missing_turn: Vector3::new(0.0, 0.0, 0.0),
         too_far: None,
     };
@@ -165,9 +169,8 @@ impl Evaluator {
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
             return TrialResult::PASSED;
         }
-        let errors =
-            outcome.position_error / self.success.position + outcome.orientation_error / self.success.orientation;
-        let miss = errors + excess;
+        let shift = outcome.position_error + outcome.unblocked.norm();
+        let miss = shift / self.success.position + outcome.orientation_error / self.success.orientation + excess;
         let end = isometry(&outcome.pose);
         let surplus = 1.0 - self.limits.contact_force / outcome.loads.contact_force;
         TrialResult {
@@ -175,6 +178,7 @@ impl Evaluator {
             // The comparison is false for NaN, which becomes the largest miss.
             miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS },
             missing_shift: self.goal.translation.vector - end.translation.vector,
+            unblocked_shift: outcome.unblocked,
             missing_turn: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),
             too_far: (surplus > 0.0).then(|| outcome.pressed.scaled(surplus)),
         }
@@ -209,13 +213,15 @@ impl Evaluator {
     where
         'evaluator: 'record,
     {
+        // What a thread still plays when the result is known is of no use.
+        let is_decided = AtomicBool::new(false);
+        let is_over = || is_decided.load(Ordering::Relaxed) || stop();
         let record = |(trial, known): (Trial, &Record<'evaluator>)| {
-            let rollout = &self.rollouts[trial.friction];
-            (!stop()).then(|| {
-                let stages = known.stages.as_deref().unwrap_or_default();
-                let (outcome, stages) = rollout.replay(reference, &trial.injection(), (stages, same));
-                Record { result: self.result(&outcome), stages: Some(stages) }
-            })
+            let stages = known.stages.as_deref().unwrap_or_default();
+            let injection = trial.injection();
+            let replayed = self.rollouts[trial.friction].replay(reference, &injection, (stages, same), &is_over)?;
+            let (outcome, stages) = replayed;
+            Some(Record { result: self.result(&outcome), stages: Some(stages) })
         };
         let (mut records, mut is_whole) = (Vec::new(), true);
         self.workers.in_order(trials, record, |new| match new {
@@ -224,6 +230,7 @@ impl Evaluator {
                 ControlFlow::Continue(())
             }
             _ => {
+                is_decided.store(true, Ordering::Relaxed);
                 is_whole = false;
                 ControlFlow::Break(())
             }

@@ -40,6 +40,8 @@ const AIMED: f64 = 0.3;
 /// many of its changes go too far and back.
 const NEAR: f64 = 4.0;
 const TOO_FAR: f64 = 0.5;
+/// How many of the other changes lead along the contacts of bodies that are far from their goal.
+const SLIDING: f64 = 0.5;
 /// Fraction of the others that resemble earlier ones.
 const LEARNED: f64 = 0.5;
 /// Changes that are looked at until one keeps the bounds, and how often each is halved.
@@ -168,12 +170,15 @@ impl<'evaluator> Refinement<'evaluator> {
         }
         let new = Bump::random(&mut self.random, self.evaluator.success());
         if self.random.f64() < AIMED
-            && let Some(TrialResult { missing_shift, missing_turn, .. }) = self.some_failing()
+            && let Some(TrialResult { missing_shift, unblocked_shift, missing_turn, .. }) = self.some_failing()
         {
             // Dry friction holds a body short of the goal: going too far and back again takes it there.
             let is_near = missing_shift.norm() < NEAR * self.evaluator.success().position;
             let goes_too_far = is_near && self.random.f64() < TOO_FAR;
             let new = if goes_too_far { Bump::late(&mut self.random, self.evaluator.success()) } else { new };
+            // A body that contacts hold far from its goal is to slide on them.
+            let slides = !is_near && self.random.f64() < SLIDING;
+            let missing_shift = if slides { unblocked_shift } else { missing_shift };
             return new.aimed(&missing_shift, &missing_turn, &mut self.random);
         }
         if self.helped.is_empty() || self.random.f64() >= LEARNED {

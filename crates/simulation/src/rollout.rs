@@ -55,6 +55,8 @@ pub struct Outcome {
     pub loads: Loads,
     /// Where the contact force is largest.
     pub pressed: Pressed,
+    /// The part of the way from the final position to the goal that no contact blocks (m, world frame).
+    pub unblocked: Vector3<f64>,
     /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields then mean
     /// nothing.
     pub diverged: bool,
@@ -118,31 +120,35 @@ impl Rollout {
     ) -> Outcome {
         let injection = injection.into();
         let Some(course) = self.begin(reference, &injection) else { return self.impossible(reference, &injection) };
-        self.finish(course, reference, &injection, &mut observe, |_| {})
+        self.finish(course, reference, &injection, &mut observe, |_| true)
     }
 
     /// As [`play`](Self::play), but goes on from the last of the `stages` of the rollout of another reference that is the same on
-    /// the first `same` intervals. Returns the outcome and stages of its own.
+    /// the first `same` intervals. Returns the outcome and stages of its own. `None` when `stop` returned true before an interval.
     pub(crate) fn replay<'rollout>(
         &'rollout self,
         reference: &Reference,
         injection: &Injection,
         (stages, same): (&[Stage<'rollout>], usize),
-    ) -> (Outcome, Vec<Stage<'rollout>>) {
+        stop: &dyn Fn() -> bool,
+    ) -> Option<(Outcome, Vec<Stage<'rollout>>)> {
         let mut stages: Vec<Stage> = stages.iter().filter(|stage| stage.intervals <= same).cloned().collect();
         let course = match stages.last() {
             Some(stage) => Some(Course::clone(stage)),
             None => self.begin(reference, injection),
         };
-        let Some(course) = course else { return (self.impossible(reference, injection), stages) };
+        let Some(course) = course else { return Some((self.impossible(reference, injection), stages)) };
         let (first, last) = (course.intervals, reference.intervals());
         let apart = last.div_ceil(STAGES).max(1);
+        let mut is_whole = true;
         let outcome = self.finish(course, reference, injection, &mut |_, _| {}, |course| {
             if course.intervals > first && course.intervals < last && course.intervals % apart == 0 {
                 stages.push(Arc::new(course.clone()));
             }
+            is_whole = !stop();
+            is_whole
         });
-        (outcome, stages)
+        is_whole.then_some((outcome, stages))
     }
 
     /// The rollout before its first step. `None` if it cannot be simulated.
@@ -167,23 +173,27 @@ impl Rollout {
         })
     }
 
-    /// The rest of a rollout; `note` gets it after every interval.
+    /// The rest of a rollout, as long as `goes_on`, which gets it after every interval, returns true.
     fn finish<'rollout>(
         &'rollout self,
         mut course: Course<'rollout>,
         reference: &Reference,
         injection: &Injection,
         observe: &mut impl FnMut(&TimedState, &[f64]),
-        mut note: impl FnMut(&Course<'rollout>),
+        mut goes_on: impl FnMut(&Course<'rollout>) -> bool,
     ) -> Outcome {
         let of_part = reference.of_part(&injection.grasp);
         let intervals = reference.intervals() + self.settings.settling_intervals(reference.time_step());
         while course.intervals < intervals && course.is_finite() {
             course.follow(reference, &of_part, observe);
-            note(&course);
+            if !goes_on(&course) {
+                break;
+            }
         }
-        let Course { body, max_penetration, loads, pressed, .. } = &course;
+        let Course { body, max_penetration, loads, pressed, finder, .. } = &course;
+        let missing = Vector3::from(std::array::from_fn(|axis| self.task.goal[axis])) - body.pose.translation.vector;
         Outcome {
+            unblocked: finder.unblocked(&missing),
             diverged: !course.is_finite(),
             ..self.outcome(&body.pose, *max_penetration, loads.largest(), *pressed)
         }
@@ -222,6 +232,15 @@ impl Rollout {
     fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, pressed: Pressed) -> Outcome {
         let pose = coordinates(pose);
         let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
-        Outcome { pose, position_error, orientation_error, max_penetration, loads, pressed, diverged: false }
+        Outcome {
+            pose,
+            position_error,
+            orientation_error,
+            max_penetration,
+            loads,
+            pressed,
+            unblocked: Vector3::zeros(),
+            diverged: false,
+        }
     }
 }

@@ -25,6 +25,8 @@ use crate::variant::Variant;
 const LOST: f64 = 0.5;
 /// Share of the time that is left for drafts.
 const SHARE: f64 = 0.3;
+/// So many of the last homotopy iterations of a draft are tried: earlier ones hardly ever win.
+const LAST: usize = 2;
 /// Largest number of drafts: more would take more time to compare than to make.
 const MOST: usize = 24;
 
@@ -71,8 +73,9 @@ impl<'run> Refiner<'run> {
         let mut places = Vec::new();
         let mut references: Vec<Reference> = Vec::new();
         for (draft, (_, iterations)) in self.drafts.iter().enumerate() {
-            places.extend((0..iterations.len()).map(|index| (draft, index)));
-            references.extend(iterations.iter().map(|iteration| candidate::reference(&iteration.trajectory)));
+            let first = iterations.len().saturating_sub(LAST);
+            places.extend((first..iterations.len()).map(|index| (draft, index)));
+            references.extend(iterations[first..].iter().map(|iteration| candidate::reference(&iteration.trajectory)));
         }
         let best = self.best_of(&references, self.clock.end())?;
         let (draft, index) = places[best.winner.index];

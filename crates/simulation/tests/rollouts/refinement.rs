@@ -1,5 +1,7 @@
 //! References evaluated and refined.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use nalgebra::Vector3;
 use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Success, Trial};
 use task::{GraspError, Horizon};
@@ -52,8 +54,9 @@ fn what_fails_is_refined_until_it_passes() {
     assert!(results.iter().all(|result| result.passed && result.miss == 0.0));
 }
 
-/// Changes a reference, and compares what is known of the trials with whole rollouts of what has become of it.
-pub fn assert_records_are_whole_rollouts(evaluator: &Evaluator, mut refinement: Refinement, changes: usize) {
+/// Changes a reference, and compares what is known of the trials with whole rollouts of what has become of it. Returns how many
+/// changes were kept.
+pub fn assert_records_are_whole_rollouts(evaluator: &Evaluator, mut refinement: Refinement, changes: usize) -> usize {
     let mut improvements = 0;
     for _ in 0..changes {
         if refinement.improve(&|| false) {
@@ -63,13 +66,15 @@ pub fn assert_records_are_whole_rollouts(evaluator: &Evaluator, mut refinement: 
             assert_eq!(refinement.score(), (failing.clone().count(), failing.map(|result| result.miss).sum()));
         }
     }
-    assert!(improvements > 2, "{improvements}");
+    improvements
 }
 
 #[test]
 fn rollouts_that_go_on_from_earlier_ones_are_like_whole_ones() {
     let evaluator = evaluator();
-    assert_records_are_whole_rollouts(&evaluator, refinement(&evaluator, 2), 60);
+    let play = |seed| assert_records_are_whole_rollouts(&evaluator, refinement(&evaluator, seed), 20);
+    let improvements: usize = (2..8).map(play).sum();
+    assert!(improvements > 5, "{improvements}");
 }
 
 #[test]
@@ -157,4 +162,34 @@ fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
             assert!((Vector3::from_column_slice(&to[10..]).norm() * bent.time_step() - angle).abs() < 1e-7);
         }
     }
+}
+
+#[test]
+fn contacts_leave_the_part_of_the_way_to_the_goal_along_them() {
+    let evaluator = evaluator();
+    let [trial, ..] = trials()[..] else { unreachable!("there are trials") };
+    let result = evaluator.evaluate(&beside(), &trial);
+    let (missing, unblocked) = (result.missing_shift, result.unblocked_shift);
+    assert!(missing.z < -0.03 && missing.x < -1e-3, "it rests on the rim: {missing}");
+    assert!(
+        (unblocked - Vector3::new(missing.x, missing.y, 0.0)).norm() < 5e-4,
+        "of {missing} it may slide {unblocked}"
+    );
+    assert!(result.miss > 1.01 * missing.norm() / Success::default().position, "which is part of the miss");
+    let hovering = through(&[[0.0015, 0.0, 0.06], [0.0015, 0.0, 0.06]], 1.0);
+    let result = evaluator.evaluate(&hovering, &trial);
+    assert_eq!(result.unblocked_shift, result.missing_shift, "nothing blocks what touches nothing");
+}
+
+#[test]
+fn a_change_that_is_stopped_under_way_leaves_no_trace() {
+    let evaluator = evaluator().with_workers(Workers::new(2));
+    let mut refinement = refinement(&evaluator, 1);
+    for calls in 0..100 {
+        let (before, asked) = ((refinement.reference().clone(), refinement.score()), AtomicUsize::new(0));
+        let is_changed = refinement.improve(&|| asked.fetch_add(1, Ordering::Relaxed) >= calls);
+        let is_same = before == (refinement.reference().clone(), refinement.score());
+        assert!(!is_changed && is_same, "no rollout is whole after {calls} intervals");
+    }
+    assert!((0..100).any(|_| refinement.improve(&|| false)), "it goes on as if nothing had been");
 }
