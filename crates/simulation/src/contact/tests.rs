@@ -191,3 +191,23 @@ fn a_turn_moves_points_no_further_than_its_bound() {
         }
     }
 }
+
+#[test]
+fn contacts_block_the_parts_of_a_way_that_lead_into_them() {
+    let cube = Polytope::from_box([0.1; 3]).unwrap();
+    let shapes = shapes(&cube, &cube);
+    let mut finder = ContactFinder::new(&shapes, 0.0);
+    let way = Vector3::new(3.0, -1.0, -2.0);
+    assert_eq!(finder.unblocked(&way), way, "nothing touches");
+    let normals = |finder: &mut ContactFinder, normals: &[Vector3<f64>]| {
+        let contact = |normal: &Vector3<f64>| Contact { pair: 0, point: Vector3::zeros(), normal: *normal, gap: 0.0 };
+        finder.contacts = normals.iter().map(contact).collect();
+    };
+    normals(&mut finder, &[Vector3::z(), Vector3::z(), -Vector3::y()]);
+    assert_eq!(finder.unblocked(&way), Vector3::new(3.0, -1.0, 0.0), "along a floor and away from a wall");
+    // In a narrow groove, what leads out of one wall leads into the other.
+    let wall = |side: f64| Vector3::new(0.8 * side, 0.0, 0.6);
+    normals(&mut finder, &[wall(1.0), wall(-1.0), Vector3::z()]);
+    let left = finder.unblocked(&Vector3::new(1.0, 2.0, -1.0));
+    assert!((left - Vector3::new(0.0, 2.0, 0.0)).norm() < 0.02, "along the groove: {left}");
+}
