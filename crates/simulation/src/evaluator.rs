@@ -39,8 +39,9 @@ impl Trial {
 pub struct TrialResult {
     /// Whether the rollout ends at the goal, and contact forces and the controller's wrench keep the task's limits.
     pub passed: bool,
-    /// How far the trial is from passing, 0 when passed: the final position error and orientation error, each as a
-    /// multiple of its tolerance, plus the excess of forces and torques as fractions of their limits. At most 60.
+    /// How far the trial is from passing, 0 when passed: the final position error with the length of the unblocked shift, and
+    /// the orientation error, each as a multiple of its tolerance, plus the excess of forces and torques as fractions of their
+    /// limits. At most 60.
     pub miss: f64,
     /// From where the body ends to its goal (m, world frame); zero when passed.
     pub missing_shift: Vector3<f64>,
