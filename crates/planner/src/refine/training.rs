@@ -25,8 +25,8 @@ const TRAINING_SHARE: f64 = 0.8;
 
 impl<'run> Refiner<'run> {
     /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over; what is the best so far
-    /// and still becomes better, or is nearly robust, may take more. Rates of evaluations that end early vary, so that a lower one is no reason to
-    /// go back. What is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so
+    /// and still becomes better, or is nearly robust, may take more. Rates of evaluations that end early vary, so that a lower
+    /// one is no reason to go back. What is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so
     /// does reality.
     pub(super) fn refine(&mut self, candidate: Candidate<'run>, mut until: Deadline) -> Result<(), PlannerError> {
         let begin = Instant::now();
