@@ -178,7 +178,7 @@ impl Evaluator {
             passed: false,
             // The comparison is false for NaN, which becomes the largest miss.
             miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS },
-            missing_shift: self.goal.translation.vector - end.translation.vector,
+            missing_shift: outcome.missing,
             unblocked_shift: outcome.unblocked,
             missing_turn: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),
             too_far: (surplus > 0.0).then(|| outcome.pressed.scaled(surplus)),

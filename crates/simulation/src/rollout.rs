@@ -55,7 +55,9 @@ pub struct Outcome {
     pub loads: Loads,
     /// Where the contact force is largest.
     pub pressed: Pressed,
-    /// The part of the way from the final position to the goal that no contact blocks (m, world frame).
+    /// The way from the final position to the goal (m, world frame).
+    pub missing: Vector3<f64>,
+    /// The part of this way that no contact blocks (m, world frame).
     pub unblocked: Vector3<f64>,
     /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields then mean
     /// nothing.
@@ -191,12 +193,8 @@ impl Rollout {
             }
         }
         let Course { body, max_penetration, loads, pressed, finder, .. } = &course;
-        let missing = Vector3::from(std::array::from_fn(|axis| self.task.goal[axis])) - body.pose.translation.vector;
-        Outcome {
-            unblocked: finder.unblocked(&missing),
-            diverged: !course.is_finite(),
-            ..self.outcome(&body.pose, *max_penetration, loads.largest(), *pressed)
-        }
+        let outcome = self.outcome(&body.pose, *max_penetration, loads.largest(), *pressed);
+        Outcome { unblocked: finder.unblocked(&outcome.missing), diverged: !course.is_finite(), ..outcome }
     }
 
     /// What moves from a pose of the body at rest; `None` if it cannot be simulated.
@@ -230,6 +228,7 @@ impl Rollout {
     }
 
     fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, pressed: Pressed) -> Outcome {
+        let missing = isometry(&self.task.goal).translation.vector - pose.translation.vector;
         let pose = coordinates(pose);
         let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
         Outcome {
@@ -239,6 +238,7 @@ impl Rollout {
             max_penetration,
             loads,
             pressed,
+            missing,
             unblocked: Vector3::zeros(),
             diverged: false,
         }
