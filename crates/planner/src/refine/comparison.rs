@@ -50,54 +50,46 @@ impl Refiner<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::AtomicBool;
     use std::time::Duration;
 
     use task::at_rest;
 
     use super::*;
-    use crate::problem::{Choices, Problem};
-    use crate::refine::RobustnessTarget;
-    use crate::session::Session;
+    use crate::refine::tests::in_corner;
     use crate::success_rates::{SuccessRate, SuccessRates};
     use crate::variant::Variant;
 
     /// What is kept after a comparison of a motion that stays at the start with a push to the goal.
     fn kept_in(time_limit: Duration) -> Kept {
-        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
-        let problem = Problem::load(&scene, &Choices::default()).unwrap();
-        let target = RobustnessTarget { frictions: vec![0.0], time_limit, ..RobustnessTarget::default() };
-        let evaluator = problem.evaluator(&target.frictions).unwrap();
-        let interrupted = AtomicBool::new(false);
-        let session = Session::new(&|_: &Event| {}, &interrupted);
-        let mut refiner = Refiner::new(&problem, &target, (&evaluator, &evaluator), &session);
-        let task = problem.task();
-        let lucky = |reference: Reference, changes: usize, successes: usize| Kept {
-            variant: Variant::of_scene(&problem),
-            iterations: Vec::new(),
-            reference,
-            rates: SuccessRates(vec![SuccessRate {
-                friction: 0.0,
-                magnitude_m: 0.0,
-                planned: false,
-                rollouts: 2,
-                successes,
-            }]),
-            reached: false,
-            failing: Vec::new(),
-            round: 1,
-            chosen: 1,
-            changes,
-            is_scenes_own: true,
-        };
-        let resting = lucky(Reference::new(0.1, &[at_rest(&task.start); 3]), 1, 2);
-        refiner.best = Some(resting.clone());
-        refiner.remember(lucky(Reference::straight(&task.start, &task.goal, task.horizon), 2, 0));
-        for changes in 3..LATEST + 2 {
-            refiner.remember(Kept { changes, ..resting.clone() });
-        }
-        refiner.compare_latest().unwrap();
-        refiner.take_best().unwrap()
+        in_corner(time_limit, |refiner| {
+            let task = refiner.problem.task();
+            let lucky = |reference: Reference, changes: usize, successes: usize| Kept {
+                variant: Variant::of_scene(refiner.problem),
+                iterations: Vec::new(),
+                reference,
+                rates: SuccessRates(vec![SuccessRate {
+                    friction: 0.0,
+                    magnitude_m: 0.0,
+                    planned: false,
+                    rollouts: 2,
+                    successes,
+                }]),
+                reached: false,
+                failing: Vec::new(),
+                round: 1,
+                chosen: 1,
+                changes,
+                is_scenes_own: true,
+            };
+            let resting = lucky(Reference::new(0.1, &[at_rest(&task.start); 3]), 1, 2);
+            refiner.best = Some(resting.clone());
+            refiner.remember(lucky(Reference::straight(&task.start, &task.goal, task.horizon), 2, 0));
+            for changes in 3..LATEST + 2 {
+                refiner.remember(Kept { changes, ..resting.clone() });
+            }
+            refiner.compare_latest().unwrap();
+            refiner.take_best().unwrap()
+        })
     }
 
     #[test]

@@ -334,3 +334,22 @@ impl<'run> Refiner<'run> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use super::*;
+    use crate::problem::Choices;
+
+    /// Hands over a refiner of the corner scene without friction, before its first plan.
+    pub(super) fn in_corner<T>(time_limit: Duration, work: impl FnOnce(&mut Refiner) -> T) -> T {
+        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+        let problem = Problem::load(&scene, &Choices::default()).unwrap();
+        let target = RobustnessTarget { frictions: vec![0.0], time_limit, ..RobustnessTarget::default() };
+        let evaluator = problem.evaluator(&target.frictions).unwrap();
+        let interrupted = AtomicBool::new(false);
+        let session = Session::new(&|_: &Event| {}, &interrupted);
+        work(&mut Refiner::new(&problem, &target, (&evaluator, &evaluator), &session))
+    }
+}

@@ -127,45 +127,33 @@ impl<'run> Refiner<'run> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::AtomicBool;
     use std::time::Duration;
 
     use super::*;
-    use crate::problem::{Choices, Problem};
-    use crate::refine::RobustnessTarget;
-    use crate::session::Session;
+    use crate::refine::tests::in_corner;
     use crate::success_rates::{SuccessRate, SuccessRates};
     use crate::variant::Variant;
 
     #[test]
     fn what_is_nearly_robust_is_not_interrupted() {
-        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
-        let problem = Problem::load(&scene, &Choices::default()).unwrap();
-        let target = RobustnessTarget {
-            frictions: vec![0.0],
-            time_limit: Duration::from_secs(1000),
-            ..RobustnessTarget::default()
-        };
-        let evaluator = problem.evaluator(&target.frictions).unwrap();
-        let interrupted = AtomicBool::new(false);
-        let session = Session::new(&|_: &Event| {}, &interrupted);
-        let mut refiner = Refiner::new(&problem, &target, (&evaluator, &evaluator), &session);
-        let task = problem.task();
-        let straight = Reference::straight(&task.start, &task.goal, task.horizon);
-        refiner.judge_first(Variant::of_scene(&problem), Vec::new(), 0, straight).unwrap();
-        let (over, running) = (refiner.clock.share(refiner.clock.end(), 0.0), refiner.clock.end());
-        let mut extends = |rate: f64, round: usize, vain: usize| {
-            let rollouts = 100;
-            let successes = (rate * rollouts as f64) as usize;
-            let group = SuccessRate { friction: 0.0, magnitude_m: 0.0, planned: false, rollouts, successes };
-            refiner.best.as_mut().unwrap().rates = SuccessRates(vec![group]);
-            assert_eq!(refiner.extended(running, round, vain), running, "it has time");
-            refiner.extended(over, round, vain) > over
-        };
-        let best = 1;
-        assert!(extends(0.8, best, 1), "nearly robust");
-        assert!(!extends(0.5, best, 1), "neither nearly robust nor better than before");
-        assert!(extends(0.5, best, 0), "better than before");
-        assert!(!extends(0.8, best + 1, 0), "not the best");
+        in_corner(Duration::from_secs(1000), |refiner| {
+            let task = refiner.problem.task();
+            let straight = Reference::straight(&task.start, &task.goal, task.horizon);
+            refiner.judge_first(Variant::of_scene(refiner.problem), Vec::new(), 0, straight).unwrap();
+            let (over, running) = (refiner.clock.share(refiner.clock.end(), 0.0), refiner.clock.end());
+            let mut extends = |rate: f64, round: usize, vain: usize| {
+                let rollouts = 100;
+                let successes = (rate * rollouts as f64) as usize;
+                let group = SuccessRate { friction: 0.0, magnitude_m: 0.0, planned: false, rollouts, successes };
+                refiner.best.as_mut().unwrap().rates = SuccessRates(vec![group]);
+                assert_eq!(refiner.extended(running, round, vain), running, "it has time");
+                refiner.extended(over, round, vain) > over
+            };
+            let best = 1;
+            assert!(extends(0.8, best, 1), "nearly robust");
+            assert!(!extends(0.5, best, 1), "neither nearly robust nor better than before");
+            assert!(extends(0.5, best, 0), "better than before");
+            assert!(!extends(0.8, best + 1, 0), "not the best");
+        });
     }
 }
