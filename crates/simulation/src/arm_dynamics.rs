@@ -17,7 +17,7 @@ use crate::late_torques::{DOUBLINGS, doublings, inert, late};
 use crate::metric::added_inertia;
 use crate::reference::Knot;
 use crate::sampled_controller::SampledController;
-use crate::step_length::StepLength;
+use crate::step_length::{StepLength, Steps};
 
 /// Steps of an arm, semi-implicit Euler in joint space: `M (v+ - v) = h (torques - bias) + friction + J' contacts` with
 /// joint speeds `v` and impulses of joint friction and contacts, then positions move with `v+`. As torques hold between
@@ -72,7 +72,7 @@ struct State {
 }
 
 /// Speed of a joint (rad/s or m/s): a posture serves until a joint has moved as far as it would with this speed in one step.
-const SLOW: f64 = 1.0;
+const SLOW: f64 = 2.0;
 /// Largest number of steps that a posture serves, so that it is exact at rest.
 const SERVED: usize = 50;
 /// Largest number of times that contacts and joint friction follow each other in a step.
@@ -83,15 +83,14 @@ const HOPEFUL: usize = 5;
 const ROUNDING: f64 = 1e-9;
 
 impl<'arm> ArmStepper<'arm> {
-    /// At rest, for shortest steps of `time_step` seconds of which at most `most` are taken as one: `body` is where the part
-    /// really is, `grasp` the believed part in its frame, and `near` names the branch. `None` if the arm does not reach that
-    /// pose, or a number is none.
+    /// At rest: `body` is where the part really is, `grasp` the believed part in its frame, and `near` names the branch.
+    /// `None` if the arm does not reach that pose, or a number is none.
     pub fn new(
         model: &'arm ArmModel,
         near: &JointVector,
         (body, grasp): (&Isometry3<f64>, Isometry3<f64>),
         (impedance, disturbance): (Impedance, &Disturbance),
-        (time_step, most): (f64, usize),
+        steps: &Steps,
         friction: f64,
     ) -> Option<Self> {
         let arm = &model.arm;
@@ -102,6 +101,7 @@ impl<'arm> ArmStepper<'arm> {
         let posture = ArmPosture::new(arm, (&configuration, &velocity), &grasp, heaviness)?;
         let delay = model.delay + disturbance.delay;
         let waiting = delay + 0.5 * model.control_period;
+        let Steps { time_step, most, .. } = *steps;
         let doublings = doublings(&posture, &impedance, waiting, time_step).min(most.ilog2() as usize);
         let body = Body { pose: *body, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
         Some(Self {
@@ -114,7 +114,7 @@ impl<'arm> ArmStepper<'arm> {
             controller: SampledController::new(model.control_period, delay),
             is_sampled: true,
             solver: ContactSolver::new(friction),
-            length: StepLength::new(time_step, doublings),
+            length: StepLength::new(steps, doublings),
             steps: 0,
             state: State { configuration, velocity, friction: JointFriction::new(torques), body },
             inert: inert(&posture, &impedance, waiting),

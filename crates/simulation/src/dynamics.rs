@@ -9,7 +9,7 @@ use crate::contact_solver::ContactSolver;
 use crate::least_distance::Vector6;
 use crate::metric::{Metric, effective_inertia};
 use crate::reference::Knot;
-use crate::step_length::StepLength;
+use crate::step_length::{StepLength, Steps};
 
 /// Steps of a body under the impedance law (Eq. ts with Eq. impedancewrench). They are linearly implicit in stiffness
 /// and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without restitution.
@@ -50,15 +50,16 @@ const DOUBLINGS: u32 = 6;
 const SMOOTH: f64 = 0.5;
 
 impl Stepper {
-    /// For shortest steps of `time_step` seconds of which at most `count` are taken as one, an offset of which the controller
-    /// does not know (m, body frame), and a friction coefficient; `None` unless the effective inertia is positive definite and finite.
+    /// For an offset of which the controller does not know (m, body frame), and a friction coefficient; `None` unless the
+    /// effective inertia is positive definite and finite.
     pub fn new(
-        (time_step, count): (f64, usize),
+        shortest: &Steps,
         inertia: &Inertia,
         impedance: &Impedance,
         offset: Vector3<f64>,
         friction: f64,
     ) -> Option<Self> {
+        let Steps { time_step, most, .. } = *shortest;
         let rate = fastest_rate(inertia, impedance);
         let length = |doublings: u32| {
             let (time_step, weight) =
@@ -72,11 +73,11 @@ impl Stepper {
             length.as_ref().is_none_or(|length| length.weight == 1.0 || length.time_step * rate <= SMOOTH)
         };
         let lengths: Vec<Length> =
-            (0..=count.ilog2().min(DOUBLINGS)).map(length).take_while(is_short).collect::<Option<_>>()?;
+            (0..=most.ilog2().min(DOUBLINGS)).map(length).take_while(is_short).collect::<Option<_>>()?;
         Some(Self {
             impedance: impedance.clone(),
             offset,
-            steps: StepLength::new(time_step, lengths.len() - 1),
+            steps: StepLength::new(shortest, lengths.len() - 1),
             lengths,
             solver: ContactSolver::new(friction),
         })
@@ -180,6 +181,7 @@ mod tests {
 
     use super::*;
     use crate::contact::Shapes;
+    use crate::step_length::STEADY;
 
     const TIME_STEP: f64 = 1e-3;
     const COUNT: usize = 64;
@@ -188,7 +190,8 @@ mod tests {
     fn lengths(lag: f64, stiffness: f64) -> Vec<usize> {
         let inertia = Inertia::of_body(1.0, Matrix3::identity());
         let impedance = Impedance::critically_damped(stiffness, stiffness, &inertia);
-        let mut stepper = Stepper::new((TIME_STEP, COUNT), &inertia, &impedance, Vector3::zeros(), 0.0).unwrap();
+        let steps = Steps { time_step: TIME_STEP, most: COUNT, steady: STEADY };
+        let mut stepper = Stepper::new(&steps, &inertia, &impedance, Vector3::zeros(), 0.0).unwrap();
         let shapes = Shapes::new(&[]);
         let mut finder = ContactFinder::new(&shapes, 0.0);
         let still = |x: f64| Knot {

@@ -100,6 +100,8 @@ pub struct Evaluator {
 /// Steps of an arm's rollouts (s). They halve the time; of 720 rollouts of `peg1` with a UR5e, 4 end otherwise than with
 /// steps of 1 ms, as many one way as the other.
 const ARM_TIME_STEP: f64 = 2e-3;
+/// The acceleration (m/s^2) up to which these may be longer.
+const ARM_STEADY: f64 = 4.0;
 /// Larger misses count as this one: how far away a lost part comes to rest says nothing.
 const LARGEST_MISS: f64 = 60.0;
 
@@ -136,6 +138,7 @@ impl Evaluator {
     pub fn with_arm(self, model: &ArmModel) -> Result<Self, ArmModelError> {
         let rollouts = self.rollouts.into_iter().map(|mut rollout| {
             rollout.settings.time_step = ARM_TIME_STEP;
+            rollout.steady = ARM_STEADY;
             rollout.with_arm(model)
         });
         Ok(Self { rollouts: rollouts.collect::<Result<_, _>>()?, ..self })

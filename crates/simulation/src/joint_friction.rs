@@ -16,7 +16,7 @@ pub struct JointFriction {
 
 /// Sweeps end when no joint's torque changes by more than this part of its largest one. At rest, sweeps of later steps
 /// remove the rest.
-const TOLERANCE: f64 = 1e-4;
+const TOLERANCE: f64 = 1e-3;
 /// Mobility (1/(kg m^2) or 1/kg) of a joint that contacts hold.
 const HELD: f64 = 1e-9;
 /// Largest number of sweeps in a step. What is missing then is small, and the next step goes on from there.
@@ -45,14 +45,13 @@ impl JointFriction {
     /// far, and the speeds with them. `mobility` is the inverse of the mass matrix, or what contacts leave of it. Returns
     /// whether they had to change.
     pub fn brake(&mut self, mobility: &JointMatrix, velocity: &mut JointVector, time_step: f64) -> bool {
+        // What stops a joint per speed; nothing stops one that is held.
+        let stopping = mobility.diagonal().map(|own| if own < HELD { 0.0 } else { 1.0 / (own * time_step) });
         for sweep in 0..SWEEPS {
             let mut is_done = true;
             for joint in 0..self.joints {
                 let (before, largest) = (self.torques[joint], self.largest[joint]);
-                if mobility[(joint, joint)] < HELD {
-                    continue;
-                }
-                let stopping = before - velocity[joint] / (mobility[(joint, joint)] * time_step);
+                let stopping = before - velocity[joint] * stopping[joint];
                 let torque = stopping.max(-largest).min(largest);
                 let change = torque - before;
                 is_done &= change.abs() <= TOLERANCE * largest;

@@ -19,6 +19,7 @@ use crate::plant::Plant;
 use crate::pressed::Pressed;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
+use crate::step_length::{STEADY, Steps};
 use crate::success::Success;
 use crate::timed_state::TimedState;
 
@@ -36,6 +37,8 @@ pub struct Rollout {
     shapes: Shapes,
     /// Whether all steps have the same length.
     has_even_steps: bool,
+    /// The acceleration (m/s^2) up to which steps may be longer.
+    pub(crate) steady: f64,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
     arm: Option<(ArmModel, JointVector)>,
 }
@@ -74,7 +77,8 @@ impl Outcome {
 impl Rollout {
     /// Prepares the shapes of a task. Callers validate the settings ([`Settings::validate_for`]).
     pub fn new(task: &AssemblyTask, settings: Settings) -> Self {
-        Self { task: task.clone(), settings, shapes: Shapes::new(&task.pairs), has_even_steps: false, arm: None }
+        let shapes = Shapes::new(&task.pairs);
+        Self { task: task.clone(), settings, shapes, has_even_steps: false, steady: STEADY, arm: None }
     }
 
     /// With an arm that holds the body. The inertia is that of the arm then, not that of the task; the time step becomes
@@ -205,17 +209,17 @@ impl Rollout {
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let friction = self.settings.friction;
         let most = if self.has_even_steps { 1 } else { substeps };
+        let steps = Steps { time_step, most, steady: self.steady };
         match &self.arm {
             None => {
                 let inertia = disturbance.inertia(&self.task.inertia);
                 let offset = Vector3::from(grasp.offset);
-                let stepper = Stepper::new((time_step, most), &inertia, &impedance, offset, friction);
+                let stepper = Stepper::new(&steps, &inertia, &impedance, offset, friction);
                 stepper.map(|stepper| Plant::Body(Box::new(stepper)))
             }
             Some((model, near)) => {
                 let control = (impedance, disturbance);
-                let stepper =
-                    ArmStepper::new(model, near, (start, grasp.believed()), control, (time_step, most), friction);
+                let stepper = ArmStepper::new(model, near, (start, grasp.believed()), control, &steps, friction);
                 stepper.map(|stepper| Plant::Arm(Box::new(stepper)))
             }
         }

@@ -12,13 +12,24 @@ pub struct StepLength {
     largest_change: f64,
 }
 
-/// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
-const STEADY: f64 = 1.0;
+/// The shortest steps of a rollout, and which of them may be taken as one.
+#[derive(Debug, Clone, Copy)]
+pub struct Steps {
+    /// Of the shortest steps (s).
+    pub time_step: f64,
+    /// So many of them are taken as one at most.
+    pub most: usize,
+    /// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
+    pub steady: f64,
+}
+
+/// The acceleration (m/s^2) up to which steps may be longer, unless something else is said.
+pub const STEADY: f64 = 1.0;
 
 impl StepLength {
-    /// For shortest steps of `time_step` seconds, of which at most two to the power of `bound` are taken as one.
-    pub fn new(time_step: f64, bound: usize) -> Self {
-        Self { longest: 0, bound, largest_change: STEADY * time_step }
+    /// For steps of which at most two to the power of `bound` are taken as one.
+    pub fn new(steps: &Steps, bound: usize) -> Self {
+        Self { longest: 0, bound, largest_change: steps.steady * steps.time_step }
     }
 
     /// Largest change of velocity (m/s) in a longer step.
