@@ -72,7 +72,7 @@ struct State {
 }
 
 /// Speed of a joint (rad/s or m/s): a posture serves until a joint has moved as far as it would with this speed in one step.
-const SLOW: f64 = 2.0;
+const SLOW: f64 = 1.0;
 /// Largest number of steps that a posture serves, so that it is exact at rest.
 const SERVED: usize = 50;
 /// Largest number of times that contacts and joint friction follow each other in a step.

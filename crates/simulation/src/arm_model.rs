@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use robot::{Arm, ArmError, InverseError, JointVector};
 use task::AssemblyTask;
 
-use crate::reference::{interpolate, isometry};
+use crate::reference::{Reference, interpolate, isometry};
 use crate::settings_error::{SettingsError, check};
 
 /// An arm under an impedance controller that knows its kinematics and dynamics. The controller reads positions and speeds
@@ -92,5 +92,15 @@ impl ArmModel {
             reached.map_err(|error| ArmModelError::Pose { percent: 100 * part / PARTS, error })
         })?;
         self.arm.posture(&start).apparent_inertia().map(|_| start).ok_or(ArmModelError::Singular)
+    }
+
+    /// How far the joints stay from the ends of their ranges (rad or m) along a reference, which is followed from its end,
+    /// where the configuration names the branch. `None` if a pose is beyond them or out of reach, or a joint is too slow.
+    pub(crate) fn room(&self, reference: &Reference) -> Option<f64> {
+        let near = self.arm.configuration(&self.configuration).ok()?;
+        let count = reference.intervals();
+        let backwards = |index: usize| (index as f64 * reference.time_step(), reference.at(count - index, 0.0).pose);
+        let path = self.arm.follow(&(0..=count).map(backwards).collect::<Vec<_>>(), &near).ok()?;
+        Some(path.limit_distance.map_or(f64::INFINITY, |nearest| nearest.value))
     }
 }

@@ -154,6 +154,13 @@ impl Evaluator {
         self.limits.contact_force.is_finite()
     }
 
+    /// How far the joints of an arm stay from the ends of their ranges (rad or m) along a reference; infinite without an arm. `None`
+    /// if it cannot follow.
+    pub(crate) fn room(&self, reference: &Reference) -> Option<f64> {
+        let arm = self.rollouts.first().and_then(|rollout| rollout.arm.as_ref());
+        arm.map_or(Some(f64::INFINITY), |(model, _)| model.room(reference))
+    }
+
     /// How references may move: within the task's limits, if nothing else was said.
     pub fn bounds(&self) -> &Bounds {
         &self.bounds

@@ -18,6 +18,8 @@ use crate::reference::Reference;
 pub struct Refinement<'evaluator> {
     evaluator: &'evaluator Evaluator,
     bounds: Bounds,
+    /// What changes must leave of the range of an arm's joints (rad or m); `None` if the first reference leaves none.
+    room: Option<f64>,
     random: Rng,
     reference: Reference,
     trials: Vec<Trial>,
@@ -47,6 +49,8 @@ const LEARNED: f64 = 0.5;
 /// Changes that are looked at until one keeps the bounds, and how often each is halved.
 const PROPOSALS: usize = 20;
 const HALVINGS: usize = 3;
+/// Changes leave that much of the range of the joints (rad or m) beside the reference: the arm differs from it by its errors.
+const ROOM: f64 = 0.05;
 /// Number of helpful changes that are remembered.
 const REMEMBERED: usize = 6;
 
@@ -64,10 +68,11 @@ impl<'evaluator> Refinement<'evaluator> {
     ) -> Self {
         assert_eq!(trials.len(), results.len(), "every trial has a result");
         let bounds = evaluator.bounds().including(&reference);
+        let room = evaluator.room(&reference).map(|room| room.min(ROOM));
         let random = Rng::with_seed(seed);
         let records = results.into_iter().map(Record::from).collect();
         let refusals = vec![0; trials.len()];
-        Self { evaluator, bounds, random, reference, trials, records, refusals, rollouts: 0, helped: Vec::new() }
+        Self { evaluator, bounds, room, random, reference, trials, records, refusals, rollouts: 0, helped: Vec::new() }
     }
 
     /// The best reference so far.
@@ -150,13 +155,18 @@ impl<'evaluator> Refinement<'evaluator> {
             let mut change = self.random_change();
             for _ in 0..=HALVINGS {
                 let reference = self.reference.bent(&change);
-                if self.bounds.allow(&reference) {
+                if self.bounds.allow(&reference) && self.has_room(&reference) {
                     return Some((change, reference));
                 }
                 change = change.scaled(0.5);
             }
         }
         None
+    }
+
+    /// Whether an arm can follow a reference as well as the first one, or nearly so.
+    fn has_room(&self, reference: &Reference) -> bool {
+        self.room.is_none_or(|least| self.evaluator.room(reference).is_some_and(|room| room >= least))
     }
 
     /// A random change, one away from where a failing trial pushes too hard, one towards what it lacks, or one that

@@ -40,7 +40,7 @@ pub struct Rollout {
     /// The acceleration (m/s^2) up to which steps may be longer.
     pub(crate) steady: f64,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
-    arm: Option<(ArmModel, JointVector)>,
+    pub(crate) arm: Option<(ArmModel, JointVector)>,
 }
 
 /// How a rollout ended.

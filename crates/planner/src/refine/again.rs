@@ -48,7 +48,7 @@ impl Refiner<'_> {
         let round = Round { rollouts: results.len(), ..Round::new(&variant, &iterations, chosen, &results) };
         self.change_seed();
         let refinement = Refinement::new(self.trainer, reference, self.training.clone(), results, self.seed);
-        self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until)
+        self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until, 0.0)
     }
 
     /// Other changes follow than before.

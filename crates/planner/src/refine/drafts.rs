@@ -27,6 +27,10 @@ const LOST: f64 = 0.5;
 const SHARE: f64 = 0.3;
 /// So many of the last homotopy iterations of a draft are tried: earlier ones hardly ever win.
 const LAST: usize = 2;
+/// Success rate in the first evaluation below which refinement mostly gets stuck.
+const PROMISING: f64 = 0.8;
+/// Share of the time that is left in which others may take the place of drafts that do.
+const TRYING: f64 = 0.4;
 /// Largest number of drafts: more would take more time to compare than to make.
 const MOST: usize = 24;
 
@@ -41,31 +45,33 @@ impl<'run> Refiner<'run> {
             self.drafts = self.solve_drafts(self.clock.share(self.clock.end(), SHARE))?;
             self.session.tell(Event::VariantSolved { status: &format!("{} drafts", self.drafts.len()) });
         }
-        let draft = self.best_draft();
-        let until = self.clock.share(self.clock.end(), OWN_SHARE);
-        match draft {
+        match self.best_draft() {
             Some(draft) if draft.refinement.failing_fraction() < own.refinement.failing_fraction() => {
                 self.rounds.push(own.round);
-                self.refine(draft, until)
+                self.refine_promising(draft)
             }
             Some(draft) => {
-                self.refine(own, until)?;
                 self.rounds.push(draft.round);
-                Ok(())
+                self.refine_promising(own)
             }
-            None => self.refine(own, until),
+            None => self.refine(own, self.clock.share(self.clock.end(), OWN_SHARE), 0.0),
         }
     }
 
-    /// Refines the best of the other drafts, if the best plan so far fails too often to be refined further. Where refinement ends
-    /// is a matter of luck, but one that gets stuck does so early.
-    pub(super) fn refine_other_draft(&mut self) -> Result<(), PlannerError> {
-        let end = self.clock.end();
-        if self.is_nearly_robust() || !self.goes_on(end) {
-            return Ok(());
+    /// Refines a plan, or the best of the other drafts instead if its first evaluation says that it will get stuck, and so
+    /// on; where all of them do, the best goes on.
+    fn refine_promising(&mut self, first: Candidate<'run>) -> Result<(), PlannerError> {
+        let trying = self.clock.share(self.clock.end(), TRYING);
+        let mut next = Some(first);
+        while let Some(candidate) = next {
+            self.refine(candidate, self.clock.share(self.clock.end(), OWN_SHARE), PROMISING)?;
+            let is_promising = self.best.as_ref().is_some_and(|best| best.rates.overall() >= PROMISING);
+            if is_promising {
+                return Ok(());
+            }
+            next = if self.goes_on(trying) { self.best_draft() } else { None };
         }
-        let Some(draft) = self.best_draft() else { return Ok(()) };
-        self.refine(draft, self.clock.share(end, OWN_SHARE))
+        self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE))
     }
 
     /// Takes out the draft with the best reference. `None` without drafts or time.
@@ -106,5 +112,32 @@ impl<'run> Refiner<'run> {
         let solved = Workers::new(self.session.threads).map(drafts.into_iter(), solve);
         let solved: Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> = solved.into_iter().collect();
         Ok(solved?.into_iter().filter(|(_, iterations)| !iterations.is_empty()).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use task::at_rest;
+
+    use super::*;
+    use crate::refine::tests::in_corner;
+
+    #[test]
+    fn where_the_first_evaluation_is_poor_a_draft_takes_the_place_of_the_plan() {
+        in_corner(Duration::from_secs(1000), |refiner| {
+            let scene = Variant::of_scene(refiner.problem);
+            let solved = run_homotopy(&scene, 1, &[], None, |_| Control::Continue, |_, _| Control::Continue).unwrap();
+            let draft = Variant { name: "a draft".to_owned(), ..scene.clone() };
+            refiner.drafts = vec![(draft, solved.iter().map(PlanIteration::from).collect())];
+            let resting = Reference::new(0.1, &[at_rest(&refiner.problem.task().start); 3]);
+            let best = refiner.best_of(&[resting], refiner.clock.end()).unwrap();
+            let own = refiner.candidate_of(best, scene, (Vec::new(), 0), true);
+            refiner.refine_promising(own).unwrap();
+            let rounds: Vec<(&str, Option<f64>)> =
+                refiner.rounds.iter().map(|round| (round.planned.as_str(), round.rate)).collect();
+            assert_eq!(rounds[0], ("the scene as it is", Some(0.0)));
+            assert!(rounds[1].0 == "a draft" && rounds[1].1 > Some(PROMISING), "{rounds:?}");
+            assert_eq!(refiner.best.as_ref().unwrap().round, 2);
+        });
     }
 }

@@ -190,7 +190,7 @@ impl<'run> Refiner<'run> {
 
     /// Refines the plan of the scene; where that is given up, a straight push; after each of the two the best so far again, if
     /// it is nearly robust; then the plans of other problems, and the best once more, while there is time. With an arm,
-    /// another draft takes the place of a push. What is not robust then is the best of the latest in a comparison.
+    /// no push is refined. What is not robust then is the best of the latest in a comparison.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
@@ -198,7 +198,6 @@ impl<'run> Refiner<'run> {
         self.refine_if_nearly_robust()?;
         if self.problem.arm().is_some() {
             // A straight push has never become robust with an arm.
-            self.refine_other_draft()?;
             self.refine_again()?;
         } else {
             self.refine_push(homotopy)?;
@@ -342,11 +341,11 @@ mod tests {
     use super::*;
     use crate::problem::Choices;
 
-    /// Hands over a refiner of the corner scene without friction, before its first plan.
+    /// Hands over a refiner of the corner scene without friction, before its first plan. It has no patience.
     pub(super) fn in_corner<T>(time_limit: Duration, work: impl FnOnce(&mut Refiner) -> T) -> T {
         let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
         let problem = Problem::load(&scene, &Choices::default()).unwrap();
-        let target = RobustnessTarget { frictions: vec![0.0], time_limit, ..RobustnessTarget::default() };
+        let target = RobustnessTarget { frictions: vec![0.0], time_limit, patience: 1, ..RobustnessTarget::default() };
         let evaluator = problem.evaluator(&target.frictions).unwrap();
         let interrupted = AtomicBool::new(false);
         let session = Session::new(&|_: &Event| {}, &interrupted);

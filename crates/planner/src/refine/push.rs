@@ -24,6 +24,6 @@ impl Refiner<'_> {
         let Some(best) = self.best_of(&[reference], until) else { return Ok(()) };
         self.change_seed();
         let candidate = self.candidate_of(best, variant, (homotopy, 0), true);
-        self.refine(candidate, until)
+        self.refine(candidate, until, 0.0)
     }
 }

@@ -25,9 +25,14 @@ const TRAINING_SHARE: f64 = 0.8;
 
 impl<'run> Refiner<'run> {
     /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over, which may be
-    /// [extended](Self::extended). Rates of evaluations that end early vary, so that a lower one is no reason to go back. What
+    /// [extended](Self::extended). It is given up at once if fewer than `least` of the trials of its first evaluation succeed. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What
     /// is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so does reality.
-    pub(super) fn refine(&mut self, candidate: Candidate<'run>, mut until: Deadline) -> Result<(), PlannerError> {
+    pub(super) fn refine(
+        &mut self,
+        candidate: Candidate<'run>,
+        mut until: Deadline,
+        least: f64,
+    ) -> Result<(), PlannerError> {
         let begin = Instant::now();
         let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
         self.session.tell(Event::Refining { planned: &round.planned });
@@ -65,11 +70,12 @@ impl<'run> Refiner<'run> {
             self.session.tell(Event::Refined { rate });
             polished += usize::from(judgement.reached);
             let is_good = judgement.reached && (judgement.failures.is_empty() || polished > POLISHES);
+            let is_lost = round.rate.is_none() && rate < least;
             vain = if round.rate.is_none_or(|best| rate > best) { 0 } else { vain + 1 };
             round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
             self.keep_if_best(kept, &round)?;
             until = self.extended(until, number, vain);
-            let is_last = is_good || vain == GIVEN_UP || self.clock.is_over(until);
+            let is_last = is_good || is_lost || vain == GIVEN_UP || self.clock.is_over(until);
             round.added_trials += judgement.failures.len();
             self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
             refinement.add(judgement.failures);

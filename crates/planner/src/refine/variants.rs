@@ -33,7 +33,7 @@ impl<'run> Refiner<'run> {
             }
             let Some(candidate) = self.solve_variant(recipe, (index + 1, count), until)? else { continue };
             if candidate.refinement.failing_fraction() < self.least_failing {
-                self.refine(candidate, until)?;
+                self.refine(candidate, until, 0.0)?;
             } else {
                 waiting.push(candidate);
             }
@@ -43,7 +43,7 @@ impl<'run> Refiner<'run> {
         for (index, candidate) in waiting.into_iter().enumerate() {
             let until = self.clock.share(self.clock.end(), 1.0 / (count - index) as f64);
             if self.goes_on(until) {
-                self.refine(candidate, until)?;
+                self.refine(candidate, until, 0.0)?;
             } else {
                 self.rounds.push(candidate.round);
             }

@@ -3,6 +3,7 @@
 mod absurd;
 mod arms;
 mod convergence;
+mod joint_ranges;
 mod physics;
 mod properties;
 mod refinement;
