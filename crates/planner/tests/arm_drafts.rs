@@ -27,10 +27,8 @@ fn the_best_draft_is_refined_where_the_plan_of_an_arm_fails() {
     let plan = refine(plan, &target, &session).unwrap();
     let report = plan.robustness.unwrap();
     let planned: Vec<&str> = report.rounds.iter().map(|round| round.planned.as_str()).collect();
-    let is_draft = |name: &&str| name.starts_with("draft with");
-    let drafts: Vec<_> = report.rounds.iter().filter(|round| is_draft(&round.planned.as_str())).collect();
-    let is_compared = planned[..2].contains(&"the scene as it is") && planned[..2].iter().any(is_draft);
-    assert!(is_compared, "the plan and the best of the drafts: {planned:?}");
+    let drafts: Vec<_> = report.rounds.iter().filter(|round| round.planned.starts_with("draft with")).collect();
+    assert!(planned[1].starts_with("draft with"), "the best of them is refined first: {planned:?}");
     // As nothing is promising, others follow while there is time.
     let names: BTreeSet<&str> = drafts.iter().map(|round| round.planned.trim_end_matches(", continued")).collect();
     // So few steps are not halved.

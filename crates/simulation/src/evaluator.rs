@@ -138,8 +138,7 @@ impl Evaluator {
     pub fn with_arm(self, model: &ArmModel) -> Result<Self, ArmModelError> {
         let rollouts = self.rollouts.into_iter().map(|mut rollout| {
             rollout.settings.time_step = ARM_TIME_STEP;
-            rollout.steady = ARM_STEADY;
-            rollout.with_arm(model)
+            rollout.with_steady(ARM_STEADY).with_arm(model)
         });
         Ok(Self { rollouts: rollouts.collect::<Result<_, _>>()?, ..self })
     }

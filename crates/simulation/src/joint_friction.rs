@@ -16,7 +16,7 @@ pub struct JointFriction {
 
 /// Sweeps end when no joint's torque changes by more than this part of its largest one. At rest, sweeps of later steps
 /// remove the rest.
-const TOLERANCE: f64 = 1e-3;
+const TOLERANCE: f64 = 1e-4;
 /// Mobility (1/(kg m^2) or 1/kg) of a joint that contacts hold.
 const HELD: f64 = 1e-9;
 /// Largest number of sweeps in a step. What is missing then is small, and the next step goes on from there.

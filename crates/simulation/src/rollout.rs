@@ -38,7 +38,7 @@ pub struct Rollout {
     /// Whether all steps have the same length.
     has_even_steps: bool,
     /// The acceleration (m/s^2) up to which steps may be longer.
-    pub(crate) steady: f64,
+    steady: f64,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
     pub(crate) arm: Option<(ArmModel, JointVector)>,
 }
@@ -93,6 +93,12 @@ impl Rollout {
         self.settings.time_step = self.settings.divide(model.control_period).0;
         self.arm = Some((model.clone(), start));
         Ok(self)
+    }
+
+    /// With longer steps that change the velocity of no point by more than this acceleration (m/s^2) does in the shortest step; by
+    /// default it is 1.
+    pub fn with_steady(self, acceleration: f64) -> Self {
+        Self { steady: acceleration, ..self }
     }
 
     /// With steps that are all of the same length, so that motions depend smoothly on the parameters of task and arm.

@@ -48,19 +48,24 @@ impl<'run> Refiner<'run> {
         match self.best_draft() {
             Some(draft) if draft.refinement.failing_fraction() < own.refinement.failing_fraction() => {
                 self.rounds.push(own.round);
-                self.refine_promising(draft)
+                self.refine_promising(draft, &mut None)
             }
-            Some(draft) => {
-                self.rounds.push(draft.round);
-                self.refine_promising(own)
+            mut second @ Some(_) => {
+                self.refine_promising(own, &mut second)?;
+                self.rounds.extend(second.map(|draft| draft.round));
+                Ok(())
             }
             None => self.refine(own, self.clock.share(self.clock.end(), OWN_SHARE), 0.0),
         }
     }
 
-    /// Refines a plan, or the best of the other drafts instead if its first evaluation says that it will get stuck, and so
-    /// on; where all of them do, the best goes on.
-    fn refine_promising(&mut self, first: Candidate<'run>) -> Result<(), PlannerError> {
+    /// Refines a plan, or the `second` instead if its first evaluation says that it will get stuck, then the best of the other
+    /// drafts, and so on; where all of them do, the best goes on. Leaves a second one that was not needed.
+    fn refine_promising(
+        &mut self,
+        first: Candidate<'run>,
+        second: &mut Option<Candidate<'run>>,
+    ) -> Result<(), PlannerError> {
         let trying = self.clock.share(self.clock.end(), TRYING);
         let mut next = Some(first);
         while let Some(candidate) = next {
@@ -69,7 +74,7 @@ impl<'run> Refiner<'run> {
             if is_promising {
                 return Ok(());
             }
-            next = if self.goes_on(trying) { self.best_draft() } else { None };
+            next = if self.goes_on(trying) { second.take().or_else(|| self.best_draft()) } else { None };
         }
         self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE))
     }
@@ -132,7 +137,7 @@ mod tests {
             let resting = Reference::new(0.1, &[at_rest(&refiner.problem.task().start); 3]);
             let best = refiner.best_of(&[resting], refiner.clock.end()).unwrap();
             let own = refiner.candidate_of(best, scene, (Vec::new(), 0), true);
-            refiner.refine_promising(own).unwrap();
+            refiner.refine_promising(own, &mut None).unwrap();
             let rounds: Vec<(&str, Option<f64>)> =
                 refiner.rounds.iter().map(|round| (round.planned.as_str(), round.rate)).collect();
             assert_eq!(rounds[0], ("the scene as it is", Some(0.0)));

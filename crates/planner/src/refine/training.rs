@@ -25,8 +25,9 @@ const TRAINING_SHARE: f64 = 0.8;
 
 impl<'run> Refiner<'run> {
     /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over, which may be
-    /// [extended](Self::extended). It is given up at once if fewer than `least` of the trials of its first evaluation succeed. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What
-    /// is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so does reality.
+    /// [extended](Self::extended). It is given up at once if a smaller fraction than `least` of the trials of its first
+    /// evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What is
+    /// robust, but fails in some trials, is refined in these a few times more: simulators differ, and so does reality.
     pub(super) fn refine(
         &mut self,
         candidate: Candidate<'run>,
