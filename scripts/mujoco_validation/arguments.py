@@ -99,8 +99,6 @@ def parse_arguments() -> argparse.Namespace:
     is_given = optional != (None, None) or arguments.gain_factor != 1 or arguments.delay > 0
     if is_given and not arguments.arm:
         parser.error("--robot, --gain-factor, --joint-friction and --delay need --arm")
-    if arguments.compare and arguments.arm:
-        parser.error("--compare plays free bodies, as `assembly-plan simulate` does; leave --arm out")
     return arguments
 
 

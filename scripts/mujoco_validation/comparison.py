@@ -3,6 +3,7 @@
 import csv
 import dataclasses
 import pathlib
+import statistics
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from rollout import Outcome
 
 @dataclasses.dataclass(frozen=True)
 class Rollout:
-    """A motion that `assembly-plan simulate` played, success and final errors (m, rad)."""
+    """A motion that `assembly-plan simulate` played, success, final errors (m, rad) and largest contact force (N)."""
 
     motion: str
     friction: float
@@ -22,6 +23,7 @@ class Rollout:
     success: bool
     position_error: float
     angle_error: float
+    force: float
 
 
 def read(path: pathlib.Path, plan: Plan) -> list[Rollout]:
@@ -49,11 +51,13 @@ def rollout(row: dict[str, str]) -> Rollout:
         success=row["success"] == "1",
         position_error=float(row["position_error_m"]),
         angle_error=float(row["orientation_error_rad"]),
+        force=float(row["max_force_n"]),
     )
 
 
 def table(theirs: list[Rollout], ours: list[Outcome], tolerance: Tolerance) -> str:
-    """How often the simulators agree, and how far apart the final errors are where both succeed."""
+    """How often the simulators agree, how far apart the final errors are where both succeed, and medians of the largest
+    forces there."""
     rows = []
     for motion, friction in dict.fromkeys((rollout.motion, rollout.friction) for rollout in theirs):
         pairs = [pair for pair in zip(theirs, ours) if (pair[0].motion, pair[0].friction) == (motion, friction)]
@@ -68,7 +72,8 @@ def table(theirs: list[Rollout], ours: list[Outcome], tolerance: Tolerance) -> s
                 *(str(verdicts.count(verdict)) for verdict in ((False, True), (True, False))),
                 f"{max(positions):.2f}" if both else "-",
                 f"{max(angles):.4f}" if both else "-",
+                *(f"{statistics.median(pair[side].force for pair in both):.1f}" if both else "-" for side in (0, 1)),
             ]
         )
     head = ["motion", "succeeds in both", "fails in both", "only in MuJoCo", "only in ours"]
-    return "\n".join(markdown([*head, "errors differ by, mm", "rad"], rows))
+    return "\n".join(markdown([*head, "errors differ by, mm", "rad", "force in ours, N", "in MuJoCo"], rows))

@@ -32,8 +32,10 @@ impl ArmCourse {
         wrenches: &[[f64; TWIST]],
     ) -> Result<Self, FollowError> {
         let believed = grasp.believed();
-        let poses: Vec<_> = states.iter().map(|state| isometry(&pose_of(state)) * believed).collect();
-        let configurations = configurations(robot, time_step, &poses)?;
+        let timed = |(knot, state)| (knot as f64 * time_step, isometry(&pose_of(state)) * believed);
+        let motion: Vec<(f64, Isometry3<f64>)> = states.iter().enumerate().map(timed).collect();
+        // At the goal the scene names the arm's branch.
+        let configurations = robot.arm.follow_back(&motion, &robot.configuration)?.configurations;
         let at_rest = [0.0; TWIST];
         let wrenches = std::iter::once(&at_rest).chain(wrenches);
         let torque = |(configuration, wrench): (&JointVector, &[f64; TWIST])| {
@@ -46,15 +48,4 @@ impl ArmCourse {
         let torques = configurations.iter().zip(wrenches).map(torque).collect();
         Ok(Self { configurations, torques })
     }
-}
-
-/// Joint positions for the poses at all knots. They are followed from the goal, where the scene names the arm's branch.
-fn configurations(robot: &Robot, time_step: f64, poses: &[Isometry3<f64>]) -> Result<Vec<JointVector>, FollowError> {
-    let time = |index: usize| index as f64 * time_step;
-    let backwards: Vec<(f64, Isometry3<f64>)> =
-        poses.iter().rev().enumerate().map(|(index, pose)| (time(index), *pose)).collect();
-    let path = robot.arm.follow(&backwards, &robot.configuration);
-    let end = time(poses.len().saturating_sub(1));
-    let path = path.map_err(|error| FollowError { time: end - error.time, ..error })?;
-    Ok(path.configurations.into_iter().rev().collect())
 }

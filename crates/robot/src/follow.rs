@@ -97,6 +97,26 @@ impl Arm {
         Ok(path)
     }
 
+    /// As [`follow`](Self::follow), but from the end of a motion: the joint positions of the last pose are found from `from`,
+    /// those of every other one from those of the pose after it. The path is in the order of the motion; the time of the
+    /// fastest joint is that of the earlier of the two poses.
+    ///
+    /// # Errors
+    /// As [`follow`](Self::follow).
+    pub fn follow_back(&self, motion: &[(f64, Isometry3<f64>)], from: &JointVector) -> Result<JointPath, FollowError> {
+        let end = motion.last().map_or(0.0, |(time, _)| *time);
+        let backwards: Vec<(f64, Isometry3<f64>)> =
+            motion.iter().rev().map(|(time, pose)| (end - time, *pose)).collect();
+        let path = self.follow(&backwards, from);
+        let mut path = path.map_err(|error| FollowError { time: end - error.time, ..error })?;
+        path.configurations.reverse();
+        for extreme in [&mut path.limit_distance, &mut path.speed].into_iter().flatten() {
+            extreme.time = end - extreme.time;
+        }
+        path.singular_value = path.singular_value.map(|(value, time)| (value, end - time));
+        Ok(path)
+    }
+
     /// The fastest joint between two configurations with their times.
     fn fastest(
         &self,

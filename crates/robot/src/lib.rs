@@ -10,7 +10,7 @@
 //! | how fast is it? | [`Posture::jacobian`], [`Posture::velocity_product`] | screws of the joints; Featherstone (2008), ch. 2 |
 //! | what moves the arm? | [`Posture::mass_matrix`], [`Posture::bias`], [`Posture::gravity`], [`Posture::required_torque`] | composite rigid bodies and recursive Newton-Euler; Featherstone, ch. 5 and 6 |
 //! | how heavy does the part seem? | [`Posture::apparent_inertia`] | `(J M^-1 J')^-1`; Khatib (1987) |
-//! | which joint positions? | [`Arm::inverse_kinematics`], [`Arm::follow`] | Levenberg-Marquardt; Sugihara (2011) |
+//! | which joint positions? | [`Arm::inverse_kinematics`], [`Arm::follow`], [`Arm::follow_back`] | Levenberg-Marquardt; Sugihara (2011) |
 //! | which gains? | [`gains`] | dynamic similarity, statics of joint friction |
 //!
 //! All of a posture is computed without allocations, in arrays for up to [`MOST_JOINTS`] joints, and can be asked for

@@ -52,10 +52,34 @@ fn an_arm_follows_a_motion_on_one_branch() {
 }
 
 #[test]
+fn followed_back_a_motion_has_the_same_path() {
+    let arm = arm("six");
+    let from = ready(&arm);
+    let mut motion = motion(&arm, &from, 2.0);
+    let forth = arm.follow(&motion, &from).unwrap();
+    let back = arm.follow_back(&motion, forth.configurations.last().unwrap()).unwrap();
+    assert_eq!(back.configurations.len(), motion.len());
+    for (one, other) in forth.configurations.iter().zip(&back.configurations) {
+        assert!((one - other).amax() < 1e-9);
+    }
+    let (distance, expected) = (back.limit_distance.unwrap(), forth.limit_distance.unwrap());
+    assert!((distance.time - expected.time).abs() < 1e-9 && distance.joint == expected.joint);
+    assert!((back.singular_value.unwrap().1 - forth.singular_value.unwrap().1).abs() < 1e-9);
+    // Of the same pair of poses, it names the earlier.
+    let (speed, expected) = (back.speed.unwrap(), forth.speed.unwrap());
+    assert!((speed.time - (expected.time - 0.04)).abs() < 1e-9 && speed.joint == expected.joint);
+    motion[30].1.translation.vector *= 10.0;
+    let error = arm.follow_back(&motion, &from).unwrap_err();
+    assert!((error.time - 1.2).abs() < 1e-9, "{error}");
+}
+
+#[test]
 fn a_motion_without_poses_is_an_empty_path() {
     let arm = arm("six");
-    let path = arm.follow(&[], &ready(&arm)).unwrap();
-    assert!(path.configurations.is_empty() && path.speed.is_none() && path.singular_value.is_none());
+    for path in [arm.follow(&[], &ready(&arm)), arm.follow_back(&[], &ready(&arm))] {
+        let path = path.unwrap();
+        assert!(path.configurations.is_empty() && path.speed.is_none() && path.singular_value.is_none());
+    }
 }
 
 #[test]

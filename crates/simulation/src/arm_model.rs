@@ -99,8 +99,8 @@ impl ArmModel {
     pub(crate) fn room(&self, reference: &Reference) -> Option<f64> {
         let near = self.arm.configuration(&self.configuration).ok()?;
         let count = reference.intervals();
-        let backwards = |index: usize| (index as f64 * reference.time_step(), reference.at(count - index, 0.0).pose);
-        let path = self.arm.follow(&(0..=count).map(backwards).collect::<Vec<_>>(), &near).ok()?;
+        let timed = |index: usize| (index as f64 * reference.time_step(), reference.at(index, 0.0).pose);
+        let path = self.arm.follow_back(&(0..=count).map(timed).collect::<Vec<_>>(), &near).ok()?;
         Some(path.limit_distance.map_or(f64::INFINITY, |nearest| nearest.value))
     }
 }

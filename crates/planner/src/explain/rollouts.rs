@@ -9,7 +9,7 @@ use crate::explain::words::{direction, norm};
 use crate::files::GraspRecord;
 use crate::or_null;
 use crate::problem::Problem;
-use crate::refine::Kept;
+use crate::refine::{EVALUATION_FORCE_SHARE, Kept};
 use crate::success_rates::{SuccessRate, interval, rate};
 
 /// Failing trials that are played again.
@@ -46,7 +46,7 @@ pub struct LossRecord {
     /// Its largest contact force.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
-    /// Whether that exceeds `limits.contact_force`.
+    /// Whether that exceeds what rollouts may use of `limits.contact_force`.
     pub exceeds_contact_force: bool,
     /// How it ends.
     pub end: MotionEnd,
@@ -86,7 +86,8 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
         delay_s: disturbance.delay,
         edge_radius_m: disturbance.edge_radius,
         max_force_n: motion.quality.max_force,
-        exceeds_contact_force: motion.quality.max_force > (1.0 + LIMIT_SLACK) * world.limits.contact_force,
+        exceeds_contact_force: motion.quality.max_force
+            > (1.0 + LIMIT_SLACK) * EVALUATION_FORCE_SHARE * world.limits.contact_force,
         end: MotionEnd::new(&world, motion, time_step, &problem.success()),
     })
 }
@@ -119,7 +120,11 @@ impl LossRecord {
             100.0 * self.worst_interval[1]
         );
         let force = match self.exceeds_contact_force {
-            true => format!("; pushes with {:.1} N, more than limits.contact_force", self.max_force_n),
+            true => format!(
+                "; pushes with {:.1} N, more than {:.0} % of limits.contact_force",
+                self.max_force_n,
+                100.0 * EVALUATION_FORCE_SHARE
+            ),
             false => String::new(),
         };
         let injected = [vec![self.grasp.to_string()], self.disturbance_in_words()].concat().join(", ");

@@ -31,7 +31,7 @@ const COMPLIANT_WEIGHT: [f64; 2] = [0.0, 1.5];
 const WITH_FRICTION: f64 = 0.5;
 const FRICTION: f64 = 1.0 / 3.0;
 /// Fractions of drafts that are slower and that are smoother.
-const SLOWER: f64 = 0.25;
+const SLOWER: f64 = 0.5;
 const SMOOTHER: f64 = 1.0 / 3.0;
 /// Largest part of the product of two offsets that may be rounding.
 const PARALLEL: f64 = 1e-9;

@@ -12,7 +12,6 @@
 //! and every problem has its share of the time.
 
 mod again;
-mod bounds;
 mod candidate;
 mod clock;
 mod comparison;
@@ -20,6 +19,7 @@ mod draft;
 mod drafts;
 mod ends;
 mod evaluation;
+mod evaluators;
 mod portfolio;
 mod push;
 mod race;
@@ -32,7 +32,6 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use simulation::{Evaluator, Reference, Strokes, Trial};
-use workers::Workers;
 
 use crate::error::PlannerError;
 use crate::explain::loss;
@@ -40,16 +39,17 @@ use crate::iteration::PlanIteration;
 use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::ranges::require_threads;
-use crate::refine::bounds::near;
 use crate::refine::candidate::Candidate;
 use crate::refine::clock::{Clock, Deadline};
 use crate::refine::evaluation::{ErrorRange, Evaluation};
+use crate::refine::evaluators::evaluators;
 use crate::robustness::{RobustnessReport, Round};
 use crate::session::{Event, Session};
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
 pub(crate) use candidate::Kept;
+pub(crate) use evaluators::EVALUATION_FORCE_SHARE;
 pub use target::RobustnessTarget;
 
 /// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so
@@ -59,8 +59,6 @@ const TRAINING: usize = 1;
 const SEED: u64 = 1;
 /// Distance between the seeds of evaluations, which need one per magnitude.
 const SEED_STRIDE: u64 = 100;
-/// Part of the limit of contact forces that training trials may use: forces of simulators differ by some percent.
-const FORCE_SHARE: f64 = 0.95;
 /// Share of the time for the first refinement of the plan of the scene itself.
 const OWN_SHARE: f64 = 0.5;
 
@@ -77,10 +75,8 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
         return Ok(plan);
     }
     let mut world = plan.problem.world();
-    let evaluator = plan.problem.evaluator(&target.frictions)?.with_workers(Workers::new(session.threads));
-    let evaluator = near(evaluator, &plan.problem, &plan.reference());
     let (problem, attempts, threads) = (plan.problem.clone(), plan.attempts.clone(), plan.threads);
-    let trainer = trainer(&evaluator);
+    let [evaluator, trainer] = evaluators(&problem, target, &plan.reference(), session)?;
     let mut refiner = Refiner::new(&problem, target, (&evaluator, &trainer), session);
     let best = refiner.run(plan)?;
     let report = refiner.report(&best);
@@ -112,9 +108,7 @@ pub fn refine_reference(
     target.validate()?;
     require_threads(session.threads)?;
     let session = Session { folder: None, ..*session };
-    let evaluator = problem.evaluator(&target.frictions)?.with_workers(Workers::new(session.threads));
-    let evaluator = near(evaluator, problem, &reference);
-    let trainer = trainer(&evaluator);
+    let [evaluator, trainer] = evaluators(problem, target, &reference, &session)?;
     let mut refiner = Refiner::new(problem, target, (&evaluator, &trainer), &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
     refiner.judge_first(variant, Vec::new(), 0, reference)?;
@@ -125,11 +119,6 @@ pub fn refine_reference(
     refiner.compare_latest()?;
     let best = refiner.take_best()?;
     Ok((best.reference.clone(), refiner.report(&best)))
-}
-
-/// Plays training trials, with a margin of contact forces.
-fn trainer(evaluator: &Evaluator) -> Evaluator {
-    evaluator.clone().with_force_share(FORCE_SHARE)
 }
 
 /// The loop's state.

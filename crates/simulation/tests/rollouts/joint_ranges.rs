@@ -6,11 +6,11 @@ use simulation::{ArmModel, Disturbance, Evaluator, Reference, Refinement, Succes
 
 use crate::arms::{self, Record};
 
-/// Positions (rad) of the elbow along a reference, from its end.
+/// Positions (rad) of the elbow along a reference.
 fn elbow(model: &ArmModel, reference: &Reference) -> Vec<f64> {
-    let poses = reference.states().into_iter().rev().enumerate();
+    let poses = reference.states().into_iter().enumerate();
     let motion: Vec<_> = poses.map(|(index, state)| (index as f64, arms::isometry(&arms::pose_of(&state)))).collect();
-    let path = model.arm.follow(&motion, &model.arm.configuration(&model.configuration).unwrap()).unwrap();
+    let path = model.arm.follow_back(&motion, &model.arm.configuration(&model.configuration).unwrap()).unwrap();
     path.configurations.iter().map(|configuration| configuration[2]).collect()
 }
 
