@@ -13,8 +13,8 @@ use crate::session::Session;
 const MARGIN: f64 = 2.0;
 /// It is at most so many times as fast as they are, where no limit says how fast it may be.
 const HASTE: f64 = 4.0;
-/// Parts of the limit of contact forces that evaluations and training trials may use: impacts in other simulators, and in
-/// reality, are harder by a tenth or more.
+/// Parts of the limit of contact forces that evaluations and training trials may use: largest forces in MuJoCo are a tenth
+/// larger.
 pub const EVALUATION_FORCE_SHARE: f64 = 0.9;
 const TRAINING_FORCE_SHARE: f64 = 0.85;
 
@@ -57,11 +57,12 @@ mod tests {
 
     use super::*;
     use crate::problem::Choices;
+    use crate::refine::tests::corner;
     use crate::session::Event;
 
     #[test]
     fn evaluations_and_training_keep_margins_of_contact_forces() {
-        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+        let file = corner();
         let with_limit = |force: f64| {
             let mut scene = Scene::load(&file).unwrap();
             scene.limits.contact_force = force;

@@ -330,10 +330,14 @@ mod tests {
     use super::*;
     use crate::problem::Choices;
 
+    /// The file of the corner scene.
+    pub(super) fn corner() -> std::path::PathBuf {
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml")
+    }
+
     /// Hands over a refiner of the corner scene without friction, before its first plan. It has no patience.
     pub(super) fn in_corner<T>(time_limit: Duration, work: impl FnOnce(&mut Refiner) -> T) -> T {
-        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
-        let problem = Problem::load(&scene, &Choices::default()).unwrap();
+        let problem = Problem::load(&corner(), &Choices::default()).unwrap();
         let target = RobustnessTarget { frictions: vec![0.0], time_limit, patience: 1, ..RobustnessTarget::default() };
         let evaluator = problem.evaluator(&target.frictions).unwrap();
         let interrupted = AtomicBool::new(false);

@@ -54,11 +54,11 @@ mod tests {
 
     use super::*;
     use crate::problem::{Choices, Problem};
+    use crate::refine::tests::corner;
 
     #[test]
     fn the_reference_that_passes_most_trials_wins_with_few_rollouts() {
-        let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
-        let problem = Problem::load(&scene, &Choices::default()).unwrap();
+        let problem = Problem::load(&corner(), &Choices::default()).unwrap();
         let task = problem.task();
         let evaluator = Evaluator::new(&problem.world(), &[0.0], Success::default());
         let resting = Reference::new(0.1, &[at_rest(&task.start); 3]);
