@@ -1,4 +1,4 @@
-//! Drafts: plans of the scene with other weights, offsets and smoothing, on half of the steps, which cost little.
+//! Drafts: plans of the scene with other weights and offsets, on half of the steps, which cost little.
 
 use fastrand::Rng;
 use nalgebra::{Rotation3, Unit, Vector3};
@@ -11,28 +11,39 @@ use crate::variant::Variant;
 pub struct Draft {
     /// By how much the planned offsets are turned about the axis around which they lie (rad).
     pub angle: f64,
-    /// Factor of the weight of the reference's translational velocity.
-    pub reference_weight: f64,
-    /// Factor of the weight of the translational velocity of compliant motions.
-    pub compliant_weight: f64,
+    /// Factors of the weights of the reference's velocities.
+    pub reference: Factors,
+    /// Factors of the weights of the velocities of compliant motions.
+    pub compliant: Factors,
     /// Coulomb coefficient, where the scene has no friction.
     pub friction: f64,
     /// Whether it takes half as long again.
     pub is_slower: bool,
-    /// Whether the first smoothing is twice as strong.
-    pub is_smoother: bool,
 }
 
-/// Exponents of ten of the least and largest factors of weights.
-const REFERENCE_WEIGHT: [f64; 2] = [-0.5, 1.0];
-const COMPLIANT_WEIGHT: [f64; 2] = [0.0, 1.5];
+/// Factors of weights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factors {
+    /// Of translational velocity.
+    pub translational: f64,
+    /// Of rotational velocity.
+    pub rotational: f64,
+}
+
+/// Exponents of ten of the least and largest factors of weights. Compliant motions that shift slowly and turn freely pass most
+/// rollouts.
+const REFERENCE_TRANSLATIONAL: [f64; 2] = [-0.5, 0.7];
+const REFERENCE_ROTATIONAL: [f64; 2] = [-1.0, 0.3];
+const COMPLIANT_TRANSLATIONAL: [f64; 2] = [0.8, 2.0];
+const COMPLIANT_ROTATIONAL: [f64; 2] = [-1.3, -0.3];
 /// Fraction of drafts with friction, and their coefficient as a fraction of the largest that must be borne: more costs
 /// more, and is no better.
-const WITH_FRICTION: f64 = 0.5;
+const WITH_FRICTION: f64 = 1.0 / 3.0;
 const FRICTION: f64 = 1.0 / 3.0;
-/// Fractions of drafts that are slower and that are smoother.
+/// Fraction of drafts that are slower.
 const SLOWER: f64 = 0.5;
-const SMOOTHER: f64 = 1.0 / 3.0;
+/// So many of their first homotopy iterations have half of their steps.
+const COARSE_ITERATIONS: usize = 3;
 /// Largest part of the product of two offsets that may be rounding.
 const PARALLEL: f64 = 1e-9;
 
@@ -40,14 +51,16 @@ impl Draft {
     /// Any. `friction` is the largest that must be borne.
     pub fn random(random: &mut Rng, friction: f64) -> Self {
         let mut power = |[least, most]: [f64; 2]| 10_f64.powf(least + (most - least) * random.f64());
-        let (reference_weight, compliant_weight) = (power(REFERENCE_WEIGHT), power(COMPLIANT_WEIGHT));
+        let mut factors =
+            |translational, rotational| Factors { translational: power(translational), rotational: power(rotational) };
+        let reference = factors(REFERENCE_TRANSLATIONAL, REFERENCE_ROTATIONAL);
+        let compliant = factors(COMPLIANT_TRANSLATIONAL, COMPLIANT_ROTATIONAL);
         Self {
             angle: std::f64::consts::TAU * random.f64(),
-            reference_weight,
-            compliant_weight,
+            reference,
+            compliant,
             friction: if random.f64() < WITH_FRICTION { FRICTION * friction } else { 0.0 },
             is_slower: random.f64() < SLOWER,
-            is_smoother: random.f64() < SMOOTHER,
         }
     }
 
@@ -56,34 +69,36 @@ impl Draft {
         let mut variant = Variant { name: self.name(), near: None, ..scene.clone() };
         let (task, settings) = (&mut variant.task, &mut variant.settings);
         *task = ocp::coarsened(task).unwrap_or_else(|| task.clone());
-        settings.coarse_iterations = 0;
+        settings.coarse_iterations = COARSE_ITERATIONS;
         turn_offsets(&mut task.grasps, self.angle);
-        task.cost.reference.translational_velocity *= self.reference_weight;
-        task.cost.compliant.translational_velocity *= self.compliant_weight;
+        for (weights, factors) in
+            [(&mut task.cost.reference, self.reference), (&mut task.cost.compliant, self.compliant)]
+        {
+            weights.translational_velocity *= factors.translational;
+            weights.rotational_velocity *= factors.rotational;
+        }
         if task.frictions.iter().all(|&friction| friction == 0.0) {
             task.frictions = vec![self.friction];
         }
         if self.is_slower {
             task.horizon.steps += task.horizon.steps / 2;
         }
-        if self.is_smoother {
-            settings.tau *= 2.0;
-            settings.sigma *= 2.0;
-        }
         variant
     }
 
     fn name(&self) -> String {
-        let Self { angle, reference_weight, compliant_weight, friction, is_slower, is_smoother } = self;
+        let Self { angle, reference, compliant, friction, is_slower } = self;
+        let factors =
+            |Factors { translational, rotational }: &Factors| format!("{translational:.1} and {rotational:.2}");
         let mut name = format!(
-            "draft with offsets turned by {:.0} degrees, weights of velocities times {reference_weight:.1} (reference) \
-             and {compliant_weight:.1} (compliant), friction {friction:.2}",
-            angle.to_degrees()
+            "draft with offsets turned by {:.0} degrees, weights of velocity and angular velocity times {} (reference) and {} \
+             (compliant), friction {friction:.2}",
+            angle.to_degrees(),
+            factors(reference),
+            factors(compliant),
         );
-        for (is_so, words) in [(is_slower, ", 1.5 times the time"), (is_smoother, ", twice the first smoothing")] {
-            if *is_so {
-                name += words;
-            }
+        if *is_slower {
+            name += ", 1.5 times the time";
         }
         name
     }
@@ -118,16 +133,20 @@ mod tests {
             let half = task.horizon.steps / 2;
             assert_eq!(variant.task.horizon.steps, if draft.is_slower { half + half / 2 } else { half });
             assert_eq!(variant.task.frictions, [draft.friction]);
-            assert_eq!(variant.settings.tau > of_scene.settings.tau, draft.is_smoother);
+            let (cost, own) = (&variant.task.cost, &task.cost);
+            let ratio = cost.compliant.rotational_velocity / own.compliant.rotational_velocity;
+            assert!(
+                (ratio - 2.0 * draft.compliant.rotational).abs() < 1e-9,
+                "the weight of half of the steps is twice as large"
+            );
+            assert_eq!(cost.compliant.terminal_position, own.compliant.terminal_position);
             for (turned, grasp) in variant.task.grasps.iter().zip(&task.grasps) {
                 let [turned, grasp] = [turned, grasp].map(|grasp| Vector3::from(grasp.offset));
                 assert!((turned.norm() - grasp.norm()).abs() < 1e-12 && turned.z.abs() < 1e-12, "in their plane");
                 assert!((turned.angle(&grasp).cos() - draft.angle.cos()).abs() < 1e-9);
             }
         }
-        for has in
-            [|draft: &Draft| draft.friction > 0.0, |draft: &Draft| draft.is_slower, |draft: &Draft| draft.is_smoother]
-        {
+        for has in [|draft: &Draft| draft.friction > 0.0, |draft: &Draft| draft.is_slower] {
             let count = drafts.iter().filter(|draft| has(draft)).count();
             assert!((10..90).contains(&count), "{count} of 100");
         }

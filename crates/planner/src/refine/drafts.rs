@@ -112,7 +112,9 @@ impl<'run> Refiner<'run> {
                 false => run_homotopy(&variant, 1, &[], None, observe, |_, _| Control::Continue)?,
             };
             let finished = iterations.iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
-            Ok((variant, finished.map(PlanIteration::from).collect()))
+            let finished = finished.map(PlanIteration::from);
+            let finished = finished.filter(|iteration| !iteration.record.is_coarse(&variant.task)).collect();
+            Ok((variant, finished))
         };
         let solved = Workers::new(self.session.threads).map(drafts.into_iter(), solve);
         let solved: Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> = solved.into_iter().collect();
