@@ -1,7 +1,7 @@
 //! Plans on the way to a robust one.
 
 use simulation::{Reference, Refinement, Trial};
-use task::Trajectory;
+use task::{AssemblyTask, Trajectory};
 
 use crate::iteration::PlanIteration;
 use crate::robustness::Round;
@@ -45,6 +45,11 @@ impl Kept {
     pub fn is_better_than(&self, other: &Self) -> bool {
         (self.reached, self.rates.overall()) > (other.reached, other.rates.overall())
     }
+}
+
+/// Indices of the homotopy iterations that have all steps of a task.
+pub fn with_all_steps(iterations: &[PlanIteration], task: &AssemblyTask) -> Vec<usize> {
+    (0..iterations.len()).filter(|&index| !iterations[index].record.is_coarse(task)).collect()
 }
 
 /// The reference of a motion.

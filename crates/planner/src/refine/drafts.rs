@@ -83,10 +83,11 @@ impl<'run> Refiner<'run> {
     fn best_draft(&mut self) -> Option<Candidate<'run>> {
         let mut places = Vec::new();
         let mut references: Vec<Reference> = Vec::new();
-        for (draft, (_, iterations)) in self.drafts.iter().enumerate() {
-            let first = iterations.len().saturating_sub(LAST);
-            places.extend((first..iterations.len()).map(|index| (draft, index)));
-            references.extend(iterations[first..].iter().map(|iteration| candidate::reference(&iteration.trajectory)));
+        for (draft, (variant, iterations)) in self.drafts.iter().enumerate() {
+            let fine = candidate::with_all_steps(iterations, &variant.task);
+            let last = &fine[fine.len().saturating_sub(LAST)..];
+            places.extend(last.iter().map(|&index| (draft, index)));
+            references.extend(last.iter().map(|&index| candidate::reference(&iterations[index].trajectory)));
         }
         let best = self.best_of(&references, self.clock.end())?;
         let (draft, index) = places[best.winner.index];
@@ -98,7 +99,7 @@ impl<'run> Refiner<'run> {
     }
 
     /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy iterations count that it
-    /// has finished; those that have none are left out.
+    /// has finished; those that have none with all steps are left out.
     fn solve_drafts(&self, until: Deadline) -> Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> {
         let scene = Variant::of_scene(self.problem);
         let mut random = Rng::with_seed(SEED);
@@ -112,22 +113,39 @@ impl<'run> Refiner<'run> {
                 false => run_homotopy(&variant, 1, &[], None, observe, |_, _| Control::Continue)?,
             };
             let finished = iterations.iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
-            let finished = finished.map(PlanIteration::from);
-            let finished = finished.filter(|iteration| !iteration.record.is_coarse(&variant.task)).collect();
-            Ok((variant, finished))
+            Ok((variant, finished.map(PlanIteration::from).collect()))
         };
         let solved = Workers::new(self.session.threads).map(drafts.into_iter(), solve);
         let solved: Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> = solved.into_iter().collect();
-        Ok(solved?.into_iter().filter(|(_, iterations)| !iterations.is_empty()).collect())
+        let is_draft = |(variant, iterations): &(Variant, Vec<PlanIteration>)| {
+            !candidate::with_all_steps(iterations, &variant.task).is_empty()
+        };
+        Ok(solved?.into_iter().filter(is_draft).collect())
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use task::at_rest;
+    use task::{Horizon, at_rest};
 
     use super::*;
     use crate::refine::tests::in_corner;
+
+    #[test]
+    fn of_a_draft_only_what_has_all_steps_is_played() {
+        in_corner(Duration::from_secs(1000), |refiner| {
+            let mut draft = Variant::of_scene(refiner.problem);
+            let Horizon { steps, time_step } = draft.task.horizon;
+            draft.task.horizon = Horizon { steps: 60, time_step: time_step * steps as f64 / 60.0 };
+            draft.settings.coarse_iterations = 3;
+            let solved = run_homotopy(&draft, 1, &[], None, |_| Control::Continue, |_, _| Control::Continue).unwrap();
+            let iterations: Vec<PlanIteration> = solved.iter().map(PlanIteration::from).collect();
+            refiner.drafts = vec![(draft.clone(), iterations[..3].to_vec())];
+            assert!(refiner.best_draft().is_none(), "all have half of the steps");
+            refiner.drafts = vec![(draft, iterations[..4].to_vec())];
+            assert_eq!(refiner.best_draft().unwrap().round.chosen_stage, 4);
+        });
+    }
 
     #[test]
     fn where_the_first_evaluation_is_poor_a_draft_takes_the_place_of_the_plan() {

@@ -131,7 +131,7 @@ struct Refiner<'run> {
     session: &'run Session<'run>,
     /// Where dry friction may hold the body short of its goal.
     strokes: Option<Strokes>,
-    /// Drafts that were not refined, each with the homotopy iterations that it has finished, at least one.
+    /// Drafts that were not refined, each with the homotopy iterations that it has finished, at least one of them with all steps.
     drafts: Vec<(Variant, Vec<PlanIteration>)>,
     clock: Clock<'run>,
     /// Trials that every reference is refined in; failures of evaluations are added.
@@ -264,8 +264,7 @@ impl<'run> Refiner<'run> {
         is_scenes_own: bool,
         until: Deadline,
     ) -> Option<Candidate<'run>> {
-        let fine: Vec<usize> =
-            (0..iterations.len()).filter(|&index| !iterations[index].record.is_coarse(&variant.task)).collect();
+        let fine = candidate::with_all_steps(&iterations, &variant.task);
         let references: Vec<Reference> =
             fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
         let best = self.best_of(&references, until)?;
