@@ -91,8 +91,8 @@ impl Draft {
         let factors =
             |Factors { translational, rotational }: &Factors| format!("{translational:.1} and {rotational:.2}");
         let mut name = format!(
-            "draft with offsets turned by {:.0} degrees, weights of velocity and angular velocity times {} (reference) and {} \
-             (compliant), friction {friction:.2}",
+            "draft with offsets turned by {:.0} degrees, weights of translational and rotational velocity times {} \
+             (reference) and {} (compliant), friction {friction:.2}",
             angle.to_degrees(),
             factors(reference),
             factors(compliant),
