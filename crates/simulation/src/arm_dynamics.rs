@@ -91,7 +91,7 @@ impl<'arm> ArmStepper<'arm> {
         (body, grasp): (&Isometry3<f64>, Isometry3<f64>),
         (impedance, disturbance): (Impedance, &Disturbance),
         steps: &Steps,
-        solver: ContactSolver,
+        friction: f64,
     ) -> Option<Self> {
         let arm = &model.arm;
         let configuration = arm.inverse_kinematics(&(body * grasp), near).ok()?;
@@ -113,7 +113,7 @@ impl<'arm> ArmStepper<'arm> {
             heaviness,
             controller: SampledController::new(model.control_period, delay),
             is_sampled: true,
-            solver,
+            solver: ContactSolver::new(friction),
             length: StepLength::new(steps, doublings),
             steps: 0,
             state: State { configuration, velocity, friction: JointFriction::new(torques), body },
@@ -148,7 +148,9 @@ impl<'arm> ArmStepper<'arm> {
         self.is_sampled = taken == 1;
         self.steps += taken;
         (self.state, self.length) = (state, length);
-        self.solver.add_impulses(impulses);
+        for (pair, impulse) in self.solver.impulses() {
+            impulses[pair] += impulse;
+        }
         self.renew_posture(taken);
         *body = self.state.body;
         (taken, overlap)

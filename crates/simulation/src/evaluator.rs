@@ -109,8 +109,7 @@ impl Evaluator {
     /// For a task and several friction coefficients, with the default time step and settling time. Callers validate
     /// coefficients ([`Settings::validate`]) and tolerances ([`Success::validate`]).
     pub fn new(task: &AssemblyTask, frictions: &[f64], success: Success) -> Self {
-        let rollout =
-            |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() }).with_reversed_friction();
+        let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
         let bounds = Bounds::new(task.limits);
         let rollouts = frictions.iter().map(rollout).collect();
         Self { rollouts, success, goal: isometry(&task.goal), limits: task.limits, bounds, workers: Workers::default() }

@@ -43,7 +43,7 @@ pub struct LossRecord {
     pub delay_s: f64,
     /// Its radius of edges.
     pub edge_radius_m: f64,
-    /// Its largest contact force, as evaluations count it.
+    /// Its largest contact force.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
     /// Whether that exceeds what rollouts may use of `limits.contact_force`.
@@ -74,10 +74,7 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
     let Trajectory { scenarios, time_step, .. } = rollout.trajectory(&best.reference, &injections, TAU);
     let error = |motion: &ScenarioTrajectory| motion.quality.position_error;
     let shown = injections.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
-    let (injection, motion) = shown?;
-    // As evaluations count it.
-    let max_force = rollout.with_reversed_friction().play(&best.reference, *injection, |_, _| {}).loads.contact_force;
-    let Injection { grasp, disturbance } = injection;
+    let (Injection { grasp, disturbance }, motion) = shown?;
     Some(LossRecord {
         rate: rate(groups),
         worst_interval: interval(std::slice::from_ref(&worst)),
@@ -88,8 +85,9 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
         stiffness_error: disturbance.stiffness,
         delay_s: disturbance.delay,
         edge_radius_m: disturbance.edge_radius,
-        max_force_n: max_force,
-        exceeds_contact_force: max_force > (1.0 + LIMIT_SLACK) * EVALUATION_FORCE_SHARE * world.limits.contact_force,
+        max_force_n: motion.quality.max_force,
+        exceeds_contact_force: motion.quality.max_force
+            > (1.0 + LIMIT_SLACK) * EVALUATION_FORCE_SHARE * world.limits.contact_force,
         end: MotionEnd::new(&world, motion, time_step, &problem.success()),
     })
 }
@@ -123,9 +121,8 @@ impl LossRecord {
         );
         let force = match self.exceeds_contact_force {
             true => format!(
-                "; pushes with {:.1} N{}, more than {:.0} % of limits.contact_force",
+                "; pushes with {:.1} N, more than {:.0} % of limits.contact_force",
                 self.max_force_n,
-                if friction > 0.0 { " if friction of other contacts reverses" } else { "" },
                 100.0 * EVALUATION_FORCE_SHARE
             ),
             false => String::new(),

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
-use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Rollout, Settings, Success, Trial};
+use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Success, Trial};
 use task::{GraspError, Horizon};
 use workers::Workers;
 
@@ -142,26 +142,6 @@ fn a_push_beyond_the_limit_is_no_success() {
     let too_far = gentle.too_far.expect("the force is too large");
     assert!((too_far.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{too_far:?}");
     assert!(too_far.turn.norm() < 1e-6 && too_far.fraction > 0.9, "{too_far:?}");
-}
-
-#[test]
-fn evaluations_count_friction_of_other_contacts_as_if_it_reversed() {
-    let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
-    let wall = block([0.02, WIDTH, 0.2], [-0.5 * WIDTH - 0.01, 0.0, 0.1]);
-    let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor(), wall]);
-    world.goal[2] = 0.04;
-    let pressing = through(&[[0.0, 0.0, 0.06], [-0.04, 0.0, 0.06], [-0.04, 0.0, -0.06]], 2.0);
-    const FRICTION: f64 = 0.2;
-    let rollout = Rollout::new(&world, Settings { friction: FRICTION, ..Settings::default() });
-    let force = |rollout: &Rollout| rollout.play(&pressing, trial.injection(), |_, _| {}).loads.contact_force;
-    let (plain, reversed) = (force(&rollout), force(&rollout.clone().with_reversed_friction()));
-    // The wall holds the body with 2 N when it arrives at the floor.
-    assert!(reversed > plain + 0.1 && reversed < plain + 2.0 * FRICTION * 2.0, "{plain} and {reversed} N");
-    let mut passes = |limit: f64| {
-        world.limits.contact_force = limit;
-        Evaluator::new(&world, &[FRICTION], Success::default()).evaluate(&pressing, &trial).passed
-    };
-    assert!(passes(1.01 * reversed) && !passes(0.5 * (plain + reversed)));
 }
 
 #[test]
