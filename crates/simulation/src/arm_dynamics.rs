@@ -91,7 +91,7 @@ impl<'arm> ArmStepper<'arm> {
         (body, grasp): (&Isometry3<f64>, Isometry3<f64>),
         (impedance, disturbance): (Impedance, &Disturbance),
         steps: &Steps,
-        friction: f64,
+        solver: ContactSolver,
     ) -> Option<Self> {
         let arm = &model.arm;
         let configuration = arm.inverse_kinematics(&(body * grasp), near).ok()?;
@@ -113,7 +113,7 @@ impl<'arm> ArmStepper<'arm> {
             heaviness,
             controller: SampledController::new(model.control_period, delay),
             is_sampled: true,
-            solver: ContactSolver::new(friction),
+            solver,
             length: StepLength::new(steps, doublings),
             steps: 0,
             state: State { configuration, velocity, friction: JointFriction::new(torques), body },
@@ -148,9 +148,7 @@ impl<'arm> ArmStepper<'arm> {
         self.is_sampled = taken == 1;
         self.steps += taken;
         (self.state, self.length) = (state, length);
-        for (pair, impulse) in self.solver.impulses() {
-            impulses[pair] += impulse;
-        }
+        self.solver.add_impulses(impulses);
         self.renew_posture(taken);
         *body = self.state.body;
         (taken, overlap)

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Vector3};
 
 use crate::body::{Body, moved};
 use crate::contact::{Contact, ContactFinder};
-use crate::least_distance::{Cone, LeastDistance, Vector6};
+use crate::least_distance::{Active, Cone, LeastDistance, Vector6};
 use crate::metric::Metric;
 
 /// Hard contacts without restitution, with friction.
@@ -12,6 +12,8 @@ use crate::metric::Metric;
 pub struct ContactSolver {
     /// Coulomb's coefficient.
     pub friction: f64,
+    /// Whether impulses count friction as if it reversed.
+    reverses_friction: bool,
     solver: LeastDistance,
     /// For overlaps.
     corrector: LeastDistance,
@@ -30,10 +32,13 @@ const OVERLAP: f64 = 1e-7;
 const CORRECTIONS: usize = 8;
 
 impl ContactSolver {
-    /// For a friction coefficient.
-    pub fn new(friction: f64) -> Self {
+    /// For a friction coefficient. If friction is to reverse, impulses are the largest of contacts that yield a little: parts
+    /// that an impact has pressed together move apart again, and friction of other contacts then adds what it has taken off
+    /// the impact.
+    pub fn new(friction: f64, reverses_friction: bool) -> Self {
         Self {
             friction,
+            reverses_friction,
             solver: LeastDistance::default(),
             corrector: LeastDistance::default(),
             cones: Vec::new(),
@@ -149,9 +154,28 @@ impl ContactSolver {
         some
     }
 
-    /// Pair and normal impulse (Ns) of the contacts that push, when the velocity was last resolved.
-    pub fn impulses(&self) -> impl Iterator<Item = (usize, f64)> {
-        self.solver.active.iter().map(|active| (self.pairs[active.cone], active.multiplier))
+    /// Adds the normal impulse (Ns) of every pair that pushes, when the velocity was last resolved; with friction reversed,
+    /// that of a pair grows by what its contact that gains most gains.
+    pub fn add_impulses(&self, impulses: &mut [f64]) {
+        let active = &self.solver.active;
+        for (position, one) in active.iter().enumerate() {
+            let pair = self.pairs[one.cone];
+            impulses[pair] += one.multiplier;
+            let is_first = active[..position].iter().all(|earlier| self.pairs[earlier.cone] != pair);
+            if self.reverses_friction && is_first {
+                let of_pair = active.iter().filter(|other| self.pairs[other.cone] == pair);
+                impulses[pair] += of_pair.map(|contact| self.reversal(contact)).fold(0.0, f64::max);
+            }
+        }
+    }
+
+    /// By how much the normal impulse (Ns) of a contact grows when friction of other pairs reverses; negative if it becomes
+    /// smaller.
+    fn reversal(&self, contact: &Active) -> f64 {
+        let (pair, normal) = (self.pairs[contact.cone], &self.cones[contact.cone].normal);
+        let others = self.solver.active.iter().filter(|other| self.pairs[other.cone] != pair);
+        let slowing: f64 = others.map(|other| self.cones[other.cone].friction(other).dot(normal)).sum();
+        2.0 * slowing / normal.norm_squared()
     }
 
     /// Orthonormal directions in which the contacts that push let the scaled velocity not change, when it was last
@@ -173,4 +197,42 @@ fn tangents(normal: &Vector3<f64>, velocity: &Vector3<f64>) -> [Vector3<f64>; 2]
     let any = axes[normal.abs().imin()];
     let first = tangential.try_normalize(1e-9).unwrap_or_else(|| normal.cross(&any).normalize());
     [first, normal.cross(&first)]
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Matrix6;
+
+    use super::*;
+
+    /// Impulses (Ns) of floor and wall on a ball of 1 kg that arrives in their corner with a velocity (m/s, away from them),
+    /// and its velocity afterwards.
+    fn impulses(reverses_friction: bool, before: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+        let metric = Metric::of_inertia(&Matrix6::identity()).unwrap();
+        let velocity = Vector3::new(before[1], 0.0, before[0]);
+        let body = Body { pose: Isometry3::identity(), velocity, angular_velocity: Vector3::zeros() };
+        let touch = |pair: usize, normal: Vector3<f64>| Contact { pair, point: Vector3::zeros(), normal, gap: 0.0 };
+        let mut solver = ContactSolver::new(0.25, reverses_friction);
+        let free = Vector6::from([before[1], 0.0, before[0], 0.0, 0.0, 0.0]);
+        solver.set(&metric, &body, 1e-3, &free, &[touch(0, Vector3::z()), touch(1, Vector3::x())]);
+        let after = solver.resolve(&free);
+        let mut impulses = [0.0; 2];
+        solver.add_impulses(&mut impulses);
+        (impulses, [after[2], after[0]])
+    }
+
+    #[test]
+    fn reversed_friction_adds_to_other_impulses_what_it_took_off() {
+        let before = [-1.0, -0.4];
+        let (plain, after) = impulses(false, before);
+        let (reversed, _) = impulses(true, before);
+        for contact in 0..2 {
+            // What an impulse lacks of the change of momentum, friction of the other contact has.
+            let friction = after[contact] - before[contact] - plain[contact];
+            assert!(friction > 0.01, "{plain:?}");
+            assert!((reversed[contact] - (plain[contact] + 2.0 * friction)).abs() < 1e-9, "{plain:?} {reversed:?}");
+        }
+        let alone = [-1.0, 0.0];
+        assert_eq!(impulses(true, alone), impulses(false, alone), "no other contact pushes");
+    }
 }

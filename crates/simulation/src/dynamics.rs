@@ -50,14 +50,14 @@ const DOUBLINGS: u32 = 6;
 const SMOOTH: f64 = 0.5;
 
 impl Stepper {
-    /// For an offset of which the controller does not know (m, body frame), and a friction coefficient; `None` unless the
+    /// For an offset of which the controller does not know (m, body frame), and a solver of contacts; `None` unless the
     /// effective inertia is positive definite and finite.
     pub fn new(
         shortest: &Steps,
         inertia: &Inertia,
         impedance: &Impedance,
         offset: Vector3<f64>,
-        friction: f64,
+        solver: ContactSolver,
     ) -> Option<Self> {
         let Steps { time_step, most, .. } = *shortest;
         let rate = fastest_rate(inertia, impedance);
@@ -79,7 +79,7 @@ impl Stepper {
             offset,
             steps: StepLength::new(shortest, lengths.len() - 1),
             lengths,
-            solver: ContactSolver::new(friction),
+            solver,
         })
     }
 
@@ -100,9 +100,7 @@ impl Stepper {
             self.advance(body, length, &target(done as f64 + weight * f64::from(1_u32 << length)), finder)
         });
         self.steps = steps;
-        for (pair, impulse) in self.solver.impulses() {
-            impulses[pair] += impulse;
-        }
+        self.solver.add_impulses(impulses);
         (taken, overlap)
     }
 
@@ -191,7 +189,8 @@ mod tests {
         let inertia = Inertia::of_body(1.0, Matrix3::identity());
         let impedance = Impedance::critically_damped(stiffness, stiffness, &inertia);
         let steps = Steps { time_step: TIME_STEP, most: COUNT, steady: STEADY };
-        let mut stepper = Stepper::new(&steps, &inertia, &impedance, Vector3::zeros(), 0.0).unwrap();
+        let mut stepper =
+            Stepper::new(&steps, &inertia, &impedance, Vector3::zeros(), ContactSolver::new(0.0, false)).unwrap();
         let shapes = Shapes::new(&[]);
         let mut finder = ContactFinder::new(&shapes, 0.0);
         let still = |x: f64| Knot {

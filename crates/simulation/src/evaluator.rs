@@ -131,6 +131,16 @@ impl Evaluator {
         self
     }
 
+    /// In a harder world: frictions are so many times as large, and contact forces count friction of other contacts as if it
+    /// reversed ([`Rollout::with_reversed_friction`]).
+    pub fn with_margins(self, friction: f64) -> Self {
+        let rollouts = self.rollouts.into_iter().map(|mut rollout| {
+            rollout.settings.friction *= friction;
+            rollout.with_reversed_friction()
+        });
+        Self { rollouts: rollouts.collect(), ..self }
+    }
+
     /// With an arm that holds the body. Steps are longer then: 2 ms, or a control period if that is shorter.
     ///
     /// # Errors

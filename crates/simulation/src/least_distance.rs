@@ -32,6 +32,11 @@ impl Cone {
         self.tangents.map_or(self.normal, |[first, second]| self.normal + first * cosine + second * sine)
     }
 
+    /// What friction of an active facet adds to the point: its multiple of the normal without that of the cone.
+    pub fn friction(&self, active: &Active) -> Vector6 {
+        (self.facet(active.facet) - self.normal) * active.multiplier
+    }
+
     /// The facet that a point violates most of those that are `allowed`, if by more than `least`, and by how much.
     fn most_violated(&self, point: &Vector6, least: f64, allowed: impl Fn(usize) -> bool) -> Option<(usize, f64)> {
         let violation = self.bound - self.normal.dot(point);

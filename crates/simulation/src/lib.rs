@@ -37,7 +37,8 @@
 //! An [`Evaluator`] simulates a reference in several [`Trial`]s. A [`Refinement`] changes the reference until it passes
 //! all of them. Changes begin at definite times, and the states of earlier rollouts are kept, so that only what follows is
 //! simulated; outcomes are the same to the last bit. [`Strokes`] past the goal and back end a reference where dry friction
-//! would hold the body short of it.
+//! would hold the body short of it. An evaluator [`with_margins`](Evaluator::with_margins) has more friction, and its contact
+//! forces count friction of other contacts as if it reversed ([`Rollout::with_reversed_friction`]).
 //!
 //! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
 //! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its

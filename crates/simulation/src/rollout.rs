@@ -11,6 +11,7 @@ use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::body::Body;
 use crate::contact::{ContactFinder, Shapes};
+use crate::contact_solver::ContactSolver;
 use crate::course::Course;
 use crate::disturbance::Injection;
 use crate::dynamics::Stepper;
@@ -39,6 +40,8 @@ pub struct Rollout {
     has_even_steps: bool,
     /// The acceleration (m/s^2) up to which steps may be longer.
     steady: f64,
+    /// Whether contact forces count friction as if it reversed.
+    reverses_friction: bool,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
     pub(crate) arm: Option<(ArmModel, JointVector)>,
 }
@@ -78,7 +81,15 @@ impl Rollout {
     /// Prepares the shapes of a task. Callers validate the settings ([`Settings::validate_for`]).
     pub fn new(task: &AssemblyTask, settings: Settings) -> Self {
         let shapes = Shapes::new(&task.pairs);
-        Self { task: task.clone(), settings, shapes, has_even_steps: false, steady: STEADY, arm: None }
+        Self {
+            task: task.clone(),
+            settings,
+            shapes,
+            has_even_steps: false,
+            steady: STEADY,
+            reverses_friction: false,
+            arm: None,
+        }
     }
 
     /// With an arm that holds the body. The inertia is that of the arm then, not that of the task; the time step becomes
@@ -99,6 +110,12 @@ impl Rollout {
     /// default it is 1.
     pub fn with_steady(self, acceleration: f64) -> Self {
         Self { steady: acceleration, ..self }
+    }
+
+    /// With contact forces that count friction of other contacts as if it reversed: the largest forces of contacts that yield
+    /// a little. Motions stay the same.
+    pub fn with_reversed_friction(self) -> Self {
+        Self { reverses_friction: true, ..self }
     }
 
     /// With steps that are all of the same length, so that motions depend smoothly on the parameters of task and arm.
@@ -213,19 +230,19 @@ impl Rollout {
         self.settings.validate_for(reference).ok().and(disturbance.validate().ok())?;
         let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
         let (time_step, substeps) = self.settings.divide(reference.time_step());
-        let friction = self.settings.friction;
+        let solver = ContactSolver::new(self.settings.friction, self.reverses_friction);
         let most = if self.has_even_steps { 1 } else { substeps };
         let steps = Steps { time_step, most, steady: self.steady };
         match &self.arm {
             None => {
                 let inertia = disturbance.inertia(&self.task.inertia);
                 let offset = Vector3::from(grasp.offset);
-                let stepper = Stepper::new(&steps, &inertia, &impedance, offset, friction);
+                let stepper = Stepper::new(&steps, &inertia, &impedance, offset, solver);
                 stepper.map(|stepper| Plant::Body(Box::new(stepper)))
             }
             Some((model, near)) => {
                 let control = (impedance, disturbance);
-                let stepper = ArmStepper::new(model, near, (start, grasp.believed()), control, &steps, friction);
+                let stepper = ArmStepper::new(model, near, (start, grasp.believed()), control, &steps, solver);
                 stepper.map(|stepper| Plant::Arm(Box::new(stepper)))
             }
         }

@@ -5,6 +5,7 @@ use simulation::Refinement;
 use crate::error::PlannerError;
 use crate::refine::candidate::{Candidate, Kept};
 use crate::refine::clock::Deadline;
+use crate::refine::margins::WITH_MARGINS;
 use crate::refine::{Refiner, SEED, SEED_STRIDE};
 use crate::robustness::Round;
 
@@ -40,7 +41,7 @@ impl Refiner<'_> {
     pub(super) fn refine_best(&mut self, until: Deadline) -> Result<(), PlannerError> {
         let Some(best) = self.best.clone().filter(|_| self.goes_on(until)) else { return Ok(()) };
         let Kept { mut variant, iterations, reference, is_scenes_own, chosen, .. } = best;
-        if !variant.name.ends_with(CONTINUED) {
+        if ![CONTINUED, WITH_MARGINS].iter().any(|mark| variant.name.ends_with(mark)) {
             variant.name += CONTINUED;
         }
         let results = self.trainer.evaluate_all(&reference, &self.training, &|| self.clock.is_over(until));

@@ -41,6 +41,16 @@ impl<'run> Clock<'run> {
         Deadline(self.limit)
     }
 
+    /// When as much time again has passed, or the end of all work but the comparison.
+    pub fn as_much_again(&self) -> Deadline {
+        Deadline(2 * self.elapsed()).min(self.end())
+    }
+
+    /// The same clock, but with an earlier end of all work, for another session.
+    pub fn until<'other>(&self, limit: Deadline, session: &'other Session<'other>) -> Clock<'other> {
+        Clock::new(session, self.elapsed(), limit.0)
+    }
+
     /// Time until the comparison.
     pub fn left(&self) -> Duration {
         self.end().0.saturating_sub(self.elapsed())

@@ -1,6 +1,7 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
 use fastrand::Rng;
+use nalgebra::Vector3;
 use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
 use task::{AssemblyTask, GraspError};
 
@@ -39,6 +40,8 @@ const AXES: [[f64; 3]; 6] =
 pub struct ErrorRange {
     delta: f64,
     turn: f64,
+    /// Whether every turn of an evaluation is the largest.
+    turns_fully: bool,
     inertia: f64,
     stiffness: f64,
     delay: f64,
@@ -51,11 +54,28 @@ impl ErrorRange {
         Self {
             delta: problem.delta(),
             turn: target.turn,
+            turns_fully: false,
             inertia: target.inertia_error,
             stiffness: target.stiffness_error,
             delay: target.delay,
             edge_radius: problem.edge_radius(),
         }
+    }
+
+    /// With evaluations that turn the part as far as it may be, about any axis.
+    pub fn with_full_turns(self) -> Self {
+        Self { turns_fully: true, ..self }
+    }
+
+    /// Random turns about any axis (rotation vectors, rad).
+    fn turns(&self, count: usize, seed: u64) -> Vec<[f64; 3]> {
+        let turns = offsets::ball(self.turn, count, seed);
+        if !self.turns_fully {
+            return turns;
+        }
+        let full =
+            |turn: [f64; 3]| Vector3::from(turn).try_normalize(0.0).map_or(turn, |axis| (axis * self.turn).into());
+        turns.into_iter().map(full).collect()
     }
 
     /// A robot, controller and edges within the range, all of them equally likely.
@@ -98,7 +118,7 @@ impl Evaluation {
     /// At most `count` random offsets per friction and magnitude, each with a turn, errors of robot and controller and round
     /// edges, and the planned grasp errors without other errors.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
-        let &ErrorRange { delta, turn, .. } = range;
+        let delta = range.delta;
         let mut random = Rng::with_seed(seed + DISTURBANCE_SEED);
         let (mut groups, mut placed) = (Vec::new(), Vec::new());
         for (index, &friction) in frictions.iter().enumerate() {
@@ -116,7 +136,7 @@ impl Evaluation {
                     task.grasps.iter().map(|grasp| grasp.offset.map(|c| c * fraction)).collect();
                 let spread = offsets::ball(SPREAD * delta, count, seed);
                 let planned = offsets::hull(&scaled, count, seed);
-                let turns = offsets::ball(turn, count, seed + TURN_SEED);
+                let turns = range.turns(count, seed + TURN_SEED);
                 let error = |((offset, spread), turn): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
                     offset: std::array::from_fn(|axis| offset[axis] + spread[axis]),
                     turn,
@@ -209,7 +229,15 @@ mod tests {
 
     #[test]
     fn training_turns_the_part_as_far_as_may_be_about_all_axes() {
-        let range = ErrorRange { delta: 0.01, turn: 0.02, inertia: 0.0, stiffness: 0.0, delay: 0.0, edge_radius: 0.0 };
+        let range = ErrorRange {
+            delta: 0.01,
+            turn: 0.02,
+            turns_fully: false,
+            inertia: 0.0,
+            stiffness: 0.0,
+            delay: 0.0,
+            edge_radius: 0.0,
+        };
         let trials = evaluation(12).into_training(&range);
         let turns: Vec<[f64; 3]> = trials.iter().map(|trial| trial.grasp.turn).collect();
         assert_eq!(turns[..2], [[0.0; 3]; 2], "planned errors are as they are planned");
@@ -221,7 +249,15 @@ mod tests {
 
     #[test]
     fn errors_fill_their_range() {
-        let range = ErrorRange { delta: 0.0, turn: 0.0, inertia: 0.1, stiffness: 0.2, delay: 0.003, edge_radius: 1e-4 };
+        let range = ErrorRange {
+            delta: 0.0,
+            turn: 0.0,
+            turns_fully: false,
+            inertia: 0.1,
+            stiffness: 0.2,
+            delay: 0.003,
+            edge_radius: 1e-4,
+        };
         let mut random = Rng::with_seed(1);
         let drawn: Vec<Disturbance> = (0..200).map(|_| range.disturbance(&mut random)).collect();
         let extremes = |of: fn(&Disturbance) -> f64| {

@@ -20,6 +20,7 @@ mod drafts;
 mod ends;
 mod evaluation;
 mod evaluators;
+mod margins;
 mod portfolio;
 mod push;
 mod race;
@@ -125,6 +126,8 @@ pub fn refine_reference(
 struct Refiner<'run> {
     problem: &'run Problem,
     target: &'run RobustnessTarget,
+    /// What must be borne.
+    range: ErrorRange,
     evaluator: &'run Evaluator,
     /// Of training trials.
     trainer: &'run Evaluator,
@@ -160,6 +163,7 @@ impl<'run> Refiner<'run> {
         Self {
             problem,
             target,
+            range,
             evaluator,
             trainer,
             session,
@@ -195,6 +199,7 @@ impl<'run> Refiner<'run> {
         self.refine_variants(solving)?;
         self.refine_again()?;
         self.compare_latest()?;
+        self.add_margins()?;
         self.take_best()
     }
 

@@ -7,7 +7,7 @@ use simulation::{Reference, Refinement};
 use crate::error::PlannerError;
 use crate::refine::candidate::{Candidate, Kept};
 use crate::refine::clock::Deadline;
-use crate::refine::evaluation::{ErrorRange, Evaluation, Judgement};
+use crate::refine::evaluation::{Evaluation, Judgement};
 use crate::refine::{OWN_SHARE, Refiner, SEED, SEED_STRIDE};
 use crate::session::Event;
 
@@ -127,8 +127,7 @@ impl<'run> Refiner<'run> {
     pub(super) fn new_evaluation(&mut self, count: usize) -> Evaluation {
         self.evaluations += 1;
         let seed = SEED + SEED_STRIDE * self.evaluations;
-        let range = ErrorRange::new(self.problem, self.target);
-        Evaluation::new(self.problem.task(), &range, &self.target.frictions, count, seed)
+        Evaluation::new(self.problem.task(), &self.range, &self.target.frictions, count, seed)
     }
 }
 

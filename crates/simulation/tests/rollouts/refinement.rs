@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
-use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Success, Trial};
+use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Rollout, Settings, Success, Trial};
 use task::{GraspError, Horizon};
 use workers::Workers;
 
@@ -142,6 +142,32 @@ fn a_push_beyond_the_limit_is_no_success() {
     let too_far = gentle.too_far.expect("the force is too large");
     assert!((too_far.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{too_far:?}");
     assert!(too_far.turn.norm() < 1e-6 && too_far.fraction > 0.9, "{too_far:?}");
+}
+
+#[test]
+fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_if_it_reversed() {
+    let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
+    let wall = block([0.02, WIDTH, 0.2], [-0.5 * WIDTH - 0.01, 0.0, 0.1]);
+    let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor(), wall]);
+    world.goal[2] = 0.04;
+    let pressing = through(&[[0.0, 0.0, 0.06], [-0.04, 0.0, 0.06], [-0.04, 0.0, -0.06]], 2.0);
+    const FRICTION: f64 = 0.2;
+    let rollout = |friction: f64| Rollout::new(&world, Settings { friction, ..Settings::default() });
+    let force = |rollout: &Rollout| rollout.play(&pressing, trial.injection(), |_, _| {}).loads.contact_force;
+    let plain = force(&rollout(FRICTION));
+    let [reversed, harder] = [1.0, 1.5].map(|factor| force(&rollout(factor * FRICTION).with_reversed_friction()));
+    // The wall holds the body with 2 N when it arrives at the floor.
+    assert!(reversed > plain + 0.1 && reversed < plain + 2.0 * FRICTION * 2.0, "{plain} and {reversed} N");
+    assert!(harder > reversed + 0.05, "{reversed} and {harder} N");
+    let mut passes = |limit: f64, margin: Option<f64>| {
+        world.limits.contact_force = limit;
+        let evaluator = Evaluator::new(&world, &[FRICTION], Success::default());
+        let evaluator = margin.map_or(evaluator.clone(), |factor| evaluator.with_margins(factor));
+        evaluator.evaluate(&pressing, &trial).passed
+    };
+    let (low, high) = (0.5 * (plain + reversed), 0.5 * (reversed + harder));
+    assert!(passes(low, None) && !passes(low, Some(1.0)));
+    assert!(passes(high, Some(1.0)) && !passes(high, Some(1.5)));
 }
 
 #[test]
