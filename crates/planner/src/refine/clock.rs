@@ -85,6 +85,11 @@ mod tests {
         assert!(half >= Deadline(seconds(70)) && half < Deadline(seconds(71)));
         assert!(!clock.is_over(half) && clock.is_over(Deadline(seconds(40))));
         assert!(clock.end() > half && clock.end() < clock.limit());
+        let again = clock.as_much_again();
+        assert!(again >= Deadline(seconds(80)) && again < Deadline(seconds(81)));
+        assert_eq!(Clock::new(&session, seconds(60), seconds(100)).as_much_again(), clock.end());
+        let sooner = clock.until(again, &session);
+        assert!(sooner.limit() == again && sooner.elapsed() >= seconds(40));
         let late = Clock::new(&session, seconds(200), seconds(100));
         assert!(late.is_over(late.share(late.end(), 0.5)));
         stopped.store(true, std::sync::atomic::Ordering::Relaxed);

@@ -248,6 +248,26 @@ mod tests {
     }
 
     #[test]
+    fn full_turns_are_about_any_axis() {
+        let range = ErrorRange {
+            delta: 0.01,
+            turn: 0.02,
+            turns_fully: false,
+            inertia: 0.0,
+            stiffness: 0.0,
+            delay: 0.0,
+            edge_radius: 0.0,
+        };
+        for (some, full) in range.turns(50, 3).into_iter().zip(range.with_full_turns().turns(50, 3)) {
+            let [some, full] = [some, full].map(Vector3::from);
+            assert!(some.norm() < 0.02 && (full.norm() - 0.02).abs() < 1e-12);
+            assert!(some.cross(&full).norm() < 1e-12 && some.dot(&full) > 0.0);
+        }
+        let without = ErrorRange { turn: 0.0, ..range }.with_full_turns();
+        assert_eq!(without.turns(1, 3), [[0.0; 3]]);
+    }
+
+    #[test]
     fn errors_fill_their_range() {
         let range = ErrorRange {
             delta: 0.0,

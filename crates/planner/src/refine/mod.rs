@@ -6,7 +6,7 @@
 //! does not help any more, a straight push is refined instead, which needs no plan; then other problems are solved, the
 //! promising first, and their plans are refined. The plan with the best evaluation is kept; where none is robust in the
 //! end, the latest are compared in the same trials. With an arm, the best of several drafts takes the place of a plan that
-//! fails too often, and no push is refined.
+//! fails too often, no push is refined, and a robust plan is refined with margins while there is time.
 //!
 //! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
 //! and every problem has its share of the time.
@@ -183,7 +183,7 @@ impl<'run> Refiner<'run> {
 
     /// Refines the plan of the scene; where that is given up, a straight push; after each of the two the best so far again, if
     /// it is nearly robust; then the plans of other problems, and the best once more, while there is time. With an arm,
-    /// no push is refined. What is not robust then is the best of the latest in a comparison.
+    /// no push is refined. What is not robust then is the best of the latest in a comparison; what is robust gets margins.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
