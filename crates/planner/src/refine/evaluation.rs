@@ -219,6 +219,16 @@ impl Evaluation {
 mod tests {
     use super::*;
 
+    const NO_ERRORS: ErrorRange = ErrorRange {
+        delta: 0.0,
+        turn: 0.0,
+        turns_fully: false,
+        inertia: 0.0,
+        stiffness: 0.0,
+        delay: 0.0,
+        edge_radius: 0.0,
+    };
+
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
         let group = |planned| SuccessRate { friction: 0.0, magnitude_m: 0.01, planned, rollouts: 0, successes: 0 };
@@ -229,15 +239,7 @@ mod tests {
 
     #[test]
     fn training_turns_the_part_as_far_as_may_be_about_all_axes() {
-        let range = ErrorRange {
-            delta: 0.01,
-            turn: 0.02,
-            turns_fully: false,
-            inertia: 0.0,
-            stiffness: 0.0,
-            delay: 0.0,
-            edge_radius: 0.0,
-        };
+        let range = ErrorRange { turn: 0.02, ..NO_ERRORS };
         let trials = evaluation(12).into_training(&range);
         let turns: Vec<[f64; 3]> = trials.iter().map(|trial| trial.grasp.turn).collect();
         assert_eq!(turns[..2], [[0.0; 3]; 2], "planned errors are as they are planned");
@@ -249,35 +251,18 @@ mod tests {
 
     #[test]
     fn full_turns_are_about_any_axis() {
-        let range = ErrorRange {
-            delta: 0.01,
-            turn: 0.02,
-            turns_fully: false,
-            inertia: 0.0,
-            stiffness: 0.0,
-            delay: 0.0,
-            edge_radius: 0.0,
-        };
+        let range = ErrorRange { turn: 0.02, ..NO_ERRORS };
         for (some, full) in range.turns(50, 3).into_iter().zip(range.with_full_turns().turns(50, 3)) {
             let [some, full] = [some, full].map(Vector3::from);
             assert!(some.norm() < 0.02 && (full.norm() - 0.02).abs() < 1e-12);
             assert!(some.cross(&full).norm() < 1e-12 && some.dot(&full) > 0.0);
         }
-        let without = ErrorRange { turn: 0.0, ..range }.with_full_turns();
-        assert_eq!(without.turns(1, 3), [[0.0; 3]]);
+        assert_eq!(NO_ERRORS.with_full_turns().turns(1, 3), [[0.0; 3]]);
     }
 
     #[test]
     fn errors_fill_their_range() {
-        let range = ErrorRange {
-            delta: 0.0,
-            turn: 0.0,
-            turns_fully: false,
-            inertia: 0.1,
-            stiffness: 0.2,
-            delay: 0.003,
-            edge_radius: 1e-4,
-        };
+        let range = ErrorRange { inertia: 0.1, stiffness: 0.2, delay: 0.003, edge_radius: 1e-4, ..NO_ERRORS };
         let mut random = Rng::with_seed(1);
         let drawn: Vec<Disturbance> = (0..200).map(|_| range.disturbance(&mut random)).collect();
         let extremes = |of: fn(&Disturbance) -> f64| {
