@@ -1,5 +1,7 @@
 //! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
 
+use std::f64::consts::TAU;
+
 use fastrand::Rng;
 use nalgebra::Vector3;
 use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
@@ -30,9 +32,9 @@ const ENOUGH_FAILURES: usize = 8;
 /// Distance between the seeds of errors of the robot and of offsets, likewise.
 const DISTURBANCE_SEED: u64 = 75;
 
-/// Axes about which training turns the part. There are six, and five magnitudes, so that each friction begins with another one.
-const AXES: [[f64; 3]; 6] =
-    [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
+/// Steps of height and of angle from one [axis](training_axis) to the next: powers of 1 / 1.3247, the root of x^3 = x + 1, which
+/// never repeat and leave no large gaps.
+const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 
 /// Largest errors to be borne: of the grasp, an offset `delta-hat` (m) and a turn (rad); of robot and controller, relative
 /// ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
@@ -40,8 +42,6 @@ const AXES: [[f64; 3]; 6] =
 pub struct ErrorRange {
     delta: f64,
     turn: f64,
-    /// Whether every turn of an evaluation is the largest.
-    turns_fully: bool,
     inertia: f64,
     stiffness: f64,
     delay: f64,
@@ -54,7 +54,6 @@ impl ErrorRange {
         Self {
             delta: problem.delta(),
             turn: target.turn,
-            turns_fully: false,
             inertia: target.inertia_error,
             stiffness: target.stiffness_error,
             delay: target.delay,
@@ -62,20 +61,12 @@ impl ErrorRange {
         }
     }
 
-    /// With evaluations that turn the part as far as it may be, about any axis.
-    pub fn with_full_turns(self) -> Self {
-        Self { turns_fully: true, ..self }
-    }
-
-    /// Random turns about any axis (rotation vectors, rad).
+    /// Turns as far as the part may be turned, about random axes (rotation vectors, rad). Smaller ones fail less often:
+    /// few trials say most at the limit.
     fn turns(&self, count: usize, seed: u64) -> Vec<[f64; 3]> {
-        let turns = offsets::ball(self.turn, count, seed);
-        if !self.turns_fully {
-            return turns;
-        }
-        let full =
+        let largest =
             |turn: [f64; 3]| Vector3::from(turn).try_normalize(0.0).map_or(turn, |axis| (axis * self.turn).into());
-        turns.into_iter().map(full).collect()
+        offsets::ball(self.turn, count, seed).into_iter().map(largest).collect()
     }
 
     /// A robot, controller and edges within the range, all of them equally likely.
@@ -156,9 +147,9 @@ impl Evaluation {
     }
 
     /// The trials to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
-    /// each about another axis. What bears these mostly bears smaller turns.
+    /// each about another [axis](training_axis). What bears these mostly bears smaller turns.
     pub fn into_training(self, range: &ErrorRange) -> Vec<Trial> {
-        let mut turns = AXES.iter().cycle().map(|axis| axis.map(|component| component * range.turn));
+        let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.turn));
         let Self { groups, mut trials, group } = self;
         for (trial, group) in trials.iter_mut().zip(group) {
             if !groups[group].planned {
@@ -215,19 +206,22 @@ impl Evaluation {
     }
 }
 
+/// Axis number `index` about which training turns the part: any few in a row point in all directions, as the trials of one
+/// friction should.
+fn training_axis(index: u32) -> [f64; 3] {
+    let [height, turns] = AXIS_STEPS.map(|step| (0.5 + step * f64::from(index)).fract());
+    let height = 1.0 - 2.0 * height;
+    let (sin, cos) = (TAU * turns).sin_cos();
+    let radius = (1.0 - height * height).sqrt();
+    [radius * cos, radius * sin, height]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const NO_ERRORS: ErrorRange = ErrorRange {
-        delta: 0.0,
-        turn: 0.0,
-        turns_fully: false,
-        inertia: 0.0,
-        stiffness: 0.0,
-        delay: 0.0,
-        edge_radius: 0.0,
-    };
+    const NO_ERRORS: ErrorRange =
+        ErrorRange { delta: 0.0, turn: 0.0, inertia: 0.0, stiffness: 0.0, delay: 0.0, edge_radius: 0.0 };
 
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
@@ -238,26 +232,28 @@ mod tests {
     }
 
     #[test]
-    fn training_turns_the_part_as_far_as_may_be_about_all_axes() {
+    fn training_turns_the_part_as_far_as_may_be_about_axes_in_all_directions() {
         let range = ErrorRange { turn: 0.02, ..NO_ERRORS };
-        let trials = evaluation(12).into_training(&range);
-        let turns: Vec<[f64; 3]> = trials.iter().map(|trial| trial.grasp.turn).collect();
-        assert_eq!(turns[..2], [[0.0; 3]; 2], "planned errors are as they are planned");
-        for axis in AXES {
-            let wanted = axis.map(|component| 0.02 * component);
-            assert_eq!(turns.iter().filter(|turn| **turn == wanted).count(), 2, "{wanted:?}");
+        let trials = evaluation(15).into_training(&range);
+        let turns: Vec<Vector3<f64>> = trials.iter().map(|trial| trial.grasp.turn.into()).collect();
+        let (planned, random) = turns.split_at(2);
+        assert_eq!(planned, [Vector3::zeros(); 2], "planned errors are as they are planned");
+        assert!(random.iter().all(|turn| (turn.norm() - 0.02).abs() < 1e-12));
+        // Any direction is near one of all of them, and not far from one of five in a row.
+        for direction in range.turns(500, 1).into_iter().map(Vector3::from) {
+            let nearest = |turns: &[Vector3<f64>]| {
+                turns.iter().map(|turn| turn.angle(&direction).to_degrees()).fold(f64::INFINITY, f64::min)
+            };
+            assert!(nearest(random) < 60.0, "{direction:?}");
+            assert!(random.chunks(5).all(|few| nearest(few) < 90.0), "{direction:?}");
         }
     }
 
     #[test]
-    fn full_turns_are_about_any_axis() {
+    fn evaluations_turn_the_part_as_far_as_may_be() {
         let range = ErrorRange { turn: 0.02, ..NO_ERRORS };
-        for (some, full) in range.turns(50, 3).into_iter().zip(range.with_full_turns().turns(50, 3)) {
-            let [some, full] = [some, full].map(Vector3::from);
-            assert!(some.norm() < 0.02 && (full.norm() - 0.02).abs() < 1e-12);
-            assert!(some.cross(&full).norm() < 1e-12 && some.dot(&full) > 0.0);
-        }
-        assert_eq!(NO_ERRORS.with_full_turns().turns(1, 3), [[0.0; 3]]);
+        assert!(range.turns(50, 3).iter().all(|turn| (Vector3::from(*turn).norm() - 0.02).abs() < 1e-12));
+        assert_eq!(NO_ERRORS.turns(1, 3), [[0.0; 3]]);
     }
 
     #[test]

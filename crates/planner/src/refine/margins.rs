@@ -11,7 +11,7 @@ use crate::refine::Refiner;
 use crate::refine::candidate::Kept;
 use crate::refine::clock::Deadline;
 use crate::robustness::Round;
-use crate::session::Session;
+use crate::session::{Event, Session};
 
 /// So many times as large are frictions in the harder world.
 const FRICTION: f64 = 1.1;
@@ -43,7 +43,6 @@ impl Refiner<'_> {
         // What is kept on disk is of this world.
         let session = Session { folder: None, ..*self.session };
         let mut other = Refiner::new(self.problem, self.target, (evaluator, trainer), &session);
-        other.range = self.range.with_full_turns();
         other.training.extend_from_slice(&self.training[other.training.len()..]);
         other.clock = self.clock.until(until, &session);
         other.evaluations = self.evaluations;
@@ -51,6 +50,9 @@ impl Refiner<'_> {
         self.evaluations = other.evaluations;
         let Some((refined, round)) = refined else { return Ok(()) };
         let judgement = self.judge(&refined.reference, self.clock.end());
+        if judgement.rates.rollouts() > 0 {
+            self.session.tell(Event::Refined { rate: judgement.rates.overall() });
+        }
         if !judgement.reached {
             return Ok(());
         }
