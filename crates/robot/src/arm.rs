@@ -14,6 +14,10 @@ use crate::urdf::Urdf;
 
 /// Larger files (bytes) are a mistake.
 const LARGEST_FILE: u64 = 1 << 20;
+/// Masses (kg) of all moving links together that need no remark.
+const USUAL_MASSES: std::ops::Range<f64> = 0.2..1000.0;
+/// Part of its inertia that a joint has to move while those behind it are free.
+const LEAST_SHARE: f64 = 1e-10;
 
 /// A serial arm with fixed base whose tip holds a part.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +28,7 @@ pub struct Arm {
     base: IsometryMatrix3<f64>,
     grasp: IsometryMatrix3<f64>,
     payload: RigidInertia,
+    remarks: Vec<String>,
 }
 
 /// Why numbers do not fit an arm.
@@ -70,24 +75,62 @@ impl Arm {
     /// move. The part's frame is that of the tip, the base is at the origin of the world; there is no payload.
     ///
     /// Links that hang on the arm beside its chain, or behind the tip, add their inertia to the link that carries them;
-    /// their joints stay at zero, or at the limit next to it. Damping and friction in the file are not used.
+    /// their joints stay at zero, or at the limit next to it. Damping and friction in the file are not used, and what the
+    /// type of a joint or the chain does not use is not checked.
     ///
     /// # Errors
     /// When the file cannot be read, is no URDF, has no such tip, or a joint or inertia that an arm cannot have.
     pub fn read(path: &Path, tip: &str) -> Result<Self, RobotError> {
-        let text = read_text(path).map_err(|fault| RobotError::new(path, fault))?;
-        Self::from_urdf(&text, tip).map_err(|fault| RobotError::new(path, fault))
+        let at = |fault| RobotError::new(path, fault);
+        let (arm, remarks) = read_text(path).and_then(|text| Self::from_urdf(&text, tip)).map_err(at)?;
+        let remarks = remarks.into_iter().map(|remark| at(remark).to_string()).collect();
+        Ok(Self { remarks, ..arm })
     }
 
-    fn from_urdf(text: &str, tip: &str) -> Result<Self, Fault> {
-        let Chain { joints, tip } = Chain::to_tip(&Urdf::parse(text)?, tip)?;
-        Ok(Self {
+    fn from_urdf(text: &str, tip: &str) -> Result<(Self, Vec<Fault>), Fault> {
+        let Chain { joints, lines, tip, mut remarks } = Chain::to_tip(&Urdf::parse(text)?, tip)?;
+        let arm = Self {
             joints,
             tip,
             base: IsometryMatrix3::identity(),
             grasp: IsometryMatrix3::identity(),
             payload: RigidInertia::zero(),
-        })
+            remarks: Vec::new(),
+        };
+        if let Some(joint) = arm.joint_without_inertia() {
+            return Err(without_inertia(&arm.joints[joint].name, lines[joint]));
+        }
+        let mass = arm.joints.iter().map(|joint| joint.link_inertia.mass()).sum();
+        if !USUAL_MASSES.contains(&mass) {
+            remarks.push(Fault::somewhere(format!(
+                "the links that move weigh {mass} kg together: are their masses in kilograms?"
+            )));
+        }
+        Ok((arm, remarks))
+    }
+
+    /// What is odd in its file, though an arm can have it, each with file and line.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// The joint nearest to the tip that moves nothing that resists, while those behind it are free: the mass matrix of the
+    /// links is not positive definite then. `None` where it is. Of the joint positions it depends in special ones only.
+    fn joint_without_inertia(&self) -> Option<usize> {
+        let mut mass = self.posture(&JointVector::from_fn(|joint, _| 0.3 + 0.37 * joint as f64)).mass_matrix();
+        let whole = mass.diagonal();
+        for pivot in (0..self.joints.len()).rev() {
+            let left = mass[(pivot, pivot)];
+            if !(left > LEAST_SHARE * whole[pivot]) {
+                return Some(pivot);
+            }
+            for row in 0..pivot {
+                for column in 0..pivot {
+                    mass[(row, column)] -= mass[(row, pivot)] * mass[(pivot, column)] / left;
+                }
+            }
+        }
+        None
     }
 
     /// With the frame of its root link at `base` in the world frame.
@@ -195,6 +238,16 @@ impl Arm {
         let joints = self.joints.iter().map(|joint| joint.name.clone()).collect();
         Err(ArmError::Count { given: numbers.len(), joints })
     }
+}
+
+fn without_inertia(joint: &str, line: usize) -> Fault {
+    Fault::at(
+        line,
+        format!(
+            "joint `{joint}` moves nothing with inertia: give <inertial> to the link behind it, which is in this line, or to \
+             one that is fixed to that"
+        ),
+    )
 }
 
 fn read_text(path: &Path) -> Result<String, Fault> {

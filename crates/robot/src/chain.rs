@@ -11,7 +11,11 @@ use crate::urdf::{Urdf, UrdfJoint, UrdfKind, UrdfLink};
 #[derive(Debug)]
 pub struct Chain {
     pub joints: Vec<Joint>,
+    /// Lines of the links behind the joints.
+    pub lines: Vec<usize>,
     pub tip: IsometryMatrix3<f64>,
+    /// What is odd in the file, though an arm can have it.
+    pub remarks: Vec<Fault>,
 }
 
 impl Chain {
@@ -26,24 +30,26 @@ impl Chain {
         let parents = parent_joints(urdf)?;
         let root = root(urdf, &parents)?;
         let moving = moving_joints(urdf, &parents, root, tip)?;
-        let joints = moving.iter().map(|&index| joint(&urdf.joints[index])).collect::<Result<Vec<_>, _>>()?;
-        let mut chain = Self { joints, tip: IsometryMatrix3::identity() };
-        chain.place_links(urdf, root, tip, &moving);
-        match chain.joints.iter().position(|joint| joint.link_inertia.mass() == 0.0) {
-            Some(massless) => Err(without_mass(&urdf.links[urdf.joints[moving[massless]].child])),
-            None => Ok(chain),
-        }
+        let mut remarks = Vec::new();
+        let read = |&index: &usize| joint(&urdf.joints[index], &mut remarks);
+        let joints = moving.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+        let lines = moving.iter().map(|&index| urdf.links[urdf.joints[index].child].line).collect();
+        let mut chain = Self { joints, lines, tip: IsometryMatrix3::identity(), remarks };
+        chain.place_links(urdf, root, tip, &moving)?;
+        Ok(chain)
     }
 
     /// Adds the inertia of each link to the moving link that carries it, and finds the frames between moving links.
-    fn place_links(&mut self, urdf: &Urdf, root: usize, tip: usize, moving: &[usize]) {
+    fn place_links(&mut self, urdf: &Urdf, root: usize, tip: usize, moving: &[usize]) -> Result<(), Fault> {
         // Links to visit: index, its moving link (none for the base), its frame in that link's.
         let mut links: Vec<(usize, Option<usize>, IsometryMatrix3<f64>)> =
             vec![(root, None, IsometryMatrix3::identity())];
         while let Some((link, carrier, frame)) = links.pop() {
             if let Some(carrier) = carrier {
+                let inertia = urdf.links[link].inertia.clone()?;
+                self.remarks.extend(impossible_shape(&urdf.links[link], &inertia));
                 let joint = &mut self.joints[carrier];
-                joint.link_inertia = joint.link_inertia.joined(&urdf.links[link].inertia.seen_from(&frame));
+                joint.link_inertia = joint.link_inertia.joined(&inertia.seen_from(&frame));
             }
             if link == tip {
                 self.tip = frame;
@@ -59,6 +65,7 @@ impl Chain {
                 }
             }
         }
+        Ok(())
     }
 }
 
@@ -108,7 +115,7 @@ fn moving_joints(urdf: &Urdf, parents: &[Option<usize>], root: usize, tip: usize
         link = urdf.joints[index].parent;
     }
     let moving: Vec<usize> =
-        above.into_iter().rev().filter(|&index| urdf.joints[index].kind != UrdfKind::Fixed).collect();
+        above.into_iter().rev().filter(|&index| urdf.joints[index].kind != Ok(UrdfKind::Fixed)).collect();
     let [root, tip] = [&urdf.links[root].name, &urdf.links[tip].name];
     match moving.get(MOST_JOINTS) {
         Some(&first) => {
@@ -126,62 +133,84 @@ fn moving_joints(urdf: &Urdf, parents: &[Option<usize>], root: usize, tip: usize
 }
 
 /// A moving joint; frame and inertia are still to be found.
-fn joint(urdf: &UrdfJoint) -> Result<Joint, Fault> {
-    let refused = |message: String| Err(Fault::at(urdf.line, format!("joint `{}`: {message}", urdf.name)));
+fn joint(urdf: &UrdfJoint, remarks: &mut Vec<Fault>) -> Result<Joint, Fault> {
+    let fault = |message: String| Fault::at(urdf.line, format!("joint `{}`: {message}", urdf.name));
+    let refused = |message: String| Err(fault(message));
     if urdf.is_mimic {
         return refused("it mimics another joint; an arm's joints must move on their own".to_owned());
     }
-    let kind = match urdf.kind {
+    let written = urdf.kind.clone()?;
+    let kind = match written {
         UrdfKind::Revolute | UrdfKind::Continuous => JointKind::Revolute,
         UrdfKind::Prismatic => JointKind::Prismatic,
         other => return refused(format!("an arm cannot have a {} joint: use joints with one axis", other.name())),
     };
-    let [lower, upper] = if urdf.kind == UrdfKind::Continuous {
+    let limits = urdf.limits.clone()?;
+    let [lower, upper] = if written == UrdfKind::Continuous {
         [f64::NEG_INFINITY, f64::INFINITY]
     } else {
-        match (urdf.limits.lower, urdf.limits.upper) {
+        match (limits.lower, limits.upper) {
             (Some(lower), Some(upper)) if lower < upper => [lower, upper],
             (Some(lower), Some(upper)) => {
                 return refused(format!("`lower` = {lower} must be below `upper` = {upper}"));
             }
-            _ => return refused(format!("a {} joint needs <limit lower=... upper=...>", urdf.kind.name())),
+            _ => return refused(format!("a {} joint needs <limit lower=... upper=...>", written.name())),
         }
     };
-    for (name, limit) in [("velocity", urdf.limits.velocity), ("effort", urdf.limits.effort)] {
-        if let Some(limit) = limit.filter(|limit| *limit <= 0.0) {
-            return refused(format!("`{name}` = {limit} must be positive; leave it out if there is no limit"));
+    let mut largest = |name: &str, given: Option<f64>| match given {
+        // The format demands a number: zero stands for one that nobody knows.
+        Some(0.0) => {
+            remarks.push(fault(format!("`{name}` = 0 is taken as unknown: nothing limits this joint's {name}")));
+            Ok(f64::INFINITY)
         }
-    }
+        Some(limit) if limit < 0.0 => Err(fault(format!("`{name}` = {limit} must not be negative"))),
+        Some(limit) => Ok(limit),
+        None => Ok(f64::INFINITY),
+    };
+    let (velocity, effort) = (largest("velocity", limits.velocity)?, largest("effort", limits.effort)?);
     Ok(Joint {
         name: urdf.name.clone(),
         kind,
         lower,
         upper,
-        velocity: urdf.limits.velocity.unwrap_or(f64::INFINITY),
-        effort: urdf.limits.effort.unwrap_or(f64::INFINITY),
+        velocity,
+        effort,
         before: IsometryMatrix3::identity(),
-        axis: urdf.axis,
+        axis: urdf.axis.clone()?,
         link_inertia: RigidInertia::zero(),
         rotor_inertia: 0.0,
     })
 }
 
-/// Frame of the link of a joint beside the chain: it stays where it is zero, or at the limit next to that.
+/// Frame of the link of a joint beside the chain: it stays where it is zero, or at the limit next to that. Where the file
+/// does not say how it moves, it stays at zero.
 fn held(joint: &UrdfJoint) -> IsometryMatrix3<f64> {
-    let lower = joint.limits.lower.unwrap_or(0.0);
-    let upper = joint.limits.upper.unwrap_or(0.0);
-    let position = 0f64.max(lower).min(upper);
-    match joint.kind {
-        UrdfKind::Revolute => JointKind::Revolute.motion(&joint.axis, position),
-        UrdfKind::Prismatic => JointKind::Prismatic.motion(&joint.axis, position),
-        UrdfKind::Continuous | UrdfKind::Fixed | UrdfKind::Floating | UrdfKind::Planar => IsometryMatrix3::identity(),
+    let limits = joint.limits.clone().unwrap_or_default();
+    let position = 0f64.max(limits.lower.unwrap_or(0.0)).min(limits.upper.unwrap_or(0.0));
+    match (&joint.kind, &joint.axis) {
+        (Ok(UrdfKind::Revolute), Ok(axis)) => JointKind::Revolute.motion(axis, position),
+        (Ok(UrdfKind::Prismatic), Ok(axis)) => JointKind::Prismatic.motion(axis, position),
+        _ => IsometryMatrix3::identity(),
     }
 }
 
-fn without_mass(link: &UrdfLink) -> Fault {
-    let name = &link.name;
-    Fault::at(
-        link.line,
-        format!("link `{name}` moves and has no mass, nor has what is fixed to it: give it <inertial>"),
-    )
+/// Part of the largest principal moment by which it may exceed the sum of the others: files have rounded numbers.
+const ROUNDING: f64 = 1e-3;
+
+/// A remark on a rotational inertia that no distribution of mass has: none of the principal moments exceeds the sum of the
+/// other two.
+fn impossible_shape(link: &UrdfLink, inertia: &RigidInertia) -> Option<Fault> {
+    let mut moments: [f64; 3] = inertia.rotational().symmetric_eigenvalues().into();
+    moments.sort_by(f64::total_cmp);
+    let [small, middle, large] = moments;
+    (large > (1.0 + ROUNDING) * (small + middle)).then(|| {
+        Fault::at(
+            link.line,
+            format!(
+                "link `{}`: no body has principal moments of {small:.3e}, {middle:.3e} and {large:.3e} kg m^2, the largest \
+                 exceeds the sum of the others: check <inertia>",
+                link.name
+            ),
+        )
+    })
 }

@@ -40,8 +40,8 @@ impl fmt::Display for RobotError {
 
 impl std::error::Error for RobotError {}
 
-/// What is wrong in a file, before its name is known.
-#[derive(Debug)]
+/// What is wrong or odd in a file, before its name is known.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
     line: Option<usize>,
     message: String,

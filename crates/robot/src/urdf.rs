@@ -16,27 +16,30 @@ pub struct Urdf {
     pub joints: Vec<UrdfJoint>,
 }
 
+/// What a file says of something that an arm may never use: whoever uses it meets the fault.
+pub type Used<T> = Result<T, Fault>;
+
 #[derive(Debug, Clone)]
 pub struct UrdfLink {
     pub name: String,
     pub line: usize,
-    /// In the frame of the link; zero where the file gives none.
-    pub inertia: RigidInertia,
+    /// In the frame of the link; zero where the file gives none. Links that no joint moves do not use it.
+    pub inertia: Used<RigidInertia>,
 }
 
 #[derive(Debug, Clone)]
 pub struct UrdfJoint {
     pub name: String,
     pub line: usize,
-    pub kind: UrdfKind,
+    pub kind: Used<UrdfKind>,
     /// Indices of links.
     pub parent: usize,
     pub child: usize,
     /// The joint in the frame of its parent.
     pub frame: IsometryMatrix3<f64>,
-    /// In the frame of the joint.
-    pub axis: Unit<Vector3<f64>>,
-    pub limits: UrdfLimits,
+    /// In the frame of the joint. Fixed and floating joints do not use it.
+    pub axis: Used<Unit<Vector3<f64>>>,
+    pub limits: Used<UrdfLimits>,
     /// Moves as another joint does.
     pub is_mimic: bool,
 }
@@ -135,8 +138,8 @@ fn read_link(node: &Node) -> Result<UrdfLink, Fault> {
     let (name, line) = (required(node, "name", "")?.to_owned(), line(node));
     let owner = format!("link `{name}`: ");
     let inertia = match child(node, "inertial", &owner)? {
-        Some(inertial) => read_inertial(&inertial, &owner)?,
-        None => RigidInertia::zero(),
+        Some(inertial) => read_inertial(&inertial, &owner),
+        None => Ok(RigidInertia::zero()),
     };
     Ok(UrdfLink { name, line, inertia })
 }
@@ -158,11 +161,6 @@ fn read_inertial(node: &Node, owner: &str) -> Result<RigidInertia, Fault> {
 fn read_joint(node: &Node, links: &[&str]) -> Result<UrdfJoint, Fault> {
     let (name, line) = (required(node, "name", "")?.to_owned(), line(node));
     let owner = format!("joint `{name}`: ");
-    let written = required(node, "type", &owner)?;
-    let Some((_, kind)) = KINDS.iter().find(|(name, _)| *name == written) else {
-        let names: Vec<&str> = KINDS.iter().map(|(name, _)| *name).collect();
-        return Err(Fault::at(line, format!("{owner}unknown type `{written}`{}", suggest(written, &names))));
-    };
     let link = |element: &str| -> Result<usize, Fault> {
         let node = required_child(node, element, &owner)?;
         let name = required(&node, "link", &owner)?;
@@ -170,15 +168,24 @@ fn read_joint(node: &Node, links: &[&str]) -> Result<UrdfJoint, Fault> {
         links.iter().position(|link| *link == name).ok_or_else(|| Fault::at(self::line(&node), unknown()))
     };
     Ok(UrdfJoint {
-        kind: *kind,
+        kind: read_kind(node, &owner),
         parent: link("parent")?,
         child: link("child")?,
         frame: read_origin(node, &owner)?,
-        axis: read_axis(node, &owner)?,
-        limits: read_limits(node, &owner)?,
-        is_mimic: child(node, "mimic", &owner)?.is_some(),
+        axis: read_axis(node, &owner),
+        limits: read_limits(node, &owner),
+        is_mimic: children(node, "mimic").next().is_some(),
         name,
         line,
+    })
+}
+
+fn read_kind(node: &Node, owner: &str) -> Result<UrdfKind, Fault> {
+    let written = required(node, "type", owner)?;
+    let kind = KINDS.iter().find(|(name, _)| *name == written).map(|(_, kind)| *kind);
+    kind.ok_or_else(|| {
+        let names: Vec<&str> = KINDS.iter().map(|(name, _)| *name).collect();
+        Fault::at(line(node), format!("{owner}unknown type `{written}`{}", suggest(written, &names)))
     })
 }
 

@@ -173,12 +173,6 @@ fn inertias_of_no_body_are_refused() {
     let message = "the rotational inertia must be a symmetric matrix of finite numbers";
     assert_eq!(new(1.0, 0.0, Matrix3::new(1.0, 0.2, 0.0, 0.1, 1.0, 0.0, 0.0, 0.0, 1.0)), message);
     assert_eq!(new(1.0, 0.0, Matrix3::from_element(f64::NAN)), message);
-    check(
-        "<link name=\"wrist_2\">\n    <inertial>\n      <origin xyz=\"0 0.017 -0.002\"/>\n      <mass value=\"1.25\"/>",
-        "<link name=\"wrist_2\">\n    <inertial>\n      <origin xyz=\"0 0.017 -0.002\"/>\n      <mass value=\"0\"/>",
-        "link `wrist_2` moves and has no mass, nor has what is fixed to it: give it <inertial>",
-        "<link name=\"wrist_2\">",
-    );
 }
 
 #[test]
@@ -194,8 +188,8 @@ fn joints_that_an_arm_cannot_have_are_refused() {
     );
     check(
         "upper=\"3\" effort=\"150\" velocity=\"3.1\"",
-        "upper=\"3\" effort=\"150\" velocity=\"0\"",
-        "joint `elbow`: `velocity` = 0 must be positive; leave it out if there is no limit",
+        "upper=\"3\" effort=\"150\" velocity=\"-1\"",
+        "joint `elbow`: `velocity` = -1 must not be negative",
         line,
     );
     check(
@@ -210,6 +204,86 @@ fn joints_that_an_arm_cannot_have_are_refused() {
         "joint `elbow`: an arm cannot have a floating joint: use joints with one axis",
         line,
     );
+}
+
+/// The arm of six joints with `from` replaced.
+fn read(from: &str, to: &str) -> Result<Arm, RobotError> {
+    let original = six();
+    assert!(original.contains(from), "{from}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("arm.urdf");
+    fs::write(&file, original.replacen(from, to, 1)).unwrap();
+    Arm::read(&file, "tip")
+}
+
+#[test]
+fn what_an_arm_does_not_use_is_not_checked() {
+    let mount = "<joint name=\"camera_mount\" type=\"fixed\">";
+    let camera = "<link name=\"camera\"/>";
+    let hung = |joint: &str, inside: &str| {
+        format!(
+            "{camera}<link name=\"lens\"/><joint name=\"focus\" type=\"{joint}\"><parent link=\"camera\"/><child \
+             link=\"lens\"/>{inside}</joint>"
+        )
+    };
+    let plain = Arm::read(&path("six.urdf"), "tip").unwrap();
+    for (from, to) in [
+        // Fixed joints have no axis and no limits.
+        (mount, format!("{mount}<axis xyz=\"0 0 0\"/>")),
+        (mount, format!("{mount}<axis xyz=\"z\"/><limit effort=\"none\"/>")),
+        // The base does not move.
+        ("<link name=\"base\"/>", "<link name=\"base\"><inertial/></link>".to_owned()),
+        ("<link name=\"base\"/>", "<link name=\"base\"><inertial><mass value=\"-1\"/></inertial></link>".to_owned()),
+    ] {
+        let arm = read(from, &to).unwrap();
+        assert_eq!((arm.joints(), arm.remarks()), (plain.joints(), plain.remarks()), "{to}");
+    }
+    for (joint, inside) in [
+        ("floating", "<axis xyz=\"0 0 0\"/>"),
+        ("continuous", "<axis xyz=\"0 0 0\"/><limit effort=\"0\"/>"),
+        ("revolute", ""),
+        ("revolute", "<limit lower=\"a\" upper=\"b\"/>"),
+        ("ball", "<mimic joint=\"pan\"/><mimic joint=\"lift\"/>"),
+    ] {
+        let arm = read("<link name=\"flange\"/>", &format!("<link name=\"flange\"/>{}", hung(joint, inside)).replace(camera, ""));
+        assert!(arm.is_ok(), "{joint}: {arm:?}");
+    }
+}
+
+#[test]
+fn limits_of_zero_are_unknown() {
+    let arm = read("effort=\"28\" velocity=\"3.1\"", "effort=\"0\" velocity=\"0.0\"").unwrap();
+    let joint = &arm.joints()[3];
+    assert_eq!((joint.effort, joint.velocity), (f64::INFINITY, f64::INFINITY));
+    let [velocity, effort] = arm.remarks() else { panic!("{:?}", arm.remarks()) };
+    assert!(velocity.contains("arm.urdf:67: joint `wrist_1_joint`: `velocity` = 0 is taken as unknown"), "{velocity}");
+    assert!(effort.contains("`effort` = 0 is taken as unknown"), "{effort}");
+}
+
+#[test]
+fn masses_are_judged_together() {
+    // A link without mass between two joints moves with those behind it.
+    let wrist = "<mass value=\"1.25\"/>\n      <inertia ixx=\"0.0014\" iyy=\"0.0013\" izz=\"0.0010\"";
+    let none = "<mass value=\"0\"/>\n      <inertia ixx=\"0\" iyy=\"0\" izz=\"0\"";
+    let arm = read(wrist, none).unwrap();
+    assert!(arm.remarks().is_empty(), "{:?}", arm.remarks());
+    // Nothing is behind the last joint, or none has any.
+    let massless = |text: &str| text.split("<inertial>").map(|part| part.split("</inertial>").last().unwrap()).collect();
+    let all: String = massless(&six());
+    let (message, line) = refusal(&all, "tip");
+    assert!(message.starts_with("joint `wrist_3_joint` moves nothing with inertia: give <inertial>"), "{message}");
+    assert!(line.starts_with("<link name=\"wrist_3\">"), "{line}");
+}
+
+#[test]
+fn implausible_masses_and_inertias_are_remarked_on() {
+    let remarks = |from: &str, to: &str| read(from, to).unwrap().remarks().join("\n");
+    let grams = remarks("<mass value=\"7.9\"/>", "<mass value=\"7900\"/>");
+    assert!(grams.contains("the links that move weigh 7910.71 kg together: are their masses in kilograms?"), "{grams}");
+    let shape = remarks("izz=\"0.0066\"", "izz=\"0.066\"");
+    assert!(shape.contains("arm.urdf:6: link `shoulder`: no body has principal moments of"), "{shape}");
+    assert!(Arm::read(&path("six.urdf"), "tip").unwrap().remarks().is_empty());
+    assert!(Arm::read(&path("seven.urdf"), "tip").unwrap().remarks().is_empty());
 }
 
 #[test]

@@ -52,7 +52,7 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
         let entry = table.require_table("robustness")?.require("offset_magnitude")?;
         warnings.push(entry.refuse(message).headline());
     }
-    warnings.extend(robot::warnings(table, scene.robot.as_ref())?);
+    warnings.extend(robot::warnings(table, scene.robot.as_ref(), &scene.impedance)?);
     Ok(warnings)
 }
 

@@ -21,6 +21,8 @@ pub use warnings::warnings;
 
 /// Keys that only an arm of a URDF file has.
 const ARM_KEYS: [&str; 6] = ["tip", "grasp", "base", "configuration", "rotor_inertia", "joint_friction"];
+/// Fewer joints cannot hold a part's position and orientation.
+const LEAST_JOINTS: usize = 6;
 /// Poses on the straight way from the goal to a start at which the arm is looked at.
 const POSES: usize = 20;
 
@@ -37,6 +39,8 @@ pub struct Robot {
     pub base: [f64; 7],
     /// The arm, with base, grasp, rotors and payload.
     pub arm: Arm,
+    /// Joint positions (rad or m) near the goal, as the scene gives them.
+    pub given: JointVector,
     /// Joint positions (rad or m) with the body at its goal.
     pub configuration: JointVector,
     /// What joint friction holds at the goal; `None` where the arm is singular there.
@@ -68,6 +72,14 @@ impl Robot {
         let path = file.parent().unwrap_or(file).join(urdf.text()?);
         let arm = Arm::read(&path, tip.text()?).map_err(|error| urdf.refuse(error.to_string()))?;
         let count = arm.joints().len();
+        if count < LEAST_JOINTS {
+            let joints: Vec<&str> = arm.joints().iter().map(|joint| joint.name.as_str()).collect();
+            return Err(tip.refuse(format!(
+                "an arm needs at least {LEAST_JOINTS} joints to move a part in all directions, and {count} move in front of \
+                 this link: {}; name a link behind the last joint, or give robot.apparent_inertia instead of robot.urdf",
+                joints.join(", ")
+            )));
+        }
         let rotor_inertia = per_joint(table, "rotor_inertia", count)?;
         let payload = material.map_or(Ok(RigidInertia::zero()), payload).map_err(|error| urdf.refuse(error))?;
         let arm = arm.with_base(&of_pose(&base)).with_grasp(&of_pose(&grasp)).with_payload(payload);
@@ -98,6 +110,7 @@ impl Robot {
             grasp,
             base,
             arm,
+            given: near,
             configuration,
             friction_wrench,
             joint_friction,
