@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
 use planner::files::{PlanResult, StateRow, read_csv, trajectory};
@@ -154,6 +154,19 @@ fn a_refinement_is_given_up_after_three_evaluations_in_vain() {
     let own = &plan.robustness.as_ref().unwrap().rounds[0];
     assert_eq!((own.planned.as_str(), own.rate), ("half the time step", Some(0.0)));
     assert_eq!(own.added_trials, 4 * 24, "what failed in the first evaluation and in three that were not better");
+}
+
+#[test]
+fn a_count_of_changes_ends_a_refinement() {
+    let plan = Plan { problem: corner(Success { position: 1e-5, ..Success::default() }), ..FINE.clone() };
+    let tried = AtomicUsize::new(0);
+    let count = |event: &Event| {
+        tried.fetch_add(usize::from(matches!(event, Event::Change { .. })), Ordering::Relaxed);
+    };
+    let target = RobustnessTarget { frictions: vec![0.0], max_changes: Some(7), ..RobustnessTarget::default() };
+    let plan = refine(plan, &target, &Session::new(&count, &AtomicBool::new(false))).unwrap();
+    assert_eq!(plan.status(), PlanStatus::NotRobust);
+    assert_eq!(tried.into_inner(), 7, "no round begins after that");
 }
 
 #[test]

@@ -147,6 +147,9 @@ pub struct RobustArguments {
     /// With --robust: evaluate a plan anew after this many changes in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
     pub patience: u32,
+    /// With --robust: try no more than this many changes in all
+    #[arg(long, hide = true, value_name = "N", requires = "robust")]
+    pub max_changes: Option<u32>,
     /// With --robust: Coulomb friction coefficients [default: the scene's]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = not_negative)]
     #[arg(allow_negative_numbers = true, requires = "robust")]
@@ -367,6 +370,7 @@ impl SolveArguments {
             frictions: arguments.friction.clone().unwrap_or(own.frictions),
             time_limit: Duration::from_secs_f64(arguments.time_limit),
             patience: arguments.patience as usize,
+            max_changes: arguments.max_changes.map(|most| most as usize),
             ..own
         })
     }

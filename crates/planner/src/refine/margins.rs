@@ -25,7 +25,7 @@ impl Refiner<'_> {
     pub(super) fn add_margins(&mut self) -> Result<(), PlannerError> {
         let is_wanted = |best: &Kept| best.reached && !best.variant.name.ends_with(WITH_MARGINS);
         let Some(robust) = self.best.clone().filter(is_wanted) else { return Ok(()) };
-        if self.problem.arm().is_none() || self.target.patience == 0 {
+        if self.problem.arm().is_none() || !self.may_change() {
             return Ok(());
         }
         let worlds = [self.evaluator, self.trainer].map(|world| world.clone().with_margins(FRICTION));
@@ -45,9 +45,9 @@ impl Refiner<'_> {
         let mut other = Refiner::new(self.problem, self.target, (evaluator, trainer), &session);
         other.training.extend_from_slice(&self.training[other.training.len()..]);
         other.clock = self.clock.until(until, &session);
-        other.evaluations = self.evaluations;
+        (other.evaluations, other.tried) = (self.evaluations, self.tried);
         let refined = other.refine_robust(robust)?;
-        self.evaluations = other.evaluations;
+        (self.evaluations, self.tried) = (other.evaluations, other.tried);
         let Some((refined, round)) = refined else { return Ok(()) };
         let judgement = self.judge(&refined.reference, self.clock.end());
         if judgement.rates.rollouts() > 0 {

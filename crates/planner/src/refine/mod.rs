@@ -140,6 +140,8 @@ struct Refiner<'run> {
     /// Trials that every reference is refined in; failures of evaluations are added.
     training: Vec<Trial>,
     evaluations: u64,
+    /// Changes of references that were tried.
+    tried: usize,
     /// Of the changes of references.
     seed: u64,
     before: SuccessRates,
@@ -172,6 +174,7 @@ impl<'run> Refiner<'run> {
             clock: Clock::new(session, Duration::ZERO, target.time_limit),
             training,
             evaluations: 0,
+            tried: 0,
             seed: SEED,
             before: SuccessRates(Vec::new()),
             rounds: Vec::new(),
@@ -302,7 +305,12 @@ impl<'run> Refiner<'run> {
     /// Whether there is something to do and time to do it.
     fn goes_on(&self, until: Deadline) -> bool {
         let is_robust = self.best.as_ref().is_some_and(|best| best.reached);
-        !is_robust && self.target.patience > 0 && !self.clock.is_over(until)
+        !is_robust && self.may_change() && !self.clock.is_over(until)
+    }
+
+    /// Whether changes are wanted, and not all of them have been tried.
+    fn may_change(&self) -> bool {
+        self.target.patience > 0 && self.target.max_changes.is_none_or(|most| self.tried < most)
     }
 
     fn take_best(&mut self) -> Result<Kept, PlannerError> {

@@ -26,6 +26,8 @@ pub struct RobustnessTarget {
     pub time_limit: Duration,
     /// Changes in a row without improvement after which a plan is evaluated anew.
     pub patience: usize,
+    /// Changes to try in the whole refinement, if they are limited: unlike a time, a count means the same on every machine.
+    pub max_changes: Option<usize>,
 }
 
 impl Default for RobustnessTarget {
@@ -47,6 +49,7 @@ impl RobustnessTarget {
             delay,
             time_limit: Duration::from_secs(300),
             patience: 150,
+            max_changes: None,
         }
     }
 }

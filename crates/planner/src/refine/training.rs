@@ -24,10 +24,11 @@ const GIVEN_UP: usize = 3;
 const TRAINING_SHARE: f64 = 0.8;
 
 impl<'run> Refiner<'run> {
-    /// Refines a reference and evaluates it, until it is good enough, given up, or the time is over, which may be
-    /// [extended](Self::extended). It is given up at once if a smaller fraction than `least` of the trials of its first
-    /// evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What is
-    /// robust, but fails in some trials, is refined in these a few times more: simulators differ, and so does reality.
+    /// Refines a reference and evaluates it, until it is good enough, given up, all changes have been tried, or the time is
+    /// over, which may be [extended](Self::extended). It is given up at once if a smaller fraction than `least` of the
+    /// trials of its first evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to
+    /// go back. What is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so
+    /// does reality.
     pub(super) fn refine(
         &mut self,
         candidate: Candidate<'run>,
@@ -76,7 +77,7 @@ impl<'run> Refiner<'run> {
             round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
             self.keep_if_best(kept, &round)?;
             until = self.extended(until, number, vain);
-            let is_last = is_good || is_lost || vain == GIVEN_UP || self.clock.is_over(until);
+            let is_last = is_good || is_lost || vain == GIVEN_UP || !self.may_change() || self.clock.is_over(until);
             round.added_trials += judgement.failures.len();
             self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
             refinement.add(judgement.failures);
@@ -100,12 +101,13 @@ impl<'run> Refiner<'run> {
         }
     }
 
-    /// Improves until all training trials pass, it is stuck, or the time is over.
-    pub(super) fn train(&self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) {
+    /// Improves until all training trials pass, it is stuck, all changes have been tried, or the time is over.
+    pub(super) fn train(&mut self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) {
         let (mut vain, mut last) = (0, refinement.score());
-        let stop = || self.clock.is_over(until);
-        while refinement.score().0 > 0 && vain < self.target.patience && !stop() {
-            *changes += usize::from(refinement.improve(&stop));
+        while refinement.score().0 > 0 && vain < self.target.patience && self.may_change() && !self.clock.is_over(until)
+        {
+            self.tried += 1;
+            *changes += usize::from(refinement.improve(&|| self.clock.is_over(until)));
             let (failing, miss) = refinement.score();
             if failing < last.0 || miss < CREEPING * last.1 {
                 (vain, last) = (0, (failing, miss));
