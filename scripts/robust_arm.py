@@ -90,7 +90,7 @@ def make(arguments: argparse.Namespace, arm: pathlib.Path, case: Case) -> None:
     text = (arguments.root / f"scenes/{case.scene}.toml").read_text()
     scene.write_text(with_robot(text, robot_of(arm)))
     frictions = ",".join(FRICTIONS)
-    to_play = ["--arm", "--magnitudes", MAGNITUDES]
+    to_play = ["--arm", "--magnitude", MAGNITUDES]
     run(
         arguments,
         case,

@@ -75,7 +75,7 @@ def run(
         (case.folder / "cpu_s").write_text(str(after.ru_utime - before.ru_utime))
     if not case.is_played():
         unfinished = case.folder / "mujoco.unfinished.csv"
-        options = ["--seed", SEED, "--count", arguments.count, "--jobs", str(arguments.jobs), "--csv", unfinished, *to_play]
+        options = ["--seed", SEED, "--random", arguments.count, "--jobs", str(arguments.jobs), "--csv", unfinished, *to_play]
         subprocess.run([arguments.root / "scripts/validate_mujoco", case.folder, *options], check=True)
         unfinished.rename(case.folder / "mujoco.csv")
 

@@ -8,7 +8,7 @@ DESCRIPTION = """\
 Plays plans of `assembly-plan solve` through MuJoCo and prints how often they succeed.
 
 The body moves freely, driven by the impedance wrench alone, with errors of the part in the gripper (body frame) that are
-injected as in the plan: the body starts displaced and turned by the error, and the controller never learns of it. After
+injected as in the plan: the body starts displaced and rotated by the error, which the controller does not measure. After
 the last knot the reference rests for the settling time, then the final pose is judged.
 
 With --arm a whole arm plays the plan: that of its [robot] table, with its rotor inertia, joint friction, gravity, and
@@ -19,7 +19,7 @@ Exit codes: 0 done, 1 the self-test failed, 2 wrong input or usage, 3 anything e
 
 Examples:
   scripts/validate_mujoco out/peg1-1 --position-tolerance 0.005 --friction 0,0.1,0.3
-  scripts/validate_mujoco out/clamp1-* --magnitudes 0mm,2mm,4mm,5mm --jobs 2 --csv clamp1.csv
+  scripts/validate_mujoco out/clamp1-* --magnitude 0mm,2mm,4mm,5mm --jobs 2 --csv clamp1.csv
   scripts/validate_mujoco out/peg1-1 --arm --turn 0.02
   scripts/validate_mujoco out/peg1-1 --arm --robot scripts/mujoco_validation/arms/six.toml --gain-factor 8.5"""
 
@@ -34,15 +34,15 @@ def parse_arguments() -> argparse.Namespace:
     )
     add = parser.add_argument
     add("folders", nargs="*", type=pathlib.Path, metavar="SCENE_OUT_DIR", help="folders that `solve` wrote")
-    add("--friction", default="0,0.1,0.3", metavar="LIST", help="Coulomb friction coefficients [default: %(default)s]")
+    add("--friction", default="0,0.1,0.3", metavar="MU,MU,...", help="Coulomb friction coefficients [default: %(default)s]")
     add(
-        "--magnitudes",
+        "--magnitude",
         default="0,0.25,0.5,0.75,-1mm",
         metavar="LIST",
         help="offset magnitudes: fractions of delta-hat, lengths (2mm), or delta-hat less a length (-1mm) "
-        "[default: %(default)s]; write --magnitudes=-1mm if the list starts with a minus sign",
+        "[default: %(default)s]; write --magnitude=-1mm if the list starts with a minus sign",
     )
-    add("--count", type=positive(int), default=20, metavar="N", help="random offsets per magnitude [default: 20]")
+    add("--random", type=positive(int), default=20, metavar="N", help="random offsets per magnitude [default: 20]")
     add("--seed", type=int, default=1, metavar="N", help="seed of the random offsets [default: 1]")
     add(
         "--offsets",
@@ -55,7 +55,7 @@ def parse_arguments() -> argparse.Namespace:
         "--turn",
         type=not_negative,
         metavar="RAD",
-        help="the part is also turned in the gripper, at random, by up to this [default: the plan's, else 0]",
+        help="the part is also rotated in the gripper, at random, by up to this [default: the plan's, else 0]",
     )
     add(
         "--position-tolerance",
@@ -64,7 +64,7 @@ def parse_arguments() -> argparse.Namespace:
         help="largest final position error [default: that with which `solve` judges its scenarios]",
     )
     add(
-        "--angle-tolerance", type=positive(float), metavar="RAD", help="largest final angle [default: likewise]"
+        "--angle-tolerance", type=positive(float), metavar="RAD", help="largest final angle [default: that of `solve`]"
     )
     add("--settling-time", type=positive(float), default=1.0, metavar="S", help="rest before judging [default: 1 s]")
     add("--time-step", type=positive(float), default=0.0005, metavar="S", help="of the simulation [default: 0.0005 s]")

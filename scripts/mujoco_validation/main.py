@@ -5,6 +5,7 @@ import dataclasses
 import multiprocessing
 import signal
 import sys
+from collections.abc import Iterator
 
 import mujoco
 import numpy as np
@@ -97,7 +98,7 @@ def run(task: Task) -> Outcome:
 
 
 def load(arguments: argparse.Namespace) -> list[Plan]:
-    """The plans of all folders, with the arm that shall play them if that is asked for."""
+    """The plans of all folders, with the arm that plays them if one is asked for."""
     loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
     if arguments.turn is not None:
         loaded = [dataclasses.replace(plan, turn=arguments.turn) for plan in loaded]
@@ -119,25 +120,38 @@ def with_arm(arguments: argparse.Namespace, plan: Plan) -> Plan:
     return dataclasses.replace(plan, robot=robot, impedance=plan.impedance.scaled(arguments.gain_factor))
 
 
-def play_all(arguments: argparse.Namespace, plan: Plan, tasks: list[Task]) -> list[Outcome]:
-    """Plays motions of one plan."""
+def play_all(arguments: argparse.Namespace, plan: Plan, tasks: list[Task]) -> Iterator[Outcome]:
+    """Plays motions of one plan; outcomes come in the order of the tasks."""
     settings = (plan, arguments.time_step, arguments.settling_time)
     with multiprocessing.Pool(arguments.jobs, initialise, settings) as pool:
-        return pool.map(run, tasks, chunksize=1)
+        yield from pool.imap(run, tasks, chunksize=1)
 
 
-def validate(arguments: argparse.Namespace, plan: Plan, cells: list[offsets.Cell]) -> list[results.Column]:
-    """Plays a plan at all frictions and offsets."""
+def validate(
+    arguments: argparse.Namespace, plan: Plan, cells: list[offsets.Cell], tolerance: results.Tolerance
+) -> results.Result:
+    """Plays a plan at all frictions and offsets, and prints a row of its table as soon as it is known."""
     motions = [PLANNED, STRAIGHT] if arguments.baseline else [PLANNED]
-    heads = [(motion, friction) for friction in parse_frictions(arguments.friction) for motion in motions]
-    tasks = [(*head, grasp_error) for head in heads for cell in cells for grasp_error in cell.grasp_errors()]
-    outcomes = iter(play_all(arguments, plan, tasks))
-    return [results.Column(*head, [[next(outcomes) for _ in cell.offsets] for cell in cells]) for head in heads]
+    frictions = parse_frictions(arguments.friction)
+    columns = [results.Column(motion, friction, []) for friction in frictions for motion in motions]
+    tasks = [
+        (column.motion, column.friction, grasp_error)
+        for cell in cells
+        for column in columns
+        for grasp_error in cell.grasp_errors()
+    ]
+    print(results.heading(plan, columns), flush=True)
+    outcomes = play_all(arguments, plan, tasks)
+    for cell in cells:
+        for column in columns:
+            column.outcomes.append([next(outcomes) for _ in cell.offsets])
+        print(results.success_row(cell, columns, tolerance), flush=True)
+    return results.Result(plan, cells, columns)
 
 
 def cells_of(arguments: argparse.Namespace, plan: Plan) -> list[offsets.Cell]:
     """Grasp errors that the arguments ask for."""
-    return offsets.cells(plan, arguments.offsets, arguments.magnitudes, arguments.count, arguments.seed)
+    return offsets.cells(plan, arguments.offsets, arguments.magnitude, arguments.random, arguments.seed)
 
 
 def write_trace(arguments: argparse.Namespace) -> None:
@@ -157,7 +171,7 @@ def compare(arguments: argparse.Namespace) -> None:
     known = [comparison.read(arguments.compare, plan) for plan in loaded]
     for plan, theirs in zip(loaded, known):
         tasks = [(other.motion, other.friction, other.grasp_error) for other in theirs]
-        ours = play_all(arguments, plan, tasks)
+        ours = list(play_all(arguments, plan, tasks))
         print(f"### {plan.title}, start {plan.start_name}: {len(theirs)} motions in both simulators\n")
         print(comparison.table(theirs, ours, tolerance_of(arguments, loaded)) + "\n", flush=True)
 
@@ -171,7 +185,7 @@ def tolerance_of(arguments: argparse.Namespace, loaded: list[Plan]) -> results.T
 
 def print_tables(arguments: argparse.Namespace) -> None:
     """Plays every folder and prints its table, then the success of all of them together."""
-    # What is wrong is to be said once and before hours of work.
+    # Wrong input is reported before hours of work.
     if arguments.csv and not arguments.csv.absolute().parent.is_dir():
         raise InputError(f"--csv {arguments.csv}: the folder {arguments.csv.parent} does not exist; make it first")
     loaded = load(arguments)
@@ -181,15 +195,16 @@ def print_tables(arguments: argparse.Namespace) -> None:
     print(
         f"Success: within {1e3 * tolerance.position:g} mm and {tolerance.angle:g} rad of the goal, "
         f"{arguments.settling_time:g} s after the end of the reference; intervals of 95 % (Wilson). "
-        f"MuJoCo {mujoco.__version__}, steps of {1e3 * arguments.time_step:g} ms.\n"
+        f"MuJoCo {mujoco.__version__}, steps of {1e3 * arguments.time_step:g} ms.\n",
+        flush=True,
     )
     for plan in loaded if arguments.arm else []:
         print(arm_line(plan))
     played = []
     for plan, clearance in zip(loaded, clearances):
         cells = cells_of(arguments, plan)
-        result = results.Result(plan, cells, validate(arguments, plan, cells))
-        print(results.table(result, tolerance, clearance) + "\n", flush=True)
+        result = validate(arguments, plan, cells, tolerance)
+        print(results.extremes(result, tolerance, clearance) + "\n", flush=True)
         played.append(result)
     if len(played) > 1:
         print(matrix.tables(played, tolerance))

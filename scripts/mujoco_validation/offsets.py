@@ -83,7 +83,7 @@ def parse_magnitudes(text: str, delta: float) -> list[tuple[str, float]]:
         try:
             number = float(entry.removesuffix(MILLIMETRES))
         except ValueError as error:
-            raise InputError(f"--magnitudes: `{entry}` is neither a fraction nor a length in mm") from error
+            raise InputError(f"--magnitude: `{entry}` is neither a fraction nor a length in mm") from error
         if not is_length:
             parsed.append((f"{100 * number:g} %", number * delta))
         elif entry.startswith("-"):
@@ -92,7 +92,7 @@ def parse_magnitudes(text: str, delta: float) -> list[tuple[str, float]]:
             parsed.append((f"{number:g} mm", 1e-3 * number))
     possible = [(label, magnitude) for label, magnitude in parsed if magnitude >= 0]
     if not possible:
-        raise InputError(f"--magnitudes {text}: none is above zero with a delta-hat of {1e3 * delta:g} mm")
+        raise InputError(f"--magnitude {text}: none is above zero with a delta-hat of {1e3 * delta:g} mm")
     return possible
 
 

@@ -65,35 +65,35 @@ def proportion(outcomes: list[Outcome], tolerance: Tolerance) -> str:
 
 def markdown(head: list[str], rows: list[list[str]]) -> list[str]:
     """Lines of a Markdown table."""
-    return ["| " + " | ".join(row) + " |" for row in (head, ["---"] * len(head), *rows)]
+    return [line(row) for row in (head, ["---"] * len(head), *rows)]
 
 
-def table(result: Result, tolerance: Tolerance, clearance: float) -> str:
-    """Success and extremes as Markdown, with heading and remarks."""
-    plan, columns = result.plan, result.columns
-    return "\n".join(
-        [
-            f"### {plan.title}, start {plan.start_name}: delta-hat {1e3 * plan.delta:g} mm, {len(plan.offsets)} "
-            f'scenarios, plan "{plan.status}"\n',
-            *success_rows(result, tolerance),
-            "",
-            *extreme_rows(columns),
-            "",
-            *remarks(columns, clearance),
-        ]
+def line(row: list[str]) -> str:
+    """A line of a Markdown table."""
+    return "| " + " | ".join(row) + " |"
+
+
+def heading(plan: Plan, columns: list[Column]) -> str:
+    """Heading of a plan, and head of the table of its successes by magnitude of the offset."""
+    head = ["offset", "longest, mm", *(f"{column.motion}, friction {column.friction:g}" for column in columns)]
+    title = (
+        f"### {plan.title}, start {plan.start_name}: delta-hat {1e3 * plan.delta:g} mm, {len(plan.offsets)} "
+        f'scenarios, plan "{plan.status}"\n'
     )
+    return "\n".join([title, *markdown(head, [])])
 
 
-def success_rows(result: Result, tolerance: Tolerance) -> list[str]:
-    """How often each motion ended at the goal, by magnitude of the offset."""
-    head = ["offset", "longest, mm", *(f"{column.motion}, friction {column.friction:g}" for column in result.columns)]
-    rows = []
-    for index, cell in enumerate(result.cells):
-        longest = 1e3 * np.linalg.norm(cell.offsets, axis=1).max()
-        shares = [proportion(column.outcomes[index], tolerance) for column in result.columns]
-        rows.append([cell.label, f"{longest:.1f}", *shares])
-    rows.append(["all", "", *(proportion(sum(column.outcomes, []), tolerance) for column in result.columns)])
-    return markdown(head, rows)
+def success_row(cell: Cell, columns: list[Column], tolerance: Tolerance) -> str:
+    """How often each motion ended at the goal with the offsets of a cell, the last that was played."""
+    longest = 1e3 * np.linalg.norm(cell.offsets, axis=1).max()
+    return line([cell.label, f"{longest:.1f}", *(proportion(column.outcomes[-1], tolerance) for column in columns)])
+
+
+def extremes(result: Result, tolerance: Tolerance, clearance: float) -> str:
+    """The sum of all rows, extremes and remarks as Markdown."""
+    columns = result.columns
+    shares = (proportion(sum(column.outcomes, []), tolerance) for column in columns)
+    return "\n".join([line(["all", "", *shares]), "", *extreme_rows(columns), "", *remarks(columns, clearance)])
 
 
 def extreme_rows(columns: list[Column]) -> list[str]:

@@ -40,7 +40,7 @@ PAGE = """\
 # Real parts
 
 Pairs of parts from public repositories (`scripts/real_parts/manifest.toml`), planned by `solve --robust` with nothing
-but the two files, their unit, start, goal, offsets and turns; whatever else a part was given is said below. Stiffness, horizon,
+but the two files, their unit, start, goal, offsets and turns; other settings of a part are listed below. Stiffness, horizon,
 directions of the offsets and facets are those that the program chooses. The plans were played in MuJoCo by
 `scripts/validate_mujoco`: {count} random offsets per magnitude and friction, as in [robustness.md](robustness.md), each with a
 random turn. Pairs in italics are not real: `generate` wrote their scenes. `scripts/real-parts FOLDER` repeats all of it and
@@ -60,7 +60,7 @@ parts hit each other. The last two columns are of the planned motions of all sce
 {notes}
 """
 HEADER = """\
-| part | plan, s | robust, s | own rollouts, % | MuJoCo, friction 0 | 0.1 | 0.3 | overlap, mm | off the straight way, mm | fastest, m/s |
+| part | plan, s | robust, s | own rollouts, % | MuJoCo, friction 0 | 0.1 | 0.3 | overlap, mm | off the straight path, mm | fastest, m/s |
 |---|---|---|---|---|---|---|---|---|---|
 """
 
@@ -113,7 +113,7 @@ def run(arguments: argparse.Namespace, pair: dict, out: pathlib.Path) -> None:
     table = out / MOTIONS
     if not table.exists():
         unfinished = table.with_suffix(".unfinished")
-        settings = {"seed": 7, "jobs": arguments.jobs, "friction": ",".join(FRICTIONS), "count": arguments.count}
+        settings = {"seed": 7, "jobs": arguments.jobs, "friction": ",".join(FRICTIONS), "random": arguments.count}
         play = [f"--{name}={value}" for name, value in settings.items()]
         subprocess.run([arguments.root / "scripts/validate_mujoco", plan, *play, "--csv", unfinished], check=True)
         unfinished.rename(table)
