@@ -22,7 +22,7 @@ fn a_file_is_replaced_only_by_force() {
     let dir = Dir::new();
     for command in ["new scene.toml", "generate rectangular --out scene.toml"] {
         dir.write("scene.toml", "my work");
-        dir.run(command).code(2).says("is there already");
+        dir.run(command).code(2).says("already exists");
         assert_eq!(dir.read("scene.toml"), "my work");
         dir.run(&format!("{command} --force")).code(0);
         dir.run("check scene.toml").code(0);
@@ -108,28 +108,4 @@ fn schemas_are_printed() {
         assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
         assert!(schema["properties"][table].is_object() && schema["additionalProperties"] == false);
     }
-}
-
-#[test]
-fn shells_can_read_their_completions() {
-    let dir = Dir::new();
-    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let script = dir.run(&format!("completions {shell}")).code(0).stdout;
-        assert!(script.contains("linear-solver") && script.contains("simulate"), "{shell}");
-        dir.write(shell, &script);
-    }
-    let checked = std::process::Command::new("bash").arg("-n").arg(dir.path("bash")).output().unwrap();
-    assert!(checked.status.success(), "{}", String::from_utf8_lossy(&checked.stderr));
-}
-
-#[test]
-fn every_command_has_a_manual_page() {
-    let dir = Dir::new();
-    dir.run("man pages/here").code(0);
-    for (page, words) in [("", "Exit codes"), ("-solve", "linear\\-solver"), ("-batch-run", "index")] {
-        let text = dir.read(format!("pages/here/assembly-plan{page}.1"));
-        assert!(text.contains(".TH") && text.contains(words), "{page}: {text}");
-    }
-    dir.write("file", "");
-    dir.run("man file").code(3).says("file: the manual cannot be written");
 }

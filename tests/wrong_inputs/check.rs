@@ -6,10 +6,10 @@ use super::Row;
 pub const ROWS: &[Row] = &[
     ("check", &[], "<SCENE>"),
     ("check gone.toml", &[], "gone.toml"),
-    ("check folder", &[], "folder"),
+    ("check folder", &[], "folder: the scene cannot be read: it is a folder"),
     ("check ''", &[], "a value is required for '<SCENE>'"),
     ("check latin.toml", &[], "latin.toml:1"),
-    ("check binary.toml", &[], "binary.toml:1"),
+    ("check binary.toml", &[], "binary.toml: the scene cannot be read: it is not a text file"),
     ("check homotopy.toml", &[], "homotopy.toml"),
     ("check matrix.toml", &[], "matrix.toml"),
     ("check scene.toml scene.toml", &[], "unexpected argument"),

@@ -88,7 +88,7 @@ pub const ROWS: &[Row] = &[
     (RANDOM, "--prisms", &["0", "9", "4"], "prisms"),
     (RANDOM, "--facets", &["2", "65"], "facets"),
     ("new new.toml --body scene.toml --environment scene.toml --unit mm", "--axis", &["w", "''", "xy", "--x", "1", "Z"], ""),
-    ("new new.toml --body scene.toml --environment scene.toml", "--unit", &["feet", "''", "MM"], "choose one of m, cm, mm, inch"),
+    ("new new.toml --body scene.toml --environment scene.toml", "--unit", &["feet", "''", "MM"], "[possible values: m, cm, mm, inch]"),
     ("schema", "--homotopy", &["1", "homotopy.toml"], ""),
     (EXPAND, "--deltas", &["x", "''", "0.01,x", ","], ""),
     (EXPAND, "--deltas", &["nan", "inf", "-1", "1e300", "0.01,-1"], "offset magnitude"),

@@ -5,12 +5,12 @@ use super::Row;
 #[rustfmt::skip]
 pub const ROWS: &[Row] = &[
     ("report", &[], "DIR"),
-    ("report nowhere", &[], "nowhere: is no folder"),
-    ("report scene.toml", &[], "scene.toml: is no folder"),
+    ("report nowhere", &[], "nowhere: is not a folder"),
+    ("report scene.toml", &[], "scene.toml: is not a folder"),
     ("report folder", &[], "folder: holds no result.json"),
     ("report runs", &[], "runs: no cell of the batch is finished yet"),
-    ("report plan --out folder", &[], "folder: would be replaced and is no earlier report"),
-    ("report plan --out scene.toml", &[], "scene.toml: would be replaced and is no earlier report"),
+    ("report plan --out folder", &[], "folder: exists and is not an earlier report"),
+    ("report plan --out scene.toml", &[], "scene.toml: exists and is not an earlier report"),
     ("report plan --out page.html --figures scene.toml", &[], "scene.toml: is a file"),
     ("report plan", &[("plan/reference.csv", "", "x")], "plan/reference.csv: was changed"),
     ("report plan", &[("plan/stages/1/contacts.csv", "", "x")], "plan/stages/1/contacts.csv: was changed"),

@@ -9,7 +9,7 @@ const SPECK: &str = "v 0 0 0\nv 0.03 0 0\nv 0 0.03 0\nv 0 0 0.03\nf 1 3 2\nf 1 2
 #[rustfmt::skip]
 pub const ROWS: &[Row] = &[
     ("new", &[], "<FILE>"),
-    ("new scene.toml", &[], "scene.toml: is there already; name another file, or replace it with --force"),
+    ("new scene.toml", &[], "scene.toml: already exists; name another file, or replace it with --force"),
     ("new folder", &[], "ends with .toml"),
     ("new offsets.csv --force", &[], "ends with .toml"),
     ("new ''", &[], "a value is required for '<FILE>'"),
@@ -26,7 +26,7 @@ pub const ROWS: &[Row] = &[
     ("generate", &[], "Usage"),
     ("generate square --out new.toml", &[], "unrecognized subcommand 'square'"),
     ("generate round", &[], "--out"),
-    ("generate round --out scene.toml", &[], "scene.toml: is there already"),
+    ("generate round --out scene.toml", &[], "scene.toml: already exists"),
     ("generate round --out peg.txt", &[], "ends with .toml"),
     ("generate round --out new.toml --width 0.01", &[], "--width"),
     ("generate rectangular --out new.toml --diameter 0.01", &[], "--diameter"),

@@ -19,14 +19,13 @@ mod schema;
 mod simulate;
 mod solve;
 mod summary;
+mod usage;
 mod values;
 
 use std::ffi::OsString;
 use std::io::Write;
 
-use clap::Parser;
-
-use crate::arguments::{Arguments, Command};
+use crate::arguments::Command;
 use crate::console::tell;
 use crate::exit::Exit;
 
@@ -38,8 +37,7 @@ pub use program::Program;
 /// Returns the exit code; what help, a wrong usage and some interrupts end, ends the process.
 pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u8 {
     program.remember();
-    // Clap prints usage errors itself and exits with 2.
-    let arguments = Arguments::parse_from(arguments);
+    let arguments = usage::parse(arguments);
     let outcome = match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments),

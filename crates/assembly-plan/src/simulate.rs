@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use planner::files::{
-    RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables, to_csv,
-    write_file, write_rollout_tables,
+    RESOLVED, RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables,
+    to_csv, write_file, write_rollout_tables,
 };
 use planner::simulate::overlap_warning;
 use planner::{
@@ -26,6 +26,7 @@ use crate::values::threads;
 /// Plays everything, writes both tables and prints the one of successes.
 pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let mut request = arguments.request()?;
+    require_order(arguments)?;
     let plans = StoredPlan::find(&arguments.folder)?;
     let played: Vec<(StoredPlan, Problem)> =
         plans.into_iter().map(|plan| problem_of(arguments, plan)).collect::<Result<_, _>>()?;
@@ -86,6 +87,20 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     Ok(Exit::Done)
 }
 
+/// Refuses a plan before its scene.
+fn require_order(arguments: &SimulateArguments) -> Result<(), CommandError> {
+    let SimulateArguments { scene, folder, .. } = arguments;
+    match scene {
+        Some(scene) if scene.is_dir() && folder.is_file() => {
+            let (scene, folder) = (scene.display(), folder.display());
+            Err(CommandError::Usage(format!(
+                "{scene} is a folder and {folder} a file; the scene comes first: `assembly-plan simulate {folder} {scene}`"
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Compares the log of a robot with a rollout.
 fn show_execution(
     played: &[(StoredPlan, Problem)],
@@ -111,11 +126,12 @@ fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(Stored
         angle_tolerance: arguments.tolerance.angle_tolerance,
         ..Choices::default()
     };
-    let problem = Problem::load(&arguments.scene, &choices)
+    let scene = arguments.scene.clone().unwrap_or_else(|| plan.folder.join(RESOLVED));
+    let problem = Problem::load(&scene, &choices)
         .map_err(|error| PlannerError::file(&plan.folder, format!("the plan does not fit the scene: {error}")))?;
     let folder = plan.folder.display();
     if !plan.require_made_for(&problem)? {
-        tell!("warning: {folder}: the plan was made with other settings than {} has", arguments.scene.display());
+        tell!("warning: {folder}: the plan was made with other settings than {} has", scene.display());
     }
     if !plan.result.converged {
         tell!("warning: {folder}: the plan did not converge");

@@ -1,5 +1,6 @@
 //! Numbers on the command line, each with its range.
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use export::Target;
 use scene::Axis;
 use task::LinearSolver;
@@ -26,25 +27,36 @@ pub fn pose(text: &str) -> Result<Pose, String> {
 }
 
 /// A linear solver by its name.
-pub fn linear_solver(text: &str) -> Result<LinearSolver, String> {
-    let names = LinearSolver::ALL.map(LinearSolver::name).join(", ");
-    LinearSolver::from_name(text).ok_or_else(|| format!("unknown; choose one of {names}"))
+pub fn linear_solver() -> impl TypedValueParser<Value = LinearSolver> {
+    named(LinearSolver::ALL.map(LinearSolver::name), LinearSolver::from_name)
 }
 
 /// A target of an export by its name.
-pub fn target(text: &str) -> Result<Target, String> {
-    let names = Target::ALL.map(Target::name).join(", ");
-    Target::from_name(text).ok_or_else(|| format!("unknown; choose one of {names}"))
+pub fn target() -> impl TypedValueParser<Value = Target> {
+    named(Target::ALL.map(Target::name), Target::from_name)
+}
+
+/// A direction along an axis.
+pub fn axis() -> impl TypedValueParser<Value = Axis> {
+    named(["x", "y", "z", "-x", "-y", "-z"], Axis::from_name)
+}
+
+/// A unit of length of meshes.
+pub fn unit() -> PossibleValuesParser {
+    PossibleValuesParser::new(["m", "cm", "mm", "inch"])
+}
+
+/// A value by one of the names, which shells then complete.
+fn named<T: Clone + Send + Sync + 'static, const COUNT: usize>(
+    names: [&'static str; COUNT],
+    value: fn(&str) -> Option<T>,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(names.map(PossibleValue::new)).try_map(move |name| value(&name).ok_or("unknown"))
 }
 
 /// A rate of samples (Hz).
 pub fn rate(text: &str) -> Result<f64, String> {
     number(text, |number| (1.0..=10_000.0).contains(&number), "must lie between 1 and 10000 Hz")
-}
-
-/// A direction along an axis.
-pub fn axis(text: &str) -> Result<Axis, String> {
-    Axis::from_name(text).ok_or_else(|| "choose one of x, y, z, -x, -y, -z".to_owned())
 }
 
 /// A finite number above zero.

@@ -10,7 +10,7 @@ pub enum MeshError {
         reason: String,
     },
     /// Neither `.stl` nor `.obj`.
-    #[error("'{extension}' is not a known format: use .stl or .obj")]
+    #[error("'{extension}' is not a known format: use .stl or .obj{}", step_advice(.extension))]
     Format {
         /// Extension of the file's name.
         extension: String,
@@ -108,4 +108,9 @@ pub enum MeshError {
     /// Nothing is left of the part.
     #[error("no material is left: the crop box misses the part or the clearance is larger than it")]
     NothingLeft,
+}
+
+/// What else helps with a format of CAD programs.
+fn step_advice(extension: &str) -> &'static str {
+    if ["step", "stp"].contains(&extension) { ", which scripts/step-to-obj makes of it" } else { "" }
 }

@@ -7,7 +7,7 @@ use toml::de::DeValue;
 
 use crate::entry::Entry;
 use crate::error::{SceneError, Source};
-use crate::file::read_text;
+use crate::file::read_toml;
 use crate::ipopt;
 use crate::keys::{Form, key};
 use crate::table::{self, Table};
@@ -34,7 +34,7 @@ pub fn default_homotopy() -> HomotopySettings {
 /// # Errors
 /// The first thing that is wrong, with its place.
 pub fn load_homotopy(path: &Path) -> Result<HomotopySettings, SceneError> {
-    let text = read_text(path, "homotopy")?;
+    let text = read_toml(path, "homotopy")?;
     parse_homotopy(Source { file: path, text: &text })
 }
 
@@ -96,7 +96,7 @@ pub fn of_scene(scene: &Table) -> Result<Option<HomotopySettings>, SceneError> {
 fn of_file(entry: &Entry, file: &str) -> Result<HomotopySettings, SceneError> {
     let path = entry.source().file.parent().unwrap_or(entry.source().file).join(file);
     let what = format!("homotopy {}", clipped_to(&path.display().to_string(), LONGEST_PATH));
-    let text = read_text(&path, &what).map_err(|error| match error.line() {
+    let text = read_toml(&path, &what).map_err(|error| match error.line() {
         Some(_) => error,
         None => entry.refuse(error.message()),
     })?;

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::chosen;
 use crate::entry::is_control;
 use crate::error::{SceneError, Source};
-use crate::file::read_text;
+use crate::file::read_toml;
 use crate::homotopy;
 use crate::inertia::inertia;
 use crate::keys::{Form, MAX_CONTACT_FORCES, MAX_NAME_LENGTH};
@@ -28,7 +28,7 @@ impl Scene {
     /// # Errors
     /// The first error, with its place.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let text = read_text(path, "scene")?;
+        let text = read_toml(path, "scene")?;
         Self::parse(Source { file: path, text: &text })
     }
 

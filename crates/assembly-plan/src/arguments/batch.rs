@@ -13,14 +13,14 @@ use crate::progress::ProgressArguments;
 use crate::values;
 
 #[derive(Debug, Args)]
-#[command(args_conflicts_with_subcommands = true, after_help = BATCH_HELP)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct BatchArguments {
     #[command(subcommand)]
     pub step: Option<BatchCommand>,
     #[command(flatten)]
     pub matrix: MatrixArguments,
     /// How many cells are solved at once, each by one thread [default: the number of cores]
-    #[arg(long, value_name = "N", value_parser = values::jobs)]
+    #[arg(short, long, value_name = "N", value_parser = values::jobs)]
     pub jobs: Option<u16>,
     /// Also write report.html, a page that shows all cells, and one into the folder of each finished cell
     #[arg(long)]
@@ -29,21 +29,13 @@ pub struct BatchArguments {
     pub progress: ProgressArguments,
 }
 
-const BATCH_HELP: &str = "\
-Without a step: expands, runs and collects. The same command again goes on where the last one stopped; a finished cell \
-is never solved again.
-
-Examples:
-  assembly-plan batch scenes/clamp1.toml --deltas 0,0.001,0.002 --starts all --jobs 2 --out runs/clamp1
-  assembly-plan batch status runs/clamp1";
-
 #[derive(Debug, Subcommand)]
 pub enum BatchCommand {
     /// Write the manifest: one line per cell, never changed afterwards
     Expand(MatrixArguments),
     /// Solve the cells of a manifest that are not finished
     Run(RunArguments),
-    /// Say which cells are done, running, failed or still to do
+    /// Show which cells are done, running, failed or pending
     Status(FolderArguments),
     /// Write cells.csv and cells.json: convergence, iterations, times, errors, overlap and force of every cell
     Collect(FolderArguments),
@@ -70,10 +62,10 @@ pub struct MatrixArguments {
     #[arg(long, value_name = "FILES", value_delimiter = ',')]
     pub homotopies: Vec<PathBuf>,
     /// Linear solver of all cells [default: the homotopy's]
-    #[arg(long, value_name = "NAME", value_parser = values::linear_solver)]
+    #[arg(long, value_name = "NAME", value_parser = values::linear_solver())]
     pub linear_solver: Option<LinearSolver>,
     /// Folder of the batch [default: runs/NAME, after the matrix or the first scene]
-    #[arg(long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
 
@@ -124,7 +116,7 @@ pub struct RunArguments {
     #[arg(long, value_name = "C")]
     pub count: Option<NonZeroUsize>,
     /// How many cells are solved at once, each by one thread [default: the number of cores]
-    #[arg(long, value_name = "N", value_parser = values::jobs)]
+    #[arg(short, long, value_name = "N", value_parser = values::jobs)]
     pub jobs: Option<u16>,
     #[command(flatten)]
     pub progress: ProgressArguments,

@@ -41,10 +41,10 @@ pub struct PegArguments {
     #[arg(long, value_name = "M", value_parser = positive)]
     offset: Option<f64>,
     /// Scene file to write
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     pub out: PathBuf,
-    /// Replace the file if it is there
-    #[arg(long)]
+    /// Replace the file if it exists
+    #[arg(short, long)]
     pub force: bool,
 }
 

@@ -2,6 +2,7 @@
 
 mod batch;
 mod generate;
+mod help;
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -18,32 +19,19 @@ use crate::values::{self, Pose, fraction, jobs, not_negative, positive, seconds}
 
 pub use batch::{BatchArguments, BatchCommand, MatrixArguments, SubmitArguments};
 pub use generate::GenerateArguments;
+pub use help::{CLOSINGS, Closing, command_line};
 
-/// Plans robotic assembly motions that tolerate millimetres of error in where the part sits in the gripper.
+/// Plans motions of a robot that insert a part which may sit several millimetres off in the gripper.
 ///
-/// A scene file (TOML, lengths in metres, quaternions w x y z) names the shapes of the moved body and its environment,
-/// start and goal poses, the robot's stiffness and the size of the error. The plan is one reference trajectory that a
-/// Cartesian impedance controller tracks; it brings the body to its goal for every modelled error.
+/// A scene file (TOML, lengths in metres, quaternions w x y z) names the shapes of the part and its environment, start and
+/// goal poses, the robot's stiffness and the size of the offset. The plan is one reference trajectory, which a Cartesian
+/// impedance controller tracks; it brings the part to its goal with every modelled offset.
 #[derive(Debug, Parser)]
-#[command(name = "assembly-plan", version, after_help = EXIT_CODES)]
+#[command(name = "assembly-plan", version, propagate_version = true)]
 pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,
 }
-
-const EXIT_CODES: &str = "\
-Exit codes: 0 done, 1 no converged plan or goal not reached, 2 wrong input or usage, 3 anything else, 130 interrupted.
-
-Examples:
-  assembly-plan new my.toml
-  assembly-plan check scenes/peg1.toml
-  assembly-plan solve scenes/peg1.toml --start 2 --delta 0.01 --out out/peg1
-  assembly-plan batch scenes/peg1.toml --starts all --out runs/peg1
-  assembly-plan solve scenes/peg1.toml --robust --time-limit 120 --out out/peg1
-  assembly-plan report out/peg1
-  assembly-plan export out/peg1 --to csv
-  assembly-plan calibrate arm.toml dry-run.csv executed.csv --out calibrated.toml
-  assembly-plan simulate scenes/peg1.toml out/peg1 --random 50 --magnitude 0.005,0.01 --friction 0,0.1";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
@@ -51,21 +39,21 @@ pub enum Command {
     Solve(SolveArguments),
     /// Plan every start and offset magnitude of some scenes, here or on a cluster
     Batch(BatchArguments),
-    /// Play plans under injected offsets, with hard contacts, and count how often they succeed
+    /// Test plans: play them with offsets, hard contacts and friction, and count successes
     Simulate(SimulateArguments),
     /// Write an HTML page that shows a plan, a batch or a simulation
     Report(ReportArguments),
-    /// Write what a robot reads of a plan: the motion of its tool, gains, limits, a player
+    /// Write what a robot reads of a plan: tool motion, gains, limits, player
     Export(ExportArguments),
-    /// Fit what a scene says of its robot to logs of executed plans
+    /// Fit the robot of a scene to logs of executed plans
     Calibrate(CalibrateArguments),
     /// Check and explain a scene without solving it
     Check(CheckArguments),
-    /// Write a scene to begin with, which is solved as it is
+    /// Write a commented scene that solves as it is, from two meshes if given
     New(NewArguments),
     /// Write the scene of a peg and its hole: random, round, rectangular or keyed
     Generate(GenerateArguments),
-    /// Print a JSON schema of scene files, with which editors complete and check them
+    /// Print a JSON schema of scene files, for editors
     Schema(SchemaArguments),
     /// Print a script that completes the command line in a shell
     Completions(CompletionsArguments),
@@ -94,13 +82,12 @@ pub struct SolveArguments {
     #[arg(long, value_name = "FILE")]
     pub homotopy: Option<PathBuf>,
     /// Folder for the results; an older plan in it is replaced once the new one is whole [default: out/TITLE-START]
-    #[arg(long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Linear solver: stage, mumps, or ma27, ma57, ma97 where the HSL library is installed [default: the homotopy's,
-    /// else stage]
-    #[arg(long, value_name = "NAME", value_parser = values::linear_solver)]
+    /// Linear solver; ma27, ma57 and ma97 need the HSL library [default: the homotopy's, else stage]
+    #[arg(long, value_name = "NAME", value_parser = values::linear_solver())]
     pub linear_solver: Option<LinearSolver>,
-    /// Go on where an interrupted or killed solve of the same problem into --out has stopped
+    /// Continue an interrupted or killed solve of the same problem into --out
     #[arg(long, requires = "out")]
     pub resume: bool,
     /// Solve a cell of a batch: refuse any problem but the one of this identity, which stands in the manifest, and stop
@@ -111,8 +98,8 @@ pub struct SolveArguments {
     pub tolerance: ToleranceArguments,
     #[command(flatten)]
     pub robust: RobustArguments,
-    /// Threads [default: one per processor]; they change nothing but the time it takes
-    #[arg(long, value_name = "N", value_parser = jobs)]
+    /// Number of threads; does not affect the result [default: one per processor]
+    #[arg(short, long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
     /// Also write report.html, a page that shows the plan
     #[arg(long)]
@@ -135,7 +122,7 @@ pub struct ToleranceArguments {
 /// How a plan is made robust.
 #[derive(Debug, Args)]
 pub struct RobustArguments {
-    /// Play the plan with hard contacts at offsets that were not planned for, and change it until they succeed
+    /// Test the plan with hard contacts and friction at offsets that were not planned, and change it until they succeed
     #[arg(long)]
     pub robust: bool,
     /// With --robust: success rate to reach at each friction, from 0 to 1
@@ -144,17 +131,17 @@ pub struct RobustArguments {
     /// With --robust: keep the best plan so far after this time (s), the first solve included
     #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = seconds, requires = "robust")]
     pub time_limit: f64,
-    /// With --robust: evaluate a plan anew after this many changes in a row without improvement; 0 only evaluates it
+    /// With --robust: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
     pub patience: u32,
     /// With --robust: try no more than this many changes in all
     #[arg(long, hide = true, value_name = "N", requires = "robust")]
     pub max_changes: Option<u32>,
-    /// With --robust: Coulomb friction coefficients [default: the scene's]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = not_negative)]
+    /// With --robust: Coulomb friction coefficients, such as 0,0.1 [default: the scene's]
+    #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', value_parser = not_negative)]
     #[arg(allow_negative_numbers = true, requires = "robust")]
     pub friction: Option<Vec<f64>>,
-    /// With --robust: the part may also be turned in the gripper by up to this angle, about any axis (rad) [default: the
+    /// With --robust: the part may also be rotated in the gripper by up to this angle about any axis (rad) [default: the
     /// scene's]
     #[arg(long, value_name = "RAD", value_parser = not_negative, requires = "robust")]
     #[arg(allow_negative_numbers = true)]
@@ -163,9 +150,10 @@ pub struct RobustArguments {
 
 /// How plans are played. At most one of --random, --grid and --offsets chooses the offsets.
 #[derive(Debug, Args)]
+#[command(allow_missing_positional = true)]
 pub struct SimulateArguments {
-    /// Scene file (TOML) of the plans
-    pub scene: PathBuf,
+    /// Scene file (TOML) of the plans [default: resolved.toml of each plan]
+    pub scene: Option<PathBuf>,
     /// Folder that `solve` wrote, or a folder of such folders
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
@@ -184,15 +172,15 @@ pub struct SimulateArguments {
     /// Play the offsets of a CSV file with the header x_m,y_m,z_m (body frame)
     #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]
     pub offsets: Option<PathBuf>,
-    /// Also turn the part in the gripper at random, by up to this angle about any axis (rad)
+    /// Also rotate the part in the gripper at random, by up to this angle about any axis (rad)
     #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, allow_negative_numbers = true)]
     pub turn: f64,
-    /// Magnitudes in metres to which the planned offsets are scaled [default: delta-hat of every plan]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = not_negative)]
+    /// Magnitudes (m) to which the planned offsets are scaled, such as 0.005,0.01 [default: delta-hat of every plan]
+    #[arg(long, value_name = "M,M,...", value_delimiter = ',', value_parser = not_negative)]
     #[arg(allow_negative_numbers = true)]
     pub magnitude: Vec<f64>,
-    /// Coulomb friction coefficients
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "0", value_parser = not_negative)]
+    /// Coulomb friction coefficients, such as 0,0.1
+    #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', default_value = "0", value_parser = not_negative)]
     #[arg(allow_negative_numbers = true)]
     pub friction: Vec<f64>,
     /// Also play the reference of every homotopy iteration, as they are in stages/
@@ -206,12 +194,12 @@ pub struct SimulateArguments {
     /// Time step of the simulation (s)
     #[arg(long, value_name = "S", default_value_t = Settings::default().time_step, value_parser = positive)]
     pub time_step: f64,
-    /// Threads [default: one per processor]; they change nothing but the time it takes
-    #[arg(long, value_name = "N", value_parser = jobs)]
+    /// Number of threads; does not affect the result [default: one per processor]
+    #[arg(short, long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
     #[command(flatten)]
     pub progress: ProgressArguments,
-    /// Also write the course of one rollout to a new CSV file with the columns of reference.csv: the first plan's at the
+    /// Also write the motion of one rollout to a new CSV file with the columns of reference.csv: the first plan's at the
     /// first friction and offset
     #[arg(long, value_name = "FILE")]
     pub trace: Option<PathBuf>,
@@ -220,7 +208,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "LOG", conflicts_with_all = ["source", "trace", "out", "stages", "report"])]
     pub executed: Option<PathBuf>,
     /// Folder for rollouts.csv and success.csv [default: DIR]
-    #[arg(long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Also write report.html, a page that shows the success rates, beside them
     #[arg(long)]
@@ -237,7 +225,7 @@ pub struct ReportArguments {
     #[arg(long, value_name = "LOG")]
     pub executed: Vec<PathBuf>,
     /// HTML file to write; it needs no network and no other file [default: DIR/report.html]
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Also write SVG figures for papers and slides into this folder: sections through the parts at six moments, contact
     /// forces, convergence, success rates
@@ -250,14 +238,14 @@ pub struct ExportArguments {
     /// Folder that `solve` wrote
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// What for: csv, ur-rtde, franka, urscript or ros2
-    #[arg(long, value_name = "TARGET", value_parser = values::target)]
+    /// What for
+    #[arg(long, value_name = "TARGET", value_parser = values::target())]
     pub to: Target,
     /// Samples of the motion per second (Hz)
     #[arg(long, value_name = "HZ", default_value_t = 500.0, value_parser = values::rate)]
     pub rate: f64,
     /// Folder to write; an earlier export in it is replaced [default: DIR/export/TARGET]
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(short, long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// Also export a plan that is not done
     #[arg(long)]
@@ -272,10 +260,10 @@ pub struct CalibrateArguments {
     #[arg(value_name = "LOG", required = true)]
     pub logs: Vec<PathBuf>,
     /// Write a copy of the scene with the fitted entries to this file [default: print the entries]
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// With --out: replace the file if it is there
-    #[arg(long, requires = "out")]
+    /// With --out: replace the file if it exists
+    #[arg(short, long, requires = "out")]
     pub force: bool,
     /// Fit rotor inertia and friction of each joint, not of all in the proportions of the scene
     #[arg(long)]
@@ -283,10 +271,10 @@ pub struct CalibrateArguments {
     /// Print everything as JSON
     #[arg(long)]
     pub json: bool,
-    /// Threads [default: one per processor]; they change nothing but the time it takes
-    #[arg(long, value_name = "N", value_parser = jobs)]
+    /// Number of threads; does not affect the result [default: one per processor]
+    #[arg(short, long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
-    /// Say nothing on the way but warnings
+    /// Print only warnings
     #[arg(short, long)]
     pub quiet: bool,
 }
@@ -310,28 +298,27 @@ pub struct CheckArguments {
 pub struct NewArguments {
     /// Scene file to write; paths in it are relative to its folder
     pub file: PathBuf,
-    /// STL or OBJ mesh, or SDF, URDF or MJCF model of the body, in the pose that it shall reach [default: a square shaft
-    /// and its hole]
+    /// STL or OBJ mesh, or SDF, URDF or MJCF model of the body, in its goal pose [default: a square shaft and its hole]
     #[arg(long, value_name = "FILE", requires = "environment")]
     pub body: Option<PathBuf>,
     /// Mesh or model of the environment, in the same frame
     #[arg(long, value_name = "FILE", requires = "body")]
     pub environment: Option<PathBuf>,
-    /// Unit of meshes, which need one: m, cm, mm or inch
-    #[arg(long, value_name = "UNIT", requires_all = ["body", "environment"])]
+    /// Unit of meshes, which need one
+    #[arg(long, value_name = "UNIT", value_parser = values::unit(), requires_all = ["body", "environment"])]
     pub unit: Option<String>,
-    /// Direction in which the body is taken out: x, y, z, -x, -y or -z
-    #[arg(long, value_name = "AXIS", default_value = "z", value_parser = values::axis, allow_hyphen_values = true)]
+    /// Direction in which the body is taken out
+    #[arg(long, value_name = "AXIS", default_value = "z", value_parser = values::axis(), allow_hyphen_values = true)]
     #[arg(requires = "body")]
     pub axis: Axis,
-    /// Replace the file if it is there
-    #[arg(long)]
+    /// Replace the file if it exists
+    #[arg(short, long)]
     pub force: bool,
 }
 
 #[derive(Debug, Args)]
 pub struct SchemaArguments {
-    /// Print that of homotopy files
+    /// Print the schema of homotopy files
     #[arg(long)]
     pub homotopy: bool,
 }

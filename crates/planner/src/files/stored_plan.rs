@@ -32,6 +32,7 @@ impl StoredPlan {
     /// # Errors
     /// When there is none, or one of them is damaged.
     pub fn find(folder: &Path) -> Result<Vec<Self>, PlannerError> {
+        require_no_file(folder)?;
         let mut plans = Vec::new();
         collect(folder, &mut plans)?;
         if plans.is_empty() {
@@ -148,6 +149,7 @@ fn difference(plan: &Scene, problem: &Problem) -> Option<String> {
 /// # Errors
 /// When it is missing, or not one of this program and version.
 pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
+    require_no_file(folder)?;
     let file = folder.join(RESULT);
     let text = read_text(&file)?;
     let result: PlanResult = serde_json::from_str(&text).map_err(|error| {
@@ -155,11 +157,21 @@ pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
         PlannerError::line(&file, error.line(), format!("{advice}: {error}"))
     })?;
     if let Some(name) = result.files.keys().find(|name| !is_plan_file(name)) {
-        return Err(PlannerError::file(&file, format!("lists `{name}`, which is no file of a plan")));
+        return Err(PlannerError::file(&file, format!("lists `{name}`, which is not a file of a plan")));
     }
     match result.done && !result.is_finite() {
         true => Err(PlannerError::file(&file, "is called done, but has a null where a value should be; solve again")),
         false => Ok(result),
+    }
+}
+
+/// Refuses a file where the folder of a plan belongs.
+fn require_no_file(folder: &Path) -> Result<(), PlannerError> {
+    match folder.is_file() {
+        true => {
+            Err(PlannerError::file(folder, "is a file; name the folder of a plan, which `assembly-plan solve` wrote"))
+        }
+        false => Ok(()),
     }
 }
 

@@ -1,0 +1,79 @@
+//! Reading the command line, and what is said about mistakes in it.
+
+use std::ffi::OsString;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Command, Error, FromArgMatches};
+
+use crate::arguments::{Arguments, command_line};
+
+/// Names that people try, and flags that they may mean, the likeliest first.
+const MEANT: &[(&str, &[&str])] = &[
+    ("tolerance", &["position-tolerance"]),
+    ("tol", &["position-tolerance"]),
+    ("offset", &["delta", "magnitude", "offsets"]),
+    ("offsets", &["delta", "deltas"]),
+    ("offset-magnitude", &["delta", "magnitude"]),
+    ("magnitudes", &["magnitude"]),
+    ("frictions", &["friction"]),
+    ("mu", &["friction"]),
+    ("rotation", &["turn"]),
+    ("threads", &["jobs"]),
+    ("output", &["out"]),
+    ("target", &["to"]),
+    ("format", &["to"]),
+    ("time", &["time-limit"]),
+    ("timeout", &["time-limit"]),
+    ("solver", &["linear-solver"]),
+    ("overwrite", &["force"]),
+    ("success-rate", &["wanted-rate"]),
+];
+
+/// The arguments, of which the first is the program's name. Ends the process after help, a version or a mistake, with the
+/// exit code 2 after a mistake.
+pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Arguments {
+    let mut command = command_line();
+    let words: Vec<OsString> = arguments.into_iter().collect();
+    command
+        .try_get_matches_from_mut(&words)
+        .and_then(|matches| Arguments::from_arg_matches(&matches))
+        .unwrap_or_else(|error| advised(error, subcommand(&command, &words)).exit())
+}
+
+/// The command whose arguments some words are.
+fn subcommand<'command>(command: &'command Command, words: &[OsString]) -> &'command Command {
+    words
+        .iter()
+        .skip(1)
+        .map_while(|word| word.to_str())
+        .fold(command, |command, word| command.find_subcommand(word).unwrap_or(command))
+}
+
+/// An error with advice on an argument that the command does not know.
+fn advised(mut error: Error, command: &Command) -> Error {
+    let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else { return error };
+    let argument = argument.clone();
+    if error.kind() != ErrorKind::UnknownArgument {
+        return error;
+    }
+    if let Some(flag) = argument.strip_prefix("--") {
+        // That a value may begin with hyphens helps nobody here.
+        error.remove(ContextKind::Suggested);
+        if let Some(meant) = meant(flag, command) {
+            error.insert(ContextKind::SuggestedArg, ContextValue::String(format!("--{meant}")));
+            error.insert(ContextKind::Usage, ContextValue::StyledStr(command.clone().render_usage()));
+        }
+    } else if argument.parse::<f64>().is_ok()
+        && command.get_arguments().any(|known| known.get_value_delimiter().is_some())
+    {
+        let tip = "numbers of a list are separated by commas, without spaces: 0,0.1";
+        error.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+    }
+    error
+}
+
+/// The flag of a command that a wrong one most likely means.
+fn meant(flag: &str, command: &Command) -> Option<&'static str> {
+    let (_, candidates) = MEANT.iter().find(|(name, _)| *name == flag)?;
+    candidates.iter().copied().find(|name| command.get_arguments().any(|known| known.get_long() == Some(*name)))
+}
