@@ -217,8 +217,9 @@ fn two_solves_into_one_folder_do_not_mix() {
     let dir = Dir::new();
     dir.add_scene("peg2");
     dir.run("solve corner.toml --out alone").code(0);
-    let mut first = dir.program("solve peg2.toml --out out").spawn();
-    first.wait_until("a lock", || dir.exists(".out.unfinished/lock"));
+    let mut first = dir.program("solve peg2.toml --out out --verbose").spawn();
+    // The head of the solver's table: it has the lock, and can be interrupted.
+    first.read_until("inf_pr");
     for flags in ["", "--resume"] {
         dir.run(&format!("solve corner.toml --out out {flags}"))
             .code(2)
@@ -238,8 +239,8 @@ fn two_solves_into_one_folder_do_not_mix() {
 fn unfinished_work_that_is_not_ours_is_left_alone() {
     let dir = Dir::new();
     dir.write(".out.unfinished/notes.txt", "mine");
-    refused(&dir, "solve corner.toml --out out", "stands where unfinished work is kept; move it away");
-    refused(&dir, "solve corner.toml --out out --resume", "stands where unfinished work is kept; move it away");
+    refused(&dir, "solve corner.toml --out out", "is where unfinished work is kept; move it away");
+    refused(&dir, "solve corner.toml --out out --resume", "is where unfinished work is kept; move it away");
 }
 
 #[test]

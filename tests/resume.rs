@@ -2,8 +2,6 @@
 
 #![cfg(unix)]
 
-use std::time::Duration;
-
 use serde_json::json;
 
 use crate::support::{Dir, Run, Running, list};
@@ -42,12 +40,12 @@ fn a_resumed_plan_is_the_uninterrupted_one() {
         assert!(!dir.exists("out"), "{signal}: looks finished");
         assert!(dir.exists(format!("{UNFINISHED}/stages/1/reference.csv")));
         if code.is_some() {
-            assert!(run.has("interrupted in homotopy iteration ") && run.has("the same command goes on with it"));
+            assert!(run.has("interrupted in homotopy iteration ") && run.has("the same command resumes it"));
         }
 
         dir.run("solve slow.toml --out out --resume")
             .code(0)
-            .says("going on after homotopy iteration ")
+            .says("resuming after homotopy iteration ")
             .keeps_silent_about("homotopy iteration 1 of at most 5 (tau");
         assert!(!dir.exists(UNFINISHED));
         assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
@@ -66,7 +64,7 @@ fn a_coarse_homotopy_iteration_is_gone_on_with_on_all_steps() {
     dir.add_homotopy("homotopy.toml", "iterations = 3\nfurther_iterations = 1\ncoarse_iterations = 1", "tol = 1e-2");
     dir.run("solve slow.toml --out whole").code(0);
     stop(&dir, "solve slow.toml --out out", "TERM");
-    dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration ");
+    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy iteration ");
     assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
     for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv"] {
         assert!(dir.bytes(format!("out/{file}")) == dir.bytes(format!("whole/{file}")), "{file}");
@@ -77,9 +75,9 @@ fn a_coarse_homotopy_iteration_is_gone_on_with_on_all_steps() {
 fn a_solve_that_is_interrupted_at_once_leaves_nothing_in_its_folder() {
     let dir = Dir::new();
     dir.add_scene("peg2");
-    let mut running = dir.program("solve peg2.toml --out out").spawn();
-    running.wait_until("a lock", || dir.exists(format!("{UNFINISHED}/lock")));
-    std::thread::sleep(Duration::from_millis(500));
+    let mut running = dir.program("solve peg2.toml --out out --verbose").spawn();
+    // The head of the solver's table: the first homotopy iteration has begun.
+    running.read_until("inf_pr");
     running.signal("INT");
     running.finish().code(130).says("interrupted in homotopy iteration 1; the same command with --resume goes on");
     assert!(!dir.exists("out"));
@@ -88,14 +86,14 @@ fn a_solve_that_is_interrupted_at_once_leaves_nothing_in_its_folder() {
 #[test]
 fn unfinished_work_is_used_only_when_asked() {
     let dir = folder();
-    stop(&dir, "solve slow.toml --out out", "INT").code(130).says("the same command with --resume goes on with it");
+    stop(&dir, "solve slow.toml --out out", "INT").code(130).says("the same command with --resume resumes it");
     dir.copy(UNFINISHED, "kept");
-    dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration");
+    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy iteration");
 
     dir.copy("kept", UNFINISHED);
     dir.run("solve slow.toml --out out")
         .code(0)
-        .keeps_silent_about("going on")
+        .keeps_silent_about("resuming")
         .says("homotopy iteration 1 of at most 5 (tau");
     assert!(!dir.exists(UNFINISHED));
 }
@@ -110,7 +108,7 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
         dir.run(&format!("solve slow.toml --out out --resume {flags}"))
             .code(0)
             .says(&format!("the unfinished work of an earlier run is not used: {reason}"))
-            .keeps_silent_about("going on")
+            .keeps_silent_about("resuming")
             .says("homotopy iteration 1 of at most 5 (tau");
         assert!(!dir.exists(UNFINISHED));
         dir.copy("kept", UNFINISHED);
@@ -134,7 +132,7 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
     changed["record"]["iterations"] = json!([]);
     dir.write(format!("{UNFINISHED}/checkpoint.json"), changed.to_string());
     begins_anew("", "its checkpoint is damaged");
-    dir.run("solve slow.toml --out out --resume").code(0).says("going on after homotopy iteration");
+    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy iteration");
 }
 
 /// A refinement that never ends by itself: nothing ends a hundredth of a millimetre from the goal.
@@ -152,13 +150,13 @@ fn a_refinement_goes_on_where_it_stopped() {
         assert!(!dir.exists("out"), "an interrupted refinement leaves the folder as it was");
         if code.is_some() {
             assert!(run.has("interrupted while refining, at a success rate of "), "{run:?}");
-            assert!(run.has("the same command with --resume goes on with it"), "{run:?}");
+            assert!(run.has("the same command with --resume resumes it"), "{run:?}");
         }
-        let again = format!("{HOPELESS} --resume --time-limit 0.1");
+        let again = format!("{HOPELESS} --resume --max-changes 0");
         dir.run(&again)
             .code(1)
-            .says("going on after homotopy iteration 5 of at most 5 of an earlier run")
-            .says("going on with the refinement of an earlier run");
+            .says("resuming after homotopy iteration 5 of at most 5 of an earlier run")
+            .says("resuming the refinement of an earlier run");
         assert_eq!(dir.result("out")["status"], "the wanted success rate is not reached");
         assert!(!dir.exists(UNFINISHED));
     }
@@ -172,12 +170,12 @@ fn a_refinement_for_another_target_is_not_used() {
     running.signal("KILL");
     running.finish();
     dir.copy(UNFINISHED, "kept");
-    let end = "--resume --time-limit 0.1";
+    let end = "--resume --max-changes 0";
     for (from, to) in [("--friction 0", "--friction 0.2"), ("1e-5", "1e-4"), ("--robust", "--robust --turn 0.01")] {
         dir.run(&format!("{} {end}", HOPELESS.replace(from, to)))
-            .says("going on after homotopy iteration 5 of at most 5 of an earlier run")
+            .says("resuming after homotopy iteration 5 of at most 5 of an earlier run")
             .says("not used: it was refined for other frictions, turns or tolerances")
-            .keeps_silent_about("going on with the refinement");
+            .keeps_silent_about("resuming the refinement");
         dir.copy("kept", UNFINISHED);
     }
     let file = format!("{UNFINISHED}/refinement.json");
@@ -203,8 +201,8 @@ fn a_refined_variant_goes_on_with_its_own_tables() {
     running.finish();
     dir.copy(UNFINISHED, "kept");
     let best = dir.json(&file)["record"]["best"].clone();
-    let again = format!("{line} --resume --time-limit 0.1");
-    dir.run(&again).code(1).says("going on with the refinement of an earlier run");
+    let again = format!("{line} --resume --max-changes 0");
+    dir.run(&again).code(1).says("resuming the refinement of an earlier run");
     let result = dir.result("out");
     assert_eq!(result["time_step_s"], best["time_step_s"]);
     assert_eq!(list(&result, "stages").len(), list(&best, "iterations").len());

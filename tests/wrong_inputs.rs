@@ -24,7 +24,6 @@ mod starting;
 use std::collections::VecDeque;
 use std::sync::{LazyLock, Mutex};
 use std::thread;
-use std::time::Duration;
 
 use crate::support::Dir;
 use crate::support::small::SMALL;
@@ -33,9 +32,6 @@ use crate::support::small::SMALL;
 type Edit = (&'static str, &'static str, &'static str);
 /// A command line, changes of files, words of the message.
 type Row = (&'static str, &'static [Edit], &'static str);
-
-/// Longest time that a refusal may take.
-const LONGEST: Duration = Duration::from_secs(20);
 
 /// What every row starts from: a scene, its plan in `plan`, a batch in `runs`, and files that they may name.
 static RIGHT: LazyLock<Dir> = LazyLock::new(|| {
@@ -50,7 +46,7 @@ static RIGHT: LazyLock<Dir> = LazyLock::new(|| {
     dir.write("latin.toml", b"title = \"Bohr\xe4\"\n");
     dir.write("binary.toml", [0, 159, 146, 150, 10]);
     dir.make_folder("folder");
-    dir.run("solve scene.toml --out plan");
+    dir.run("solve scene.toml --out plan").code(0);
     dir.run("batch expand scene.toml --out runs").code(0);
     dir
 });
@@ -71,7 +67,7 @@ fn folder(edits: &[Edit]) -> Dir {
 fn fault(line: &str, edits: &[Edit], words: &str) -> Option<String> {
     let dir = folder(edits);
     let before = dir.snapshot("");
-    let run = dir.program(line).spawn().finish_within(LONGEST);
+    let run = dir.program(line).spawn().finish_in_time();
     let fault = if run.code != Some(2) {
         format!("exit code {:?}", run.code)
     } else if !run.stdout.is_empty() {

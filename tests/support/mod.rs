@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use tempfile::TempDir;
 
-pub use process::{Run, Running, TestCommand};
+pub use process::{Run, Running, TestCommand, WATCHDOG};
 pub use table::Table;
 
 /// A file or folder of the project.

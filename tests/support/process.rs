@@ -1,10 +1,11 @@
 //! The program: how it is begun, stopped and what it says.
 
 use std::ffi::OsStr;
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::mpsc;
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// A run that is to be made.
@@ -17,7 +18,12 @@ pub struct TestCommand {
 pub struct Running {
     child: Child,
     line: String,
+    /// Standard error once [`Running::read_until`] has taken it over: it is read to its end.
+    stderr: Option<JoinHandle<Vec<u8>>>,
 }
+
+/// Longest wait for something that comes within seconds on an idle machine: it ends tests that would hang.
+pub const WATCHDOG: Duration = Duration::from_secs(600);
 
 /// A run that has ended.
 #[derive(Debug)]
@@ -67,7 +73,7 @@ impl TestCommand {
 
     pub fn spawn(mut self) -> Running {
         let child = self.command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        Running { child, line: self.line }
+        Running { child, line: self.line, stderr: None }
     }
 }
 
@@ -89,7 +95,7 @@ impl Running {
         let begun = Instant::now();
         while !is_so() {
             assert!(!self.has_ended(), "{}: ended before {what}", self.line);
-            assert!(begun.elapsed() < Duration::from_secs(120), "{}: waited in vain for {what}", self.line);
+            assert!(begun.elapsed() < WATCHDOG, "{}: timed out waiting for {what}", self.line);
             thread::sleep(Duration::from_millis(2));
         }
     }
@@ -97,10 +103,16 @@ impl Running {
     /// Reads standard error up to a line with some words; the rest is read as it comes, so that the program can go on.
     #[track_caller]
     pub fn read_until(&mut self, words: &str) {
-        use std::io::{BufRead, BufReader};
-        let mut lines = BufReader::new(self.child.stderr.take().unwrap()).lines();
-        assert!(lines.any(|line| line.unwrap().contains(words)), "{}: never said {words}", self.line);
-        thread::spawn(move || lines.for_each(drop));
+        let mut reader = BufReader::new(self.child.stderr.take().unwrap());
+        let mut heard = String::new();
+        while !heard.lines().next_back().is_some_and(|line| line.contains(words)) {
+            assert!(reader.read_line(&mut heard).unwrap() > 0, "{}: never said {words}\n{heard}", self.line);
+        }
+        self.stderr = Some(thread::spawn(move || {
+            let mut all = heard.into_bytes();
+            reader.read_to_end(&mut all).unwrap();
+            all
+        }));
     }
 
     /// Stops listening to both streams.
@@ -110,22 +122,23 @@ impl Running {
 
     /// Waits for the end.
     pub fn finish(self) -> Run {
-        let output = self.child.wait_with_output().unwrap();
+        let mut output = self.child.wait_with_output().unwrap();
+        if let Some(stderr) = self.stderr {
+            output.stderr = stderr.join().unwrap();
+        }
         Run::new(output, self.line)
     }
 
-    /// Waits for the end, which must come within a time; the program is killed otherwise.
+    /// Waits for the end, which must come within [`WATCHDOG`]; the program is killed otherwise.
     #[track_caller]
-    pub fn finish_within(self, limit: Duration) -> Run {
-        let Self { child, line } = self;
-        let id = child.id();
+    pub fn finish_in_time(self) -> Run {
+        let (id, line) = (self.child.id(), self.line.clone());
         let (sender, receiver) = mpsc::channel();
-        thread::spawn(move || sender.send(child.wait_with_output().unwrap()));
-        let output = receiver.recv_timeout(limit).unwrap_or_else(|_| {
+        thread::spawn(move || sender.send(self.finish()));
+        receiver.recv_timeout(WATCHDOG).unwrap_or_else(|_| {
             Command::new("kill").args(["-KILL", &id.to_string()]).status().unwrap();
-            panic!("{line}: has not ended after {limit:?}");
-        });
-        Run::new(output, line)
+            panic!("{line}: has not ended after {WATCHDOG:?}");
+        })
     }
 }
 
