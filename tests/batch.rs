@@ -144,7 +144,7 @@ fn a_terminated_batch_goes_on_with_the_homotopy_iteration_it_had_reached() {
 
     batch(&dir, "run runs --jobs 1", 0);
     let log = dir.read(cell.join("log.txt"));
-    assert!(log.contains("going on after homotopy iteration"), "{log}");
+    assert!(log.contains("resuming after homotopy iteration"), "{log}");
 }
 
 #[test]

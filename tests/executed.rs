@@ -45,7 +45,7 @@ fn what_a_robot_did_is_compared_with_a_rollout() {
     dir.run(&format!("{compare} executed.csv")).code(0).says("offset 8.0 0.0 0.0 mm").says("on average");
     let text = dir.read("executed.csv");
     dir.write("missed.csv", text.replace("0.059", "0.159"));
-    dir.run(&format!("{compare} missed.csv")).code(1).says("so large an offset was not planned for").says("is closest");
+    dir.run(&format!("{compare} missed.csv")).code(1).says("larger than planned for").says("is closest");
     dir.write("stopped.csv", log(&dir, &header(&dir), 0.5, &[]));
     dir.run(&format!("{compare} stopped.csv")).code(1).says("was stopped").says("does not say why").says("is closest");
     dir.run(&format!("{compare} executed.csv --friction 0,0.1")).code(2).says("one friction");
@@ -125,5 +125,5 @@ fn logs_that_are_not_of_the_plan_are_refused() {
     assert!(!dir.exists("out/report.html"));
     dir.run("report out --executed gone.csv").code(2).says("gone.csv");
     dir.run("simulate corner.toml out --random 2 --out rates").code(0);
-    dir.run("report rates --executed executed.csv").code(2).says("is no folder of a plan");
+    dir.run("report rates --executed executed.csv").code(2).says("is not the folder of a plan");
 }

@@ -16,7 +16,7 @@ fn a_shelf_in_the_way_is_printed_and_written() {
     let dir = Dir::new();
     dir.add_variant("shelf.toml", &SHELF);
     let run = dir.run("solve shelf.toml --out out").code(1);
-    run.says("held by box/shelf").says("which lies towards -z").says("try [[start]]");
+    run.says("held by box/shelf").says("which lies towards -z").says("hint: [[start]]");
     let result = dir.result("out");
     let explanation = &result["explanation"];
     assert_eq!((&result["done"], &result["converged"]), (&false.into(), &true.into()));
@@ -32,7 +32,7 @@ fn a_shelf_in_the_way_is_printed_and_written() {
 fn a_plan_that_is_done_explains_nothing() {
     let dir = Dir::new();
     let run = dir.run("solve corner.toml --out out").code(0);
-    assert!(!run.has("try "));
+    assert!(!run.has("hint: "));
     assert!(dir.result("out").get("explanation").is_none());
 }
 

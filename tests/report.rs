@@ -57,11 +57,11 @@ fn a_page_is_replaced_and_nothing_else_is() {
     dir.run("report plan").code(0);
     dir.run("solve corner.toml --out plan").code(0).says("plan/report.html shows an older plan");
     dir.write("mine.html", "<p>mine</p>");
-    dir.run("report plan --out mine.html").code(2).says("mine.html: would be replaced and is no earlier report");
+    dir.run("report plan --out mine.html").code(2).says("mine.html: exists and is not an earlier report");
     assert_eq!(dir.read("mine.html"), "<p>mine</p>");
     dir.write("plan/report.html", "<p>mine</p>");
-    dir.run("solve corner.toml --out plan --report").code(2).says("is no earlier report");
-    dir.run("simulate corner.toml plan --report").code(2).says("is no earlier report");
+    dir.run("solve corner.toml --out plan --report").code(2).says("is not an earlier report");
+    dir.run("simulate corner.toml plan --report").code(2).says("is not an earlier report");
     assert!(!dir.exists("plan/success.csv"), "refused before anything is computed");
 }
 
@@ -107,7 +107,5 @@ fn figures_are_drawn() {
     let keyframes = dir.read("figures/keyframes-y.svg");
     assert!(keyframes.matches("stroke-dasharray").count() >= 6, "{keyframes}");
     dir.write("figures/forces.svg", "mine");
-    dir.run("report plan --figures figures")
-        .code(2)
-        .says("figures/forces.svg: would be replaced and is no earlier figure");
+    dir.run("report plan --figures figures").code(2).says("figures/forces.svg: exists and is not an earlier figure");
 }

@@ -116,7 +116,7 @@ fn ctrl_c_among_the_variants_keeps_an_older_plan() {
     let older = dir.snapshot("out");
     let mut running = dir.program(&format!("{SOLVE} --position-tolerance 1e-5 --patience 3")).spawn();
     // Whoever stops reading must not stop the program.
-    running.read_until("planning anew");
+    running.read_until("planning variant");
     running.signal("INT");
     running.finish().code(130);
     assert_eq!(dir.snapshot("out"), older);

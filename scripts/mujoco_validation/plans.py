@@ -137,7 +137,7 @@ def load(folder: pathlib.Path, scene_file: pathlib.Path | None) -> Plan:
         shapes = tomllib.loads(shapes_file.read_text())
         return plan(folder, resolved, result, reference, (shapes, shapes_file.parent))
     except OSError as error:
-        raise InputError(f"{folder} is no folder of a finished `assembly-plan solve`: {error}") from error
+        raise InputError(f"{folder} is not a folder of a finished `assembly-plan solve`: {error}") from error
     except (KeyError, ValueError) as error:
         raise InputError(f"{folder}: {type(error).__name__}: {error}") from error
 

@@ -30,7 +30,7 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     let deadline = target.as_ref().and_then(|target| Instant::now().checked_add(target.time_limit));
     let progress = Progress::new(&arguments.progress)?.until(deadline);
     if !problem.scene().chosen.is_empty() {
-        progress.say(&format!("chosen, as the scene does not say it: {}", problem.scene().chosen.join(", ")));
+        progress.say(&format!("defaults chosen for this scene: {}", problem.scene().chosen.join(", ")));
     }
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;
@@ -38,7 +38,7 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
         report::require_writable(&out)?;
     }
     if !arguments.resume && folder.discard()? {
-        tell!("unfinished work of an earlier run is discarded; --resume would have gone on with it");
+        tell!("unfinished work of an earlier run is discarded; --resume would have continued it");
     }
 
     let stopped = stop_flag()?;
@@ -56,10 +56,10 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
         let again = if arguments.resume { "the same command" } else { "the same command with --resume" };
         match &plan.robustness {
             Some(report) => tell!(
-                "interrupted while refining, at a success rate of {:.1} %; {again} goes on with it",
+                "interrupted while refining, at a success rate of {:.1} %; {again} resumes it",
                 100.0 * report.rate_after
             ),
-            None => tell!("interrupted in homotopy iteration {}; {again} goes on with it", plan.iterations.len()),
+            None => tell!("interrupted in homotopy iteration {}; {again} resumes it", plan.iterations.len()),
         }
         return Ok(Exit::Interrupted);
     }
@@ -70,7 +70,7 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     if arguments.report {
         report::write_into(&out)?;
     } else if page.exists() {
-        tell!("{} shows an older plan; `assembly-plan report {}` writes it anew", page.display(), out.display());
+        tell!("{} shows an older plan; `assembly-plan report {}` rewrites it", page.display(), out.display());
     }
     Ok(if plan.status() == PlanStatus::Done { Exit::Done } else { Exit::NoPlan })
 }

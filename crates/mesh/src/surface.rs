@@ -42,7 +42,7 @@ impl std::fmt::Display for Repair {
         match self {
             Self::Collapsed { triangles } => write!(formatter, "{triangles} triangles without area dropped"),
             Self::Duplicates { triangles } => write!(formatter, "{triangles} duplicate triangles dropped"),
-            Self::Rewound { triangles } => write!(formatter, "{triangles} triangles wound the wrong way turned around"),
+            Self::Rewound { triangles } => write!(formatter, "{triangles} triangles with reversed winding flipped"),
             Self::Inverted { shells } => write!(formatter, "{shells} shells turned inside out"),
             Self::Capped { place: [x, y, z], edges, area } => write!(
                 formatter,

@@ -165,12 +165,11 @@ impl Execution {
                 vec![format!("if the part ended at its goal, it sat in the gripper with {}", in_words(&self.grasp))]
             }
             Ending::Missed(grasp) => vec![format!(
-                "the part did not end at its goal: there, it would sit in the gripper with {}, and so large an offset was not \
-                 planned for",
+                "the part did not end at its goal: reaching it would imply a grasp error of {}, larger than planned for",
                 in_words(grasp)
             )],
             Ending::Stopped(reason) => vec![format!(
-                "the robot was stopped {:.2} s after the plan was begun: {}",
+                "the robot was stopped {:.2} s after the plan started: {}",
                 self.duration(),
                 reason.as_deref().unwrap_or("the log does not say why")
             )],
@@ -226,7 +225,7 @@ fn require_duration(file: &Path, course: &[ExecutedState], reference: &Reference
         (reference.intervals() as f64 * reference.time_step(), course.last().map_or(0.0, |state| state.time));
     if log > plan + LONGEST_REST {
         let problem = format!(
-            "column time_s: the log goes on for {log:.0} s after the plan was begun, which takes {plan:.1} s; name the folder of \
+            "column time_s: the log goes on for {log:.0} s after the plan started, which takes {plan:.1} s; name the folder of \
              the plan that was exported, and keep the rows as the player wrote them"
         );
         return Err(PlannerError::file(file, problem));

@@ -81,5 +81,5 @@ def test_a_plan_of_other_settings_is_a_warning(plan: Plan) -> None:
 
 def test_nothing_of_others_is_replaced(scene: Scene, plan: Plan, tmp_path: Path) -> None:
     (tmp_path / "success.csv").write_text("my,own,table\n")
-    with pytest.raises(SceneError, match="would be replaced"):
+    with pytest.raises(SceneError, match="exists and is not"):
         scene.simulate(plan).save(tmp_path)

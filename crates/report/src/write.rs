@@ -89,7 +89,7 @@ pub fn require_writable(file: &Path) -> Result<(), PlannerError> {
 fn require_own(file: &Path, begin: &str, kind_and_advice: &str) -> Result<(), PlannerError> {
     let stands = file.symlink_metadata().is_ok();
     if stands && !read_text(file).is_ok_and(|text| text.starts_with(begin)) {
-        return Err(PlannerError::file(file, format!("would be replaced and is no earlier {kind_and_advice}")));
+        return Err(PlannerError::file(file, format!("exists and is not an earlier {kind_and_advice}")));
     }
     Ok(())
 }

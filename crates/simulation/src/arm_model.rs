@@ -45,7 +45,7 @@ pub enum ArmModelError {
     #[error(transparent)]
     Range(#[from] SettingsError),
     /// A pose on the way from the goal to the start that the arm does not reach.
-    #[error("{percent} % of the straight way from the goal to the start: {error}")]
+    #[error("{percent} % of the straight path from the goal to the start: {error}")]
     Pose {
         /// Where on the way; 0 is the goal.
         percent: usize,

@@ -178,7 +178,7 @@ impl<'manifest> Pool<'manifest> {
             tell!("failed: {}: {reason} (see {})", cell.label(), self.manifest.folder.join(&cell.folder).display());
         }
         if !self.interrupted.is_empty() {
-            tell!("interrupted with {} cells to do; the same command goes on with them", self.interrupted.len());
+            tell!("interrupted with {} cells to do; the same command resumes them", self.interrupted.len());
         }
     }
 }

@@ -22,13 +22,13 @@ use refinement::Refinement;
 /// How much is said on the way.
 #[derive(Debug, Clone, Args)]
 pub struct ProgressArguments {
-    /// Say nothing on the way but warnings
+    /// Print only warnings
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
-    /// Also print every iteration of the solver, in the columns of Ipopt
+    /// Also print every solver iteration, in Ipopt's columns
     #[arg(short, long)]
     pub verbose: bool,
-    /// Add everything that happens to this file, one JSON object per line
+    /// Append all events to this file, one JSON object per line
     #[arg(long, value_name = "FILE")]
     pub log: Option<PathBuf>,
 }

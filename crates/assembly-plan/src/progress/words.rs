@@ -44,16 +44,16 @@ pub fn line(event: &Event) -> String {
         Event::Attempt { planned, position_error } => {
             format!("the plan misses the goal by {:.2} mm; trying: {planned}", 1e3 * position_error)
         }
-        Event::Resumed { refining: true, .. } => "going on with the refinement of an earlier run".to_owned(),
+        Event::Resumed { refining: true, .. } => "resuming the refinement of an earlier run".to_owned(),
         Event::Resumed { done, most, .. } => {
-            format!("going on after homotopy iteration {done} of at most {most} of an earlier run")
+            format!("resuming after homotopy iteration {done} of at most {most} of an earlier run")
         }
         Event::Discarded { reason } => format!("the unfinished work of an earlier run is not used: {reason}"),
         Event::Evaluated { rate } => format!("{:.1} % of rollouts succeed", 100.0 * rate),
         Event::Refining { planned } => format!("refining: {planned}"),
         Event::Refined { rate } => format!("  {:.1} % succeed at offsets not trained on", 100.0 * rate),
         Event::Variant { name, number, count } => {
-            format!("planning anew, {number} of {count}: {name}")
+            format!("planning variant {number} of {count}: {name}")
         }
         Event::VariantSolved { status } => format!("  {status}"),
         Event::VariantTried { failing, trials } => format!("  {failing} of {trials} training rollouts fail"),

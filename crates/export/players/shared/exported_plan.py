@@ -86,7 +86,7 @@ def load(folder: pathlib.Path) -> ExportedPlan:
         document = json.loads((folder / "plan.json").read_text())
         content = (folder / "trajectory.csv").read_bytes()
     except (OSError, ValueError) as error:
-        raise InputError(f"{folder} is no folder of `assembly-plan export`: {error}") from error
+        raise InputError(f"{folder} is not a folder of `assembly-plan export`: {error}") from error
     if document.get("format") != FORMAT:
         raise InputError(f"{folder / 'plan.json'}: format {document.get('format')}, this player reads {FORMAT}; export again")
     if hashlib.sha256(content).hexdigest() != document["files"]["trajectory.csv"]:

@@ -176,7 +176,7 @@ class Session:
         if size > document["delta_m"] + tolerance:
             self.journal.say(
                 f"the part is not at its goal: it would sit ({in_words}) mm beside where the robot believes it, more than the "
-                f"{1e3 * document['delta_m']:.1f} mm that the plan bears"
+                f"{1e3 * document['delta_m']:.1f} mm that the plan tolerates"
             )
             return False
         self.journal.say(
@@ -221,11 +221,11 @@ def add_flags(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--dry-run", type=float, default=0.0, metavar="M", help="play this far (m) from the goal, in free air")
     add("--stiffness-factor", type=float, default=1.0, metavar="F", help="stiffness of the robot over that of the plan")
-    add("--damping-factor", type=float, default=1.0, metavar="F", help="damping, likewise")
+    add("--damping-factor", type=float, default=1.0, metavar="F", help="factor on damping")
     add("--skip-self-test", action="store_true", help="do not move along each axis first to test the frames")
     add("--force-limit", type=float, metavar="N", help="stop beyond this force [default: that of plan.json]")
-    add("--torque-limit", type=float, metavar="NM", help="stop beyond this torque [default: likewise]")
-    add("--distance-limit", type=float, metavar="M", help="stop this far from the reference [default: likewise]")
+    add("--torque-limit", type=float, metavar="NM", help="stop beyond this torque [default: that of plan.json]")
+    add("--distance-limit", type=float, metavar="M", help="stop this far from the reference [default: that of plan.json]")
     add("--log", type=pathlib.Path, default=pathlib.Path("executed.csv"), metavar="FILE", help="[default: %(default)s]")
 
 

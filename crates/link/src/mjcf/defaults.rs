@@ -25,7 +25,7 @@ impl<'text> Levels<'text> {
         if let Some(class) = class.filter(|class| class.text != "main") {
             let is_named = |node: &Node| node.has_tag_name("default") && node.attribute("class") == Some(class.text);
             let Some(innermost) = all.find(is_named) else {
-                return Err(class.refuse("is no class of <default>"));
+                return Err(class.refuse("is not a class of <default>"));
             };
             classes.extend(innermost.ancestors().filter(|node| node.has_tag_name("default")));
         }

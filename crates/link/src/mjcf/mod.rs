@@ -138,7 +138,7 @@ fn mesh_asset<'text>(
     };
     let assets = children(geom.document().root_element(), "asset");
     let Some(asset) = assets.flat_map(|assets| children(assets, "mesh")).find(is_named) else {
-        return Err(name.refuse("is no mesh of <asset>"));
+        return Err(name.refuse("is not a mesh of <asset>"));
     };
     if let Some(moved) = ["refpos", "refquat"].into_iter().find_map(|name| attribute(asset, name)) {
         return Err(moved.refuse("is not supported: move the mesh by `pos` and `quat` of its geom"));

@@ -80,8 +80,8 @@ pub fn rest(problem: &Problem, farthest_rest: Option<f64>) -> Option<String> {
     let tolerance = problem.success().position;
     let farthest = farthest_rest.filter(|&farthest| farthest > tolerance)?;
     Some(format!(
-        "play lets the body rest {:.2} mm from its goal, more than the tolerance of {:.2} mm: it may be missed \
-             whatever the plan; raise --position-tolerance",
+        "the clearance at the goal lets the body rest {:.2} mm from it, more than the tolerance of {:.2} mm, so any plan may \
+         miss it: raise --position-tolerance",
         1e3 * farthest,
         1e3 * tolerance
     ))
@@ -90,8 +90,8 @@ pub fn rest(problem: &Problem, farthest_rest: Option<f64>) -> Option<String> {
 fn way(explanation: &Explanation) -> Option<String> {
     let Way::None { step_m, nearest_m } = explanation.way else { return None };
     Some(format!(
-        "no way from start to goal was found in clearance, in steps of {:.2} mm and without turning: the search ends {:.1} \
-         mm from the start; check the goal, the fit and the axis of insertion",
+        "no path in clearance was found from start to goal, in steps of {:.2} mm and without rotation: backwards from the \
+         goal, the search ended {:.1} mm from the start; check the goal, the fit and the insertion axis",
         1e3 * step_m,
         1e3 * nearest_m
     ))
@@ -106,8 +106,7 @@ pub fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
     let reach = tau * rows as f64;
     (reach < 1.5 * largest).then(|| {
         format!(
-            "the first smoothing reaches {:.1} mm, the offset is {:.1} mm; if plans miss the goal, try a larger \
-             homotopy.tau",
+            "the first smoothing reaches {:.1} mm, the offset is {:.1} mm: if plans miss the goal, raise homotopy.tau",
             1e3 * reach,
             1e3 * largest
         )
@@ -135,8 +134,7 @@ pub fn step(task: &AssemblyTask, insertion: &[Play]) -> Option<String> {
     let narrowest = insertion.iter().filter_map(Play::narrowest).fold(f64::INFINITY, f64::min);
     (narrowest > 0.0 && narrowest.is_finite() && per_step > LONG_STEP * narrowest).then(|| {
         format!(
-            "the body moves {:.2} mm in a step on average, the play is {:.2} mm: more and shorter steps ([horizon]) find \
-             ways that these miss",
+            "the body moves {:.2} mm per step on average, the clearance is {:.2} mm: use more, shorter steps in [horizon]",
             1e3 * per_step,
             1e3 * narrowest
         )

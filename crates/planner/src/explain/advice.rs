@@ -46,7 +46,7 @@ pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]
     advice.extend(others.into_iter().flatten().flatten());
     if advice.is_empty() && plan.is_converged() {
         advice.push(
-            "[homotopy]: the motion found is a local optimum: try half and twice the first tau, or another [[start]]"
+            "[homotopy]: the motion found is a local optimum: use half or twice the first tau, or another [[start]]"
                 .to_owned(),
         );
     }
@@ -193,8 +193,8 @@ impl Case<'_> {
         let (scenario, pair, overlap) =
             self.stuck.iter().filter_map(blocked).max_by(|one, other| one.2.total_cmp(&other.2))?;
         Some(format!(
-            "[[start]]: from where scenario {scenario} ends, the straight way to the goal leads {:.1} mm deep through \
-             {pair}: start where the way is free, or check the parts with `check`",
+            "[[start]]: from where scenario {scenario} ends, the straight path to the goal leads {:.1} mm deep through \
+             {pair}: start where the path is free, or check the parts with `check`",
             1e3 * overlap
         ))
     }

@@ -48,7 +48,7 @@ impl FailureExplanation {
         let violated = self.residuals.iter().take(told).map(|residual| format!("violated most: {residual}"));
         let contradicting = self.dependencies.iter().map(ToString::to_string);
         let stuck = self.scenarios.iter().map(ToString::to_string);
-        let advice = self.advice.iter().map(|advice| format!("try {advice}"));
+        let advice = self.advice.iter().map(|advice| format!("hint: {advice}"));
         violated.chain(contradicting).chain(stuck).chain(advice).collect()
     }
 }

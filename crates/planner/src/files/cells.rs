@@ -85,7 +85,7 @@ fn require_own(file: &Path, content: &[u8], end: u8) -> Result<(), PlannerError>
     let begin = |bytes: &[u8]| bytes.split(|&byte| byte == end).next().map(<[u8]>::to_vec);
     match fs::read(file) {
         Ok(standing) if begin(&standing) != begin(content) => {
-            Err(PlannerError::file(file, "is no table of an earlier run and would be replaced; move it away"))
+            Err(PlannerError::file(file, "exists and is not a table of an earlier run; move it away"))
         }
         _ => Ok(()),
     }

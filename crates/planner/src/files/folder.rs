@@ -302,7 +302,7 @@ fn locate(target: &Path) -> Result<PathBuf, PlannerError> {
     let target = match target.canonicalize() {
         Ok(path) => path,
         Err(_) => {
-            let name = target.file_name().ok_or_else(|| PlannerError::file(target, "is no name of a folder"))?;
+            let name = target.file_name().ok_or_else(|| PlannerError::file(target, "is not the name of a folder"))?;
             let parent = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
             fs::create_dir_all(parent).map_err(PlannerError::written(target))?;
             parent.canonicalize().map_err(PlannerError::written(parent))?.join(name)
@@ -320,7 +320,7 @@ fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
     let busy = || PlannerError::file(target, "another run is writing a plan into it; choose another --out, or wait");
     let is_ours = path.exists() || fs::read_dir(work).is_ok_and(|mut entries| entries.next().is_none());
     if work.symlink_metadata().is_ok() && !is_ours {
-        return Err(PlannerError::file(work, "stands where unfinished work is kept; move it away"));
+        return Err(PlannerError::file(work, "is where unfinished work is kept; move it away"));
     }
     // A run that ends removes its lock. Who has opened it just before holds the lock of nothing and tries again.
     for _ in 0..10 {

@@ -18,7 +18,7 @@ pub fn write_new_scene(file: &Path, text: &str, replaces: bool) -> Result<(), Pl
         return Err(PlannerError::file(file, "is a folder; name a file"));
     }
     if file.exists() && !replaces {
-        return Err(PlannerError::file(file, "is there already; name another file, or replace it with --force"));
+        return Err(PlannerError::file(file, "already exists; name another file, or replace it with --force"));
     }
     file.parent().map_or(Ok(()), require_folder)?;
     write_file(file, text.as_bytes())

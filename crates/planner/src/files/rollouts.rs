@@ -174,5 +174,5 @@ fn require_table<T: Serialize + Default>(file: &Path) -> Result<(), PlannerError
     if file.symlink_metadata().is_err() || has_header(file, header.lines().next().unwrap_or_default()) {
         return Ok(());
     }
-    Err(PlannerError::file(file, "is no older table of this kind and would be replaced; choose another --out"))
+    Err(PlannerError::file(file, "exists and is not an older table of this kind; choose another --out"))
 }

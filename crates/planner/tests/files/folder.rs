@@ -115,7 +115,7 @@ fn a_listed_file_outside_of_the_plan_is_not_removed() {
     fs::write(&victim, "mine").unwrap();
     let result = fs::read_to_string(out.join("result.json")).unwrap();
     fs::write(out.join("result.json"), result.replace("\"resolved.toml\"", "\"../victim.txt\"")).unwrap();
-    assert!(refusal(&out, &[]).contains("which is no file of a plan"));
+    assert!(refusal(&out, &[]).contains("which is not a file of a plan"));
     assert!(victim.exists());
 }
 

@@ -170,7 +170,7 @@ class Scene:
         """Plan one motion that brings the body to its goal with every planned offset.
 
         With `out`, the plan is written into this folder, and Ctrl-C leaves unfinished work beside it, with which
-        ``resume=True`` goes on. A plan that does not reach the goal is no error: see `Plan.status`.
+        ``resume=True`` resumes it. A plan that does not reach the goal is no error: see `Plan.status`.
         """
         choices = _choices(
             start=start,
@@ -208,7 +208,7 @@ class Scene:
 
         - `wanted_rate`: success rate to reach at each friction, from 0 to 1.
         - `time_limit`: keep the best plan so far after this time (s), the first solve included.
-        - `patience`: evaluate a plan anew after this many changes in a row without improvement; 0 only evaluates it.
+        - `patience`: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it.
         - `friction`: Coulomb friction coefficients; by default the scene's.
         - `turn`: the part may also be turned in the gripper by up to this angle, about any axis (rad); by default the
           scene's.

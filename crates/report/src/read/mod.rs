@@ -22,13 +22,13 @@ use crate::model::PageData;
 pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PageData, PlannerError> {
     let holds = |name: &str| folder.join(name).exists();
     if !folder.is_dir() {
-        return Err(PlannerError::file(folder, "is no folder; name one that `solve`, `batch` or `simulate` wrote"));
+        return Err(PlannerError::file(folder, "is not a folder; name one that `solve`, `batch` or `simulate` wrote"));
     }
     if holds(RESULT) {
         return Ok(PageData::Plan(Box::new(plan::read(folder, logs)?)));
     }
     if let ([log, ..], true) = (logs, holds(MANIFEST) || holds(SUCCESS)) {
-        let problem = format!("is no folder of a plan, of which {} could be an execution; name one", log.display());
+        let problem = format!("is not the folder of a plan that {} could have executed; name one", log.display());
         return Err(PlannerError::file(folder, problem));
     }
     if holds(MANIFEST) {
@@ -46,7 +46,8 @@ fn nothing(folder: &Path) -> String {
     let name = absolute.file_name().unwrap_or_default().to_string_lossy();
     let work = absolute.with_file_name(format!(".{name}.unfinished"));
     if name.ends_with(".unfinished") || work.exists() {
-        return "holds an unfinished plan; wait for its solve, or go on with `assembly-plan solve --resume`".to_owned();
+        return "holds an unfinished plan; wait for its solve, or resume it with `assembly-plan solve --resume`"
+            .to_owned();
     }
     format!(
         "holds no {RESULT}, {MANIFEST} or {SUCCESS}; name a folder that `assembly-plan solve`, `batch` or `simulate` wrote"

@@ -49,7 +49,7 @@ pub const KEYS: &[Key] = &[
     key("", "start", Tables(1..=1000), "", Refused, "poses to start from; the first is the default"),
     key("", "goal", Table, "", Refused, "pose of the body at the end"),
     key("", "impedance", Table, "", Means("chosen"), "the robot's Cartesian impedance controller"),
-    key("", "robustness", Table, "", Refused, "errors of position to be borne"),
+    key("", "robustness", Table, "", Refused, "position errors to tolerate"),
     key("", "robot", Table, "", Means("a free body"), "the arm that moves the body"),
     key("", "horizon", Table, "", Means("chosen"), "time grid of the plan"),
     key("", "cost", Table, "", Means("default weights"), "weights of the cost"),
@@ -77,7 +77,7 @@ pub const KEYS: &[Key] = &[
     key("part", "orientation", Quaternion, "", Means("`[1, 0, 0, 0]`"), "turns the part about its origin"),
 
     key("contact", "pairs", Pairs(1..=10_000), "", Means("every body part with every environment part"), "pairs that may touch: a body part and an environment part, each pair once"),
-    key("contact", "friction", NumberOrNumbers(Range::closed(0.0, 2.0), 1..=5), "", Default(0.0), "Coulomb's coefficient of friction in the plan, or several that it bears at once; [what it does](friction.md)"),
+    key("contact", "friction", NumberOrNumbers(Range::closed(0.0, 2.0), 1..=5), "", Default(0.0), "Coulomb's coefficient of friction in the plan, or several that it tolerates at once; [what it does](friction.md)"),
 
     key("start", "name", Name, "", Refused, "unique name of the start, for `--start`"),
     key("start", "position", Vector(COORDINATE), "m", Refused, "position of the body's frame in the world"),
@@ -94,14 +94,14 @@ pub const KEYS: &[Key] = &[
     key("impedance", "rotational_damping", Matrix(DAMPING), "Nms/rad", Means("critical damping"), "damping in the body frame: about each axis, or 3x3 matrix"),
 
     key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be"),
-    key("robustness", "offset_directions", Directions(1..=1000), "", Means("three across the way from the first start to the goal"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
-    key("robustness", "turn", Number(Range::closed(0.0, 1.57)), "rad", Default(0.0), "how far the body may also be turned in the gripper, about any axis; `--robust` bears it"),
+    key("robustness", "offset_directions", Directions(1..=1000), "", Means("three across the path from the first start to the goal"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
+    key("robustness", "turn", Number(Range::closed(0.0, 1.57)), "rad", Default(0.0), "how far the body may also be rotated in the gripper, about any axis; `--robust` tolerates it"),
     key("robustness", "turn_axes", Directions(1..=1000), "", Means("no turn"), "one for each of `offset_directions`: the axis (body frame) about which the body of the same planned motion is turned by `turn`; `[0, 0, 0]` is no turn"),
-    key("robustness", "friction", Numbers(Range::closed(0.0, 10.0), 1..=20), "", Means("`[0, 0.1, 0.3]`"), "Coulomb coefficients of contacts that `--robust` bears"),
-    key("robustness", "inertia_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the inertia that `--robust` bears"),
-    key("robustness", "stiffness_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the stiffness that `--robust` bears"),
-    key("robustness", "delay", Number(Range::closed(0.0, 0.1)), "s", Default(0.0), "delay of an arm's controller that `--robust` bears"),
-    key("robustness", "edge_radius", Number(Range::closed(0.0, 0.01)), "m", Means("half of the clearance at the goal, at most 0.0001"), "how round edges may be: `--robust` bears that faces which overlap by less slip past each other"),
+    key("robustness", "friction", Numbers(Range::closed(0.0, 10.0), 1..=20), "", Means("`[0, 0.1, 0.3]`"), "Coulomb coefficients of contacts that `--robust` tolerates"),
+    key("robustness", "inertia_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the inertia that `--robust` tolerates"),
+    key("robustness", "stiffness_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the stiffness that `--robust` tolerates"),
+    key("robustness", "delay", Number(Range::closed(0.0, 0.1)), "s", Default(0.0), "delay of an arm's controller that `--robust` tolerates"),
+    key("robustness", "edge_radius", Number(Range::closed(0.0, 0.01)), "m", Means("half of the clearance at the goal, at most 0.0001"), "how round edges may be: `--robust` tolerates that faces which overlap by less slip past each other"),
 
     key("robot", "urdf", File, "", Means("a free body"), "URDF file of the arm; the inertia is that of the arm at the goal"),
     key("robot", "tip", Name, "", Means("needed with `urdf`"), "link that holds the body"),
@@ -123,7 +123,7 @@ pub const KEYS: &[Key] = &[
     key("robot.stiffness_range", "translational", Numbers(STIFFNESS, 2..=2), "N/m", Means("any stiffness"), "lowest and highest"),
     key("robot.stiffness_range", "rotational", Numbers(STIFFNESS, 2..=2), "Nm/rad", Means("any stiffness"), "lowest and highest"),
 
-    key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Means("enough for the way and the controller: 3 s or more"), "number of time steps"),
+    key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Means("enough for the path and the controller: 3 s or more"), "number of time steps"),
     key("horizon", "time_step", Number(Range::closed(1e-5, 10.0)), "s", Means("0.04, or what makes `steps` last as long"), "length of a step"),
 
     key("cost", "reference", Table, "", Means("default weights"), "weights of the reference trajectory"),

@@ -23,7 +23,7 @@ pub use warnings::warnings;
 const ARM_KEYS: [&str; 6] = ["tip", "grasp", "base", "configuration", "rotor_inertia", "joint_friction"];
 /// Fewer joints cannot hold a part's position and orientation.
 const LEAST_JOINTS: usize = 6;
-/// Poses on the straight way from the goal to a start at which the arm is looked at.
+/// Poses on the straight path from the goal to a start at which the arm is looked at.
 const POSES: usize = 20;
 
 /// An arm of a URDF file, with the body in its gripper.
@@ -95,7 +95,7 @@ impl Robot {
             .inverse_kinematics(&of_pose(goal), &near)
             .map_err(|error| unreachable("the goal".into(), error.to_string()))?;
         let way = |start: &StartPose| {
-            let what = format!("start `{}` on the straight way from the goal", start.name);
+            let what = format!("start `{}` on the straight path from the goal", start.name);
             arm.follow(&straight(goal, &start.pose), &configuration)
                 .map_err(|error| unreachable(what, error.reason.to_string()))
         };

@@ -142,7 +142,7 @@ fn what_is_wrong_with_an_arm_is_said_where_it_stands() {
     let far = SCENE.replace("position = [0, 0, 0.09]", "position = [0, 0, 3]");
     let error =
         Scene::parse(Source { file: "test.toml".as_ref(), text: &format!("{far}[robot]\n{arm}\n") }).unwrap_err();
-    assert!(error.message().contains("the arm does not reach start `a` on the straight way from the goal"), "{error}");
+    assert!(error.message().contains("the arm does not reach start `a` on the straight path from the goal"), "{error}");
     let given = format!("{SCENE}[robot]\n{arm}\nstiffness_range = {{ translational = [100, 3000] }}\n");
     let error = Scene::parse(Source { file: "test.toml".as_ref(), text: &given }).unwrap_err();
     assert!(error.message().contains("must lie in robot.stiffness_range, 100 to 3000"), "{error}");

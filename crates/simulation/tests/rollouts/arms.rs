@@ -393,7 +393,7 @@ fn models_that_cannot_be_are_refused() {
     let coarse = Settings { time_step: 1.0, ..Settings::default() };
     assert!(Rollout::new(&record.task, coarse).with_arm(&record.model).is_err());
     let far = refusal(&|model| model.arm = model.arm.clone().with_base(&Isometry3::translation(5.0, 0.0, 0.0)));
-    assert!(far.starts_with("0 % of the straight way from the goal to the start: the arm does not reach"), "{far}");
+    assert!(far.starts_with("0 % of the straight path from the goal to the start: the arm does not reach"), "{far}");
 }
 
 #[test]
