@@ -21,4 +21,5 @@ mod simulate;
 mod starting;
 mod support;
 mod turned;
+mod verdicts;
 mod wrong_inputs;

@@ -1,9 +1,9 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::Problem;
 use planner::check::{
     Explanation, MeshReport, PairReport, Play, PoseOverlap, RoundSurface, Way, explain, pair_reports,
 };
+use planner::{Problem, axis_name};
 
 use crate::arguments::CheckArguments;
 use crate::console::{print_json, say, tell};
@@ -13,22 +13,37 @@ use crate::values::Pose;
 /// Relative difference of radii that are alike.
 const ALIKE: f64 = 1e-3;
 
+/// Pieces of one part from which on they are only summed up.
+const FEW: usize = 6;
+/// Starts, round surfaces and shapes that are listed.
+const LISTED: usize = 6;
+
 /// Checks a scene and prints what it says.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.task.choices())?;
     let tau = arguments.tau.unwrap_or(problem.homotopy().tau);
-    match arguments.pose {
+    let (is_refused, warnings) = match arguments.pose {
         Some(Pose(pose)) => {
-            problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
+            let warnings = problem.warnings();
+            warnings.iter().for_each(|warning| tell!("warning: {warning}"));
             let reports = pair_reports(&problem, &pose, tau)?;
-            if arguments.json { print_json(&reports)? } else { print_pairs(&reports, tau) }
+            if arguments.json {
+                print_json(&reports)?
+            } else {
+                print_pairs(&reports, tau)
+            }
+            (false, warnings)
         }
         None => {
             let explanation = explain(&problem, tau)?;
-            if arguments.json { print_json(&explanation)? } else { print_explanation(&problem, &explanation) }
+            match arguments.json {
+                true => print_json(&explanation)?,
+                false => print_explanation(&problem, &explanation, arguments.verbose),
+            }
+            (explanation.refusal.is_some(), explanation.warnings)
         }
-    }
-    Ok(Exit::Done)
+    };
+    Ok(if is_refused || arguments.strict && !warnings.is_empty() { Exit::NoPlan } else { Exit::Done })
 }
 
 fn print_pairs(reports: &[PairReport], tau: f64) {
@@ -45,9 +60,77 @@ fn print_pairs(reports: &[PairReport], tau: f64) {
     say!("smoothed with tau = {tau}");
 }
 
-fn print_explanation(problem: &Problem, explanation: &Explanation) {
+fn print_explanation(problem: &Problem, explanation: &Explanation, is_verbose: bool) {
+    print_verdict(explanation);
+    print_sizes(problem, explanation);
+    if is_verbose {
+        print_parts(explanation);
+    }
+    print_meshes(explanation, is_verbose);
+    print_insertion(explanation);
+    explanation.overlaps.chunk_by(|one, other| one.pose == other.pose).for_each(print_overlaps);
+    print_success(problem, explanation);
+    print_size(problem, explanation);
+    if !explanation.chosen.is_empty() {
+        say!("chosen, as the scene does not say it: {}", explanation.chosen.join(", "));
+    }
+}
+
+/// Whether a plan can be made, and what is odd.
+fn print_verdict(explanation: &Explanation) {
+    let title = &explanation.title;
+    match (&explanation.refusal, explanation.warnings.len()) {
+        (Some(reason), _) => say!("{title}: no plan can be made: {reason}"),
+        (None, 0) => say!("{title}: can be planned, nothing is odd"),
+        (None, 1) => say!("{title}: can be planned, with 1 warning"),
+        (None, count) => say!("{title}: can be planned, with {count} warnings"),
+    }
+    explanation.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
+}
+
+/// How large everything is and where it is.
+fn print_sizes(problem: &Problem, explanation: &Explanation) {
     let (scene, task) = (problem.scene(), problem.task());
-    say!("{}: {} pairs of parts may touch{}", explanation.title, explanation.pairs, left_out(explanation));
+    let edges = |[x, y, z]: [f64; 3]| format!("{:.2} x {:.2} x {:.2} mm", 1e3 * x, 1e3 * y, 1e3 * z);
+    let position = |pose: &[f64; 7]| format!("{:.2}, {:.2}, {:.2} mm", 1e3 * pose[0], 1e3 * pose[1], 1e3 * pose[2]);
+    say!(
+        "\nbody: {}, {} convex parts, mass {} kg",
+        edges(explanation.body_edges_m),
+        explanation.body.len(),
+        rounded(task.inertia.mean_mass())
+    );
+    say!("environment: {}, {} convex parts", edges(explanation.environment_edges_m), explanation.environment.len());
+    say!("pairs: {} may touch{}", explanation.pairs, left_out(explanation));
+    let names: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).take(LISTED).collect();
+    let more = if scene.starts.len() > LISTED { ", ..." } else { "" };
+    let (distance, turn) = task::pose::errors(&task.start, &task.goal);
+    say!(
+        "start \"{}\" of {} ({}{more}): at {}, {:.2} mm and {turn:.3} rad from the goal",
+        explanation.start,
+        scene.starts.len(),
+        names.join(", "),
+        position(&task.start),
+        1e3 * distance
+    );
+    say!("goal: at {}", position(&task.goal));
+    say!("offset: {:.2} mm, planned in {} scenarios", 1e3 * explanation.delta_m, explanation.size.scenarios);
+    let impedance = &task.impedance;
+    say!(
+        "stiffness: {} N/m and {} Nm/rad",
+        rounded(impedance.translational_stiffness),
+        rounded(impedance.rotational_stiffness)
+    );
+    let named = task.limits.named().into_iter().filter(|(_, _, limit)| limit.is_finite());
+    let limits: Vec<String> = named.map(|(name, unit, limit)| format!("{name} {limit} {unit}")).collect();
+    say!("limits: {}", if limits.is_empty() { "none".to_owned() } else { limits.join(", ") });
+}
+
+/// A number with four digits at most.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+fn print_parts(explanation: &Explanation) {
     for (parent, parts) in [("body", &explanation.body), ("environment", &explanation.environment)] {
         say!("\n{parent:<24} {:>10} {:>12} {:>12} {:>7} {:>8}", "longest", "thinnest", "volume", "facets", "corners");
         for part in parts {
@@ -62,10 +145,18 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
             );
         }
     }
+}
+
+/// Meshes and links, the latter in one line each unless all is asked for, and the tightest round fit.
+fn print_meshes(explanation: &Explanation, is_verbose: bool) {
     for meshes in explanation.meshes.chunk_by(|one, other| one.name == other.name) {
         match meshes {
-            [mesh] if mesh.shape.is_none() => print_mesh(mesh),
-            shapes => print_link(shapes),
+            [mesh] if mesh.shape.is_none() => print_mesh(mesh, is_verbose),
+            shapes if is_verbose || shapes.len() <= FEW => print_link(shapes),
+            [first, ..] => {
+                say!("\nlink of `{}`: {}, {} shapes (--verbose lists them)", first.name, first.file, meshes.len());
+            }
+            [] => {}
         }
     }
     if let Some(fit) = explanation.fit {
@@ -79,19 +170,24 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
             1e3 * fit.mesh_lost_m
         );
     }
-    let starts: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).collect();
-    say!("\nstarts: {}", starts.join(", "));
-    print_insertion(explanation);
-    explanation.overlaps.chunk_by(|one, other| one.pose == other.pose).for_each(print_overlaps);
-    for (name, unit, limit) in task.limits.named() {
-        if limit.is_finite() {
-            say!("limit: {name} {limit} {unit}");
-        }
-    }
+}
+
+fn print_success(problem: &Problem, explanation: &Explanation) {
+    let success = problem.success();
+    say!(
+        "\nsuccess: to end within {:.3} mm and {} rad of the goal, with exact shapes that overlap by at most {:.3} mm",
+        1e3 * success.position,
+        success.orientation,
+        1e3 * explanation.max_overlap_m
+    );
+    say!("--robust also plays edges with radii of up to {:.3} mm", 1e3 * problem.edge_radius());
+}
+
+fn print_size(problem: &Problem, explanation: &Explanation) {
     let size = explanation.size;
     say!(
-        "\nproblem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy iterations; about \
-         {:.0} s and {:.0} MB",
+        "problem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy iterations; about \
+         {:.0} s and {:.0} MB for the first plan",
         size.steps,
         size.time_step_s,
         size.scenarios,
@@ -102,13 +198,6 @@ fn print_explanation(problem: &Problem, explanation: &Explanation) {
         size.seconds.max(1.0),
         size.megabytes
     );
-    let tolerance = problem.success();
-    say!("success: to end within {:.2} mm and {} rad of the goal", 1e3 * tolerance.position, tolerance.orientation);
-    say!("--robust also bears edges with radii of up to {:.3} mm", 1e3 * problem.edge_radius());
-    if !explanation.chosen.is_empty() {
-        say!("chosen, as the scene does not say it: {}", explanation.chosen.join(", "));
-    }
-    explanation.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
 }
 
 /// The deepest of the overlaps at a pose.
@@ -129,11 +218,11 @@ fn left_out(explanation: &Explanation) -> String {
     }
 }
 
-fn print_mesh(mesh: &MeshReport) {
+fn print_mesh(mesh: &MeshReport, is_verbose: bool) {
     let deviation = &mesh.deviation;
     say!("\nmesh of `{}`: {} ({} triangles, {:.3} cm3)", mesh.name, mesh.file, mesh.triangles, 1e6 * mesh.volume_m3);
     mesh.repairs.iter().for_each(|repair| say!("  repaired: {repair}"));
-    print_round_surfaces(&mesh.round_surfaces);
+    print_round_surfaces(&mesh.round_surfaces, if is_verbose { usize::MAX } else { LISTED });
     let dropped = match mesh.pieces_dropped {
         0 => String::new(),
         count => format!(" ({count} too thin, dropped)"),
@@ -154,7 +243,7 @@ fn print_mesh(mesh: &MeshReport) {
 }
 
 /// Round surfaces, those that are alike in one line.
-fn print_round_surfaces(surfaces: &[RoundSurface]) {
+fn print_round_surfaces(surfaces: &[RoundSurface], most: usize) {
     let mut groups: Vec<(&RoundSurface, usize)> = Vec::new();
     for surface in surfaces {
         match groups.iter_mut().find(|(other, _)| is_alike(surface, other)) {
@@ -162,7 +251,10 @@ fn print_round_surfaces(surfaces: &[RoundSurface]) {
             None => groups.push((surface, 1)),
         }
     }
-    for (surface, count) in groups {
+    if groups.len() > most {
+        say!("  {} kinds of round surfaces (--verbose lists all)", groups.len());
+    }
+    for (surface, count) in groups.into_iter().take(most) {
         let times = if count == 1 { String::new() } else { format!("{count} times ") };
         let [first, second] = surface.radii_m.map(|radius| 1e3 * radius);
         say!(
@@ -218,21 +310,35 @@ fn print_insertion(explanation: &Explanation) {
         let axes: Vec<String> = axes.map(|axis| format!("{axis:>18}")).collect();
         say!("  {:>10.2} {:>10.3} {}", 1e3 * play.distance_from_goal_m, 1e3 * play.clearance_m, axes.join(" "));
     }
-    if let Some(farthest) = explanation.farthest_rest_m {
-        say!("play lets the body rest up to {:.2} mm from its goal", 1e3 * farthest);
-    }
-    let narrowest = explanation.insertion.iter().filter_map(Play::narrowest).fold(f64::INFINITY, f64::min);
-    if (0.0..2.0 * explanation.delta_m).contains(&narrowest) {
-        say!(
-            "offsets of {:.2} mm to either side, play of {:.3} mm from side to side where it is narrowest: contact at \
-             chamfers and edges must lead the body in",
-            1e3 * explanation.delta_m,
-            1e3 * narrowest
-        );
-    }
+    print_engagement(explanation);
     match explanation.way {
         Way::Straight => say!("the straight motion from start to goal touches nothing"),
         Way::OnGrid { step_m } => say!("the goal can be reached in clearance, in steps of {:.2} mm", 1e3 * step_m),
-        Way::None { .. } => {}
+        Way::None { .. } | Way::Enclosed { .. } => {}
+    }
+}
+
+/// What guides the body, and what the offsets are beside that.
+fn print_engagement(explanation: &Explanation) {
+    let engagement = &explanation.engagement;
+    if let Some(depth) = engagement.depth_m {
+        say!("engagement: the body is guided up to {:.2} mm from its goal", 1e3 * depth);
+    }
+    if !engagement.free.is_empty() {
+        let names: Vec<String> = engagement.free.iter().map(axis_name).collect();
+        let axes = names.join(" and ");
+        say!("nothing guides the body along {axes} at its goal: offsets along {axes} stay");
+    }
+    if let Some(farthest) = explanation.farthest_rest_m {
+        say!("play lets the body rest up to {:.2} mm from its goal", 1e3 * farthest);
+    }
+    let offset = explanation.delta_m;
+    if let Some(play) = engagement.play_m.filter(|play| *play < 2.0 * offset) {
+        say!(
+            "offsets of {:.2} mm to either side, play of {:.3} mm from side to side where it is tightest: contact at \
+             chamfers and edges must lead the body in",
+            1e3 * offset,
+            1e3 * play
+        );
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use planner::check::start_inside;
+use planner::check::refusal;
 use planner::files::{PlanFolder, PlanResult};
 use planner::{PlanStatus, PlannerError, Problem, RobustnessTarget, Session, refine};
 
@@ -21,7 +21,7 @@ use crate::values::threads;
 pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.choices())?;
     require_cell(arguments, &problem)?;
-    if let Some(reason) = start_inside(&problem) {
+    if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&arguments.task.scene, reason).into());
     }
     let target = arguments.robust_target(problem.scene());
@@ -29,8 +29,9 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let deadline = target.as_ref().and_then(|target| Instant::now().checked_add(target.time_limit));
     let progress = Progress::new(&arguments.progress)?.until(deadline);
-    if !problem.scene().chosen.is_empty() {
-        progress.say(&format!("defaults chosen for this scene: {}", problem.scene().chosen.join(", ")));
+    let chosen = problem.chosen();
+    if !chosen.is_empty() {
+        progress.say(&format!("defaults chosen for this scene: {}", chosen.join(", ")));
     }
     let out = arguments.out.clone().unwrap_or_else(|| default_folder(&problem));
     let folder = PlanFolder::claim(&out, &inputs(arguments))?;

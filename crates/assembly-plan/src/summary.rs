@@ -39,6 +39,9 @@ pub fn summary(result: &PlanResult) -> String {
             scenario.max_force_n
         ));
     }
+    let deepest = result.scenarios.iter().map(|scenario| scenario.max_penetration_m).fold(0.0, f64::max);
+    let [deepest, most] = [deepest, result.max_overlap_m].map(|overlap| 1e3 * overlap);
+    lines.push(format!("  exact shapes overlap by at most {deepest:.3} mm, of {most:.3} mm that are allowed"));
     lines.push(format!(
         "  execute with {:.0} N/m and {:.1} Nm/rad, and the damping of resolved.toml",
         result.gains.translational_stiffness_n_m, result.gains.rotational_stiffness_nm_rad

@@ -36,9 +36,12 @@ pub fn target() -> impl TypedValueParser<Value = Target> {
     named(Target::ALL.map(Target::name), Target::from_name)
 }
 
-/// A direction along an axis.
+/// A direction along an axis, such as `z`, `+z` or `-Z`.
 pub fn axis() -> impl TypedValueParser<Value = Axis> {
-    named(["x", "y", "z", "-x", "-y", "-z"], Axis::from_name)
+    let names = ["x", "y", "z"].map(|name| PossibleValue::new(name).alias(format!("+{name}")));
+    let negative = ["-x", "-y", "-z"].map(PossibleValue::new);
+    let known = PossibleValuesParser::new(names.into_iter().chain(negative));
+    known.try_map(|name| Axis::from_name(&name).ok_or("unknown"))
 }
 
 /// A unit of length of meshes.

@@ -33,6 +33,7 @@
 //! | [`Execution`] | what a robot did, beside a rollout |
 //! | [`explain`] | why a plan is not done |
 //! | [`ArmCourse`] | how the joints of an arm move along a plan |
+//! | [`starter`](fn@starter) | a scene to begin with, from two files |
 //! | [`check`](mod@check) | what a scene says, without solving it |
 //! | [`batch`] | every start, offset magnitude and homotopy of some scenes |
 //! | [`files`] | every file that is written or read |
@@ -49,6 +50,8 @@ mod arm_course;
 mod attempt;
 pub mod batch;
 pub mod check;
+mod clearance;
+mod engagement;
 mod error;
 mod event_record;
 mod executed;
@@ -65,27 +68,33 @@ mod robustness;
 mod session;
 pub mod simulate;
 mod solve;
+mod starter;
 mod success_rates;
 mod success_table;
+mod tolerance;
 mod variant;
 mod warnings;
 
 pub use arm_course::ArmCourse;
 pub use attempt::AttemptRecord;
+pub use engagement::{Engagement, engagement};
 pub use error::{Fault, PlannerError, Unusable};
 pub use executed::{Ending, Execution};
+pub use explain::axis_name;
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
 pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;
 pub use plan::{Plan, PlanStatus};
-pub use problem::{Choices, Problem, homotopy, success};
+pub use problem::{Choices, Problem, homotopy};
 pub use refine::{RobustnessTarget, refine, refine_reference};
 pub use robustness::{RobustnessReport, Round};
 pub use session::{Event, Observer, Session};
 pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, SimulationRequest, simulate};
 pub use solve::solve;
+pub use starter::{Starter, StarterFit, starter};
 pub use success_rates::{SuccessRate, SuccessRates, interval, rate};
 pub use success_table::{SuccessGroup, SuccessTable};
+pub use tolerance::ChosenTolerance;
 pub use variant::Variant;
 
 /// The examples of `docs/library.md` compile.

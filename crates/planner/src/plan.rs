@@ -51,6 +51,8 @@ pub enum PlanStatus {
     },
     /// Refinement did not reach the wanted success rate.
     NotRobust,
+    /// Every planned offset reaches the goal, but exact shapes overlap by more than the problem's largest overlap.
+    Overlapping,
     /// The user stopped it.
     Interrupted,
 }
@@ -62,6 +64,7 @@ impl fmt::Display for PlanStatus {
             Self::GoalMissed => formatter.write_str("converged, but the goal is not reached"),
             Self::NotConverged { iteration, status } => write!(formatter, "homotopy iteration {iteration}: {status}"),
             Self::NotRobust => formatter.write_str("the wanted success rate is not reached"),
+            Self::Overlapping => formatter.write_str("the exact shapes overlap too deep"),
             Self::Interrupted => formatter.write_str("interrupted"),
         }
     }
@@ -131,19 +134,24 @@ impl Plan {
         }
     }
 
+    /// Whether exact shapes overlap no deeper than the problem allows.
+    pub fn keeps_apart(&self) -> bool {
+        self.trajectory.max_penetration() <= self.problem.max_overlap()
+    }
+
     /// What has become of it.
     pub fn status(&self) -> PlanStatus {
         if self.interrupted {
             return PlanStatus::Interrupted;
         }
         match &self.robustness {
-            Some(report) if report.is_reached() => PlanStatus::Done,
-            Some(_) => PlanStatus::NotRobust,
+            Some(report) if !report.is_reached() => PlanStatus::NotRobust,
             None if !self.is_converged() => {
                 PlanStatus::NotConverged { iteration: self.chosen_stage(), status: self.chosen().record.status.clone() }
             }
-            None if self.reaches_goal() => PlanStatus::Done,
-            None => PlanStatus::GoalMissed,
+            None if !self.reaches_goal() => PlanStatus::GoalMissed,
+            _ if !self.keeps_apart() => PlanStatus::Overlapping,
+            _ => PlanStatus::Done,
         }
     }
 }

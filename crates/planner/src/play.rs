@@ -1,19 +1,13 @@
 //! How far the body can move from a pose before it touches something.
 
-use std::f64::consts::TAU;
-
 use nalgebra::Vector3;
 use serde::Serialize;
 use task::AssemblyTask;
 
+use crate::clearance::{Clearance, position};
+
 /// Directions along which play is measured: the axes of the world, both ways.
 const AXES: [&str; 3] = ["x", "y", "z"];
-/// A body this near (share of the longest travel looked at) touches.
-const TOUCHING: f64 = 1e-4;
-/// Steps along a direction, each as long as the smallest distance allows; along a wall they are short.
-const MOST_STEPS: usize = 200;
-/// Directions across the insertion.
-const DIRECTIONS: usize = 16;
 /// Poses on the straight line from the goal to the start.
 const POSES: usize = 5;
 /// Travel that is looked at, in offsets and in sizes of the body's path.
@@ -60,7 +54,8 @@ pub fn longest_travel(task: &AssemblyTask) -> f64 {
 
 /// Play at the goal and at some poses on the way to it.
 pub fn along_insertion(task: &AssemblyTask) -> Vec<Play> {
-    (0..POSES).map(|index| play(task, &between(task, index as f64 / (POSES - 1) as f64))).collect()
+    let mut clearance = Clearance::new(task);
+    (0..POSES).map(|index| play(task, &mut clearance, index as f64 / (POSES - 1) as f64)).collect()
 }
 
 /// The pose at a share of the way from the goal to the start, oriented as the goal.
@@ -70,50 +65,13 @@ pub fn between(task: &AssemblyTask, share: f64) -> [f64; 7] {
     pose
 }
 
-fn play(task: &AssemblyTask, pose: &[f64; 7]) -> Play {
-    let distance = (0..3).map(|axis| (pose[axis] - task.goal[axis]).powi(2)).sum::<f64>().sqrt();
+/// Play at a share of the way from the goal to the start.
+fn play(task: &AssemblyTask, clearance: &mut Clearance, share: f64) -> Play {
+    let (from, longest) = (position(&between(task, share)), longest_travel(task));
     let axes = AXES.iter().enumerate().map(|(axis, name)| {
-        let along = |sign: f64| {
-            let mut direction = [0.0; 3];
-            direction[axis] = sign;
-            travel(task, pose, &direction)
-        };
+        let mut along = |sign: f64| clearance.travel(&from, &(sign * Vector3::ith(axis, 1.0)), longest);
         AxisPlay { axis: name, backward_m: along(-1.0), forward_m: along(1.0) }
     });
-    Play { distance_from_goal_m: distance, clearance_m: task.clearance(pose), axes: axes.collect() }
-}
-
-/// How far the body moves along a direction until it touches something (m), if it does within the longest travel.
-pub fn travel(task: &AssemblyTask, pose: &[f64; 7], direction: &[f64; 3]) -> Option<f64> {
-    let longest = longest_travel(task);
-    let mut travelled = 0.0;
-    for _ in 0..MOST_STEPS {
-        let mut moved = *pose;
-        (0..3).for_each(|axis| moved[axis] += travelled * direction[axis]);
-        // No motion shorter than the smallest distance of all pairs makes them touch.
-        let clearance = task.clearance(&moved);
-        if clearance <= TOUCHING * longest {
-            return Some(travelled + clearance.max(0.0));
-        }
-        travelled += clearance;
-        if travelled > longest {
-            break;
-        }
-    }
-    None
-}
-
-/// The farthest that play lets the body rest from its goal (m): across the insertion, where something stops it in all
-/// directions.
-pub fn farthest_rest(task: &AssemblyTask) -> Option<f64> {
-    let way = Vector3::from_fn(|axis, _| task.start[axis] - task.goal[axis]).try_normalize(f64::EPSILON)?;
-    let right = way.cross(&Vector3::ith(way.iamin(), 1.0)).normalize();
-    let up = way.cross(&right);
-    let mut farthest = 0.0f64;
-    for index in 0..DIRECTIONS {
-        let angle = TAU * index as f64 / DIRECTIONS as f64;
-        let direction = right * angle.cos() + up * angle.sin();
-        farthest = farthest.max(travel(task, &task.goal, &direction.into())?);
-    }
-    Some(farthest)
+    let axes = axes.collect();
+    Play { distance_from_goal_m: (from - position(&task.goal)).norm(), clearance_m: clearance.at(&from), axes }
 }

@@ -6,10 +6,11 @@ use scene::{Borne, Scene, StartPose, TaskError, resolved};
 use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
 
+use crate::engagement::{Engagement, engagement};
 use crate::error::PlannerError;
 use crate::files::hash;
-use crate::play::farthest_rest;
 use crate::ranges::require_turn;
+use crate::tolerance::ChosenTolerance;
 
 /// What is chosen of a scene; the default is the scene's own.
 #[derive(Debug, Clone, Default)]
@@ -37,7 +38,9 @@ pub struct Problem {
     scene: Scene,
     start: StartPose,
     delta: f64,
+    engagement: Engagement,
     success: Success,
+    chosen_tolerance: Option<ChosenTolerance>,
     edge_radius: f64,
     task: AssemblyTask,
     homotopy: HomotopySettings,
@@ -64,12 +67,9 @@ impl Problem {
             scene.borne.turn = turn;
         }
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
-        let own = success(&scene)?;
-        let success = Success {
-            position: choices.position_tolerance.unwrap_or(own.position),
-            orientation: choices.angle_tolerance.unwrap_or(own.orientation),
-        };
-        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy, success).map_err(|error| match error {
+        scene.position_tolerance = choices.position_tolerance.or(scene.position_tolerance);
+        scene.angle_tolerance = choices.angle_tolerance.unwrap_or(scene.angle_tolerance);
+        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy).map_err(|error| match error {
             PlannerError::Task(source @ TaskError::OffsetMagnitude { .. }) => {
                 PlannerError::Choice { name: "delta", problem: source.to_string() }
             }
@@ -78,23 +78,29 @@ impl Problem {
         })
     }
 
-    /// Of a scene, by default with its first start and its own offset magnitude (m).
+    /// Of a scene, by default with its first start and its own offset magnitude (m). A position tolerance that the scene
+    /// does not state is chosen.
     ///
     /// # Errors
-    /// When the scene has no such start, the magnitude is not possible, or the installed Ipopt cannot run these settings.
+    /// When the scene has no such start, the magnitude or a tolerance is not possible, or the installed Ipopt cannot run
+    /// these settings.
     pub fn new(
         mut scene: Scene,
         start: Option<&str>,
         delta: Option<f64>,
         homotopy: HomotopySettings,
-        success: Success,
     ) -> Result<Self, PlannerError> {
-        success.validate()?;
         let start = scene.start(start)?.clone();
         // The sum has no sign where it is zero: 0 and -0 are one problem.
         let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
         let task = scene.task(Some(&start.name), Some(delta))?;
         ocp::check_settings(&homotopy)?;
+        let engagement = engagement(&task);
+        let chosen_tolerance =
+            scene.position_tolerance.is_none().then(|| ChosenTolerance::new(&scene, &task, &engagement));
+        let stated = scene.position_tolerance.or(chosen_tolerance.map(|chosen| chosen.position()));
+        let success = Success { position: stated.unwrap_or(f64::NAN), orientation: scene.angle_tolerance };
+        success.validate()?;
         let edge_radius = *scene.borne.edge_radius.get_or_insert_with(|| edge_radius(&task));
         // What counts as success and what refinement must bear do not change how the problem is solved, but for turns of
         // scenarios.
@@ -105,7 +111,19 @@ impl Problem {
         let identity = hash(format!("{}\n{solved}", env!("CARGO_PKG_VERSION")).as_bytes());
         (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
         let resolved = resolved(&scene, &start, delta, &homotopy);
-        Ok(Self { scene, start, delta, success, edge_radius, task, homotopy, resolved, identity })
+        Ok(Self {
+            scene,
+            start,
+            delta,
+            engagement,
+            success,
+            chosen_tolerance,
+            edge_radius,
+            task,
+            homotopy,
+            resolved,
+            identity,
+        })
     }
 
     /// Whether nothing but the linear solver was chosen of the homotopy.
@@ -145,6 +163,22 @@ impl Problem {
         self.delta
     }
 
+    /// What guides the body at its goal, and how deep.
+    pub fn engagement(&self) -> &Engagement {
+        &self.engagement
+    }
+
+    /// Why the position tolerance is what it is, where the scene does not state it.
+    pub fn chosen_tolerance(&self) -> Option<&ChosenTolerance> {
+        self.chosen_tolerance.as_ref()
+    }
+
+    /// What was chosen because the scene does not say it, each as `key = value`.
+    pub fn chosen(&self) -> Vec<String> {
+        let tolerance = self.chosen_tolerance.iter().map(ToString::to_string);
+        self.scene.chosen.iter().cloned().chain(tolerance).collect()
+    }
+
     /// What counts as reaching the goal.
     pub fn success(&self) -> Success {
         self.success
@@ -153,6 +187,12 @@ impl Problem {
     /// How round edges may be (m).
     pub fn edge_radius(&self) -> f64 {
         self.edge_radius
+    }
+
+    /// How deep the exact shapes may overlap in a plan that is done (m): half of the clearance at the goal, and at least
+    /// what rounding explains.
+    pub fn max_overlap(&self) -> f64 {
+        OVERLAP.max(OVERLAP_IN_CLEARANCES * self.task.clearance(&self.task.goal))
     }
 
     /// What is planned.
@@ -279,27 +319,6 @@ fn default_homotopy(scene: &Scene) -> HomotopySettings {
     HomotopySettings { tau, ..settings }
 }
 
-/// Largest position tolerance that is chosen (m), also in sizes of the body, and the smallest in distances that play
-/// lets the body rest from its goal.
-const TOLERANCE: f64 = 3e-3;
-const TOLERANCE_IN_SIZES: f64 = 0.1;
-const TOLERANCE_IN_RESTS: f64 = 1.5;
-
-/// What counts as reaching the goal: what the scene says, else what size and play of the body allow.
-///
-/// # Errors
-/// When the limits of the scene are too tight for its first start.
-pub fn success(scene: &Scene) -> Result<Success, PlannerError> {
-    let position = match scene.position_tolerance {
-        Some(tolerance) => tolerance,
-        None => {
-            let rest = farthest_rest(&scene.task(None, None)?).unwrap_or(0.0);
-            TOLERANCE.min(TOLERANCE_IN_SIZES * scene.body_size()).max(TOLERANCE_IN_RESTS * rest)
-        }
-    };
-    Ok(Success { position, orientation: scene.angle_tolerance })
-}
-
 /// Largest radius of edges that is chosen (m), also in clearances at the goal.
 const EDGE_RADIUS: f64 = 1e-4;
 const EDGE_RADIUS_IN_CLEARANCES: f64 = 0.5;
@@ -309,6 +328,10 @@ fn edge_radius(task: &AssemblyTask) -> f64 {
     let chosen = EDGE_RADIUS.min(EDGE_RADIUS_IN_CLEARANCES * task.clearance(&task.goal).max(0.0));
     (1e6 * chosen).round() / 1e6
 }
+
+/// Overlap of exact shapes (m) that a plan may have: at least, and in clearances at the goal.
+const OVERLAP: f64 = 5e-5;
+const OVERLAP_IN_CLEARANCES: f64 = 0.5;
 
 /// The homotopy of a file, else of the scene, else the built-in one.
 ///

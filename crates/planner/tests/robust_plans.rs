@@ -33,7 +33,7 @@ static FINE: LazyLock<Plan> = LazyLock::new(|| {
     (scene.horizon.steps, scene.horizon.time_step) = (40, 0.04);
     let mut settings = problem.homotopy().clone();
     (settings.iterations, settings.further_iterations) = (2, 0);
-    let fine = Problem::new(scene, None, None, settings, Success::default()).unwrap();
+    let fine = Problem::new(scene, None, None, settings).unwrap();
     let plan = quietly(|session| solve(&fine, session)).unwrap();
     let variant = Variant { name: "half the time step".to_owned(), ..plan.variant };
     Plan { problem, variant, ..plan }

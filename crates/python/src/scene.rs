@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use ::scene::{Part, Source};
-use planner::check::{explain, pair_reports, start_inside};
+use planner::check::{explain, pair_reports, refusal};
 use planner::{PlannerError, Session, refine};
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -116,7 +116,7 @@ fn solve(
 ) -> Result<Plan, PlannerError> {
     let inputs = [Some(read.file.clone()), choices.homotopy.clone()];
     let problem = choices.problem(&read.scene, &read.file)?;
-    if let Some(reason) = start_inside(&problem) {
+    if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&read.file, reason));
     }
     let target = robust.map(|robust| robust.target(problem.scene())).transpose()?;

@@ -18,8 +18,12 @@ pub struct Draft {
     pub starts: Vec<[f64; 7]>,
     /// Goal pose.
     pub goal: [f64; 7],
+    /// Position tolerance, where it is not to be chosen.
+    pub position_tolerance: Option<f64>,
     /// Offset magnitude, above zero; the stiffness is chosen for it.
     pub offset: f64,
+    /// Largest contact force (N), if plans are to keep one.
+    pub contact_force: Option<f64>,
 }
 
 /// A part of a scene that is to be written.
@@ -40,8 +44,8 @@ pub enum DraftShape {
     Vertices(Vec<[f64; 3]>),
     /// A file, relative to the scene, and its unit.
     Mesh(String, &'static str),
-    /// A file of a link, relative to the scene.
-    Model(String),
+    /// A file of a model, relative to the scene, and the name of the link where it has several.
+    Model(String, Option<String>),
 }
 
 /// What stands above all scenes.
@@ -69,6 +73,15 @@ impl Draft {
         text
     }
 
+    /// Text with the parts, the poses and the offset alone, on a grid of one step.
+    pub fn shapes_and_poses(&self) -> String {
+        let mut text = "[body]\n".to_owned();
+        self.body.iter().for_each(|part| part.write("body", &mut text));
+        self.environment.iter().for_each(|part| part.write("environment", &mut text));
+        self.write_poses(&mut text);
+        text + &format!("[robustness]\noffset_magnitude = {}\n[horizon]\nsteps = 1\n", number(self.offset))
+    }
+
     fn write_parts(&self, text: &mut String) {
         *text += "\n[body]\n";
         entry(text, "body", "mass", &number(MASS), "0.5 to 20");
@@ -89,6 +102,9 @@ impl Draft {
             *text += &format!("[[start]]\nname = \"{number}\"\n{}", pose_lines(pose));
         }
         *text += &format!("\n# Pose of the body at the end.\n[goal]\n{}", pose_lines(&self.goal));
+        if let Some(tolerance) = self.position_tolerance {
+            entry(text, "goal", "position_tolerance", &number(tolerance), "0.0002 to 0.003");
+        }
     }
 
     fn write_controller(&self, text: &mut String) {
@@ -118,13 +134,18 @@ impl Draft {
         let horizon = self.horizon();
         entry(text, "horizon", "steps", &horizon.steps.to_string(), "50 to 200");
         entry(text, "horizon", "time_step", &number(horizon.time_step), "0.02 to 0.08");
-        *text += "\n# What the plan must not exceed; without this table, there are no limits.\n#[limits]\n";
-        for (name, value, usual) in
-            [("contact_force", "20.0", "5 to 50"), ("translational_velocity", "0.25", "0.05 to 1")]
-        {
-            comment(text, "limits", name, usual);
-            *text += &format!("#{name} = {value}\n");
-        }
+        self.write_limits(text);
+    }
+
+    fn write_limits(&self, text: &mut String) {
+        *text += "\n# What the plan must not exceed; without this table, there are no limits.\n";
+        let force = self.contact_force;
+        let sign = if force.is_some() { "" } else { "#" };
+        *text += &format!("{sign}[limits]\n");
+        comment(text, "limits", "contact_force", "5 to 60");
+        *text += &format!("{sign}contact_force = {}\n", number(force.unwrap_or(20.0)));
+        comment(text, "limits", "translational_velocity", "0.05 to 1");
+        *text += "#translational_velocity = 0.25\n";
     }
 }
 
@@ -137,7 +158,10 @@ impl DraftPart {
                 let vertices: Vec<String> = vertices.iter().map(|vertex| numbers(vertex)).collect();
                 format!("vertices = [{}]\n", vertices.join(", "))
             }
-            DraftShape::Model(file) => format!("model = {}\n", Value::from(file.as_str())),
+            DraftShape::Model(file, link) => {
+                let link = link.iter().map(|link| format!("link = {}\n", Value::from(link.as_str())));
+                format!("model = {}\n{}", Value::from(file.as_str()), link.collect::<String>())
+            }
             DraftShape::Mesh(file, unit) => format!("mesh = {}\nunit = \"{unit}\"\n", Value::from(file.as_str())),
         };
         if let Some(position) = &self.position {

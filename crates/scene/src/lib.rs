@@ -57,5 +57,5 @@ pub use resolved::resolved;
 pub use robot::Robot;
 pub use scene::{Borne, Scene};
 pub use schema::{homotopy_schema, scene_schema};
-pub use starter::{Axis, FilePair, starter_scene};
+pub use starter::{Axis, BoundingBox, FilePair, StarterPoses, StarterValues, probe_scene, starter_scene};
 pub use task_error::TaskError;

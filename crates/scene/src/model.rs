@@ -53,17 +53,21 @@ pub fn link_shapes<'text>(
     Ok(shapes)
 }
 
-/// Points (m) in whose convex hull the only link of a model lies that has collision shapes.
+/// Points (m) in whose convex hull a link of a model lies that has collision shapes: the one of a name, or the only one.
 ///
 /// # Errors
-/// When the model cannot be read, has several such links, or a shape is not supported.
-pub fn points_of_only_link(file: &Path) -> Result<Vec<[f64; 3]>, SceneError> {
+/// When the model cannot be read, has no such link, has several and none is named, or a shape is not supported.
+pub fn points_of_link(file: &Path, name: Option<&str>) -> Result<Vec<[f64; 3]>, SceneError> {
     let text = read_text(file, "model")?;
     let source = Source { file, text: &text };
     let in_model = |error: ModelError| source.error(error.span(), error.to_string());
     let model = Model::parse(file, &text).map_err(in_model)?;
     let links = model.links().map_err(in_model)?;
-    let link = only(&links, file).map_err(|message| SceneError::about(file, message))?;
+    let link = match name {
+        Some(name) => named(&links, name, file),
+        None => only(&links, file, "--link"),
+    };
+    let link = link.map_err(|message| SceneError::about(file, message))?;
     let mut points = Vec::new();
     for shape in link.shapes().map_err(in_model)? {
         let solid = solid(&shape).map_err(|error| source.error(shape.span.clone(), error))?;
@@ -73,16 +77,39 @@ pub fn points_of_only_link(file: &Path) -> Result<Vec<[f64; 3]>, SceneError> {
     Ok(points)
 }
 
-/// The only link.
-fn only<'links, 'model>(links: &'links [Link<'model>], file: &Path) -> Result<&'links Link<'model>, String> {
+/// The only link; where there are several, one has to be chosen by a key or flag.
+fn only<'links, 'model>(
+    links: &'links [Link<'model>],
+    file: &Path,
+    choice: &str,
+) -> Result<&'links Link<'model>, String> {
     let file = file.display();
     match links {
         [only] => Ok(only),
         [] => Err(format!("model {file} has no link with collision shapes")),
         _ => {
             let names: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
-            Err(format!("model {file} has several links; choose one with `link`: {}", listed(&names)))
+            Err(format!("model {file} has several links; choose one with {choice}: {}", listed(&names)))
         }
+    }
+}
+
+/// The link of a name.
+fn named<'links, 'model>(
+    links: &'links [Link<'model>],
+    name: &str,
+    file: &Path,
+) -> Result<&'links Link<'model>, String> {
+    let names: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
+    let named: Vec<&Link> = links.iter().filter(|link| link.name == name).collect();
+    let file = file.display();
+    match named[..] {
+        [link] => Ok(link),
+        [] => {
+            let hint = if names.is_empty() { String::new() } else { suggest(name, &names) };
+            Err(format!("model {file} has no link `{}` with collision shapes{hint}", clipped(name)))
+        }
+        _ => Err(format!("model {file} has {} links `{name}`: rename all but one", named.len())),
     }
 }
 
@@ -92,22 +119,12 @@ fn chosen<'links, 'model>(
     table: &Table,
     file: &Path,
 ) -> Result<&'links Link<'model>, SceneError> {
-    let Some(entry) = table.find("link") else {
-        let place = table.require("model")?;
-        return only(links, file).map_err(|message| place.refuse(message));
-    };
-    let names: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
-    let file = file.display();
-    let name = entry.name()?;
-    let named: Vec<&Link> = links.iter().filter(|link| link.name == name).collect();
-    match named[..] {
-        [link] => Ok(link),
-        [] => {
-            let hint = if names.is_empty() { String::new() } else { suggest(&name, &names) };
-            let name = clipped(&name);
-            Err(entry.refuse(format!("model {file} has no link `{name}` with collision shapes{hint}")))
+    match table.find("link") {
+        Some(entry) => named(links, &entry.name()?, file).map_err(|message| entry.refuse(message)),
+        None => {
+            let place = table.require("model")?;
+            only(links, file, "`link`").map_err(|message| place.refuse(message))
         }
-        _ => Err(entry.refuse(format!("model {file} has {} links `{name}`: rename all but one", named.len()))),
     }
 }
 

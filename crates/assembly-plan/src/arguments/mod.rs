@@ -292,6 +292,12 @@ pub struct CheckArguments {
     /// Print everything as JSON
     #[arg(long)]
     pub json: bool,
+    /// List all parts and pieces of meshes
+    #[arg(long, conflicts_with_all = ["json", "pose"])]
+    pub verbose: bool,
+    /// Exit with 1 where there is a warning
+    #[arg(long)]
+    pub strict: bool,
 }
 
 #[derive(Debug, Args)]
@@ -307,10 +313,25 @@ pub struct NewArguments {
     /// Unit of meshes, which need one
     #[arg(long, value_name = "UNIT", value_parser = values::unit(), requires_all = ["body", "environment"])]
     pub unit: Option<String>,
-    /// Direction in which the body is taken out
-    #[arg(long, value_name = "AXIS", default_value = "z", value_parser = values::axis(), allow_hyphen_values = true)]
-    #[arg(requires = "body")]
-    pub axis: Axis,
+    /// Direction in which the body is taken out, opposite to the insertion [default: the one in which it gets out, where
+    /// it ends at a stop in the opposite one]
+    #[arg(long, value_name = "AXIS", value_parser = values::axis(), allow_hyphen_values = true, requires = "body", ignore_case = true)]
+    pub axis: Option<Axis>,
+    /// Link of the body's model, where that has several
+    #[arg(long, value_name = "NAME", requires = "body")]
+    pub link: Option<String>,
+    /// Link of the environment's model, likewise
+    #[arg(long, value_name = "NAME", requires = "environment")]
+    pub environment_link: Option<String>,
+    /// How far the body may be off in the gripper (m) [default: 0.001, with meshes or models]
+    #[arg(long, value_name = "M", value_parser = positive)]
+    pub offset: Option<f64>,
+    /// Largest final position error of a success (m) [default: a quarter of the engagement depth, at most 0.003]
+    #[arg(long, value_name = "M", value_parser = positive)]
+    pub position_tolerance: Option<f64>,
+    /// Largest contact force of a plan (N) [default: 60]
+    #[arg(long, value_name = "N", value_parser = positive)]
+    pub contact_force: Option<f64>,
     /// Replace the file if it exists
     #[arg(short, long)]
     pub force: bool,

@@ -19,15 +19,15 @@ use orientation::{from_z, orientation};
 /// Elements of a body that make geoms which do not stand in the file.
 const MAKERS: [&str; 4] = ["attach", "composite", "flexcomp", "replicate"];
 
-/// The bodies with geoms that collide; the world is one.
+/// The bodies with geoms that collide; the world is one. One without a name is called by its number in MuJoCo, such as `#2`.
 pub fn bodies<'text>(root: Node<'text, 'text>) -> Result<Vec<(String, Node<'text, 'text>)>, ModelError> {
     let mut bodies = Vec::new();
-    for element in root.descendants().filter(|node| is_body(*node)) {
+    for (number, element) in root.descendants().filter(|node| is_body(*node)).enumerate() {
         let geoms = own(element).filter(|node| node.has_tag_name("geom"));
         let collides = geoms.map(collides).collect::<Result<Vec<bool>, _>>()?.contains(&true);
         if collides || own(element).any(|node| MAKERS.contains(&tag(node))) {
             let name = if element.has_tag_name("worldbody") { Some("world") } else { element.attribute("name") };
-            bodies.push((name.unwrap_or_default().to_owned(), element));
+            bodies.push((name.map_or_else(|| format!("#{number}"), str::to_owned), element));
         }
     }
     Ok(bodies)

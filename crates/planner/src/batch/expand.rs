@@ -7,7 +7,7 @@ use scene::Scene;
 use crate::batch::matrix::{Key, Matrix, Starts};
 use crate::error::PlannerError;
 use crate::files::Cell;
-use crate::problem::{Problem, homotopy, success};
+use crate::problem::{Problem, homotopy};
 
 /// More cells than anyone solves.
 const MOST_CELLS: usize = 100_000;
@@ -45,7 +45,6 @@ fn add_scene(
 ) -> Result<(), PlannerError> {
     let scene = Scene::load(file)?;
     warnings.extend(scene.warnings.iter().cloned());
-    let success = success(&scene)?;
     let mut homotopies = Vec::new();
     for file in &matrix.homotopies {
         homotopies.push((Some(absolute(file)?), homotopy(&scene, Some(file), matrix.linear_solver)?));
@@ -61,10 +60,12 @@ fn add_scene(
     for start in starts {
         for &delta_m in deltas {
             for (homotopy_file, homotopy) in &homotopies {
-                let problem = Problem::new(scene.clone(), Some(&start), Some(delta_m), homotopy.clone(), success)
-                    .map_err(|error| match error {
-                        PlannerError::Task(_) => matrix.refuse(Key::Deltas, &error.to_string()),
-                        other => other,
+                let problem =
+                    Problem::new(scene.clone(), Some(&start), Some(delta_m), homotopy.clone()).map_err(|error| {
+                        match error {
+                            PlannerError::Task(_) => matrix.refuse(Key::Deltas, &error.to_string()),
+                            other => other,
+                        }
                     })?;
                 cells.push(Cell {
                     index: 0,

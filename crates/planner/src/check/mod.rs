@@ -3,7 +3,9 @@
 mod delay;
 mod oddities;
 pub(crate) mod overlaps;
+mod pairs;
 mod parts;
+pub(crate) mod refusal;
 mod way;
 
 use ocp::{Layout, blocks, standard_terms};
@@ -13,15 +15,17 @@ use task::ContactPair;
 
 use crate::check::oddities::oddities;
 use crate::check::overlaps::overlaps;
+use crate::engagement::Engagement;
 use crate::error::PlannerError;
-use crate::play::{along_insertion, farthest_rest};
+use crate::play::along_insertion;
 use crate::problem::Problem;
 use crate::ranges::require;
 
 pub use crate::play::{AxisPlay, Play};
 pub(crate) use oddities::{first_smoothing, rest, step};
-pub use overlaps::{PoseOverlap, start_inside};
+pub use overlaps::PoseOverlap;
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
+pub use refusal::refusal;
 pub use way::Way;
 
 /// What plain solves of the shipped scenes took on two cores.
@@ -68,12 +72,25 @@ pub struct Explanation {
     pub far_pairs: Vec<String>,
     /// Play at the goal and on the straight way back to the start.
     pub insertion: Vec<Play>,
-    /// How far play lets the body rest from its goal across the insertion; null where it is free to move there.
+    /// How far play lets the body rest from its goal in directions across the insertion that are guided; null where none
+    /// is, or something stops it on one side only.
     pub farthest_rest_m: Option<f64>,
     /// Pairs that overlap at the goal or at the start with an offset.
     pub overlaps: Vec<PoseOverlap>,
     /// Whether the body gets from start to goal in clearance.
     pub way: Way,
+    /// Edges of the box around the body, in its frame.
+    pub body_edges_m: [f64; 3],
+    /// Edges of the box around the environment.
+    pub environment_edges_m: [f64; 3],
+    /// What guides the body at its goal, and how deep.
+    pub engagement: Engagement,
+    /// Largest final distance from the goal of a success.
+    pub position_tolerance_m: f64,
+    /// How deep exact shapes may overlap in a plan that is done.
+    pub max_overlap_m: f64,
+    /// Why no plan can be made; null where one may be found.
+    pub refusal: Option<String>,
     /// How large the optimal control problem is.
     pub size: SizeReport,
     /// What is chosen because the scene does not say it.
@@ -147,6 +164,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
     let meshes = scene.body_meshes.iter().chain(&scene.environment_meshes);
     let name = |&(part, other): &(usize, usize)| format!("{}/{}", scene.body[part].name, scene.environment[other].name);
     let fit = scene.fit.zip(scene.environment_meshes.iter().map(|mesh| mesh.settings.facets).min());
+    let way = way::find(task);
     let mut explanation = Explanation {
         title: scene.title.clone(),
         start: problem.start().name.clone(),
@@ -163,11 +181,17 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         pairs: task.pairs.len(),
         far_pairs: scene.far_pairs.iter().map(name).collect(),
         insertion: along_insertion(task),
-        farthest_rest_m: farthest_rest(task),
+        farthest_rest_m: problem.engagement().rest_m,
         overlaps: overlaps(task, scene.borne.turn),
-        way: way::find(task),
+        way,
+        body_edges_m: parts::edges(&scene.body),
+        environment_edges_m: parts::edges(&scene.environment),
+        engagement: problem.engagement().clone(),
+        position_tolerance_m: problem.success().position,
+        max_overlap_m: problem.max_overlap(),
+        refusal: refusal(problem).or_else(|| refusal::enclosed(&way)),
         size: size(problem),
-        chosen: scene.chosen.clone(),
+        chosen: problem.chosen(),
         warnings: problem.warnings(),
     };
     let oddities = oddities(problem, &explanation);

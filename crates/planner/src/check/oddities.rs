@@ -3,7 +3,7 @@
 use task::{AssemblyTask, Overlap};
 
 use crate::check::delay::delay;
-use crate::check::{Explanation, Play, Way};
+use crate::check::{Explanation, Play, Way, pairs};
 use crate::problem::Problem;
 
 /// Share of the gap of a round fit that facets may take.
@@ -29,6 +29,7 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
         last_smoothing(problem, explanation),
         step(task, &explanation.insertion),
         delay(problem),
+        pairs::warning(problem.scene()),
     ];
     own.into_iter().flatten().collect()
 }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use task::{AssemblyTask, GraspError};
 
+use crate::check::refusal::largest_fit;
 use crate::problem::Problem;
 
 /// Overlap (m) that rounding of poses and meshes explains.
@@ -45,7 +46,7 @@ pub fn start_inside(problem: &Problem) -> Option<String> {
 }
 
 /// The pair that overlaps most at a pose, and how deep (m); negative where nothing overlaps.
-fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
+pub fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
     let depths = task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
     depths.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(pair, depth)| (pair.to_string(), depth))
 }
@@ -81,12 +82,19 @@ pub fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
 pub fn warnings(problem: &Problem) -> Vec<String> {
     let overlaps = overlaps(problem.task(), problem.scene().borne.turn);
     let (at_goal, at_start): (Vec<_>, Vec<_>) = overlaps.into_iter().partition(|overlap| overlap.pose == "goal");
-    let goal =
-        "it cannot be reached: move [goal] or, where CAD is size on size, state the fit by `clearance` of a mesh";
+    let goal = if largest_overlap(&at_goal) > largest_fit(problem) {
+        "it cannot be reached: move [goal] out of the environment, or export both files in the assembled pose"
+    } else {
+        "where CAD is size on size, state the fit by `clearance` of a mesh"
+    };
     let start = "move that start, or lower robustness.offset_magnitude";
     let is_inside = start_inside(problem);
     let at_start = if is_inside.is_some() { is_inside } else { warning(&at_start, start) };
     warning(&at_goal, goal).into_iter().chain(at_start).collect()
+}
+
+fn largest_overlap(overlaps: &[PoseOverlap]) -> f64 {
+    overlaps.iter().map(|overlap| -overlap.distance_m).fold(0.0, f64::max)
 }
 
 fn warning(overlaps: &[PoseOverlap], cure: &str) -> Option<String> {

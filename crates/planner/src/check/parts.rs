@@ -21,6 +21,16 @@ pub struct PartReport {
     pub corners: usize,
 }
 
+/// Edges (m) of the box along the axes around some parts.
+pub fn edges(parts: &[Part]) -> [f64; 3] {
+    let coordinates = |axis: usize| parts.iter().flat_map(|part| part.shape.vertices()).map(move |vertex| vertex[axis]);
+    std::array::from_fn(|axis| {
+        let (low, high) = coordinates(axis)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        high - low
+    })
+}
+
 impl From<&Part> for PartReport {
     fn from(part: &Part) -> Self {
         Self {

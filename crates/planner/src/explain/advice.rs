@@ -8,7 +8,8 @@ use crate::explain::limits::ActiveLimitRecord;
 use crate::explain::stuck::StuckScenario;
 use crate::explain::words::norm;
 use crate::plan::Plan;
-use crate::play::{along_insertion, farthest_rest};
+use crate::play::along_insertion;
+use crate::warnings::tolerance::free_offset;
 
 /// Overlap that is worth a word (m).
 const OVERLAP: f64 = 1e-4;
@@ -28,11 +29,15 @@ pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]
     let case = Case { plan, stuck };
     let often = |limit: &&ActiveLimitRecord| limit.steps as f64 >= OFTEN * limit.of as f64;
     let is_fast = limits.iter().filter(often).any(|limit| limit.limit == "translational_velocity");
-    let mut advice: Vec<String> =
-        [case.overlap_at_goal(), case.overlap_at_start(), case.way_blocked(), case.play(), case.reach_of_the_end()]
-            .into_iter()
-            .flatten()
-            .collect();
+    let sure = [
+        case.overlap_at_goal(),
+        case.overlap_at_start(),
+        free_offset(&plan.problem),
+        case.way_blocked(),
+        case.play(),
+        case.reach_of_the_end(),
+    ];
+    let mut advice: Vec<String> = sure.into_iter().flatten().collect();
     let is_unexplained = advice.is_empty();
     advice.extend(limits.iter().filter(often).map(limit_advice));
     let others = [
@@ -154,7 +159,7 @@ impl Case<'_> {
 
     /// A larger tolerance where play lets the body rest as far from the goal as it does.
     fn play(&self) -> Option<String> {
-        let (worst, farthest) = (self.worst_error()?, farthest_rest(&self.plan.task));
+        let (worst, farthest) = (self.worst_error()?, self.plan.problem.engagement().rest_m);
         rest(&self.plan.problem, farthest.filter(|&farthest| worst <= farthest))
     }
 

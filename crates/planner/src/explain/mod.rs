@@ -21,6 +21,7 @@ pub use residuals::ResidualRecord;
 pub use rollouts::LossRecord;
 pub(crate) use rollouts::loss;
 pub use stuck::{HoldRecord, MotionEnd, StuckScenario};
+pub use words::axis_name;
 pub(crate) use words::norm;
 
 /// Why a plan is not done.
@@ -59,7 +60,7 @@ impl Plan {
     pub fn explanation(&self) -> Option<FailureExplanation> {
         match self.status() {
             PlanStatus::GoalMissed | PlanStatus::NotConverged { .. } => Some(explain(self)),
-            PlanStatus::Done | PlanStatus::NotRobust | PlanStatus::Interrupted => None,
+            PlanStatus::Done | PlanStatus::NotRobust | PlanStatus::Overlapping | PlanStatus::Interrupted => None,
         }
     }
 }

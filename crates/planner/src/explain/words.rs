@@ -75,6 +75,16 @@ pub fn direction(vector: &[f64; 3]) -> Option<String> {
     (largest > 0.0 && largest.is_finite()).then(|| names.join(" and "))
 }
 
+/// An axis in words: that of the world along which a unit vector lies, else the vector.
+pub fn axis_name(direction: &[f64; 3]) -> String {
+    /// Cosine of the angle to an axis of the world within which a direction has its name.
+    const ALONG: f64 = 0.9999;
+    match (0..3).find(|&axis| direction[axis].abs() > ALONG) {
+        Some(axis) => AXES[axis].to_owned(),
+        None => format!("({})", direction.map(|component| format!("{component:.2}")).join(", ")),
+    }
+}
+
 /// Length of a vector.
 pub fn norm(vector: &[f64; 3]) -> f64 {
     vector.iter().map(|component| component * component).sum::<f64>().sqrt()
@@ -90,5 +100,7 @@ mod tests {
         assert_eq!(direction(&[0.7, 0.0, -0.7]).unwrap(), "+x and -z");
         assert_eq!(direction(&[0.0; 3]), None);
         assert_eq!(direction(&[f64::NAN; 3]), None);
+        assert_eq!(axis_name(&[0.0, -1.0, 0.001]), "y");
+        assert_eq!(axis_name(&[0.6, -0.8, 0.0]), "(0.60, -0.80, 0.00)");
     }
 }

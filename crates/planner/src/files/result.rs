@@ -69,6 +69,9 @@ pub struct PlanResult {
     pub limits: LimitsRecord,
     /// Largest components of the reference and of all scenarios.
     pub reached: LimitsRecord,
+    /// How deep the exact shapes may overlap in a plan that is done.
+    #[serde(default)]
+    pub max_overlap_m: f64,
     /// What was tried until a plan reached the goal, where it was more than one thing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub attempts: Vec<AttemptRecord>,
@@ -265,6 +268,7 @@ impl PlanResult {
             warnings: plan.warnings(),
             limits: plan.task.limits.into(),
             reached: plan.trajectory.keeps().into(),
+            max_overlap_m: plan.problem.max_overlap(),
             attempts: plan.attempts.iter().filter(|_| plan.attempts.len() > 1).cloned().collect(),
             stages: records().cloned().collect(),
             scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),

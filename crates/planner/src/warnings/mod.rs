@@ -3,7 +3,9 @@
 mod arm;
 mod limits;
 mod region;
+mod sizes;
 mod smoothing;
+pub(crate) mod tolerance;
 
 use nlp::{IPOPT_VERSION, takes_own_solver};
 use task::LinearSolver;
@@ -16,7 +18,9 @@ impl Problem {
     /// What is odd about the problem before it is solved.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = self.scene().warnings.clone();
+        warnings.extend(sizes::warnings(self));
         warnings.extend(overlaps::warnings(self));
+        warnings.extend(tolerance::warnings(self));
         if self.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {
             warnings.push(format!(
                 "this Ipopt {IPOPT_VERSION} exports no function to register linear_solver = \"stage\"; MUMPS is used, which \

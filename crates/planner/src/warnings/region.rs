@@ -2,6 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 use scene::{MeshPart, MotionRegion};
+use task::pose_of;
 
 use crate::plan::Plan;
 
@@ -17,15 +18,19 @@ pub fn warning(plan: &Plan) -> Option<String> {
         placed.flat_map(|shape| shape.vertices().to_vec()).any(|vertex| is_lost(vertex.into()))
     };
     let steps = plan.trajectory.scenarios.iter().enumerate().filter_map(|(scenario, motion)| {
-        let step = motion.states.iter().position(|state| leaves(&std::array::from_fn(|index| state[index])))?;
+        let step = motion.states.iter().position(|state| leaves(&pose_of(state)))?;
         Some((step, scenario + 1))
     });
     let (step, scenario) = steps.min()?;
+    let pose = pose_of(&plan.trajectory.scenarios[scenario - 1].states[step]);
+    let numbers = |numbers: &[f64]| numbers.iter().map(|number| format!("{number:.4}")).collect::<Vec<_>>().join(", ");
     Some(format!(
         "in scenario {scenario} the body leaves at {:.2} s the region around the straight motions from start to goal, \
-         outside of which meshes of the environment were left out: add a [[start]] near there, or give the mesh as parts \
-         of its own",
-        step as f64 * plan.trajectory.time_step
+         outside of which meshes of the environment were left out: add a [[start]] there, with position = [{}] and \
+         orientation = [{}], or give the mesh as parts of its own",
+        step as f64 * plan.trajectory.time_step,
+        numbers(&pose[..3]),
+        numbers(&pose[3..])
     ))
 }
 

@@ -73,8 +73,8 @@ fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
 /// The problem of a plan, from its own `resolved.toml`.
 fn problem(plan: &StoredPlan) -> Result<Problem, PlannerError> {
     let scene = plan.scene()?;
-    let (homotopy, success) = (homotopy(&scene, None, None)?, planner::success(&scene)?);
-    Problem::new(scene, Some(&plan.result.start), Some(plan.result.delta_m), homotopy, success)
+    let homotopy = homotopy(&scene, None, None)?;
+    Problem::new(scene, Some(&plan.result.start), Some(plan.result.delta_m), homotopy)
 }
 
 fn why_not_done(result: &PlanResult) -> Vec<String> {

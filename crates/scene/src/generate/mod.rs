@@ -77,7 +77,9 @@ impl Peg {
             environment: self.environment(&section)?,
             starts: self.starts(&section, &mut rng),
             goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+            position_tolerance: None,
             offset,
+            contact_force: None,
         };
         Ok(draft.text())
     }

@@ -5,9 +5,11 @@ use std::path::Path;
 use mesh::{Solid, TriangleMesh};
 
 use crate::error::SceneError;
-use crate::model::points_of_only_link;
+use crate::model::points_of_link;
+use crate::starter::Axis;
 
 /// A box along the axes (m).
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundingBox {
     low: [f64; 3],
     high: [f64; 3],
@@ -24,13 +26,13 @@ impl BoundingBox {
         Ok(Self { low, high })
     }
 
-    /// Of the only link with collision shapes in an SDF, URDF or MJCF file.
+    /// Of a link with collision shapes in an SDF, URDF or MJCF file: the one of a name, or the only one.
     ///
     /// # Errors
-    /// When it cannot be read or has several such links.
-    pub fn of_model(path: &Path) -> Result<Self, SceneError> {
+    /// When it cannot be read, has no such link, or several and none is named.
+    pub fn of_model(path: &Path, link: Option<&str>) -> Result<Self, SceneError> {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for point in points_of_only_link(path)? {
+        for point in points_of_link(path, link)? {
             for axis in 0..3 {
                 (low[axis], high[axis]) = (low[axis].min(point[axis]), high[axis].max(point[axis]));
             }
@@ -46,5 +48,13 @@ impl BoundingBox {
     /// Its middle (m).
     pub fn center(&self) -> [f64; 3] {
         std::array::from_fn(|axis| 0.5 * (self.low[axis] + self.high[axis]))
+    }
+
+    /// How far a box must move along an axis to be beyond another one (m); negative where it is so already.
+    pub fn distance_apart(&self, other: &Self, axis: Axis) -> f64 {
+        match axis.is_negative {
+            true => self.high[axis.index] - other.low[axis.index],
+            false => other.high[axis.index] - self.low[axis.index],
+        }
     }
 }

@@ -1,0 +1,163 @@
+//! How deep the parts engage: what guides the body across the insertion at its goal, and from where on.
+
+use std::f64::consts::PI;
+
+use nalgebra::Vector3;
+use serde::Serialize;
+use task::AssemblyTask;
+
+use crate::clearance::{Clearance, position};
+use crate::play::longest_travel;
+
+/// Axes across the insertion along which play is measured at first.
+const AXES: usize = 8;
+/// Play along the axis across the tightest one, in plays along that, from which on it may be free along an axis nearby.
+const MUCH_WIDER: f64 = 2.0;
+/// Halvings of the angle in which that axis is looked for.
+const TURNS: usize = 16;
+/// Poses on the straight path out.
+const POSES: usize = 100;
+/// Halvings of the last distance between two of them.
+const HALVINGS: usize = 12;
+/// Share of the path's length that leads out along an axis of the world, for this to be the insertion axis.
+const ALONG: f64 = 0.5;
+
+/// What guides the body across the insertion at its goal. A direction is guided where the body touches something both
+/// ways within the longest travel looked at, three times the largest offset or a tenth of the path, whichever is longer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Engagement {
+    /// Direction in which the body leaves its goal (unit vector, world frame).
+    pub out: [f64; 3],
+    /// Distance from the goal along that direction (m) up to which every direction is guided that is at the goal; none
+    /// where nothing guides the body.
+    pub depth_m: Option<f64>,
+    /// Directions across the insertion along which nothing stops the body, either way (unit vectors, world frame).
+    pub free: Vec<[f64; 3]>,
+    /// Play between the stops of the tightest guided direction (m).
+    pub play_m: Option<f64>,
+    /// How far play lets the body rest from its goal across the insertion, in guided directions (m); none where
+    /// something stops it on one side only.
+    pub rest_m: Option<f64>,
+}
+
+/// Travel along an axis both ways (m); none where nothing stops the body.
+#[derive(Debug, Clone, Copy)]
+struct Travels {
+    axis: Vector3<f64>,
+    backward: Option<f64>,
+    forward: Option<f64>,
+}
+
+impl Travels {
+    fn is_free(&self) -> bool {
+        self.backward.is_none() && self.forward.is_none()
+    }
+
+    /// Play between the two stops (m), infinite without them.
+    fn play(&self) -> f64 {
+        self.backward.zip(self.forward).map_or(f64::INFINITY, |(backward, forward)| backward + forward)
+    }
+
+    fn farther(&self) -> Option<f64> {
+        Some(self.backward?.max(self.forward?))
+    }
+}
+
+/// Finds what guides the body of a task at its goal, and how deep.
+pub fn engagement(task: &AssemblyTask) -> Engagement {
+    Search { clearance: Clearance::new(task), goal: position(&task.goal), longest: longest_travel(task) }.run(task)
+}
+
+struct Search<'task> {
+    clearance: Clearance<'task>,
+    goal: Vector3<f64>,
+    longest: f64,
+}
+
+impl Search<'_> {
+    fn run(mut self, task: &AssemblyTask) -> Engagement {
+        let path = position(&task.start) - self.goal;
+        let Some(out) = self.out(&path) else {
+            return Engagement { out: [0.0; 3], depth_m: None, free: Vec::new(), play_m: None, rest_m: None };
+        };
+        let first = out.cross(&Vector3::ith(out.iamin(), 1.0)).normalize();
+        let turned = |angle: f64| first * angle.cos() + out.cross(&first) * angle.sin();
+        let goal = self.goal;
+        let around: Vec<Travels> =
+            (0..AXES).map(|index| self.travels(&goal, &turned(PI * index as f64 / AXES as f64))).collect();
+        let tightest =
+            around.iter().copied().min_by(|one, other| one.play().total_cmp(&other.play())).unwrap_or(around[0]);
+        let across = self.widest_near(&out.cross(&tightest.axis), &out, &tightest);
+        // Where one direction is free, the guided one is across that.
+        let tightest = if across.is_free() { self.travels(&goal, &across.axis.cross(&out)) } else { tightest };
+        let axes = [tightest, across];
+        let guided: Vec<Vector3<f64>> =
+            axes.iter().filter(|travels| travels.play().is_finite()).map(|travels| travels.axis).collect();
+        let free: Vec<[f64; 3]> =
+            axes.iter().filter(|travels| travels.is_free()).map(|travels| travels.axis.into()).collect();
+        let rest_m = match free.len() {
+            0 => around.iter().map(Travels::farther).try_fold(0.0, |most: f64, farther| Some(most.max(farther?))),
+            _ => tightest.farther(),
+        };
+        let play_m = Some(tightest.play()).filter(|play| play.is_finite());
+        let depth_m = (!guided.is_empty()).then(|| self.depth(&out, path.dot(&out), &guided));
+        Engagement { out: out.into(), depth_m, free, play_m, rest_m }
+    }
+
+    /// The direction in which the body leaves its goal: along the path to the start or, where that leads through the
+    /// environment, along the axis of the world that leads out and is nearest to it.
+    fn out(&mut self, path: &Vector3<f64>) -> Option<Vector3<f64>> {
+        let straight = path.try_normalize(f64::EPSILON)?;
+        let mut axes: Vec<Vector3<f64>> = (0..3).map(|axis| Vector3::ith(axis, straight[axis].signum())).collect();
+        axes.retain(|axis| axis.dot(&straight) > ALONG);
+        axes.sort_by(|one, other| other.dot(&straight).total_cmp(&one.dot(&straight)));
+        let goal = self.goal;
+        let leads_out = |axis: &Vector3<f64>| self.clearance.travel(&goal, axis, path.dot(axis)).is_none();
+        Some(std::iter::once(straight).chain(axes).find(leads_out).unwrap_or(straight))
+    }
+
+    fn travels(&mut self, from: &Vector3<f64>, axis: &Vector3<f64>) -> Travels {
+        let longest = self.longest;
+        let mut along = |direction: Vector3<f64>| self.clearance.travel(from, &direction, longest);
+        Travels { axis: *axis, backward: along(-axis), forward: along(*axis) }
+    }
+
+    /// Travel at the goal along the axis of most play near one across the tightest: a rail need not lie along an axis that
+    /// is looked at.
+    fn widest_near(&mut self, axis: &Vector3<f64>, out: &Vector3<f64>, tightest: &Travels) -> Travels {
+        let goal = self.goal;
+        let turned = |angle: f64| axis * angle.cos() + out.cross(axis) * angle.sin();
+        let mut widest = self.travels(&goal, axis);
+        let (mut middle, mut angle) = (0.0, 0.5 * PI / AXES as f64);
+        for _ in 0..TURNS {
+            if widest.is_free() || !(widest.play() > MUCH_WIDER * tightest.play()) {
+                break;
+            }
+            angle *= 0.5;
+            for sign in [-1.0, 1.0] {
+                let other = self.travels(&goal, &turned(middle + sign * angle));
+                if other.is_free() || other.play() > widest.play() {
+                    (widest, middle) = (other, middle + sign * angle);
+                    break;
+                }
+            }
+        }
+        widest
+    }
+
+    /// The distance from the goal up to which the body is guided along all axes, looked at on a path of some length (m).
+    fn depth(&mut self, out: &Vector3<f64>, length: f64, guided: &[Vector3<f64>]) -> f64 {
+        let mut is_guided = |distance: f64| {
+            let from = self.goal + out * distance;
+            guided.iter().all(|axis| self.travels(&from, axis).play().is_finite())
+        };
+        let at = |pose: usize| length * pose as f64 / POSES as f64;
+        let Some(first_free) = (1..=POSES).find(|&pose| !is_guided(at(pose))) else { return length };
+        let (mut low, mut high) = (at(first_free - 1), at(first_free));
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if is_guided(middle) { low = middle } else { high = middle }
+        }
+        low
+    }
+}

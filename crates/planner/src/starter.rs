@@ -1,0 +1,115 @@
+//! A scene to begin with, from two files: where the body goes in, how deep, and where it starts.
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+use scene::{Axis, FilePair, Scene, Source, StarterPoses, StarterValues, probe_scene, starter_scene};
+use task::AssemblyTask;
+
+use crate::check::refusal;
+use crate::clearance::{Clearance, position};
+use crate::error::PlannerError;
+use crate::problem::{Choices, Problem};
+
+/// Height (m) of the goal above the place in the files, where parts touch; at most this share of the body's height.
+const LIFT: f64 = 2e-4;
+const LARGEST_LIFT: f64 = 0.01;
+/// Nothing is as near to the body at its start, in offsets.
+const ROOM: f64 = 3.0;
+/// Steps in which a start is looked for, in heights of the body.
+const STEP: f64 = 0.1;
+/// Distance (m) beyond which nothing more is in the way, added to where both boxes are apart.
+const BEYOND: f64 = 1e-3;
+
+/// A scene to begin with, and how the parts of its files fit.
+#[derive(Debug)]
+pub struct Starter {
+    /// Text of the scene.
+    pub text: String,
+    /// The problem that it describes.
+    pub problem: Problem,
+    /// How the two files fit; nothing for the example without files.
+    pub fit: Option<StarterFit>,
+}
+
+/// How the body of one file leaves the environment of another one.
+#[derive(Debug)]
+pub struct StarterFit {
+    /// Edges (m) of the boxes around body and environment.
+    pub edges_m: [[f64; 3]; 2],
+    /// Direction in which the body is taken out.
+    pub out: Axis,
+    /// Other directions in which it could be, too.
+    pub others: Vec<Axis>,
+    /// Distance of the start from the goal (m).
+    pub distance_m: f64,
+}
+
+/// Makes the scene that is written to `file`: with two files, whose body is taken out along an axis that is found unless
+/// it is given, or the example.
+///
+/// # Errors
+/// When a file cannot be read, the parts are not assembled, or the body gets out along no axis of the files.
+pub fn starter(
+    file: &Path,
+    files: Option<&FilePair>,
+    axis: Option<Axis>,
+    values: &StarterValues,
+) -> Result<Starter, PlannerError> {
+    let Some(files) = files else {
+        let text = starter_scene(file, None, values)?;
+        let problem = read(file, &text, &Choices::default())?;
+        return Ok(Starter { text, problem, fit: None });
+    };
+    let (poses, fit) = fit(file, files, axis, values)?;
+    let text = starter_scene(file, Some((files, &poses)), values)?;
+    let problem = read(file, &text, &Choices::default())?;
+    match refusal(&problem) {
+        Some(reason) => Err(PlannerError::file(&files.body, reason)),
+        None => Ok(Starter { text, problem, fit: Some(fit) }),
+    }
+}
+
+fn read(file: &Path, text: &str, choices: &Choices) -> Result<Problem, PlannerError> {
+    Problem::choose(Scene::parse(Source { file, text })?, file, choices)
+}
+
+/// Where the body goes, found in a scene in which it leaves its place along every axis.
+fn fit(
+    file: &Path,
+    files: &FilePair,
+    axis: Option<Axis>,
+    values: &StarterValues,
+) -> Result<(StarterPoses, StarterFit), PlannerError> {
+    let [body, environment] = files.bounds()?;
+    let height = |axis: Axis| body.edges()[axis.index];
+    let apart = |axis: Axis| body.distance_apart(&environment, axis).max(height(axis)) + BEYOND;
+    let starts = Axis::ALL.map(|axis| axis.times(apart(axis))).to_vec();
+    let text = probe_scene(file, files, &StarterPoses { starts, goal: [0.0; 3] }, values)?;
+    let scene = Scene::parse(Source { file, text: &text })?;
+    let task = AssemblyTask { pairs: scene.all_pairs(), ..scene.task(None, None)? };
+    let mut clearance = Clearance::new(&task);
+    let place = position(&task.goal);
+    let free = Axis::ALL.map(|axis| clearance.travel(&place, &Vector3::from(axis.times(1.0)), apart(axis)).is_none());
+    let is_free = |axis: &Axis| Axis::ALL.iter().zip(free).any(|(other, is_free)| other == axis && is_free);
+    // A body that is put in ends at a stop: it can be moved no farther.
+    let ways: Vec<Axis> = Axis::ALL.into_iter().filter(is_free).collect();
+    let ends: Vec<Axis> = ways.iter().copied().filter(|axis| !is_free(&axis.opposite())).collect();
+    let out = axis.or_else(|| ends.first().or(ways.first()).copied()).ok_or_else(|| {
+        PlannerError::file(
+            &files.body,
+            "the body gets out of the environment along no axis of the files: name the direction in which it is taken out \
+             (--axis), or export both files in the assembled pose, with the axes along the insertion",
+        )
+    })?;
+    let lift = LIFT.min(LARGEST_LIFT * height(out));
+    let room = ROOM * scene.offset_magnitude;
+    let has_room = |distance: &f64| clearance.at(&(place + Vector3::from(out.times(*distance)))) >= room;
+    let steps = (0..).map(|step| height(out) * (1.0 + STEP * f64::from(step)));
+    let farthest = apart(out) + room;
+    let distance = steps.take_while(|distance| *distance < farthest).find(has_room).unwrap_or(farthest);
+    let poses = StarterPoses { starts: vec![out.times(distance)], goal: out.times(lift) };
+    let others = ways.into_iter().filter(|way| *way != out).collect();
+    let edges_m = [body.edges(), environment.edges()];
+    Ok((poses, StarterFit { edges_m, out, others, distance_m: distance - lift }))
+}

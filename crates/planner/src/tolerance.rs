@@ -1,0 +1,95 @@
+//! The position tolerance of scenes that state none.
+
+use std::fmt;
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use scene::Scene;
+use task::AssemblyTask;
+
+use crate::engagement::Engagement;
+
+/// Largest tolerance that is chosen (m), also in sizes of the body and in depths of engagement, and the smallest in
+/// distances that play lets the body rest from its goal.
+const LARGEST: f64 = 3e-3;
+const IN_SIZES: f64 = 0.1;
+const IN_DEPTHS: f64 = 0.25;
+const IN_RESTS: f64 = 1.5;
+/// Offsets in evaluations, in offsets of the scene.
+const OFFSETS: f64 = 1.05;
+
+/// A position tolerance (m) that was chosen, and why it is no larger or smaller.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChosenTolerance {
+    /// Tolerance in guided directions (m).
+    guided: f64,
+    reason: Reason,
+    /// Offset that stays along free directions (m).
+    free_offset: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Reason {
+    Usual,
+    BodySize(f64),
+    Depth(f64),
+    Rest(f64),
+}
+
+impl ChosenTolerance {
+    /// What a task's size, engagement and play allow.
+    pub fn new(scene: &Scene, task: &AssemblyTask, engagement: &Engagement) -> Self {
+        let size = scene.body_size();
+        let mut limits = vec![(LARGEST, Reason::Usual), (IN_SIZES * size, Reason::BodySize(size))];
+        limits.extend(engagement.depth_m.map(|depth| (IN_DEPTHS * depth, Reason::Depth(depth))));
+        let tightest = limits.into_iter().min_by(|one, other| one.0.total_cmp(&other.0));
+        let rest = engagement.rest_m.map(|rest| (IN_RESTS * rest, Reason::Rest(rest)));
+        let (guided, reason) = rest
+            .into_iter()
+            .chain(tightest)
+            .max_by(|one, other| one.0.total_cmp(&other.0))
+            .unwrap_or((LARGEST, Reason::Usual));
+        Self { guided, reason, free_offset: OFFSETS * engagement.free_offset(task) }
+    }
+
+    /// The tolerance (m): no plan changes an offset along a free direction, so that it is part of every final error.
+    pub fn position(&self) -> f64 {
+        self.guided.hypot(self.free_offset)
+    }
+}
+
+impl ChosenTolerance {
+    /// Why it is what it is, in words.
+    pub fn reason(&self) -> String {
+        let reason = match self.reason {
+            Reason::Usual => "the usual one".to_owned(),
+            Reason::BodySize(size) => format!("a tenth of the body's size of {:.2} mm", 1e3 * size),
+            Reason::Depth(depth) => format!("a quarter of the engagement depth of {:.2} mm", 1e3 * depth),
+            Reason::Rest(rest) => format!("1.5 times the error of {:.3} mm that play allows", 1e3 * rest),
+        };
+        if self.free_offset == 0.0 {
+            return reason;
+        }
+        let [guided, free] = [self.guided, self.free_offset].map(|length| 1e3 * length);
+        format!("{guided:.3} mm in guided directions ({reason}), and offsets of up to {free:.3} mm stay in free ones")
+    }
+}
+
+impl fmt::Display for ChosenTolerance {
+    /// As a key with its value and the reason.
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        write!(formatter, "goal.position_tolerance = {:.3} mm ({})", 1e3 * self.position(), self.reason())
+    }
+}
+
+impl Engagement {
+    /// Longest part of the planned offsets along free directions (m).
+    pub fn free_offset(&self, task: &AssemblyTask) -> f64 {
+        let [_, _, _, w, i, j, k] = task.goal;
+        let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+        let along_free = |offset: [f64; 3]| {
+            let offset = rotation * Vector3::from(offset);
+            self.free.iter().map(|axis| offset.dot(&Vector3::from(*axis)).powi(2)).sum::<f64>().sqrt()
+        };
+        task.offsets().into_iter().map(along_free).fold(0.0, f64::max)
+    }
+}

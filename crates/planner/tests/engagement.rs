@@ -1,0 +1,129 @@
+//! How deep parts engage, and what is chosen for that.
+
+use std::path::Path;
+
+use planner::{Choices, Engagement, Problem};
+use scene::{Scene, Source};
+
+/// A body of 20 x 20 x 10 mm whose goal has its lower face at some height (m), and walls (name, box, position), with offsets
+/// of 1 mm in three directions.
+fn text(bottom: f64, turn: f64, walls: &[(&str, [f64; 3], [f64; 3])]) -> String {
+    let (cosine, sine) = ((0.5 * turn).cos(), (0.5 * turn).sin());
+    let orientation = format!("orientation = [{cosine:?}, 0, 0, {sine:?}]");
+    let mut text = "[body]\n[[body.part]]\nname = \"plug\"\nbox = [0.02, 0.02, 0.01]\n".to_owned();
+    for (name, edges, [x, y, z]) in walls {
+        let place = [x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos(), *z];
+        text +=
+            &format!("[[environment.part]]\nname = \"{name}\"\nbox = {edges:?}\nposition = {place:?}\n{orientation}\n");
+    }
+    let height = bottom + 0.005;
+    text + &format!(
+        "[[start]]\nname = \"1\"\nposition = [0, 0, {:?}]\n{orientation}\n[goal]\nposition = [0, 0, {height:?}]\n{orientation}\n\
+         [robustness]\noffset_magnitude = 0.001\noffset_directions = [[1, 0, 0], [0, 1, 0], [0, -1, 0]]\n",
+        height + 0.02
+    )
+}
+
+/// Walls around the body with some play (m) on every side, and their upper faces at height 0.
+fn socket(play: f64) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
+    [
+        rail(play),
+        vec![
+            ("front", [0.1, 0.01, 0.02], [0.0, -0.015 - play, -0.01]),
+            ("back", [0.1, 0.01, 0.02], [0.0, 0.015 + play, -0.01]),
+        ],
+    ]
+    .concat()
+}
+
+/// Walls at both sides along x.
+fn rail(play: f64) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
+    vec![
+        ("left", [0.01, 0.2, 0.02], [-0.015 - play, 0.0, -0.01]),
+        ("right", [0.01, 0.2, 0.02], [0.015 + play, 0.0, -0.01]),
+    ]
+}
+
+fn problem(text: &str) -> Problem {
+    problem_with(text, &Choices::default())
+}
+
+fn problem_with(text: &str, choices: &Choices) -> Problem {
+    let file = Path::new("plug.toml");
+    let scene = Scene::parse(Source { file, text }).unwrap_or_else(|error| panic!("{error}"));
+    Problem::choose(scene, file, choices).unwrap()
+}
+
+fn is_near(value: f64, expected: f64, tolerance: f64) {
+    assert!((value - expected).abs() <= tolerance, "{value}, not {expected}");
+}
+
+#[test]
+fn a_plug_is_engaged_as_deep_as_its_socket_holds_it() {
+    let problem = problem(&text(-0.0018, 0.0, &socket(5e-5)));
+    let Engagement { depth_m, free, play_m, rest_m, .. } = problem.engagement();
+    is_near(depth_m.unwrap(), 0.0018, 2e-5);
+    is_near(play_m.unwrap(), 1e-4, 5e-6);
+    assert!(free.is_empty(), "{free:?}");
+    is_near(rest_m.unwrap(), 5e-5 * 2f64.sqrt(), 1e-5);
+    is_near(problem.success().position, 0.00045, 5e-6);
+    let chosen = problem.chosen();
+    assert!(chosen.iter().any(|chosen| chosen.contains("a quarter of the engagement depth of 1.80 mm")), "{chosen:?}");
+    assert!(problem.warnings().is_empty(), "{:?}", problem.warnings());
+}
+
+#[test]
+fn a_tolerance_that_calls_an_unassembled_part_a_success_is_warned_of() {
+    let stated = Choices { position_tolerance: Some(0.003), ..Choices::default() };
+    let problem = problem_with(&text(-0.0018, 0.0, &socket(5e-5)), &stated);
+    assert_eq!(problem.success().position, 0.003, "whoever states a tolerance gets it");
+    let warnings = problem.warnings().join("\n");
+    assert!(
+        warnings
+            .contains("1.80 mm from the goal the part is not engaged yet; a tolerance of 3.00 mm calls that a success"),
+        "{warnings}"
+    );
+}
+
+#[test]
+fn a_rail_guides_across_itself_and_offsets_along_it_stay() {
+    for turn in [0.0, 0.4, 1.1] {
+        let problem = problem(&text(-0.008, turn, &rail(2e-4)));
+        let engagement = problem.engagement();
+        is_near(engagement.depth_m.unwrap(), 0.008, 5e-5);
+        is_near(engagement.play_m.unwrap(), 4e-4, 2e-5);
+        let [free] = engagement.free[..] else { panic!("{engagement:?}") };
+        let along = free[0] * -turn.sin() + free[1] * turn.cos();
+        assert!(along.abs() > 0.999, "turned by {turn}: free along {free:?}");
+        // A tenth of the size, and offsets along the rail as far as evaluations let them be.
+        is_near(problem.success().position, 0.002f64.hypot(1.05e-3), 2e-5);
+        assert!(problem.chosen().iter().any(|chosen| chosen.contains("stay in free ones")), "{:?}", problem.chosen());
+    }
+    let stated = Choices { position_tolerance: Some(1e-4), ..Choices::default() };
+    let warnings = problem_with(&text(-0.008, 0.0, &rail(2e-4)), &stated).warnings().join("\n");
+    assert!(
+        warnings.contains("nothing guides the body along y at its goal: an offset of 1.00 mm along y stays, more than"),
+        "{warnings}"
+    );
+}
+
+#[test]
+fn stops_on_one_side_neither_guide_nor_leave_free() {
+    let walls = [("left", [0.01, 0.2, 0.02], [-0.015, 0.0, 0.0]), ("back", [0.1, 0.01, 0.02], [0.0, 0.015, 0.0])];
+    let engagement = problem(&text(-0.005, 0.0, &walls)).engagement().clone();
+    assert_eq!((engagement.depth_m, engagement.free.len(), engagement.rest_m), (None, 0, None));
+}
+
+#[test]
+fn a_path_that_leads_through_a_wall_is_no_insertion_axis() {
+    let slanted = text(-0.0018, 0.0, &socket(5e-5)).replace("position = [0, 0, 0.0232", "position = [0.01, 0, 0.0232");
+    let engagement = problem(&slanted).engagement().clone();
+    assert_eq!(engagement.out, [0.0, 0.0, 1.0]);
+    is_near(engagement.depth_m.unwrap(), 0.0018, 2e-5);
+}
+
+#[test]
+fn overlaps_that_are_allowed_follow_the_clearance() {
+    is_near(problem(&text(-0.0018, 0.0, &socket(4e-4))).max_overlap(), 2e-4, 1e-9);
+    is_near(problem(&text(-0.0018, 0.0, &socket(2e-5))).max_overlap(), 5e-5, 1e-12);
+}
