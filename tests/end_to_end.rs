@@ -284,7 +284,7 @@ fn check_measures_play_and_looks_for_a_way() {
         "deep.toml",
         dir.read("corner.toml").replace("position = [0.051, 0.0, 0.031]", "position = [0.051, 0.0, 0.02]"),
     );
-    dir.run("check deep.toml").code(0).says("overlap at the goal: box/floor").says("no path in clearance was found");
+    dir.run("check deep.toml").code(1).says("overlap at the goal: box/floor").says("no path in clearance was found");
 }
 
 #[test]

@@ -62,9 +62,9 @@ fn a_pose_that_overlaps_is_one_line_whatever_the_number_of_pairs() {
     let dir = Dir::new();
     // A peg that is too large overlaps many pieces of the hole.
     add_round_fit(&dir, &round::cylinders(5.0, 20.0, &[[0.0, 0.0]]), 0.001);
-    let run = dir.run("check fit.toml").code(0).says("(--json lists them)").says("a round part is 0.900 mm larger");
+    let run = dir.run("check fit.toml").code(1).says("(--json lists them)").says("a round part is 0.900 mm larger");
     assert_eq!(count(&run, "overlap at the goal"), 1, "{}", run.stdout);
-    let report: serde_json::Value = serde_json::from_str(&dir.run("check fit.toml --json").code(0).stdout).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&dir.run("check fit.toml --json").code(1).stdout).unwrap();
     let overlaps = list(&report, "overlaps");
     assert!(overlaps.len() > 1 && overlaps.iter().all(|overlap| overlap["pose"] == "goal"), "{overlaps:?}");
     run.says(&format!("less in {} more", overlaps.len() - 1));
@@ -76,7 +76,7 @@ fn a_body_that_begins_inside_with_every_offset_is_refused() {
     add_box(&dir, 0.015);
     let words = "[[start]] \"above\": the body begins inside of the environment with every offset, 25.000 mm deep with \
                  offset 1 (box/floor); move the start";
-    dir.run("check box.toml").code(0).says(words);
+    dir.run("check box.toml").code(1).says(words);
     dir.run("solve box.toml --out out").code(2).says(&format!("box.toml: {words}"));
     assert!(!dir.exists("out"));
 }

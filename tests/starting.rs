@@ -51,9 +51,9 @@ fn a_scene_of_two_meshes_is_read_as_it_was_written() {
     dir.write("meshes/pot.stl", tetrahedron(0.0));
     let meshes = "--body meshes/lid.stl --environment meshes/pot.stl --unit mm";
     dir.run(&format!("new scenes/pot.toml {meshes} --axis z")).code(0);
-    dir.run("check scenes/pot.toml").code(0).says("pot: 1 pairs of parts").keeps_silent_about("overlap at");
+    dir.run("check scenes/pot.toml").code(0).says("pairs: 1 may touch").keeps_silent_about("overlap at");
     dir.run(&format!("new scenes/under.toml {meshes} --axis -z")).code(0);
-    dir.run("check scenes/under.toml").code(0).says("overlap at the start with offset 1");
+    dir.run("check scenes/under.toml").code(0).keeps_silent_about("overlap at");
 }
 
 #[test]

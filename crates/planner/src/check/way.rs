@@ -59,9 +59,10 @@ pub fn find(task: &AssemblyTask) -> Way {
     if found.is_away {
         return Way::OnGrid { step_m };
     }
-    // Whatever way there is leads through cells whose middles are no farther inside of the environment than their corners.
+    // Whatever way there is leads through cells whose middles are no deeper inside of the environment than this.
+    let inside = (-grid.clearance.at(&goal)).max(0.0);
     let encloses = |step: f64| {
-        let search = grid.flood(step, HALF_DIAGONAL * step, |_| true);
+        let search = grid.flood(step, inside + HALF_DIAGONAL * step, |_| true);
         (!search.is_away && search.is_whole).then_some(search.farthest_m)
     };
     let enclosed = FINER_CELLS.map(|cells| length / cells).into_iter().find_map(encloses);

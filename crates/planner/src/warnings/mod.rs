@@ -18,9 +18,9 @@ impl Problem {
     /// What is odd about the problem before it is solved.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = self.scene().warnings.clone();
-        warnings.extend(sizes::warnings(self));
         warnings.extend(overlaps::warnings(self));
         warnings.extend(tolerance::warnings(self));
+        warnings.extend(sizes::warnings(self));
         if self.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {
             warnings.push(format!(
                 "this Ipopt {IPOPT_VERSION} exports no function to register linear_solver = \"stage\"; MUMPS is used, which \

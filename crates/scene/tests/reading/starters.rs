@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use scene::{Axis, FilePair, Scene, SceneError, keys, scene_schema, starter_scene};
+use scene::{Axis, FilePair, Scene, SceneError, StarterPoses, StarterValues, keys, scene_schema, starter_scene};
 
 use crate::support::parse;
 
@@ -30,17 +30,31 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-fn pair(folder: &Path, axis: &str) -> FilePair {
+fn pair(folder: &Path) -> FilePair {
     FilePair {
         body: folder.join("meshes/body.stl"),
         environment: folder.join("meshes/plate.STL"),
         unit: Some("mm".to_owned()),
-        axis: Axis::from_name(axis).unwrap(),
+        ..FilePair::default()
     }
 }
 
+/// A start above the place of the body, or beside it, and a goal lifted a little.
+fn out(axis: &str) -> StarterPoses {
+    let axis = Axis::from_name(axis).unwrap();
+    StarterPoses { starts: vec![axis.times(0.05)], goal: axis.times(2e-4) }
+}
+
+fn written(file: &Path, files: &FilePair, poses: &StarterPoses) -> Result<String, SceneError> {
+    starter_scene(file, Some((files, poses)), &StarterValues::default())
+}
+
+fn example() -> String {
+    starter_scene("my.toml".as_ref(), None, &StarterValues::default()).unwrap()
+}
+
 fn from_meshes(file: &Path, meshes: &FilePair) -> Result<Scene, SceneError> {
-    let text = starter_scene(file, Some(meshes))?;
+    let text = written(file, meshes, &out("z"))?;
     std::fs::create_dir_all(file.parent().unwrap()).unwrap();
     std::fs::write(file, text).unwrap();
     Scene::load(file)
@@ -57,7 +71,7 @@ fn with_all_keys(text: &str) -> String {
 
 #[test]
 fn the_starter_is_a_scene_with_every_key_explained() {
-    let text = starter_scene("my.toml".as_ref(), None).unwrap();
+    let text = example();
     let scene = parse(&text).unwrap_or_else(|error| panic!("{error}"));
     assert!(scene.warnings.is_empty(), "{:?}", scene.warnings);
     let task = scene.task(None, None).unwrap();
@@ -71,10 +85,10 @@ fn the_starter_is_a_scene_with_every_key_explained() {
 
 #[test]
 fn keys_in_comments_can_be_used() {
-    let text = with_all_keys(&starter_scene("my.toml".as_ref(), None).unwrap());
+    let text = with_all_keys(&example());
     let scene = parse(&text).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((scene.title.as_str(), scene.pairs.len()), ("my scene", 1));
-    assert_eq!((scene.limits.contact_force, scene.limits.translational_velocity), (20.0, 0.25));
+    assert_eq!((scene.limits.contact_force, scene.limits.translational_velocity), (60.0, 0.25));
     let validator = jsonschema::draft202012::new(&scene_schema()).unwrap();
     let file: toml::Table = toml::from_str(&text).unwrap();
     assert!(validator.is_valid(&serde_json::to_value(file).unwrap()));
@@ -83,7 +97,7 @@ fn keys_in_comments_can_be_used() {
 #[test]
 fn poses_of_meshes_are_those_of_their_boxes() {
     let folder = folder();
-    let scene = from_meshes(&folder.path().join("my.toml"), &pair(folder.path(), "z")).unwrap();
+    let scene = from_meshes(&folder.path().join("my.toml"), &pair(folder.path())).unwrap();
     let near = |pose: &[f64; 7], position: [f64; 3]| {
         let close = pose.iter().zip(position).all(|(one, other)| (one - other).abs() < 1e-9);
         assert!(close && pose[3..] == [1.0, 0.0, 0.0, 0.0], "{pose:?}");
@@ -95,10 +109,10 @@ fn poses_of_meshes_are_those_of_their_boxes() {
     mated[2] -= 2e-4;
     assert!((task.clearance(&mated) - 0.001).abs() < 1e-6, "the body is where its mesh is, but for a little lift");
     assert!(scene.body[0].shape.center().iter().all(|coordinate| coordinate.abs() < 1e-6));
-    assert!((scene.offset_magnitude - 0.002).abs() < 1e-9, "a tenth of the shortest edge");
+    assert_eq!((scene.offset_magnitude, scene.limits.contact_force, scene.position_tolerance), (0.001, 60.0, None));
     assert!(scene.offset_directions.iter().all(|direction| direction[2] == 0.0));
-    for (axis, position) in [("-z", [0.1, 0.015, -0.024]), ("x", [0.12, 0.015, 0.026]), ("-y", [0.1, -0.015, 0.026])] {
-        let text = starter_scene("my.toml".as_ref(), Some(&pair(folder.path(), axis))).unwrap();
+    for (axis, position) in [("-z", [0.1, 0.015, -0.024]), ("+X", [0.15, 0.015, 0.026]), ("-y", [0.1, -0.035, 0.026])] {
+        let text = written("my.toml".as_ref(), &pair(folder.path()), &out(axis)).unwrap();
         let start: toml::Table = toml::from_str(&text).unwrap();
         let found = start["start"][0]["position"].as_array().unwrap();
         let is_near = |(one, other): (&toml::Value, f64)| (one.as_float().unwrap() - other).abs() < 1e-9;
@@ -117,7 +131,7 @@ fn meshes_are_found_from_the_folder_of_the_scene() {
     ] {
         let file = folder.path().join(file);
         std::fs::create_dir_all(folder.path().join("scenes")).unwrap();
-        from_meshes(&file, &pair(folder.path(), "z")).unwrap_or_else(|error| panic!("{error}"));
+        from_meshes(&file, &pair(folder.path())).unwrap_or_else(|error| panic!("{error}"));
         let text = std::fs::read_to_string(file).unwrap();
         assert!(text.contains(&format!("mesh = \"{mesh}\"")), "{mesh}");
     }
@@ -131,7 +145,7 @@ fn meshes_that_cannot_be_used_are_refused() {
     write("none.stl", b"solid none\nendsolid none\n");
     write("text.stl", b"hello");
     write("flat.stl", stl([0.0; 3], [1.0, 1.0, 0.0]).as_bytes());
-    let right = pair(folder.path(), "z");
+    let right = pair(folder.path());
     let file = folder.path().join("my.toml");
     for (name, words) in [
         ("gone.stl", "gone.stl: mesh: cannot be read: No such file"),
@@ -146,12 +160,12 @@ fn meshes_that_cannot_be_used_are_refused() {
             FilePair { body: wrong.clone(), ..right.clone() },
             FilePair { environment: wrong.clone(), ..right.clone() },
         ] {
-            let error = starter_scene(&file, Some(&meshes)).expect_err(name).to_string();
+            let error = written(&file, &meshes, &out("z")).expect_err(name).to_string();
             assert!(error.contains(words), "{error}");
         }
     }
-    let error =
-        starter_scene(&file, Some(&FilePair { unit: Some("feet".to_owned()), ..right })).unwrap_err().to_string();
+    let feet = FilePair { unit: Some("feet".to_owned()), ..right };
+    let error = written(&file, &feet, &out("z")).unwrap_err().to_string();
     assert!(error.contains("unknown unit `feet`: choose one of m, cm, mm, inch"), "{error}");
 }
 
@@ -167,7 +181,7 @@ fn models_need_no_unit() {
     };
     write("body.urdf", &format!("<robot>{}</robot>", link("a")));
     write("two.urdf", &format!("<robot>{}{}</robot>", link("a"), link("b")));
-    let right = pair(folder.path(), "z");
+    let right = pair(folder.path());
     let body = |name: &str| FilePair { body: folder.path().join(name), ..right.clone() };
     let scene = from_meshes(&folder.path().join("my.toml"), &body("body.urdf")).unwrap();
     let of_mesh = from_meshes(&folder.path().join("mesh.toml"), &right).unwrap();
@@ -176,9 +190,15 @@ fn models_need_no_unit() {
     }
     let without_unit = FilePair { unit: None, environment: folder.path().join("body.urdf"), ..body("body.urdf") };
     from_meshes(&folder.path().join("models.toml"), &without_unit).unwrap();
-    let refusal = |files: &FilePair| starter_scene("my.toml".as_ref(), Some(files)).unwrap_err().to_string();
+    let refusal = |files: &FilePair| written("my.toml".as_ref(), files, &out("z")).unwrap_err().to_string();
     assert!(
         refusal(&FilePair { unit: None, ..right.clone() }).contains("a mesh needs its unit (--unit): m, cm, mm, inch")
     );
-    assert!(refusal(&body("two.urdf")).contains("has several links; choose one with `link`: a, b"));
+    assert!(refusal(&body("two.urdf")).contains("has several links; choose one with --link: a, b"));
+    let second = FilePair { body_link: Some("b".to_owned()), ..body("two.urdf") };
+    from_meshes(&folder.path().join("second.toml"), &second).unwrap();
+    let third = FilePair { body_link: Some("c".to_owned()), ..body("two.urdf") };
+    assert!(refusal(&third).contains("has no link `c` with collision shapes"));
+    let of_mesh = FilePair { body_link: Some("b".to_owned()), ..right };
+    assert!(refusal(&of_mesh).contains("a mesh has no links, such as `b`"));
 }
