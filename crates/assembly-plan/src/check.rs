@@ -1,7 +1,7 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
 use planner::check::{
-    Explanation, MeshReport, PairReport, Play, PoseOverlap, RoundSurface, Way, explain, pair_reports,
+    Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports,
 };
 use planner::{Problem, axis_name};
 
