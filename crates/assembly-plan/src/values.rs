@@ -38,7 +38,7 @@ pub fn target() -> impl TypedValueParser<Value = Target> {
 
 /// A direction along an axis, such as `z`, `+z` or `-Z`.
 pub fn axis() -> impl TypedValueParser<Value = Axis> {
-    let names = ["x", "y", "z"].map(|name| PossibleValue::new(name).alias(format!("+{name}")));
+    let names = [("x", "+x"), ("y", "+y"), ("z", "+z")].map(|(name, alias)| PossibleValue::new(name).alias(alias));
     let negative = ["-x", "-y", "-z"].map(PossibleValue::new);
     let known = PossibleValuesParser::new(names.into_iter().chain(negative));
     known.try_map(|name| Axis::from_name(&name).ok_or("unknown"))
