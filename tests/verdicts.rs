@@ -71,9 +71,9 @@ fn a_flat_connector_is_a_success_only_where_it_is_engaged() {
     let dir = plug(1.8, 0.05, here);
     let run = dir.run(&format!("new s.toml {FILES}")).code(0);
     // The goal is lifted by a hundredth of the plug's height.
-    run.says("10.00 x 10.00 x 9.80 mm").says("40.00 x 40.00 x 6.80 mm").says("taken out along +z");
-    run.says("1.70 mm deep, play of 0.100 mm").says("offset         1.00 mm");
-    run.says("0.425 mm from the goal is a success: a quarter of the engagement depth of 1.70 mm");
+    let run = run.says("10.00 x 10.00 x 9.80 mm").says("40.00 x 40.00 x 6.80 mm").says("taken out along +z");
+    let run = run.says("1.70 mm deep, play of 0.100 mm").says("offset         1.00 mm");
+    let run = run.says("0.425 mm from the goal is a success: a quarter of the engagement depth of 1.70 mm");
     run.says("at most 60 N").says("next: assembly-plan check s.toml");
     assert!(dir.read("s.toml").contains("\n[limits]\n"));
     let run = dir.run("check s.toml").code(0);
@@ -245,7 +245,7 @@ fn many_pairs_are_named_and_pieces_are_summed_up() {
     );
     dir.write("s.toml", scene);
     let run = dir.run("check s.toml").code(0);
-    run.says("169 pairs make planning slow").says("contact.pairs");
+    let run = run.says("169 pairs make planning slow").says("contact.pairs");
     assert!(run.stdout.lines().count() < 40 && !run.stdout.contains("body12"), "{}", run.stdout);
     dir.run("check s.toml --verbose").code(0).says("body12");
 }
