@@ -1,8 +1,6 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::check::{
-    Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports,
-};
+use planner::check::{Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports};
 use planner::{Problem, axis_name};
 
 use crate::arguments::CheckArguments;
@@ -94,12 +92,12 @@ fn print_sizes(problem: &Problem, explanation: &Explanation) {
     let edges = |[x, y, z]: [f64; 3]| format!("{:.2} x {:.2} x {:.2} mm", 1e3 * x, 1e3 * y, 1e3 * z);
     let position = |pose: &[f64; 7]| format!("{:.2}, {:.2}, {:.2} mm", 1e3 * pose[0], 1e3 * pose[1], 1e3 * pose[2]);
     say!(
-        "\nbody: {}, {} convex parts, mass {} kg",
+        "\nbody: {}, {}, mass {} kg",
         edges(explanation.body_edges_m),
-        explanation.body.len(),
+        parts(explanation.body.len()),
         rounded(task.inertia.mean_mass())
     );
-    say!("environment: {}, {} convex parts", edges(explanation.environment_edges_m), explanation.environment.len());
+    say!("environment: {}, {}", edges(explanation.environment_edges_m), parts(explanation.environment.len()));
     say!("pairs: {} may touch{}", explanation.pairs, left_out(explanation));
     let names: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).take(LISTED).collect();
     let more = if scene.starts.len() > LISTED { ", ..." } else { "" };
@@ -123,6 +121,10 @@ fn print_sizes(problem: &Problem, explanation: &Explanation) {
     let named = task.limits.named().into_iter().filter(|(_, _, limit)| limit.is_finite());
     let limits: Vec<String> = named.map(|(name, unit, limit)| format!("{name} {limit} {unit}")).collect();
     say!("limits: {}", if limits.is_empty() { "none".to_owned() } else { limits.join(", ") });
+}
+
+fn parts(count: usize) -> String {
+    if count == 1 { "1 convex part".to_owned() } else { format!("{count} convex parts") }
 }
 
 /// A number with four digits at most.

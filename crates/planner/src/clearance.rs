@@ -1,7 +1,7 @@
 //! Clearance of a body that moves without turning.
 
-use nalgebra::Vector3;
-use task::AssemblyTask;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use task::{AssemblyTask, ContactPair};
 
 /// Rounding of exact distances (m).
 const ROUNDING: f64 = 1e-9;
@@ -10,50 +10,71 @@ const STEP: f64 = 1e-3;
 /// Overlap that is rounding, likewise.
 const TOUCHING: f64 = 1e-4;
 
-/// Exact distances between the environment and the body, oriented as at its goal. A distance changes by no more than the
-/// body moves, so that pairs far from each other are rarely computed: of hundreds of pairs, only the near ones cost time.
+/// Clearance between the environment and the body, oriented as at its goal. A distance changes by no more than the body
+/// moves, so that pairs far from each other are rarely computed: of hundreds of pairs, only the near ones cost time.
 pub struct Clearance<'task> {
     task: &'task AssemblyTask,
-    /// Where each pair was computed last, and its distance there (m).
-    known: Vec<(Vector3<f64>, f64)>,
+    pairs: Vec<Known>,
     nearest: usize,
 }
 
+/// What is known of a pair.
+struct Known {
+    /// Box along the axes around the body's part at its goal, seen from the box around the environment's: lowest and highest
+    /// distance between them along each axis (m), as the position of the body is added.
+    boxes: [Vector3<f64>; 2],
+    /// Where the pair was looked at last.
+    at: Vector3<f64>,
+    /// How far apart it was there (m), at least.
+    distance: f64,
+}
+
 impl<'task> Clearance<'task> {
-    /// Of a task; every distance at its goal is computed.
+    /// Of a task.
     pub fn new(task: &'task AssemblyTask) -> Self {
-        let goal = position(&task.goal);
-        let mut clearance = Self { task, known: vec![(goal, f64::NEG_INFINITY); task.pairs.len()], nearest: 0 };
-        clearance.at(&goal);
-        clearance
+        let [_, _, _, w, i, j, k] = task.goal;
+        let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+        let known = |pair: &ContactPair| {
+            let [low, high] = bounds(pair.shapes.body().vertices(), |vertex| rotation * vertex);
+            let [other_low, other_high] = bounds(pair.shapes.environment().vertices(), |vertex| vertex);
+            let boxes = [low - other_high, other_low - high];
+            Known { boxes, at: position(&task.goal), distance: f64::NEG_INFINITY }
+        };
+        Self { task, pairs: task.pairs.iter().map(known).collect(), nearest: 0 }
     }
 
-    /// Smallest distance of all pairs (m) with the body at a position, negative where parts overlap; infinite without
-    /// pairs.
+    /// How far the body is from touching at a position (m): the smallest exact distance of all pairs whose boxes are not
+    /// farther apart, negative where parts overlap; infinite without pairs.
     pub fn at(&mut self, position: &Vector3<f64>) -> f64 {
-        if self.known.is_empty() {
+        if self.pairs.is_empty() {
             return f64::INFINITY;
         }
         let mut least = self.compute(self.nearest, position);
-        for pair in 0..self.known.len() {
-            let (before, distance) = self.known[pair];
-            if distance - (position - before).norm() - ROUNDING < least {
-                let distance = self.compute(pair, position);
-                if distance < least {
-                    (least, self.nearest) = (distance, pair);
-                }
+        for index in 0..self.pairs.len() {
+            let pair = &mut self.pairs[index];
+            if pair.distance - (position - pair.at).norm() - ROUNDING >= least {
+                continue;
+            }
+            let apart = (pair.boxes[0] + position).sup(&(pair.boxes[1] - position)).max();
+            if apart >= least {
+                (pair.at, pair.distance) = (*position, apart);
+                continue;
+            }
+            let distance = self.compute(index, position);
+            if distance < least {
+                (least, self.nearest) = (distance, index);
             }
         }
         least
     }
 
-    fn compute(&mut self, pair: usize, position: &Vector3<f64>) -> f64 {
+    fn compute(&mut self, index: usize, position: &Vector3<f64>) -> f64 {
         let mut pose = self.task.goal;
         pose[..3].copy_from_slice(position.as_slice());
-        let distance = self.task.pairs[pair].shapes.exact_distance(&pose);
+        let distance = self.task.pairs[index].shapes.exact_distance(&pose);
         // What cannot be computed counts as overlap.
         let distance = if distance.is_nan() { f64::NEG_INFINITY } else { distance };
-        self.known[pair] = (*position, distance);
+        (self.pairs[index].at, self.pairs[index].distance) = (*position, distance);
         distance
     }
 
@@ -72,6 +93,15 @@ impl<'task> Clearance<'task> {
         }
         None
     }
+}
+
+/// Lowest and highest corner of the box around some points.
+fn bounds(points: &[[f64; 3]], place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> [Vector3<f64>; 2] {
+    let start = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+    points
+        .iter()
+        .map(|point| place(Vector3::from(*point)))
+        .fold(start, |[low, high], point| [low.inf(&point), high.sup(&point)])
 }
 
 /// Position of a pose (m).

@@ -16,7 +16,7 @@ const MUCH_WIDER: f64 = 2.0;
 /// Halvings of the angle in which that axis is looked for.
 const TURNS: usize = 16;
 /// Poses on the straight path out.
-const POSES: usize = 100;
+const POSES: usize = 32;
 /// Halvings of the last distance between two of them.
 const HALVINGS: usize = 12;
 /// Share of the path's length that leads out along an axis of the world, for this to be the insertion axis.

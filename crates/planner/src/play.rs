@@ -67,11 +67,12 @@ pub fn between(task: &AssemblyTask, share: f64) -> [f64; 7] {
 
 /// Play at a share of the way from the goal to the start.
 fn play(task: &AssemblyTask, clearance: &mut Clearance, share: f64) -> Play {
-    let (from, longest) = (position(&between(task, share)), longest_travel(task));
+    let (pose, longest) = (between(task, share), longest_travel(task));
+    let from = position(&pose);
     let axes = AXES.iter().enumerate().map(|(axis, name)| {
         let mut along = |sign: f64| clearance.travel(&from, &(sign * Vector3::ith(axis, 1.0)), longest);
         AxisPlay { axis: name, backward_m: along(-1.0), forward_m: along(1.0) }
     });
     let axes = axes.collect();
-    Play { distance_from_goal_m: (from - position(&task.goal)).norm(), clearance_m: clearance.at(&from), axes }
+    Play { distance_from_goal_m: (from - position(&task.goal)).norm(), clearance_m: task.clearance(&pose), axes }
 }

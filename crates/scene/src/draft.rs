@@ -79,6 +79,8 @@ impl Draft {
         self.body.iter().for_each(|part| part.write("body", &mut text));
         self.environment.iter().for_each(|part| part.write("environment", &mut text));
         self.write_poses(&mut text);
+        // All pairs count: looking for those that are too far apart takes longer than their distances.
+        text += &format!("[contact]\npairs = [[{}, {}]]\n", name(&self.body), name(&self.environment));
         text + &format!("[robustness]\noffset_magnitude = {}\n[horizon]\nsteps = 1\n", number(self.offset))
     }
 
@@ -91,7 +93,6 @@ impl Draft {
         self.body.iter().for_each(|part| part.write("body", text));
         *text += "# The convex parts of what does not move, in the world frame.\n";
         self.environment.iter().for_each(|part| part.write("environment", text));
-        let name = |parts: &[DraftPart]| Value::from(parts[0].name.as_str()).to_string();
         *text += "# Which parts may touch; without this table, all. Each pair costs time.\n#[contact]\n";
         *text += &format!("#pairs = [[{}, {}]]\n", name(&self.body), name(&self.environment));
     }
@@ -169,6 +170,11 @@ impl DraftPart {
         }
         text.push('\n');
     }
+}
+
+/// The quoted name of the first of some parts.
+fn name(parts: &[DraftPart]) -> String {
+    Value::from(parts[0].name.as_str()).to_string()
 }
 
 /// A key with its comment.

@@ -1,6 +1,7 @@
 //! Parts, and what became of meshes.
 
 use mesh::{CurvedKind, Deviation};
+use nalgebra::Point3;
 use scene::{MeshPart, Part};
 use serde::Serialize;
 
@@ -21,11 +22,18 @@ pub struct PartReport {
     pub corners: usize,
 }
 
-/// Edges (m) of the box along the axes around some parts.
-pub fn edges(parts: &[Part]) -> [f64; 3] {
-    let coordinates = |axis: usize| parts.iter().flat_map(|part| part.shape.vertices()).map(move |vertex| vertex[axis]);
+/// Edges (m) of the box along the axes around some parts and whole meshes, of which only pieces may be among the parts.
+pub fn edges(parts: &[Part], meshes: &[MeshPart]) -> [f64; 3] {
+    let corners = meshes.iter().flat_map(|mesh| {
+        let bounds = mesh.solid.bounding_box();
+        let corner = move |index: usize| Point3::from_fn(|axis, _| bounds[index >> axis & 1][axis]);
+        (0..8).map(move |index| mesh.placement * corner(index))
+    });
+    let vertices = parts.iter().flat_map(|part| part.shape.vertices()).map(|vertex| Point3::from(*vertex));
+    let points: Vec<Point3<f64>> = vertices.chain(corners).collect();
     std::array::from_fn(|axis| {
-        let (low, high) = coordinates(axis)
+        let coordinates = points.iter().map(|point| point[axis]);
+        let (low, high) = coordinates
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         high - low
     })

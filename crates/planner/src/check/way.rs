@@ -9,8 +9,6 @@ use task::AssemblyTask;
 
 use crate::clearance::{Clearance, position};
 
-/// Poses on the straight line.
-const SAMPLES: usize = 200;
 /// Cells of the grid along the way from start to goal, and cells that are looked at, at most.
 const CELLS: f64 = 40.0;
 const MOST_CELLS: usize = 20_000;
@@ -51,7 +49,8 @@ pub fn find(task: &AssemblyTask) -> Way {
     let (goal, path) = (position(&task.goal), position(&task.start) - position(&task.goal));
     let (length, step_m) = (path.norm(), path.norm() / CELLS);
     let mut clearance = Clearance::new(task);
-    if (0..=SAMPLES).all(|sample| clearance.at(&(goal + path * (sample as f64 / SAMPLES as f64))) >= 0.0) {
+    let straight = path.try_normalize(0.0).unwrap_or_default();
+    if clearance.at(&goal) >= 0.0 && clearance.travel(&goal, &straight, length).is_none() {
         return Way::Straight;
     }
     let mut grid = Grid { most: MOST_CELLS.min(MOST_DISTANCES / task.pairs.len().max(1)), goal, length, clearance };
