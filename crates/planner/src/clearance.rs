@@ -81,6 +81,9 @@ impl<'task> Clearance<'task> {
     /// How far the body moves from a position along a unit vector until it touches something (m), if it does within the
     /// longest travel that is looked at. A body that overlaps something already moves until it overlaps deeper.
     pub fn travel(&mut self, from: &Vector3<f64>, direction: &Vector3<f64>, longest: f64) -> Option<f64> {
+        if longest == 0.0 {
+            return None;
+        }
         let (mut travelled, mut clearance) = (0.0, self.at(from));
         let floor = clearance.min(0.0) - TOUCHING * longest;
         while travelled <= longest {
