@@ -69,7 +69,13 @@ impl Problem {
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
         scene.position_tolerance = choices.position_tolerance.or(scene.position_tolerance);
         scene.angle_tolerance = choices.angle_tolerance.unwrap_or(scene.angle_tolerance);
+        let size = scene.body_size();
         Self::new(scene, choices.start.as_deref(), choices.delta, homotopy).map_err(|error| match error {
+            PlannerError::Task(source @ TaskError::OutOfReach { magnitude, .. }) if magnitude > size => {
+                let question =
+                    format!("an offset of {magnitude} m is larger than the body, {size:.3} m: is it in metres?");
+                PlannerError::file(file, format!("{source}; {question}"))
+            }
             PlannerError::Task(source @ TaskError::OffsetMagnitude { .. }) => {
                 PlannerError::Choice { name: "delta", problem: source.to_string() }
             }

@@ -102,6 +102,14 @@ fn fit(
              (--axis), or export both files in the assembled pose, with the axes along the insertion",
         )
     })?;
+    if !ways.is_empty() && !ways.contains(&out) {
+        let names: Vec<String> = ways.iter().map(Axis::to_string).collect();
+        let problem = format!(
+            "the body does not get out of the environment along {out}, but along {}: name such a direction (--axis), or none",
+            names.join(", ")
+        );
+        return Err(PlannerError::file(&files.body, problem));
+    }
     let lift = LIFT.min(LARGEST_LIFT * height(out));
     let room = ROOM * scene.offset_magnitude;
     let has_room = |distance: &f64| clearance.at(&(place + Vector3::from(out.times(*distance)))) >= room;

@@ -245,7 +245,10 @@ fn what_an_arm_does_not_use_is_not_checked() {
         ("revolute", "<limit lower=\"a\" upper=\"b\"/>"),
         ("ball", "<mimic joint=\"pan\"/><mimic joint=\"lift\"/>"),
     ] {
-        let arm = read("<link name=\"flange\"/>", &format!("<link name=\"flange\"/>{}", hung(joint, inside)).replace(camera, ""));
+        let arm = read(
+            "<link name=\"flange\"/>",
+            &format!("<link name=\"flange\"/>{}", hung(joint, inside)).replace(camera, ""),
+        );
         assert!(arm.is_ok(), "{joint}: {arm:?}");
     }
 }
@@ -268,7 +271,8 @@ fn masses_are_judged_together() {
     let arm = read(wrist, none).unwrap();
     assert!(arm.remarks().is_empty(), "{:?}", arm.remarks());
     // Nothing is behind the last joint, or none has any.
-    let massless = |text: &str| text.split("<inertial>").map(|part| part.split("</inertial>").last().unwrap()).collect();
+    let massless =
+        |text: &str| text.split("<inertial>").map(|part| part.split("</inertial>").last().unwrap()).collect();
     let all: String = massless(&six());
     let (message, line) = refusal(&all, "tip");
     assert!(message.starts_with("joint `wrist_3_joint` moves nothing with inertia: give <inertial>"), "{message}");
