@@ -26,7 +26,8 @@ pub struct PartReport {
 pub fn edges(parts: &[Part], meshes: &[MeshPart]) -> [f64; 3] {
     let corners = meshes.iter().flat_map(|mesh| {
         let bounds = mesh.solid.bounding_box();
-        let corner = move |index: usize| Point3::from_fn(|axis, _| bounds[index >> axis & 1][axis]);
+        let corner =
+            move |index: usize| Point3::new(bounds[index & 1][0], bounds[index >> 1 & 1][1], bounds[index >> 2 & 1][2]);
         (0..8).map(move |index| mesh.placement * corner(index))
     });
     let vertices = parts.iter().flat_map(|part| part.shape.vertices()).map(|vertex| Point3::from(*vertex));
