@@ -79,7 +79,7 @@ fn a_solve_that_is_interrupted_at_once_leaves_nothing_in_its_folder() {
     // The head of the solver's table: the first homotopy iteration has begun.
     running.read_until("inf_pr");
     running.signal("INT");
-    running.finish().code(130).says("interrupted in homotopy iteration 1; the same command with --resume goes on");
+    running.finish().code(130).says("interrupted in homotopy iteration 1; the same command with --resume resumes it");
     assert!(!dir.exists("out"));
 }
 

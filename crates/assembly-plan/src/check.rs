@@ -332,7 +332,7 @@ fn print_engagement(explanation: &Explanation) {
         say!("nothing guides the body along {axes} at its goal: offsets along {axes} stay");
     }
     if let Some(farthest) = explanation.farthest_rest_m {
-        say!("play lets the body rest up to {:.2} mm from its goal", 1e3 * farthest);
+        say!("clearance lets the body rest up to {:.2} mm from its goal", 1e3 * farthest);
     }
     let offset = explanation.delta_m;
     if let Some(play) = engagement.play_m.filter(|play| *play < 2.0 * offset) {

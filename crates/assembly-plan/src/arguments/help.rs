@@ -21,7 +21,7 @@ pub struct Closing {
 /// Flags by the groups in which help shows them. A flag is in the same group in every command.
 const GROUPS: &[(&str, &[&str])] = &[
     ("Task", &["start", "delta", "homotopy", "starts", "deltas", "homotopies", "matrix"]),
-    ("Parts", &["body", "environment", "unit", "axis", "link"]),
+    ("Parts", &["body", "environment", "unit", "axis", "link", "environment_link"]),
     (
         "Peg",
         &[
@@ -147,20 +147,22 @@ pub const CLOSINGS: &[Closing] = &[
     },
     Closing {
         command: "check",
-        description: "Says what the scene means: sizes, pairs, clearance, and what looks like a mistake.",
+        description: "Begins with a verdict and warnings, then shows sizes, engagement, clearance and pairs.",
         examples: &[
             ("check scenes/peg1.toml", "explain a scene"),
+            ("check scenes/peg1.toml --strict", "exit with 1 at any warning"),
             ("check scenes/peg1.toml --pose '0 0 0.05 1 0 0 0' --json", "distances of all pairs at a pose"),
         ],
-        no_plan: None,
+        no_plan: Some("the goal cannot be reached, or with --strict, there is a warning"),
         files: &[],
     },
     Closing {
         command: "new",
-        description: "The scene explains its keys and is solved as it is. Without meshes it has a square shaft and its hole.",
+        description: "Prints what it found and chose. The scene explains its keys and solves as it is. Without meshes it has a square \
+                      shaft and its hole.",
         examples: &[
             ("new my.toml", "a scene to change by hand"),
-            ("new lid.toml --body lid.stl --environment pot.stl --unit mm --axis z", "a scene of two meshes"),
+            ("new lid.toml --body lid.stl --environment pot.stl --unit mm --offset 0.002", "a scene of two meshes"),
         ],
         no_plan: None,
         files: &[],

@@ -313,14 +313,15 @@ pub struct NewArguments {
     /// Unit of meshes, which need one
     #[arg(long, value_name = "UNIT", value_parser = values::unit(), requires_all = ["body", "environment"])]
     pub unit: Option<String>,
-    /// Direction in which the body is taken out, opposite to the insertion [default: the one in which it gets out, where
-    /// it ends at a stop in the opposite one]
-    #[arg(long, value_name = "AXIS", value_parser = values::axis(), allow_hyphen_values = true, requires = "body", ignore_case = true)]
+    /// Direction in which the body is taken out, opposite to the insertion [default: the one in which it gets out, where it
+    /// ends at a stop in the opposite one]
+    #[arg(long, value_name = "AXIS", value_parser = values::axis(), ignore_case = true, allow_hyphen_values = true)]
+    #[arg(requires = "body")]
     pub axis: Option<Axis>,
     /// Link of the body's model, where that has several
     #[arg(long, value_name = "NAME", requires = "body")]
     pub link: Option<String>,
-    /// Link of the environment's model, likewise
+    /// Link of the environment's model, where that has several
     #[arg(long, value_name = "NAME", requires = "environment")]
     pub environment_link: Option<String>,
     /// How far the body may be off in the gripper (m) [default: 0.001, with meshes or models]

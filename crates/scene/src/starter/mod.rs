@@ -159,7 +159,7 @@ fn shaft_draft(values: &StarterValues) -> Draft {
     let lines = [
         "A square shaft goes into a square hole, half a millimetre wider on every side. Solve it, then make it yours:",
         "  1. body and environment: the shapes of your parts",
-        "  2. goal: where the body shall end; start: where it comes from, without touching anything",
+        "  2. goal: where the body ends; start: where it comes from, without touching anything",
         "  3. impedance: the stiffness of your robot's controller",
         "  4. robustness: how inaccurate the grasp is",
     ];
@@ -199,7 +199,7 @@ fn file_draft(
     let lines = [
         "The body goes to where its file has it in the frame of both files. Check what was found and chosen:",
         "  1. goal: the pose of the body's centre when it is assembled, lifted a little so that it touches nothing",
-        "  2. start: straight out from the goal, where nothing is near; on its way in, the body must touch nothing but what",
+        "  2. start: straight out from the goal, where nothing is near; on its path in, the body must touch nothing but what",
         "     guides it",
         "  3. impedance: the stiffness of your robot's controller",
         "  4. robustness: how inaccurate the grasp is, across the direction in which the body is put in",
