@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use planner::files::{
-    RESOLVED, RolloutRow, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder, require_rollout_tables,
-    to_csv, write_file, write_rollout_tables,
+    RESOLVED, RolloutRow, SimulationRecord, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
+    require_rollout_tables, to_csv, write_file, write_rollout_tables,
 };
 use planner::simulate::overlap_warning;
 use planner::{
@@ -64,7 +64,11 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     overlap_warning(&rollouts).iter().for_each(|warning| tell!("warning: {warning}"));
     let table = SuccessTable::new(&rollouts);
     let successes: Vec<SuccessRow> = table.groups().iter().map(SuccessRow::from).collect();
-    write_rollout_tables(folder, &rows, &successes)?;
+    if let Some((_, problem)) = played.first() {
+        let plans = played.iter().map(|(plan, _)| plan.folder.display().to_string()).collect();
+        let record = SimulationRecord::new(problem, plans, &request.errors);
+        write_rollout_tables(folder, &record, &rows, &successes)?;
+    }
     if let (Some(file), Some(rows)) = (&arguments.trace, trace) {
         write_file(file, &to_csv(rows)?)?;
     }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ::scene::Scene;
-use planner::files::{RolloutRow, SuccessRow, to_csv, write_rollout_tables};
+use planner::files::{RolloutRow, SimulationRecord, SuccessRow, to_csv, write_rollout_tables};
 use planner::simulate::overlap_warning;
 use planner::{Choices, PlannerError, Problem, SuccessTable, simulate};
 use pyo3::prelude::*;
@@ -16,6 +16,7 @@ use crate::plan::PlayedPlan;
 /// The rollouts of a plan.
 #[pyclass(frozen, module = "assembly_plan._planner")]
 pub struct Simulation {
+    record: SimulationRecord,
     rollouts: Vec<RolloutRow>,
     successes: Vec<SuccessRow>,
     table: String,
@@ -38,9 +39,9 @@ impl Simulation {
         &self.table
     }
 
-    /// Writes `rollouts.csv` and `success.csv`.
+    /// Writes `rollouts.csv`, `success.csv` and `simulation.json`.
     fn save(&self, folder: PathBuf) -> PyResult<()> {
-        let written = write_rollout_tables(&folder, &self.rollouts, &self.successes);
+        let written = write_rollout_tables(&folder, &self.record, &self.rollouts, &self.successes);
         written.map_err(|error| exception(&error))
     }
 }
@@ -67,6 +68,7 @@ pub fn play(
     overlap_warning(&rollouts).into_iter().for_each(|warning| watch.warn(warning));
     let table = SuccessTable::new(&rollouts);
     Ok(Simulation {
+        record: SimulationRecord::new(&problem, vec![name], &request.errors),
         rollouts: rollouts.iter().map(|rollout| RolloutRow::new(&folder, &plan.result.start, rollout)).collect(),
         successes: table.groups().iter().map(SuccessRow::from).collect(),
         table: table.to_string(),

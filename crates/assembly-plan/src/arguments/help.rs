@@ -115,6 +115,7 @@ pub const CLOSINGS: &[Closing] = &[
         files: &[
             ("DIR/rollouts.csv", "one row per rollout"),
             ("DIR/success.csv", "success rates by motion, friction and magnitude"),
+            ("DIR/simulation.json", "scene, plans, seed, turn and tolerances"),
         ],
     },
     Closing {

@@ -207,7 +207,7 @@ pub struct SimulateArguments {
     /// nothing else
     #[arg(long, value_name = "LOG", conflicts_with_all = ["source", "trace", "out", "stages", "report"])]
     pub executed: Option<PathBuf>,
-    /// Folder for rollouts.csv and success.csv [default: DIR]
+    /// Folder for rollouts.csv, success.csv and simulation.json [default: DIR]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Also write report.html, a page that shows the success rates, beside them

@@ -9,7 +9,7 @@
 //! | new scenes | [`write_new_scene`] |
 //! | `manifest.jsonl` of a batch | [`Manifest`] |
 //! | `cells.csv`, `cells.json` of a batch | [`cells`] |
-//! | `rollouts.csv`, `success.csv` of a simulation | [`RolloutRow`], [`SuccessRow`] |
+//! | `rollouts.csv`, `success.csv`, `simulation.json` of a simulation | [`RolloutRow`], [`SuccessRow`], [`SimulationRecord`] |
 //! | `executed.csv` of a player | [`PlayedRows`] |
 //!
 //! [`PlanFolder`] writes a plan, [`StoredPlan`] reads one and refuses it when a file was cut or changed.
@@ -26,6 +26,7 @@ mod refinement;
 mod result;
 mod rollouts;
 mod sealed;
+mod simulation_record;
 mod stored_plan;
 mod table;
 pub mod trajectory;
@@ -43,6 +44,7 @@ pub use rollouts::{
     OffsetRow, ROLLOUTS, RolloutRow, SUCCESS, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables,
     write_rollout_tables,
 };
+pub use simulation_record::{SIMULATION, SimulationRecord};
 pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result};
 pub use table::{Value, read_csv, to_csv};
 pub use trajectory::{MotionTables, ScenarioTables, StateRow};

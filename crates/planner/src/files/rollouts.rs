@@ -7,6 +7,7 @@ use simulation::wilson_interval;
 
 use crate::error::PlannerError;
 use crate::files::atomic::{require_folder, write_file};
+use crate::files::simulation_record::{SIMULATION, SimulationRecord};
 use crate::files::table::{Value, has_header, read_csv, to_csv};
 use crate::simulate::PlayedRollout;
 use crate::success_table::SuccessGroup;
@@ -134,35 +135,38 @@ pub fn read_offsets(file: &Path) -> Result<Vec<[f64; 3]>, PlannerError> {
     }
 }
 
-/// Refuses a folder in which something else than older tables of a simulation would be replaced.
+/// Refuses a folder in which something else than older files of a simulation would be replaced.
 ///
 /// # Errors
 /// With the file that would be.
 pub fn require_rollout_tables(folder: &Path) -> Result<(), PlannerError> {
     require_folder(folder)?;
+    SimulationRecord::read_if_there(folder)?;
     require_table::<RolloutRow>(&folder.join(ROLLOUTS))?;
     require_table::<SuccessRow>(&folder.join(SUCCESS))
 }
 
-/// Whether a file is, or would be, one of the tables of a simulation in a folder.
+/// Whether a file is, or would be, one of the files of a simulation in a folder.
 pub fn is_rollout_table(file: &Path, folder: &Path) -> bool {
     // A folder that is missing has no other name yet.
     let place = |folder: &Path| folder.canonicalize().or_else(|_| std::path::absolute(folder)).ok();
     let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let has_name = file.file_name().is_some_and(|name| name == ROLLOUTS || name == SUCCESS);
+    let has_name = file.file_name().is_some_and(|name| name == ROLLOUTS || name == SUCCESS || name == SIMULATION);
     has_name && place(parent) == place(folder)
 }
 
-/// Writes the tables of a simulation into a folder, in the place of older ones.
+/// Writes the tables of a simulation and what they are of into a folder, in the place of older ones.
 ///
 /// # Errors
 /// When something else stands there, or they cannot be written.
 pub fn write_rollout_tables(
     folder: &Path,
+    record: &SimulationRecord,
     rollouts: &[RolloutRow],
     successes: &[SuccessRow],
 ) -> Result<(), PlannerError> {
     require_rollout_tables(folder)?;
+    write_file(&folder.join(SIMULATION), &record.to_json()?)?;
     write_file(&folder.join(ROLLOUTS), &to_csv(rollouts)?)?;
     write_file(&folder.join(SUCCESS), &to_csv(successes)?)
 }

@@ -5,7 +5,9 @@ use std::sync::atomic::AtomicBool;
 use planner::batch::{Manifest, Matrix, collect, expand};
 use planner::files::cells::{CellElement, CellRow};
 use planner::files::trajectory::{read_reference, read_trajectory, write_trajectory};
-use planner::files::{Checkpoint, PlanResult, RolloutRow, StoredPlan, SuccessRow, read_csv, write_rollout_tables};
+use planner::files::{
+    Checkpoint, PlanResult, RolloutRow, SimulationRecord, StoredPlan, SuccessRow, read_csv, write_rollout_tables,
+};
 use planner::{Event, Motion, Session, SimulationRequest, SuccessTable, simulate};
 
 use crate::support::{claim, plan, problem, scene};
@@ -106,11 +108,13 @@ fn the_tables_of_a_simulation_are_read_back() {
     let rollouts = simulate(&problem(0.01), &motions, &SimulationRequest::default(), &session).unwrap();
     let rows: Vec<RolloutRow> = rollouts.iter().map(|rollout| RolloutRow::new(folder.path(), "1", rollout)).collect();
     let successes: Vec<SuccessRow> = SuccessTable::new(&rollouts).groups().iter().map(SuccessRow::from).collect();
-    write_rollout_tables(folder.path(), &rows, &successes).unwrap();
+    let record = SimulationRecord::new(&problem(0.01), vec!["plan".to_owned()], &SimulationRequest::default().errors);
+    write_rollout_tables(folder.path(), &record, &rows, &successes).unwrap();
+    assert_eq!(SimulationRecord::read_if_there(folder.path()).unwrap(), Some(record.clone()));
     assert_eq!(read_csv::<RolloutRow>(&folder.path().join("rollouts.csv")).unwrap(), rows);
     assert_eq!(read_csv::<SuccessRow>(&folder.path().join("success.csv")).unwrap(), successes);
     std::fs::write(folder.path().join("success.csv"), "my,own,table\n").unwrap();
-    assert!(write_rollout_tables(folder.path(), &rows, &successes).is_err());
+    assert!(write_rollout_tables(folder.path(), &record, &rows, &successes).is_err());
 }
 
 #[test]

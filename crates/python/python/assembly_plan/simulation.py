@@ -57,7 +57,7 @@ class Simulation:
         return float(self._rollouts["success"][played].mean())
 
     def save(self, folder: str | os.PathLike[str]) -> None:
-        """Write ``rollouts.csv`` and ``success.csv`` into a folder, in the place of older ones.
+        """Write ``rollouts.csv``, ``success.csv`` and ``simulation.json`` into a folder, in the place of older ones.
 
         Raises `SceneError` where something else stands there.
         """

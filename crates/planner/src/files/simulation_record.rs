@@ -1,0 +1,68 @@
+//! `simulation.json`: what was simulated, beside the tables of it.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::PlannerError;
+use crate::files::atomic::read_text;
+use crate::problem::Problem;
+use crate::simulate::GraspErrors;
+
+/// Name of the file.
+pub const SIMULATION: &str = "simulation.json";
+
+/// What was simulated. The tables beside it have the rest.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SimulationRecord {
+    /// Title of the scene.
+    pub scene: String,
+    /// Folders of the plans.
+    pub plans: Vec<String>,
+    /// Seed of random offsets and turns.
+    pub seed: u64,
+    /// Largest turn of the part in the gripper.
+    pub turn_rad: f64,
+    /// Largest final distance from the goal that counts as success.
+    pub position_tolerance_m: f64,
+    /// Largest final angle to the goal that counts as success.
+    pub angle_tolerance_rad: f64,
+    /// Version of the program that simulated.
+    pub assembly_plan: String,
+}
+
+impl SimulationRecord {
+    /// Of the plans of a problem, with these injected errors.
+    pub fn new(problem: &Problem, plans: Vec<String>, errors: &GraspErrors) -> Self {
+        Self {
+            scene: problem.scene().title.clone(),
+            plans,
+            seed: errors.seed,
+            turn_rad: errors.turn,
+            position_tolerance_m: problem.success().position,
+            angle_tolerance_rad: problem.success().orientation,
+            assembly_plan: env!("CARGO_PKG_VERSION").to_owned(),
+        }
+    }
+
+    /// The record in a folder; none where there is no such file, as beside tables of older versions.
+    ///
+    /// # Errors
+    /// When the file is something else.
+    pub fn read_if_there(folder: &Path) -> Result<Option<Self>, PlannerError> {
+        let file = folder.join(SIMULATION);
+        if file.symlink_metadata().is_err() {
+            return Ok(None);
+        }
+        let record = serde_json::from_str(&read_text(&file)?);
+        record.map(Some).map_err(|error| PlannerError::file(&file, format!("is no record of a simulation: {error}")))
+    }
+
+    /// As the file has it.
+    pub(crate) fn to_json(&self) -> Result<Vec<u8>, PlannerError> {
+        let mut json =
+            serde_json::to_vec_pretty(self).map_err(|_| PlannerError::Internal("the record of a simulation"))?;
+        json.push(b'\n');
+        Ok(json)
+    }
+}
