@@ -20,7 +20,18 @@ fn the_page_of_a_plan_holds_its_motions() {
     let (motions, result) = (list(&page, "motions"), dir.result("plan"));
     let sources: Vec<&str> = motions.iter().map(|motion| motion["source"].as_str().unwrap()).collect();
     let stages = list(&result, "stages").len();
-    assert_eq!(sources, [vec!["plan"], vec!["iteration"; stages], vec!["rollouts"; 3]].concat());
+    assert_eq!(sources, [vec!["plan"], vec!["rollouts"; 3], vec!["iteration"; stages]].concat());
+    // Distances are known from the start on, forces in each step.
+    for scenario in motions.iter().flat_map(|motion| list(motion, "scenarios")) {
+        let (knots, steps) = (list(scenario, "poses").len() / 7, list(scenario, "forces").len());
+        assert_eq!((list(scenario, "distances").len(), steps), (knots, knots - 1));
+        let largest = list(scenario, "forces").iter().map(|force| force.as_f64().unwrap()).fold(0.0, f64::max);
+        assert!(number(scenario, "max_force") >= largest - 2e-3, "the mean over 10 ms is not below that over a step");
+    }
+    // Homotopy iterations would be most of the page.
+    for iteration in &motions[4..] {
+        assert!(list(iteration, "scenarios").iter().all(|scenario| list(scenario, "wrenches").is_empty()));
+    }
 
     // The plan is that of its tables.
     let reference = dir.table("plan/reference.csv");
@@ -87,6 +98,12 @@ fn a_simulation_has_a_page_and_is_part_of_its_plans() {
     dir.run("simulate corner.toml plan --random 4 --friction 0,0.1 --out rates --report").code(0);
     let page = data(&dir, "rates/report.html");
     assert_eq!((page["kind"].as_str(), list(&page, "groups").len()), (Some("simulation"), 4));
+    let record: Value = serde_json::from_str(&dir.read("rates/simulation.json")).unwrap();
+    assert_eq!(page["record"], record);
+    assert_eq!((record["scene"].as_str(), record["seed"].as_u64()), (Some("corner"), Some(1)));
+    assert_eq!(record["plans"].as_array().unwrap(), &["plan"]);
+    dir.write("rates/simulation.json", "mine");
+    dir.run("simulate corner.toml plan --out rates").code(2).says("simulation.json: is no record of a simulation");
     dir.run("simulate corner.toml plan --report").code(0);
     assert_eq!(list(&data(&dir, "plan/report.html")["simulation"], "groups").len(), 2);
 }

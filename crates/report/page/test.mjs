@@ -7,10 +7,13 @@ import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
+import { linearRange, linearTicks, logarithmicRange, logarithmicTicks } from "./src/ticks.js";
 
 const [folder, pictures] = process.argv.slice(2);
 const DESKTOP = { width: 1280, height: 860 };
 const PHONE = { width: 390, height: 844 };
+/** Widths beside those at which the layout changes. */
+const WIDTHS = [390, 900, 901, 1280, 1699, 1700];
 const FLAGS = ["--headless=new", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"];
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -18,9 +21,10 @@ const TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-prac
 
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: FLAGS });
 
-/** Opens a page, which must neither complain nor ask for anything but files. */
-async function open(name, viewport = DESKTOP, colorScheme = "light") {
+/** Opens a page, which must neither complain nor ask for anything but files; `prepare` may change the browser before. */
+async function open(name, viewport = DESKTOP, colorScheme = "light", prepare = null) {
   const page = await browser.newPage({ viewport, colorScheme, reducedMotion: "reduce" });
+  if (prepare) await page.addInitScript(prepare);
   page.on("console", (message) => assert.fail(`${name}: ${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => assert.fail(`${name}: ${error.stack}`));
   page.on("request", (request) => assert.match(request.url(), /^(file|data):/, `${name} asks for ${request.url()}`));
@@ -56,6 +60,15 @@ const scrub = (page, share) =>
   }, share);
 const cursor = (page) => page.locator(".now").first().evaluate((line) => line.getBoundingClientRect().left);
 
+/** Turns the 3D view. */
+async function drag(page) {
+  const { x, y, width, height } = await page.locator("canvas").first().boundingBox();
+  await page.mouse.move(x + 0.5 * width, y + 0.5 * height);
+  await page.mouse.down();
+  await page.mouse.move(x + 0.6 * width, y + 0.55 * height);
+  await page.mouse.up();
+}
+
 /** Does something that must change the picture. */
 async function changesPicture(page, what, action) {
   const before = await picture(page);
@@ -63,8 +76,165 @@ async function changesPicture(page, what, action) {
   assert.notEqual(await picture(page), before, `${what} changes nothing that is seen`);
 }
 
+/** Axes have three labels or more, and show limits and where values end. */
+function testTicks() {
+  const ranges = [[0, 1], [-0.013, 0.0071], [0, 963], [-40, -1e-3], [0.0099, 0.0101]];
+  for (const range of ranges) {
+    const ticks = linearTicks(range, 4);
+    assert.ok(ticks.length >= 3 && ticks.every((tick) => tick >= range[0] - 1e-9 && tick <= range[1] + 1e-9), `${range}: ${ticks}`);
+  }
+  assert.deepEqual(linearTicks([-1, 1], 4), [-1, -0.5, 0, 0.5, 1]);
+  assert.deepEqual(linearRange([0, 0, null], []), [0, 1], "a force that is always zero has an axis");
+  assert.ok(linearRange([0, 19], [20])[1] >= 20, "a limit that is near is drawn");
+  assert.ok(linearRange([0, 1], [20])[1] < 2, "one that is far does not flatten the lines");
+  for (const [lists, limits] of [[[[90, 30, 0.04]], [3, 20]], [[[1e-3, 1e-3]], [5.7]], [[[0, 0]], [3]], [[[90, 80, 70]], [3]]]) {
+    const range = logarithmicRange(lists, limits);
+    const ends = [...lists.flat().slice(-1), ...limits].filter((value) => value > 0);
+    assert.ok(ends.every((value) => value > range[0] || value < 1e-4 * range[1]) && limits.every((value) => value < range[1]), `${range}`);
+    assert.ok(logarithmicTicks(range).length >= 3, `${range}: ${logarithmicTicks(range)}`);
+  }
+}
+
+/** No table and no text lies below the 3D view, however wide the window and however far it is scrolled. */
+async function testLayout(name) {
+  for (const width of WIDTHS) {
+    const page = await open(name, { width, height: 900 });
+    await page.$$eval("details", (nodes) => nodes.forEach((node) => (node.open = true)));
+    const covered = await page.evaluate(() => {
+      const found = [];
+      const end = document.documentElement.scrollHeight - innerHeight;
+      for (let step = 0; step <= 20; step += 1) {
+        scrollTo({ top: (end * step) / 20, behavior: "instant" });
+        const stage = document.querySelector(".stage").getBoundingClientRect();
+        for (const node of document.querySelectorAll(".card, .verdict, .plot, table")) {
+          const box = node.getBoundingClientRect();
+          const [across, down] = [Math.min(box.right, stage.right) - Math.max(box.left, stage.left), Math.min(box.bottom, stage.bottom) - Math.max(box.top, stage.top)];
+          if (across > 0.5 && down > 0.5) found.push(`${node.className || node.tagName} at ${scrollY}`);
+        }
+      }
+      return found;
+    });
+    assert.deepEqual(covered, [], `${name}, ${width} wide: covered by the 3D view`);
+    await page.close();
+  }
+}
+
+/** Colours of the pixels along the edges of the 3D view. */
+async function edgeColours(page) {
+  await settle(page);
+  const shot = (await page.locator("canvas").first().screenshot()).toString("base64");
+  return page.evaluate(async (data) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d", { willReadFrequently: true });
+    context.drawImage(image, 0, 0);
+    const { width, height } = image;
+    // What is fixed at the page's edges may lie upon the outermost pixels.
+    const sides = [[2, 2, width - 4, 1], [2, height - 3, width - 4, 1], [2, 2, 1, height - 4], [width - 3, 2, 1, height - 4]];
+    const pixels = sides.flatMap((side) => Array.from(new Uint32Array(context.getImageData(...side).data.buffer)));
+    return new Set(pixels).size;
+  }, shot);
+}
+
+/** All parts are in the first view, at any time of the motion: nothing reaches its edges. */
+async function testView(name) {
+  for (const viewport of [DESKTOP, PHONE, { width: 901, height: 700 }, { width: 1700, height: 900 }]) {
+    const page = await open(name, viewport);
+    await page.getByLabel("Forces").uncheck();
+    for (const share of [0, 0.5, 1]) {
+      await scrub(page, share);
+      assert.equal(await edgeColours(page), 1, `${name}, ${viewport.width} wide: a part is cut off at ${share} of the motion`);
+    }
+    await page.getByRole("button", { name: "View X" }).click();
+    assert.equal(await edgeColours(page), 1, `${name}, ${viewport.width} wide: a part is cut off along x`);
+    await page.close();
+  }
+}
+
+/** Plots have names, units and values everywhere, and lines that differ without colours. */
+async function testPlots(name, limits) {
+  const page = await open(name);
+  const plots = await page.$$eval(".plot", (figures) =>
+    figures.map((figure) => ({
+      title: figure.querySelector("b").textContent,
+      axes: [...figure.querySelectorAll(".axes > span")].map((node) => node.textContent),
+      dashes: [...figure.querySelectorAll(".key line")].map((line) => line.getAttribute("stroke-dasharray")),
+      values: [...figure.querySelectorAll(".key output")].map((node) => node.textContent),
+      words: figure.querySelector(".u-over").getAttribute("aria-label"),
+      height: figure.querySelector(".u-over").clientHeight,
+    })),
+  );
+  assert.ok(plots.length >= 8, `${name}: ${plots.length} plots`);
+  for (const { title, axes, dashes, values, words, height } of plots) {
+    assert.match(axes[0], /^[a-z ]+ \(\S+\)(, log)?$/, title);
+    assert.equal(axes[1], "time (s)", title);
+    assert.equal(new Set(dashes).size, Math.min(dashes.length, 8), `${title}: lines have the same dashes`);
+    assert.ok(values.length === dashes.length && values.every((value) => /\d/.test(value)), `${title} at the start: ${values}`);
+    assert.match(words, /over time.*at the end .*\d/, title);
+    assert.ok(height >= 120, `${title} is ${height} px high`);
+  }
+  for (const [title, words] of limits) {
+    assert.ok(plots.some((plot) => plot.title.startsWith(title) && plot.words.includes(words)), `${title}: ${words} is drawn`);
+  }
+  // Under the pointer, values are those there.
+  const value = () => page.locator(".plot output").first().textContent();
+  const before = await value();
+  const box = await page.locator(".u-over").first().boundingBox();
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + 0.5 * box.height);
+  assert.notEqual(await value(), before, "values follow the pointer");
+  await page.mouse.move(2, 2);
+  assert.equal(await value(), before, "and return to the shown instant");
+  await page.close();
+}
+
+/** The page begins with what is to be thought of the plan. */
+async function testVerdict(name, standing, words) {
+  const page = await open(name);
+  assert.equal(await page.locator("main > :first-child").getAttribute("class"), `verdict ${standing}`, name);
+  const said = await page.locator(".verdict").textContent();
+  const must = [words, /end within [\d.]+ mm and [\d.]+°/, /largest contact force[\d.]+ N, /, /duration[\d.]+ s/, /stiffness/, /Tested with/, /Not tested with/];
+  must.forEach((part) => assert.match(said, part, name));
+  assert.equal(await page.locator("h1 .chip").getAttribute("class"), `chip ${standing}`, "the status has the colour of the verdict");
+  await page.close();
+}
+
+/** A rate of few rollouts is not as green as one of many. */
+async function testRates(name) {
+  const page = await open(name);
+  const cells = await page.$$eval(".rate", (nodes) => nodes.map((node) => [Number(node.style.getPropertyValue("--rate")), node.textContent]));
+  assert.ok(cells.length > 0, `${name} has rates`);
+  for (const [rate, words] of cells) {
+    const [, successes, rollouts, low] = words.match(/%(\d+)\/(\d+), (\d+)/).map(Number);
+    assert.ok(Math.abs(100 * rate - low) <= 0.5 && rate < successes / rollouts + 1e-9 && rate < 1, words);
+  }
+  await page.close();
+}
+
+/** Without WebGL the page says so, where nothing hides it. */
+async function testWithoutGraphics(name) {
+  const page = await open(name, DESKTOP, "light", () => {
+    const context = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...others) {
+      return kind.startsWith("webgl") ? null : context.call(this, kind, ...others);
+    };
+    console.error = () => {};
+  });
+  const notice = page.locator(".notice");
+  assert.match(await notice.textContent(), /cannot draw in 3D.*plots work/s);
+  await notice.scrollIntoViewIfNeeded();
+  const isSeen = await notice.evaluate((node) => {
+    const { left, top, width, height } = node.getBoundingClientRect();
+    return document.elementFromPoint(left + 0.5 * width, top + 0.5 * height) === node;
+  });
+  assert.ok(isSeen, "nothing hides the notice");
+  assert.ok((await page.locator(".plot").count()) > 0);
+  await page.close();
+}
+
 async function testPlan(name) {
   const page = await open(name);
+  assert.equal(await page.getByRole("button", { name: /^Hard contact/ }).first().getAttribute("aria-pressed"), "true", "hard contact is shown first");
+  assert.ok(await page.getByRole("button", { name: "Homotopy", exact: true }).isHidden(), "the homotopy is in a drawer");
+  assert.match(await page.locator(".scale").textContent(), /^[125]0* N$|^0\.0*[125] N$/, "arrows have a scale");
   const [start, left] = [await clock(page), await cursor(page)];
   await changesPicture(page, "scrubbing", () => scrub(page, 0.6));
   assert.ok((await clock(page)) > start, "the clock follows");
@@ -89,17 +259,18 @@ async function testPlan(name) {
   }
   await changesPicture(page, "the reference", () => page.getByLabel("Reference").uncheck());
   await changesPicture(page, "forces", () => page.getByLabel("Forces").uncheck());
-  await changesPicture(page, "hiding a scenario", () => page.getByRole("button", { name: /^Show Scenario 1/ }).click());
+  await changesPicture(page, "hiding a scenario", () => page.getByRole("button", { name: /^Show scenario 1/ }).click());
   await changesPicture(page, "the cut", () => page.getByLabel("Cut", { exact: true }).selectOption("x"));
   await changesPicture(page, "the place of the cut", () => page.getByLabel("Place of the cut").fill("0.4"));
   await page.getByLabel("Cut", { exact: true }).selectOption("none");
   await changesPicture(page, "the homotopy", async () => {
+    await page.getByText("How the plan was found").click();
     await page.getByRole("button", { name: "Homotopy", exact: true }).click();
     await page.getByRole("slider", { name: "Homotopy iteration" }).fill("1");
   });
   await changesPicture(page, "smoothed shapes", () => page.getByLabel("Smoothed shapes").uncheck());
   await changesPicture(page, "a rollout", () => page.getByRole("button", { name: /^Hard contact, friction 0\.1/ }).click());
-  await changesPicture(page, "orbiting", () => page.mouse.move(300, 300).then(() => page.mouse.down()).then(() => page.mouse.move(380, 330)).then(() => page.mouse.up()));
+  await changesPicture(page, "orbiting", () => drag(page));
   await changesPicture(page, "dark colours", () => page.getByRole("button", { name: /Switch to dark/ }).click());
   await page.close();
 }
@@ -121,9 +292,11 @@ async function testArm(name) {
   for (const plot of ["Joint positions", "Joint speeds", "Joint torques"]) {
     assert.equal(await page.getByText(`${plot}, scenario 1`).count(), 1, plot);
   }
+  assert.match(await page.locator(".plot", { hasText: "Joint speeds" }).locator(".legend").textContent(), /\(±[\d.]+\)/, "limits of joints");
   await changesPicture(page, "the arm", () => page.getByLabel("Arm").uncheck());
-  await page.getByRole("button", { name: /^Hard contact/ }).first().click();
-  assert.ok(await page.getByLabel("Arm").isHidden(), "joints are known along the plan");
+  await page.getByText("How the plan was found").click();
+  await page.getByRole("button", { name: "Homotopy", exact: true }).click();
+  assert.ok(await page.getByLabel("Arm").isHidden(), "nobody computes joints of homotopy iterations");
   await page.close();
 }
 
@@ -132,7 +305,7 @@ async function testExecuted(name) {
   const page = await open(name);
   const button = (words) => page.getByRole("button", { name: words });
   assert.equal(await button("Executed: executed.csv").getAttribute("aria-pressed"), "true", "the page opens with the first log");
-  assert.match(await page.locator("main").textContent(), /If the part ended at its goal.*was stopped.*force of 41 N/s);
+  assert.match(await page.locator("main").textContent(), /if the part ended at its goal.*was stopped.*force of 41 N/s);
   const plot = (title) => page.getByText(title, { exact: true }).count();
   assert.equal(await plot("Distance between robot and rollout"), 1);
   assert.equal(await plot("Measured force at the tool, robot"), 1);
@@ -155,7 +328,9 @@ async function testBatch(name) {
 
 async function testSimulation(name) {
   const page = await open(name);
-  assert.match(await page.locator("main").textContent(), /straight push/);
+  const words = await page.locator("main").textContent();
+  assert.match(words, /straight push/);
+  assert.match(words, /scene\s*peg1.*plan\S*\/plan.*within [\d.]+ mm.*seed\s*1.*assembly-plan \d/s, "it can be repeated");
   await page.close();
 }
 
@@ -183,7 +358,16 @@ async function takePicture(name, file, viewport, colours, share) {
   await page.close();
 }
 
+testTicks();
 try {
+  await testVerdict("plan/report.html", "open", /smoothed model only.* of 9 rollouts/s);
+  await testVerdict("robust/report.html", "good", /reaches the goal: .*hard contact, friction 0\.3/s);
+  await testVerdict("lossy/report.html", "bad", /does not do what was asked for/);
+  for (const name of ["plan", "robust"]) await testLayout(`${name}/report.html`);
+  for (const name of ["plan", "robust"]) await testView(`${name}/report.html`);
+  await testPlots("plan/report.html", [["Position error", "tolerance 3 mm"], ["Position error", "offset 20 mm"], ["Orientation error", "tolerance"]]);
+  for (const name of ["robust", "lossy", "simulation"]) await testRates(`${name}/report.html`);
+  await testWithoutGraphics("plan/report.html");
   await testPlan("plan/report.html");
   await testPlan("robust/report.html");
   await testBatch("batch/report.html");
@@ -201,8 +385,8 @@ try {
     console.log(`${name}: ${await framesPerSecond(join(name, "report.html"))}`);
   }
   if (pictures) {
-    await takePicture("plan/report.html", "report.png", { width: 1200, height: 780 }, "light", 0.62);
-    await takePicture("clamp/report.html", "report-dark.png", { width: 1200, height: 780 }, "dark", 0.8);
+    await takePicture("plan/report.html", "report.png", { width: 1200, height: 1080 }, "light", 0.62);
+    await takePicture("clamp/report.html", "report-dark.png", { width: 1200, height: 1080 }, "dark", 0.8);
   }
 } finally {
   await browser.close();

@@ -69,6 +69,8 @@ mod tests {
             errors: None,
             effort: None,
             rate: None,
+            turn: None,
+            versions: None,
         };
         PageData::Batch(BatchData { title: title.to_owned(), cells: vec![cell], simulation: None })
     }

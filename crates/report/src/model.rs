@@ -1,7 +1,7 @@
 //! What a page shows, as the JSON that is embedded in it. Lengths in m, angles in rad, forces in N, times in s; the
 //! page itself converts to what people read.
 
-use planner::files::{PlanResult, SuccessRow};
+use planner::files::{PlanResult, SimulationRecord, SuccessRow, Versions};
 use serde::Serialize;
 
 /// The data of one page.
@@ -33,16 +33,30 @@ pub struct PlanData {
     pub environment: Vec<PartData>,
     /// Names of all pairs, `BODY PART/ENVIRONMENT PART`.
     pub pairs: Vec<String>,
-    /// The plan first, then the homotopy iterations, rollouts with hard contact, and what robots did.
+    /// The plan in the smoothed model, rollouts with hard contact, the homotopy iterations, and what robots did. A robust
+    /// plan begins with the rollouts: it has no other model.
     pub motions: Vec<MotionData>,
-    /// How the arm of the scene moves, if there is one.
-    pub arm: Option<ArmData>,
+    /// Joints of the scene's arm; none without one.
+    pub joints: Vec<JointData>,
+    /// How deep the parts engage (m); null where nothing guides the body at its goal.
+    pub engagement_depth: Option<f64>,
+    /// What rollouts vary besides offsets.
+    pub errors: ErrorsData,
     /// Warnings, and why the plan is not done: sentences without full stops.
     pub notes: Vec<String>,
     /// What a plan that is not robust loses most, likewise.
     pub weakest: Vec<String>,
     /// Success rates of the last `simulate` in this folder.
     pub simulation: Option<SimulationData>,
+}
+
+/// Errors of the execution that rollouts of a plan vary besides offsets, and those that they do not.
+#[derive(Debug, Clone, Serialize)]
+pub struct ErrorsData {
+    /// Those that the scene asks for, with their size.
+    pub varied: Vec<String>,
+    /// The names of the others.
+    pub left_out: Vec<String>,
 }
 
 /// A convex part.
@@ -60,7 +74,7 @@ pub struct PartData {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "source", rename_all = "snake_case")]
 pub enum Source {
-    /// The plan.
+    /// The plan in the smoothed model.
     Plan,
     /// A homotopy iteration, counted from 1, with its smoothing.
     Iteration {
@@ -90,6 +104,8 @@ pub struct MotionData {
     pub reference: Vec<f64>,
     /// One per grasp error; of what a robot did, the robot and a rollout.
     pub scenarios: Vec<ScenarioData>,
+    /// Joints of the arm in each scenario; none without an arm, where it does not reach, and where that is not known.
+    pub courses: Vec<JointCourse>,
     /// Of what a robot did, what the log tells.
     pub execution: Option<ExecutionData>,
 }
@@ -124,29 +140,21 @@ pub struct ScenarioData {
     pub success: bool,
     /// Poses, seven numbers each.
     pub poses: Vec<f64>,
-    /// Wrenches of the impedance controller from the first step on, six numbers each: force (world), torque (body).
+    /// Wrenches of the impedance controller from the first step on, six numbers each: force (world), torque (body); empty
+    /// for homotopy iterations.
     pub wrenches: Vec<f64>,
-    /// Smallest distance of all pairs after each step; null where it is not known.
+    /// Smallest distance of all pairs at each knot; null where it is not known.
     pub distances: Vec<f64>,
-    /// Sum of the normal forces of all pairs in each step; empty where it is not known.
+    /// Normal force of the pair that pushes most in each step; empty where it is not known.
     pub forces: Vec<f64>,
+    /// Largest contact force; null where it is not known.
+    pub max_force: f64,
     /// What a robot measured at its tool point in each step, along the axes of its base: force, torque; six numbers each.
     /// Empty where there is no such measurement.
     pub measured: Vec<f64>,
     /// Where pairs push in each step: pair, force, point (m, world frame) and direction of the force on the body; eight
-    /// numbers each.
+    /// numbers each; empty for homotopy iterations.
     pub contacts: Vec<Vec<f64>>,
-}
-
-/// Joints along the plan, one course per scenario.
-#[derive(Debug, Clone, Serialize)]
-pub struct ArmData {
-    /// The joints.
-    pub joints: Vec<JointData>,
-    /// Times between two knots (s).
-    pub time_step: f64,
-    /// One per scenario of the plan.
-    pub scenarios: Vec<JointCourse>,
 }
 
 /// A joint and its limits; null where it has none.
@@ -214,6 +222,10 @@ pub struct CellData {
     pub effort: Option<(usize, f64)>,
     /// Success rate of a robust plan.
     pub rate: Option<f64>,
+    /// Largest turn of the part in the gripper that was asked for (rad).
+    pub turn: Option<f64>,
+    /// Versions of the programs that planned it.
+    pub versions: Option<Versions>,
 }
 
 /// The rates of success of a simulation.
@@ -221,6 +233,8 @@ pub struct CellData {
 pub struct SimulationData {
     /// Name of its folder.
     pub title: String,
+    /// What was simulated; not known of tables of older versions.
+    pub record: Option<SimulationRecord>,
     /// `success.csv`.
     pub groups: Vec<SuccessRow>,
 }

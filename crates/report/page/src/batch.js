@@ -1,23 +1,46 @@
 // The page of a batch: its cells as a matrix, with a link into each plan's page.
-import { card, chip, element, pageHead, table } from "./dom.js";
+import { card, chip, element, facts, pageHead, table } from "./dom.js";
 import { rateMatrix } from "./simulation.js";
 import { themeButton } from "./theme.js";
-import { magnitude, millimetres, percent } from "./words.js";
+import { degrees, magnitude, millimetres, percent } from "./words.js";
 
 export function batchPage(root, data) {
   const count = (state) => data.cells.filter((cell) => cell.state === state).length;
   const done = count("done");
-  const states = ["done", "failed", "running", "to do"].filter((state) => count(state) > 0);
+  const states = ["done", "planned", "failed", "running", "to do"].filter((state) => count(state) > 0);
+  const worst = ["failed", "running", "to do", "planned", "done"].find((state) => count(state) > 0);
   root.append(
     pageHead(
       data.title,
-      chip(`${done} of ${data.cells.length} done`, done === data.cells.length),
+      chip(`${done} of ${data.cells.length} done`, standing(worst)),
       ["batch", ...states.map((state) => `${count(state)} ${state}`)],
       themeButton(),
     ),
-    element("main", { class: "single" }, matrices(data.cells), data.simulation ? rateMatrix(data.simulation) : "", list(data.cells)),
+    element("main", {}, madeFrom(data.cells), matrices(data.cells), data.simulation ? rateMatrix(data.simulation) : "", list(data.cells)),
   );
 }
+
+/** What the cells were made from. */
+function madeFrom(cells) {
+  const distinct = (of) => [...new Set(cells.map(of).filter((value) => value !== null && value !== undefined))];
+  const sorted = (numbers) => numbers.sort((one, other) => one - other);
+  const program = ({ versions }) => versions && `assembly-plan ${versions.assembly_plan}, Ipopt ${versions.ipopt}`;
+  return card(
+    "Made from",
+    facts([
+      ["scenes", distinct(({ scene }) => scene).join(", ")],
+      ["homotopies", distinct(({ homotopy }) => homotopy).join(", ") || "of the scenes"],
+      ["starts", distinct(({ start }) => start).join(", ")],
+      ["offsets", sorted(distinct(({ delta }) => delta)).map(magnitude).join(", ")],
+      ["turns in the gripper", sorted(distinct(({ turn }) => turn)).map(degrees).join(", ")],
+      ["written by", distinct(program).join("; ")],
+    ]),
+  );
+}
+
+/** Colours of states. */
+const STANDINGS = { done: "good", planned: "open" };
+const standing = (state) => STANDINGS[state] ?? "bad";
 
 /** One matrix per scene and homotopy: starts down, magnitudes across. */
 function matrices(cells) {
@@ -53,7 +76,7 @@ function list(cells) {
       homotopy ? `${scene}, ${homotopy}` : scene,
       start,
       magnitude(delta),
-      chip(state, state === "done"),
+      chip(state, standing(state)),
       status,
       effort ? String(effort[0]) : "–",
       effort ? `${effort[1].toFixed(1)} s` : "–",

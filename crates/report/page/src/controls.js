@@ -1,11 +1,18 @@
 // Play, scrub, choose what is shown; keys.
-import { element } from "./dom.js";
+import { drawing, element } from "./dom.js";
 import { duration } from "./state.js";
 import { scenarioColour } from "./theme.js";
 import { VIEWS } from "./scene.js";
-import { capitalised, injectionInWords, scenarioName, short } from "./words.js";
+import { injectionInWords, newtons, scenarioName, short } from "./words.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
+/** An open eye, and a closed one: strokes in a square of 16. */
+const EYES = {
+  true: ["M1 8C3 4.5 5.3 3 8 3s5 1.5 7 5c-2 3.5-4.3 5-7 5S3 11.5 1 8Z", "M8 6a2 2 0 1 0 0 4a2 2 0 1 0 0-4Z"],
+  false: ["M1 7c2 3.5 4.3 5 7 5s5-1.5 7-5", "M3 9.8L1.5 11.8M8 12v2.5M13 9.8l1.5 2"],
+};
+/** Shortest arrow of the scale (px). */
+const SCALE = 34;
 
 /** Time goes on while the page plays; the motion begins again at its end. */
 export function runClock(data, shown) {
@@ -60,15 +67,14 @@ function toggle(shown) {
   shown.set({ playing: !shown.values.playing });
 }
 
-/** Which motion is shown: the plan, a homotopy iteration, rollouts or what a robot did. */
+/** Which motion is shown: rollouts and what robots did first, how the plan was found in a drawer. */
 export function motionChoice(data, shown) {
-  const first = (source) => data.motions.findIndex((motion) => motion.source === source);
-  const iterations = data.motions.filter(({ source }) => source === "iteration");
-  const rollouts = data.motions.filter(({ source }) => source === "rollouts");
-  const executed = data.motions.filter(({ source }) => source === "executed");
+  const from = (source) => data.motions.filter((motion) => motion.source === source);
+  const indexOf = (motion) => data.motions.indexOf(motion);
+  const [iterations, smoothed] = [from("iteration"), from("plan")];
   const choose = (motion) => shown.set({ motion, selected: 0, hidden: new Set(), time: ofSameShare(data, shown.values, motion) });
   const button = (name, motion, isShown) => {
-    const node = element("button", { type: "button", click: () => choose(motion) }, name);
+    const node = element("button", { type: "button", click: () => choose(indexOf(motion)) }, name);
     shown.on(["motion"], (values) => node.setAttribute("aria-pressed", isShown(data.motions[values.motion])));
     return node;
   };
@@ -78,13 +84,32 @@ export function motionChoice(data, shown) {
     max: iterations.length,
     step: 1,
     "aria-label": "Homotopy iteration",
-    input: () => choose(first("iteration") + Number(slider.value) - 1),
+    input: () => choose(indexOf(iterations[Number(slider.value) - 1])),
   });
   const label = element("output", {});
   const row = element("label", { class: "iteration" }, label, slider);
+  const drawer = element(
+    "details",
+    { class: "homotopy" },
+    element("summary", {}, "How the plan was found: smoothed model and homotopy"),
+    element(
+      "p",
+      {},
+      "The solver replaces hard contact by a smoothed model, in which shapes have rounded corners and push from a distance, " +
+        "and hardens it from one homotopy iteration to the next. No robot moves like that.",
+    ),
+    element(
+      "div",
+      { class: "segments", role: "group", "aria-label": "Smoothed motion" },
+      smoothed.map((motion) => button("Smoothed plan", motion, ({ source }) => source === "plan")),
+      button("Homotopy", iterations.at(-1), ({ source }) => source === "iteration"),
+    ),
+    row,
+  );
   shown.on(["motion"], ({ motion }) => {
     const { source, number, tau } = data.motions[motion];
     row.hidden = source !== "iteration";
+    drawer.open ||= source === "iteration" || source === "plan";
     if (source !== "iteration") return;
     slider.value = number;
     slider.setAttribute("aria-valuetext", `${number} of ${iterations.length}`);
@@ -93,19 +118,15 @@ export function motionChoice(data, shown) {
   const choices = element(
     "div",
     { class: "segments", role: "group", "aria-label": "Motion" },
-    button("Plan", 0, ({ source }) => source === "plan"),
-    button("Homotopy", first("iteration") + iterations.length - 1, ({ source }) => source === "iteration"),
-    [...rollouts, ...executed].map((motion) =>
-      button(motionName(motion), data.motions.indexOf(motion), (other) => other === motion),
-    ),
+    [...from("executed"), ...from("rollouts")].map((motion) => button(motionName(motion), motion, (other) => other === motion)),
   );
-  return [choices, row];
+  return { choices, drawer };
 }
 
 function motionName({ friction, scenarios, execution }) {
   if (execution) return `Executed: ${execution.log}`;
   const failed = scenarios.filter(({ success }) => !success).length;
-  const result = failed === 0 ? "" : ` (${failed} ${failed === 1 ? "fails" : "fail"})`;
+  const result = failed === 0 ? "" : ` (${failed} of ${scenarios.length} ${failed === 1 ? "fails" : "fail"})`;
   return `Hard contact, friction ${short(friction)}${result}`;
 }
 
@@ -122,7 +143,8 @@ export function scenarioChoice(data, shown) {
     list.replaceChildren(
       ...data.motions[motion].scenarios.map((scenario, index) => {
         const { execution } = data.motions[motion];
-        const ownName = capitalised(scenarioName(data.motions[motion], index));
+        const ownName = scenarioName(data.motions[motion], index);
+        const isShown = !hidden.has(index);
         const name = `${ownName}: ${injectionInWords(scenario)}`;
         const select = element(
           "button",
@@ -141,12 +163,13 @@ export function scenarioChoice(data, shown) {
           {
             class: "eye",
             type: "button",
+            title: `${isShown ? "Hide" : "Show"} ${ownName}`,
             "aria-label": `Show ${name}`,
-            "aria-pressed": String(!hidden.has(index)),
+            "aria-pressed": String(isShown),
             "data-name": `show ${index}`,
             click: () => shown.set({ hidden: hidden.has(index) ? without(hidden, index) : new Set([...hidden, index]) }),
           },
-          hidden.has(index) ? "○" : "●",
+          drawing("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, EYES[isShown].map((d) => drawing("path", { d }))),
         );
         return element("span", { class: "scenario" }, select, eye);
       }),
@@ -165,8 +188,8 @@ function without(set, member) {
   return new Set([...set].filter((other) => other !== member));
 }
 
-/** What is drawn besides the bodies, views and the cut. */
-export function viewOptions(data, shown, view) {
+/** What is drawn besides the bodies, and the cut. */
+export function viewOptions(data, shown) {
   const check = (name, key) => {
     const box = element("input", { type: "checkbox", change: () => shown.set({ [key]: box.checked }) });
     shown.on([key], (values) => (box.checked = values[key]));
@@ -174,8 +197,8 @@ export function viewOptions(data, shown, view) {
   };
   const smoothed = check("Smoothed shapes", "showSmoothed");
   shown.on(["motion"], ({ motion }) => (smoothed.hidden = data.motions[motion].source !== "iteration"));
-  const arm = data.arm ? check("Arm", "showArm") : null;
-  if (arm) shown.on(["motion"], ({ motion }) => (arm.hidden = data.motions[motion].source !== "plan"));
+  const arm = data.joints.length > 0 ? check("Arm", "showArm") : null;
+  if (arm) shown.on(["motion"], ({ motion }) => (arm.hidden = data.motions[motion].courses.length === 0));
   const cut = element(
     "select",
     { change: () => shown.set({ cut: cut.value }) },
@@ -195,16 +218,40 @@ export function viewOptions(data, shown, view) {
     cut.value = values.cut;
   });
   cut.setAttribute("aria-label", "Cut");
+  return element("div", { class: "options" }, check("Reference", "showReference"), check("Forces", "showForces"), arm, smoothed, cut, depth);
+}
+
+/** Buttons of the directions from which the view looks. */
+export function viewChoice(view) {
+  const button = (name) => element("button", { type: "button", "aria-label": `View ${name}`, click: () => view.look(name) }, name);
+  return element("div", { class: "views", role: "group", "aria-label": "View" }, Object.keys(VIEWS).map(button));
+}
+
+/** The arrow of a round force, as long as it is in the middle of the view. */
+export function forceScale(shown) {
+  const line = drawing("path", { d: "M0 6H0" });
+  const words = element("span", {});
+  const scale = element("span", { class: "scale" }, drawing("svg", { height: 12, "aria-hidden": "true" }, line), words);
+  shown.on(["showForces"], ({ showForces }) => (scale.hidden = !showForces));
   return {
-    options: element("div", { class: "options" }, check("Reference", "showReference"), check("Forces", "showForces"), arm, smoothed, cut, depth),
-    views: element(
-      "div",
-      { class: "views", role: "group", "aria-label": "View" },
-      Object.keys(VIEWS).map((name) =>
-        element("button", { type: "button", "aria-label": `View ${name}`, click: () => view.look(name) }, name),
-      ),
-    ),
+    scale,
+    /** For so many pixels per newton; null without arrows. */
+    setPixels(perNewton) {
+      scale.classList.toggle("none", perNewton === null);
+      if (perNewton === null) return;
+      const force = roundAbove(SCALE / perNewton);
+      const length = Math.round(perNewton * force);
+      line.ownerSVGElement.setAttribute("width", length + 2);
+      line.setAttribute("d", `M0 6H${length}M${length - 8} 1.5L${length} 6L${length - 8} 10.5`);
+      words.textContent = newtons(force);
+    },
   };
+}
+
+/** The least of 1, 2, 5, 10 ... that is not below a number. */
+function roundAbove(number) {
+  const decade = 10 ** Math.floor(Math.log10(number));
+  return Number((decade * [1, 2, 5, 10].find((factor) => factor * decade >= number * (1 - 1e-9))).toPrecision(1));
 }
 
 /** Space plays, arrows go one step, Home and End to the ends. */

@@ -27,20 +27,44 @@ export function positionErrors(poses, goal) {
 
 /** Angle (rad) to a goal at every knot. */
 export function orientationErrors(poses, goal) {
-  const target = new Quaternion(goal[4], goal[5], goal[6], goal[3]).normalize();
-  return rows(poses).map((pose) => new Quaternion(pose[4], pose[5], pose[6], pose[3]).normalize().angleTo(target));
+  const target = quaternionOf(goal);
+  return rows(poses).map((pose) => {
+    // From the sine, which is exact for small angles.
+    const { x, y, z, w } = quaternionOf(pose).conjugate().multiply(target);
+    return 2 * Math.atan2(Math.hypot(x, y, z), Math.abs(w));
+  });
+}
+
+/** Velocity (m/s, world frame) in every step. */
+export function velocities(poses, timeStep) {
+  return steps(poses).map(([one, other]) => [0, 1, 2].map((axis) => (other[axis] - one[axis]) / timeStep));
+}
+
+/** Angular velocity (rad/s, body frame) in every step. */
+export function angularVelocities(poses, timeStep) {
+  return steps(poses).map(([one, other]) => {
+    const turn = quaternionOf(one).conjugate().multiply(quaternionOf(other));
+    // The shorter of the two turns; its half angle from the sine, which is exact where it is small.
+    const sine = Math.hypot(turn.x, turn.y, turn.z);
+    const angle = 2 * Math.atan2(sine, Math.abs(turn.w)) * Math.sign(turn.w || 1);
+    return [turn.x, turn.y, turn.z].map((part) => (sine === 0 ? 0 : (part / sine) * angle) / timeStep);
+  });
+}
+
+const quaternionOf = (pose) => new Quaternion(pose[4], pose[5], pose[6], pose[3]).normalize();
+
+function steps(poses) {
+  const all = rows(poses);
+  return all.slice(1).map((pose, index) => [all[index], pose]);
 }
 
 function rows(poses) {
   return Array.from({ length: knots(poses) }, (_, index) => poses.slice(7 * index, 7 * index + 7));
 }
 
-/** The box around some parts: its centre and half of its diagonal. */
-export function bounds(parts) {
-  const corners = parts.flatMap(({ vertices }) =>
-    Array.from({ length: vertices.length / 3 }, (_, index) => new Vector3().fromArray(vertices, 3 * index)),
-  );
-  const low = corners.reduce((least, corner) => least.min(corner), new Vector3(Infinity, Infinity, Infinity));
-  const high = corners.reduce((most, corner) => most.max(corner), new Vector3(-Infinity, -Infinity, -Infinity));
-  return { low, high, centre: low.clone().add(high).multiplyScalar(0.5), radius: 0.5 * high.distanceTo(low) };
+/** The eight corners of the box around some parts, the first and the last of them opposite. */
+export function box(parts) {
+  const along = [0, 1, 2].map((axis) => parts.flatMap(({ vertices }) => vertices.filter((_, index) => index % 3 === axis)));
+  const ends = along.map((all) => [all.reduce((one, other) => Math.min(one, other)), all.reduce((one, other) => Math.max(one, other))]);
+  return Array.from({ length: 8 }, (_, corner) => new Vector3(...ends.map((end, axis) => end[(corner >> axis) & 1])));
 }

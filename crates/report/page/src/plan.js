@@ -1,20 +1,19 @@
 // The page of a plan.
 import { chip, element, pageHead } from "./dom.js";
-import { followKeys, motionChoice, runClock, scenarioChoice, transport, viewOptions } from "./controls.js";
+import { followKeys, forceScale, motionChoice, runClock, scenarioChoice, transport, viewChoice, viewOptions } from "./controls.js";
 import { plots } from "./plots.js";
-import { robustness } from "./robustness.js";
+import { robustness, test } from "./robustness.js";
 import { sceneView } from "./scene.js";
 import { rateMatrix } from "./simulation.js";
 import { duration, store } from "./state.js";
-import { convergence, executions, madeFrom, notes } from "./story.js";
+import { convergence, executions, madeFrom } from "./story.js";
 import { themeButton } from "./theme.js";
+import { standing, verdict } from "./verdict.js";
 import { magnitude } from "./words.js";
 
 export function planPage(root, data) {
-  // Who names a log wants to see what the robot did.
-  const executed = data.motions.findIndex(({ execution }) => execution);
   const shown = store({
-    motion: Math.max(executed, 0),
+    motion: firstShown(data.motions),
     time: 0,
     playing: false,
     speed: 1,
@@ -28,36 +27,44 @@ export function planPage(root, data) {
     cutAt: 0,
   });
   const { result, motions } = data;
-  const facts = [
+  const about = [
     `start ${result.start}`,
     `offsets of ${magnitude(result.delta_m)}`,
     `${motions[0].scenarios.length} scenarios`,
     `${duration(motions[0]).toFixed(1)} s`,
   ];
-  const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": "Parts in motion; drag to turn, pinch or scroll to zoom" });
-  const viewport = element("div", { class: "viewport" }, canvas);
+  const stage = element("section", { class: "stage", "aria-label": "Motion" });
   const side = element("div", { class: "side" });
-  const stage = element("section", { class: "stage", "aria-label": "Motion" }, viewport);
   root.append(
-    pageHead(result.scene, chip(result.status, result.done), facts, themeButton()),
-    element("main", {}, stage, side, element("div", { class: "cards" }, cards(data, shown))),
+    pageHead(result.scene, chip(result.status, standing(result)), about, themeButton()),
+    element("main", {}, verdict(data), element("div", { class: "motion" }, stage, side), element("div", { class: "cards" }, cards(data, shown))),
   );
-  const view = openView(canvas, data, shown);
-  const { options, views } = viewOptions(data, shown, view);
-  viewport.append(views);
-  stage.append(transport(data, shown), ...motionChoice(data, shown), scenarioChoice(data, shown), options);
+  const { choices, drawer } = motionChoice(data, shown);
+  openView(stage, data, shown);
+  stage.append(transport(data, shown), choices, scenarioChoice(data, shown), viewOptions(data, shown), drawer);
   side.append(plots(data, shown));
   runClock(data, shown);
   followKeys(data, shown);
 }
 
-/** The 3D view, or a sentence where the browser cannot draw it. */
-function openView(canvas, data, shown) {
+/** What a robot did, else the first rollouts with hard contact. */
+function firstShown(motions) {
+  const first = (holds) => motions.findIndex(holds);
+  const executed = first(({ execution }) => execution);
+  return executed >= 0 ? executed : Math.max(first(({ source }) => source === "rollouts"), 0);
+}
+
+/** The 3D view below its bar, or a sentence where the browser cannot draw it. */
+function openView(stage, data, shown) {
+  const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": "Parts in motion; drag to turn, pinch or scroll to zoom" });
+  const viewport = element("div", { class: "viewport" }, canvas);
+  const { scale, setPixels } = forceScale(shown);
+  stage.append(viewport);
   try {
-    return sceneView(canvas, data, shown);
+    const view = sceneView(canvas, data, shown, setPixels);
+    viewport.before(element("div", { class: "toolbar" }, scale, viewChoice(view)));
   } catch (error) {
-    canvas.replaceWith(element("p", { class: "notice" }, `This browser cannot draw in 3D (${error.message}). The plots work without.`));
-    return { look() {} };
+    viewport.replaceWith(element("p", { class: "notice" }, `This browser cannot draw in 3D (${error.message}). The plots work without.`));
   }
 }
 
@@ -65,8 +72,8 @@ function cards(data, shown) {
   const { result, simulation } = data;
   return [
     executions(data),
-    notes(data),
-    result.robust ? robustness(result, data.weakest) : null,
+    result.robust ? robustness(result.robust, data.weakest, result.goal_reached) : null,
+    result.tested ? test(result.tested) : null,
     simulation ? rateMatrix(simulation) : null,
     convergence(data, shown),
     madeFrom(data),

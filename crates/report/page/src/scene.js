@@ -14,13 +14,15 @@ import {
   MeshLambertMaterial,
   PerspectiveCamera,
   Plane,
+  Quaternion,
   Scene,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { arrows } from "./arrows.js";
-import { bounds, poseAt } from "./motion.js";
+import { fitted } from "./camera.js";
+import { box, poseAt } from "./motion.js";
 import { pointsAt, skeleton } from "./skeleton.js";
 import { edgeGeometry, exactGeometry, sectionGeometry, smoothedGeometry } from "./solids.js";
 import { colour, onTheme, scenarioColour } from "./theme.js";
@@ -34,14 +36,23 @@ export const VIEWS = {
 };
 const AXES = { x: new Vector3(-1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, -1) };
 const FIELD_OF_VIEW = 35;
+/** Part of the picture that the parts fill at first, along each side. */
+const FILLED = 0.88;
+/** Instants of each motion at which the parts must be seen. */
+const SEEN = 12;
+/** Length of the arrow of the largest force, by the size of the parts. */
+const LONGEST = 0.8;
 /** Frames over which the time between two of them is taken; the longest that is smooth (ms). */
 const FRAMES = 12;
 const SLOW = 30;
 /** Fewest pixels that are drawn per pixel of the page, along each side. */
 const LEAST_PIXELS = 0.5;
 
-/** The view into a canvas. It is drawn again when something that it shows has changed, never otherwise. */
-export function sceneView(canvas, data, shown) {
+/**
+ * The view into a canvas. It is drawn again when something that it shows has changed, never otherwise. `onScale` is told how
+ * long (px) the arrow of a newton is, in the middle of the view; null where there are none.
+ */
+export function sceneView(canvas, data, shown, onScale) {
   const isSlow = drawsWithoutGraphics();
   const renderer = new WebGLRenderer({ canvas, antialias: !isSlow });
   renderer.localClippingEnabled = true;
@@ -51,10 +62,10 @@ export function sceneView(canvas, data, shown) {
   const controls = new OrbitControls(camera, canvas);
   controls.enableDamping = false;
 
-  const room = bounds(data.environment);
-  const body = bounds(data.body);
-  const size = Math.max(body.radius, 0.35 * room.radius);
+  const bodyRadius = radius(box(data.body));
+  const size = Math.max(bodyRadius, 0.35 * radius(box(data.environment)));
   const target = new Vector3().fromArray(data.goal).lerp(new Vector3().fromArray(data.motions[0].reference), 0.4);
+  const everything = placesOf(data);
   const plane = new Plane(AXES.y.clone(), 0);
 
   const light = new DirectionalLight(0xffffff, 2.6);
@@ -66,14 +77,19 @@ export function sceneView(canvas, data, shown) {
   const reference = new LineSegments(edgeGeometry(data.body), new LineBasicMaterial());
   const most = Math.max(...data.motions.map(({ scenarios }) => scenarios.length));
   const bodies = Array.from({ length: most }, () => placedParts(data.body));
-  const forces = arrows(size);
-  scene.add(fixed.group, reference, ...bodies.map(({ group }) => group), ...forces.meshes);
-  const arm = data.arm ? skeleton(data.arm.scenarios[0].skeletons[0].length / 3, size) : null;
+  // Those of the selected scenario lie upon the others.
+  const others = arrows(size, { opacity: 0.4, order: 4 });
+  const forces = arrows(size, { opacity: 1, order: 5 });
+  scene.add(fixed.group, reference, ...bodies.map(({ group }) => group), ...others.meshes, ...forces.meshes);
+  const courses = data.motions.flatMap((motion) => motion.courses);
+  const arm = courses.length > 0 ? skeleton(courses[0].skeletons[0].length / 3, size) : null;
   if (arm) scene.add(...arm.meshes);
 
   let pending = false;
   let ratio = Math.min(devicePixelRatio, isSlow ? 1 : 2);
   let before = null;
+  /** The view whose button was clicked last, until the reader turns or zooms. */
+  let kept = "Free";
   const intervals = [];
 
   function draw(now) {
@@ -83,6 +99,13 @@ export function sceneView(canvas, data, shown) {
     // From the left shoulder of who looks, so that faces differ.
     light.position.set(-0.6, 0.9, 1).applyQuaternion(camera.quaternion);
     renderer.render(scene, camera);
+    const height = 2 * Math.tan((FIELD_OF_VIEW * Math.PI) / 360) * camera.position.distanceTo(controls.target);
+    onScale(largestForce(motion()) === 0 ? null : (arrowScale() * canvas.clientHeight) / height);
+  }
+
+  /** Length (m) of the arrow of a newton. */
+  function arrowScale() {
+    return (LONGEST * size) / largestForce(motion());
   }
 
   /** Draws fewer pixels where frames of a motion that plays come too late for the eye. */
@@ -111,7 +134,7 @@ export function sceneView(canvas, data, shown) {
   /** Puts everything where it is at the shown time. */
   function place() {
     const { time, selected, hidden, cut, showReference, showForces, showArm } = shown.values;
-    const { source, scenarios, time_step: timeStep } = motion();
+    const { scenarios, courses, time_step: timeStep } = motion();
     poseAt(motion().reference, timeStep, time, reference.position, reference.quaternion);
     reference.visible = showReference;
     bodies.forEach((one, index) => {
@@ -122,19 +145,22 @@ export function sceneView(canvas, data, shown) {
       one.setCut(cut === "none" ? null : plane);
     });
     fixed.setCut(cut === "none" ? null : plane);
-    // The joints are known along the plan.
-    const hasArm = arm !== null && showArm && source === "plan";
+    const hasArm = arm !== null && showArm && courses.length > 0;
     arm?.setVisible(hasArm);
-    if (hasArm) arm.place(pointsAt(data.arm.scenarios[selected].skeletons, timeStep, time));
-    forces.show(showForces ? pushes(scenarios, timeStep, time, hidden) : [], largestForce(motion()));
+    if (hasArm) arm.place(pointsAt(courses[selected].skeletons, timeStep, time));
+    const pushing = showForces ? pushes(scenarios, timeStep, time, hidden) : [];
+    others.show(pushing.filter(({ scenario }) => scenario !== selected), arrowScale());
+    forces.show(pushing.filter(({ scenario }) => scenario === selected), arrowScale());
   }
 
+  /** Looks along a direction at everything. */
   function look(view) {
-    const direction = VIEWS[view].clone().normalize();
-    const narrow = Math.min(1, camera.aspect);
-    const distance = Math.max(0.8 * room.radius, 1.6 * size) / Math.sin((FIELD_OF_VIEW * Math.PI) / 360) / narrow;
-    controls.target.copy(target);
-    camera.position.copy(target).addScaledVector(direction, distance);
+    kept = view;
+    const up = FILLED * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    const { position, target: middle } = fitted(everything, VIEWS[view], [up * camera.aspect, up]);
+    controls.target.copy(middle);
+    camera.position.copy(position);
+    const distance = position.distanceTo(middle);
     camera.near = distance / 200;
     camera.far = distance * 20;
     camera.updateProjectionMatrix();
@@ -149,6 +175,7 @@ export function sceneView(canvas, data, shown) {
     renderer.setSize(clientWidth, clientHeight, false);
     camera.aspect = clientWidth / clientHeight;
     camera.updateProjectionMatrix();
+    if (kept !== null) look(kept);
     request();
   }
 
@@ -166,12 +193,13 @@ export function sceneView(canvas, data, shown) {
       plane.normal.copy(AXES[cut]);
       const axis = "xyz".indexOf(cut);
       const middle = target.getComponent(axis);
-      plane.constant = -plane.normal.dot(new Vector3().setComponent(axis, middle + cutAt * body.radius));
+      plane.constant = -plane.normal.dot(new Vector3().setComponent(axis, middle + cutAt * bodyRadius));
     }
     request();
   }
 
   controls.addEventListener("change", request);
+  controls.addEventListener("start", () => (kept = null));
   new ResizeObserver(resize).observe(canvas.parentElement);
   shown.on(["time", "selected", "hidden", "showReference", "showForces", "showArm"], request);
   shown.on(["motion", "showSmoothed"], setShapes);
@@ -185,9 +213,28 @@ export function sceneView(canvas, data, shown) {
     request();
   });
   resize();
-  look("Free");
+  // Printers want the picture at once.
+  addEventListener("beforeprint", () => draw(performance.now()));
   return { look };
 }
+
+/** Corners of the boxes around the parts, of the body wherever a motion takes it. */
+function placesOf({ environment, body, motions }) {
+  const [position, quaternion] = [new Vector3(), new Quaternion()];
+  const own = box(body);
+  const moved = motions.flatMap(({ reference, scenarios, time_step: timeStep }) => {
+    const end = timeStep * (reference.length / 7 - 1);
+    return [reference, ...scenarios.map(({ poses }) => poses)].flatMap((poses) =>
+      Array.from({ length: SEEN + 1 }, (_, index) => {
+        poseAt(poses, timeStep, (end * index) / SEEN, position, quaternion);
+        return own.map((corner) => corner.clone().applyQuaternion(quaternion).add(position));
+      }).flat(),
+    );
+  });
+  return [...box(environment), ...moved];
+}
+
+const radius = (box) => 0.5 * box[0].distanceTo(box.at(-1));
 
 /** Whether the processor draws, which has no time for smooth edges. */
 function drawsWithoutGraphics() {
@@ -262,7 +309,7 @@ function pushes(scenarios, timeStep, time, hidden) {
     const numbers = contacts[step] ?? [];
     return Array.from({ length: numbers.length / 8 }, (_, index) => {
       const [, force, x, y, z, ...direction] = numbers.slice(8 * index, 8 * index + 8);
-      return { force, point: new Vector3(x, y, z), direction: new Vector3(...direction), colour: scenarioColour(scenario) };
+      return { scenario, force, point: new Vector3(x, y, z), direction: new Vector3(...direction), colour: scenarioColour(scenario) };
     });
   });
 }

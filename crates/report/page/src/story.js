@@ -1,12 +1,23 @@
-// How the plan came about: homotopy, time, what it was made from, what to watch.
-import { card, element, table } from "./dom.js";
-import { millimetres, sentence, short } from "./words.js";
+// How the plan came about: homotopy, time, what it was made from, what robots did.
+import { card, drawer, element, explained, facts, table } from "./dom.js";
+import { millimetres, short } from "./words.js";
 
 const SPLIT = [
   ["distances", "Distances", "--part-1"],
   ["model", "Model", "--part-2"],
   ["linear_solver", "Linear solver", "--part-3"],
   ["rest", "Ipopt", "--part-4"],
+];
+const COLUMNS = [
+  "no.",
+  explained("τ (N m)", "smoothing of the shapes: the smaller, the harder the contact"),
+  explained("steps", "steps of its grid of time"),
+  explained("iterations", "iterations of the solver Ipopt"),
+  "cost",
+  explained("violation", "how far the worst constraint is from being kept, in its own unit"),
+  explained("overlap", "how deep the exact shapes lie within each other"),
+  "status",
+  "time",
 ];
 
 /** One row per homotopy iteration; a click on its number shows it. */
@@ -26,12 +37,13 @@ export function convergence({ result, motions }, shown) {
       timeBar(stage, longest),
     ],
   }));
-  const key = SPLIT.map(([, name, mark]) => element("span", { class: "key", style: `--mark:var(${mark})` }, name));
+  const key = SPLIT.map(([, name, mark]) => element("span", { class: "key mark", style: `--mark:var(${mark})` }, name));
   const total = `${result.iterations} iterations of Ipopt in ${result.wall_s.toFixed(2)} s, linear solver ${result.linear_solver}.`;
-  return card(
-    "Convergence",
-    element("p", {}, total),
-    table("Homotopy iterations", ["no.", "τ (N m)", "steps", "iterations", "cost", "violation", "overlap", "status", "time"], rows),
+  return drawer(
+    "Convergence of the homotopy",
+    "how the solver found the plan, iteration by iteration",
+    element("p", {}, "The solver plans with smoothed shapes first and hardens them in each homotopy iteration. A click on a number shows it. ", total),
+    table("Homotopy iterations", COLUMNS, rows),
     element("p", { class: "keys" }, key),
     attempts(result.attempts ?? []),
   );
@@ -59,14 +71,13 @@ function attempts(tried) {
 }
 
 /** Facts of the scene, and versions. */
-export function madeFrom({ made_from: facts, result }) {
+export function madeFrom({ made_from: known, result }) {
   const all = [
-    ...facts,
+    ...known,
     ["written by", `assembly-plan ${result.versions.assembly_plan}, Ipopt ${result.versions.ipopt}`],
-    ["identity", result.made_from.problem.slice(0, 16)],
+    ["identity of the problem", result.made_from.problem.slice(0, 16)],
   ];
-  const pairs = all.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)));
-  return card("Made from", element("dl", {}, pairs));
+  return card("Made from", facts(all));
 }
 
 /** What the logs of robots tell. */
@@ -75,14 +86,7 @@ export function executions({ motions }) {
   if (executed.length === 0) return null;
   const story = ({ execution: { log, sentences } }) => [
     element("h3", {}, log),
-    element("ul", { class: "notes" }, sentences.map((words) => element("li", {}, sentence(words)))),
+    element("ul", { class: "notes" }, sentences.map((words) => element("li", {}, words))),
   ];
   return card("Executed", ...executed.flatMap(story));
-}
-
-/** Warnings, and why a plan is not done. */
-export function notes({ result, notes: all }) {
-  if (all.length === 0) return null;
-  const list = all.map((note) => element("li", {}, sentence(note)));
-  return card(result.done ? "Warnings" : "What to look at", element("ul", { class: "notes" }, list));
 }

@@ -1,10 +1,18 @@
 // Numbers as people read them.
 
+const DEGREES = 180 / Math.PI;
+
 /** A length in m as mm. */
 export const millimetres = (metres, decimals = 2) => `${(1e3 * metres).toFixed(decimals)} mm`;
 
 /** A length in m as mm, with no more decimals than it has. */
 export const magnitude = (metres) => `${Number((1e3 * metres).toFixed(3))} mm`;
+
+/** An angle in rad as degrees. */
+export const degrees = (radians) => `${(DEGREES * radians).toFixed(1)}°`;
+
+/** A force. */
+export const newtons = (force) => `${short(force)} N`;
 
 /** A rate, 0 to 1, in percent; 100 % means all. */
 export const percent = (rate) => (rate === 1 ? "100 %" : `${(100 * rate).toFixed(1)} %`);
@@ -17,16 +25,13 @@ export function short(number) {
   return size >= 1e4 || size < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)));
 }
 
-/** Words with a capital letter. */
-export const capitalised = (words) => `${words.charAt(0).toUpperCase()}${words.slice(1)}`;
-
-/** Words of the planner as a sentence. */
-export const sentence = (words) => `${capitalised(words)}.`;
+/** Names as a list in a sentence. */
+export const listed = (names) => (names.length < 2 ? names.join() : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`);
 
 /** An offset (m) in words. */
 function offsetInWords(offset) {
   if (offset.every((component) => Math.abs(component) < 5e-7)) return "no offset";
-  return `${offset.map((component) => Number((1e3 * component).toFixed(2))).join(", ")} mm`;
+  return `${offset.map((component) => Number((1e3 * component).toFixed(3))).join(", ")} mm`;
 }
 
 /** The name of a scenario of a motion: what a robot did has one, and so has the rollout beside it. */
@@ -36,6 +41,6 @@ export const scenarioName = (motion, index) =>
 /** What is injected into a scenario, in words. */
 export function injectionInWords({ offset, turn, disturbances }) {
   const angle = Math.hypot(...turn);
-  const turned = angle < 1e-4 ? [] : [`turned ${((180 / Math.PI) * angle).toFixed(1)}°`];
+  const turned = angle < 1e-4 ? [] : [`turned ${degrees(angle)}`];
   return [offsetInWords(offset), ...turned, ...disturbances].join(", ");
 }

@@ -20,5 +20,6 @@ pub fn draw(plan: &PlanData) -> String {
                 .collect(),
         })
         .collect();
-    Chart { title: "Contact force, all pairs", axes: ["time (s)", "force (N)"], logarithmic: false }.draw(&lines)
+    Chart { title: "Contact force of the pair that pushes most", axes: ["time (s)", "force (N)"], logarithmic: false }
+        .draw(&lines)
 }

@@ -42,8 +42,8 @@ fn key(group: &SuccessRow) -> (&str, f64, f64) {
 
 fn cell(drawing: &mut Drawing, [left, top]: [f64; 2], group: &SuccessRow) {
     let rate = group.rate.0;
-    // From a light red to a light green.
-    let mixed = |none: f64, all: f64| none + (all - none) * rate;
+    // From a light red to a light green. Few rollouts prove little: the lower end of the interval counts.
+    let mixed = |none: f64, all: f64| none + (all - none) * group.rate_low.0;
     let [red, green, blue] = [mixed(250.0, 207.0), mixed(221.0, 237.0), mixed(214.0, 222.0)];
     let style = format!("rx=\"4\" fill=\"rgb({red:.0},{green:.0},{blue:.0})\"");
     drawing.rectangle([left + 2.0, top + 2.0], [CELL[0] - 4.0, CELL[1] - 4.0], &style);

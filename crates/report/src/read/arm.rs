@@ -1,34 +1,27 @@
-//! Joints of the scene's arm along a plan.
+//! Joints of the scene's arm along a motion.
 
-use planner::files::{GraspRecord, MotionTables, ScenarioTables};
+use planner::files::{MotionTables, ScenarioTables};
 use planner::{ArmCourse, Problem};
 use robot::{FollowError, Joint, JointVector};
 use scene::Robot;
 use task::GraspError;
 
-use crate::model::{ArmData, JointCourse, JointData};
+use crate::model::{JointCourse, JointData};
 use crate::rounded::{ANGLE, FORCE, LENGTH, rounded};
 
-/// Positions, speeds and torques of the joints with each grasp error, one per scenario; `None` for a scene without an
-/// arm.
-///
-/// # Errors
-/// When the arm does not reach a pose, or a joint is too slow.
-pub fn courses<'grasps>(
-    problem: &Problem,
-    tables: &MotionTables,
-    grasps: impl Iterator<Item = &'grasps GraspRecord>,
-) -> Option<Result<ArmData, FollowError>> {
-    let robot = problem.scene().robot.as_ref()?;
+/// The joints of a scene's arm; none without one.
+pub fn joints(problem: &Problem) -> Vec<JointData> {
+    problem.scene().robot.as_ref().map_or_else(Vec::new, |robot| robot.arm.joints().iter().map(joint).collect())
+}
+
+/// Positions, speeds and torques of the joints along a motion, one course per grasp error; none for a scene without an arm,
+/// and where the arm does not reach a pose or a joint is too slow, which a warning of the plan tells.
+pub fn courses(problem: &Problem, tables: &MotionTables, grasps: &[GraspError]) -> Vec<JointCourse> {
+    let Some(robot) = &problem.scene().robot else { return Vec::new() };
     let scenarios = tables.scenarios.iter().zip(grasps);
-    let scenarios =
-        scenarios.map(|(scenario, grasp)| course(robot, tables.time_step, &GraspError::from(grasp), scenario));
-    let data = |scenarios| ArmData {
-        joints: robot.arm.joints().iter().map(joint).collect(),
-        time_step: tables.time_step,
-        scenarios,
-    };
-    Some(scenarios.collect::<Result<Vec<_>, _>>().map(data))
+    let courses: Result<Vec<JointCourse>, FollowError> =
+        scenarios.map(|(scenario, grasp)| course(robot, tables.time_step, grasp, scenario)).collect();
+    courses.unwrap_or_default()
 }
 
 fn joint(joint: &Joint) -> JointData {

@@ -8,7 +8,7 @@ use planner::{Ending, Execution, PlannerError, Problem, RobustnessTarget};
 use simulation::{Reference, Settings, coordinates, isometry};
 use task::{GraspError, POSE, STATE, ScenarioTrajectory, Trajectory, at_rest, pose_of};
 
-use super::motion::{HARD, World};
+use super::motion::{HARD, Measures, World};
 use crate::model::{ExecutionData, MotionData, Source};
 use crate::rounded::{FORCE, LENGTH, rounded};
 
@@ -58,14 +58,15 @@ fn motion(
     let states: Vec<(ExecutedState, f64)> =
         knots.map(|knot| execution.at(duration.min(knot as f64 * time_step))).collect();
     played.scenarios.insert(0, robot(problem, &execution.grasp, &played, &states));
-    let ends: Vec<[f64; 2]> = played.scenarios.iter().map(errors).collect();
-    let mut motion = world.motion(&world.tables(played), &ends, Source::Executed, HARD)?;
+    let measures: Vec<Measures> = played.scenarios.iter().map(|scenario| Measures::from(&scenario.quality)).collect();
+    let mut motion = world.motion(&world.tables(played), &measures, Source::Executed, HARD)?;
     let beside = motion.scenarios[1].clone();
     let robot = &mut motion.scenarios[0];
     // A robot need not begin exactly at its reference, and does not feel where parts touch.
     (robot.offset, robot.turn) = (beside.offset, beside.turn);
     robot.success = execution.ending == Ending::AtGoal;
     robot.forces.clear();
+    robot.max_force = f64::NAN;
     robot.measured = measured(&states);
     motion.execution = Some(ExecutionData {
         log: name,
@@ -121,10 +122,6 @@ fn actual(grasp: &GraspError, believed: &[f64; STATE]) -> [f64; STATE] {
 fn measured(states: &[(ExecutedState, f64)]) -> Vec<f64> {
     let wrenches: Option<Vec<[f64; 6]>> = states[1..].iter().map(|(state, _)| state.wrench).collect();
     wrenches.unwrap_or_default().iter().flatten().map(|&component| rounded(component, FORCE)).collect()
-}
-
-fn errors(scenario: &ScenarioTrajectory) -> [f64; 2] {
-    [scenario.quality.position_error, scenario.quality.orientation_error]
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use planner::PlannerError;
 use planner::files::{MotionTables, ScenarioTables};
 use simulation::Success;
-use task::{Contact, ContactPair, ScenarioTrajectory, Trajectory, pose_of};
+use task::{Contact, ContactPair, Quality, ScenarioTrajectory, Trajectory, pose_of};
 
 use crate::model::{MotionData, ScenarioData, Source};
 use crate::rounded::{ANGLE, FORCE, LENGTH, all, pose, rounded};
@@ -27,6 +27,21 @@ pub struct World {
     success: Success,
 }
 
+/// How a scenario ends, and how hard it pushes.
+#[derive(Debug, Clone, Copy)]
+pub struct Measures {
+    /// Distance from the goal (m) and angle to it (rad).
+    pub errors: [f64; 2],
+    /// Largest contact force (N); not a number where it is not known.
+    pub max_force: f64,
+}
+
+impl From<&Quality> for Measures {
+    fn from(quality: &Quality) -> Self {
+        Self { errors: [quality.position_error, quality.orientation_error], max_force: quality.max_force }
+    }
+}
+
 /// What the scenarios of a motion share.
 struct Shown {
     /// Pose of the reference at the start.
@@ -37,6 +52,9 @@ struct Shown {
     tau: f64,
     /// Smallest force that has an arrow (N).
     least: f64,
+    /// Whether wrenches and arrows are shown: they are most of the size of a page, and of a homotopy iteration nobody needs
+    /// them.
+    in_full: bool,
 }
 
 impl World {
@@ -65,22 +83,24 @@ impl World {
         }
     }
 
-    /// Distance from the goal (m) and angle to it (rad) of every scenario of a motion at its last knot.
-    pub fn last_errors(&self, tables: &MotionTables) -> Vec<[f64; 2]> {
+    /// How every scenario of a motion ends at its last knot, and the largest force of its steps.
+    pub fn measures(&self, tables: &MotionTables) -> Vec<Measures> {
         let last = |scenario: &ScenarioTables| scenario.states.last().map_or(self.goal, pose_of);
         let errors = |pose: [f64; 7]| <[f64; 2]>::from(task::pose::errors(&pose, &self.goal));
-        tables.scenarios.iter().map(|scenario| errors(last(scenario))).collect()
+        let max_force = |scenario: &ScenarioTables| scenario.contacts.iter().map(largest_force).fold(0.0, f64::max);
+        let measures = |scenario| Measures { errors: errors(last(scenario)), max_force: max_force(scenario) };
+        tables.scenarios.iter().map(measures).collect()
     }
 
-    /// A motion whose scenarios are judged by some final errors: of rollouts, those after the settling time. Points of
-    /// contact are those of distances smoothed by `tau`.
+    /// A motion whose scenarios have some measures: of rollouts, those after the settling time. Points of contact are those
+    /// of distances smoothed by `tau`.
     ///
     /// # Errors
     /// When it has a pair that the scene does not have.
     pub fn motion(
         &self,
         tables: &MotionTables,
-        errors: &[[f64; 2]],
+        measures: &[Measures],
         source: Source,
         tau: f64,
     ) -> Result<MotionData, PlannerError> {
@@ -89,24 +109,25 @@ impl World {
         let pairs = pairs.ok_or(PlannerError::Internal("a table names a pair that the scene does not have"))?;
         let forces = tables.scenarios.iter().flat_map(|scenario| scenario.contacts.iter().flatten());
         let least = SMALLEST.max(SHOWN * forces.map(|contact| contact.force).fold(0.0, f64::max));
-        let shown = Shown { believed: pose_of(&tables.reference[0]), pairs, tau, least };
-        let scenarios = tables.scenarios.iter().zip(errors);
+        let in_full = !matches!(source, Source::Iteration { .. });
+        let shown = Shown { believed: pose_of(&tables.reference[0]), pairs, tau, least, in_full };
+        let scenarios = tables.scenarios.iter().zip(measures);
         Ok(MotionData {
             source,
             time_step: tables.time_step,
             reference: tables.reference.iter().flat_map(|state| pose(&state[..7])).collect(),
-            scenarios: scenarios.map(|(scenario, errors)| self.scenario(scenario, *errors, &shown)).collect(),
+            scenarios: scenarios.map(|(scenario, measures)| self.scenario(scenario, *measures, &shown)).collect(),
+            courses: Vec::new(),
             execution: None,
         })
     }
 
-    fn scenario(&self, scenario: &ScenarioTables, errors: [f64; 2], shown: &Shown) -> ScenarioData {
+    fn scenario(&self, scenario: &ScenarioTables, measures: Measures, shown: &Shown) -> ScenarioData {
         let (offset, turn) = grasp_error(&shown.believed, &pose_of(&scenario.states[0]));
-        let smallest = |contacts: &Vec<Contact>| {
-            let least = contacts.iter().map(|contact| contact.distance).fold(f64::NAN, f64::min);
-            rounded(least, LENGTH)
-        };
-        let sum = |contacts: &Vec<Contact>| rounded(contacts.iter().map(|contact| contact.force).sum(), FORCE);
+        let smallest =
+            |contacts: &Vec<Contact>| contacts.iter().map(|contact| contact.distance).fold(f64::NAN, f64::min);
+        let distances = scenario.contacts.iter().map(smallest);
+        let distances = std::iter::once(self.distance(&pose_of(&scenario.states[0]), shown)).chain(distances);
         let pushing = |(contacts, state): (&Vec<Contact>, &[f64; 13])| {
             let pushing = contacts.iter().zip(&shown.pairs).filter(|(contact, _)| contact.force >= shown.least);
             pushing
@@ -114,33 +135,52 @@ impl World {
                 .flatten()
                 .collect()
         };
+        let steps = if shown.in_full { scenario.contacts.len() } else { 0 };
+        let wrenches = scenario.wrenches.iter().take(steps);
+        let contacts = scenario.contacts.iter().zip(&scenario.states[1..]).take(steps);
         ScenarioData {
             offset: all(offset, LENGTH),
             turn: all(turn, ANGLE),
             disturbances: Vec::new(),
-            errors: all(errors, LENGTH),
-            success: self.success.reached(errors[0], errors[1]),
+            errors: all(measures.errors, LENGTH),
+            success: self.success.reached(measures.errors[0], measures.errors[1]),
             poses: scenario.states.iter().flat_map(|state| pose(&state[..7])).collect(),
-            wrenches: scenario.wrenches.iter().flatten().map(|&component| rounded(component, FORCE)).collect(),
-            distances: scenario.contacts.iter().map(smallest).collect(),
-            forces: scenario.contacts.iter().map(sum).collect(),
+            wrenches: wrenches.flatten().map(|&component| rounded(component, FORCE)).collect(),
+            distances: distances.map(|distance| rounded(distance, LENGTH)).collect(),
+            forces: scenario.contacts.iter().map(|contacts| rounded(largest_force(contacts), FORCE)).collect(),
+            max_force: rounded(measures.max_force, FORCE),
             measured: Vec::new(),
-            contacts: scenario.contacts.iter().zip(&scenario.states[1..]).map(pushing).collect(),
+            contacts: contacts.map(pushing).collect(),
         }
+    }
+
+    /// Smallest distance of all pairs at a pose; not a number where none can be computed.
+    fn distance(&self, pose: &[f64; 7], shown: &Shown) -> f64 {
+        let contacts = shown.pairs.iter().filter_map(|&pair| self.contact(pair, pose, shown.tau));
+        contacts.map(|[distance, ..]| distance).fold(f64::NAN, f64::min)
     }
 
     /// Pair, force, point and direction of a contact force on the body; none where the distance cannot be computed.
     fn arrow(&self, pair: usize, force: f64, pose: &[f64; 7], tau: f64) -> Option<[f64; 8]> {
-        // Ten numbers: the touching point is asked for as well.
-        let mut contact = [[0.0; 10]];
-        let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());
-        self.pairs[pair].shapes.contacts(poses, tau, solutions, &mut contact).ok()?;
-        let [_, nx, ny, nz, _, _, _, x, y, z] = contact[0];
+        let [_, nx, ny, nz, _, _, _, x, y, z] = self.contact(pair, pose, tau)?;
         // A smoothed normal may be shorter than one.
         let normal = Vector3::new(nx, ny, nz).try_normalize(0.0)?;
         let ([x, y, z], [nx, ny, nz]) = (all([x, y, z], LENGTH), all(normal.into(), 3));
         Some([pair as f64, rounded(force, FORCE), x, y, z, nx, ny, nz])
     }
+
+    /// Distance, contact normal and touching point of a pair; none where they cannot be computed.
+    fn contact(&self, pair: usize, pose: &[f64; 7], tau: f64) -> Option<[f64; 10]> {
+        let mut contact = [[0.0; 10]];
+        let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());
+        self.pairs[pair].shapes.contacts(poses, tau, solutions, &mut contact).ok()?;
+        Some(contact[0])
+    }
+}
+
+/// Force of the pair that pushes most.
+fn largest_force(contacts: &Vec<Contact>) -> f64 {
+    contacts.iter().map(|contact| contact.force).fold(0.0, f64::max)
 }
 
 /// Offset (m, body frame) and turn (rad) of a body that is believed to be elsewhere.

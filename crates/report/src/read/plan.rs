@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use planner::explain::LossRecord;
 use planner::files::trajectory::read_tables;
-use planner::files::{MotionTables, PlanResult, STAGES, StoredPlan};
+use planner::files::{MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
 use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
-use scene::Part;
+use scene::{Borne, Part};
 use simulation::{Injection, Settings, Solid};
 use task::GraspError;
 
-use super::motion::{HARD, World};
+use super::motion::{HARD, Measures, World};
 use super::{arm, executed, simulation as rates};
-use crate::model::{MotionData, PartData, PlanData, Source};
+use crate::model::{ErrorsData, MotionData, PartData, PlanData, Source};
 use crate::rounded::{LENGTH, rounded};
 
 /// Reads the plan of a folder and logs of its executions, and computes what they do not hold.
@@ -26,15 +26,13 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     let problem = problem(&plan)?;
     let world = World::new(problem.scene().all_pairs(), problem.task().goal, problem.success());
     let tables = read_tables(folder)?;
-    let ends = plan.result.scenarios.iter().map(|scenario| [scenario.position_error_m, scenario.orientation_error_rad]);
-    let ends: Vec<[f64; 2]> = ends.collect();
-    let mut motions = vec![world.motion(&tables, &ends, Source::Plan, plan_tau(&plan.result))?];
-    motions.extend(iterations(&plan, &world)?);
+    let mut motions = Vec::new();
+    if plan.result.robust.is_none() {
+        motions.push(planned(&plan.result, &tables, &problem, &world)?);
+    }
     motions.extend(rollouts(&plan, &problem, &world)?);
+    motions.extend(iterations(&plan, &world)?);
     motions.extend(executed::motions(logs, &plan, &problem, &world)?);
-    let grasps = plan.result.scenarios.iter().map(|scenario| &scenario.grasp);
-    // A warning of the plan says why, where the arm cannot follow it.
-    let arm = arm::courses(&problem, &tables, grasps).and_then(Result::ok);
     let simulation = rates::read_if_there(folder)?;
     let mut result = plan.result;
     result.files.clear();
@@ -45,8 +43,10 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
         body: problem.scene().body.iter().map(part).collect(),
         environment: problem.scene().environment.iter().map(part).collect(),
         pairs: world.names(),
+        joints: arm::joints(&problem),
+        engagement_depth: problem.engagement().depth_m.map(|depth| rounded(depth, LENGTH)),
+        errors: errors(&problem.scene().borne),
         motions,
-        arm,
         notes: result.warnings.iter().cloned().chain(why_not_done(&result)).collect(),
         weakest: loss(&result).map_or_else(Vec::new, |loss| loss.sentences().into()),
         simulation,
@@ -87,21 +87,33 @@ fn loss(result: &PlanResult) -> Option<&LossRecord> {
 
 /// Smoothing with which the distances of the plan were written.
 fn plan_tau(result: &PlanResult) -> f64 {
-    match result.robust {
-        Some(_) => HARD,
-        None => result
-            .chosen_stage
-            .checked_sub(1)
-            .and_then(|index| result.stages.get(index))
-            .map_or(HARD, |stage| stage.tau),
-    }
+    let chosen = result.chosen_stage.checked_sub(1).and_then(|index| result.stages.get(index));
+    chosen.map_or(HARD, |stage| stage.tau)
+}
+
+/// The plan as the solver sees it.
+fn planned(
+    result: &PlanResult,
+    tables: &MotionTables,
+    problem: &Problem,
+    world: &World,
+) -> Result<MotionData, PlannerError> {
+    let measures = |scenario: &ScenarioRecord| Measures {
+        errors: [scenario.position_error_m, scenario.orientation_error_rad],
+        max_force: scenario.max_force_n,
+    };
+    let measures: Vec<Measures> = result.scenarios.iter().map(measures).collect();
+    let grasps: Vec<GraspError> = result.scenarios.iter().map(|scenario| GraspError::from(&scenario.grasp)).collect();
+    let mut motion = world.motion(tables, &measures, Source::Plan, plan_tau(result))?;
+    motion.courses = arm::courses(problem, tables, &grasps);
+    Ok(motion)
 }
 
 fn iterations(plan: &StoredPlan, world: &World) -> Result<Vec<MotionData>, PlannerError> {
     let folder = plan.folder.join(STAGES);
     let iteration = |(number, tau): (usize, f64)| {
         let tables = read_tables(&folder.join(number.to_string()))?;
-        world.motion(&tables, &world.last_errors(&tables), Source::Iteration { number, tau }, tau)
+        world.motion(&tables, &world.measures(&tables), Source::Iteration { number, tau }, tau)
     };
     (1..).zip(plan.result.stages.iter().map(|stage| stage.tau)).map(iteration).collect()
 }
@@ -118,9 +130,10 @@ fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<M
         let lost = lost.filter(|loss| !planned.contains(&loss.injection()));
         let injections: Vec<Injection> = planned.iter().copied().chain(lost.map(LossRecord::injection)).collect();
         let played = problem.rollout(settings)?.trajectory(&reference, &injections, HARD);
-        let quality = played.scenarios.iter().map(|motion| &motion.quality);
-        let ends: Vec<[f64; 2]> = quality.map(|quality| [quality.position_error, quality.orientation_error]).collect();
-        let mut motion = world.motion(&world.tables(played), &ends, Source::Rollouts { friction }, HARD)?;
+        let measures: Vec<Measures> = played.scenarios.iter().map(|motion| Measures::from(&motion.quality)).collect();
+        let (tables, grasps) = (world.tables(played), injections.iter().map(|injection| injection.grasp));
+        let mut motion = world.motion(&tables, &measures, Source::Rollouts { friction }, HARD)?;
+        motion.courses = arm::courses(problem, &tables, &grasps.collect::<Vec<_>>());
         if let (Some(loss), Some(scenario)) = (lost, motion.scenarios.last_mut()) {
             scenario.disturbances = loss.disturbance_in_words();
         }
@@ -135,6 +148,22 @@ fn part(part: &Part) -> PartData {
         name: part.name.clone(),
         vertices: solid.vertices.iter().flatten().map(|&coordinate| rounded(coordinate, LENGTH)).collect(),
         facets: solid.facets.into_iter().map(|facet| facet.corners).collect(),
+    }
+}
+
+/// What rollouts vary besides offsets, as the scene asks for it.
+fn errors(borne: &Borne) -> ErrorsData {
+    let percent = |error: f64| format!("\u{b1}{:.0} %", 100.0 * error);
+    let all = [
+        ("turns in the gripper", borne.turn, format!("of up to {:.1}\u{b0}", borne.turn.to_degrees())),
+        ("errors of the inertia", borne.inertia_error, format!("of {}", percent(borne.inertia_error))),
+        ("errors of the stiffness", borne.stiffness_error, format!("of {}", percent(borne.stiffness_error))),
+        ("delays of the controller", borne.delay, format!("of up to {:.1} ms", 1e3 * borne.delay)),
+    ];
+    let (varied, left_out): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, size, _)| *size > 0.0);
+    ErrorsData {
+        varied: varied.into_iter().map(|(name, _, words)| format!("{name} {words}")).collect(),
+        left_out: left_out.into_iter().map(|(name, ..)| name.to_owned()).collect(),
     }
 }
 

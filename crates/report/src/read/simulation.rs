@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use planner::PlannerError;
-use planner::files::{SUCCESS, SuccessRow, read_csv};
+use planner::files::{SUCCESS, SimulationRecord, SuccessRow, read_csv};
 
 use super::title;
 use crate::model::SimulationData;
@@ -15,10 +15,10 @@ use crate::model::SimulationData;
 pub fn read(folder: &Path) -> Result<SimulationData, PlannerError> {
     let file = folder.join(SUCCESS);
     let groups: Vec<SuccessRow> = read_csv(&file)?;
-    match groups.is_empty() {
-        true => Err(PlannerError::file(&file, "has no rows; simulate again")),
-        false => Ok(SimulationData { title: title(folder), groups }),
+    if groups.is_empty() {
+        return Err(PlannerError::file(&file, "has no rows; simulate again"));
     }
+    Ok(SimulationData { title: title(folder), record: SimulationRecord::read_if_there(folder)?, groups })
 }
 
 /// Likewise, of a folder that may hold none.
