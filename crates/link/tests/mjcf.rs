@@ -2,6 +2,8 @@
 
 mod support;
 
+use std::path::Path;
+
 use link::Geometry;
 use support::{assert_pose, refusal, shapes};
 
@@ -92,6 +94,33 @@ fn the_world_is_a_body_and_what_is_only_seen_is_no_shape() {
     assert!(support::names(&seen).is_empty());
     let half_seen = of("<geom type='box' size='1 1 1' contype='0'/>");
     assert_eq!(support::names(&half_seen), ["world"]);
+}
+
+#[test]
+fn bodies_without_names_are_counted() {
+    let geom = "<geom type='box' size='1 1 1'/>";
+    let text = format!(
+        "<mujoco><worldbody><body/><body>{geom}<body name='tip'>{geom}</body></body><body>{geom}</body></worldbody></mujoco>"
+    );
+    assert_eq!(support::names(&text), ["#2", "tip", "#4"]);
+    assert_eq!(shapes(&text, "#4").unwrap().len(), 1);
+}
+
+#[test]
+fn folders_of_mesh_files_are_stripped_where_the_compiler_says_so() {
+    let file = |strip: &str| {
+        let text = format!(
+            "<mujoco><compiler meshdir='meshes' {strip}/><asset><mesh name='m' file='far/away/m.stl'/></asset>\
+             <worldbody><geom type='mesh' mesh='m'/></worldbody></mujoco>"
+        );
+        match &shapes(&text, "world").unwrap()[0].geometry {
+            Geometry::Mesh { file, .. } => file.clone(),
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(file("strippath='true'"), Path::new("folder/meshes/m.stl"));
+    assert_eq!(file("strippath='false'"), Path::new("folder/meshes/far/away/m.stl"));
+    assert_eq!(file(""), Path::new("folder/meshes/far/away/m.stl"));
 }
 
 #[test]

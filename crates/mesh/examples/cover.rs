@@ -40,8 +40,8 @@ fn run(arguments: &[String]) -> Result<(), String> {
     let refused = |error: mesh::MeshError| error.to_string();
     let mesh = TriangleMesh::read(Path::new(file), scale).map_err(refused)?;
     let solid = Solid::of(&mesh).map_err(refused)?;
-    let read = start.elapsed().as_secs_f64();
     describe(&mesh, &solid);
+    println!("seconds to read: {:.2}", start.elapsed().as_secs_f64());
     let start = Instant::now();
     let cover = Cover::of(&solid, &CoverSettings { facets, crop, ..CoverSettings::default() }).map_err(refused)?;
     let covered = start.elapsed().as_secs_f64();
@@ -59,7 +59,7 @@ fn run(arguments: &[String]) -> Result<(), String> {
         1e9 * deviation.outside_volume,
         1e9 * deviation.volume_error
     );
-    println!("seconds: read {read:.2}, cover {covered:.2}, check {:.2}", start.elapsed().as_secs_f64());
+    println!("seconds to cover {covered:.2}, to check {:.2}", start.elapsed().as_secs_f64());
     let errors = cover.curved_surfaces().iter().map(|(surface, facets)| (surface, surface.error(*facets)));
     if let Some((worst, error)) = errors.max_by(|one, other| one.1.total_cmp(&other.1)) {
         println!(

@@ -1,6 +1,6 @@
 //! A tree of boxes for finding triangles near a point, a line or each other.
 
-use crate::geometry::{Vector, boxes_meet};
+use crate::geometry::Vector;
 
 /// Boxes per leaf.
 const LEAF: usize = 4;
@@ -50,23 +50,37 @@ impl BoxTree {
     }
 
     /// Calls `found` for the boxes in all leaves whose bounds `enters` accepts.
-    pub fn visit(&self, mut enters: impl FnMut(&[Vector; 2]) -> bool, mut found: impl FnMut(usize)) {
+    pub fn visit(&self, enters: impl FnMut(&[Vector; 2]) -> bool, mut found: impl FnMut(usize)) {
+        self.find_map(enters, |item| {
+            found(item);
+            None::<()>
+        });
+    }
+
+    /// The first that `find` returns of the boxes in leaves whose bounds `enters` accepts.
+    pub fn find_map<T>(
+        &self,
+        mut enters: impl FnMut(&[Vector; 2]) -> bool,
+        mut find: impl FnMut(usize) -> Option<T>,
+    ) -> Option<T> {
         let mut waiting: Vec<usize> = (!self.nodes.is_empty()).then_some(0).into_iter().collect();
         while let Some(index) = waiting.pop() {
             let node = &self.nodes[index];
             if !enters(&node.bounds) {
                 continue;
             }
-            match node.second {
-                Some(second) => waiting.extend([second, index + 1]),
-                None => self.order[node.items.clone()].iter().for_each(|&item| found(item)),
+            let found = match node.second {
+                Some(second) => {
+                    waiting.extend([second, index + 1]);
+                    None
+                }
+                None => self.order[node.items.clone()].iter().find_map(|&item| find(item)),
+            };
+            if found.is_some() {
+                return found;
             }
         }
-    }
-
-    /// Calls `found` for the boxes near a box.
-    pub fn near(&self, bounds: &[Vector; 2], distance: f64, found: impl FnMut(usize)) {
-        self.visit(|other| boxes_meet(bounds, other, distance), found);
+        None
     }
 
     /// The smallest of the squared distances of items from a point, `INFINITY` without items.

@@ -118,11 +118,22 @@ impl Cell {
 
     /// The part behind all of the bounds.
     pub fn cut_by<'a>(&self, bounds: impl IntoIterator<Item = &'a Bound>, tolerance: f64) -> Option<Self> {
+        self.cut_by_at_cost(bounds, tolerance, &mut 0)
+    }
+
+    /// The part behind all of the bounds. Adds the number of polygons that are compared with a bound to the cost.
+    pub fn cut_by_at_cost<'a>(
+        &self,
+        bounds: impl IntoIterator<Item = &'a Bound>,
+        tolerance: f64,
+        cost: &mut usize,
+    ) -> Option<Self> {
         let mut cell = std::borrow::Cow::Borrowed(self);
         let mut ball = cell.ball();
         for bound in bounds {
             // Most bounds are far away: no need to look at all corners, or to copy the cell, for them.
             let is_far = bound.plane.height(&ball.0) + ball.1 <= tolerance;
+            *cost += if is_far { 1 } else { cell.bounds.len() };
             if !is_far && !cell.is_behind(&bound.plane, tolerance) {
                 cell = std::borrow::Cow::Owned(cell.cut(bound, tolerance)?);
                 ball = cell.ball();

@@ -16,6 +16,9 @@ use crate::solid::Solid;
 /// Covers with more pieces are refused.
 pub const MOST_PIECES: usize = 1000;
 
+/// Convex parts with more planar facets are refused.
+const MOST_HALFSPACES: usize = 5000;
+
 /// A convex piece `{p | normals p <= offsets}`, rows of unit length, none redundant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Piece {
@@ -61,23 +64,22 @@ impl Cover {
     /// As [`Cover::of`].
     pub fn facing(solid: &Solid, settings: &CoverSettings, places: &[Place]) -> Result<Self, MeshError> {
         settings.check()?;
-        let whole_solid =
-            Elements::of(solid, &CoverSettings { crop: None, ..*settings }).ok_or(MeshError::NothingLeft)?;
+        let whole_solid = Elements::of(solid, &CoverSettings { crop: None, ..*settings })?;
         let is_convex = whole_solid.is_convex();
         // A convex part is one piece: cut at a box it would have more halfspaces.
-        let elements =
-            if is_convex { whole_solid } else { Elements::of(solid, settings).ok_or(MeshError::NothingLeft)? };
+        let elements = if is_convex { whole_solid } else { Elements::of(solid, settings)? };
         let places = Places::new(places, elements.tolerance);
         let (leaves, merged) = if is_convex {
-            (Vec::new(), whole(&elements).into_iter().collect())
+            (Vec::new(), whole(&elements)?.into_iter().collect())
         } else {
             let mut partition = partition(&elements, solid, settings.tolerance)?;
             partition.solid.retain(|cell| places.face(cell, &elements));
             let merged = merge(&partition, &elements.root, elements.tolerance);
+            let merged = merged.ok_or_else(|| MeshError::too_many_pieces(solid))?;
             (partition.solid, merged)
         };
         if merged.len() > MOST_PIECES {
-            return Err(MeshError::TooManyPieces { most: MOST_PIECES, curved: solid.curved.len() });
+            return Err(MeshError::too_many_pieces(solid));
         }
         let counts = facet_counts(&solid.curved, settings, solid.tolerance);
         let mut cover = Self {
@@ -163,14 +165,17 @@ impl Cover {
 }
 
 /// A convex part is one cell.
-fn whole(elements: &Elements) -> Option<Cell> {
+fn whole(elements: &Elements) -> Result<Option<Cell>, MeshError> {
     let mut bounds: Vec<Bound> = Vec::new();
     for element in &elements.elements {
         if !bounds.iter().any(|bound| bound.is(&element.bound)) {
             bounds.push(element.bound);
         }
     }
-    elements.root.cut_by(&bounds, elements.tolerance)
+    if bounds.len() > MOST_HALFSPACES {
+        return Err(MeshError::TooManyHalfspaces { count: bounds.len(), most: MOST_HALFSPACES });
+    }
+    Ok(elements.root.cut_by(&bounds, elements.tolerance))
 }
 
 fn crop_planes(elements: &Elements) -> Vec<Bound> {

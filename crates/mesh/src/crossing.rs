@@ -12,67 +12,73 @@ use crate::surface::Surface;
 /// the tolerance (m), which is that of the vertices; or one is folded back onto its neighbour. Signs are exact.
 ///
 /// # Errors
-/// With the place of a crossing and the number of them.
+/// With the place of the first crossing.
 pub fn refuse_crossings(surface: &Surface, scale: f64, tolerance: f64) -> Result<(), MeshError> {
     let corners = |triangle: &[usize; 3]| triangle.map(|corner| surface.vertices[corner]);
     let triangles: Vec<[Vector; 3]> = surface.triangles.iter().map(corners).collect();
+    let planes: Vec<Plane> = triangles.iter().map(plane).collect();
     let boxes: Vec<[Vector; 2]> = triangles.iter().map(bounds).collect();
     let tree = BoxTree::new(&boxes);
-    let mut places = folds(surface, &triangles, tolerance);
-    for (index, triangle) in triangles.iter().enumerate() {
-        tree.near(&boxes[index], 0.0, |other| {
-            if other > index && boxes_meet(&boxes[index], &boxes[other], 0.0) {
-                let crossing = pierced(triangle, &triangles[other], tolerance);
-                places.extend(crossing.or_else(|| pierced(&triangles[other], triangle, tolerance)));
-            }
-        });
-    }
-    let crossing = |place: &Vector| MeshError::SelfIntersecting { place: (place / scale).into(), count: places.len() };
-    places.first().map_or(Ok(()), |place| Err(crossing(place)))
+    let pierced = |one: usize, by: usize| pierced(&triangles[one], &planes[one], &triangles[by], tolerance);
+    let crossing = |one: usize| {
+        let is_near = |other: &[Vector; 2]| boxes_meet(&boxes[one], other, 0.0);
+        tree.find_map(is_near, |other| {
+            let is_new = other > one && is_near(&boxes[other]);
+            is_new.then(|| pierced(one, other).or_else(|| pierced(other, one))).flatten()
+        })
+    };
+    let place = fold(surface, &triangles, tolerance).or_else(|| (0..triangles.len()).find_map(crossing));
+    place.map_or(Ok(()), |place| Err(MeshError::SelfIntersecting { place: (place / scale).into() }))
 }
 
-/// Middles of the edges at which a triangle lies on its only neighbour.
-fn folds(surface: &Surface, triangles: &[[Vector; 3]], tolerance: f64) -> Vec<Vector> {
-    let mut folds = Vec::new();
-    for ((from, to), sides) in edges(&surface.triangles) {
-        let [one, other] = sides[..] else { continue };
+fn plane(triangle: &[Vector; 3]) -> Plane {
+    Plane::through(&triangle[0], area_vector(triangle).try_normalize(0.0).unwrap_or_default())
+}
+
+/// The middle of an edge at which a triangle lies on its only neighbour.
+fn fold(surface: &Surface, triangles: &[[Vector; 3]], tolerance: f64) -> Option<Vector> {
+    edges(&surface.triangles).into_iter().find_map(|((from, to), sides)| {
+        let [one, other] = sides[..] else { return None };
         let [one, other] = [one.triangle, other.triangle];
         let areas = [one, other].map(|triangle| area_vector(&triangles[triangle]));
         let is_wide = [one, other].map(|triangle| crate::cell::is_wide(&triangles[triangle], 2.0 * tolerance));
-        let plane = Plane::through(&triangles[one][0], areas[0].try_normalize(0.0).unwrap_or_default());
+        let plane = plane(&triangles[one]);
         let is_flat = triangles[other].iter().all(|corner| plane.height(corner).abs() <= tolerance);
-        if is_wide == [true; 2] && is_flat && areas[0].dot(&areas[1]) < 0.0 {
-            folds.push(0.5 * (surface.vertices[from] + surface.vertices[to]));
-        }
-    }
-    folds
+        let is_folded = is_wide == [true; 2] && is_flat && areas[0].dot(&areas[1]) < 0.0;
+        is_folded.then(|| 0.5 * (surface.vertices[from] + surface.vertices[to]))
+    })
 }
 
-/// A point in which an edge of one triangle passes through the other.
-fn pierced(triangle: &[Vector; 3], other: &[Vector; 3], tolerance: f64) -> Option<Vector> {
-    (0..3).find_map(|at| passes(&other[at], &other[(at + 1) % 3], triangle, tolerance))
+/// A point in which an edge of another triangle passes through a triangle in a plane.
+fn pierced(triangle: &[Vector; 3], plane: &Plane, by: &[Vector; 3], tolerance: f64) -> Option<Vector> {
+    // Most neighbours are on one side of the plane, or touch it: they need no exact signs.
+    let heights = by.map(|corner| plane.height(&corner));
+    let passing = (0..3).map(|at| (at, (at + 1) % 3)).filter(|&(from, to)| {
+        let [from, to] = [heights[from], heights[to]];
+        from * to < 0.0 && from.abs().min(to.abs()) > tolerance
+    });
+    let mut points = passing.filter_map(|(from, to)| {
+        let point = by[from] + (by[to] - by[from]) * (heights[from] / (heights[from] - heights[to]));
+        (is_crossed(&by[from], &by[to], triangle) && depth(&point, triangle, plane) > tolerance).then_some(point)
+    });
+    points.next()
 }
 
-fn passes(from: &Vector, to: &Vector, triangle: &[Vector; 3], tolerance: f64) -> Option<Vector> {
+/// Whether a line segment passes through a triangle, exactly.
+fn is_crossed(from: &Vector, to: &Vector, [a, b, c]: &[Vector; 3]) -> bool {
     let exact = |point: &Vector| Coord3D { x: point.x, y: point.y, z: point.z };
     let side = |a: &Vector, b: &Vector, c: &Vector, d: &Vector| orient3d(exact(a), exact(b), exact(c), exact(d));
-    let [a, b, c] = triangle;
-    if side(a, b, c, from) * side(a, b, c, to) >= 0.0 {
-        return None;
+    side(a, b, c, from) * side(a, b, c, to) < 0.0 && {
+        let around = [(a, b), (b, c), (c, a)].map(|(start, end)| side(from, to, start, end));
+        around.iter().all(|side| *side > 0.0) || around.iter().all(|side| *side < 0.0)
     }
-    let around = [side(from, to, a, b), side(from, to, b, c), side(from, to, c, a)];
-    if !(around.iter().all(|side| *side > 0.0) || around.iter().all(|side| *side < 0.0)) {
-        return None;
-    }
-    let normal = area_vector(triangle);
-    let plane = Plane::through(a, normal / normal.norm());
-    let (start, end) = (plane.height(from), plane.height(to));
-    let point = from + (to - from) * (start / (start - end));
-    let inside = (0..3)
-        .map(|at| {
-            let along = (triangle[(at + 1) % 3] - triangle[at]).normalize();
-            plane.normal.cross(&along).dot(&(point - triangle[at]))
-        })
-        .fold(f64::INFINITY, f64::min);
-    (start.abs().min(end.abs()).min(inside) > tolerance).then_some(point)
+}
+
+/// How deep a point is between the sides of a triangle (m).
+fn depth(point: &Vector, triangle: &[Vector; 3], plane: &Plane) -> f64 {
+    let from_side = |at: usize| {
+        let along = (triangle[(at + 1) % 3] - triangle[at]).normalize();
+        plane.normal.cross(&along).dot(&(point - triangle[at]))
+    };
+    (0..3).map(from_side).fold(f64::INFINITY, f64::min)
 }

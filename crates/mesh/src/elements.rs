@@ -2,6 +2,7 @@
 
 use crate::cell::{Bound, Cell, is_wide};
 use crate::curved::Curved;
+use crate::error::MeshError;
 use crate::facets::{Sector, facet_counts, sectors};
 use crate::geometry::{Plane, Vector, bounds, clip};
 use crate::planes::Planes;
@@ -38,6 +39,8 @@ struct Faceted<'a> {
     factor: f64,
 }
 
+/// With more planes the part has too many pieces, and it takes long to find that.
+const MOST_PLANES: usize = 20_000;
 /// Roundings of vertices, fits of faces and of planes add up.
 const ON_PLANE: f64 = 2.0;
 
@@ -51,7 +54,11 @@ fn margin(solid: &Solid, settings: &CoverSettings) -> f64 {
 }
 
 impl Elements {
-    pub fn of(solid: &Solid, settings: &CoverSettings) -> Option<Self> {
+    /// The surface of a solid within the crop box.
+    ///
+    /// # Errors
+    /// When nothing is there, or it has more planes than can be compared.
+    pub fn of(solid: &Solid, settings: &CoverSettings) -> Result<Self, MeshError> {
         let tolerance = ON_PLANE * solid.tolerance;
         let whole = solid.bounds();
         let crop = settings.crop.map(|corners| corners.map(Vector::from)).unwrap_or(whole);
@@ -65,7 +72,7 @@ impl Elements {
             Vector::from_fn(|axis, _| if is_cropped[3 * side + axis] { crop[side][axis] } else { outer[axis] })
         });
         if (box_[1] - box_[0]).min() <= 2.0 * tolerance {
-            return None;
+            return Err(MeshError::NothingLeft);
         }
         let mut planes = Planes::default();
         let sides = std::array::from_fn(|face| {
@@ -75,7 +82,7 @@ impl Elements {
         });
         let root = Cell::of_box(&box_, sides);
         let mut elements = Self { elements: Vec::new(), planes, root, is_cropped, tolerance };
-        elements.add_planar(solid, &box_);
+        elements.add_planar(solid, &box_)?;
         let counts = facet_counts(&solid.curved, settings, solid.tolerance);
         let faceted = solid.curved.iter().zip(counts);
         let faceted: Vec<Faceted> =
@@ -89,10 +96,10 @@ impl Elements {
         for (faceted, factor) in faceted.into_iter().zip(factors) {
             elements.add_curved(faceted, factor);
         }
-        Some(elements)
+        Ok(elements)
     }
 
-    fn add_planar(&mut self, solid: &Solid, box_: &[Vector; 2]) {
+    fn add_planar(&mut self, solid: &Solid, box_: &[Vector; 2]) -> Result<(), MeshError> {
         let mut is_curved = vec![false; solid.faces.faces.len()];
         solid.curved.iter().flat_map(|curved| &curved.faces).for_each(|&face| is_curved[face] = true);
         for (face, _) in solid.faces.faces.iter().zip(is_curved).filter(|(_, is_curved)| !is_curved) {
@@ -103,7 +110,11 @@ impl Elements {
             let points: Vec<Vector> = face.triangles.iter().flat_map(|&triangle| solid.corners(triangle)).collect();
             let bound = self.planes.bound(&face.plane, &points, self.tolerance);
             self.elements.extend(polygons.into_iter().map(|polygon| Element { polygon, bound, slack: 0.0 }));
+            if self.planes.len() > MOST_PLANES {
+                return Err(MeshError::too_many_pieces(solid));
+            }
         }
+        Ok(())
     }
 
     fn faceted<'a>(&self, solid: &Solid, curved: &'a Curved, count: usize, box_: &[Vector; 2]) -> Faceted<'a> {

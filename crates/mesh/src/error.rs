@@ -1,13 +1,60 @@
 //! Why a mesh is refused.
 
+use crate::cover::MOST_PIECES;
+use crate::solid::Solid;
+
 /// Why a mesh cannot be read or turned into polytopes. Places are in the unit of the file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshError {
     /// The file cannot be opened or read.
     #[error("cannot be read: {reason}")]
     Read {
-        /// What the system or the format's reader says.
+        /// What the system says, or what is wrong.
         reason: String,
+    },
+    /// A line of a text file is wrong, or the file ends there.
+    #[error("line {line}: {problem}")]
+    Line {
+        /// Number of the line, from one.
+        line: usize,
+        /// What is wrong there.
+        problem: String,
+    },
+    /// The file is of a kind that is known and not what its name says.
+    #[error("it is {what}")]
+    Foreign {
+        /// What it is and what to do about it.
+        what: &'static str,
+    },
+    /// Nothing but blanks.
+    #[error("the file is empty: nothing is in its {size} bytes")]
+    NoContent {
+        /// Bytes of the file.
+        size: usize,
+    },
+    /// A binary STL file is shorter than its header says.
+    #[error(
+        "the file is cut off or no STL file: its header states {count} triangles, which take {needed} bytes, and it has {size}"
+    )]
+    CutOff {
+        /// Triangles that the header states.
+        count: u32,
+        /// Bytes that they need, with the header.
+        needed: u64,
+        /// Bytes of the file.
+        size: usize,
+    },
+    /// A binary STL file is longer than its header says.
+    #[error(
+        "its header states {count} triangles, which end at byte {end}, but {left} bytes follow: if several files were joined, export all bodies as one"
+    )]
+    LeftOver {
+        /// Triangles that the header states.
+        count: u32,
+        /// Bytes up to the end of these.
+        end: usize,
+        /// Bytes that follow.
+        left: usize,
     },
     /// Neither `.stl` nor `.obj`.
     #[error("'{extension}' is not a known format: use .stl or .obj{}", step_advice(.extension))]
@@ -25,10 +72,8 @@ pub enum MeshError {
     #[error("it has no triangles")]
     Empty,
     /// Longer than is handled in reasonable time.
-    #[error("{count} triangles are too many: at most {most} are allowed; simplify the mesh or export it coarser")]
+    #[error("more than {most} triangles are too many: simplify the mesh or export it coarser")]
     TooManyTriangles {
-        /// Number of triangles.
-        count: usize,
         /// Largest number.
         most: usize,
     },
@@ -72,12 +117,10 @@ pub enum MeshError {
         place: [f64; 3],
     },
     /// Triangles cross each other.
-    #[error("the surface crosses itself at {count} pairs of triangles, one at ({:.6}, {:.6}, {:.6}); unite the bodies in the CAD program", place[0], place[1], place[2])]
+    #[error("the surface crosses itself at ({:.6}, {:.6}, {:.6}); unite the bodies in the CAD program", place[0], place[1], place[2])]
     SelfIntersecting {
         /// A point of both triangles of a pair.
         place: [f64; 3],
-        /// Number of pairs found.
-        count: usize,
     },
     /// A shell inside of another that is neither a void nor a body in a void.
     #[error("the shell around ({:.6}, {:.6}, {:.6}) lies inside another one and is oriented like it: neither a void nor another body; remove one of them", place[0], place[1], place[2])]
@@ -95,22 +138,38 @@ pub enum MeshError {
         /// What is allowed.
         range: &'static str,
     },
-    /// The cover would be too large to plan with.
+    /// The cover would be too large to plan with, or take too long to be found.
     #[error(
-        "the part needs more than {most} convex pieces, or cells to find them: crop it to where the motion is, use fewer facets for curved surfaces ({curved} of them) or a coarser tolerance"
+        "the part needs too many convex pieces, more than {most}, or too much time to find them: threads and scanned or sculpted surfaces are not for this program; export a plainer part, such as a cylinder in place of a thread{}",
+        if *curved > 0 { ", or set fewer `facets`" } else { "" }
     )]
     TooManyPieces {
-        /// Largest number of pieces or cells.
+        /// Largest number of pieces.
         most: usize,
         /// Number of curved surfaces.
         curved: usize,
     },
-    /// Nothing is left of the part.
-    #[error("no material is left: the crop box misses the part or the clearance is larger than it")]
+    /// A convex part has more facets than can be planned with.
+    #[error("the part is convex and has {count} planar facets, more than {most}: export it coarser")]
+    TooManyHalfspaces {
+        /// Number of facets.
+        count: usize,
+        /// Largest number.
+        most: usize,
+    },
+    /// Nothing is left of the part within the crop box and its clearance.
+    #[error("no material is left: `clearance` takes all of the part")]
     NothingLeft,
 }
 
 /// What else helps with a format of CAD programs.
 fn step_advice(extension: &str) -> &'static str {
     if ["step", "stp"].contains(&extension) { ", which scripts/step-to-obj makes of it" } else { "" }
+}
+
+impl MeshError {
+    /// That a solid needs too many pieces.
+    pub(crate) fn too_many_pieces(solid: &Solid) -> Self {
+        Self::TooManyPieces { most: MOST_PIECES, curved: solid.curved.len() }
+    }
 }

@@ -5,7 +5,7 @@
 //!
 //! | step | what it does | error |
 //! |---|---|---|
-//! | read | STL, OBJ with polygons of any shape; lengths in metres | the rounding of the file: half its last digit, or of single precision; at most 1e-5 of the size |
+//! | read | STL, OBJ with polygons of any shape, all of it or an error ([`MeshError`]); lengths in metres | the rounding of the file: half its last digit, or of single precision; at most 1e-5 of the size |
 //! | weld | vertices within 4 roundings are one | the same |
 //! | repair | drops, rewinds, closes what is certain ([`Repair`]), refuses the rest ([`MeshError`]) | caps are planar within 8 roundings |
 //! | planes | triangles within 4 roundings of the plane of a larger one join it; equal planes within 8 are one | [`Cover::tolerance`] |
@@ -41,9 +41,11 @@ mod error;
 mod faces;
 mod facets;
 mod facing;
+mod foreign;
 mod geometry;
 mod mass;
 mod merge;
+mod obj;
 mod partition;
 mod planes;
 mod precision;
@@ -54,8 +56,11 @@ mod set_cover;
 mod settings;
 mod shells;
 mod solid;
+mod stl;
 mod strips;
+mod superfluous;
 mod surface;
+mod text;
 mod triangulate;
 mod weld;
 
@@ -65,7 +70,7 @@ pub use deviation::Deviation;
 pub use error::MeshError;
 pub use facing::Place;
 pub use mass::MassProperties;
-pub use read::TriangleMesh;
+pub use read::{Format, TriangleMesh};
 pub use settings::CoverSettings;
 pub use solid::Solid;
 pub use surface::Repair;

@@ -1,7 +1,7 @@
 //! Few large convex pieces instead of the cells of a partition.
 
 use crate::cell::{Bound, Cell};
-use crate::geometry::{Vector, boxes_meet};
+use crate::geometry::{Vector, area_vector, boxes_meet};
 use crate::partition::Partition;
 use crate::set_cover::set_cover;
 
@@ -11,16 +11,20 @@ const INSIDE: f64 = 2.0;
 /// With more cells than this there is no time to try several ways.
 const FEW: usize = 200;
 
+/// Polygons of cells that are compared with bounds while these grow: more take too long.
+const MOST_WORK: usize = 300_000_000;
+
 /// A piece that falls into more parts counts as not covered.
 const MOST_PARTS: usize = 300;
 
-/// Enlarges cells with material into whatever has material and leaves out those that others cover. Pieces overlap.
-pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
+/// Enlarges cells with material into whatever has material and leaves out those that others cover. Pieces overlap. `None`
+/// when that takes too long.
+pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Option<Vec<Cell>> {
     let free: Vec<(&Cell, [Vector; 2])> = partition.free.iter().map(|cell| (cell, cell.bounding_box())).collect();
     let mut leaves: Vec<(&Cell, f64)> = partition.solid.iter().map(|cell| (cell, cell.volume())).collect();
     leaves.sort_by(|one, other| other.1.total_cmp(&one.1));
     let orders = if leaves.len() <= FEW { &Order::ALL[..] } else { &Order::ALL[1..2] };
-    let grower = Grower { free, used: &partition.used, root, tolerance };
+    let mut grower = Grower { free, used: &partition.used, root, tolerance, work: 0 };
     let mut pieces: Vec<Cell> = Vec::new();
     let mut covers: Vec<Vec<usize>> = Vec::new();
     let mut known = vec![0; leaves.len()];
@@ -28,6 +32,9 @@ pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
         // A leaf that several pieces cover needs no more of them.
         for order in orders.iter().skip(known[index]) {
             let piece = grower.grow(leaf, *order);
+            if grower.work > MOST_WORK {
+                return None;
+            }
             let is_covered = |other: &usize| *other == index || contains(&piece, leaves[*other].0, INSIDE * tolerance);
             let covered: Vec<usize> = (0..leaves.len()).filter(is_covered).collect();
             covered.iter().for_each(|&leaf| known[leaf] += 1);
@@ -39,7 +46,7 @@ pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Vec<Cell> {
     let mut chosen = set_cover(&covers, &volumes);
     chosen.sort_unstable();
     let chosen = chosen.into_iter().map(|piece| pieces[piece].clone()).collect();
-    without_superfluous(chosen, &partition.solid, INSIDE * tolerance)
+    Some(without_superfluous(chosen, &partition.solid, INSIDE * tolerance))
 }
 
 /// Without pieces for which the others together cover all cells: no single one may contain a cell.
@@ -116,11 +123,13 @@ struct Grower<'a> {
     used: &'a [Bound],
     root: &'a Cell,
     tolerance: f64,
+    /// Polygons that were compared with bounds.
+    work: usize,
 }
 
 impl Grower<'_> {
     /// A largest convex cell around a leaf that meets no free cell.
-    fn grow(&self, leaf: &Cell, order: Order) -> Cell {
+    fn grow(&mut self, leaf: &Cell, order: Order) -> Cell {
         let is_around = |bound: &Bound| leaf.is_behind(&bound.plane, self.tolerance);
         let both = self.used.iter().flat_map(|bound| [*bound, bound.flipped()]);
         let mut around: Vec<Bound> = both.filter(is_around).collect();
@@ -130,17 +139,12 @@ impl Grower<'_> {
         loop {
             let loose =
                 cell.bounds.iter().zip(&cell.polygons).filter(|(bound, _)| !fixed.iter().any(|other| other.is(bound)));
-            let mut loose: Vec<(Bound, f64)> = loose
-                .map(|(bound, polygon)| {
-                    let area = crate::geometry::area_vector(polygon).norm();
-                    let rating = match order {
-                        Order::LargestFirst => area,
-                        Order::SmallestFirst => -area,
-                        Order::MostGained => self.beyond(&cell, bound, &around).map_or(0.0, |gain| gain.volume()),
-                    };
-                    (*bound, rating)
-                })
-                .collect();
+            let mut rating = |bound: &Bound, polygon: &Vec<Vector>| match order {
+                Order::LargestFirst => area_vector(polygon).norm(),
+                Order::SmallestFirst => -area_vector(polygon).norm(),
+                Order::MostGained => self.beyond(&cell, bound, &around).map_or(0.0, |gain| gain.volume()),
+            };
+            let mut loose: Vec<(Bound, f64)> = loose.map(|(bound, polygon)| (*bound, rating(bound, polygon))).collect();
             loose.sort_by(|one, other| other.1.total_cmp(&one.1));
             let mut is_grown = false;
             for (bound, _) in loose {
@@ -153,7 +157,9 @@ impl Grower<'_> {
                 // The planes of both parts first: few others cut what these leave.
                 let near = cell.bounds.iter().chain(gain.iter().flat_map(|gain| &gain.bounds));
                 let near = near.filter(|other| other.id != bound.id);
-                let Some(grown) = self.root.cut_by(near.chain(&around), self.tolerance) else { return cell };
+                let planes = near.chain(&around);
+                let grown = self.root.cut_by_at_cost(planes, self.tolerance, &mut self.work);
+                let Some(grown) = grown else { return cell };
                 cell = grown;
                 is_grown = true;
                 break;
@@ -165,9 +171,9 @@ impl Grower<'_> {
     }
 
     /// What is gained when a bound is dropped.
-    fn beyond(&self, cell: &Cell, bound: &Bound, around: &[Bound]) -> Option<Cell> {
+    fn beyond(&mut self, cell: &Cell, bound: &Bound, around: &[Bound]) -> Option<Cell> {
         let others = cell.bounds.iter().chain(around).filter(|other| !other.is(bound));
-        self.root.cut(&bound.flipped(), self.tolerance)?.cut_by(others, self.tolerance)
+        self.root.cut(&bound.flipped(), self.tolerance)?.cut_by_at_cost(others, self.tolerance, &mut self.work)
     }
 
     fn meets_free(&self, gain: &Cell) -> bool {

@@ -53,7 +53,7 @@ pub fn partition(elements: &Elements, solid: &Solid, rough: f64) -> Result<Parti
     let mut used = BTreeSet::new();
     while let Some(node) = waiting.pop() {
         if waiting.len() + partition.solid.len() + partition.free.len() > MOST_CELLS {
-            return Err(MeshError::TooManyPieces { most: MOST_CELLS, curved: solid.curved.len() });
+            return Err(MeshError::too_many_pieces(solid));
         }
         match choose(&node.fragments, elements) {
             Some(id) => {

@@ -14,8 +14,8 @@ impl Planes {
     pub fn bound(&mut self, plane: &Plane, points: &[Vector], tolerance: f64) -> Bound {
         const ALIKE: f64 = 0.99;
         let older = self.planes.iter().position(|older| {
-            let (low, high) = older.heights(points);
-            older.normal.dot(&plane.normal).abs() > ALIKE && low.abs().max(high.abs()) <= tolerance
+            older.normal.dot(&plane.normal).abs() > ALIKE
+                && points.iter().all(|point| older.height(point).abs() <= tolerance)
         });
         let id = older.unwrap_or_else(|| {
             self.planes.push(*plane);

@@ -13,32 +13,37 @@ pub fn single(vertices: &[[f64; 3]]) -> f64 {
     0.5 * f64::from(f32::EPSILON) * largest
 }
 
-/// Half of the last digit of the coordinates in lines that begin with a keyword.
-pub fn of_text(bytes: &[u8], keyword: &str) -> f64 {
-    let text = String::from_utf8_lossy(bytes);
-    let mut decimals: Option<i32> = None;
-    let mut exponential: Option<(i32, i32)> = None;
-    for line in text.lines() {
-        let mut words = line.split_whitespace();
-        if words.next() != Some(keyword) {
-            continue;
-        }
-        for word in words.take(3) {
-            let (mantissa, exponent) = word.split_once(['e', 'E']).unwrap_or((word, ""));
-            let digits = mantissa.split_once('.').map_or(0, |(_, digits)| digits.len().min(99) as i32);
-            match exponent.parse::<i32>() {
-                Ok(exponent) => {
-                    let (largest, longest) = exponential.unwrap_or((exponent, digits));
-                    exponential = Some((largest.max(exponent.clamp(-99, 99)), longest.max(digits)));
-                }
-                Err(_) => decimals = Some(decimals.unwrap_or(0).max(digits)),
+/// The digits of the coordinates in a text.
+#[derive(Debug, Default)]
+pub struct Digits {
+    /// Most digits after the point of numbers without exponents.
+    decimals: Option<i32>,
+    /// Largest exponent, and most digits after the point of numbers with exponents.
+    exponential: Option<(i32, i32)>,
+}
+
+impl Digits {
+    /// Notes those of a number.
+    pub fn note(&mut self, word: &[u8]) {
+        let exponent = word.iter().position(|byte| matches!(byte, b'e' | b'E'));
+        let (mantissa, exponent) = word.split_at(exponent.unwrap_or(word.len()));
+        let point = mantissa.iter().position(|byte| *byte == b'.');
+        let digits = point.map_or(0, |point| (mantissa.len() - point - 1).min(99) as i32);
+        let exponent = exponent.get(1..).and_then(|exponent| str::from_utf8(exponent).ok()?.parse::<i32>().ok());
+        match exponent {
+            Some(exponent) => {
+                let (largest, longest) = self.exponential.unwrap_or((exponent, digits));
+                self.exponential = Some((largest.max(exponent.clamp(-99, 99)), longest.max(digits)));
             }
+            None => self.decimals = Some(self.decimals.unwrap_or(0).max(digits)),
         }
     }
-    let fixed = decimals.map_or(0.0, |digits| 10f64.powi(-digits));
-    let floating = exponential.map_or(0.0, |(exponent, digits)| 10f64.powi(exponent - digits));
-    // Of a mixture, the fixed ones are those for which that was precise enough.
-    0.5 * if exponential.is_some() { floating } else { fixed }
+
+    /// Half of the last digit. Of a mixture, the fixed ones are those for which that was precise enough.
+    pub fn rounding(&self) -> f64 {
+        let fixed = self.decimals.map_or(0.0, |digits| 10f64.powi(-digits));
+        0.5 * self.exponential.map_or(fixed, |(exponent, digits)| 10f64.powi(exponent - digits))
+    }
 }
 
 /// A rounding (m) within what makes sense for the size of the part.

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::crossing::refuse_crossings;
-use crate::edges::{Edges, directed, edges, undirected};
+use crate::edges::{Edges, edges, undirected};
 use crate::error::MeshError;
 use crate::geometry::{Plane, Vector, area_vector, mean};
 use crate::read::TriangleMesh;
-use crate::shells::orient;
+use crate::shells::{Oriented, orient};
+use crate::superfluous::{without_copies, without_slivers};
 use crate::surface::{Repair, Surface};
 use crate::triangulate::triangulate;
 use crate::weld::weld;
@@ -27,21 +28,22 @@ pub fn repair(mesh: &TriangleMesh) -> Result<Surface, MeshError> {
     let tolerance = SAME * mesh.rounding;
     let (vertices, index) = weld(&mesh.vertices, tolerance);
     let welded: Vec<[usize; 3]> = mesh.triangles.iter().map(|corners| corners.map(|corner| index[corner])).collect();
+    let whole: Vec<[usize; 3]> = welded.iter().copied().filter(|[a, b, c]| a != b && b != c && c != a).collect();
+    let single = without_copies(whole.clone());
+    let triangles = without_slivers(single.clone(), &vertices, tolerance);
     let mut repairs = Vec::new();
-    let mut triangles: Vec<[usize; 3]> =
-        welded.iter().copied().filter(|[a, b, c]| a != b && b != c && c != a).collect();
-    note(&mut repairs, welded.len() - triangles.len(), |triangles| Repair::Collapsed { triangles });
-    let count = triangles.len();
-    triangles = without_duplicates(triangles);
-    note(&mut repairs, count - triangles.len(), |triangles| Repair::Duplicates { triangles });
+    let collapsed = welded.len() - whole.len() + single.len() - triangles.len();
+    note(&mut repairs, collapsed, |triangles| Repair::Collapsed { triangles });
+    note(&mut repairs, whole.len() - single.len(), |triangles| Repair::Duplicates { triangles });
     let mut surface = Surface { vertices, triangles, repairs };
     let rewound = wind(&mut surface, mesh.scale)?;
     note(&mut surface.repairs, rewound, |triangles| Repair::Rewound { triangles });
     close(&mut surface, mesh.scale, tolerance)?;
     refuse_flat(&surface, tolerance)?;
     refuse_crossings(&surface, mesh.scale, tolerance)?;
-    let inverted = orient(&mut surface, mesh.scale, tolerance)?;
-    note(&mut surface.repairs, inverted, |shells| Repair::Inverted { shells });
+    let Oriented { turned, flat } = orient(&mut surface, mesh.scale, tolerance)?;
+    note(&mut surface.repairs, turned, |shells| Repair::Inverted { shells });
+    note(&mut surface.repairs, flat, |shells| Repair::Flat { shells });
     Ok(surface)
 }
 
@@ -59,24 +61,6 @@ fn note(repairs: &mut Vec<Repair>, count: usize, repair: impl Fn(usize) -> Repai
     if count > 0 {
         repairs.push(repair(count));
     }
-}
-
-/// Of triangles with the same corners, one is left where its edges need it and none where the surface is closed without.
-fn without_duplicates(triangles: Vec<[usize; 3]>) -> Vec<[usize; 3]> {
-    let mut copies: BTreeMap<[usize; 3], Vec<usize>> = BTreeMap::new();
-    for (triangle, corners) in triangles.iter().enumerate() {
-        let mut key = *corners;
-        key.sort_unstable();
-        copies.entry(key).or_default().push(triangle);
-    }
-    let edges = edges(&triangles);
-    let mut is_kept = vec![true; triangles.len()];
-    for same in copies.values().filter(|same| same.len() > 1) {
-        let others = directed(triangles[same[0]]).map(|edge| edges[&undirected(edge)].len() - same.len());
-        let is_needed = others.iter().filter(|&&others| others % 2 == 1).count() >= 2;
-        same.iter().skip(usize::from(is_needed)).for_each(|&triangle| is_kept[triangle] = false);
-    }
-    triangles.into_iter().zip(is_kept).filter(|(_, is_kept)| *is_kept).map(|(corners, _)| corners).collect()
 }
 
 /// A triangle across an edge, and whether it is wound alike.
@@ -150,7 +134,9 @@ fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshEr
         let area = area_vector(&points).norm();
         let is_certain = is_gap(&points, area, tolerance)
             || (is_planar(&points, tolerance)
-                && (area <= SMALL_HOLE * total || continues(surface, &edges, &hole, &points, tolerance)));
+                // A cap would lie on an open sheet.
+                && !continues(surface, &edges, &hole, &points, -1.0, tolerance)
+                && (area <= SMALL_HOLE * total || continues(surface, &edges, &hole, &points, 1.0, tolerance)));
         if !is_certain || hole.len() > MOST_EDGES {
             return Err(MeshError::Open {
                 place: (points[0] / scale).into(),
@@ -176,19 +162,20 @@ fn holes(edges: &Edges) -> Vec<Vec<usize>> {
         }
     }
     let mut holes = Vec::new();
-    while let Some(&first) = next.iter().find(|(_, ends)| !ends.is_empty()).map(|(start, _)| start) {
-        let mut path = vec![first];
-        while let Some(end) = path.last().and_then(|last| next.get_mut(last)).and_then(Vec::pop) {
-            // A path that touches itself is several holes.
-            match path.iter().position(|&vertex| vertex == end) {
-                Some(start) => {
-                    holes.push(path.split_off(start));
-                    path.push(end);
+    for first in next.keys().copied().collect::<Vec<usize>>() {
+        while next.get(&first).is_some_and(|ends| !ends.is_empty()) {
+            let mut path = vec![first];
+            while let Some(end) = path.last().and_then(|last| next.get_mut(last)).and_then(Vec::pop) {
+                // A path that touches itself is several holes.
+                match path.iter().position(|&vertex| vertex == end) {
+                    Some(start) => {
+                        holes.push(path.split_off(start));
+                        path.push(end);
+                    }
+                    None => path.push(end),
                 }
-                None => path.push(end),
             }
         }
-        next.retain(|_, ends| !ends.is_empty());
     }
     holes
 }
@@ -208,8 +195,8 @@ fn is_planar(points: &[Vector], tolerance: f64) -> bool {
     high - low <= 2.0 * tolerance
 }
 
-/// Whether a hole lies in the plane of a triangle at its rim.
-fn continues(surface: &Surface, edges: &Edges, hole: &[usize], points: &[Vector], tolerance: f64) -> bool {
+/// Whether a hole lies in the plane of a triangle at its rim that has the same side, or for a sign of minus one the other.
+fn continues(surface: &Surface, edges: &Edges, hole: &[usize], points: &[Vector], sign: f64, tolerance: f64) -> bool {
     let normal = area_vector(points).normalize();
     let plane = Plane::through(&points[0], normal);
     (0..hole.len()).any(|at| {
@@ -218,7 +205,7 @@ fn continues(surface: &Surface, edges: &Edges, hole: &[usize], points: &[Vector]
             let corners = surface.triangles[side.triangle].map(|corner| surface.vertices[corner]);
             let area = area_vector(&corners);
             let (low, high) = plane.heights(&corners);
-            low.abs().max(high.abs()) <= 2.0 * tolerance && area.dot(&normal) > 0.99 * area.norm()
+            low.abs().max(high.abs()) <= 2.0 * tolerance && sign * area.dot(&normal) > 0.99 * area.norm()
         })
     })
 }

@@ -22,11 +22,19 @@ pub fn winding_number(point: &Vector, triangles: impl Iterator<Item = [Vector; 3
     triangles.map(|triangle| solid_angle(point, &triangle)).sum::<f64>() / (4.0 * std::f64::consts::PI)
 }
 
-/// Turns shells whose outside is inside. Returns their number.
+/// Numbers of shells that were changed.
+pub struct Oriented {
+    /// Turned inside out.
+    pub turned: usize,
+    /// Dropped, as they enclose nothing.
+    pub flat: usize,
+}
+
+/// Turns shells whose outside is inside and drops those without volume.
 ///
 /// # Errors
 /// When nothing is enclosed, or an inner shell is oriented like the one around it.
-pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<usize, MeshError> {
+pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<Oriented, MeshError> {
     let shells = surface.shells();
     let corners = |triangle: usize| surface.triangles[triangle].map(|corner| surface.vertices[corner]);
     let boxes: Vec<[Vector; 2]> = shells
@@ -86,10 +94,10 @@ pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<usize
     for &index in &turned {
         shells[index].iter().for_each(|&triangle| surface.triangles[triangle].swap(1, 2));
     }
-    // Shells without volume, such as those of doubled triangles, are no part of the solid.
+    // Shells without volume, such as gaps that were closed, are no part of the solid.
     let mut is_kept = vec![false; surface.triangles.len()];
     solid.iter().flat_map(|&index| &shells[index]).for_each(|&triangle| is_kept[triangle] = true);
     let mut kept = is_kept.iter();
     surface.triangles.retain(|_| kept.next() == Some(&true));
-    Ok(turned.len())
+    Ok(Oriented { turned: turned.len(), flat: shells.len() - solid.len() })
 }

@@ -6,12 +6,12 @@ use crate::geometry::Vector;
 /// What was changed in a mesh. Places are in the unit of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Repair {
-    /// Triangles two of whose corners are the same point within the precision of the file were dropped.
+    /// Triangles without area within the precision of the file, that join nothing, were dropped.
     Collapsed {
         /// Number of triangles.
         triangles: usize,
     },
-    /// Triangles that are there several times were dropped.
+    /// Copies of triangles that are there several times were dropped, wound alike or not, and walls between bodies.
     Duplicates {
         /// Number of triangles.
         triangles: usize,
@@ -23,6 +23,11 @@ pub enum Repair {
     },
     /// Shells whose outside was inside were turned around.
     Inverted {
+        /// Number of shells.
+        shells: usize,
+    },
+    /// Closed shells that enclose nothing within the precision of the file were dropped.
+    Flat {
         /// Number of shells.
         shells: usize,
     },
@@ -44,6 +49,7 @@ impl std::fmt::Display for Repair {
             Self::Duplicates { triangles } => write!(formatter, "{triangles} duplicate triangles dropped"),
             Self::Rewound { triangles } => write!(formatter, "{triangles} triangles with reversed winding flipped"),
             Self::Inverted { shells } => write!(formatter, "{shells} shells turned inside out"),
+            Self::Flat { shells } => write!(formatter, "{shells} shells without volume dropped"),
             Self::Capped { place: [x, y, z], edges, area } => write!(
                 formatter,
                 "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed, area {:.3} mm^2",

@@ -12,12 +12,11 @@ pub fn weld(points: &[Vector], distance: f64) -> (Vec<Vector>, Vec<usize>) {
         |point: &Vector| -> [i64; 3] { std::array::from_fn(|axis| (point[axis] / (2.0 * distance)).floor() as i64) };
     let index = points.iter().map(|point| {
         let here = cell(point);
-        // A point nearer than a quarter of a cell is in one of the cells towards which this one lies.
         let low = cell(&point.add_scalar(-distance));
         let high = cell(&point.add_scalar(distance));
-        let around = (0..8).map(|corner: usize| -> [i64; 3] {
-            std::array::from_fn(|axis| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] })
-        });
+        // All cells within the distance. These two may be those on both sides of the point's own, by rounding.
+        let xy = (low[0]..=high[0]).flat_map(|x| (low[1]..=high[1]).map(move |y| [x, y]));
+        let around = xy.flat_map(|[x, y]| (low[2]..=high[2]).map(move |z| [x, y, z]));
         let same = around
             .filter_map(|cell| cells.get(&cell))
             .flatten()
@@ -32,4 +31,22 @@ pub fn weld(points: &[Vector], distance: f64) -> (Vec<Vector>, Vec<usize>) {
     });
     let index = index.collect();
     (distinct, index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::weld;
+    use crate::geometry::Vector;
+
+    #[test]
+    fn equal_points_are_one_wherever_they_lie_in_their_cells() {
+        let distance = 1e-6;
+        // Beginnings, middles and ends of cells, and what rounding makes of them.
+        let coordinates = (0..20_000).map(|index| 0.25 * distance * f64::from(index) + 0.004_85);
+        let points: Vec<Vector> = coordinates.map(|at| Vector::new(at, -at, 2.0 * at)).collect();
+        for point in points {
+            let (distinct, index) = weld(&[point, Vector::zeros(), point], distance);
+            assert_eq!((distinct.len(), index), (2, vec![0, 1, 0]), "{point}");
+        }
+    }
 }

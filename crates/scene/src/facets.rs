@@ -13,6 +13,8 @@ const DEFAULT: usize = 24;
 pub const SHARE: f64 = 0.05;
 /// Share beyond which a plan for the facets says nothing about the part.
 pub const LARGEST_SHARE: f64 = 0.25;
+/// Cylinders that overlap by less along their axis (m) only touch end to end.
+const TOUCHING: f64 = 1e-6;
 /// Cosine of the angle between axes that are parallel.
 const PARALLEL: f64 = 0.9999;
 
@@ -45,12 +47,15 @@ pub struct Placed<'mesh> {
     pub clearance: f64,
 }
 
-/// The tightest fit of a cylinder of the body in one of the environment when the body is at its goal.
+/// The tightest fit of a cylinder of the body in one of the environment, or around one, when the body is at its goal.
 pub fn tightest_fit(body: &[Placed], environment: &[Placed]) -> Option<Fit> {
-    let pegs: Vec<Cylinder> = body.iter().flat_map(|part| cylinders(part, true)).collect();
-    let holes: Vec<Cylinder> = environment.iter().flat_map(|part| cylinders(part, false)).collect();
-    let fits = pegs.iter().flat_map(|peg| holes.iter().filter_map(|hole| peg.fit(hole)));
-    fits.min_by(|one, other| one.gap.total_cmp(&other.gap))
+    let fits = |inner: &[Placed], outer: &[Placed]| {
+        let pegs: Vec<Cylinder> = inner.iter().flat_map(|part| cylinders(part, true)).collect();
+        let holes: Vec<Cylinder> = outer.iter().flat_map(|part| cylinders(part, false)).collect();
+        pegs.iter().flat_map(|peg| holes.iter().filter_map(|hole| peg.fit(hole))).collect::<Vec<Fit>>()
+    };
+    let all = fits(body, environment).into_iter().chain(fits(environment, body));
+    all.min_by(|one, other| one.gap.total_cmp(&other.gap))
 }
 
 /// How fine curved surfaces are.
@@ -99,7 +104,7 @@ impl Cylinder {
         let aside = (between - along * hole.axis).norm();
         let gap = hole.radius - self.radius;
         let is_around = self.axis.dot(&hole.axis).abs() > PARALLEL
-            && along.abs() < 0.5 * (self.length + hole.length)
+            && along.abs() < 0.5 * (self.length + hole.length) - TOUCHING
             && aside < 0.1 * hole.radius
             && gap.abs() < 0.5 * hole.radius;
         is_around.then_some(Fit { hole: hole.radius, gap: gap - aside, mesh_error: hole.mesh_error })

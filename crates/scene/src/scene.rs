@@ -58,7 +58,7 @@ pub struct Scene {
     pub body_meshes: Vec<MeshPart>,
     /// Parts of the environment whose shape is a mesh.
     pub environment_meshes: Vec<MeshPart>,
-    /// The tightest fit of a round part of the body in a round hole at the goal.
+    /// The tightest fit of a round part in a round hole when the body is at its goal, whichever of both has the hole.
     pub fit: Option<Fit>,
     /// Where the body goes: only what has surface there stands for meshes of the environment, if there are any.
     pub region: Option<MotionRegion>,

@@ -13,6 +13,8 @@ pub struct Compiler<'text> {
     pub euler_axes: &'text str,
     /// Folder of mesh files, relative to the model.
     pub mesh_folder: &'text str,
+    /// Whether only the last part of the names of mesh files counts.
+    pub is_path_stripped: bool,
 }
 
 impl<'text> Compiler<'text> {
@@ -31,7 +33,13 @@ impl<'text> Compiler<'text> {
         };
         let euler_axes = last("eulerseq").map_or(Ok("xyz"), |axes| euler_axes(&axes))?;
         let mesh_folder = last("meshdir").or_else(|| last("assetdir")).map_or("", |folder| folder.text);
-        Ok(Self { is_in_degrees, euler_axes, mesh_folder })
+        let is_path_stripped = match last("strippath") {
+            None => false,
+            Some(strip) if strip.text == "false" => false,
+            Some(strip) if strip.text == "true" => true,
+            Some(strip) => return Err(strip.refuse("must be true or false")),
+        };
+        Ok(Self { is_in_degrees, euler_axes, mesh_folder, is_path_stripped })
     }
 }
 

@@ -4,7 +4,7 @@ mod compiler;
 mod defaults;
 mod orientation;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use nalgebra::{Isometry3, Translation3, Vector3};
 use roxmltree::Node;
@@ -146,6 +146,8 @@ fn mesh_asset<'text>(
     let levels = Levels::of(asset)?;
     let Some(mesh) = attribute(asset, "file") else { return Err(unsupported(asset, "a mesh without a file")) };
     let folder = file.parent().unwrap_or(file).join(compiler.mesh_folder);
+    let path = Path::new(mesh.text);
+    let path = if compiler.is_path_stripped { path.file_name().map_or(path, Path::new) } else { path };
     let scale = levels.attribute("scale").map_or(Ok(1.0), |scale| scale.uniform_scale())?;
-    Ok(Geometry::Mesh { file: folder.join(PathBuf::from(mesh.text)), scale })
+    Ok(Geometry::Mesh { file: folder.join(path), scale })
 }

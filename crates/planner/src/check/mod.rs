@@ -163,7 +163,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
     let reports = |parts: &[Part]| parts.iter().map(PartReport::from).collect();
     let meshes = scene.body_meshes.iter().chain(&scene.environment_meshes);
     let name = |&(part, other): &(usize, usize)| format!("{}/{}", scene.body[part].name, scene.environment[other].name);
-    let fit = scene.fit.zip(scene.environment_meshes.iter().map(|mesh| mesh.settings.facets).min());
+    let fit = scene.fit.zip(meshes.clone().map(|mesh| mesh.settings.facets).min());
     let way = way::find(task);
     let mut explanation = Explanation {
         title: scene.title.clone(),

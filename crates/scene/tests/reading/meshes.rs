@@ -114,8 +114,8 @@ fn a_round_part_has_as_many_facets_as_asked_for() {
     }
 }
 
-/// A round hole of 10.1 mm in a round block, and a round peg of 10 mm in it.
-fn round_fit(keys: &str) -> Result<Scene, SceneError> {
+/// A round hole of 10.1 mm in a round block, and a round peg of 10 mm in it: the files of body and environment.
+fn round_fit([body, environment]: [&str; 2], keys: &str) -> Result<Scene, SceneError> {
     let circle = |radius: f64, z: f64| {
         (0..64)
             .map(move |side| TAU * side as f64 / 64.0)
@@ -137,17 +137,25 @@ fn round_fit(keys: &str) -> Result<Scene, SceneError> {
     std::fs::write(folder.path().join("block.stl"), binary(&block)).unwrap();
     std::fs::write(folder.path().join("peg.stl"), binary(&prism(&polygon, &fan(64), 30.0))).unwrap();
     let mesh = |name: &str| format!("mesh = \"{name}.stl\"\nunit = \"mm\"\n{keys}");
-    let text = replaced("box = [0.02, 0.02, 0.1]", &mesh("peg"));
-    let text = text.replacen("box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]", &mesh("block"), 1);
+    let text = replaced("box = [0.02, 0.02, 0.1]", &mesh(body));
+    let text = text.replacen("box = [0.1, 0.1, 0.1]\nposition = [0.1, 0.0, 0.0]", &mesh(environment), 1);
     Scene::parse(Source { file: &folder.path().join("scene.toml"), text: &text })
 }
 
 #[test]
 fn facets_that_take_the_gap_of_a_round_fit_are_refused() {
-    // 64 facets take 0.012 mm, 12 take 0.34 mm of the gap of 0.1 mm.
-    assert_eq!(round_fit("").unwrap().environment_meshes[0].settings.facets, 64);
-    let error = round_fit("facets = 12").unwrap_err();
-    assert!(error.message().contains("12 facets of a full turn take 0.3528 mm of the gap of 0.1000 mm"), "{error}");
+    // 64 facets take 0.012 mm, 12 take 0.34 mm of the gap of 0.1 mm: of a peg that goes into a hole, and of a ring that
+    // goes onto a post.
+    for parts in [["peg", "block"], ["block", "peg"]] {
+        let scene = round_fit(parts, "").unwrap();
+        let fit = scene.fit.unwrap();
+        assert!((fit.hole - 0.0101).abs() < 1e-8 && (fit.gap - 1e-4).abs() < 1e-8, "{fit:?}");
+        for mesh in scene.body_meshes.iter().chain(&scene.environment_meshes) {
+            assert_eq!(mesh.settings.facets, 64);
+        }
+        let error = round_fit(parts, "facets = 12").unwrap_err();
+        assert!(error.message().contains("12 facets of a full turn take 0.3528 mm of the gap of 0.1000 mm"), "{error}");
+    }
 }
 
 #[test]
