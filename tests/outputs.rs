@@ -223,7 +223,7 @@ fn two_solves_into_one_folder_do_not_mix() {
     for flags in ["", "--resume"] {
         dir.run(&format!("solve corner.toml --out out {flags}"))
             .code(2)
-            .says("out: another run is writing a plan into it; choose another --out, or wait");
+            .says("out: another run is writing into it; choose another --out, or wait");
     }
     first.signal("INT");
     first.finish().code(130);

@@ -151,11 +151,13 @@ impl PlannerError {
         Self::Value { name, value: short(value), rule: rule.to_owned() }
     }
 
-    pub(crate) fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
+    /// A file that cannot be read, for `map_err`.
+    pub fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
         |source| Self::Io { path: path.to_owned(), action: "read", source }
     }
 
-    pub(crate) fn written(path: &Path) -> impl FnOnce(io::Error) -> Self {
+    /// A file that cannot be written, likewise.
+    pub fn written(path: &Path) -> impl FnOnce(io::Error) -> Self {
         |source| Self::Io { path: path.to_owned(), action: "written", source }
     }
 }

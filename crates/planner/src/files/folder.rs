@@ -2,36 +2,29 @@
 //! plan is moved in. What a run may replace or delete is what an earlier run has written, nothing else.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, TryLockError};
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::Path;
 
 use task::{AssemblyTask, Trajectory};
 
 use crate::error::{PlannerError, Unusable};
-use crate::files::atomic::{hash, remove_file, require_folder, write_file};
+use crate::files::atomic::{hash, remove_file, write_file};
 use crate::files::checkpoint::Checkpoint;
 use crate::files::refinement::RefinementCheckpoint;
 use crate::files::result::{PlanResult, RESULT};
 use crate::files::stored_plan::{RESOLVED, STAGES, StoredPlan, is_plan_file, read_result};
 use crate::files::trajectory::{TABLES, read_trajectory, write_trajectory};
+use crate::files::work_folder::WorkFolder;
 use crate::plan::Plan;
 
-/// Marks a hidden folder as ours; who works in it holds a lock on this file.
-const LOCK: &str = "lock";
 /// `result.json` of the plan that is being replaced, while its files are.
 const REPLACED: &str = "replaced.json";
-/// Folder of a whole plan that is still to be moved in.
-const WHOLE: &str = "whole";
 /// Homotopy iterations of refined plans, in a folder for every round, where they are not those of the scene itself.
 const REFINED: &str = "refined";
 
 /// A plan's folder that this process alone may write, and the hidden folder of unfinished work beside it.
 #[derive(Debug)]
-pub struct PlanFolder {
-    target: PathBuf,
-    work: PathBuf,
-    lock: File,
-}
+pub struct PlanFolder(WorkFolder);
 
 impl PlanFolder {
     /// Claims a folder for a plan, before anything is computed. Nothing in it changes until [`PlanFolder::finish`].
@@ -40,15 +33,10 @@ impl PlanFolder {
     /// When another process writes a plan into it, when it holds a file that the plan would replace and that no earlier
     /// run has written, or when one of the `inputs` is such a file.
     pub fn claim(target: &Path, inputs: &[&Path]) -> Result<Self, PlannerError> {
-        let target = locate(target)?;
-        let name = target.file_name().unwrap_or_default().to_string_lossy();
-        let work = target.with_file_name(format!(".{name}.unfinished"));
-        let lock = lock(&work, &target)?;
-        let folder = Self { target, work, lock };
-        if folder.whole().join(RESULT).exists() {
+        let folder = Self(WorkFolder::claim(target)?);
+        if folder.0.whole().join(RESULT).exists() {
             // A run was killed while it moved a whole plan in.
             folder.move_in()?;
-            return Self::claim(&folder.target, inputs);
         }
         folder.require_replaceable()?;
         inputs.iter().try_for_each(|input| folder.require_kept(input))?;
@@ -57,12 +45,12 @@ impl PlanFolder {
 
     /// Where the plan goes.
     pub fn target(&self) -> &Path {
-        &self.target
+        self.0.target()
     }
 
     /// Where unfinished work stands.
     pub fn work(&self) -> &Path {
-        &self.work
+        self.0.path()
     }
 
     /// Removes unfinished work; whether there was any.
@@ -70,27 +58,15 @@ impl PlanFolder {
     /// # Errors
     /// When it cannot be removed.
     pub fn discard(&self) -> Result<bool, PlannerError> {
-        let mut found = false;
-        for entry in fs::read_dir(&self.work).map_err(PlannerError::read(&self.work))? {
-            let entry = entry.map_err(PlannerError::read(&self.work))?;
-            let path = entry.path();
-            if entry.file_name() == LOCK {
-                continue;
-            }
-            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
-            let removed = if is_folder { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
-            removed.map_err(PlannerError::written(&path))?;
-            found = true;
-        }
-        Ok(found)
+        self.0.discard()
     }
 
     /// The finished homotopy iterations of a problem, if another run has left some; `Err` with the reason why they are
     /// of no use.
     pub(crate) fn checkpoint(&self, identity: &str) -> Result<Option<Checkpoint>, Unusable> {
-        let checkpoint = Checkpoint::load(&self.work, identity)?;
+        let checkpoint = Checkpoint::load(self.work(), identity)?;
         let is_whole = |(name, expected): (&String, &String)| {
-            fs::read(self.work.join(name)).is_ok_and(|content| hash(&content) == *expected)
+            fs::read(self.work().join(name)).is_ok_and(|content| hash(&content) == *expected)
         };
         match checkpoint.iter().flat_map(|checkpoint| &checkpoint.tables).all(is_whole) {
             true => Ok(checkpoint),
@@ -100,7 +76,7 @@ impl PlanFolder {
 
     /// The refinement that another run has left, likewise.
     pub(crate) fn refinement(&self, identity: &str) -> Result<Option<RefinementCheckpoint>, Unusable> {
-        RefinementCheckpoint::load(&self.work, identity)
+        RefinementCheckpoint::load(self.work(), identity)
     }
 
     /// Keeps the tables of a finished homotopy iteration, from 1. Returns their hashes by their paths in the folder.
@@ -110,10 +86,10 @@ impl PlanFolder {
         motion: &Trajectory,
         task: &AssemblyTask,
     ) -> Result<Vec<(String, String)>, PlannerError> {
-        write_trajectory(&self.work.join(STAGES).join(number.to_string()), motion, task)?;
+        write_trajectory(&self.work().join(STAGES).join(number.to_string()), motion, task)?;
         let hashed = |table: &str| {
             let name = format!("{STAGES}/{number}/{table}");
-            let file = self.work.join(&name);
+            let file = self.work().join(&name);
             Ok((name, hash(&fs::read(&file).map_err(PlannerError::read(&file))?)))
         };
         TABLES.into_iter().map(hashed).collect()
@@ -121,12 +97,12 @@ impl PlanFolder {
 
     /// Keeps the point from which the next homotopy iteration can start.
     pub(crate) fn keep_checkpoint(&self, checkpoint: &Checkpoint) -> Result<(), PlannerError> {
-        checkpoint.save(&self.work)
+        checkpoint.save(self.work())
     }
 
     /// Keeps how far a refinement is.
     pub(crate) fn keep_refinement(&self, checkpoint: &RefinementCheckpoint) -> Result<(), PlannerError> {
-        checkpoint.save(&self.work)
+        checkpoint.save(self.work())
     }
 
     /// Keeps the homotopy iterations of the best refined plan, where they are not those of the scene itself.
@@ -136,12 +112,12 @@ impl PlanFolder {
         motions: impl Iterator<Item = &'motion Trajectory>,
         task: &AssemblyTask,
     ) -> Result<(), PlannerError> {
-        write_iterations(&self.work.join(REFINED).join(round.to_string()), motions, task)
+        write_iterations(&self.work().join(REFINED).join(round.to_string()), motions, task)
     }
 
     /// The motion of a kept homotopy iteration, from 1.
     pub(crate) fn read_iteration(&self, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
-        read_trajectory(&self.work.join(STAGES).join(number.to_string()), task)
+        read_trajectory(&self.work().join(STAGES).join(number.to_string()), task)
     }
 
     /// The motion of a kept homotopy iteration, from 1, of the best refined plan.
@@ -151,7 +127,7 @@ impl PlanFolder {
         number: usize,
         task: &AssemblyTask,
     ) -> Result<Trajectory, PlannerError> {
-        read_trajectory(&self.work.join(REFINED).join(round.to_string()).join(number.to_string()), task)
+        read_trajectory(&self.work().join(REFINED).join(round.to_string()).join(number.to_string()), task)
     }
 
     /// Writes a whole plan and moves it in; the older plan is replaced only then.
@@ -159,7 +135,7 @@ impl PlanFolder {
     /// # Errors
     /// When it cannot be written; the older plan then still stands, and the unfinished work too.
     pub fn finish(self, plan: &Plan) -> Result<PlanResult, PlannerError> {
-        let whole = self.whole();
+        let whole = self.0.whole();
         let motions = plan.iterations.iter().map(|iteration| &iteration.trajectory);
         write_iterations(&whole.join(STAGES), motions, &plan.variant.task)?;
         write_trajectory(&whole, &plan.trajectory, &plan.task)?;
@@ -180,7 +156,7 @@ impl PlanFolder {
         if StoredPlan::open(folder)?.result.files != result.files {
             return Err(PlannerError::file(folder, "holds another plan by now; open it again"));
         }
-        let whole = self.whole();
+        let whole = self.0.whole();
         for name in result.files.keys().map(String::as_str).chain([RESULT]) {
             let from = folder.join(name);
             write_file(&whole.join(name), &fs::read(&from).map_err(PlannerError::read(&from))?)?;
@@ -188,51 +164,44 @@ impl PlanFolder {
         self.move_in()
     }
 
-    /// Where a whole plan stands until it is moved in.
-    fn whole(&self) -> PathBuf {
-        self.work.join(WHOLE)
-    }
-
     /// Moves a whole plan from the working folder to its place, `result.json` first out and last in. A run that is killed
     /// meanwhile has lost nothing: the next one that claims the folder goes on here.
     fn move_in(&self) -> Result<(), PlannerError> {
-        let whole = self.whole();
+        let whole = self.0.whole();
         let result = read_result(&whole)?;
-        let standing = self.target.join(RESULT);
+        let standing = self.target().join(RESULT);
         if standing.exists() {
-            rename(&standing, &self.work.join(REPLACED))?;
+            rename(&standing, &self.work().join(REPLACED))?;
         }
-        let replaced = fs::read_to_string(self.work.join(REPLACED)).ok();
+        let replaced = fs::read_to_string(self.work().join(REPLACED)).ok();
         let replaced: Option<PlanResult> = replaced.and_then(|text| serde_json::from_str(&text).ok());
         for name in replaced.iter().flat_map(|replaced| replaced.files.keys()) {
             if is_plan_file(name) && !result.files.contains_key(name) {
-                remove_file(&self.target.join(name))?;
-                remove_empty_folders(&self.target, name);
+                remove_file(&self.target().join(name))?;
+                remove_empty_folders(self.target(), name);
             }
         }
         for name in result.files.keys().map(String::as_str).chain([RESULT]) {
-            let (from, to) = (whole.join(name), self.target.join(name));
+            let (from, to) = (whole.join(name), self.target().join(name));
             if from.exists() {
-                let parent = to.parent().unwrap_or(&self.target);
+                let parent = to.parent().unwrap_or(self.target());
                 fs::create_dir_all(parent).map_err(PlannerError::written(parent))?;
                 rename(&from, &to)?;
             }
         }
-        // The lock goes last: without it the folder is not known as ours.
-        self.discard()?;
-        fs::remove_dir_all(&self.work).map_err(PlannerError::written(&self.work))
+        self.discard().map(|_| ())
     }
 
     /// Refuses to replace what no earlier run has written.
     fn require_replaceable(&self) -> Result<(), PlannerError> {
-        let refuse = |name: &str, problem: &str| Err(PlannerError::file(&self.target.join(name), problem));
-        let standing = plan_files(&self.target)?;
+        let refuse = |name: &str, problem: &str| Err(PlannerError::file(&self.target().join(name), problem));
+        let standing = plan_files(self.target())?;
         let earlier = match standing.iter().any(|name| name == RESULT) {
-            true => match read_result(&self.target) {
+            true => match read_result(self.target()) {
                 Ok(result) => result.files,
                 Err(error) => {
                     return Err(PlannerError::file(
-                        &self.target,
+                        self.target(),
                         format!("holds no plan that may be replaced ({error}); choose another --out, or remove it"),
                     ));
                 }
@@ -240,7 +209,7 @@ impl PlanFolder {
             false => BTreeMap::new(),
         };
         for name in standing.iter().filter(|name| *name != RESULT) {
-            let file = self.target.join(name);
+            let file = self.target().join(name);
             match earlier.get(name) {
                 None => {
                     return refuse(name, "was not written by an earlier run; choose another --out, or move it away");
@@ -260,25 +229,13 @@ impl PlanFolder {
     /// Refuses to replace an input.
     fn require_kept(&self, input: &Path) -> Result<(), PlannerError> {
         let Ok(path) = input.canonicalize() else { return Ok(()) };
-        let Ok(inside) = path.strip_prefix(&self.target) else { return Ok(()) };
+        let Ok(inside) = path.strip_prefix(self.target()) else { return Ok(()) };
         let name = inside.to_string_lossy();
         if is_plan_file(&name) || name == RESULT {
             let problem = "is an input of this run, which would replace it; choose another --out";
             return Err(PlannerError::file(input, problem));
         }
         Ok(())
-    }
-}
-
-/// Without unfinished work in it the working folder goes away with who has claimed it.
-impl Drop for PlanFolder {
-    fn drop(&mut self) {
-        let lock = self.work.join(LOCK);
-        let is_idle = fs::read_dir(&self.work).is_ok_and(|entries| entries.flatten().all(|entry| entry.path() == lock));
-        if is_idle && is_at(&self.lock, &lock) {
-            // What cannot be removed does no harm.
-            let _ = fs::remove_file(&lock).and_then(|()| fs::remove_dir(&self.work));
-        }
     }
 }
 
@@ -294,64 +251,6 @@ fn write_iterations<'motion>(
     (1..)
         .zip(motions)
         .try_for_each(|(number, motion): (usize, _)| write_trajectory(&folder.join(number.to_string()), motion, task))
-}
-
-/// The absolute path of a folder that may be missing; its parent is made.
-fn locate(target: &Path) -> Result<PathBuf, PlannerError> {
-    require_folder(target)?;
-    let target = match target.canonicalize() {
-        Ok(path) => path,
-        Err(_) => {
-            let name = target.file_name().ok_or_else(|| PlannerError::file(target, "is not the name of a folder"))?;
-            let parent = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-            fs::create_dir_all(parent).map_err(PlannerError::written(target))?;
-            parent.canonicalize().map_err(PlannerError::written(parent))?.join(name)
-        }
-    };
-    match target.file_name() {
-        Some(_) => Ok(target),
-        None => Err(PlannerError::file(&target, "cannot be the folder of a plan; choose another --out")),
-    }
-}
-
-/// Makes the working folder and takes its lock.
-fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
-    let path = work.join(LOCK);
-    let busy = || PlannerError::file(target, "another run is writing a plan into it; choose another --out, or wait");
-    let is_ours = path.exists() || fs::read_dir(work).is_ok_and(|mut entries| entries.next().is_none());
-    if work.symlink_metadata().is_ok() && !is_ours {
-        return Err(PlannerError::file(work, "is where unfinished work is kept; move it away"));
-    }
-    // A run that ends removes its lock. Who has opened it just before holds the lock of nothing and tries again.
-    for _ in 0..10 {
-        fs::create_dir_all(work).map_err(PlannerError::written(target))?;
-        let file = match File::options().append(true).create(true).open(&path) {
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => continue,
-            file => file.map_err(PlannerError::written(&path))?,
-        };
-        match file.try_lock() {
-            Ok(()) if is_at(&file, &path) => return Ok(file),
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(busy()),
-            Err(TryLockError::Error(error)) => return Err(PlannerError::written(&path)(error)),
-        }
-    }
-    Err(busy())
-}
-
-#[cfg(unix)]
-fn is_at(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let identity = |metadata: fs::Metadata| (metadata.dev(), metadata.ino());
-    match (file.metadata(), fs::metadata(path)) {
-        (Ok(one), Ok(other)) => identity(one) == identity(other),
-        _ => false,
-    }
-}
-
-#[cfg(not(unix))]
-fn is_at(_file: &File, path: &Path) -> bool {
-    path.exists()
 }
 
 /// Hashes of all files of the plan in a folder.

@@ -30,6 +30,7 @@ mod simulation_record;
 mod stored_plan;
 mod table;
 pub mod trajectory;
+mod work_folder;
 
 pub use atomic::{hash, read_text, remove_file, require_folder, write_file};
 pub use checkpoint::Checkpoint;
@@ -48,3 +49,4 @@ pub use simulation_record::{SIMULATION, SimulationRecord};
 pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result};
 pub use table::{Value, read_csv, to_csv};
 pub use trajectory::{MotionTables, ScenarioTables, StateRow};
+pub use work_folder::WorkFolder;
