@@ -11,17 +11,26 @@ fn robot() -> String {
     arm.replace("six.urdf", urdf.to_str().unwrap())
 }
 
-/// A plan of the corner for a free body in `out`.
+/// A plan of the corner for a free body in `out`, which always succeeds without friction.
 fn plan() -> Dir {
     let dir = Dir::new();
-    dir.run("solve corner.toml --out out").code(0);
+    dir.write("easy.toml", easy(&dir));
+    dir.run("solve easy.toml --out out").code(0);
     dir
+}
+
+/// The corner with offsets that a plain plan brings to the goal, without friction.
+fn easy(dir: &Dir) -> String {
+    let key = "[robustness]\n";
+    let text = dir.read("corner.toml");
+    assert!(text.contains(key));
+    text.replace(key, "[robustness]\nfriction = [0.0]\n")
 }
 
 /// A plan of the corner for an arm in `out`.
 fn plan_of_arm() -> Dir {
     let dir = Dir::new();
-    dir.write("arm.toml", dir.read("corner.toml") + &robot());
+    dir.write("arm.toml", easy(&dir) + &robot());
     for key in ["mass", "inertia", "translational_stiffness", "rotational_stiffness"] {
         let kept: Vec<String> =
             dir.read("arm.toml").lines().filter(|line| !line.starts_with(key)).map(str::to_owned).collect();
@@ -94,10 +103,12 @@ fn every_target_writes_its_player() {
     for (target, file) in [("ur-rtde", "ur_robot.py"), ("ros2", "middleware.py"), ("urscript", "plan.script")] {
         let folder = format!("out/export/{target}");
         dir.run(&format!("export out --to {target}")).code(0).says(file);
-        let document = dir.json(format!("{folder}/plan.json"));
-        for name in document["files"].as_object().unwrap().keys() {
+        let sums = dir.read(format!("{folder}/SHA256SUMS"));
+        let names: Vec<&str> = sums.lines().filter_map(|line| line.split_once("  ")).map(|(_, name)| name).collect();
+        for name in &names {
             assert!(!dir.read(format!("{folder}/{name}")).is_empty(), "{name}");
         }
+        assert!(names.contains(&"plan.json") && names.contains(&"trajectory.csv") && names.contains(&"guards.py"));
         assert!(!dir.read(format!("{folder}/README.md")).contains("{{"));
         assert!(dir.exists(format!("{folder}/guards.py")));
     }
@@ -144,4 +155,70 @@ fn only_earlier_exports_are_replaced() {
     dir.make_folder("notes");
     dir.write("notes/plan.json", "{}");
     dir.run("export out --to csv --out notes").code(2).says("notes/plan.json");
+    dir.write("notes/plan.json", dir.read("robot/plan.json"));
+    dir.write("notes/SHA256SUMS", "mine");
+    dir.run("export out --to csv --out notes").code(2).says("notes/SHA256SUMS");
+}
+
+#[test]
+fn a_plan_that_fails_in_rollouts_is_exported_only_anyway() {
+    let dir = Dir::new();
+    dir.run("solve peg1.toml --delta 0.02 --out out").code(0);
+    dir.run("export out --to csv").code(2).says("rollouts with hard contact reach the goal").says("--robust");
+    assert!(!dir.exists("out/export"));
+    dir.run("export out --to csv --anyway").code(0).says("warning: at friction");
+    let document = dir.json("out/export/csv/plan.json");
+    assert_eq!(document["anyway"], true);
+    let warnings = document["warnings"].as_array().unwrap();
+    assert!(warnings.iter().any(|warning| warning == "the plan was exported with --anyway"));
+    assert!(dir.read("out/export/csv/README.md").contains("**Warning: at friction"));
+}
+
+/// Text of `result.json` reaches no file; what is edited there is refused.
+#[test]
+fn an_edited_title_is_refused() {
+    let dir = plan();
+    let title = r#""scene": "corner\n  set_digital_out(0, True)""#;
+    let text = dir.read("out/result.json");
+    assert!(text.contains(r#""scene": "corner""#));
+    dir.write("out/result.json", text.replace(r#""scene": "corner""#, title));
+    dir.run("export out --to csv").code(2).says("scene is `corner  set_digital_out(0, True)`");
+    assert!(!dir.exists("out/export"));
+}
+
+/// A title that is a name of the template stays what it is.
+#[test]
+fn a_title_is_no_template() {
+    let dir = Dir::new();
+    dir.write("titled.toml", easy(&dir).replace("title = \"corner\"", "title = \"{{rates}} {{tool_stiffness}}\""));
+    dir.run("solve titled.toml --out out").code(0);
+    dir.run("export out --to csv").code(0);
+    assert!(dir.read("out/export/csv/README.md").starts_with("# Plan of `{{rates}} {{tool_stiffness}}`"));
+}
+
+/// An export that was killed at any point of its moves is finished by the next one.
+#[test]
+fn an_interrupted_export_is_repeated() {
+    let dir = plan();
+    dir.run("export out --to csv --rate 100 --out robot").code(0);
+    let old = dir.snapshot("robot");
+    dir.run("export out --to csv --rate 250 --out other").code(0);
+    let new = dir.snapshot("other");
+    let names = ["README.md", "plan.json", "trajectory.csv", "wrench.csv", "SHA256SUMS"];
+    for moved in 0..=names.len() {
+        // As it is after so many moves: the sums are out, some files are in.
+        dir.run("export out --to csv --rate 100 --out robot").code(0);
+        assert!(dir.snapshot("robot") == old);
+        dir.make_folder(".robot.unfinished/whole");
+        dir.write(".robot.unfinished/lock", "");
+        dir.write(".robot.unfinished/replaced", dir.read("robot/SHA256SUMS"));
+        std::fs::remove_file(dir.path("robot/SHA256SUMS")).unwrap();
+        for (index, name) in names.iter().enumerate() {
+            let place = if index < moved { "robot" } else { ".robot.unfinished/whole" };
+            dir.write(format!("{place}/{name}"), dir.read(format!("other/{name}")));
+        }
+        dir.run("export out --to csv --rate 250 --out robot").code(0);
+        assert!(dir.snapshot("robot") == new, "after {moved} moves");
+        assert!(!dir.exists(".robot.unfinished"));
+    }
 }

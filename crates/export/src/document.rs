@@ -2,18 +2,25 @@
 
 use nalgebra::{Matrix3, SMatrix};
 use planner::files::StoredPlan;
-use planner::{ArmCourse, PlannerError};
+use planner::{ArmCourse, PlannerError, Problem};
 use robot::{Joint, JointKind, JointVector};
-use scene::{Robot, Scene};
+use scene::Robot;
 use serde::{Deserialize, Serialize};
 use simulation::{Reference, coordinates, isometry};
-use task::{GraspError, Impedance};
+use task::{Impedance, Limits};
 
-use crate::expectation::{Expectation, Guards};
+use crate::expectation::{Expectation, PhaseGuards};
 use crate::frames::Frames;
+use crate::free::FreeAir;
+use crate::joints::{Held, course, lag, largest_torque_step};
+use crate::smooth::SmoothReference;
+use crate::text::plain;
+use crate::trial::TrialRecord;
 
 /// Version of the file; players refuse others.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
+/// Speeds of players on the path to the start (m/s, rad/s).
+const APPROACH: [f64; 2] = [0.02, 0.1];
 
 /// What a player needs to know besides the trajectory. Poses are position (m) and unit quaternion (w x y z).
 #[derive(Debug, Clone, Serialize)]
@@ -26,8 +33,22 @@ pub struct Document {
     pub start: String,
     /// Hash of what the plan was made from.
     pub problem: String,
-    /// Offset magnitude that the plan bears (m).
+    /// Hash of the plan's `result.json`.
+    pub result: String,
+    /// What has become of the plan, in words.
+    pub status: String,
+    /// Whether the plan does what was asked for.
+    pub done: bool,
+    /// Whether it was exported although it should not be played.
+    pub anyway: bool,
+    /// Rollouts of the exported reference with hard contact.
+    pub trial: TrialRecord,
+    /// What a player says before it moves.
+    pub warnings: Vec<String>,
+    /// Offset magnitude that was planned for (m).
     pub delta_m: f64,
+    /// Largest turn in the gripper that was planned for (rad).
+    pub turn_rad: f64,
     /// Samples per second of `trajectory.csv`.
     pub rate_hz: f64,
     /// Where the trajectory stands: `robot base` or `world`.
@@ -51,7 +72,11 @@ pub struct Document {
     /// Largest values in the plan.
     pub expected: Expectation,
     /// Values beyond which a player stops.
-    pub guards: Guards,
+    pub guards: PhaseGuards,
+    /// Where there is free air.
+    pub free: FreeAir,
+    /// Largest step of a joint torque between two references a millisecond apart (Nm), if there is an arm.
+    pub torque_step_nm_per_ms: Option<f64>,
     /// The arm, if the scene has one.
     pub arm: Option<ArmRecord>,
 }
@@ -107,37 +132,88 @@ pub struct JointRecord {
     pub torque: Option<f64>,
 }
 
+/// A plan that is exported, and all that was made of it.
+pub struct Exported<'plan> {
+    /// The plan.
+    pub plan: &'plan StoredPlan,
+    /// Hash of its `result.json`.
+    pub result: String,
+    /// Its problem.
+    pub problem: &'plan Problem,
+    /// Its reference.
+    pub reference: &'plan Reference,
+    /// The same with continuous velocities.
+    pub smooth: &'plan SmoothReference,
+    /// How it does.
+    pub trial: TrialRecord,
+    /// Whether it is exported although it should not be played.
+    pub anyway: bool,
+}
+
 impl Document {
-    /// Of a plan in its scene.
+    /// Of a plan that is exported with so many samples per second.
     ///
     /// # Errors
     /// When a table of the plan is missing or wrong, or the arm cannot follow the reference.
-    pub fn new(plan: &StoredPlan, scene: &Scene, reference: &Reference, rate: f64) -> Result<Self, PlannerError> {
-        let frames = Frames::of(scene);
-        let expected = Expectation::of(plan, &frames)?;
-        let gains = frames.tool_gains(&isometry(&scene.goal), &scene.impedance);
-        let arm = scene.robot.as_ref().map(|robot| ArmRecord::new(plan, robot, reference)).transpose()?;
+    pub fn new(exported: Exported, rate: f64) -> Result<Self, PlannerError> {
+        let Exported { plan, result, problem, reference, smooth, trial, anyway } = exported;
+        let (scene, frames) = (problem.scene(), Frames::of(problem.scene()));
+        let (impedance, states) = (&problem.task().impedance, reference.states());
+        let robot = scene.robot.as_ref();
+        let course = robot.map(|robot| {
+            course(robot, reference.time_step(), &states).map_err(|error| {
+                let advice = "the arm cannot follow the reference; check base, grasp and configuration of [robot]";
+                PlannerError::file(&plan.folder, format!("{advice}: {error}"))
+            })
+        });
+        let course = course.transpose()?;
+        let moved = robot.zip(course.as_ref());
+        let held = moved.map_or_else(Held::default, |(robot, course)| Held::along(robot, impedance, course));
+        let expected = Expectation::of(plan, &frames, held)?;
+        let kept: Limits = reference.limits_kept();
+        let lag_of_plan = lag(impedance, kept.translational_velocity, kept.rotational_velocity);
+        let lag_of_approach = lag(impedance, APPROACH[0], APPROACH[1]);
+        let gains = frames.tool_gains(&isometry(&scene.goal), impedance);
         Ok(Self {
             format: FORMAT,
-            scene: plan.result.scene.clone(),
-            start: plan.result.start.clone(),
-            problem: plan.result.made_from.problem.clone(),
-            delta_m: plan.result.delta_m,
+            scene: plain(&scene.title),
+            start: plain(&problem.start().name),
+            problem: plain(&plan.result.made_from.problem),
+            result,
+            status: plain(&plan.result.status),
+            done: plan.result.done,
+            anyway,
+            warnings: warnings(plan, &trial, anyway, robot.is_some()),
+            delta_m: problem.delta(),
+            turn_rad: scene.borne.turn,
             rate_hz: rate,
-            frame: if scene.robot.is_some() { "robot base" } else { "world" },
+            frame: if robot.is_some() { "robot base" } else { "world" },
             base: coordinates(&frames.base),
             grasp: coordinates(&frames.grasp),
             goal: scene.goal,
             position_tolerance_m: scene.position_tolerance,
             angle_tolerance_rad: scene.angle_tolerance,
-            impedance: ImpedanceRecord::from(&scene.impedance),
+            impedance: ImpedanceRecord::from(impedance),
             tool_stiffness: rows(&gains.stiffness),
             tool_damping: rows(&gains.damping),
             expected,
-            guards: expected.guards(plan.result.limits.contact_force_n),
-            arm,
+            guards: expected.guards(problem.task().limits.contact_force, lag_of_approach, lag_of_plan),
+            free: FreeAir::new(problem, &states, reference.time_step(), &frames.grasp),
+            torque_step_nm_per_ms: moved.map(|(robot, course)| largest_torque_step(robot, impedance, smooth, course)),
+            arm: moved.map(|(robot, course)| ArmRecord::new(robot, course)),
+            trial,
         })
     }
+}
+
+/// What whoever plays the plan has to know before.
+fn warnings(plan: &StoredPlan, trial: &TrialRecord, anyway: bool, has_arm: bool) -> Vec<String> {
+    let not_done = (!plan.result.done).then(|| format!("the plan is not done: {}", plain(&plan.result.status)));
+    let wanted = anyway.then(|| "the plan was exported with --anyway".to_owned());
+    let no_arm = (!has_arm).then(|| {
+        "the scene has no arm: poses are those of the part in the world, not of a tool in a robot's base".to_owned()
+    });
+    not_done.into_iter().chain(trial.low_rates()).chain(trial.excess()).chain(wanted).chain(no_arm).collect()
 }
 
 impl From<&Impedance> for ImpedanceRecord {
@@ -164,22 +240,16 @@ impl From<&ImpedanceRecord> for Impedance {
 }
 
 impl ArmRecord {
-    fn new(plan: &StoredPlan, robot: &Robot, reference: &Reference) -> Result<Self, PlannerError> {
-        let exact = GraspError::default();
-        let course = ArmCourse::new(robot, reference.time_step(), &exact, &reference.states(), &[]);
-        let course = course.map_err(|error| {
-            let advice = "the arm cannot follow the reference; check base, grasp and configuration of [robot]";
-            PlannerError::file(&plan.folder, format!("{advice}: {error}"))
-        })?;
+    fn new(robot: &Robot, course: &ArmCourse) -> Self {
         let positions = |configuration: &JointVector| configuration.as_slice()[..robot.arm.joints().len()].to_vec();
-        Ok(Self {
-            tip: robot.tip.clone(),
-            urdf: robot.urdf.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        Self {
+            tip: plain(&robot.tip),
+            urdf: plain(&robot.urdf.file_name().unwrap_or_default().to_string_lossy()),
             joints: robot.arm.joints().iter().map(JointRecord::new).collect(),
             tool: coordinates(&robot.arm.tip_frame()),
             start_configuration: course.configurations.first().map_or_else(Vec::new, positions),
             control_period_s: robot.control_period,
-        })
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use simulation::isometry;
 use task::{GraspError, pose_of};
 
 use crate::frames::Frames;
+use crate::joints::Held;
 
 /// A measured force or deviation may be this many times the largest planned one.
 const MARGIN: f64 = 2.0;
@@ -18,6 +19,11 @@ const LEAST_FORCE: f64 = 20.0;
 const LEAST_TORQUE: f64 = 5.0;
 const LEAST_DISTANCE: f64 = 0.01;
 const LEAST_ANGLE: f64 = 0.05;
+/// In free air the tool may be this far from its reference (m, rad), besides its lag and what joint friction holds.
+const FREE_DISTANCE: f64 = 0.005;
+const FREE_ANGLE: f64 = 0.02;
+/// More than joint friction may hold (m, rad): where it could, the arm is close to a singular posture.
+const MOST_HELD: Held = Held { distance: 0.01, angle: 0.06 };
 
 /// Largest values in all planned scenarios.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
@@ -32,6 +38,21 @@ pub struct Expectation {
     pub deviation_m: f64,
     /// Angle between the tool and the reference (rad).
     pub deviation_rad: f64,
+    /// How far joint friction can hold the tool (m).
+    pub held_m: f64,
+    /// Likewise (rad).
+    pub held_rad: f64,
+}
+
+/// Values beyond which a player stops the robot, in every phase.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PhaseGuards {
+    /// On the path to the start and in the test of the frames, where nothing may touch.
+    pub approach: Guards,
+    /// In a dry run, likewise.
+    pub dry_run: Guards,
+    /// While parts are put together.
+    pub insertion: Guards,
 }
 
 /// Values beyond which a player stops the robot.
@@ -48,16 +69,17 @@ pub struct Guards {
 }
 
 impl Expectation {
-    /// Of the tables of a plan.
+    /// Of the tables of a plan, and of what joint friction can hold.
     ///
     /// # Errors
     /// When a table is missing or wrong.
-    pub fn of(plan: &StoredPlan, frames: &Frames) -> Result<Self, PlannerError> {
+    pub fn of(plan: &StoredPlan, frames: &Frames, held: Held) -> Result<Self, PlannerError> {
         let tables = read_tables(&plan.folder)?;
         let grasps: Vec<GraspError> =
             plan.result.scenarios.iter().map(|scenario| GraspError::from(&scenario.grasp)).collect();
         let contact_force_n = plan.result.reached.contact_force_n;
-        Ok(Self { contact_force_n, ..Self::of_tables(&tables, &grasps, frames) })
+        let (held_m, held_rad) = (held.distance.min(MOST_HELD.distance), held.angle.min(MOST_HELD.angle));
+        Ok(Self { contact_force_n, held_m, held_rad, ..Self::of_tables(&tables, &grasps, frames) })
     }
 
     fn of_tables(tables: &MotionTables, grasps: &[GraspError], frames: &Frames) -> Self {
@@ -79,15 +101,23 @@ impl Expectation {
         largest
     }
 
-    /// Where to stop, with the scene's limit of the force of a contact (N), which may be infinite.
-    pub fn guards(&self, contact_force_limit: f64) -> Guards {
+    /// Where to stop, with the scene's limit of the force of a contact (N), which may be infinite, and the lag of the tool on
+    /// the path to the start and in the plan.
+    pub fn guards(&self, contact_force_limit: f64, approach: Held, plan: Held) -> PhaseGuards {
+        let free = |lag: Held| Guards {
+            force_n: LEAST_FORCE,
+            torque_nm: LEAST_TORQUE,
+            deviation_m: FREE_DISTANCE + lag.distance + self.held_m,
+            deviation_rad: FREE_ANGLE + lag.angle + self.held_rad,
+        };
         let planned = MARGIN * self.force_n.max(self.contact_force_n);
         let force = if contact_force_limit.is_finite() { CONTACTS * contact_force_limit } else { planned };
-        Guards {
+        let insertion = Guards {
             force_n: force.max(LEAST_FORCE),
             torque_nm: (MARGIN * self.torque_nm).max(LEAST_TORQUE),
-            deviation_m: (MARGIN * self.deviation_m).max(LEAST_DISTANCE),
-            deviation_rad: (MARGIN * self.deviation_rad).max(LEAST_ANGLE),
-        }
+            deviation_m: (MARGIN * self.deviation_m).max(LEAST_DISTANCE) + self.held_m,
+            deviation_rad: (MARGIN * self.deviation_rad).max(LEAST_ANGLE) + self.held_rad,
+        };
+        PhaseGuards { approach: free(approach), dry_run: free(plan), insertion }
     }
 }

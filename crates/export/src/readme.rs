@@ -1,10 +1,14 @@
 //! The README of an export: the text of its target with the numbers of a plan.
 
 use crate::document::{ArmRecord, Document};
+use crate::expectation::Guards;
 use crate::target::Target;
+use crate::text::filled;
+use crate::trial::RateRecord;
 
 /// Parts of the text that several targets have, by their names.
-const PARTS: [(&str, &str); 5] = [
+const PARTS: [(&str, &str); 6] = [
+    ("quality", include_str!("../players/shared/quality.md")),
     ("frames", include_str!("../players/shared/frames.md")),
     ("guards", include_str!("../players/shared/guards.md")),
     ("player", include_str!("../players/shared/player.md")),
@@ -17,13 +21,14 @@ pub fn readme(document: &Document, target: Target) -> String {
     let with_parts = PARTS.iter().fold(target.readme().to_owned(), |text, (name, part)| {
         text.replace(&format!("{{{{{name}}}}}\n"), &format!("{part}\n"))
     });
-    numbers(document)
-        .into_iter()
-        .fold(with_parts, |text, (name, value)| text.replace(&format!("{{{{{name}}}}}"), &value))
+    filled(&with_parts, &numbers(document))
 }
 
 fn numbers(document: &Document) -> Vec<(&'static str, String)> {
-    let Document { impedance, expected, guards, arm, .. } = document;
+    let Document { impedance, expected, guards, arm, free, .. } = document;
+    let guard = |value: fn(&Guards) -> f64| {
+        [&guards.approach, &guards.dry_run, &guards.insertion].map(|guards| short(value(guards))).join(" | ")
+    };
     let frame = match document.arm {
         Some(_) => "the robot's base",
         None => "the world of the scene, as the scene names no arm",
@@ -50,11 +55,62 @@ fn numbers(document: &Document) -> Vec<(&'static str, String)> {
         ("expected_contact", short(expected.contact_force_n)),
         ("expected_deviation_mm", short(1e3 * expected.deviation_m)),
         ("expected_deviation_rad", short(expected.deviation_rad)),
-        ("guard_force", short(guards.force_n)),
-        ("guard_torque", short(guards.torque_nm)),
-        ("guard_deviation_mm", short(1e3 * guards.deviation_m)),
-        ("guard_deviation_rad", short(guards.deviation_rad)),
+        ("held_mm", short(1e3 * expected.held_m)),
+        ("held_rad", short(expected.held_rad)),
+        ("guard_force", guard(|guards| guards.force_n)),
+        ("guard_torque", guard(|guards| guards.torque_nm)),
+        ("guard_deviation_mm", guard(|guards| 1e3 * guards.deviation_m)),
+        ("guard_deviation_rad", guard(|guards| guards.deviation_rad)),
+        ("torque_step", document.torque_step_nm_per_ms.map_or("unknown".to_owned(), short)),
+        ("quality_words", quality(document)),
+        ("rates", document.trial.rates.iter().map(rate).collect::<Vec<_>>().join("\n")),
+        ("trial_force", force(document)),
+        ("dry_run", free.height().map_or("M".to_owned(), |height| format!("{height:.3}"))),
+        ("free_words", free_in_words(document)),
     ]
+}
+
+/// Whether the plan may be played.
+fn quality(document: &Document) -> String {
+    match document.warnings.as_slice() {
+        [] => "The plan is done, and so it does in rollouts with hard contact:".to_owned(),
+        warnings => {
+            let lines: Vec<String> = warnings.iter().map(|warning| format!("- **Warning: {warning}.**")).collect();
+            format!("Status: {}.\n\n{}\n\nIn rollouts with hard contact:", document.status, lines.join("\n"))
+        }
+    }
+}
+
+fn rate(rate: &RateRecord) -> String {
+    let [low, high] = rate.interval.map(|bound| 100.0 * bound);
+    let RateRecord { friction, magnitude_m, turn_rad, rollouts, successes, .. } = rate;
+    let millimetres = short(1e3 * magnitude_m);
+    format!("| {friction} | {millimetres} | {turn_rad} | {successes} of {rollouts} | {low:.0} to {high:.0} % |")
+}
+
+fn force(document: &Document) -> String {
+    let limit = document.trial.contact_force_limit_n;
+    let limit =
+        limit.map_or("without a limit".to_owned(), |limit| format!("of {} N that the scene allows", short(limit)));
+    format!("{} N, {limit}", short(document.trial.contact_force_n))
+}
+
+/// Where dry runs may be.
+fn free_in_words(document: &Document) -> String {
+    let intervals = document.free.heights_m.iter().map(|[low, high]| format!("{low:.3} to {high:.3} m"));
+    match intervals.collect::<Vec<_>>() {
+        none if none.is_empty() => {
+            "There is no height at which the shifted reference is in free air and the arm can move: a dry run needs room, \
+             so take the environment away."
+                .to_owned()
+        }
+        intervals => format!(
+            "A dry run is in free air at heights of {}, and the player refuses others; {} mm are then free around the part, \
+             wherever it sits in the gripper within the offsets of the plan.",
+            intervals.join(" and "),
+            short(5.0)
+        ),
+    }
 }
 
 fn configuration(arm: &ArmRecord) -> String {

@@ -3,14 +3,19 @@
 use std::fmt;
 
 /// Modules that every folder with a player has.
-const SHARED: [File; 7] = [
+const SHARED: [File; 12] = [
     ("exported_plan.py", include_str!("../players/shared/exported_plan.py")),
+    ("failures.py", include_str!("../players/shared/failures.py")),
     ("guards.py", include_str!("../players/shared/guards.py")),
     ("impedance.py", include_str!("../players/shared/impedance.py")),
+    ("interruption.py", include_str!("../players/shared/interruption.py")),
     ("journal.py", include_str!("../players/shared/journal.py")),
     ("kinematics.py", include_str!("../players/shared/kinematics.py")),
+    ("log_file.py", include_str!("../players/shared/log_file.py")),
+    ("motions.py", include_str!("../players/shared/motions.py")),
     ("rotations.py", include_str!("../players/shared/rotations.py")),
     ("session.py", include_str!("../players/shared/session.py")),
+    ("settings.py", include_str!("../players/shared/settings.py")),
 ];
 
 /// Name and text of a file.
@@ -60,6 +65,14 @@ impl Target {
         }
     }
 
+    /// Largest step of a joint torque (Nm) within a millisecond, where its robots stop beyond it.
+    pub fn torque_step(self) -> Option<f64> {
+        match self {
+            Self::Franka => Some(1.0),
+            Self::Csv | Self::UrRtde | Self::UrScript | Self::Ros2 => None,
+        }
+    }
+
     /// The files of its player.
     pub(crate) fn player(self) -> Vec<File> {
         let own: &[File] = match self {
@@ -75,6 +88,7 @@ impl Target {
             ],
             Self::Ros2 => &[
                 ("play.py", include_str!("../players/ros2/play.py")),
+                ("inbox.py", include_str!("../players/ros2/inbox.py")),
                 ("ros2_robot.py", include_str!("../players/ros2/ros2_robot.py")),
                 ("middleware.py", include_str!("../players/ros2/middleware.py")),
             ],

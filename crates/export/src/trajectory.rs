@@ -2,31 +2,28 @@
 
 use planner::PlannerError;
 use planner::files::{StateRow, to_csv};
-use simulation::{Reference, coordinates};
+use simulation::coordinates;
 
 use crate::frames::{Frames, ToolState};
+use crate::smooth::SmoothReference;
 
 /// Most samples of a trajectory: an hour at 1 kHz.
 const MOST_SAMPLES: f64 = 3.6e6;
-/// A time that is this close (in samples) to a knot is that of the knot.
+/// An end that is this close (in samples) before a sample is at the sample.
 const ROUNDING: f64 = 1e-6;
 
-/// States of the tool at multiples of `1 / rate` (Hz) along a reference: positions linear and orientations by slerp between
-/// the knots of the part, with the twist of the later knot. The last sample is at or after the end of the reference, at rest.
+/// States of the tool at multiples of `1 / rate` (Hz) along a reference. The last sample is at or after its end, at rest.
 ///
 /// # Errors
 /// When there are too many samples.
-pub fn resample(reference: &Reference, frames: &Frames, rate: f64) -> Result<Vec<ToolState>, PlannerError> {
+pub fn resample(reference: &SmoothReference, frames: &Frames, rate: f64) -> Result<Vec<ToolState>, PlannerError> {
     let samples_per_knot = reference.time_step() * rate;
-    let last = (reference.intervals() as f64 * samples_per_knot - ROUNDING).ceil();
+    let last = (reference.duration() * rate - ROUNDING).ceil();
     if last > MOST_SAMPLES {
         let rule = format!("makes {last:.0} samples, more than {MOST_SAMPLES:.0}; choose a lower rate");
         return Err(PlannerError::value("rate", rate, &rule));
     }
-    let sample = |index: usize| {
-        let knots = (index as f64 + ROUNDING) / samples_per_knot;
-        frames.tool_state(&reference.at(knots as usize, knots.fract()))
-    };
+    let sample = |index: usize| frames.tool_state(&reference.at(index as f64 / samples_per_knot));
     Ok((0..=last as usize).map(sample).collect())
 }
 

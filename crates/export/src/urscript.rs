@@ -1,48 +1,68 @@
 //! `plan.script`: a controller in URScript with the reference in it.
 
-use simulation::{Knot, Reference};
-
-use crate::document::{ArmRecord, Document};
-use crate::frames::Frames;
+use crate::document::{ArmRecord, Document, JointRecord};
+use crate::expectation::Guards;
+use crate::frames::{Frames, ToolState};
+use crate::smooth::SmoothReference;
+use crate::text::filled;
 
 /// Torques (Nm) of joints for which the URDF file has no limit.
 const UNLIMITED: f64 = 1e3;
 
+/// Limits (rad, rad/s) of joints for which the URDF file has none.
+const ANYWHERE: f64 = 1e3;
+
 /// The script of a plan.
-pub fn script(document: &Document, arm: &ArmRecord, reference: &Reference, frames: &Frames) -> String {
-    let states: Vec<_> = knots(reference).map(|knot| frames.tool_state(&knot)).collect();
-    let pose = |state: &crate::ToolState| [state.pose.translation.vector, state.pose.rotation.scaled_axis()];
+pub fn script(document: &Document, arm: &ArmRecord, reference: &SmoothReference, frames: &Frames) -> String {
+    let states: Vec<_> = reference.knots().iter().map(|knot| frames.tool_state(knot)).collect();
+    let pose = |state: &ToolState| [state.pose.translation.vector, state.pose.rotation.scaled_axis()];
     let poses: Vec<Vec<f64>> = states.iter().map(|state| flat(&pose(state))).collect();
-    let twists: Vec<Vec<f64>> =
-        states[1..].iter().map(|state| flat(&[state.velocity, state.angular_velocity])).collect();
+    let twists: Vec<Vec<f64>> = states.iter().map(|state| flat(&[state.velocity, state.angular_velocity])).collect();
     let way = states[0].pose.translation.vector - states[states.len() - 1].pose.translation.vector;
     let way_out = way.try_normalize(f64::EPSILON).unwrap_or_default();
-    let torques: Vec<f64> = arm.joints.iter().map(|joint| joint.torque.unwrap_or(UNLIMITED)).collect();
-    let guards = &document.guards;
+    let of_joints = |limit: fn(&JointRecord) -> f64| list(&arm.joints.iter().map(limit).collect::<Vec<_>>());
+    let limits = |guards: &Guards| list(&[guards.force_n, guards.torque_nm, guards.deviation_m, guards.deviation_rad]);
+    let (guards, free) = (&document.guards, &document.free);
+    let heights = |end: usize| list_of(&free.heights_m, end);
     let values = [
         ("scene", document.scene.clone()),
         ("start", document.start.clone()),
-        ("guard_force", number(guards.force_n)),
-        ("guard_torque", number(guards.torque_nm)),
-        ("guard_deviation", number(guards.deviation_m)),
-        ("guard_turn", number(guards.deviation_rad)),
+        ("warnings", document.warnings.iter().map(|warning| message(warning)).collect::<Vec<_>>().join("\n")),
+        ("approach_limits", limits(&guards.approach)),
+        ("dry_run_limits", limits(&guards.dry_run)),
+        ("insertion_limits", limits(&guards.insertion)),
         ("time_step", number(reference.time_step())),
-        ("last", reference.intervals().to_string()),
+        ("last", (states.len() - 1).to_string()),
         ("knots", rows(&poses)),
         ("twists", rows(&twists)),
         ("way_out", list(way_out.as_slice())),
         ("start_configuration", list(&arm.start_configuration)),
-        ("joint_torques", list(&torques)),
+        ("joint_torques", of_joints(|joint| joint.torque.unwrap_or(UNLIMITED))),
+        ("joint_lower", of_joints(|joint| joint.lower.unwrap_or(-ANYWHERE))),
+        ("joint_upper", of_joints(|joint| joint.upper.unwrap_or(ANYWHERE))),
+        ("joint_speeds", of_joints(|joint| joint.speed.unwrap_or(ANYWHERE))),
+        ("free_from", heights(0)),
+        ("free_to", heights(1)),
+        ("free_count", free.heights_m.len().to_string()),
+        ("clearance_heights", list_of(&free.start_clearance_m, 0)),
+        ("clearances", list_of(&free.start_clearance_m, 1)),
+        ("clearance_count", free.start_clearance_m.len().to_string()),
+        ("part_radius", number(free.radius_m)),
         ("wrench", wrench(&document.tool_stiffness, &document.tool_damping)),
     ];
-    let template = include_str!("../players/urscript/plan.script").to_owned();
-    values.iter().fold(template, |text, (name, value)| text.replace(&format!("{{{{{name}}}}}"), value))
+    filled(include_str!("../players/urscript/plan.script"), &values)
 }
 
-/// All knots of a reference, each with the twist on the way to it.
-fn knots(reference: &Reference) -> impl Iterator<Item = Knot> {
-    let first = std::iter::once(reference.at(0, 0.0));
-    first.chain((0..reference.intervals()).map(|interval| reference.at(interval, 1.0)))
+/// One number of every pair; a list is never empty.
+fn list_of(pairs: &[[f64; 2]], index: usize) -> String {
+    let numbers: Vec<f64> = pairs.iter().map(|pair| pair[index]).collect();
+    list(if numbers.is_empty() { &[0.0] } else { &numbers })
+}
+
+/// A line that tells the user something.
+fn message(text: &str) -> String {
+    let quoted: String = text.chars().filter(|letter| letter.is_ascii() && !matches!(letter, '"' | '\\')).collect();
+    format!("  textmsg(\"warning: {quoted}\")")
 }
 
 fn flat(vectors: &[nalgebra::Vector3<f64>; 2]) -> Vec<f64> {

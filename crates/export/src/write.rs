@@ -1,21 +1,24 @@
 //! Writes the folder of an export.
 
-use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use planner::PlannerError;
-use planner::files::{StoredPlan, hash, read_text, require_folder, write_file};
-use serde::{Deserialize, Serialize};
+use planner::files::{RESOLVED, RESULT, StoredPlan, hash, require_folder};
+use planner::{Choices, PlannerError, Problem};
 
-use crate::document::Document;
+use crate::document::{Document, Exported};
+use crate::folder::{ExportFolder, SUMS};
 use crate::frames::Frames;
 use crate::readme::readme;
+use crate::smooth::SmoothReference;
 use crate::target::Target;
+use crate::text::plain;
 use crate::trajectory::{resample, trajectory_csv};
+use crate::trial::{LEAST_RATE, TrialRecord};
 use crate::urscript::script;
 use crate::wrench::wrench_csv;
 
-/// Name of the file that says what an export is. It is written last: where it stands, the export is whole.
+/// Name of the file that says what an export is.
 pub const DOCUMENT: &str = "plan.json";
 /// The reference of the tool at the rate of the robot.
 pub const TRAJECTORY: &str = "trajectory.csv";
@@ -37,7 +40,7 @@ pub struct Request<'path> {
     pub rate: f64,
     /// Folder to write; by default `export/TARGET` in that of the plan.
     pub out: Option<&'path Path>,
-    /// Also export a plan that is not done.
+    /// Also export a plan that is not done, or succeeds too rarely in rollouts.
     pub anyway: bool,
 }
 
@@ -52,56 +55,68 @@ pub struct Written {
     pub remarks: Vec<String>,
 }
 
-/// `plan.json` with the hashes of the other files.
-#[derive(Serialize)]
-struct Sealed<'document> {
-    #[serde(flatten)]
-    document: &'document Document,
-    files: BTreeMap<&'document str, String>,
-}
-
-/// What is read of an earlier `plan.json`.
-#[derive(Deserialize)]
-struct Earlier {
-    files: BTreeMap<String, String>,
-}
-
 /// Exports a plan.
 ///
 /// # Errors
-/// When the plan is not whole, was changed or is not done, lacks what the target needs, or a file would be replaced that is
-/// not from an earlier export. Then nothing is written.
+/// When the plan is not whole, was changed, is not done or succeeds too rarely in rollouts, lacks what the target needs, or a
+/// file would be replaced that is not from an earlier export. Then nothing is written.
 pub fn write(request: &Request) -> Result<Written, PlannerError> {
     let plan = StoredPlan::open(request.plan)?;
-    let scene = plan.scene()?;
+    let problem = problem_of(&plan)?;
     require_done(&plan, request.anyway)?;
-    require_arm(&plan, &scene, request.target)?;
-    let folder = request.out.map_or_else(|| plan.folder.join("export").join(request.target.name()), Path::to_owned);
-    require_folder(&folder)?;
+    require_arm(&plan, problem.scene(), request.target)?;
+    let target = request.out.map_or_else(|| plan.folder.join("export").join(request.target.name()), Path::to_owned);
+    require_folder(&target)?;
 
-    let (reference, frames) = (plan.reference()?, Frames::of(&scene));
-    let document = Document::new(&plan, &scene, &reference, request.rate)?;
-    let states = resample(&reference, &frames, request.rate)?;
+    let (reference, frames) = (plan.reference()?, Frames::of(problem.scene()));
+    let smooth = SmoothReference::new(&reference);
+    let states = resample(&smooth, &frames, request.rate)?;
+    let trial = TrialRecord::new(&plan, &problem, &smooth)?;
+    require_success(&plan, &trial, request.anyway)?;
+    let anyway = request.anyway && (!plan.result.done || !trial.low_rates().is_empty());
+    let (result, reference) = (hash_of_result(&plan)?, &reference);
+    let exported = Exported { plan: &plan, result, problem: &problem, reference, smooth: &smooth, trial, anyway };
+    let document = Document::new(exported, request.rate)?;
+    require_smooth(&plan, &document, request)?;
+
+    let json = serde_json::to_vec_pretty(&document).map_err(|_| PlannerError::Internal("plan.json"))?;
     let mut files: Vec<(&str, Vec<u8>)> = vec![
+        (DOCUMENT, json),
         (TRAJECTORY, trajectory_csv(&states, request.rate)?),
         (WRENCH, wrench_csv(&plan, &frames)?),
         (README, readme(&document, request.target).into_bytes()),
     ];
     if let (Target::UrScript, Some(arm)) = (request.target, &document.arm) {
-        files.push((SCRIPT, script(&document, arm, &reference, &frames).into_bytes()));
+        files.push((SCRIPT, script(&document, arm, &smooth, &frames).into_bytes()));
     }
     files.extend(request.target.player().into_iter().map(|(name, text)| (name, text.as_bytes().to_vec())));
 
-    require_free(&folder, files.iter().map(|(name, _)| *name))?;
-    for (name, content) in &files {
-        write_file(&folder.join(name), content)?;
+    let folder = ExportFolder::claim(&target)?;
+    folder.fill(&files)?;
+    let names = files.iter().map(|(name, _)| *name).chain([SUMS]).map(str::to_owned).collect();
+    Ok(Written { folder: target, files: names, remarks: document.warnings })
+}
+
+/// The problem that a plan was made for, of its `resolved.toml`: title, start and offset are those of this file, whose hash is
+/// known.
+fn problem_of(plan: &StoredPlan) -> Result<Problem, PlannerError> {
+    let problem = Problem::choose(plan.scene()?, &plan.folder.join(RESOLVED), &Choices::default())?;
+    let result = &plan.result;
+    for (what, own, theirs) in
+        [("scene", &result.scene, &problem.scene().title), ("start", &result.start, &problem.start().name)]
+    {
+        if own != theirs {
+            let (own, theirs) = (plain(own), plain(theirs));
+            let problem = format!("{what} is `{own}`, and {RESOLVED} makes it `{theirs}`: it was changed; solve again");
+            return Err(PlannerError::file(&plan.folder.join(RESULT), problem));
+        }
     }
-    let hashes = files.iter().map(|(name, content)| (*name, hash(content))).collect();
-    let sealed = serde_json::to_vec_pretty(&Sealed { document: &document, files: hashes })
-        .map_err(|_| PlannerError::Internal("a document cannot be written"))?;
-    write_file(&folder.join(DOCUMENT), &sealed)?;
-    let names = std::iter::once(DOCUMENT).chain(files.iter().map(|(name, _)| *name)).map(str::to_owned).collect();
-    Ok(Written { folder, files: names, remarks: remarks(&plan, &document) })
+    Ok(problem)
+}
+
+fn hash_of_result(plan: &StoredPlan) -> Result<String, PlannerError> {
+    let file = plan.folder.join(RESULT);
+    fs::read(&file).map(|content| hash(&content)).map_err(PlannerError::read(&file))
 }
 
 /// Refuses a plan that does not do what was asked for, unless it is wanted anyway.
@@ -110,7 +125,33 @@ fn require_done(plan: &StoredPlan, anyway: bool) -> Result<(), PlannerError> {
         return Ok(());
     }
     let advice = "a robot should not play it; solve again, or export it with --anyway";
-    Err(PlannerError::file(&plan.folder, format!("the plan is not done ({}): {advice}", plan.result.status)))
+    let status = plain(&plan.result.status);
+    Err(PlannerError::file(&plan.folder, format!("the plan is not done ({status}): {advice}")))
+}
+
+/// Refuses a plan that succeeds too rarely in rollouts, likewise.
+fn require_success(plan: &StoredPlan, trial: &TrialRecord, anyway: bool) -> Result<(), PlannerError> {
+    let low = trial.low_rates();
+    if low.is_empty() || anyway {
+        return Ok(());
+    }
+    let advice = "solve it with --robust, or export it with --anyway";
+    let problem = format!("{}, less than {} %: {advice}", low.join("; "), 100.0 * LEAST_RATE);
+    Err(PlannerError::file(&plan.folder, problem))
+}
+
+/// Refuses a reference whose torques step by more than the robots of a target take, likewise.
+fn require_smooth(plan: &StoredPlan, document: &Document, request: &Request) -> Result<(), PlannerError> {
+    let Some((step, limit)) = document.torque_step_nm_per_ms.zip(request.target.torque_step()) else { return Ok(()) };
+    if step <= limit || request.anyway {
+        return Ok(());
+    }
+    let advice = "solve it with lower [limits] of acceleration, or export it with --anyway";
+    let problem = format!(
+        "--to {}: a joint torque steps by {step:.2} Nm within a millisecond, and these robots stop beyond {limit} Nm: {advice}",
+        request.target
+    );
+    Err(PlannerError::file(&plan.folder, problem))
 }
 
 /// Refuses a scene without the arm that a target needs.
@@ -126,44 +167,4 @@ fn require_arm(plan: &StoredPlan, scene: &scene::Scene, target: Target) -> Resul
                 .to_owned(),
         ),
     }
-}
-
-/// Refuses to replace what is not from an earlier export.
-fn require_free<'name>(folder: &Path, names: impl Iterator<Item = &'name str>) -> Result<(), PlannerError> {
-    let document = folder.join(DOCUMENT);
-    let refuse = |file: &Path| {
-        let problem = "would be replaced and is not from an earlier export, or was changed since; choose another --out";
-        Err(PlannerError::file(file, problem))
-    };
-    let stands = |file: &Path| file.symlink_metadata().is_ok();
-    let earlier = if stands(&document) {
-        let earlier = read_text(&document).ok().and_then(|text| serde_json::from_str::<Earlier>(&text).ok());
-        let Some(earlier) = earlier else { return refuse(&document) };
-        earlier.files
-    } else {
-        BTreeMap::new()
-    };
-    for name in names {
-        let file = folder.join(name);
-        let is_ours =
-            || earlier.get(name).is_some_and(|own| read_text(&file).is_ok_and(|text| hash(text.as_bytes()) == *own));
-        if stands(&file) && !is_ours() {
-            return refuse(&file);
-        }
-    }
-    Ok(())
-}
-
-fn remarks(plan: &StoredPlan, document: &Document) -> Vec<String> {
-    let mut remarks = Vec::new();
-    if !plan.result.done {
-        remarks.push(format!("the plan is not done: {}", plan.result.status));
-    }
-    if document.arm.is_none() {
-        remarks.push(
-            "the scene has no arm: poses are those of the part in the world, not of a tool in a robot's base"
-                .to_owned(),
-        );
-    }
-    remarks
 }

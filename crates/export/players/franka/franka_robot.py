@@ -8,10 +8,11 @@ import franky
 import numpy as np
 
 import rotations
+from exported_plan import ExportedPlan, ToolState
+from failures import ConnectionLost, InputError, Stopped
+from guards import Limits, Measurement
 from kinematics import Pose
-from exported_plan import ExportedPlan, InputError, ToolState
-from guards import ConnectionLost, Measurement
-from session import require_positive
+from settings import Settings
 
 # Time between two references (s).
 PERIOD = 0.002
@@ -21,33 +22,35 @@ PATIENCE = 0.1
 CLIP_MARGIN = 1.5
 # The robot stops by itself at this many times the force and torque at which the player does: the player says why it stopped.
 REFLEX_MARGIN = 1.5
-# Torques of joints (Nm) at which it does.
-REFLEX_TORQUE = 40.0
+# Torques of joints (Nm) at which it does, and all thresholds after a session (Nm, N): those of the examples of libfranka.
+REFLEX_TORQUE, USUAL_TORQUE, USUAL_FORCE = 40.0, 20.0, 20.0
+# Gains that are read back are those that were set, but for rounding.
+SAME_GAINS = 1e-6
 
 
 class FrankaRobot:
     """Gives the references of a plan to the controller of franky."""
 
-    def __init__(self, host: str, plan: ExportedPlan, stiffness_factor: float, damping_factor: float) -> None:
-        self.plan = plan
-        self.stiffness = stiffness_factor * np.array(plan.document["tool_stiffness"])
-        self.damping = damping_factor * np.array(plan.document["tool_damping"])
+    def __init__(self, host: str, plan: ExportedPlan, limits: Limits, factors: tuple[float, float]) -> None:
+        self.plan, self.limits = plan, limits
+        self.stiffness = factors[0] * np.array(plan.document["tool_stiffness"])
+        self.damping = factors[1] * np.array(plan.document["tool_damping"])
         self.robot = franky.Robot(host)
-        self.time, self.is_compliant = -1.0, False
-        guards = plan.document["guards"]
-        self.robot.set_collision_behavior(REFLEX_TORQUE, REFLEX_MARGIN * guards["force_n"])
+        self.time, self.is_compliant, self.quaternion = -1.0, False, None
         self.motion = franky.CartesianImpedanceTrackingMotion(
-            translational_error_clip=np.full(3, CLIP_MARGIN * guards["deviation_m"]),
-            rotational_error_clip=np.full(3, CLIP_MARGIN * guards["deviation_rad"]),
+            translational_error_clip=np.full(3, CLIP_MARGIN * limits.distance),
+            rotational_error_clip=np.full(3, CLIP_MARGIN * limits.angle),
         )
 
     def read(self) -> Measurement:
         """Waits for the end of the control period and measures."""
         deadline = time.monotonic() + PATIENCE
-        while (state := self.robot.state).time.to_sec() < self.time + PERIOD:
+        while self.time <= (state := self.robot.state).time.to_sec() < self.time + PERIOD:
             if time.monotonic() > deadline:
                 raise ConnectionLost(f"the robot has sent nothing for {PATIENCE:g} s")
             time.sleep(1e-4)
+        if not state.time.to_sec() > self.time:
+            raise Stopped(f"the time of the robot runs backwards: from {self.time:.3f} to {state.time.to_sec():.3f} s")
         self.time = state.time.to_sec()
         self.require_running()
         x, y, z, w = np.array(state.O_T_EE.quaternion).flatten()
@@ -65,17 +68,23 @@ class FrankaRobot:
             raise ConnectionLost("the controller does not run on the robot any more")
 
     def begin(self, hold: ToolState) -> None:
-        """Starts the controller with the gains of the plan at the tool point."""
+        """Starts the controller with the gains of the plan at the tool point, which are read back."""
         gains = franky.CartesianImpedanceGains()
         gains.stiffness, gains.damping = self.stiffness, self.damping
         self.motion.set_gains(gains)
-        self.motion.set_reference(reference_of(hold))
-        self.robot.move(self.motion, asynchronous=True)
+        held = self.motion.get_gains()
+        for wanted, found in ((self.stiffness, held.stiffness), (self.damping, held.damping)):
+            if not np.abs(np.array(found) - wanted).max() <= SAME_GAINS * np.abs(wanted).max():
+                raise InputError("the controller does not take the gains of the plan")
+        force, torque = REFLEX_MARGIN * self.limits.force, REFLEX_MARGIN * self.limits.torque
+        self.robot.set_collision_behavior(REFLEX_TORQUE, [force] * 3 + [torque] * 3)
+        self.motion.set_reference(self.reference_of(hold))
         self.is_compliant = True
+        self.robot.move(self.motion, asynchronous=True)
 
     def track(self, reference: ToolState, measured: Measurement) -> None:
         """The reference until the next one."""
-        self.motion.set_reference(reference_of(reference))
+        self.motion.set_reference(self.reference_of(reference))
 
     def end(self) -> None:
         """Lets the torques fade, and waits until the robot stands."""
@@ -86,21 +95,25 @@ class FrankaRobot:
             if self.robot.is_in_control:
                 self.robot.move(franky.TorqueStopMotion(), asynchronous=True)
             self.robot.join_motion()
+            self.robot.set_collision_behavior(USUAL_TORQUE, USUAL_FORCE)
         except franky.Exception as error:
             raise ConnectionLost(f"the robot has stopped by itself: {error}") from error
 
+    def close(self) -> None:
+        """The connection ends with the program."""
 
-def reference_of(state: ToolState) -> franky.CartesianReference:
-    """A reference as franky has it."""
-    w, x, y, z = rotations.quaternion(state.pose.rotation)
-    target = franky.Affine(state.pose.position, np.array([x, y, z, w]))
-    return franky.CartesianReference(target, franky.Twist(state.velocity, state.angular_velocity))
+    def reference_of(self, state: ToolState) -> franky.CartesianReference:
+        """A reference as franky has it; the sign of the quaternion does not jump."""
+        self.quaternion = rotations.quaternion(state.pose.rotation, self.quaternion)
+        w, x, y, z = self.quaternion
+        target = franky.Affine(state.pose.position, np.array([x, y, z, w]))
+        return franky.CartesianReference(target, franky.Twist(state.velocity, state.angular_velocity))
 
 
-def connect(arguments: argparse.Namespace, plan: ExportedPlan) -> FrankaRobot:
+def connect(arguments: argparse.Namespace, plan: ExportedPlan, chosen: Settings) -> FrankaRobot:
     """The robot at an address."""
-    require_positive(arguments, "stiffness_factor", "damping_factor")
+    factors = (arguments.stiffness_factor, arguments.damping_factor)
     try:
-        return FrankaRobot(arguments.host, plan, arguments.stiffness_factor, arguments.damping_factor)
+        return FrankaRobot(arguments.host, plan, chosen.playing, factors)
     except franky.Exception as error:
         raise InputError(f"{arguments.host}: the robot cannot be reached ({error}); is FCI active in Desk?") from error

@@ -21,4 +21,4 @@ def parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
-    sys.exit(main(parser(), franka_robot.connect, (franka_robot.franky.Exception,)))
+    sys.exit(main(parser(), franka_robot.connect))

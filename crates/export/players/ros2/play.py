@@ -11,7 +11,7 @@ try:
     from session import main
 except ImportError as error:
     print(
-        f"error: {error}; this player needs ROS 2 with rclpy, geometry_msgs, sensor_msgs and std_msgs (source its "
+        f"error: {error}; this player needs ROS 2 with rclpy, geometry_msgs, rcl_interfaces and sensor_msgs (source its "
         "setup.bash), for --message motion-update also aic_control_interfaces, and: pip install numpy",
         file=sys.stderr,
     )
@@ -26,13 +26,18 @@ def parser() -> argparse.ArgumentParser:
         "--message",
         choices=ros2_robot.MESSAGES,
         default=ros2_robot.MESSAGES[0],
-        help="pose: geometry_msgs/PoseStamped, and the diagonal of the stiffness as std_msgs/Float64MultiArray, as "
-        "crisp_controllers takes them; motion-update: aic_control_interfaces/MotionUpdate with stiffness and damping "
+        help="pose: geometry_msgs/PoseStamped, and the diagonals of the gains as parameters of the controller, as "
+        "crisp_controllers has them; motion-update: aic_control_interfaces/MotionUpdate with stiffness and damping "
         "[default: %(default)s]",
     )
     add("--frame", default="base_link", metavar="NAME", help="name of the robot's base [default: %(default)s]")
     add("--target-topic", default="target_pose", metavar="TOPIC", help="of references [default: %(default)s]")
-    add("--stiffness-topic", default="target_stiffness", metavar="TOPIC", help="of stiffness [default: %(default)s]")
+    add(
+        "--controller",
+        default="cartesian_impedance_controller",
+        metavar="NODE",
+        help="whose parameters the gains are, with --message pose [default: %(default)s]",
+    )
     add("--pose-topic", default="current_pose", metavar="TOPIC", help="PoseStamped of the tool [default: %(default)s]")
     add("--joint-topic", default="joint_states", metavar="TOPIC", help="JointState [default: %(default)s]")
     add("--wrench-topic", default="wrench", metavar="TOPIC", help="WrenchStamped at the tool [default: %(default)s]")
@@ -40,7 +45,7 @@ def parser() -> argparse.ArgumentParser:
     return parser
 
 
-def connect(arguments: argparse.Namespace, plan: object) -> ros2_robot.Ros2Robot:
+def connect(arguments: argparse.Namespace, plan: object, _: object) -> ros2_robot.Ros2Robot:
     """The robot behind the topics."""
     return ros2_robot.connect(arguments, plan, middleware.Middleware)
 

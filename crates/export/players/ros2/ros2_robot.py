@@ -1,36 +1,33 @@
 """A robot behind topics: what is published and when it is given up. Knows nothing of ROS, so that it is tested without."""
 
 import argparse
+import contextlib
 import dataclasses
 from typing import Protocol
 
 import numpy as np
 
 import rotations
+from exported_plan import ExportedPlan, ToolState
+from failures import InputError
+from guards import Measurement, require_command
+from inbox import Inbox
 from kinematics import Pose
-from exported_plan import ExportedPlan, InputError, ToolState
-from guards import ConnectionLost, Measurement
-from session import require_positive
+from settings import Settings, require_between
 
 MESSAGES = ("pose", "motion-update")
-# Longest wait (s) for the first measurements, and largest age (s) of later ones.
-FIRST_PATIENCE, PATIENCE = 5.0, 0.1
+# Longest wait (s) for the first measurements, and for somebody who hears the references.
+FIRST_PATIENCE = 5.0
 # Time (s) for the last reference to be sent.
 PARTING = 0.1
-
-
-@dataclasses.dataclass
-class Heard:
-    """The newest measurements with the times (s) at which they came: pose of the tool (position, quaternion w x y z), joint
-    positions and speeds, force and torque at the tool."""
-
-    pose: np.ndarray | None = None
-    pose_time: float = -np.inf
-    positions: np.ndarray | None = None
-    speeds: np.ndarray | None = None
-    joint_time: float = -np.inf
-    wrench: np.ndarray | None = None
-    wrench_time: float = -np.inf
+# Most references per second, and fewest: between two of them, nobody looks at the guards.
+MOST_RATE, LEAST_RATE = 2000.0, 50.0
+# Parameters of crisp_controllers: stiffness and damping along and about the axes.
+STIFFNESS, DAMPING = (
+    [f"task.{letter}_{kind}_{axis}" for kind in ("pos", "rot") for axis in "xyz"] for letter in ("k", "d")
+)
+# Parameters that are read back are those that were set, but for rounding.
+SAME_GAINS = 1e-6
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,13 +44,16 @@ class MotionTarget:
 
 
 class Topics(Protocol):
-    """What is needed of a middleware."""
+    """What is needed of a middleware. Times are monotonic (s)."""
+
+    inbox: Inbox
 
     def now(self) -> float: ...
     def wait(self, seconds: float) -> None: ...
-    def latest(self) -> Heard: ...
+    def hearers(self) -> int: ...
+    def parameters(self, names: list[str]) -> list[float]: ...
+    def set_parameters(self, names: list[str], values: list[float]) -> None: ...
     def publish_pose(self, target: MotionTarget) -> None: ...
-    def publish_stiffness(self, diagonal: list[float]) -> None: ...
     def publish_update(self, target: MotionTarget) -> None: ...
     def close(self) -> None: ...
 
@@ -67,56 +67,60 @@ class Ros2Robot:
         self.damping = factors[1] * np.array(plan.document["tool_damping"])
         # From a twist to the lead of a pose (m, rad).
         self.lead = np.linalg.solve(self.stiffness, self.damping)
-        self.next, self.last_pose = topics.now(), None
+        # The quaternion is that of the last reference, if there was one.
+        self.next, self.is_first, self.quaternion = topics.now(), True, None
+        self.former_gains: list[float] = []
+        self.last_known: Pose | None = None
 
     def read(self) -> Measurement:
         """Waits for the end of the period and takes the newest measurements."""
+        # A clock that was late does not make the player hurry.
         self.next = max(self.next + self.period, self.topics.now())
         self.topics.wait(self.next - self.topics.now())
-        first = self.last_pose is None
-        heard = self.first() if first else self.topics.latest()
+        if self.is_first:
+            self.await_first()
+            self.is_first = False
         now = self.topics.now()
-        self.require_news(heard, now)
-        pose = Pose.of(heard.pose)
-        velocity, spin = np.zeros(3), np.zeros(3)
-        positions, speeds = np.zeros(0), np.zeros(0)
+        heard = self.topics.inbox.take(now)
+        pose = Pose.of(heard.pose.values)
+        positions, speeds, twist = np.zeros(0), np.zeros(0), np.zeros(6)
         if self.plan.arm is not None:
-            positions = heard.positions
-            speeds = heard.speeds if heard.speeds is not None else np.zeros(len(positions))
-            twist = self.plan.arm.posture(positions)[1] @ speeds
-            velocity, spin = twist[:3], twist[3:]
-        self.last_pose = pose
-        return Measurement(now, positions, speeds, ToolState(pose, velocity, spin), heard.wrench[:3], heard.wrench[3:])
+            positions, speeds = np.split(heard.joints.values, 2)
+            expected, jacobian = self.plan.arm.posture(positions)
+            twist = jacobian @ speeds
+            pose_of_joints = expected if np.isfinite(positions).all() else None
+        else:
+            pose_of_joints = pose if np.isfinite(heard.pose.values).all() else None
+        self.last_known = pose_of_joints or self.last_known
+        wrench = heard.wrench.values
+        return Measurement(now, positions, speeds, ToolState(pose, twist[:3], twist[3:]), wrench[:3], wrench[3:])
 
-    def first(self) -> Heard:
+    def await_first(self) -> None:
         """Waits for the first measurements."""
         deadline = self.topics.now() + FIRST_PATIENCE
-        while missing := self.missing(self.topics.latest()):
+        while missing := self.topics.inbox.missing():
             if self.topics.now() > deadline:
                 raise InputError(f"nothing comes on the topics of {', '.join(missing)}; name them with --pose-topic and the like")
             self.topics.wait(self.period)
-        return self.topics.latest()
-
-    def missing(self, heard: Heard) -> list[str]:
-        """What was never heard of."""
-        needed = {"pose": heard.pose, "wrench": heard.wrench}
-        if self.plan.arm is not None:
-            needed["joint states"] = heard.positions
-        return [name for name, value in needed.items() if value is None]
-
-    def require_news(self, heard: Heard, now: float) -> None:
-        """Old measurements are none."""
-        times = {"pose": heard.pose_time, "wrench": heard.wrench_time}
-        if self.plan.arm is not None:
-            times["joint states"] = heard.joint_time
-        for name, time in times.items():
-            if now - time > PATIENCE:
-                raise ConnectionLost(f"the newest {name} is {now - time:.2f} s old, older than {PATIENCE:g} s")
+        self.topics.inbox.require_clock()
 
     def begin(self, hold: ToolState) -> None:
-        """Sends the gains, where they have a topic of their own."""
+        """Waits for a controller that hears, and sets its gains, where references have none."""
+        deadline = self.topics.now() + FIRST_PATIENCE
+        while not self.topics.hearers():
+            if self.topics.now() > deadline:
+                raise InputError("no controller hears the references; name their topic with --target-topic")
+            self.topics.wait(self.period)
+        # The reference first: a controller that holds another one would jump to it with the new gains.
+        self.publish(hold)
         if self.message == "pose":
-            self.topics.publish_stiffness(np.diag(self.stiffness).tolist())
+            names, wanted = STIFFNESS + DAMPING, [*np.diag(self.stiffness), *np.diag(self.damping)]
+            former = self.topics.parameters(names)
+            self.former_gains = former
+            self.topics.set_parameters(names, wanted)
+            held = np.array(self.topics.parameters(names))
+            if not (np.abs(held - wanted) <= SAME_GAINS * np.abs(wanted)).all():
+                raise InputError(f"the controller does not take the gains of the plan: it has {held.tolist()}, not {wanted}")
         self.publish(hold)
 
     def track(self, reference: ToolState, measured: Measurement) -> None:
@@ -124,13 +128,115 @@ class Ros2Robot:
         self.publish(reference)
 
     def end(self) -> None:
-        """The controller holds the tool where it is, so that it presses on nothing any more; it goes on running."""
+        """The controller holds the tool where its joints last had it, so that it presses on nothing any more, with the gains that it
+        had before; it goes on running."""
+        if self.quaternion is None:
+            return
         try:
-            if self.last_pose is not None:
-                newest = self.topics.latest().pose
-                self.publish(ToolState.at_rest(Pose.of(newest)))
-                self.topics.wait(PARTING)
+            self.publish(ToolState.at_rest(self.last_known))
+            self.topics.wait(PARTING)
         finally:
+            if self.former_gains:
+                self.topics.set_parameters(STIFFNESS + DAMPING, self.former_gains)
+
+    def close(self) -> None: ...
+
+
+class Ros2Robot:
+    """Publishes references at a rate, and at the end the pose at which the tool is."""
+
+    def __init__(self, topics: Topics, plan: ExportedPlan, message: str, period: float, factors: tuple[float, float]) -> None:
+        self.topics, self.plan, self.message, self.period = topics, plan, message, period
+        self.stiffness = factors[0] * np.array(plan.document["tool_stiffness"])
+        self.damping = factors[1] * np.array(plan.document["tool_damping"])
+        # From a twist to the lead of a pose (m, rad).
+        self.lead = np.linalg.solve(self.stiffness, self.damping)
+        # The quaternion is that of the last reference, if there was one.
+        self.next, self.is_first, self.quaternion = topics.now(), True, None
+        self.former_gains: list[float] = []
+        self.last_known: Pose | None = None
+
+    def read(self) -> Measurement:
+        """Waits for the end of the period and takes the newest measurements."""
+        # A clock that was late does not make the player hurry.
+        self.next = max(self.next + self.period, self.topics.now())
+        self.topics.wait(self.next - self.topics.now())
+        if self.is_first:
+            self.await_first()
+            self.is_first = False
+        now = self.topics.now()
+        heard = self.topics.inbox.take(now)
+        pose = Pose.of(heard.pose.values)
+        positions, speeds, twist = np.zeros(0), np.zeros(0), np.zeros(6)
+        if self.plan.arm is not None:
+            positions, speeds = np.split(heard.joints.values, 2)
+            expected, jacobian = self.plan.arm.posture(positions)
+            twist = jacobian @ speeds
+            pose_of_joints = expected if np.isfinite(positions).all() else None
+        else:
+            pose_of_joints = pose if np.isfinite(heard.pose.values).all() else None
+        self.last_known = pose_of_joints or self.last_known
+        wrench = heard.wrench.values
+        return Measurement(now, positions, speeds, ToolState(pose, twist[:3], twist[3:]), wrench[:3], wrench[3:])
+
+    def await_first(self) -> None:
+        """Waits for the first measurements."""
+        deadline = self.topics.now() + FIRST_PATIENCE
+        while missing := self.topics.inbox.missing():
+            if self.topics.now() > deadline:
+                raise InputError(f"nothing comes on the topics of {', '.join(missing)}; name them with --pose-topic and the like")
+            self.topics.wait(self.period)
+        self.topics.inbox.require_clock()
+
+    def begin(self, hold: ToolState) -> None:
+        """Waits for a controller that hears, and sets its gains, where references have none."""
+        deadline = self.topics.now() + FIRST_PATIENCE
+        while not self.topics.hearers():
+            if self.topics.now() > deadline:
+                raise InputError("no controller hears the references; name their topic with --target-topic")
+            self.topics.wait(self.period)
+        # The reference first: a controller that holds another one would jump to it with the new gains.
+        self.publish(hold)
+        if self.message == "pose":
+            names, wanted = STIFFNESS + DAMPING, [*np.diag(self.stiffness), *np.diag(self.damping)]
+            former = self.topics.parameters(names)
+            self.former_gains = former
+            self.topics.set_parameters(names, wanted)
+            held = np.array(self.topics.parameters(names))
+            if not (np.abs(held - wanted) <= SAME_GAINS * np.abs(wanted)).all():
+                raise InputError(f"the controller does not take the gains of the plan: it has {held.tolist()}, not {wanted}")
+        self.publish(hold)
+
+    def track(self, reference: ToolState, measured: Measurement) -> None:
+        """The reference until the next one."""
+        self.publish(reference)
+
+    def end(self) -> None:
+        """The controller holds the tool where its joints have it, so that it presses on nothing any more, with the gains that it had
+        before; it goes on running. Where nobody knows where the tool is, it goes on holding the last reference."""
+        try:
+            self.publish(ToolState.at_rest(self.true_pose()))
+            self.topics.wait(PARTING)
+        finally:
+            if self.former_gains:
+                self.topics.set_parameters(STIFFNESS + DAMPING, self.former_gains)
+
+    def true_pose(self) -> Pose:
+        """The pose that the newest joint positions make, or without an arm the newest pose."""
+        newest = self.topics.inbox.newest
+        if self.plan.arm is None:
+            values = newest["pose"].values
+            found = Pose.of(values)
+        else:
+            values = np.split(newest["joint states"].values, 2)[0]
+            found = self.plan.arm.forward(values)
+        if not np.isfinite(values).all():
+            raise Stopped("nobody knows where the tool is: the controller goes on holding the last reference")
+        return found
+
+    def close(self) -> None:
+        """Leaves the middleware."""
+        with contextlib.suppress(KeyboardInterrupt):
             self.topics.close()
 
     def publish(self, state: ToolState) -> None:
@@ -140,15 +246,17 @@ class Ros2Robot:
             lead = self.lead @ np.concatenate([state.velocity, state.angular_velocity])
             pose = Pose(state.pose.position + lead[:3], rotations.of_vector(lead[3:]) @ state.pose.rotation)
             state = ToolState(pose, state.velocity, state.angular_velocity)
-        to_tool = state.pose.rotation.T
+        rotation = state.pose.rotation
+        self.quaternion = rotations.quaternion(rotation, self.quaternion)
         target = MotionTarget(
             position=state.pose.position.tolist(),
-            quaternion=rotations.quaternion(state.pose.rotation).tolist(),
-            velocity=(to_tool @ state.velocity).tolist(),
-            spin=(to_tool @ state.angular_velocity).tolist(),
+            quaternion=self.quaternion.tolist(),
+            velocity=(rotation.T @ state.velocity).tolist(),
+            spin=(rotation.T @ state.angular_velocity).tolist(),
             stiffness=self.stiffness.flatten().tolist(),
             damping=self.damping.flatten().tolist(),
         )
+        require_command("reference", [*target.position, *target.quaternion, *target.velocity, *target.spin])
         if self.message == "pose":
             self.topics.publish_pose(target)
         else:
@@ -157,10 +265,12 @@ class Ros2Robot:
 
 def connect(arguments: argparse.Namespace, plan: ExportedPlan, middleware: type) -> Ros2Robot:
     """The robot behind the topics of a middleware."""
-    require_positive(arguments, "stiffness_factor", "damping_factor", "rate")
+    require_between(arguments, "rate", MOST_RATE)
+    if arguments.rate < LEAST_RATE:
+        raise InputError(f"--rate {arguments.rate:g} is below {LEAST_RATE:g} references per second")
     if arguments.message == "pose" and not is_diagonal(plan):
         raise InputError(
-            "the stiffness at the tool point has coupled axes, and --message pose has room for its diagonal alone: use "
+            "the gains at the tool point have coupled axes, and --message pose has room for their diagonals alone: use "
             "--message motion-update, or a `tip` in the scene whose origin is that of the part"
         )
     topics = middleware(arguments, plan.arm.names if plan.arm else [])

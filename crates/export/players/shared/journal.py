@@ -1,7 +1,7 @@
 """What happened, in the CSV format of the planner: where the robot believed the part, the wrench at the tool, and the reference
 that was followed. The first line says for which plan and with which gains, so that a log needs no other file."""
 
-import json
+import contextlib
 import pathlib
 import sys
 from typing import Any
@@ -11,6 +11,7 @@ import numpy as np
 import rotations
 from exported_plan import ANGULAR_VELOCITY, POSITION, QUATERNION, VELOCITY, ExportedPlan, ToolState
 from guards import Measurement
+from log_file import LogFile
 
 # Version of the log; readers refuse others.
 FORMAT = 1
@@ -21,21 +22,16 @@ COLUMNS = ("time_s", *STATE, *WRENCH, "elapsed_s", *(f"reference_{name}" for nam
 
 
 class Journal:
-    """Keeps measurements and writes them at the end, whatever the end is; says on standard error what happens."""
+    """Writes measurements as they come; says on standard error what happens."""
 
-    def __init__(self, plan: ExportedPlan, file: pathlib.Path, header: dict[str, Any]) -> None:
-        self.plan, self.file, self.header = plan, file, header
-        self.rows: list[str] = []
-        self.phase, self.begin, self.first = "", 0.0, None
+    def __init__(self, plan: ExportedPlan, file: pathlib.Path | None, header: dict[str, Any]) -> None:
+        self.plan, self.log = plan, LogFile(file, header, ",".join(COLUMNS))
+        self.phase, self.begin, self.first, self.count = "", 0.0, None, 0
 
     def start(self, phase: str, time: float) -> None:
         """Begins a phase, whose time counts from here (s)."""
         self.phase, self.begin = phase, time
-        self.say(phase)
-
-    def say(self, text: str) -> None:
-        """Tells the user."""
-        print(text, file=sys.stderr, flush=True)
+        say(phase)
 
     def add(self, measured: Measurement, reference: ToolState) -> None:
         """A measurement and the reference that answers it; force and torque as the robot says them."""
@@ -45,7 +41,8 @@ class Journal:
             *self.state(measured.tool), measured.force, measured.torque, [measured.time - self.first], *self.state(reference)
         ]
         values = ",".join(f"{number:.9g}" for number in np.concatenate(numbers))
-        self.rows.append(f"{measured.time - self.begin:.6f},{values},{self.phase}")
+        self.log.add(f"{measured.time - self.begin:.6f},{values},{self.phase}")
+        self.count += 1
 
     def state(self, tool: ToolState) -> list[np.ndarray]:
         """Pose and velocity of the part in the world, angular velocity in its own frame, as in the tables of plans."""
@@ -55,8 +52,16 @@ class Journal:
         spin = part.rotation.T @ plan.base.rotation @ tool.angular_velocity
         return [part.position, rotations.quaternion(part.rotation), velocity, spin]
 
-    def write(self) -> None:
-        """Writes the table."""
-        self.file.parent.mkdir(parents=True, exist_ok=True)
-        self.file.write_text("\n".join([f"# {json.dumps(self.header)}", ",".join(COLUMNS), *self.rows]) + "\n")
-        self.say(f"{len(self.rows)} measurements written to {self.file}")
+    def close(self, stopped: str | None) -> None:
+        """Writes the end of the log, with why the session was stopped, if it was. What goes wrong with that hides no reason."""
+        try:
+            self.log.close(stopped)
+            say(f"{self.count} measurements written to {self.log.path}")
+        except OSError as error:
+            say(f"the end of {self.log.path} cannot be written: {error.strerror}")
+
+
+def say(text: str) -> None:
+    """Tells the user, who may have gone."""
+    with contextlib.suppress(OSError, ValueError):
+        print(text, file=sys.stderr, flush=True)

@@ -49,6 +49,8 @@ class Arm:
         self.speed = limits(joints, "speed", np.inf)
         self.torque = limits(joints, "torque", np.inf)
         self.start = np.array(record["start_configuration"])
+        # Joint positions that were asked for last, and the answer: guards ask once more.
+        self.last: tuple[bytes, tuple[Pose, np.ndarray]] | None = None
 
     def forward(self, positions: np.ndarray) -> Pose:
         """Pose of the tool."""
@@ -57,6 +59,12 @@ class Arm:
     def posture(self, positions: np.ndarray) -> tuple[Pose, np.ndarray]:
         """Pose of the tool, and its Jacobian (6 x joints): velocity of the tool point and angular velocity, along the axes of
         the base, per speed of each joint."""
+        if self.last is None or self.last[0] != positions.tobytes():
+            self.last = positions.tobytes(), self.computed(positions)
+        return self.last[1]
+
+    def computed(self, positions: np.ndarray) -> tuple[Pose, np.ndarray]:
+        """The same, computed."""
         frame = Pose(np.zeros(3), np.eye(3))
         axes, origins = np.zeros((2, len(self.frames), 3))
         for index, (before, axis, slides) in enumerate(zip(self.frames, self.axes, self.slides)):

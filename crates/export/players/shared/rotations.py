@@ -39,10 +39,12 @@ def of_vector(turn: np.ndarray) -> np.ndarray:
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
 
 
-def quaternion(rotation: np.ndarray) -> np.ndarray:
-    """Unit quaternion of a rotation matrix, its scalar not negative."""
+def quaternion(rotation: np.ndarray, near: np.ndarray | None = None) -> np.ndarray:
+    """Unit quaternion of a rotation matrix: of both the one that is nearer to another one, else the one whose scalar is not
+    negative."""
     turn = vector(rotation)
     angle = np.linalg.norm(turn)
     # sin(a / 2) / a, which tends to one half.
     share = 0.5 if angle < 1e-9 else np.sin(angle / 2) / angle
-    return np.array([np.cos(angle / 2), *(share * turn)])
+    found = np.array([np.cos(angle / 2), *(share * turn)])
+    return -found if near is not None and found @ near < 0 else found

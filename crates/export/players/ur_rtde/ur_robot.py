@@ -9,11 +9,12 @@ from rtde_control import RTDEControlInterface
 from rtde_receive import RTDEReceiveInterface
 
 import rotations
-from kinematics import Pose
-from exported_plan import ExportedPlan, InputError, ToolState
-from guards import ConnectionLost, Measurement
+from exported_plan import ExportedPlan, ToolState
+from failures import ConnectionLost, InputError, Stopped
+from guards import Measurement, require_command
 from impedance import Impedance
-from session import require_positive
+from kinematics import Pose
+from settings import Settings, require_between
 
 FREQUENCY = 500.0
 # What is heard of the robot: no more than is needed, 500 times per second.
@@ -34,6 +35,17 @@ HALF_TURN = np.diag([-1.0, -1.0, 1.0])
 SAME_JACOBIAN = 0.05
 # The package may return what its registers held before.
 JACOBIAN_TRIES = 5
+# Bits of the safety status in which a robot does not move.
+SAFETY_STOPS = {
+    2: "protective stop",
+    3: "recovery mode",
+    4: "safeguard stop",
+    5: "emergency stop of the system",
+    6: "emergency stop of the robot",
+    7: "emergency stop",
+    8: "violation of a safety limit",
+    9: "fault of the safety system",
+}
 ALL_AXES, FRAME_AS_GIVEN = [1] * 6, 2
 # Connections live until the program exits: to delete one to a robot that does not answer would never return.
 connections: list["Connection"] = []
@@ -81,11 +93,13 @@ class Connection:
     def wait_for_news(self) -> None:
         """Until the robot has measured again."""
         deadline = time.monotonic() + PATIENCE
-        while (now := self.receive.getTimestamp()) <= self.time:
+        while (now := self.receive.getTimestamp()) == self.time:
             if time.monotonic() > deadline:
                 self.is_lost = True
                 raise ConnectionLost(f"the robot has sent nothing for {PATIENCE:g} s; its watchdog stops it")
             time.sleep(1e-4)
+        if not now > self.time:
+            raise Stopped(f"the time of the robot runs backwards: from {self.time:.3f} to {now:.3f} s")
         self.time = now
 
     def require_running(self) -> None:
@@ -93,8 +107,9 @@ class Connection:
         if not (self.control.isConnected() and self.receive.isConnected()):
             self.is_lost = True
             raise ConnectionLost("the connection to the robot is lost; its watchdog stops it")
-        if self.receive.isEmergencyStopped() or self.receive.isProtectiveStopped():
-            raise ConnectionLost("the robot has stopped by itself: protective or emergency stop")
+        for bit, name in SAFETY_STOPS.items():
+            if self.receive.getSafetyStatusBits() >> bit & 1:
+                raise ConnectionLost(f"the robot has stopped by itself: {name}")
         if not self.control.isProgramRunning():
             raise ConnectionLost("the control script does not run on the robot any more")
 
@@ -105,7 +120,7 @@ class Connection:
             # It comes column by column.
             own = np.array(self.control.getJacobian()).reshape(6, 6).T
             difference = float(np.abs(own - expected).max())
-            if difference < SAME_JACOBIAN:
+            if difference <= SAME_JACOBIAN:
                 break
         else:
             raise InputError(
@@ -115,15 +130,17 @@ class Connection:
         self.control.setWatchdog(WATCHDOG)
 
     def end(self) -> None:
-        """Stops the joints, ends the script and the connection. A command to a robot that does not answer would never return."""
+        """Stops the joints. A command to a robot that does not answer would never return."""
+        if not self.is_lost:
+            self.control.stopJ(STOPPING)
+
+    def close(self) -> None:
+        """Ends the script and the connection."""
         if self.is_lost:
             return
-        try:
-            self.control.stopJ(STOPPING)
-        finally:
-            self.control.stopScript()
-            self.control.disconnect()
-            self.receive.disconnect()
+        self.control.stopScript()
+        self.control.disconnect()
+        self.receive.disconnect()
 
     def send(self, is_accepted: bool) -> None:
         """Checks that the robot took a command."""
@@ -143,6 +160,7 @@ class TorqueRobot(Connection):
         """Torques J' wrench, within the limits of the joints."""
         torques = self.jacobian.T @ self.impedance.wrench(reference, measured.tool)
         limited = np.clip(torques, -self.arm.torque, self.arm.torque)
+        require_command("torque", limited)
         self.send(self.control.directTorque(limited.tolist()))
 
 
@@ -167,6 +185,7 @@ class ForceRobot(Connection):
         """The wrench at the tool point."""
         frame = [*(self.root.T @ measured.tool.pose.position).tolist(), 0.0, 0.0, 0.0]
         wrench = self.to_controller(self.impedance.wrench(reference, measured.tool))
+        require_command("wrench", wrench)
         self.send(self.control.forceMode(frame, ALL_AXES, wrench.tolist(), FRAME_AS_GIVEN, FORCE_MODE_SPEEDS))
 
     def end(self) -> None:
@@ -178,9 +197,10 @@ class ForceRobot(Connection):
             super().end()
 
 
-def connect(arguments: argparse.Namespace, plan: ExportedPlan) -> Connection:
+def connect(arguments: argparse.Namespace, plan: ExportedPlan, _: Settings) -> Connection:
     """The robot in the mode that is asked for, or that it can."""
-    require_positive(arguments, "stiffness_factor", "damping_factor", "force_mode_gain", "force_mode_damping")
+    require_between(arguments, "force_mode_gain", 2.0)
+    require_between(arguments, "force_mode_damping", 1.0)
     impedance = Impedance(plan, arguments.stiffness_factor, arguments.damping_factor)
     try:
         version = polyscope_version(arguments.host)

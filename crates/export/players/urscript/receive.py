@@ -1,7 +1,7 @@
 """Receives what `plan.script` sends while the robot runs it, and writes the log: start it before the script.
 
 A line of the script is a word and what belongs to it, behind a blank: `session` with dry run (m), factors of stiffness and
-damping; `playing` or `resting` with a row; `stopped` with a reason; `done`."""
+damping; a phase with a row; `stopped` with a reason; `done`."""
 
 import argparse
 import json
@@ -14,11 +14,14 @@ from typing import Any
 import numpy as np
 
 import rotations
-from exported_plan import ExportedPlan, InputError, ToolState, load
-from guards import Measurement, Stopped
-from journal import Journal
+from exported_plan import ExportedPlan, ToolState, load
+from failures import InputError, Stopped
+from guards import Measurement
+from interruption import Interruption
+from journal import Journal, say
 from kinematics import Pose
-from session import exit_code, header, keeping
+from session import exit_code, keeping
+from settings import header
 
 # Where `plan.script` connects to.
 PORT = 50042
@@ -26,21 +29,26 @@ PORT = 50042
 # and rotation vector (rad), everything is along the axes of the root of the URDF file.
 TIME, STATE, WRENCH = 1, 12, 6
 NUMBERS = TIME + STATE + WRENCH + STATE
+# Phases by their words in the script.
+PHASES = {
+    "holding": "holding",
+    "approaching": "going to the start",
+    "testing": "testing the frames",
+    "playing": "playing",
+    "resting": "resting",
+}
 
 
 def receive(lines: Iterable[str], plan: ExportedPlan, journal: Journal) -> bool:
     """Keeps what the script sends until it has played the plan. Stopped says why it did not."""
-    begin = last = 0.0
     for line in lines:
         word, _, rest = line.strip().partition(" ")
         if word == "session":
-            journal.header = session(numbers(rest, 3), plan)
-        elif word in ("playing", "resting"):
+            journal.log.header = session(numbers(rest, 3), plan)
+        elif word in PHASES:
             row = numbers(rest, NUMBERS)
-            if word != journal.phase:
-                begin = row[0] if word == "playing" else last
-                journal.start(word, begin)
-            last = row[0]
+            if PHASES[word] != journal.phase:
+                journal.start(PHASES[word], row[0])
             journal.add(measurement(row), tool_state(row[-STATE:]))
         elif word == "stopped":
             raise Stopped(rest)
@@ -80,16 +88,21 @@ def measurement(row: list[float]) -> Measurement:
     return Measurement(row[0], unknown, unknown, tool_state(row[TIME : TIME + STATE]), wrench[:3], wrench[3:])
 
 
-def run(arguments: argparse.Namespace) -> bool:
+def run(arguments: argparse.Namespace, _: Interruption) -> bool:
     """Waits for one run of the script and writes its log; returns whether it played the plan."""
     plan = load(pathlib.Path(__file__).resolve().parent)
     journal = Journal(plan, arguments.log, session([0.0, 1.0, 1.0], plan))
+    return keeping(journal, lambda: listen(arguments, plan, journal))
+
+
+def listen(arguments: argparse.Namespace, plan: ExportedPlan, journal: Journal) -> bool:
+    """One run of the script."""
     with socket.create_server((arguments.address, arguments.port)) as server:
-        journal.say(f"waiting for plan.script at port {arguments.port}")
+        say(f"waiting for plan.script at port {arguments.port}")
         connection, (robot, _) = server.accept()
-    journal.say(f"connected to {robot}")
+    say(f"connected to {robot}")
     with connection, connection.makefile(encoding="ascii", errors="replace") as lines:
-        return keeping(journal, lambda: receive(lines, plan, journal))
+        return receive(lines, plan, journal)
 
 
 def main() -> int:
@@ -98,9 +111,9 @@ def main() -> int:
     add = parser.add_argument
     add("--address", default="", help="address of this computer at which to wait [default: all that it has]")
     add("--port", type=int, default=PORT, help="port, as in plan.script [default: %(default)s]")
-    add("--log", type=pathlib.Path, default=pathlib.Path("executed.csv"), metavar="FILE", help="[default: %(default)s]")
+    add("--log", type=pathlib.Path, metavar="FILE", help="a new file [default: executed.csv, or executed-2.csv and so on]")
     arguments = parser.parse_args()
-    return exit_code(lambda: run(arguments))
+    return exit_code(lambda interruption: run(arguments, interruption))
 
 
 if __name__ == "__main__":

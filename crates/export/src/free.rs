@@ -1,0 +1,123 @@
+//! Free air: where the part touches nothing, wherever it sits in the gripper.
+
+use nalgebra::{Isometry3, Vector3};
+use planner::Problem;
+use serde::Serialize;
+use simulation::{coordinates, isometry};
+use task::{AssemblyTask, POSE, STATE, pose_of};
+
+use crate::joints::{Held, course, shifted};
+
+/// Largest height of a dry run (m), and how close heights are looked at (m).
+const HIGHEST: f64 = 0.3;
+const RESOLUTION: f64 = 0.002;
+/// Heights at which the clearance of the start is written (m).
+const CLEARANCES: f64 = 0.01;
+/// What is free besides offset and turn of the part (m).
+const MARGIN: f64 = 0.005;
+/// Where joint friction can hold the tool further away than this (m, rad), the arm is too close to a singular posture.
+const LARGEST_HELD: Held = Held { distance: 0.01, angle: 0.06 };
+
+/// Where a dry run is in free air, and how far around the start there is room.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FreeAir {
+    /// Intervals of heights (m) of a dry run at which nothing touches and the arm can move: first and last.
+    pub heights_m: Vec<[f64; 2]>,
+    /// What stays free of the shapes besides this, for the offset and the turn of the part (m).
+    pub margin_m: f64,
+    /// Farthest point of the part from the tool point (m): a turn by an angle moves no point by more than this times it.
+    pub radius_m: f64,
+    /// Pairs of a height (m) and of how far (m) the part may move from the start of the reference, shifted by it, before
+    /// it may touch something.
+    pub start_clearance_m: Vec<[f64; 2]>,
+}
+
+impl FreeAir {
+    /// Around the reference of a problem; `grasp` is the part in the tool.
+    pub fn new(problem: &Problem, states: &[[f64; STATE]], time_step: f64, grasp: &Isometry3<f64>) -> Self {
+        let world = problem.world();
+        let radius_m = farthest_point(&world, &grasp.inverse());
+        let turn = problem.scene().borne.turn * farthest_point(&world, &Isometry3::identity());
+        let margin_m = problem.delta() + turn + MARGIN;
+        let poses: Vec<[f64; POSE]> = states.iter().map(pose_of).collect();
+        let Some(out) = way_out(&poses, grasp) else {
+            let clearance = world.clearance(&poses[0]) - margin_m;
+            return Self { heights_m: Vec::new(), margin_m, radius_m, start_clearance_m: vec![[0.0, clearance]] };
+        };
+        let at = |pose: &[f64; POSE], height: f64| {
+            let mut isometry = isometry(pose);
+            isometry.translation.vector += height * out;
+            coordinates(&isometry)
+        };
+        let room = |height: f64| {
+            let room_at = |pose: &[f64; POSE]| world.clearance(&at(pose, height)) - margin_m;
+            poses.iter().map(room_at).fold(f64::INFINITY, f64::min)
+        };
+        let can_move = |height: f64| {
+            let Some(robot) = &problem.scene().robot else { return true };
+            let states = shifted(states, &(height * out));
+            course(robot, time_step, &states).is_ok_and(|course| {
+                let held = Held::along(robot, &problem.task().impedance, &course);
+                held.distance <= LARGEST_HELD.distance && held.angle <= LARGEST_HELD.angle
+            })
+        };
+        let start_clearance_m = (0..=(HIGHEST / CLEARANCES) as usize)
+            .map(|index| index as f64 * CLEARANCES)
+            .map(|height| [height, (world.clearance(&at(&poses[0], height)) - margin_m).min(HIGHEST)])
+            .collect();
+        Self { heights_m: intervals(room, can_move), margin_m, radius_m, start_clearance_m }
+    }
+
+    /// A height for a dry run (m), if there is one.
+    pub fn height(&self) -> Option<f64> {
+        self.heights_m.first().map(|[low, high]| ((low / 0.005).ceil() * 0.005).min(*high))
+    }
+}
+
+/// Direction of dry runs in the world, from the tool's last pose to its first.
+pub fn way_out(poses: &[[f64; POSE]], grasp: &Isometry3<f64>) -> Option<Vector3<f64>> {
+    /// A reference that ends closer to its start (m) has none.
+    const SHORTEST: f64 = 1e-6;
+    let tool = |pose: &[f64; POSE]| (isometry(pose) * grasp.inverse()).translation.vector;
+    (tool(poses.first()?) - tool(poses.last()?)).try_normalize(SHORTEST)
+}
+
+/// Where there is room: a part that is raised by a height comes nearer to nothing by more than that.
+fn intervals(room: impl Fn(f64) -> f64, can_move: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    let (mut height, mut is_open) = (0.0, false);
+    while height <= HIGHEST {
+        let free = room(height);
+        let is_free = free >= 0.0 && can_move(height);
+        match found.last_mut() {
+            Some(interval) if is_free && is_open => interval[1] = height,
+            _ if is_free => found.push([height, height]),
+            _ => {}
+        }
+        is_open = is_free;
+        // In between, there is room too, or none.
+        height += if is_free { RESOLUTION } else { (-free).max(RESOLUTION) };
+    }
+    found
+}
+
+/// Farthest point (m) of the part from the origin of a frame in it.
+fn farthest_point(world: &AssemblyTask, frame: &Isometry3<f64>) -> f64 {
+    let origin = frame.translation.vector;
+    let points = world.pairs.iter().flat_map(|pair| pair.shapes.body().vertices().iter());
+    points.map(|point| (Vector3::from(*point) - origin).norm()).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_end_where_there_is_a_ceiling() {
+        // Free between 0.05 and 0.1 m, and where the arm can move only.
+        let found = intervals(|height| (height - 0.05).min(0.1 - height), |height| height < 0.08);
+        assert_eq!(found.len(), 1);
+        assert!((found[0][0] - 0.05).abs() <= RESOLUTION && (found[0][1] - 0.08).abs() <= 2.0 * RESOLUTION);
+        assert!(intervals(|_| -0.01, |_| true).is_empty());
+    }
+}
