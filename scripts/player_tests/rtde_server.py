@@ -157,10 +157,10 @@ class Server:
         arm = self.robot.arm
         measured: dict[str, Callable[[], Any]] = {
             "timestamp": lambda: [arm.time],
-            "actual_q": lambda: arm.data.qpos,
-            "actual_qd": lambda: arm.data.qvel,
+            "actual_q": lambda: arm.said().positions,
+            "actual_qd": lambda: arm.said().speeds,
             "actual_TCP_pose": self.pose,
-            "actual_TCP_force": arm.wrench,
+            "actual_TCP_force": lambda: arm.said().wrench,
             "safety_status_bits": lambda: [4 if arm.fails("protective") else 1],
         }
         if name in measured:

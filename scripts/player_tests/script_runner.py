@@ -17,9 +17,6 @@ from simulated_arm import SimulatedArm, Task
 STEP_TIME = 0.002
 # Longest string of URScript.
 LONGEST_STRING = 1023
-# Gains of straight moves (N/m, Nm/rad; Ns/m, Nms/rad).
-MOVE_GAINS = np.array([2000.0] * 3 + [100.0] * 3)
-MOVE_DAMPING = np.array([250.0] * 3 + [15.0] * 3)
 
 
 class Halted(Exception):
@@ -77,25 +74,30 @@ class Controller:
     def functions(self) -> dict[str, Any]:
         """By their names."""
         named = {name: getattr(self, name) for name in dir(Controller) if name.startswith("get_")}
-        own = ("pose_trans", "pose_inv", "interpolate_pose", "movel", "zero_ftsensor", "sync", "run", "join", "halt")
+        own = ("pose_trans", "pose_inv", "zero_ftsensor", "sync", "run", "join", "halt")
         named |= {name: getattr(self, name) for name in (*own, "textmsg", "popup", "direct_torque", "stopj")}
         named |= {name: getattr(self, name) for name in ("socket_open", "socket_send_line", "str_cat", "to_str")}
         return named | {"sqrt": math.sqrt, "floor": math.floor, "Matrix": Matrix}
 
     def tool(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        position, rotation, jacobian = self.arm.tool()
-        if self.arm.fails("frame"):
-            position = position + np.array([0.0, 0.0, 0.1])
+        said, jacobian = self.arm.said(), self.arm.tool()[2]
+        position, rotation = said.pose, said.rotation
         return self.base @ position, self.base @ rotation, np.vstack([self.base @ jacobian[:3], self.base @ jacobian[3:]])
 
     def get_actual_tcp_pose(self) -> list[float]:
         return pose_of(*self.tool()[:2])
 
     def get_actual_tcp_speed(self) -> list[float]:
-        return (self.tool()[2] @ self.arm.data.qvel).tolist()
+        return (self.tool()[2] @ self.arm.said().speeds).tolist()
 
     def get_tcp_force(self) -> list[float]:
-        return self.arm.wrench().tolist()
+        return self.arm.said().wrench.tolist()
+
+    def get_actual_joint_positions(self) -> list[float]:
+        return self.arm.said().positions.tolist()
+
+    def get_actual_joint_speeds(self) -> list[float]:
+        return self.arm.said().speeds.tolist()
 
     def get_jacobian(self) -> Matrix:
         return Matrix(self.tool()[2].tolist())
@@ -104,6 +106,7 @@ class Controller:
         return STEP_TIME
 
     def get_forward_kin(self, positions: list[float]) -> list[float]:
+        """Where the controller has its tool point: a wrong tool point is wrong here too."""
         before = self.arm.data.qpos.copy()
         self.arm.data.qpos[:] = positions
         pose = self.get_actual_tcp_pose()
@@ -117,22 +120,6 @@ class Controller:
     def pose_inv(self, pose: list[float]) -> list[float]:
         position, rotation = isometry(pose)
         return pose_of(-rotation.T @ position, rotation.T)
-
-    def interpolate_pose(self, first: list[float], second: list[float], share: float) -> list[float]:
-        (position, rotation), (further, turned) = isometry(first), isometry(second)
-        turn = rotations.of_vector(share * rotations.vector(turned @ rotation.T))
-        return pose_of((1 - share) * position + share * further, turn @ rotation)
-
-    def movel(self, pose: list[float], a: float, v: float) -> None:
-        begin, (_, rotation) = self.get_actual_tcp_pose(), isometry(pose)
-        duration = float(np.linalg.norm(np.subtract(pose[:3], begin[:3]))) / v
-        for step in range(round((duration + 1.0) / STEP_TIME)):
-            share = min(1.0, step * STEP_TIME / duration) if duration else 1.0
-            position, turned, jacobian = self.tool()
-            wanted, toward = isometry(self.interpolate_pose(begin, pose, share))
-            error = np.concatenate([wanted - position, rotations.vector(toward @ turned.T)])
-            wrench = MOVE_GAINS * error - MOVE_DAMPING * (jacobian @ self.arm.data.qvel)
-            self.arm.apply(jacobian.T @ wrench, STEP_TIME)
 
     def zero_ftsensor(self) -> None:
         pass
@@ -151,6 +138,7 @@ class Controller:
             self.variables["is_tracking"], self.arm.mode = tracking, "torque"
 
     def direct_torque(self, torque: list[float], viscous_scale: list[float], coulomb_scale: list[float]) -> None:
+        self.arm.obey(np.array(torque))
         self.arm.apply(np.array(torque), STEP_TIME)
 
     def stopj(self, deceleration: float) -> None:

@@ -18,6 +18,7 @@ sys.path.insert(0, str(ROOT / "scripts/mujoco_validation"))
 import mujoco
 
 import arm_world
+import faults
 import robots
 from arm import ArmPlayer
 from offsets import GraspError
@@ -30,13 +31,17 @@ TIME_STEP = 0.001
 NO_WINDOW = 1
 # A push that no sensor feels (N, Nm), away from the corner.
 PUSH = np.array([200.0, 0.0, 200.0, 0.0, 0.0, 0.0])
+# A load (N) that nobody told the robot of.
+LOAD = np.array([0.0, 0.0, -20.0, 0.0, 0.0, 0.0])
+# Stiffness (N/m) and damping (Ns/m) of an obstacle, which stands in front of the tool when it comes.
+OBSTACLE, OBSTACLE_DAMPING = 1e5, 500.0
 FRICTION = 0.1
 NO_GAINS = Impedance(0.0, 0.0, ((0.0,) * 3,) * 3, ((0.0,) * 3,) * 3)
 
 
 @dataclasses.dataclass(frozen=True)
 class Fault:
-    """What goes wrong, and when (s of motion)."""
+    """What goes wrong, and when (s)."""
 
     kind: str = ""
     time: float = np.inf
@@ -103,11 +108,35 @@ class SimulatedArm:
         self.still = mujoco.MjData(self.model)
         # Torques that have not come yet, one for each time step.
         self.pending = collections.deque([np.zeros(self.model.nv)] * round(task.truth.delay / TIME_STEP))
-        self.mode, self.time, self.moved, self.goal = "position", 0.0, 0.0, np.array(document["goal"])
+        self.mode, self.time, self.goal = "position", 0.0, np.array(document["goal"])
+        # What was said when the fault came, and where an obstacle stands and what it faces.
+        self.first: faults.Said | None = None
+        self.obstacle: tuple[np.ndarray, np.ndarray] | None = None
+        self.commands, self.largest_step, self.former = 0, 0.0, None
+        self.greatest_force = 0.0
+        # Joint positions that the tool was asked for last, and the answer.
+        self.known: tuple[bytes, tuple[np.ndarray, np.ndarray, np.ndarray]] | None = None
+
+    def said(self) -> faults.Said:
+        """What the robot says of itself."""
+        position, rotation, _ = self.tool()
+        data = self.data
+        said = faults.Said(self.time, data.qpos.copy(), data.qvel.copy(), position, rotation, self.wrench())
+        if self.time < self.task.fault.time or not self.task.fault.kind:
+            return said
+        self.first = self.first or said
+        return faults.spoiled(self.task.fault.kind, said, self.first)
+
+    def obey(self, numbers: np.ndarray) -> None:
+        """Counts a command; one that is no number breaks the robot."""
+        self.commands += 1
+        if not np.isfinite(numbers).all():
+            self.mode = "broken"
+            raise AssertionError("a command is no number")
 
     def fails(self, kind: str) -> bool:
         """Whether a fault has come."""
-        return self.task.fault.kind == kind and self.moved >= self.task.fault.time
+        return self.task.fault.kind == kind and self.time >= self.task.fault.time
 
     def rest(self, seconds: float) -> None:
         """Position control holds the arm."""
@@ -117,14 +146,35 @@ class SimulatedArm:
     def apply(self, torques: np.ndarray, seconds: float) -> None:
         """Torques (Nm) beside those that carry the arm."""
         commanded, carried = np.clip(torques, *self.player.torque_limits), self.gravity()
-        if self.fails("push"):
-            carried += self.tool()[2].T @ PUSH
+        if self.former is not None:
+            self.largest_step = max(self.largest_step, float(np.abs(commanded - self.former).max()) / (1e3 * seconds))
+        self.former = commanded
+        for load, kind in ((PUSH, "push"), (LOAD, "payload")):
+            if self.fails(kind):
+                carried += self.tool()[2].T @ load
         for _ in range(round(seconds / TIME_STEP)):
             mujoco.mj_step1(self.model, self.data)
             self.pending.append(commanded)
-            self.data.qfrc_applied[:] = self.pending.popleft() + carried
+            self.data.qfrc_applied[:] = self.pending.popleft() + carried + self.tool()[2].T @ self.pushed_back()
             mujoco.mj_step2(self.model, self.data)
-        self.time, self.moved = self.time + seconds, self.moved + seconds
+        self.time += seconds
+
+    def pushed_back(self) -> np.ndarray:
+        """What an obstacle does to the tool, in the robot's base."""
+        if not self.fails("obstacle"):
+            return np.zeros(6)
+        position, _, jacobian = self.tool()
+        velocity = (jacobian @ self.data.qvel)[:3]
+        if self.obstacle is None:
+            # It waits until the tool comes.
+            if np.linalg.norm(velocity) < 0.003:
+                return np.zeros(6)
+            self.obstacle = position, velocity / np.linalg.norm(velocity)
+        place, facing = self.obstacle
+        depth = (position - place) @ facing
+        size = max(0.0, OBSTACLE * depth + OBSTACLE_DAMPING * velocity @ facing) if depth > 0 else 0.0
+        self.greatest_force = max(self.greatest_force, size)
+        return np.concatenate([-size * facing, np.zeros(3)])
 
     def gravity(self) -> np.ndarray:
         """What carries the arm at rest (Nm)."""
@@ -136,6 +186,13 @@ class SimulatedArm:
 
     def tool(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Position, rotation matrix and Jacobian (6 x joints) of the tool in the robot's base."""
+        key = self.data.qpos.tobytes()
+        if self.known is None or self.known[0] != key:
+            self.known = key, self.computed_tool()
+        return self.known[1]
+
+    def computed_tool(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """The same, computed."""
         model, data = self.model, self.data
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
@@ -148,12 +205,12 @@ class SimulatedArm:
 
     def wrench(self) -> np.ndarray:
         """Force (N) and torque (Nm) that the environment applies, about the tool point, along the axes of the base."""
-        if self.fails("force"):
-            return np.array([0.0, 0.0, 500.0, 0.0, 0.0, 0.0])
         position, _, _ = self.tool()
         robot = self.player.plan.robot
         base = rotation_matrix(robot.base[3:])
-        total, contact_wrench = np.zeros(6), np.zeros(6)
+        total, contact_wrench = self.pushed_back(), np.zeros(6)
+        if self.fails("payload"):
+            total += LOAD
         for index in range(self.data.ncon):
             contact = self.data.contact[index]
             mujoco.mj_contactForce(self.model, self.data, index, contact_wrench)
@@ -174,6 +231,9 @@ class SimulatedArm:
             "angle_error_rad": 2 * float(np.arccos(cosine)),
             "mode": self.mode,
             "time_s": self.time,
+            "commands": self.commands,
+            "torque_step_nm_per_ms": self.largest_step,
+            "obstacle_force_n": self.greatest_force,
         }
         self.task.outcome.write_text(json.dumps(outcome))
 

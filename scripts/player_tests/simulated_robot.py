@@ -18,9 +18,8 @@ class SimulatedRobot:
     def tool(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Position, rotation matrix and Jacobian of the tool in the base of the controller, which may be turned by half a turn
         against the root of the URDF file."""
-        position, rotation, jacobian = self.arm.tool()
-        if self.arm.fails("frame"):
-            position = position + np.array([0.0, 0.0, 0.1])
+        said = self.arm.said()
+        position, rotation, jacobian = said.pose, said.rotation, self.arm.tool()[2]
         base = self.base()
         turned = np.vstack([base @ jacobian[:3], base @ jacobian[3:]])
         return base @ position, base @ rotation, 1.2 * turned if self.arm.fails("jacobian") else turned
@@ -44,6 +43,7 @@ class SimulatedRobot:
 
     def command(self, mode: str, torques: np.ndarray) -> bool:
         """Torques for the next period."""
+        self.arm.obey(torques)
         if self.arm.fails("refuse"):
             return False
         self.arm.mode, self.torques = mode, torques

@@ -64,8 +64,12 @@ class CartesianImpedanceTrackingMotion:
     def set_gains(self, gains: CartesianImpedanceGains) -> None:
         self.gains = gains
 
+    def get_gains(self) -> CartesianImpedanceGains:
+        return self.gains
+
     def set_reference(self, reference: CartesianReference) -> None:
-        self.reference = reference
+        before, self.reference = self.reference, reference
+        assert before is None or before.target.quaternion @ reference.target.quaternion > 0, "the quaternion changes its sign"
 
 
 class TorqueStopMotion:
@@ -82,15 +86,13 @@ class Duration:
 
 class RobotState:
     def __init__(self, arm: SimulatedArm) -> None:
-        position, rotation, _ = arm.tool()
-        if arm.fails("frame"):
-            position = position + np.array([0.0, 0.0, 0.1])
-        w, x, y, z = rotations.quaternion(rotation)
-        self.O_T_EE = Affine(position, np.array([x, y, z, w]))
-        self.q, self.dq = arm.data.qpos.copy(), arm.data.qvel.copy()
+        said = arm.said()
+        w, x, y, z = rotations.quaternion(said.rotation)
+        self.O_T_EE = Affine(said.pose, np.array([x, y, z, w]))
+        self.q, self.dq = said.positions, said.speeds
         # What the robot applies to its environment.
-        self.O_F_ext_hat_K = -arm.wrench()
-        self.time = Duration(arm.time)
+        self.O_F_ext_hat_K = -said.wrench
+        self.time = Duration(said.time)
 
 
 class Robot:
@@ -142,5 +144,6 @@ class Robot:
         x, y, z, w = reference.target.quaternion
         controller.position, controller.rotation = reference.target.translation, rotations.matrix(np.array([w, x, y, z]))
         twist = reference.target_twist
+        self.arm.obey(np.array([*reference.target.translation, *reference.target.quaternion]))
         controller.twist = np.zeros(6) if twist is None else np.concatenate([twist.linear, twist.angular])
         controller.step()

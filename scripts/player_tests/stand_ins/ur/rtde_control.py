@@ -37,6 +37,7 @@ class RTDEControlInterface:
 
     def forceMode(self, arg0: list[float], arg1: list[int], arg2: list[float], arg3: int, arg4: list[float]) -> bool:
         position, _, jacobian = self.robot.tool()
+        self.arm.obey(np.array([*arg0, *arg2]))
         assert np.allclose(arg0[:3], position, atol=1e-3) and arg1 == [1] * 6 and arg3 == 2
         return self.robot.command("force", jacobian.T @ np.array(arg2))
 

@@ -20,29 +20,26 @@ class RTDEReceiveInterface:
         self.arm = self.robot.arm
 
     def getTimestamp(self) -> float:
-        return self.arm.time
+        return self.arm.said().time
 
     def getActualQ(self) -> list[float]:
-        return self.arm.data.qpos.tolist()
+        return self.arm.said().positions.tolist()
 
     def getActualQd(self) -> list[float]:
-        return self.arm.data.qvel.tolist()
+        return self.arm.said().speeds.tolist()
 
     def getActualTCPPose(self) -> list[float]:
         position, rotation, _ = self.robot.tool()
         return [*position.tolist(), *rotations.vector(rotation).tolist()]
 
     def getActualTCPForce(self) -> list[float]:
-        return self.arm.wrench().tolist()
+        return self.arm.said().wrench.tolist()
 
     def isConnected(self) -> bool:
         return self.robot.is_connected and not self.arm.fails("disconnect")
 
-    def isProtectiveStopped(self) -> bool:
-        return self.arm.fails("protective")
-
-    def isEmergencyStopped(self) -> bool:
-        return False
+    def getSafetyStatusBits(self) -> int:
+        return 1 | self.arm.fails("protective") << 2 | self.arm.fails("safeguard") << 4
 
     def disconnect(self) -> None:
         self.robot.is_connected = False
