@@ -310,7 +310,7 @@ async function testExecuted(name) {
   assert.equal(await plot("Distance between robot and rollout"), 1);
   assert.equal(await plot("Measured force at the tool, robot"), 1);
   await scrub(page, 0.5);
-  await changesPicture(page, "the rollout", () => button(/^Rollout/).click());
+  await changesPicture(page, "the rollout", () => button(/^rollout/).click());
   assert.equal(await page.getByText(/^Measured/).count(), 0, "a rollout measures nothing");
   await button("Executed: stopped.csv").click();
   assert.equal(await page.getByText(/^stopped after/).count(), 1, "the robot says when it was stopped");
