@@ -13,7 +13,7 @@ pub const ROWS: &[Row] = &[
     ("batch expand folder", &[], "folder"),
     ("batch expand ''", &[], ""),
     ("batch expand latin.toml", &[], "latin.toml:1"),
-    ("batch expand binary.toml", &[], "binary.toml:1"),
+    ("batch expand binary.toml", &[], "is not a text file"),
     ("batch expand scene.toml scene.toml", &[], "are the same problem; name it once"),
     ("batch expand scene.toml ./folder/../scene.toml", &[], "are the same problem; name it once"),
     ("batch expand scene.toml --out scene.toml", &[], "scene.toml: is a file; name a folder"),
