@@ -136,7 +136,9 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
 }
 
 /// A refinement that never ends by itself: nothing ends a hundredth of a millimetre from the goal.
-const HOPELESS: &str = "solve corner.toml --robust --friction 0 --position-tolerance 1e-5 --patience 3 --out out";
+/// The time limit is one that no machine reaches.
+const HOPELESS: &str =
+    "solve corner.toml --robust --time-limit 100000 --friction 0 --position-tolerance 1e-5 --patience 3 --out out";
 
 #[test]
 fn a_refinement_goes_on_where_it_stopped() {
@@ -191,7 +193,7 @@ fn a_refinement_for_another_target_is_not_used() {
 #[test]
 fn a_refined_variant_goes_on_with_its_own_tables() {
     let dir = Dir::new();
-    let line = "solve corner.toml --delta 0.03 --robust --friction 0.5 --wanted-rate 1 --patience 1 --position-tolerance 8e-4 --out out";
+    let line = "solve corner.toml --delta 0.03 --robust --time-limit 100000 --friction 0.5 --wanted-rate 1 --patience 1 --position-tolerance 8e-4 --out out";
     let mut running = dir.program(line).spawn();
     // The file is written after the tables of a variant.
     let file = format!("{UNFINISHED}/refinement.json");
