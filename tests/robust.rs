@@ -29,6 +29,44 @@ fn a_plan_is_refined_until_unplanned_offsets_succeed() {
     assert!(!dir.exists(".out.unfinished"));
 }
 
+/// The corner scene with a disc of offsets in the plane of floor and wall.
+const DISC: (&str, &str) =
+    ("offset_directions = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]", "coverage = \"disc\"\ninsertion_axis = [0, 1, 0]");
+
+#[test]
+fn evaluations_and_simulations_of_a_disc_agree() {
+    let dir = Dir::new();
+    dir.add_variant("disc.toml", &[DISC]);
+    // No rate is wanted, so that the evaluation is played to its end.
+    let tolerance = "--position-tolerance 0.0009";
+    let solve = format!("solve disc.toml --friction 0 --robust --patience 0 --wanted-rate 0 {tolerance} --out out");
+    dir.run(&solve).says("offsets covered: up to 20.0 mm in any direction across the insertion").says("rim, 20.0 mm,");
+    let result = dir.result("out");
+    assert_eq!((&result["coverage"]["kind"], &result["coverage"]["radius_m"]), (&"disc".into(), &0.02.into()));
+    let count = |groups: &[&serde_json::Value], key: &str| groups.iter().map(|group| number(group, key)).sum::<f64>();
+    let groups: Vec<&serde_json::Value> =
+        list(&result["robust"], "after").iter().filter(|group| group["planned"] == false).collect();
+    let regions: Vec<&str> = groups.iter().map(|group| group["region"].as_str().unwrap()).collect();
+    assert_eq!((regions, count(&groups, "rollouts")), (vec!["inside", "rim"], 500.0));
+    let evaluated = interval(count(&groups, "successes"), 500.0);
+
+    dir.run(&format!("simulate disc.toml out --random 500 --seed 9 {tolerance}"))
+        .code(0)
+        .says("500 random offsets in the disc across the insertion, half of them on its rim");
+    let rows = dir.table("out/success.csv").numbers_from("rate_low");
+    let simulated = [rows[0][0], rows[0][1]];
+    assert!(evaluated[0] <= simulated[1] && simulated[0] <= evaluated[1], "{evaluated:?} and {simulated:?}");
+    assert!(simulated[1] < 1.0, "where all succeed, this says little: {simulated:?}");
+}
+
+/// Wilson's 95 % interval.
+fn interval(successes: f64, count: f64) -> [f64; 2] {
+    let (share, square) = (successes / count, 1.96 * 1.96);
+    let centre = share + square / (2.0 * count);
+    let spread = 1.96 * (share * (1.0 - share) / count + square / (4.0 * count * count)).sqrt();
+    [centre - spread, centre + spread].map(|end| end / (1.0 + square / count))
+}
+
 #[test]
 fn without_time_for_a_plan_there_is_none_and_work_is_kept() {
     let dir = Dir::new();

@@ -4,6 +4,9 @@ import argparse
 import functools
 import pathlib
 
+# Magnitudes of offsets in a hull, and in a disc or a ball, which hold all smaller ones.
+HULL_MAGNITUDES, ROUND_MAGNITUDES = "0,0.25,0.5,0.75,-1mm", "1"
+
 DESCRIPTION = """\
 Plays plans of `assembly-plan solve` through MuJoCo and prints how often they succeed.
 
@@ -37,19 +40,19 @@ def parse_arguments() -> argparse.Namespace:
     add("--friction", default="0,0.1,0.3", metavar="MU,MU,...", help="Coulomb friction coefficients [default: %(default)s]")
     add(
         "--magnitude",
-        default="0,0.25,0.5,0.75,-1mm",
         metavar="LIST",
         help="offset magnitudes: fractions of delta-hat, lengths (2mm), or delta-hat less a length (-1mm) "
-        "[default: %(default)s]; write --magnitude=-1mm if the list starts with a minus sign",
+        f"[default: {HULL_MAGNITUDES} in a hull, {ROUND_MAGNITUDES} in a disc or a ball]; "
+        "write --magnitude=-1mm if the list starts with a minus sign",
     )
     add("--random", type=positive(int), default=20, metavar="N", help="random offsets per magnitude [default: 20]")
     add("--seed", type=int, default=1, metavar="N", help="seed of the random offsets [default: 1]")
     add(
         "--offsets",
         default="random",
-        metavar="planned|random|FILE",
-        help="the planned offsets scaled to the magnitude, random convex combinations of them [default], or those of a "
-        "CSV file with the header x_m,y_m,z_m",
+        metavar="planned|random|hull|disc|ball|FILE",
+        help="the planned offsets scaled to the magnitude; random ones of those that the plan covers [default], or of the "
+        "hull, disc or ball; or those of a CSV file with the header x_m,y_m,z_m",
     )
     add(
         "--turn",

@@ -6,6 +6,7 @@ import pathlib
 
 import numpy as np
 
+from arguments import HULL_MAGNITUDES, ROUND_MAGNITUDES
 from plans import InputError, Plan
 
 # Unit of a magnitude that is a length and not a fraction.
@@ -34,37 +35,73 @@ class Cell:
         return [GraspError(offset, turn) for offset, turn in zip(self.offsets, self.turns)]
 
 
-def cells(plan: Plan, source: str, magnitudes: str, count: int, seed: int) -> list[Cell]:
-    """One cell per magnitude, or a single one from a file.
+# Which offsets may be played.
+PLANNED, COVERED, HULL, DISC, BALL = SOURCES = ("planned", "random", "hull", "disc", "ball")
+
+
+def cells(plan: Plan, source: str, magnitudes: str | None, count: int, seed: int) -> list[Cell]:
+    """One cell per magnitude and group of offsets, or a single one from a file.
 
     `planned`: the offsets of the plan's scenarios, scaled to the magnitude.
-    `random`: convex combinations of these, weights uniform on the simplex; the same weights in every cell, so that
-    cells differ by nothing but the magnitude.
+    `random`: what the plan covers, one of the following.
+    `hull`: convex combinations of the planned ones, weights uniform on the simplex.
+    `disc`, `ball`: half of them, rounded up, as long as the magnitude, in directions that are all equally likely; the
+    others uniform inside.
 
-    Turns are random rotation vectors, uniform in the ball of the plan's largest turn, the same in every cell.
+    Offsets are the same in every cell but for the magnitude. Turns are random rotation vectors, uniform in the ball of
+    the plan's largest turn.
     """
     generator = np.random.default_rng(seed)
-    if source not in ("planned", "random"):
+    if source not in SOURCES:
         path = pathlib.Path(source)
         offsets = read_offsets(path)
         return [distinct(path.name, offsets, ball(generator, len(offsets), plan.turn))]
-    # Without magnitude there is nothing to scale, and nothing to divide by.
-    directions = plan.offsets / plan.delta if plan.delta > 0 else 0 * plan.offsets
-    if source == "random":
-        weights = generator.dirichlet(np.ones(len(directions)), count)
-        directions = weights @ directions
-    turns = ball(generator, len(directions), plan.turn)
+    source = plan.coverage if source == COVERED else source
+    groups = unit_offsets(generator, plan, source, count)
+    turns = {name: ball(generator, len(offsets), plan.turn) for name, offsets in groups.items()}
+    default = ROUND_MAGNITUDES if source in (DISC, BALL) else HULL_MAGNITUDES
     return [
-        distinct(label, magnitude * directions, turns)
-        for label, magnitude in parse_magnitudes(magnitudes, plan.delta)
+        distinct(f"{label}{name}", magnitude * offsets, turns[name])
+        for label, magnitude in parse_magnitudes(magnitudes or default, plan.delta)
+        for name, offsets in groups.items()
     ]
+
+
+def unit_offsets(generator: np.random.Generator, plan: Plan, source: str, count: int) -> dict[str, np.ndarray]:
+    """Offsets in magnitudes, in groups that are counted together, by what their labels end with."""
+    if source in (DISC, BALL):
+        span = np.eye(3) if source == BALL else across(plan.insertion_axis)
+        on_rim = (count + 1) // 2
+        inside = round_points(generator, count - on_rim, len(span))
+        rim = round_points(generator, on_rim, len(span))
+        rim /= np.linalg.norm(rim, axis=1, keepdims=True)
+        groups = {", inside": inside @ span, ", rim": rim @ span}
+        return {name: offsets for name, offsets in groups.items() if len(offsets)}
+    # Without magnitude there is nothing to scale, and nothing to divide by.
+    planned = plan.offsets / plan.delta if plan.delta > 0 else 0 * plan.offsets
+    if source == PLANNED:
+        return {"": planned}
+    return {"": generator.dirichlet(np.ones(len(planned)), count) @ planned}
+
+
+def across(axis: np.ndarray) -> np.ndarray:
+    """Two orthonormal vectors (rows) across an axis."""
+    first = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
+    first /= np.linalg.norm(first)
+    second = np.cross(axis, first)
+    return np.array([first, second / np.linalg.norm(second)])
+
+
+def round_points(generator: np.random.Generator, count: int, dimension: int) -> np.ndarray:
+    """Random points (count x dimension), uniform in the unit disc or ball."""
+    directions = generator.normal(size=(count, dimension))
+    lengths = generator.uniform(size=(count, 1)) ** (1 / dimension)
+    return lengths * directions / np.linalg.norm(directions, axis=1, keepdims=True)
 
 
 def ball(generator: np.random.Generator, count: int, radius: float) -> np.ndarray:
     """Random points (count x 3), uniform in a ball."""
-    directions = generator.normal(size=(count, 3))
-    lengths = radius * generator.uniform(size=(count, 1)) ** (1 / 3)
-    return lengths * directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    return radius * round_points(generator, count, 3)
 
 
 def distinct(label: str, offsets: np.ndarray, turns: np.ndarray) -> Cell:

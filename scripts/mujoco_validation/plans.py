@@ -94,8 +94,9 @@ class FreeBody:
 
 @dataclasses.dataclass(frozen=True)
 class Plan:
-    """Everything needed to play a plan. `offsets` (n x 3, m, body frame) are those of the planned scenarios, `turn` (rad)
-    is the largest turn in the gripper. `free_body` is None where no free body has the apparent inertia, `robot` is None
+    """Everything needed to play a plan. `offsets` (n x 3, m, body frame) are those of the planned scenarios; `coverage`
+    is `hull`, `disc` or `ball`, a disc lies across `insertion_axis` (body frame). `turn` (rad) is the largest turn in the
+    gripper. `free_body` is None where no free body has the apparent inertia, `robot` is None
     unless an arm shall play the plan."""
 
     folder: pathlib.Path
@@ -112,6 +113,8 @@ class Plan:
     angle_tolerance: float
     delta: float
     offsets: np.ndarray
+    coverage: str
+    insertion_axis: np.ndarray
     turn: float
     reference: Reference
     robot: Robot | None = None
@@ -172,9 +175,21 @@ def plan(
         angle_tolerance=resolved["goal"].get("angle_tolerance", 0.1),
         delta=result["delta_m"],
         offsets=np.array([scenario["offset_m"] for scenario in result["scenarios"]]),
+        coverage=resolved["robustness"].get("coverage", "hull"),
+        insertion_axis=insertion_axis(resolved),
         turn=resolved["robustness"].get("turn", 0.0),
         reference=reference,
     )
+
+
+def insertion_axis(resolved: dict[str, Any]) -> np.ndarray:
+    """Axis of a disc of offsets (body frame): that of the plan, else the straight line from start to goal."""
+    if "insertion_axis" in resolved["robustness"]:
+        return np.array(resolved["robustness"]["insertion_axis"])
+    start, goal = pose(resolved["start"][0]), pose(resolved["goal"])
+    way = rotation_matrix(goal[3:]).T @ (start[:3] - goal[:3])
+    length = np.linalg.norm(way)
+    return way / length if length > 0 else np.array([0.0, 0.0, 1.0])
 
 
 def free_body(resolved: dict[str, Any]) -> FreeBody | None:

@@ -73,6 +73,8 @@ def example(**changes: object) -> Plan:
         angle_tolerance=0.1,
         delta=0.0,
         offsets=np.zeros((1, 3)),
+        coverage="hull",
+        insertion_axis=np.array([0.0, 0.0, 1.0]),
         turn=0.0,
         reference=Reference(np.array([0.0, 1.0]), np.array([rest, rest])),
     )
@@ -281,7 +283,7 @@ def interpolation() -> Iterator[Check]:
 
 
 def statistics() -> Iterator[Check]:
-    """Intervals of the literature, and random offsets in the hull of the planned ones."""
+    """Intervals of the literature, and random offsets of what a plan covers."""
     for successes, count, low, high in ((0, 10, 0.0, 0.277533), (24, 30, 0.626947, 0.904952), (90, 90, 0.959064, 1.0)):
         error = np.abs(np.subtract(results.wilson(successes, count), (low, high))).max()
         yield f"interval of {successes} in {count}", error, 1e-4
@@ -291,3 +293,15 @@ def statistics() -> Iterator[Check]:
         size = {"50 %": 0.01, "delta - 1 mm": 0.019, "5 mm": 0.005}[cell.label]
         outside = max(0.0, -cell.offsets.min(), cell.offsets.sum(axis=1).max() - size)
         yield f"random offsets outside the hull, {cell.label}, m", outside, 1e-12
+    axis = np.array([0.6, 0.0, 0.8])
+    for coverage, dimension in (("disc", 2), ("ball", 3)):
+        plan = example(delta=0.02, coverage=coverage, insertion_axis=axis)
+        inside, rim = cells(plan, "random", None, 2001, 1)
+        yield f"random offsets of a {coverage} on its rim", abs(len(rim.offsets) - 1001), 0.5
+        lengths = [np.linalg.norm(cell.offsets, axis=1) / plan.delta for cell in (inside, rim)]
+        yield f"rim of a {coverage}", np.abs(lengths[1] - 1.0).max(), 1e-12
+        yield f"random offsets outside a {coverage}", max(0.0, lengths[0].max() - 1.0), 1e-12
+        # Uniform: half of the points lie within this share of the radius.
+        yield f"share near the centre of a {coverage}", abs(np.mean(lengths[0] < 0.5 ** (1 / dimension)) - 0.5), 0.04
+        along = max(np.abs(cell.offsets @ axis).max() for cell in (inside, rim))
+        yield f"offsets of a {coverage} along the insertion, m", abs(along - (0.0 if dimension == 2 else 0.02)), 1e-3

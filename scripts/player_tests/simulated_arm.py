@@ -256,6 +256,8 @@ def world(scene: dict[str, Any], document: dict[str, Any], robot: robots.Robot) 
         angle_tolerance=0.1,
         delta=document["delta_m"],
         offsets=np.zeros((1, 3)),
+        coverage="hull",
+        insertion_axis=np.array([0.0, 0.0, 1.0]),
         turn=0.0,
         reference=Reference(np.array([0.0, 1.0]), np.zeros((2, 13))),
         robot=robot,

@@ -25,6 +25,8 @@ pub const ROWS: &[Row] = &[
     ("simulate scene.toml plan --grid 3 --offsets offsets.csv", &[], "cannot be used with"),
     ("simulate scene.toml plan --offsets offsets.csv --magnitude 0.01", &[], "cannot be used with"),
     ("simulate scene.toml plan --ball", &[], "--random"),
+    ("simulate scene.toml plan --random 2 --ball --disc", &[], "cannot be used with"),
+    ("simulate scene.toml plan --hull", &[], "--random"),
     ("simulate scene.toml plan --ball --grid 3", &[], "cannot be used with"),
     ("simulate scene.toml plan --offsets", &[], "--offsets"),
     ("simulate scene.toml plan --offsets gone.csv", &[], "gone.csv: cannot be read"),

@@ -74,9 +74,10 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     }
     if let Some((_, problem)) = played.first() {
         say!(
-            "{}: success is to end within {:.2} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, \
+            "{}: {}; success is to end within {:.2} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, \
              overlap and force are the largest of all rollouts\n\n{table}",
             problem.scene().title,
+            request.errors.offsets_in_words(problem),
             1e3 * problem.success().position,
             problem.success().orientation
         );

@@ -1,7 +1,7 @@
 //! What came of a plan, in a few lines.
 
 use planner::files::{LimitsRecord, PlanResult};
-use planner::{RobustnessReport, SuccessRate, interval, rate};
+use planner::{Millimetres, OffsetRegion, RobustnessReport, SuccessRate, interval, rate};
 
 /// What came of a plan, in a few lines.
 pub fn summary(result: &PlanResult) -> String {
@@ -42,6 +42,7 @@ pub fn summary(result: &PlanResult) -> String {
     let deepest = result.scenarios.iter().map(|scenario| scenario.max_penetration_m).fold(0.0, f64::max);
     let [deepest, most] = [deepest, result.max_overlap_m].map(|overlap| 1e3 * overlap);
     lines.push(format!("  exact shapes overlap by at most {deepest:.3} mm, of {most:.3} mm that are allowed"));
+    lines.push(format!("  offsets covered: {}", result.coverage));
     lines.push(format!(
         "  execute with {:.0} N/m and {:.1} Nm/rad, and the damping of resolved.toml",
         result.gains.translational_stiffness_n_m, result.gains.rotational_stiffness_nm_rad
@@ -89,8 +90,14 @@ fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
 }
 
 fn group(group: &SuccessRate) -> String {
-    let name = if group.planned { " planned" } else { "" };
-    format!("{:.1} mm{name} {} of {}", 1e3 * group.magnitude_m, group.successes, group.rollouts)
+    let length = Millimetres(group.magnitude_m);
+    let offsets = match (group.planned, group.region) {
+        (true, _) => format!("{length} mm planned"),
+        (false, OffsetRegion::Hull) => format!("{length} mm"),
+        (false, OffsetRegion::Inside) => format!("up to {length} mm"),
+        (false, OffsetRegion::Rim) => format!("rim, {length} mm,"),
+    };
+    format!("{offsets} {} of {}", group.successes, group.rollouts)
 }
 
 /// Where the kept reference comes from, in words.

@@ -1,7 +1,7 @@
 //! A log in the form in which rollouts play and are compared with it.
 
 use nalgebra::{Isometry3, Vector3};
-use planner::{PlannerError, Problem};
+use planner::{Millimetres, PlannerError, Problem};
 use simulation::{Reference, coordinates, interpolate, isometry};
 use task::{AssemblyTask, GraspError, Impedance, STATE};
 
@@ -70,10 +70,10 @@ fn grasp_at_end(log: &Log, problem: &Problem) -> Result<GraspError, PlannerError
     let (length, most) = (Vector3::from(grasp.offset).norm(), log.delta + problem.success().position);
     if length > most {
         let problem = format!(
-            "the part did not end at its goal, or sat {:.1} mm beside where it was believed, more than the {:.1} mm that the \
+            "the part did not end at its goal, or sat {} mm beside where it was believed, more than the {} mm that the \
              plan bears: leave this log out",
-            1e3 * length,
-            1e3 * most
+            Millimetres(length),
+            Millimetres(most)
         );
         return Err(PlannerError::file(&log.file, problem));
     }

@@ -1,7 +1,7 @@
 //! `plan.json`: what a player needs to know besides the trajectory.
 
 use nalgebra::{Matrix3, SMatrix};
-use planner::files::StoredPlan;
+use planner::files::{CoverageRecord, StoredPlan};
 use planner::{ArmCourse, PlannerError, Problem};
 use robot::{Joint, JointKind, JointVector};
 use scene::Robot;
@@ -47,6 +47,8 @@ pub struct Document {
     pub warnings: Vec<String>,
     /// Offset magnitude that was planned for (m).
     pub delta_m: f64,
+    /// Which offsets the plan covers.
+    pub coverage: CoverageRecord,
     /// Largest turn in the gripper that was planned for (rad).
     pub turn_rad: f64,
     /// Samples per second of `trajectory.csv`.
@@ -185,6 +187,7 @@ impl Document {
             anyway,
             warnings: warnings(plan, &trial, anyway, robot.is_some()),
             delta_m: problem.delta(),
+            coverage: CoverageRecord::from(problem),
             turn_rad: scene.borne.turn,
             rate_hz: rate,
             frame: if robot.is_some() { "robot base" } else { "world" },

@@ -36,7 +36,7 @@ fn numbers(document: &Document) -> Vec<(&'static str, String)> {
     vec![
         ("scene", document.scene.clone()),
         ("start", document.start.clone()),
-        ("offset_mm", short(1e3 * document.delta_m)),
+        ("coverage", document.coverage.to_string()),
         ("rate", short(document.rate_hz)),
         ("frame", frame.to_owned()),
         ("base", pose(&document.base)),

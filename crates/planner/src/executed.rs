@@ -12,6 +12,7 @@ use task::{GraspError, POSE, pose_of};
 
 use crate::error::PlannerError;
 use crate::files::{ExecutedState, GraspRecord, PlayedRows, StoredPlan, read_log_header, read_played_rows};
+use crate::length::Millimetres;
 use crate::problem::Problem;
 
 /// What the first line of a log says of its session.
@@ -154,10 +155,10 @@ impl Execution {
         let in_words = |grasp: &GraspError| {
             let length = Vector3::from(grasp.offset).norm();
             format!(
-                "{} ({:.1} mm of the {:.1} mm planned for)",
+                "{} ({} mm of the {} mm planned for)",
                 GraspRecord::from(grasp),
-                1e3 * length,
-                1e3 * self.delta
+                Millimetres(length),
+                Millimetres(self.delta)
             )
         };
         let mut sentences = match &self.ending {

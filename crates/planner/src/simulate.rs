@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use scene::Scene;
 use simulation::{Outcome, Reference, Settings, offsets};
-use task::GraspError;
+use task::{Coverage, GraspError};
 use workers::Workers;
 
 use crate::error::PlannerError;
@@ -38,14 +39,37 @@ impl fmt::Display for Motion {
 pub enum OffsetSource {
     /// The planned ones, with their turns where there are no random ones.
     Planned,
-    /// So many random convex combinations of the planned ones.
-    Hull(usize),
-    /// So many random ones, uniform in a ball.
-    Ball(usize),
+    /// So many random ones, as [`offsets::covered`] draws them.
+    Random(usize, Region),
     /// A grid in the hull of the planned ones with so many intervals along each of its edges.
     Grid(usize),
     /// These (m, body frame); magnitudes do not scale them.
     Listed(Vec<[f64; 3]>),
+}
+
+/// Where random offsets lie.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Region {
+    /// Where the scene has them covered.
+    #[default]
+    Covered,
+    /// In the hull of the planned ones.
+    Hull,
+    /// In the disc across the insertion.
+    Disc,
+    /// In the ball.
+    Ball,
+}
+
+impl Region {
+    fn coverage(self, scene: &Scene) -> Coverage {
+        match self {
+            Self::Covered => scene.coverage,
+            Self::Hull => Coverage::Hull,
+            Self::Disc => scene.disc(),
+            Self::Ball => Coverage::Ball,
+        }
+    }
 }
 
 /// Which grasp errors are injected.
@@ -59,6 +83,25 @@ pub struct GraspErrors {
     pub turn: f64,
     /// Seed of random offsets and turns.
     pub seed: u64,
+}
+
+impl GraspErrors {
+    /// The offsets in words, such as `20 random offsets in the disc across the insertion, half of them on its rim`.
+    pub fn offsets_in_words(&self, problem: &Problem) -> String {
+        match &self.offsets {
+            OffsetSource::Planned => "the planned offsets".to_owned(),
+            OffsetSource::Random(count, region) => {
+                let place = match region.coverage(problem.scene()) {
+                    Coverage::Hull => "in the hull of the planned ones",
+                    Coverage::Disc { .. } => "in the disc across the insertion, half of them on its rim",
+                    Coverage::Ball => "in the ball, half of them on its surface",
+                };
+                format!("{count} random offsets {place}")
+            }
+            OffsetSource::Grid(_) => "a grid of offsets in the hull of the planned ones".to_owned(),
+            OffsetSource::Listed(offsets) => format!("{} offsets of a list", offsets.len()),
+        }
+    }
 }
 
 impl Default for GraspErrors {
@@ -130,7 +173,7 @@ impl SimulationRequest {
             require(!self.errors.magnitudes[..index].contains(magnitude), "magnitude", magnitude, "is given twice")?;
         }
         match &self.errors.offsets {
-            OffsetSource::Hull(count) | OffsetSource::Ball(count) => require(
+            OffsetSource::Random(count, _) => require(
                 (1..=MOST_OFFSETS).contains(count),
                 "number of offsets",
                 count,
@@ -231,8 +274,10 @@ fn injections(problem: &Problem, errors: &GraspErrors) -> Result<Vec<Injection>,
             OffsetSource::Planned if errors.turn == 0.0 => {
                 return Ok(Injection { magnitude, errors: GraspError::distinct(grasps) });
             }
-            OffsetSource::Hull(count) => offsets::hull(&planned, *count, errors.seed),
-            OffsetSource::Ball(count) => offsets::ball(magnitude, *count, errors.seed),
+            OffsetSource::Random(count, region) => {
+                let coverage = region.coverage(problem.scene());
+                offsets::covered(&coverage, &planned, magnitude, *count, errors.seed)
+            }
             OffsetSource::Grid(divisions) => grid(&planned, *divisions)?,
             _ => planned,
         };
@@ -251,7 +296,7 @@ fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, Planner
 
 /// Every offset with a turn of its own.
 fn with_turns(offsets: &[[f64; 3]], errors: &GraspErrors) -> Vec<GraspError> {
-    let turns = offsets::ball(errors.turn, offsets.len(), errors.seed);
+    let turns = offsets::turns(errors.turn, offsets.len(), errors.seed);
     GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| GraspError { offset, turn }))
 }
 

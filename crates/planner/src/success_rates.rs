@@ -3,19 +3,50 @@
 use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
-/// Successes at one friction and magnitude.
+use crate::length::Millimetres;
+
+/// Where the offsets of a group lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum OffsetRegion {
+    /// In the hull of the planned offsets, scaled to the magnitude.
+    #[default]
+    Hull,
+    /// Anywhere in a disc or a ball with the magnitude as its radius.
+    Inside,
+    /// On the rim of such a disc or ball.
+    Rim,
+}
+
+/// Successes at one friction, magnitude and region.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SuccessRate {
     /// Coulomb's coefficient.
     pub friction: f64,
-    /// Length of the offsets.
+    /// Magnitude of the offsets: their length, or the largest that they can have.
     pub magnitude_m: f64,
-    /// Whether the offsets are the planned ones, not random ones in their hull.
+    /// Where they lie.
+    #[serde(default)]
+    pub region: OffsetRegion,
+    /// Whether they are the planned ones, not random ones.
     pub planned: bool,
     /// Rollouts that were made.
     pub rollouts: usize,
     /// Rollouts that succeeded.
     pub successes: usize,
+}
+
+impl SuccessRate {
+    /// The offsets, such as `random offsets of up to 0.80 mm`.
+    pub fn offsets_in_words(&self) -> String {
+        let length = Millimetres(self.magnitude_m);
+        match (self.planned, self.region) {
+            (true, _) => format!("planned offsets of {length} mm"),
+            (false, OffsetRegion::Hull) => format!("random offsets of {length} mm"),
+            (false, OffsetRegion::Inside) => format!("random offsets of up to {length} mm"),
+            (false, OffsetRegion::Rim) => format!("random offsets on the rim, of {length} mm"),
+        }
+    }
 }
 
 /// All groups of an evaluation, in the order of friction, then magnitude.
@@ -71,7 +102,7 @@ mod tests {
     use super::*;
 
     fn group(friction: f64, planned: bool, successes: usize) -> SuccessRate {
-        SuccessRate { friction, magnitude_m: 0.01, planned, rollouts: 10, successes }
+        SuccessRate { friction, magnitude_m: 0.01, region: OffsetRegion::Hull, planned, rollouts: 10, successes }
     }
 
     #[test]

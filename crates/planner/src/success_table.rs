@@ -4,6 +4,7 @@ use std::fmt;
 
 use simulation::wilson_interval;
 
+use crate::length::Millimetres;
 use crate::simulate::{Motion, PlayedRollout};
 
 /// Rollouts that differ by nothing but plan (of the same delta-hat) and grasp error (of the same magnitude).
@@ -119,11 +120,11 @@ impl SuccessTable {
         for group in self.groups.iter().filter(|group| group.motion != Motion::StraightPush) {
             writeln!(
                 formatter,
-                "{:<8} {:>8} {:>5.1} mm {:>5.1} mm  {:<20} {:>6.2} mm {:>5.3} rad {:>6.3} mm {:>5.1} N  {}",
+                "{:<8} {:>8} {:>5} mm {:>5} mm  {:<20} {:>6.2} mm {:>5.3} rad {:>6.3} mm {:>5.1} N  {}",
                 group.motion,
                 group.friction,
-                1e3 * group.delta,
-                1e3 * group.magnitude,
+                Millimetres(group.delta),
+                Millimetres(group.magnitude),
                 group.rate(),
                 1e3 * group.position_error,
                 group.orientation_error,
@@ -144,10 +145,10 @@ impl SuccessTable {
             (one.motion, one.friction, one.delta) == (other.motion, other.friction, other.delta)
         };
         write!(formatter, "{:<14} {:>8} {:>8}", "success in %", "friction", "modelled")?;
-        magnitudes.iter().try_for_each(|magnitude| write!(formatter, " {:>5.1} mm", 1e3 * magnitude))?;
+        magnitudes.iter().try_for_each(|magnitude| write!(formatter, " {:>5} mm", Millimetres(*magnitude)))?;
         writeln!(formatter)?;
         for row in self.groups.chunk_by(same_row) {
-            write!(formatter, "{:<14} {:>8} {:>5.1} mm", row[0].motion, row[0].friction, 1e3 * row[0].delta)?;
+            write!(formatter, "{:<14} {:>8} {:>5} mm", row[0].motion, row[0].friction, Millimetres(row[0].delta))?;
             for magnitude in &magnitudes {
                 match row.iter().find(|group| group.magnitude == *magnitude) {
                     Some(group) => {

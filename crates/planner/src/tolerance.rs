@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 use scene::Scene;
-use task::AssemblyTask;
+use task::{AssemblyTask, Coverage};
 
 use crate::engagement::Engagement;
 
@@ -48,7 +48,7 @@ impl ChosenTolerance {
             .chain(tightest)
             .max_by(|one, other| one.0.total_cmp(&other.0))
             .unwrap_or((LARGEST, Reason::Usual));
-        Self { guided, reason, free_offset: OFFSETS * engagement.free_offset(task) }
+        Self { guided, reason, free_offset: OFFSETS * engagement.free_offset(task, &scene.coverage) }
     }
 
     /// The tolerance (m): no plan changes an offset along a free direction, so that it is part of every final error.
@@ -82,14 +82,21 @@ impl fmt::Display for ChosenTolerance {
 }
 
 impl Engagement {
-    /// Longest part of the planned offsets along free directions (m).
-    pub fn free_offset(&self, task: &AssemblyTask) -> f64 {
+    /// Longest part of the covered offsets along free directions (m).
+    pub fn free_offset(&self, task: &AssemblyTask, coverage: &Coverage) -> f64 {
         let [_, _, _, w, i, j, k] = task.goal;
         let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
-        let along_free = |offset: [f64; 3]| {
-            let offset = rotation * Vector3::from(offset);
-            self.free.iter().map(|axis| offset.dot(&Vector3::from(*axis)).powi(2)).sum::<f64>().sqrt()
+        let along_free = |offset: Vector3<f64>| -> Vec<f64> {
+            self.free.iter().map(|axis| (rotation * offset).dot(&Vector3::from(*axis))).collect()
         };
-        task.offsets().into_iter().map(along_free).fold(0.0, f64::max)
+        let planned = || task.offsets().into_iter().map(Vector3::from);
+        let span: Vec<f64> = coverage.span().into_iter().flat_map(along_free).collect();
+        if span.is_empty() {
+            let length = |along: Vec<f64>| along.iter().map(|part| part * part).sum::<f64>().sqrt();
+            return planned().map(along_free).map(length).fold(0.0, f64::max);
+        }
+        // What a disc or a ball reaches along them is its radius times the largest singular value of their projection.
+        let radius = planned().map(|offset| offset.norm()).fold(0.0, f64::max);
+        radius * DMatrix::from_vec(self.free.len(), span.len() / self.free.len(), span).singular_values().max()
     }
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use ::scene::{Scene, Source, parse_homotopy};
 use planner::files::PlanFolder;
-use planner::{Choices, GraspErrors, OffsetSource, PlannerError, Problem, RobustnessTarget, SimulationRequest};
+use planner::{Choices, GraspErrors, OffsetSource, PlannerError, Problem, Region, RobustnessTarget, SimulationRequest};
 use pyo3::FromPyObject;
 use task::LinearSolver;
 
@@ -121,6 +121,8 @@ impl RobustOptions {
 #[pyo3(from_item_all)]
 pub struct PlayOptions {
     random: Option<usize>,
+    hull: bool,
+    disc: bool,
     ball: bool,
     seed: u64,
     grid: Option<usize>,
@@ -137,21 +139,32 @@ pub struct PlayOptions {
 }
 
 impl PlayOptions {
+    /// Where random offsets lie.
+    fn region(&self) -> Result<Region, PlannerError> {
+        match (self.hull, self.disc, self.ball) {
+            (false, false, false) => Ok(Region::Covered),
+            (true, false, false) => Ok(Region::Hull),
+            (false, true, false) => Ok(Region::Disc),
+            (false, false, true) => Ok(Region::Ball),
+            _ => Err(wrong("random", "at most one of hull, disc and ball says where they lie")),
+        }
+    }
+
     /// What is simulated.
     ///
     /// # Errors
     /// When a value is out of its range, or two exclude each other.
     pub fn request(&self) -> Result<SimulationRequest, PlannerError> {
         let offsets = match (self.random, self.grid, &self.offsets) {
-            (Some(count), None, None) if self.ball => OffsetSource::Ball(count),
-            (Some(count), None, None) => OffsetSource::Hull(count),
+            (Some(count), None, None) => OffsetSource::Random(count, self.region()?),
             (None, Some(divisions), None) => OffsetSource::Grid(divisions),
             (None, None, Some(offsets)) => OffsetSource::Listed(offsets.clone()),
             (None, None, None) => OffsetSource::Planned,
             _ => return Err(wrong("offsets", "at most one of random, grid and offsets chooses them")),
         };
-        if self.ball && self.random.is_none() {
-            return Err(wrong("ball", "needs random, the number of offsets"));
+        let regions = [("hull", self.hull), ("disc", self.disc), ("ball", self.ball)];
+        if let (None, Some((name, _))) = (self.random, regions.into_iter().find(|(_, is_chosen)| *is_chosen)) {
+            return Err(wrong(name, "needs random, the number of offsets"));
         }
         if self.offsets.is_some() && !self.magnitude.is_empty() {
             return Err(wrong("magnitude", "does not scale offsets that are given; leave one of the two out"));

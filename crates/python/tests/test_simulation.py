@@ -41,8 +41,26 @@ def test_columns_are_the_rollouts(scene: Scene, plan: Plan) -> None:
 def test_every_source_of_offsets_is_played(scene: Scene, plan: Plan) -> None:
     count = len(plan.offsets)
     assert len(scene.simulate(plan).rollouts["success"]) == 2 * count
-    assert len(scene.simulate(plan, random=5, ball=True).rollouts["success"]) == 10
+    for region in ({}, {"hull": True}, {"disc": True}, {"ball": True}):
+        assert len(scene.simulate(plan, random=5, **region).rollouts["success"]) == 10
     assert len(scene.simulate(plan, grid=2).rollouts["success"]) > 2 * count
+
+
+def test_random_offsets_are_those_that_the_scene_covers(tmp_path: Path) -> None:
+    given = tomllib.loads(CORNER.read_text())
+    del given["robustness"]["offset_directions"]
+    given["robustness"] |= {"offset_magnitude": 0.002, "coverage": "disc", "insertion_axis": [0.0, 1.0, 0.0]}
+    scene = Scene.from_dict(given)
+    plan = scene.solve()
+    plan.save(tmp_path / "plan")
+    played = scene.simulate(plan, random=21, seed=4).rollouts
+    offsets = np.stack([played[name] for name in ("x_m", "y_m", "z_m")], axis=1)[played["motion"] == "plan"]
+    lengths = np.linalg.norm(offsets, axis=1)
+    assert np.allclose(lengths[:11], 0.002) and (lengths[11:] < 0.002).all()
+    assert (np.abs(offsets[:, 1]) < 1e-12).all()
+    same = scene.simulate(plan, random=21, seed=4, disc=True).rollouts
+    assert all(np.array_equal(column, same[name]) for name, column in played.items())
+    assert len(plan.offsets) == 6
 
 
 def test_wrong_requests_are_refused(scene: Scene, plan: Plan) -> None:
@@ -50,6 +68,7 @@ def test_wrong_requests_are_refused(scene: Scene, plan: Plan) -> None:
         ({"random": 0}, "number of offsets = 0: must lie between 1 and 1000000"),
         ({"random": 2, "grid": 2}, "offsets: at most one of random, grid and offsets"),
         ({"ball": True}, "ball: needs random"),
+        ({"random": 2, "ball": True, "disc": True}, "random: at most one of hull, disc and ball"),
         ({"offsets": [[0.0, 0.0]]}, r"offsets: has shape \(1, 2\)"),
         ({"offsets": [[0.0, 0.0, 0.0]], "magnitude": [0.01]}, "magnitude: does not scale"),
         ({"friction": [-0.5]}, "friction = -0.5: must lie between 0 and 10"),

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{UnitQuaternion, Vector3};
-use task::{Horizon, Limits};
+use nalgebra::Vector3;
+use task::{Coverage, Horizon, Limits};
 
 use crate::error::SceneError;
 use crate::keys::key;
@@ -26,8 +26,8 @@ const TIME_CONSTANTS: f64 = 28.0;
 /// Mean speed (m/s) beyond [`NEAR`] (m) from the goal.
 const SPEED: f64 = 0.1;
 const NEAR: f64 = 0.1;
-/// Directions of offsets: the hull of three holds smaller ones in all directions of a plane.
-const DIRECTIONS: usize = 3;
+/// Planned directions of a disc.
+const DIRECTIONS: usize = 6;
 
 /// Stiffness (N/m) with which a body that is off by the offset magnitude (m) is pulled back by 1 m/s^2, within usual
 /// limits.
@@ -64,11 +64,10 @@ pub fn horizon(duration: f64, steps: Option<usize>, time_step: Option<f64>) -> H
 
 /// What was chosen for a scene, in its own words.
 pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> {
-    let Scene { impedance, horizon, offset_directions, .. } = scene;
+    let Scene { impedance, horizon, .. } = scene;
     let mut values = vec![
         ("impedance", "translational_stiffness", format!("{:.1} N/m", impedance.translational_stiffness)),
         ("impedance", "rotational_stiffness", format!("{:.2} Nm/rad", impedance.rotational_stiffness)),
-        ("robustness", "offset_directions", format!("{} directions", offset_directions.len())),
         ("horizon", "steps", horizon.steps.to_string()),
         ("horizon", "time_step", format!("{:.4} s", horizon.time_step)),
     ];
@@ -79,6 +78,14 @@ pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> 
     if rotational_velocity.is_finite() {
         values.push(("limits", "rotational_velocity", format!("{rotational_velocity:.3} rad/s")));
     }
+    let planned = format!("{} planned offsets", scene.offset_directions.len());
+    match scene.coverage {
+        Coverage::Hull => {}
+        Coverage::Disc { axis: [x, y, z] } => {
+            values.push(("robustness", "coverage", format!("\"disc\" across ({x:.3}, {y:.3}, {z:.3}), {planned}")));
+        }
+        Coverage::Ball => values.push(("robustness", "coverage", format!("\"ball\", {planned}"))),
+    }
     let mut remarks = Vec::new();
     for (name, key, value) in values {
         if table.table(name)?.find(key).is_none() {
@@ -88,17 +95,26 @@ pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> 
     Ok(remarks)
 }
 
-/// Directions (body frame) at equal angles across the way from start to goal; without a way, across the body's z axis.
-pub fn directions(start: &[f64; 7], goal: &[f64; 7]) -> Vec<[f64; 3]> {
+/// The axis (body frame) along which the body is inserted: the straight line from start to goal; where they are one
+/// place, the body's z axis.
+pub fn insertion_axis(start: &[f64; 7], goal: &[f64; 7]) -> [f64; 3] {
     let (start, goal) = (of_pose(start), of_pose(goal));
-    let way = start.translation.vector - goal.translation.vector;
-    let way = goal.rotation.inverse() * way.try_normalize(f64::EPSILON).unwrap_or(goal.rotation * Vector3::z());
-    let first = way.cross(&Vector3::ith(way.iamin(), 1.0)).normalize();
-    let turned = |index: usize| {
-        let angle = TAU * index as f64 / DIRECTIONS as f64;
-        UnitQuaternion::from_scaled_axis(way * angle) * first
+    let way = goal.rotation.inverse() * (start.translation.vector - goal.translation.vector);
+    way.try_normalize(f64::EPSILON).unwrap_or(Vector3::z()).map(rounded).into()
+}
+
+/// Directions (body frame) whose offsets are planned to cover a disc or a ball: at equal angles in the plane of the disc,
+/// both ways along every axis for a ball. A hull has only those that the scene gives.
+pub fn directions(coverage: &Coverage) -> Vec<[f64; 3]> {
+    let span = coverage.span();
+    let directions: Vec<Vector3<f64>> = match span[..] {
+        [first, second] => {
+            let angles = (0..DIRECTIONS).map(|index| TAU * index as f64 / DIRECTIONS as f64);
+            angles.map(|angle| first * angle.cos() + second * angle.sin()).collect()
+        }
+        _ => span.iter().flat_map(|axis| [*axis, -axis]).collect(),
     };
-    (0..DIRECTIONS).map(|index| turned(index).map(rounded).into()).collect()
+    directions.into_iter().map(|direction| direction.map(rounded).into()).collect()
 }
 
 /// Without the last digits, so that what is zero stays it.
@@ -128,11 +144,12 @@ mod tests {
     }
 
     #[test]
-    fn directions_are_unit_vectors_across_the_way() {
+    fn directions_are_unit_vectors_across_the_insertion() {
         let goal = [0.0, 0.0, 0.0, 0.6, 0.0, 0.8, 0.0];
         for start in [[0.1, 0.2, -0.3], [0.0, 0.0, 0.1], [0.0; 3]] {
             let [x, y, z] = start;
-            let directions = directions(&[x, y, z, 1.0, 0.0, 0.0, 0.0], &goal);
+            let axis = insertion_axis(&[x, y, z, 1.0, 0.0, 0.0, 0.0], &goal);
+            let directions = directions(&Coverage::Disc { axis });
             let directions: Vec<Vector3<f64>> = directions.into_iter().map(Vector3::from).collect();
             let way = of_pose(&goal).rotation.inverse() * Vector3::from(start);
             let sum: Vector3<f64> = directions.iter().sum();

@@ -126,11 +126,9 @@ impl Draft {
     }
 
     fn write_robustness(&self, text: &mut String) {
-        let directions: Vec<String> =
-            chosen::directions(&self.starts[0], &self.goal).iter().map(|direction| numbers(direction)).collect();
         *text += "\n# How far the body may be off in the gripper: one plan is made for all of these offsets.\n[robustness]\n";
         entry(text, "robustness", "offset_magnitude", &number(self.offset), "0.001 to 0.02");
-        entry(text, "robustness", "offset_directions", &format!("[{}]", directions.join(", ")), "3 or 4");
+        entry(text, "robustness", "coverage", "\"disc\"", "\"disc\"");
         *text += "\n[horizon]\n";
         let horizon = self.horizon();
         entry(text, "horizon", "steps", &horizon.steps.to_string(), "50 to 200");

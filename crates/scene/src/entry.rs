@@ -110,6 +110,11 @@ impl<'text> Entry<'text> {
         self.vector_of(self.value, &self.path, self.key.bounds())
     }
 
+    /// Three numbers, as a unit vector has them.
+    pub fn direction(&self) -> Result<[f64; 3], SceneError> {
+        self.vector_of(self.value, &self.path, COMPONENT)
+    }
+
     /// Four numbers.
     pub fn quaternion(&self) -> Result<[f64; 4], SceneError> {
         self.vector_of(self.value, &self.path, COMPONENT)

@@ -58,7 +58,8 @@ impl Scene {
         let (starts, goal_table) = (sections::starts(table)?, table.require_table("goal")?);
         let goal = pose(&goal_table)?;
         let offset_magnitude = robustness.number("offset_magnitude")?;
-        let offset_directions = sections::offset_directions(&robustness, offset_magnitude, (&starts[0], &goal))?;
+        let coverage = sections::coverage(&robustness, (&starts[0], &goal))?;
+        let offset_directions = sections::offset_directions(&robustness, &coverage)?;
         let turn_axes = sections::turn_axes(&robustness, &offset_directions)?;
         let material = Material::of(&body)?;
         let robot = Robot::read(&table.table("robot")?, material.as_ref(), (&starts, &goal))?;
@@ -101,6 +102,7 @@ impl Scene {
             starts,
             goal,
             offset_magnitude,
+            coverage,
             offset_directions,
             turn_axes,
             inertia,
@@ -116,7 +118,8 @@ impl Scene {
 
     /// Refuses a problem that is too large to be solved.
     fn check_size(&self, table: &Table) -> Result<(), SceneError> {
-        let (steps, offsets, pairs) = (self.horizon.steps, self.offset_directions.len(), self.pairs.len());
+        let (steps, offsets, pairs) =
+            (self.horizon.steps, self.grasps_of(self.offset_magnitude).len(), self.pairs.len());
         let frictions = self.frictions.len();
         let forces = steps * offsets * pairs * frictions;
         if forces <= MAX_CONTACT_FORCES {
@@ -132,7 +135,7 @@ impl Scene {
             Default::default()
         };
         Err(place.refuse(format!(
-            "{steps} steps x {offsets} offset directions x {pairs} contact pairs{several} make {forces} contact forces, more than \
+            "{steps} steps x {offsets} planned offsets x {pairs} contact pairs{several} make {forces} contact forces, more than \
              {MAX_CONTACT_FORCES}: lower horizon.steps, or list fewer robustness.offset_directions{or_friction} or contact.pairs"
         )))
     }

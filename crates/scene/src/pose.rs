@@ -51,6 +51,17 @@ pub fn directions(entry: &Entry) -> Result<Vec<[f64; 3]>, SceneError> {
     entry.vectors()?.into_iter().map(direction).collect()
 }
 
+/// A unit direction, kept as written.
+pub fn direction(entry: &Entry) -> Result<[f64; 3], SceneError> {
+    let value = entry.direction()?;
+    let norm = norm(&value);
+    if is_unit(norm) {
+        return Ok(value);
+    }
+    let path = entry.path();
+    Err(entry.refuse(format!("{path}: a direction has norm 1; this one has norm {norm:.4}")))
+}
+
 /// From a frame to the one in which it has this position (m) and unit quaternion (w x y z).
 pub fn isometry(position: &[f64; 3], &[w, x, y, z]: &[f64; 4]) -> Isometry3<f64> {
     let rotation = UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z));

@@ -1,7 +1,7 @@
 //! Writes a scene and a homotopy into one file that reproduces a run.
 
 use nalgebra::{Matrix3, SMatrix};
-use task::{CostWeights, HomotopySettings, Limits};
+use task::{CostWeights, Coverage, HomotopySettings, Limits};
 use toml::{Table, Value};
 
 use crate::homotopy;
@@ -83,13 +83,23 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
 fn robustness(scene: &Scene, offset_magnitude: f64) -> Table {
     let mut robustness = table([
         ("offset_magnitude", offset_magnitude.into()),
-        ("offset_directions", Value::Array(scene.offset_directions.iter().map(numbers).collect())),
         ("friction", numbers(&scene.borne.frictions)),
         ("turn", scene.borne.turn.into()),
         ("inertia_error", scene.borne.inertia_error.into()),
         ("stiffness_error", scene.borne.stiffness_error.into()),
         ("delay", scene.borne.delay.into()),
     ]);
+    match &scene.coverage {
+        Coverage::Hull => {
+            let directions = Value::Array(scene.offset_directions.iter().map(numbers).collect());
+            robustness.insert("offset_directions".into(), directions);
+        }
+        // The directions follow from the axis.
+        Coverage::Disc { axis } => {
+            robustness.extend(table([("coverage", "disc".into()), ("insertion_axis", numbers(axis))]));
+        }
+        Coverage::Ball => robustness.extend(table([("coverage", "ball".into())])),
+    }
     if scene.has_turned_scenarios() {
         robustness.insert("turn_axes".into(), Value::Array(scene.turn_axes.iter().map(numbers).collect()));
     }

@@ -1,9 +1,11 @@
 //! A validated scene.
 
 use task::{
-    AssemblyTask, ContactPair, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits, TrajectoryCost,
+    AssemblyTask, ContactPair, Coverage, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits,
+    TrajectoryCost,
 };
 
+use crate::chosen;
 use crate::facets::Fit;
 use crate::keys::key;
 use crate::limits::{OutOfReach, check_reach};
@@ -84,7 +86,9 @@ pub struct Scene {
     pub impedance: Impedance,
     /// `delta-hat` (m).
     pub offset_magnitude: f64,
-    /// Directions of the offsets; zero is the nominal scenario.
+    /// Which offsets are covered.
+    pub coverage: Coverage,
+    /// Directions of the planned offsets; zero is the nominal scenario.
     pub offset_directions: Vec<[f64; 3]>,
     /// Axes of the turns of the same scenarios; zero is no turn.
     pub turn_axes: Vec<[f64; 3]>,
@@ -110,9 +114,19 @@ impl Scene {
     /// # Errors
     /// The limit that is too small.
     pub(crate) fn check_reach(&self, start: &StartPose, magnitude: f64) -> Result<(), OutOfReach> {
-        self.grasps_of(magnitude).try_for_each(|grasp| {
+        self.grasps_of(magnitude).iter().try_for_each(|grasp| {
             check_reach(&self.limits, (&start.name, &grasp.actual(&start.pose)), &self.goal, self.horizon)
         })
+    }
+
+    /// The disc of offsets across the insertion, also where the scene covers something else.
+    pub fn disc(&self) -> Coverage {
+        match self.coverage {
+            Coverage::Disc { .. } => self.coverage,
+            Coverage::Hull | Coverage::Ball => {
+                Coverage::Disc { axis: chosen::insertion_axis(&self.starts[0].pose, &self.goal) }
+            }
+        }
     }
 
     /// The planned grasp errors with offsets of a magnitude (m), one per scenario.
@@ -124,16 +138,22 @@ impl Scene {
         if !range.contains(magnitude) {
             return Err(TaskError::OffsetMagnitude { value: magnitude, most: range.high });
         }
-        Ok(self.grasps_of(magnitude).collect())
+        Ok(self.grasps_of(magnitude))
     }
 
-    fn grasps_of(&self, magnitude: f64) -> impl Iterator<Item = GraspError> {
+    pub(crate) fn grasps_of(&self, magnitude: f64) -> Vec<GraspError> {
         let scaled = |direction: &[f64; 3], length: f64| direction.map(|component| length * component);
-        let directions = self.offset_directions.iter().zip(&self.turn_axes);
-        directions.map(move |(offset, turn)| GraspError {
+        let grasp = |(offset, turn): (&[f64; 3], &[f64; 3])| GraspError {
             offset: scaled(offset, magnitude),
             turn: scaled(turn, self.borne.turn),
-        })
+        };
+        let grasps = self.offset_directions.iter().zip(&self.turn_axes).map(grasp);
+        match self.coverage {
+            // As the scene gives them.
+            Coverage::Hull => grasps.collect(),
+            // Without a magnitude, all are one.
+            Coverage::Disc { .. } | Coverage::Ball => GraspError::distinct(grasps),
+        }
     }
 
     /// Whether any scenario is turned in the gripper.

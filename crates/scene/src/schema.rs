@@ -46,6 +46,14 @@ fn table(path: &str, declared: &[Key]) -> Value {
             schema["anyOf"] = json!([{ "not": { "required": ["ipopt"] } }, table]);
         }
         "part" => schema["oneOf"] = SHAPES.iter().map(|shape| only(shape)).collect(),
+        "robustness" => {
+            schema["not"] = json!({ "anyOf": [
+            { "required": ["offset_directions", "coverage"] },
+            { "required": ["offset_directions", "insertion_axis"] },
+            { "required": ["insertion_axis", "coverage"], "properties": { "coverage": { "const": "ball" } } },
+            { "required": ["turn_axes"], "not": { "required": ["offset_directions"] } },
+        ] })
+        }
         "ipopt" => schema["maxProperties"] = ipopt::MOST_ENTRIES.into(),
         _ => {}
     }
@@ -102,6 +110,7 @@ fn values(key: &Key) -> Value {
             json!({ "anyOf": [number(*range), list(number(*range), count.clone())] })
         }
         Values::Vectors(range, count) => list(vector(*range), count.clone()),
+        Values::Direction => vector(component),
         Values::Directions(count) => list(vector(component), count.clone()),
         Values::Quaternion => list(number(component), 4..=4),
         Values::Matrix(range) => json!({ "anyOf": [vector(*range), matrix(*range)] }),

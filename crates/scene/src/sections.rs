@@ -1,11 +1,12 @@
 //! The tables of a scene that are not shapes.
 
-use task::{CostWeights, Horizon, Impedance, Inertia, TrajectoryCost};
+use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, TrajectoryCost};
 
 use crate::chosen;
 use crate::error::SceneError;
 use crate::inertia::symmetric;
-use crate::pose::{StartPose, directions, pose};
+use crate::keys::COVERAGES;
+use crate::pose::{StartPose, direction, directions, pose};
 use crate::robot::Stiffness;
 use crate::scene::Borne;
 use crate::table::Table;
@@ -77,23 +78,46 @@ pub fn horizon(
     Ok(chosen::horizon(duration, steps, time_step))
 }
 
-/// Directions of the offsets: those of the scene, or some across the way from the first start to the goal. Without a
-/// magnitude, there is one scenario.
-pub fn offset_directions(
-    robustness: &Table,
-    offset_magnitude: f64,
-    (start, goal): (&StartPose, &[f64; 7]),
-) -> Result<Vec<[f64; 3]>, SceneError> {
+/// Which offsets are covered: the hull of those whose directions the scene gives, else a disc or a ball.
+pub fn coverage(robustness: &Table, (start, goal): (&StartPose, &[f64; 7])) -> Result<Coverage, SceneError> {
+    let (given, axis) = (robustness.find("coverage"), robustness.find("insertion_axis"));
+    if robustness.find("offset_directions").is_some() {
+        return match given.as_ref().or(axis.as_ref()) {
+            None => Ok(Coverage::Hull),
+            Some(entry) => Err(entry.refuse(format!(
+                "{} beside robustness.offset_directions: directions cover their hull; leave one of the two keys out",
+                entry.path()
+            ))),
+        };
+    }
+    match (COVERAGES[robustness.choice("coverage")?], axis) {
+        ("ball", Some(axis)) => Err(axis.refuse(format!(
+            "{} beside robustness.coverage = \"ball\": a ball has no axis; leave one of the two keys out",
+            axis.path()
+        ))),
+        ("ball", None) => Ok(Coverage::Ball),
+        (_, Some(axis)) => Ok(Coverage::Disc { axis: direction(&axis)? }),
+        (_, None) => Ok(Coverage::Disc { axis: chosen::insertion_axis(&start.pose, goal) }),
+    }
+}
+
+/// Directions of the planned offsets: those of the scene, or some with which the coverage is planned.
+pub fn offset_directions(robustness: &Table, coverage: &Coverage) -> Result<Vec<[f64; 3]>, SceneError> {
     match robustness.find("offset_directions") {
         Some(entry) => directions(&entry),
-        None if offset_magnitude == 0.0 => Ok(vec![[0.0; 3]]),
-        None => Ok(chosen::directions(&start.pose, goal)),
+        None => Ok(chosen::directions(coverage)),
     }
 }
 
 /// Axes of the turns, one for each of the offset directions: those of the scene, or no turns.
 pub fn turn_axes(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
     let Some(entry) = robustness.find("turn_axes") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
+    if robustness.find("offset_directions").is_none() {
+        return Err(entry.refuse(format!(
+            "{} without robustness.offset_directions: give a direction for each of the axes",
+            entry.path()
+        )));
+    }
     let (turns, wanted) = (directions(&entry)?, offset_directions.len());
     match turns.len() {
         count if count == wanted => Ok(turns),

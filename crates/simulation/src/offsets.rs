@@ -2,9 +2,10 @@
 //!
 //! Numbers of offsets are at most [`MAX_COUNT`]: callers refuse larger ones with [`validate_count`].
 
+use collision::Polytope;
 use fastrand::Rng;
-use nalgebra::Vector3;
-use task::GraspError;
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+use task::{Coverage, GraspError};
 
 use crate::settings_error::{SettingsError, check};
 
@@ -68,17 +69,82 @@ pub fn hull(planned: &[[f64; 3]], count: usize, seed: u64) -> Vec<[f64; 3]> {
     (0..count).map(|_| combination()).collect()
 }
 
+/// Random offsets of those that are covered up to a magnitude (m): of a hull convex combinations of the planned ones, as
+/// [`hull`] has them. Of a disc or a ball, the first [`rim_count`] are as long as the magnitude, in directions that are
+/// all equally likely, because long ones fail first; the others are uniform inside.
+pub fn covered(coverage: &Coverage, planned: &[[f64; 3]], magnitude: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
+    if *coverage == Coverage::Hull {
+        return hull(planned, count, seed);
+    }
+    let (span, mut random) = (coverage.span(), Rng::with_seed(seed));
+    let mut offset = |index: usize| {
+        let point = round_point(&span, &mut random);
+        let is_on_rim = index < rim_count(count);
+        plain(if is_on_rim { point.normalize() } else { point } * magnitude)
+    };
+    (0..count).map(&mut offset).collect()
+}
+
+/// How many of a number of random offsets of a disc or a ball are as long as the magnitude: half of them, rounded up.
+pub fn rim_count(count: usize) -> usize {
+    count.div_ceil(2)
+}
+
 /// Random offsets, uniform in a ball of a radius (m).
 pub fn ball(radius: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
-    let mut random = Rng::with_seed(seed);
-    let mut point = || loop {
-        let point = Vector3::from_fn(|_, _| 2.0 * random.f64() - 1.0);
-        if point.norm_squared() <= 1.0 {
-            // Without negative zeros.
-            return (point * radius).map(|component| component + 0.0).into();
+    let (span, mut random) = (Coverage::Ball.span(), Rng::with_seed(seed));
+    (0..count).map(|_| plain(round_point(&span, &mut random) * radius)).collect()
+}
+
+/// Random turns (rotation vectors, rad) beside the random offsets of the same seed, uniform in a ball of the largest one.
+pub fn turns(largest: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
+    /// Distance between the seeds of turns and of offsets, which must not depend on each other.
+    const TURN_SEED: u64 = 50;
+    ball(largest, count, seed.wrapping_add(TURN_SEED))
+}
+
+/// A point uniform in the unit disc or ball that orthonormal vectors span, but for its centre, which has no direction.
+fn round_point(span: &[Vector3<f64>], random: &mut Rng) -> Vector3<f64> {
+    loop {
+        let point: Vector3<f64> = span.iter().map(|axis| axis * (2.0 * random.f64() - 1.0)).sum();
+        let square = point.norm_squared();
+        if square > f64::MIN_POSITIVE && square <= 1.0 {
+            return point;
         }
-    };
-    (0..count).map(|_| point()).collect()
+    }
+}
+
+/// Without negative zeros.
+fn plain(offset: Vector3<f64>) -> [f64; 3] {
+    offset.map(|component| component + 0.0).into()
+}
+
+/// Length (m) up to which offsets in every direction that the planned ones span lie in the hull of these; zero where no
+/// offset does not lie inside of it.
+pub fn worst_direction(planned: &[[f64; 3]]) -> f64 {
+    let planned: Vec<Vector3<f64>> = planned.iter().copied().map(Vector3::from).collect();
+    let longest = planned.iter().map(Vector3::norm).fold(0.0, f64::max);
+    if longest == 0.0 || !planned.iter().all(|offset| offset.norm().is_finite()) {
+        return 0.0;
+    }
+    let unit: Vec<Vector3<f64>> = planned.iter().map(|offset| offset / longest).collect();
+    // Where the planned offsets span no direction, the hull is made longer than anywhere else.
+    let widened = directions_across(&unit).iter().fold(unit, |points, direction| {
+        points.iter().flat_map(|point| [point + 2.0 * direction, point - 2.0 * direction]).collect()
+    });
+    let vertices: Vec<[f64; 3]> = widened.into_iter().map(Into::into).collect();
+    let Ok(hull) = Polytope::from_vertices(&vertices) else { return 0.0 };
+    longest * hull.offsets().iter().copied().fold(f64::INFINITY, f64::min).max(0.0)
+}
+
+/// Orthonormal vectors across all offsets, of which the longest has unit length.
+fn directions_across(offsets: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+    /// Length that may be rounding.
+    const FLAT: f64 = 1e-6;
+    let moments: Matrix3<f64> = offsets.iter().map(|offset| offset * offset.transpose()).sum();
+    let SymmetricEigen { eigenvalues, eigenvectors } = moments.symmetric_eigen();
+    let is_flat = |axis: &usize| eigenvalues[*axis].max(0.0).sqrt() <= FLAT;
+    (0..3).filter(is_flat).map(|axis| eigenvectors.column(axis).into_owned()).collect()
 }
 
 /// The offsets without repetitions, in their order.
@@ -146,6 +212,83 @@ mod tests {
         // In a uniform ball half of the points lie beyond the cube root of 1/2 of the radius.
         let beyond = lengths.iter().filter(|&&length| length > 0.01 * 0.5_f64.cbrt()).count();
         assert!((400..600).contains(&beyond));
+    }
+
+    #[test]
+    fn a_disc_is_drawn_uniformly_and_half_on_its_rim() {
+        let axis = [0.48, 0.6, 0.64];
+        let draw = |coverage: &Coverage, seed: u64| covered(coverage, &PLANNED, 0.01, 4001, seed);
+        for (coverage, dimension) in [(Coverage::Disc { axis }, 2), (Coverage::Ball, 3)] {
+            let offsets = draw(&coverage, 7);
+            assert_eq!(offsets, draw(&coverage, 7));
+            assert_ne!(offsets, draw(&coverage, 8));
+            let points: Vec<Vector3<f64>> = offsets.into_iter().map(Vector3::from).collect();
+            let (rim, inside) = points.split_at(2001);
+            assert!(rim.iter().all(|point| (point.norm() - 0.01).abs() < 1e-15));
+            assert!(inside.iter().all(|point| point.norm() < 0.01));
+            let along = points.iter().map(|point| point.dot(&Vector3::from(axis)).abs()).fold(0.0, f64::max);
+            assert!(if dimension == 2 { along < 1e-15 } else { along > 0.009 }, "{along}");
+            // Half of what is uniform lies within this length, half of everything on either side of a plane.
+            let half = 0.01 * 0.5_f64.powf(1.0 / f64::from(dimension));
+            let near = inside.iter().filter(|point| point.norm() < half).count();
+            assert!((900..1100).contains(&near), "{near}");
+            for points in [rim, inside] {
+                for direction in coverage.span() {
+                    let count = points.iter().filter(|point| point.dot(&direction) > 0.0).count();
+                    assert!((900..1100).contains(&count), "{count}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_random_offset_of_a_disc_is_on_its_rim_and_those_of_a_hull_are_in_it() {
+        let axis = [0.0, 0.0, 1.0];
+        let [offset] = covered(&Coverage::Disc { axis }, &[], 0.01, 1, 3)[..] else { panic!() };
+        assert!((Vector3::from(offset).norm() - 0.01).abs() < 1e-15);
+        assert_eq!(covered(&Coverage::Hull, &PLANNED, 0.01, 5, 3), hull(&PLANNED, 5, 3));
+        assert!(covered(&Coverage::Ball, &[], 0.01, 0, 3).is_empty());
+        assert_eq!(covered(&Coverage::Ball, &[], 0.0, 2, 3), [[0.0; 3]; 2]);
+    }
+
+    /// Turns as the points of a ball, which do not follow the offsets of the same seed.
+    #[test]
+    fn turns_and_offsets_of_one_seed_are_independent() {
+        let (offsets, turned) = (ball(1.0, 2000, 7), turns(1.0, 2000, 7));
+        let products =
+            offsets.iter().zip(&turned).map(|(offset, turn)| Vector3::from(*offset).dot(&Vector3::from(*turn)));
+        let mean = products.sum::<f64>() / 2000.0;
+        assert!(mean.abs() < 0.05, "{mean}");
+        assert_eq!(turns(0.0, 3, u64::MAX), [[0.0; 3]; 3]);
+    }
+
+    #[test]
+    fn the_worst_direction_of_a_hull_is_that_of_its_nearest_side() {
+        let regular = |count: usize| -> Vec<[f64; 3]> {
+            let angles = (0..count).map(|index| std::f64::consts::TAU * index as f64 / count as f64);
+            // In a plane that lies askew.
+            angles.map(|angle| [0.6 * angle.cos(), angle.sin(), 0.8 * angle.cos()].map(|c| 8e-4 * c)).collect()
+        };
+        let octahedron: Vec<[f64; 3]> =
+            Coverage::Ball.span().iter().flat_map(|axis| [*axis, -axis].map(Into::into)).collect();
+        let with_none = [regular(3), vec![[0.0; 3]]].concat();
+        for (planned, expected) in [
+            (regular(3), 4e-4),
+            (with_none, 4e-4),
+            (regular(4), 8e-4 * 0.5_f64.sqrt()),
+            (regular(6), 8e-4 * 0.75_f64.sqrt()),
+            (octahedron, 3_f64.sqrt().recip()),
+            (vec![[0.0, 0.003, 0.004], [0.0, -0.006, -0.008]], 0.005),
+            (vec![[0.01, 0.0, 0.0], [0.0, 0.01, 0.0]], 0.0),
+            (PLANNED.to_vec(), 0.0),
+            (vec![[0.0, 0.0, 0.01]], 0.0),
+            (vec![[0.0; 3]], 0.0),
+            (vec![], 0.0),
+            (vec![[f64::NAN; 3], [0.01, 0.0, 0.0]], 0.0),
+        ] {
+            let actual = worst_direction(&planned);
+            assert!((actual - expected).abs() < 1e-6 * expected + 1e-12, "{planned:?}: {actual}, not {expected}");
+        }
     }
 
     #[test]

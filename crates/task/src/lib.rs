@@ -17,6 +17,7 @@
 //! | bounds on velocities, accelerations and forces, Sec. I | `Sec. intro` | [`Limits`] |
 
 pub mod algebra;
+mod coverage;
 mod grasp_error;
 mod impedance;
 mod inertia;
@@ -29,6 +30,7 @@ mod state;
 mod task;
 mod trajectory;
 
+pub use coverage::Coverage;
 pub use grasp_error::GraspError;
 pub use impedance::Impedance;
 pub use inertia::Inertia;

@@ -37,7 +37,7 @@ const GROUPS: &[(&str, &[&str])] = &[
             "key_height",
         ],
     ),
-    ("Offsets", &["offset", "random", "ball", "seed", "grid", "offsets", "magnitude", "coverage"]),
+    ("Offsets", &["offset", "random", "hull", "disc", "ball", "seed", "grid", "offsets", "magnitude", "coverage"]),
     ("Success", &["position_tolerance", "angle_tolerance", "contact_force", "strict"]),
     ("Robustness", &["robust", "wanted_rate", "time_limit", "patience", "friction", "turn"]),
     ("Simulation", &["stages", "settling_time", "time_step", "executed"]),

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use clap::{Args, Parser, Subcommand};
 use export::Target;
-use planner::{Choices, GraspErrors, OffsetSource, PlannerError, RobustnessTarget, SimulationRequest, files};
+use planner::{Choices, GraspErrors, OffsetSource, PlannerError, Region, RobustnessTarget, SimulationRequest, files};
 use scene::{Axis, Scene};
 use simulation::Settings;
 use task::LinearSolver;
@@ -157,12 +157,12 @@ pub struct SimulateArguments {
     /// Folder that `solve` wrote, or a folder of such folders
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Play N random convex combinations of the planned offsets [default: the planned offsets themselves]
+    /// Play N random offsets of those that the scene covers, half of a disc or ball on its rim [default: the planned
+    /// offsets themselves]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), group = "source")]
     pub random: Option<u32>,
-    /// With --random: offsets uniform in the ball, not in the hull of the planned ones
-    #[arg(long, requires = "random", conflicts_with_all = ["grid", "offsets"])]
-    pub ball: bool,
+    #[command(flatten)]
+    pub region: RegionArguments,
     /// Seed of the random offsets
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -213,6 +213,32 @@ pub struct SimulateArguments {
     /// Also write report.html, a page that shows the success rates, beside them
     #[arg(long)]
     pub report: bool,
+}
+
+/// Where random offsets lie; by default where the scene has them covered.
+#[derive(Debug, Args)]
+#[group(multiple = false)]
+pub struct RegionArguments {
+    /// With --random: offsets in the hull of the planned ones
+    #[arg(long, requires = "random", conflicts_with_all = ["grid", "offsets"])]
+    pub hull: bool,
+    /// With --random: offsets in the disc across the insertion, half of them on its rim
+    #[arg(long, requires = "random", conflicts_with_all = ["grid", "offsets"])]
+    pub disc: bool,
+    /// With --random: offsets in the ball, half of them on its surface
+    #[arg(long, requires = "random", conflicts_with_all = ["grid", "offsets"])]
+    pub ball: bool,
+}
+
+impl RegionArguments {
+    fn region(&self) -> Region {
+        match self {
+            Self { hull: true, .. } => Region::Hull,
+            Self { disc: true, .. } => Region::Disc,
+            Self { ball: true, .. } => Region::Ball,
+            _ => Region::Covered,
+        }
+    }
 }
 
 #[derive(Debug, Args)]
@@ -399,8 +425,7 @@ impl SimulateArguments {
     /// When the list of offsets cannot be read, or a value is out of its range.
     pub fn request(&self) -> Result<SimulationRequest, PlannerError> {
         let offsets = match (self.random, self.grid, &self.offsets) {
-            (Some(count), ..) if self.ball => OffsetSource::Ball(count as usize),
-            (Some(count), ..) => OffsetSource::Hull(count as usize),
+            (Some(count), ..) => OffsetSource::Random(count as usize, self.region.region()),
             (_, Some(divisions), _) => OffsetSource::Grid(divisions as usize),
             (_, _, Some(file)) => OffsetSource::Listed(files::read_offsets(file)?),
             (None, None, None) => OffsetSource::Planned,

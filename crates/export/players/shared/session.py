@@ -239,13 +239,13 @@ class Session:
         document = self.plan.document
         grasp_error = self.plan.goal.inverse() @ self.plan.part(measured.tool.pose)
         offset, turn = grasp_error.position, rotations.vector(grasp_error.rotation)
-        in_words = ", ".join(f"{1e3 * number:.1f}" for number in offset)
+        in_words = ", ".join(f"{1e3 * number:.2f}" for number in offset)
         size, tolerance = float(np.linalg.norm(offset)), document["position_tolerance_m"] or 0.003
         angle, largest_angle = float(np.linalg.norm(turn)), document["turn_rad"] + document["angle_tolerance_rad"]
         if not (size <= document["delta_m"] + tolerance and angle <= largest_angle):
             say(
                 f"the part is not at its goal: it would sit ({in_words}) mm and {angle:.3f} rad beside where the robot believes it, "
-                f"more than the {1e3 * document['delta_m']:.1f} mm and {document['turn_rad']:.3f} rad of the plan"
+                f"more than the {1e3 * document['delta_m']:.2f} mm and {document['turn_rad']:.3f} rad of the plan"
             )
             return False
         say(f"if the part is at its goal, it sits ({in_words}) mm and {angle:.3f} rad beside where the robot believes it")

@@ -4,6 +4,7 @@ use task::{AssemblyTask, Overlap};
 
 use crate::check::delay::delay;
 use crate::check::{Explanation, Play, Way, pairs};
+use crate::length::Millimetres;
 use crate::problem::Problem;
 
 /// Share of the gap of a round fit that facets may take.
@@ -107,9 +108,9 @@ pub fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
     let reach = tau * rows as f64;
     (reach < 1.5 * largest).then(|| {
         format!(
-            "the first smoothing reaches {:.1} mm, the offset is {:.1} mm: if plans miss the goal, raise homotopy.tau",
-            1e3 * reach,
-            1e3 * largest
+            "the first smoothing reaches {} mm, the offset is {} mm: if plans miss the goal, raise homotopy.tau",
+            Millimetres(reach),
+            Millimetres(largest)
         )
     })
 }

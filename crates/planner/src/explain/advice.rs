@@ -7,6 +7,7 @@ use crate::check::{first_smoothing, rest, step};
 use crate::explain::limits::ActiveLimitRecord;
 use crate::explain::stuck::StuckScenario;
 use crate::explain::words::norm;
+use crate::length::Millimetres;
 use crate::plan::Plan;
 use crate::play::along_insertion;
 use crate::warnings::tolerance::free_offset;
@@ -216,10 +217,10 @@ impl Case<'_> {
         let smallest = lengths(&missed).into_iter().min_by(f64::total_cmp)?;
         (largest < smallest).then(|| {
             format!(
-                "[robustness]: offsets up to {:.1} mm reach the goal, those from {:.1} mm miss it: find the limit with \
+                "[robustness]: offsets up to {} mm reach the goal, those from {} mm miss it: find the limit with \
                  --delta",
-                1e3 * largest,
-                1e3 * smallest
+                Millimetres(largest),
+                Millimetres(smallest)
             )
         })
     }

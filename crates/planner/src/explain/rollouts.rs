@@ -106,16 +106,15 @@ fn common_direction(failing: &[Trial]) -> Option<String> {
 impl LossRecord {
     /// Two sentences without full stops: what is lost most, and how a rollout ends.
     pub fn sentences(&self) -> [String; 2] {
-        let SuccessRate { friction, magnitude_m, planned, rollouts, successes } = self.worst;
-        let kind = if planned { "planned" } else { "random" };
+        let SuccessRate { friction, rollouts, successes, .. } = self.worst;
         let common = self.offset_direction.as_ref();
         let common =
             common.map_or_else(String::new, |axes| format!("; failing offsets lie towards {axes} of the body"));
         let most = format!(
-            "most is lost at friction {friction}, where {:.1} % succeed, and there with {kind} offsets of {:.1} mm, \
+            "most is lost at friction {friction}, where {:.1} % succeed, and there with {}, \
              {successes} of {rollouts} (95 % confidence: {:.0} to {:.0} %){common}",
             100.0 * self.rate,
-            1e3 * magnitude_m,
+            self.worst.offsets_in_words(),
             100.0 * self.worst_interval[0],
             100.0 * self.worst_interval[1]
         );

@@ -5,6 +5,8 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 use task::GraspError;
 
+use crate::length::decimals;
+
 /// A [`GraspError`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct GraspRecord {
@@ -30,8 +32,9 @@ impl From<&GraspRecord> for GraspError {
 /// Such as `offset 1.0 0.0 -2.0 mm`, with the turn if there is one.
 impl fmt::Display for GraspRecord {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let decimals = decimals(self.offset_m.iter().fold(0.0, |most: f64, component| most.max(component.abs())));
         let [x, y, z] = self.offset_m.map(|component| 1e3 * component);
-        write!(formatter, "offset {x:.1} {y:.1} {z:.1} mm")?;
+        write!(formatter, "offset {x:.decimals$} {y:.decimals$} {z:.decimals$} mm")?;
         if self.turn_rad == [0.0; 3] {
             return Ok(());
         }

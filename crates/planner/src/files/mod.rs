@@ -17,6 +17,7 @@
 mod atomic;
 pub mod cells;
 mod checkpoint;
+mod coverage;
 mod folder;
 mod grasp;
 mod log;
@@ -34,6 +35,7 @@ mod work_folder;
 
 pub use atomic::{hash, read_text, remove_file, require_folder, write_file};
 pub use checkpoint::Checkpoint;
+pub use coverage::{CoverageKind, CoverageRecord};
 pub use folder::PlanFolder;
 pub use grasp::GraspRecord;
 pub use log::{ExecutedState, PlayedRows, RESTING, read_log_header, read_played_rows};

@@ -7,6 +7,7 @@ use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
 use crate::attempt::AttemptRecord;
 use crate::explain::FailureExplanation;
+use crate::files::coverage::CoverageRecord;
 use crate::files::grasp::GraspRecord;
 use crate::iteration::IterationRecord;
 use crate::or_null;
@@ -34,6 +35,9 @@ pub struct PlanResult {
     pub start: String,
     /// Offset magnitude `delta-hat`.
     pub delta_m: f64,
+    /// Which offsets the plan covers.
+    #[serde(default)]
+    pub coverage: CoverageRecord,
     /// Largest turn of the part in the gripper that was asked for.
     #[serde(default)]
     pub turn_rad: f64,
@@ -246,6 +250,7 @@ impl PlanResult {
             scene: plan.problem.scene().title.clone(),
             start: plan.problem.start().name.clone(),
             delta_m: plan.problem.delta(),
+            coverage: CoverageRecord::from(&plan.problem),
             turn_rad: plan.problem.scene().borne.turn,
             made_from: MadeFrom::from(&plan.problem),
             linear_solver: chosen.linear_solver.clone(),

@@ -56,7 +56,7 @@ mod tests {
 
     use super::*;
     use crate::refine::tests::in_corner;
-    use crate::success_rates::{SuccessRate, SuccessRates};
+    use crate::success_rates::{OffsetRegion, SuccessRate, SuccessRates};
     use crate::variant::Variant;
 
     /// What is kept after a comparison of a motion that stays at the start with a push to the goal.
@@ -70,6 +70,7 @@ mod tests {
                 rates: SuccessRates(vec![SuccessRate {
                     friction: 0.0,
                     magnitude_m: 0.0,
+                    region: OffsetRegion::Hull,
                     planned: false,
                     rollouts: 2,
                     successes,

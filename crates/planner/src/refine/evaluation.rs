@@ -5,22 +5,19 @@ use std::f64::consts::TAU;
 use fastrand::Rng;
 use nalgebra::Vector3;
 use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
-use task::{AssemblyTask, GraspError};
+use task::{AssemblyTask, Coverage, GraspError};
 
 use crate::problem::Problem;
 use crate::refine::target::RobustnessTarget;
-use crate::success_rates::{SuccessRate, SuccessRates};
+use crate::success_rates::{OffsetRegion, SuccessRate, SuccessRates};
 
-/// Magnitudes of the random offsets, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller has no
-/// margin there but the planned offsets, which are played too.
+/// Magnitudes of the random offsets in a hull, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller
+/// has no margin there but the planned offsets, which are played too. In a disc or a ball there are as many offsets.
 const FRACTIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
 
 /// Errors in every direction that random offsets have on top, as a fraction of delta-hat: what succeeds by a hair in one
 /// simulator does not in another, and planned offsets often lie in a plane.
 const SPREAD: f64 = 0.05;
-
-/// Distance between the seeds of turns and of offsets, which must not depend on each other.
-const TURN_SEED: u64 = 50;
 
 /// Trials that are played before it is asked whether they are enough; independent of the number of threads, so that the
 /// results are, too.
@@ -29,17 +26,18 @@ const BATCH: usize = 24;
 /// So many failures are enough to train on.
 const ENOUGH_FAILURES: usize = 8;
 
-/// Distance between the seeds of errors of the robot and of offsets, likewise.
+/// Distance between the seeds of errors of the robot and of offsets, which must not depend on each other.
 const DISTURBANCE_SEED: u64 = 75;
 
 /// Steps of height and of angle from one [axis](training_axis) to the next: powers of 1 / 1.3247, the root of x^3 = x + 1, which
 /// never repeat and leave no large gaps.
 const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 
-/// Largest errors to be borne: of the grasp, an offset `delta-hat` (m) and a turn (rad); of robot and controller, relative
+/// Largest errors to be borne: of the grasp, offsets of up to `delta-hat` (m) and a turn (rad); of robot and controller, relative
 /// ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
 #[derive(Debug, Clone, Copy)]
 pub struct ErrorRange {
+    coverage: Coverage,
     delta: f64,
     turn: f64,
     inertia: f64,
@@ -52,6 +50,7 @@ impl ErrorRange {
     /// What a plan of a problem must bear.
     pub fn new(problem: &Problem, target: &RobustnessTarget) -> Self {
         Self {
+            coverage: problem.scene().coverage,
             delta: problem.delta(),
             turn: target.turn,
             inertia: target.inertia_error,
@@ -66,7 +65,25 @@ impl ErrorRange {
     fn turns(&self, count: usize, seed: u64) -> Vec<[f64; 3]> {
         let largest =
             |turn: [f64; 3]| Vector3::from(turn).try_normalize(0.0).map_or(turn, |axis| (axis * self.turn).into());
-        offsets::ball(self.turn, count, seed).into_iter().map(largest).collect()
+        offsets::turns(self.turn, count, seed).into_iter().map(largest).collect()
+    }
+
+    /// Random offsets of the planned `offsets`' coverage, of `count` for each of the fractions, in groups that are counted
+    /// together.
+    fn groups(&self, offsets: &[[f64; 3]], count: usize, seed: u64) -> Vec<OffsetGroup> {
+        let Self { coverage, delta, .. } = self;
+        if *coverage == Coverage::Hull {
+            let of_fraction = |(seed, fraction): (u64, &f64)| {
+                let scaled: Vec<[f64; 3]> = offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
+                let offsets = offsets::covered(coverage, &scaled, fraction * delta, count, seed);
+                OffsetGroup { region: OffsetRegion::Hull, magnitude: fraction * delta, offsets }
+            };
+            return (seed..).zip(&FRACTIONS).map(of_fraction).collect();
+        }
+        let mut rim = offsets::covered(coverage, offsets, *delta, FRACTIONS.len() * count, seed);
+        let inside = rim.split_off(offsets::rim_count(rim.len()));
+        let group = |(region, offsets)| OffsetGroup { region, magnitude: *delta, offsets };
+        [(OffsetRegion::Inside, inside), (OffsetRegion::Rim, rim)].map(group).into()
     }
 
     /// A robot, controller and edges within the range, all of them equally likely.
@@ -78,7 +95,14 @@ impl ErrorRange {
     }
 }
 
-/// Trials of a reference, in groups of one friction and magnitude.
+/// Random offsets of one magnitude (m) and region.
+struct OffsetGroup {
+    region: OffsetRegion,
+    magnitude: f64,
+    offsets: Vec<[f64; 3]>,
+}
+
+/// Trials of a reference, in groups of one friction, magnitude and region.
 pub struct Evaluation {
     groups: Vec<SuccessRate>,
     /// The planned grasp errors first, then one of each group in turn: the first ones speak for all.
@@ -106,35 +130,44 @@ impl Judgement {
 }
 
 impl Evaluation {
-    /// At most `count` random offsets per friction and magnitude, each with a turn, errors of robot and controller and round
-    /// edges, and the planned grasp errors without other errors.
+    /// At most `count` random offsets per friction and fraction of delta-hat, each with a turn, errors of robot and
+    /// controller and round edges, and the planned grasp errors without other errors.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
         let delta = range.delta;
         let mut random = Rng::with_seed(seed + DISTURBANCE_SEED);
         let (mut groups, mut placed) = (Vec::new(), Vec::new());
         for (index, &friction) in frictions.iter().enumerate() {
-            let mut add = |magnitude_m: f64, planned: bool, errors: &mut dyn Iterator<Item = GraspError>| {
+            let mut add = |group: SuccessRate, errors: &mut dyn Iterator<Item = GraspError>| {
                 let errors = GraspError::distinct(errors);
                 let trial = |(place, grasp)| {
-                    let disturbance = if planned { Disturbance::default() } else { range.disturbance(&mut random) };
-                    (!planned, place, groups.len(), Trial { friction: index, grasp, disturbance })
+                    let disturbance =
+                        if group.planned { Disturbance::default() } else { range.disturbance(&mut random) };
+                    (!group.planned, place, groups.len(), Trial { friction: index, grasp, disturbance })
                 };
                 placed.extend(errors.into_iter().enumerate().map(trial));
-                groups.push(SuccessRate { friction, magnitude_m, planned, rollouts: 0, successes: 0 });
+                groups.push(group);
             };
-            for (seed, fraction) in (seed..).zip(&FRACTIONS) {
-                let scaled: Vec<[f64; 3]> =
-                    task.grasps.iter().map(|grasp| grasp.offset.map(|c| c * fraction)).collect();
-                let spread = offsets::ball(SPREAD * delta, count, seed);
-                let planned = offsets::hull(&scaled, count, seed);
-                let turns = range.turns(count, seed + TURN_SEED);
+            let group = |region, magnitude_m, planned| SuccessRate {
+                friction,
+                magnitude_m,
+                region,
+                planned,
+                rollouts: 0,
+                successes: 0,
+            };
+            let random_groups = range.groups(&task.offsets(), count, seed);
+            for (seed, OffsetGroup { region, magnitude, offsets }) in (seed..).zip(random_groups) {
+                let spread = offsets::ball(SPREAD * delta, offsets.len(), seed);
+                let turns = range.turns(offsets.len(), seed);
                 let error = |((offset, spread), turn): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
                     offset: std::array::from_fn(|axis| offset[axis] + spread[axis]),
                     turn,
                 };
-                add(fraction * delta, false, &mut planned.into_iter().zip(&spread).zip(turns).map(error));
+                let errors = offsets.into_iter().zip(&spread).zip(turns).map(error);
+                add(group(region, magnitude, false), &mut { errors });
             }
-            add(delta, true, &mut task.grasps.iter().copied());
+            let region = if range.coverage == Coverage::Hull { OffsetRegion::Hull } else { OffsetRegion::Rim };
+            add(group(region, delta, true), &mut task.grasps.iter().copied());
         }
         placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
         let (group, trials) = placed.into_iter().map(|(_, _, group, trial)| (group, trial)).unzip();
@@ -219,16 +252,73 @@ fn training_axis(index: u32) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::Choices;
+    use crate::refine::tests::corner;
 
-    const NO_ERRORS: ErrorRange =
-        ErrorRange { delta: 0.0, turn: 0.0, inertia: 0.0, stiffness: 0.0, delay: 0.0, edge_radius: 0.0 };
+    const NO_ERRORS: ErrorRange = ErrorRange {
+        coverage: Coverage::Hull,
+        delta: 0.0,
+        turn: 0.0,
+        inertia: 0.0,
+        stiffness: 0.0,
+        delay: 0.0,
+        edge_radius: 0.0,
+    };
 
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
-        let group = |planned| SuccessRate { friction: 0.0, magnitude_m: 0.01, planned, rollouts: 0, successes: 0 };
+        let group = |planned| SuccessRate {
+            friction: 0.0,
+            magnitude_m: 0.01,
+            region: OffsetRegion::Hull,
+            planned,
+            rollouts: 0,
+            successes: 0,
+        };
         let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
         Evaluation { groups: vec![group(true), group(false)], trials: vec![trial; numbers.len()], group: numbers }
+    }
+
+    /// What is drawn of a range in a task with two frictions: groups, and offsets of each with how they are counted.
+    fn drawn(range: &ErrorRange, count: usize) -> Vec<(SuccessRate, Vec<Vector3<f64>>)> {
+        let problem = Problem::load(&corner(), &Choices::default()).unwrap();
+        let Evaluation { groups, trials, group } = Evaluation::new(problem.task(), range, &[0.0, 0.3], count, 1);
+        let offsets_of = |index: usize| {
+            let of_group = trials.iter().zip(&group).filter(|(_, of)| **of == index);
+            of_group.map(|(trial, _)| Vector3::from(trial.grasp.offset)).collect()
+        };
+        (0..groups.len()).map(|index| (groups[index].clone(), offsets_of(index))).collect()
+    }
+
+    #[test]
+    fn a_disc_is_evaluated_inside_and_on_its_rim_with_as_many_offsets_as_a_hull() {
+        let axis = [0.0, 0.0, 1.0];
+        let range = ErrorRange { coverage: Coverage::Disc { axis }, delta: 0.01, ..NO_ERRORS };
+        let groups = drawn(&range, 100);
+        let names: Vec<(f64, OffsetRegion, bool, usize)> = groups
+            .iter()
+            .map(|(group, offsets)| (group.friction, group.region, group.planned, offsets.len()))
+            .collect();
+        let of_friction = |friction: f64| {
+            let planned = (friction, OffsetRegion::Rim, true, 2);
+            [(friction, OffsetRegion::Inside, false, 250), (friction, OffsetRegion::Rim, false, 250), planned]
+        };
+        assert_eq!(names, [of_friction(0.0), of_friction(0.3)].concat());
+        for (group, offsets) in groups.iter().filter(|(group, _)| !group.planned) {
+            let across = |offset: &Vector3<f64>| offset.xy().norm();
+            let (least, most) = offsets
+                .iter()
+                .map(across)
+                .fold((f64::INFINITY, 0.0_f64), |(least, most), length| (least.min(length), most.max(length)));
+            assert!(most > 0.0098 && most <= 0.0105 + 1e-12, "{most}");
+            assert_eq!(least > 0.0094, group.region == OffsetRegion::Rim, "{least}");
+            assert!(offsets.iter().all(|offset| offset.z.abs() <= 0.0005 + 1e-12), "the spread");
+            assert_eq!(group.magnitude_m, 0.01);
+        }
+        let training = drawn(&range, 1);
+        let counts: Vec<usize> = training.iter().map(|(_, offsets)| offsets.len()).collect();
+        assert_eq!(counts, [2, 3, 2, 2, 3, 2]);
     }
 
     #[test]

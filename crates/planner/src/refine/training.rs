@@ -139,7 +139,7 @@ mod tests {
 
     use super::*;
     use crate::refine::tests::in_corner;
-    use crate::success_rates::{SuccessRate, SuccessRates};
+    use crate::success_rates::{OffsetRegion, SuccessRate, SuccessRates};
     use crate::variant::Variant;
 
     #[test]
@@ -152,7 +152,14 @@ mod tests {
             let mut extends = |rate: f64, round: usize, vain: usize| {
                 let rollouts = 100;
                 let successes = (rate * rollouts as f64) as usize;
-                let group = SuccessRate { friction: 0.0, magnitude_m: 0.0, planned: false, rollouts, successes };
+                let group = SuccessRate {
+                    friction: 0.0,
+                    magnitude_m: 0.0,
+                    region: OffsetRegion::Hull,
+                    planned: false,
+                    rollouts,
+                    successes,
+                };
                 refiner.best.as_mut().unwrap().rates = SuccessRates(vec![group]);
                 assert_eq!(refiner.extended(running, round, vain), running, "it has time");
                 refiner.extended(over, round, vain) > over

@@ -24,7 +24,7 @@ fn unassembled_success(problem: &Problem) -> Option<String> {
 /// An offset along a direction in which nothing guides the body stays, whatever the plan.
 pub fn free_offset(problem: &Problem) -> Option<String> {
     let (tolerance, engagement) = (problem.success().position, problem.engagement());
-    let offset = engagement.free_offset(problem.task());
+    let offset = engagement.free_offset(problem.task(), &problem.scene().coverage);
     let names: Vec<String> = engagement.free.iter().map(axis_name).collect();
     let axes = names.join(" and ");
     (offset > tolerance).then(|| {

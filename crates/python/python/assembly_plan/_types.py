@@ -38,6 +38,8 @@ class PlayOptions(TypedDict):
     """How a plan is played."""
 
     random: int | None
+    hull: bool
+    disc: bool
     ball: bool
     seed: int
     grid: int | None

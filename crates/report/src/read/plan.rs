@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use planner::explain::LossRecord;
 use planner::files::trajectory::read_tables;
-use planner::files::{MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
-use planner::{PlannerError, Problem, RobustnessTarget, homotopy};
+use planner::files::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
+use planner::{Millimetres, PlannerError, Problem, RobustnessTarget, homotopy};
 use scene::{Borne, Part};
 use simulation::{Injection, Settings, Solid};
 use task::GraspError;
@@ -181,7 +181,8 @@ fn made_from(problem: &Problem, tables: &MotionTables) -> Vec<[String; 2]> {
         ("environment", count(&scene.environment)),
         ("pairs that may touch", format!("{} of {}", scene.pairs.len(), scene.body.len() * scene.environment.len())),
         ("clearance at the goal", format!("{:.3} mm", 1e3 * task.clearance(&task.goal))),
-        ("planned offsets", format!("{} of {:.2} mm", task.grasps.len(), 1e3 * problem.delta())),
+        ("planned offsets", format!("{} of {} mm", task.grasps.len(), Millimetres(problem.delta()))),
+        ("offsets covered", CoverageRecord::from(problem).to_string()),
         ("horizon", format!("{steps} steps of {} s, {time:.2} s", tables.time_step)),
         ("translational stiffness", format!("{:.1} N/m", task.impedance.translational_stiffness)),
         ("rotational stiffness", format!("{:.2} Nm/rad", task.impedance.rotational_stiffness)),

@@ -2,7 +2,7 @@
 
 use super::Absent::{Means, Number as Default, Refused};
 use super::Values::{
-    Choice, Directions, File, FileOrTable, Inertia, Integer, Length, Matrix, Name, Number, NumberOrMatrix,
+    Choice, Direction, Directions, File, FileOrTable, Inertia, Integer, Length, Matrix, Name, Number, NumberOrMatrix,
     NumberOrNumbers, Numbers, Pairs, Quaternion, Table, Tables, Vector, Vectors,
 };
 use super::{Absent, Key, Values};
@@ -12,6 +12,8 @@ use crate::range::Range;
 pub const UNITS: &[&str] = &["m", "cm", "mm", "inch"];
 /// Their lengths (m).
 pub const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
+/// Which offsets are covered where the scene gives no directions.
+pub const COVERAGES: &[&str] = &["disc", "ball"];
 const _: () = assert!(SCALES.len() == UNITS.len());
 
 const COORDINATE: Range = Range::closed(-1e3, 1e3);
@@ -93,8 +95,10 @@ pub const KEYS: &[Key] = &[
     key("impedance", "translational_damping", NumberOrMatrix(DAMPING), "Ns/m", Means("critical damping"), "damping in the world frame: along every axis, along each, or 3x3 matrix"),
     key("impedance", "rotational_damping", Matrix(DAMPING), "Nms/rad", Means("critical damping"), "damping in the body frame: about each axis, or 3x3 matrix"),
 
-    key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be"),
-    key("robustness", "offset_directions", Directions(1..=1000), "", Means("three across the path from the first start to the goal"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset"),
+    key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be: a radius"),
+    key("robustness", "coverage", Choice(COVERAGES), "", Means("`disc`"), "which offsets of up to `offset_magnitude` are covered: all across the insertion (`disc`), or all in any direction (`ball`); not beside `offset_directions`"),
+    key("robustness", "insertion_axis", Direction, "", Means("the straight line from the first start to the goal"), "axis of the disc, in the body frame"),
+    key("robustness", "offset_directions", Directions(1..=1000), "", Means("chosen for `coverage`"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset; covered is their convex hull"),
     key("robustness", "turn", Number(Range::closed(0.0, 1.57)), "rad", Default(0.0), "how far the body may also be rotated in the gripper, about any axis; `--robust` tolerates it"),
     key("robustness", "turn_axes", Directions(1..=1000), "", Means("no turn"), "one for each of `offset_directions`: the axis (body frame) about which the body of the same planned motion is turned by `turn`; `[0, 0, 0]` is no turn"),
     key("robustness", "friction", Numbers(Range::closed(0.0, 10.0), 1..=20), "", Means("`[0, 0.1, 0.3]`"), "Coulomb coefficients of contacts that `--robust` tolerates"),

@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 
 use crate::range::Range;
 
-pub(crate) use declared::{SCALES, UNITS};
+pub(crate) use declared::{COVERAGES, SCALES, UNITS};
 
 /// One key that a file may have.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +46,8 @@ pub enum Values {
     NumberOrNumbers(Range, RangeInclusive<usize>),
     /// A list of three numbers each.
     Vectors(Range, RangeInclusive<usize>),
+    /// Three numbers of norm 1.
+    Direction,
     /// A list of three numbers each, of norm 1 or all zero.
     Directions(RangeInclusive<usize>),
     /// A unit quaternion `[w, x, y, z]`.
@@ -87,6 +89,7 @@ impl fmt::Display for Values {
                 write!(formatter, "number {range}, or list of {} such numbers", count(entries))
             }
             Self::Vectors(range, entries) => write!(formatter, "list of {} times 3 numbers {range}", count(entries)),
+            Self::Direction => formatter.write_str("3 numbers of norm 1"),
             Self::Directions(entries) => {
                 write!(formatter, "list of {} times 3 numbers of norm 1, or `[0, 0, 0]`", count(entries))
             }

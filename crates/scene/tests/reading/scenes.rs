@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, resolved};
-use task::{Limits, Scenario};
+use task::{Coverage, Limits, Scenario};
 
 use crate::support::{SCENE, folder, parse, replaced};
 
@@ -37,14 +37,55 @@ fn a_scene_may_leave_controller_horizon_and_directions_to_the_program() {
     let scene = parse(&format!("{begin}[robustness]\noffset_magnitude = 0.02\n")).unwrap();
     assert_eq!(scene.chosen.len(), 5, "{:?}", scene.chosen);
     assert_eq!((scene.impedance.translational_stiffness, scene.horizon.steps), (50.0, 99));
-    assert!(scene.offset_directions.iter().all(|direction| direction[2] == 0.0), "across the way from the start");
+    assert_eq!(scene.coverage, Coverage::Disc { axis: [0.0, 0.0, 1.0] }, "across the way from the start");
     let text = resolved(&scene, &scene.starts[0], scene.offset_magnitude, &default_homotopy());
     let again = parse(&text).unwrap();
     assert_eq!((again.horizon, again.impedance), (scene.horizon, scene.impedance));
-    assert_eq!((again.offset_directions, again.chosen), (scene.offset_directions, Vec::new()));
+    assert_eq!((again.coverage, again.chosen), (scene.coverage, Vec::new()));
+    assert_eq!(again.offset_directions, scene.offset_directions);
     assert_eq!(parse(&replaced("offset_magnitude = 0.02", "offset_magnitude = 0")).unwrap().chosen, [""; 0]);
     let certain = parse(&format!("{begin}[robustness]\noffset_magnitude = 0\n")).unwrap();
-    assert_eq!(certain.offset_directions, [[0.0; 3]]);
+    assert_eq!(certain.task(None, None).unwrap().offsets(), [[0.0; 3]]);
+}
+
+#[test]
+fn a_resolved_scene_plans_the_same_offsets_from_any_start_at_any_magnitude() {
+    let (begin, _) = SCENE.split_once("[impedance]").unwrap();
+    let tilted = "[[start]]\nname = \"b\"\nposition = [0.05, -0.02, 0.1]\norientation = [1, 0, 0, 0]\n";
+    for (start, keys) in [
+        ("a", ""),
+        ("b", ""),
+        ("b", "coverage = \"ball\"\n"),
+        ("a", "coverage = \"disc\"\ninsertion_axis = [0.48, 0.6, 0.64]\n"),
+        ("a", "insertion_axis = [0.4804, 0.6, 0.64]\n"),
+    ] {
+        let tilted_first = begin.replacen("[[start]]", &format!("{tilted}[[start]]"), 1);
+        for starts in [format!("{begin}{tilted}"), tilted_first] {
+            let scene = parse(&format!("{starts}[robustness]\noffset_magnitude = 0\n{keys}")).unwrap();
+            let start = scene.start(Some(start)).unwrap();
+            for magnitude in [0.0, 0.003] {
+                let again = parse(&resolved(&scene, start, magnitude, &default_homotopy())).unwrap();
+                assert_eq!(again.coverage, scene.coverage);
+                assert_eq!(again.grasps(again.offset_magnitude).unwrap(), scene.grasps(magnitude).unwrap());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_disc_and_a_ball_are_planned_with_offsets_as_long_as_the_magnitude() {
+    let offsets = |coverage: &str| {
+        let scene = parse(&replaced("offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]", coverage)).unwrap();
+        scene.task(None, None).unwrap().offsets()
+    };
+    let axis = [0.48, 0.6, 0.64];
+    let along = |offset: &[f64; 3]| (0..3).map(|index| offset[index] * axis[index]).sum::<f64>();
+    let length = |offset: &[f64; 3]| offset.iter().map(|component| component * component).sum::<f64>().sqrt();
+    let disc = offsets("insertion_axis = [0.48, 0.6, 0.64]");
+    assert!(disc.iter().all(|offset| along(offset).abs() < 1e-12 && (length(offset) - 0.02).abs() < 1e-12));
+    let ball = offsets("coverage = \"ball\"");
+    assert_eq!(ball.len(), 6);
+    assert!(ball.iter().all(|offset| (length(offset) - 0.02).abs() < 1e-12));
 }
 
 #[test]

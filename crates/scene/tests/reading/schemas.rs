@@ -42,6 +42,7 @@ fn all_shipped_files_are_valid() {
 
 const SHAFT: &str = "box = [0.02, 0.02, 0.1]";
 const STIFFNESS: &str = "translational_stiffness = 50.0";
+const DIRECTIONS: &str = "offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]";
 const TITLE: &str = "\n[[body.part]]";
 
 #[test]
@@ -56,6 +57,9 @@ fn what_both_accept_is_accepted() {
         (STIFFNESS, "translational_stiffness = 50\ntranslational_damping = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]"),
         (TITLE, "\ntitle = \"ä\"\n[homotopy]\nmu_rate = 1\n[ipopt]\nmax_iter = 10\n[[body.part]]"),
         ("[0.6, -0.8, 0]", "[0.7071, -0.7071, 0]"),
+        (DIRECTIONS, "coverage = \"ball\""),
+        (DIRECTIONS, "coverage = \"disc\"\ninsertion_axis = [0, 0, 1]"),
+        (DIRECTIONS, "insertion_axis = [0, 0.6, 0.8]"),
     ] {
         let text = replaced(from, to);
         parse(&text).unwrap_or_else(|error| panic!("{error}"));
@@ -85,6 +89,10 @@ fn wrong_scenes_are_refused() {
         (SHAFT, "mesh = \"shaft.stl\""),
         (TITLE, "\n[ipopt]\ntol = 1\n[[body.part]]"),
         (TITLE, "\nhomotopy = \"h.toml\"\n[ipopt]\ntol = 1\n[[body.part]]"),
+        (DIRECTIONS, "offset_directions = [[0, 0, 1]]\ncoverage = \"disc\""),
+        (DIRECTIONS, "offset_directions = [[0, 0, 1]]\ninsertion_axis = [0, 0, 1]"),
+        (DIRECTIONS, "coverage = \"ball\"\ninsertion_axis = [0, 0, 1]"),
+        (DIRECTIONS, "turn_axes = [[0, 0, 1]]"),
         // Values out of range.
         ("steps = 10", "steps = 0"),
         ("time_step = 0.04", "time_step = 11"),

@@ -57,7 +57,7 @@ fn a_problem_that_is_too_large_says_what_to_lower() {
     assert_eq!(large.lines().nth(error.line().unwrap() - 1), Some("steps = 10000"));
     assert!(
         error.message().contains(
-            "10000 steps x 300 offset directions x 1 contact pairs make 3000000 contact forces, more than 1000000: lower \
+            "10000 steps x 300 planned offsets x 1 contact pairs make 3000000 contact forces, more than 1000000: lower \
              horizon.steps, or list fewer robustness.offset_directions or contact.pairs"
         ),
         "{error}"

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use scene::{Axis, FilePair, Scene, SceneError, StarterPoses, StarterValues, keys, scene_schema, starter_scene};
+use task::Coverage;
 
 use crate::support::parse;
 
@@ -110,7 +111,7 @@ fn poses_of_meshes_are_those_of_their_boxes() {
     assert!((task.clearance(&mated) - 0.001).abs() < 1e-6, "the body is where its mesh is, but for a little lift");
     assert!(scene.body[0].shape.center().iter().all(|coordinate| coordinate.abs() < 1e-6));
     assert_eq!((scene.offset_magnitude, scene.limits.contact_force, scene.position_tolerance), (0.001, 60.0, None));
-    assert!(scene.offset_directions.iter().all(|direction| direction[2] == 0.0));
+    assert_eq!(scene.coverage, Coverage::Disc { axis: [0.0, 0.0, 1.0] });
     for (axis, position) in [("-z", [0.1, 0.015, -0.024]), ("+X", [0.15, 0.015, 0.026]), ("-y", [0.1, -0.035, 0.026])] {
         let text = written("my.toml".as_ref(), &pair(folder.path()), &out(axis)).unwrap();
         let start: toml::Table = toml::from_str(&text).unwrap();
