@@ -1,6 +1,6 @@
 //! What came of a plan, in a few lines.
 
-use planner::files::{LimitsRecord, PlanResult};
+use planner::files::{LimitsRecord, MotionRecord, PlanResult};
 use planner::{Millimetres, OffsetRegion, RobustnessReport, SuccessRate, interval, rate};
 
 /// What came of a plan, in a few lines.
@@ -30,8 +30,8 @@ pub fn summary(result: &PlanResult) -> String {
     }
     for (number, scenario) in (1..).zip(&result.scenarios) {
         lines.push(format!(
-            "  scenario {number} ({}): ends {:.2} mm and {:.4} rad from the goal, overlaps at most {:.2} mm, pushes at most \
-             {:.1} N",
+            "  scenario {number} ({}): ends {:.2} mm and {:.4} rad from the goal, overlaps at most {:.2} mm, presses with at \
+             most {:.1} N",
             scenario.grasp,
             1e3 * scenario.position_error_m,
             scenario.orientation_error_rad,
@@ -47,11 +47,25 @@ pub fn summary(result: &PlanResult) -> String {
         "  execute with {:.0} N/m and {:.1} Nm/rad, and the damping of resolved.toml",
         result.gains.translational_stiffness_n_m, result.gains.rotational_stiffness_nm_rad
     ));
+    lines.extend(result.motion.as_ref().map(motion));
     lines.extend(limits(&result.limits, &result.reached));
     let why = result.explanation.iter().flat_map(|explanation| explanation.sentences(result.converged));
     lines.extend(why.map(|sentence| format!("  {sentence}")));
     lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.chosen_stage)));
     lines.join("\n")
+}
+
+/// How a plan moves and how hard it presses.
+fn motion(motion: &MotionRecord) -> String {
+    format!(
+        "  moves for {:.2} s, presses with at most {:.1} N (mean over 10 ms), rotates by up to {:.1} degrees away from the \
+         straight motion, leaves the straight path by up to {:.2} mm ({:.2} mm in free air)",
+        motion.duration_s,
+        motion.max_force_n,
+        motion.rotation.largest.to_degrees(),
+        1e3 * motion.departure.largest,
+        1e3 * motion.free_departure.largest
+    )
 }
 
 /// How much of every limit a plan uses; nothing where there are no limits.

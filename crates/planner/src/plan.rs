@@ -6,6 +6,7 @@ use simulation::Reference;
 use task::{AssemblyTask, Trajectory};
 
 use crate::attempt::AttemptRecord;
+use crate::files::MotionRecord;
 use crate::iteration::PlanIteration;
 use crate::problem::Problem;
 use crate::robustness::RobustnessReport;
@@ -118,6 +119,11 @@ impl Plan {
     /// The motion to track.
     pub fn reference(&self) -> Reference {
         Reference::new(self.trajectory.time_step, &self.trajectory.reference)
+    }
+
+    /// How it moves and how hard it presses.
+    pub fn motion(&self) -> MotionRecord {
+        MotionRecord::new(&self.trajectory, &self.task)
     }
 
     /// Whether all wanted iterations of its own homotopy ran and the one that is the plan found a solution.

@@ -1,7 +1,9 @@
 //! Reference motions, given at knots.
 
-use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use task::{GraspError, Horizon, Limits};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+
+pub use task::pose::{interpolate, isometry};
+use task::{GraspError, Horizon, Limits, StraightMotion};
 
 use crate::bump::Bump;
 
@@ -78,6 +80,26 @@ impl Reference {
             knot.pose.rotation *= UnitQuaternion::from_scaled_axis(bump.turn * weight(index));
         }
         Self { time_step: self.time_step, knots }.with_twists_from(first)
+    }
+
+    /// The reference with what it departs from a straight motion taken back by a share (0 to 1) between two fractions of its
+    /// duration, and by less near these, but for start and end.
+    pub fn straightened(&self, straight: &StraightMotion, part: [f64; 2], share: f64) -> Self {
+        let mut knots = self.knots.clone();
+        let mut first = knots.len();
+        for (index, knot) in knots.iter_mut().enumerate() {
+            let taken = share * inside(index as f64 / self.intervals().max(1) as f64, part);
+            if taken > 0.0 {
+                knot.pose = interpolate(&knot.pose, &straight.nearest(&knot.pose), taken);
+                first = first.min(index);
+            }
+        }
+        Self { time_step: self.time_step, knots }.with_twists_from(first)
+    }
+
+    /// The first intervals, no more than so many.
+    pub fn cut(&self, intervals: usize) -> Self {
+        Self { time_step: self.time_step, knots: self.knots.iter().copied().take(intervals + 1).collect() }
     }
 
     /// The reference, followed by other poses.
@@ -169,18 +191,20 @@ impl Reference {
     }
 }
 
-/// A pose on the straight way between two, turning about one axis.
-pub fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) -> Isometry3<f64> {
-    let position = from.translation.vector.lerp(&to.translation.vector, fraction);
-    // The scaled axis is that of the shorter way, also where the signs of the quaternions differ.
-    let turn = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;
-    Isometry3::from_parts(position.into(), from.rotation * UnitQuaternion::from_scaled_axis(turn))
-}
+/// Fraction of a part of a reference over which a change fades in and out.
+const FADE: f64 = 0.3;
 
-/// A pose as an isometry, from position and quaternion w x y z of any norm.
-pub fn isometry([x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
-    let rotation = UnitQuaternion::new_normalize(Quaternion::new(*w, *i, *j, *k));
-    Isometry3::from_parts(Translation3::new(*x, *y, *z), rotation)
+/// How much of a change of a part applies at a fraction of the duration: it fades out towards the ends of the part, but not
+/// towards those of the reference.
+fn inside(fraction: f64, [from, to]: [f64; 2]) -> f64 {
+    let fade = FADE * (to - from);
+    let ramp = |distance: f64| {
+        let part = (distance / fade).clamp(0.0, 1.0);
+        part * part * (3.0 - 2.0 * part)
+    };
+    let begin = if from > 0.0 { ramp(fraction - from) } else { 1.0 };
+    let end = if to < 1.0 { ramp(to - fraction) } else { 1.0 };
+    begin * end
 }
 
 /// A pose as position and quaternion w x y z.

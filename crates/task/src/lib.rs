@@ -27,6 +27,7 @@ pub mod pose;
 mod quality;
 mod settings;
 mod state;
+mod straight;
 mod task;
 mod trajectory;
 
@@ -39,5 +40,6 @@ pub use overlap::Overlap;
 pub use quality::{Contact, Peak, Quality};
 pub use settings::{Complementarity, HessianKind, HomotopySettings, IpoptOption, IpoptValue, LinearSolver, Smoothing};
 pub use state::{POSE, STATE, TWIST, at_rest, pose_of};
+pub use straight::{Departure, StraightMotion};
 pub use task::{AssemblyTask, ContactPair, CostWeights, Horizon, Scenario, TrajectoryCost};
 pub use trajectory::{ScenarioTrajectory, Trajectory};

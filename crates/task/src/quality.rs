@@ -9,7 +9,7 @@ use crate::task::AssemblyTask;
 pub struct Contact {
     /// Smoothed distance `Phi_tau` (m).
     pub distance: f64,
-    /// Normal force in the step that ends here (N).
+    /// Normal force (N), the mean over the step that ends here.
     pub force: f64,
 }
 
@@ -25,7 +25,8 @@ pub struct Quality {
     /// Largest absolute product of a contact force and the exact distance at the end of its step (N m). It is zero for
     /// hard contact, where only shapes that touch exert forces. `None` when there is no force.
     pub complementarity: Option<Peak>,
-    /// Largest contact force (N).
+    /// Largest contact force (N): of rollouts the mean over [`FORCE_WINDOW`](crate::FORCE_WINDOW), in plans that over a
+    /// step, in which forces are constant.
     pub max_force: f64,
 }
 

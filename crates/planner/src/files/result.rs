@@ -9,6 +9,7 @@ use crate::attempt::AttemptRecord;
 use crate::explain::FailureExplanation;
 use crate::files::coverage::CoverageRecord;
 use crate::files::grasp::GraspRecord;
+use crate::files::motion::MotionRecord;
 use crate::iteration::IterationRecord;
 use crate::or_null;
 use crate::plan::Plan;
@@ -69,6 +70,9 @@ pub struct PlanResult {
     pub gains: Gains,
     /// What the user was warned of.
     pub warnings: Vec<String>,
+    /// How it moves and how hard it presses; plans of earlier versions do not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionRecord>,
     /// Largest components allowed, null where there is no limit.
     pub limits: LimitsRecord,
     /// Largest components of the reference and of all scenarios.
@@ -151,7 +155,7 @@ pub struct ScenarioRecord {
     pub max_complementarity_nm: f64,
     /// Where that is.
     pub max_complementarity_at: Option<Place>,
-    /// Largest contact force.
+    /// Largest contact force, the mean over 10 ms.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
     /// Largest components.
@@ -271,6 +275,7 @@ impl PlanResult {
                 rotational_stiffness_nm_rad: plan.task.impedance.rotational_stiffness,
             },
             warnings: plan.warnings(),
+            motion: Some(plan.motion()),
             limits: plan.task.limits.into(),
             reached: plan.trajectory.keeps().into(),
             max_overlap_m: plan.problem.max_overlap(),

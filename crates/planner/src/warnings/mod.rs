@@ -2,6 +2,7 @@
 
 mod arm;
 mod limits;
+mod motion;
 mod region;
 mod sizes;
 mod smoothing;
@@ -46,6 +47,7 @@ impl Plan {
         if self.robustness.is_none() && self.chosen().record.converged {
             warnings.extend(smoothing::warning(self));
         }
+        warnings.extend(motion::warnings(self));
         warnings.extend(region::warning(self));
         warnings.extend(arm::warnings(self));
         warnings
