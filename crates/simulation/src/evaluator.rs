@@ -43,6 +43,8 @@ pub struct TrialResult {
     /// the orientation error, each as a multiple of its tolerance, plus the excess of forces and torques as fractions of their
     /// limits. At most 60.
     pub miss: f64,
+    /// Largest contact force (N), the mean over 10 ms.
+    pub contact_force: f64,
     /// From where the body ends to its goal (m, world frame); zero when passed.
     pub missing_shift: Vector3<f64>,
     /// The part of this shift that no contact blocks (m, world frame); zero when passed.
@@ -58,6 +60,7 @@ impl TrialResult {
     const PASSED: Self = Self {
         passed: true,
         miss: 0.0,
+        contact_force: 0.0,
         missing_shift: Vector3::new(0.0, 0.0, 0.0),
         unblocked_shift: Vector3::new(0.0, 0.0, 0.0),
         missing_turn: Vector3::new(0.0, 0.0, 0.0),
@@ -185,18 +188,19 @@ impl Evaluator {
 
     /// What an outcome means for a trial.
     fn result(&self, outcome: &Outcome) -> TrialResult {
-        let excess = outcome.loads.excess(&self.limits);
+        let (excess, contact_force) = (outcome.loads.excess(&self.limits), outcome.loads.contact_force);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
-            return TrialResult::PASSED;
+            return TrialResult { contact_force, ..TrialResult::PASSED };
         }
         let shift = outcome.position_error + outcome.unblocked.norm();
         let miss = shift / self.success.position + outcome.orientation_error / self.success.orientation + excess;
         let end = isometry(&outcome.pose);
-        let surplus = 1.0 - self.limits.contact_force / outcome.loads.contact_force;
+        let surplus = 1.0 - self.limits.contact_force / contact_force;
         TrialResult {
             passed: false,
             // The comparison is false for NaN, which becomes the largest miss.
             miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS },
+            contact_force,
             missing_shift: outcome.missing,
             unblocked_shift: outcome.unblocked,
             missing_turn: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),

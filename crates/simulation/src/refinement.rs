@@ -5,6 +5,8 @@
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
 //! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
 
+mod simplify;
+
 use std::cmp::Reverse;
 
 use fastrand::Rng;

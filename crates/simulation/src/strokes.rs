@@ -26,19 +26,23 @@ const COUNT: usize = 5;
 /// Part of the position tolerance by which each stroke goes less far. A body in any band that the first stroke overcomes ends
 /// within half of that from the goal.
 const DECREASE: f64 = 0.8;
+/// Part of the depth to which the parts engage by which strokes pull the body back at most: they must not take it out.
+const DEPTH: f64 = 0.5;
 /// A stroke takes this multiple of `sqrt(mass / stiffness)`, in which the body follows.
 const RESPONSES: f64 = 4.0;
 /// Largest velocity and acceleration of a smooth stroke of one metre in one second.
 const PEAKS: [f64; 2] = [1.5, 6.0];
 
 impl Strokes {
-    /// For a task, where a body that ends within the tolerance succeeds. They keep the limits of translational velocity and
-    /// acceleration. `None` where start and goal are at the same place, or a number is none.
-    pub fn new(task: &AssemblyTask, success: &Success) -> Option<Self> {
+    /// For a task, where a body that ends within the tolerance succeeds, and the environment guides it up to some depth (m)
+    /// from the goal, infinite where nothing does. They stay within half of that, and keep the limits of translational velocity
+    /// and acceleration. `None` where start and goal are at the same place, the depth is zero, or a number is none.
+    pub fn new(task: &AssemblyTask, success: &Success, depth: f64) -> Option<Self> {
         let position = |pose: &[f64; 7]| Vector3::new(pose[0], pose[1], pose[2]);
         let goal = position(&task.goal);
         let direction = Unit::try_new(goal - position(&task.start), success.position)?;
-        let decrease = DECREASE * success.position;
+        // The longest stroke back is the second.
+        let decrease = (DECREASE * success.position).min(DEPTH * depth / (COUNT - 1) as f64);
         let mass = direction.dot(&(task.inertia.translational() * *direction));
         let response = RESPONSES * (mass / task.impedance.translational_stiffness).sqrt();
         // From one side of the goal to the other.
@@ -47,7 +51,7 @@ impl Strokes {
         let duration = response
             .max(velocity / task.limits.translational_velocity)
             .max((acceleration / task.limits.translational_acceleration).sqrt());
-        duration.is_finite().then_some(Self { goal, direction, decrease, duration })
+        (decrease > 0.0 && duration.is_finite()).then_some(Self { goal, direction, decrease, duration })
     }
 
     /// Shifts (m, world frame) from the last position of a reference with knots `time_step` seconds apart, one for each
@@ -81,7 +85,8 @@ impl Reference {
 
 #[cfg(test)]
 mod tests {
-    use task::{Horizon, at_rest};
+    use nalgebra::Matrix3;
+    use task::{CostWeights, GraspError, Horizon, Impedance, Inertia, Limits, TrajectoryCost, at_rest};
 
     use super::*;
 
@@ -132,6 +137,46 @@ mod tests {
         for pair in states[20..].windows(2) {
             assert!((pair[1][0] - pair[0][0] - 0.02 * pair[1][7]).abs() < 1e-12, "velocities lead from knot to knot");
         }
+    }
+
+    /// A body of 1 kg that is put in along x.
+    fn insertion(limits: Limits) -> AssemblyTask {
+        let weights = CostWeights {
+            translational_velocity: 1.0,
+            rotational_velocity: 1.0,
+            terminal_position: 1.0,
+            terminal_orientation: 1.0,
+        };
+        let inertia = Inertia::of_body(1.0, Matrix3::from_diagonal_element(0.1));
+        let mut start = GOAL;
+        start[0] = 0.0;
+        AssemblyTask {
+            impedance: Impedance::critically_damped(1000.0, 20.0, &inertia),
+            inertia,
+            pairs: Vec::new(),
+            frictions: vec![0.0],
+            start,
+            goal: GOAL,
+            grasps: vec![GraspError::default()],
+            horizon: Horizon { steps: 20, time_step: 0.02 },
+            cost: TrajectoryCost { reference: weights, compliant: weights },
+            limits,
+        }
+    }
+
+    #[test]
+    fn they_never_pull_a_body_out_of_what_guides_it() {
+        for depth in [1e-4, 1.8e-3, 7.5e-3, 0.02, f64::INFINITY] {
+            for position in [5e-4, 3e-3, 0.01] {
+                let strokes =
+                    Strokes::new(&insertion(Limits::NONE), &Success { position, ..Success::default() }, depth);
+                let reference = push().with_strokes(&strokes.unwrap());
+                let lowest = reference.positions().skip(20).map(|[x, ..]| x - GOAL[0]).fold(0.0, f64::min);
+                let expected = -(0.5 * depth).min(3.2 * position);
+                assert!((lowest - expected).abs() < 1e-12, "{lowest} of {expected} m");
+            }
+        }
+        assert_eq!(Strokes::new(&insertion(Limits::NONE), &Success::default(), 0.0), None);
     }
 
     #[test]

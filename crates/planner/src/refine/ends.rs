@@ -4,7 +4,7 @@ use simulation::{Reference, Refinement, Strokes};
 
 use crate::iteration::PlanIteration;
 use crate::problem::Problem;
-use crate::refine::candidate::Candidate;
+use crate::refine::candidate::{Candidate, Kept};
 use crate::refine::clock::Deadline;
 use crate::refine::race::{FIRST, Winner, race};
 use crate::refine::{Refiner, RobustnessTarget};
@@ -12,7 +12,7 @@ use crate::robustness::Round;
 use crate::variant::Variant;
 
 /// Added to the name of a plan whose reference ends with strokes.
-const WITH_STROKES: &str = ", with strokes at the end";
+pub const WITH_STROKES: &str = ", with strokes at the end";
 
 /// The best of several references in the training trials.
 pub struct Best {
@@ -26,7 +26,13 @@ pub struct Best {
 pub fn strokes(problem: &Problem, target: &RobustnessTarget) -> Option<Strokes> {
     let holds = problem.arm().is_some_and(|arm| arm.joint_friction.iter().any(|torque| *torque > 0.0));
     let are_wanted = holds || target.largest_friction() > 0.0;
-    if are_wanted { Strokes::new(problem.task(), &problem.success()) } else { None }
+    let depth = problem.engagement().depth_m.unwrap_or(f64::INFINITY);
+    if are_wanted { Strokes::new(problem.task(), &problem.success(), depth) } else { None }
+}
+
+/// Whether a plan's reference is longer than its horizon.
+pub fn has_strokes(plan: &Kept) -> bool {
+    plan.reference.intervals() > plan.variant.task.horizon.steps
 }
 
 impl<'run> Refiner<'run> {

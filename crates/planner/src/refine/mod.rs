@@ -25,6 +25,7 @@ mod portfolio;
 mod push;
 mod race;
 mod resume;
+mod simplify;
 mod target;
 mod training;
 mod variants;
@@ -186,7 +187,8 @@ impl<'run> Refiner<'run> {
 
     /// Refines the plan of the scene; where that is given up, a straight push; after each of the two the best so far again, if
     /// it is nearly robust; then the plans of other problems, and the best once more, while there is time. With an arm,
-    /// no push is refined. What is not robust then is the best of the latest in a comparison; what is robust gets margins.
+    /// no push is refined. What is not robust then is the best of the latest in a comparison; what is robust is simplified, or
+    /// gets margins.
     fn run(&mut self, plan: Plan) -> Result<Kept, PlannerError> {
         let homotopy = plan.iterations.clone();
         let solving = homotopy.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
@@ -202,6 +204,7 @@ impl<'run> Refiner<'run> {
         self.refine_variants(solving)?;
         self.refine_again()?;
         self.compare_latest()?;
+        self.simplify()?;
         self.add_margins()?;
         self.take_best()
     }

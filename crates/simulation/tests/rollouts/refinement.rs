@@ -3,11 +3,13 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
-use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Rollout, Settings, Success, Trial};
-use task::{GraspError, Horizon};
+use simulation::{
+    Bump, Disturbance, Evaluator, Reference, Refinement, Rollout, Settings, Strokes, Success, Trial, TrialResult,
+};
+use task::{GraspError, Horizon, StraightMotion, pose_of};
 use workers::Workers;
 
-use crate::world::{STIFFNESS, block, floor, hole, task, through};
+use crate::world::{STIFFNESS, at_rest, block, floor, hole, task, through};
 
 const WIDTH: f64 = 0.04;
 
@@ -218,4 +220,73 @@ fn a_change_that_is_stopped_under_way_leaves_no_trace() {
         assert!(!is_changed && is_same, "no rollout is whole after {calls} intervals");
     }
     assert!((0..100).any(|_| refinement.improve(&|| false)), "it goes on as if nothing had been");
+}
+
+/// Straight down from 12 cm above the goal, 25 knots; on the last 4 cm the block is in the hole.
+fn down() -> Reference {
+    through(&[[0.0, 0.0, 0.12], [0.0; 3]], 2.0)
+}
+
+/// The same with a turn of up to 0.6 rad and a detour of up to 1 cm in free air.
+fn bent_in_free_air() -> Reference {
+    let mut states = down().states();
+    for (knot, state) in states.iter_mut().enumerate().take(11) {
+        let bend = (std::f64::consts::PI * knot as f64 / 10.0).sin().powi(2);
+        state[0] = 0.01 * bend;
+        (state[3], state[6]) = ((0.3 * bend).cos(), (0.3 * bend).sin());
+    }
+    Reference::new(down().time_step(), &states)
+}
+
+/// A reference that passes all trials, simplified with the straight motion to another place.
+fn simplified(reference: Reference, goal: [f64; 3], intervals: usize) -> Reference {
+    let evaluator = evaluator();
+    let results = |reference: &Reference| evaluator.evaluate_all(reference, &trials(), &|| false).unwrap();
+    let before = results(&reference);
+    assert!(before.iter().all(|result| result.passed), "{before:?}");
+    let mut refinement = Refinement::new(&evaluator, reference, trials(), before.clone(), 1);
+    let straight = StraightMotion::new(&pose_of(&down().states()[0]), &pose_of(&at_rest(goal)));
+    refinement.simplify(&straight, intervals, &|| false);
+    let simpler = refinement.reference().clone();
+    let after = results(&simpler);
+    assert!(after.iter().all(|result| result.passed), "what passed still does: {after:?}");
+    assert!(largest_force(&after) <= largest_force(&before), "{after:?} {before:?}");
+    simpler
+}
+
+fn largest_force(results: &[TrialResult]) -> f64 {
+    results.iter().map(|result| result.contact_force).fold(0.0, f64::max)
+}
+
+/// The largest rotation (rad) and distance (m) from straight down.
+fn departures(reference: &Reference) -> (f64, f64) {
+    let straight = StraightMotion::new(&pose_of(&down().states()[0]), &pose_of(&at_rest([0.0; 3])));
+    let departures = reference.states().into_iter().map(|state| straight.departure(&pose_of(&state)));
+    departures.fold((0.0, 0.0), |(rotation, distance), departure| {
+        (departure.rotation.max(rotation), departure.distance.max(distance))
+    })
+}
+
+#[test]
+fn bends_in_free_air_are_taken_back() {
+    let bent = bent_in_free_air();
+    assert!(departures(&bent).0 > 0.59 && departures(&bent).1 > 9e-3);
+    let simpler = simplified(bent, [0.0; 3], 25);
+    assert!(departures(&simpler).0 < 1e-9 && departures(&simpler).1 < 1e-9, "{:?}", departures(&simpler));
+}
+
+#[test]
+fn bends_that_are_needed_stay() {
+    // The straight motion ends beside the hole.
+    let simpler = simplified(bent_in_free_air(), [0.01, 0.0, 0.0], 25);
+    assert!(simpler.positions().last().unwrap()[0] < 0.006);
+}
+
+#[test]
+fn strokes_that_no_trial_needs_are_cut_off() {
+    let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
+    world.start[2] = 0.12;
+    let strokes = Strokes::new(&world, &Success::default(), 0.04).unwrap();
+    let simpler = simplified(down().with_strokes(&strokes), [0.0; 3], down().intervals());
+    assert_eq!(simpler.intervals(), down().intervals());
 }

@@ -26,7 +26,7 @@ fn a_block_that_walls_hold_back_reaches_its_goal_with_strokes() {
     let world = insertion();
     // It is pressed against a wall and pushed down.
     let push = through(&[[0.0, 0.0, 0.03], [0.015, 0.0, 0.03], [0.015, 0.0, 0.0]], 1.0);
-    let reference = push.with_strokes(&Strokes::new(&world, &Success::default()).unwrap());
+    let reference = push.with_strokes(&Strokes::new(&world, &Success::default(), f64::INFINITY).unwrap());
     let tolerance = Success::default().position;
     for friction in [0.0, 0.1, 0.3, 0.6] {
         let (plain, with_strokes) = (error(&world, &push, friction), error(&world, &reference, friction));
@@ -39,7 +39,7 @@ fn a_block_that_walls_hold_back_reaches_its_goal_with_strokes() {
 fn strokes_keep_the_limits() {
     let mut world = insertion();
     let kept_with = |world: &AssemblyTask| {
-        let strokes = Strokes::new(world, &Success::default()).unwrap();
+        let strokes = Strokes::new(world, &Success::default(), f64::INFINITY).unwrap();
         let reference = Reference::new(0.04, &[at_rest([0.0; 3])]).with_strokes(&strokes);
         (reference.limits_kept(), reference.intervals())
     };
@@ -59,5 +59,5 @@ fn strokes_keep_the_limits() {
 fn without_a_way_from_start_to_goal_there_are_none() {
     let mut world = insertion();
     world.start = world.goal;
-    assert_eq!(Strokes::new(&world, &Success::default()), None);
+    assert_eq!(Strokes::new(&world, &Success::default(), f64::INFINITY), None);
 }
