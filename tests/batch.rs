@@ -85,18 +85,18 @@ fn a_manifest_comes_from_flags_or_a_file_and_never_changes() {
 fn a_finished_batch_is_collected_and_not_solved_again() {
     let dir = folder();
     let line = "corner.toml --starts 1,3 --deltas 0,0.01 --jobs 2 --out runs/corner";
-    batch(&dir, line, 0).says("4/4 cells done, 0 failed");
+    batch(&dir, line, 0).says("4/4 cells planned, 0 failed");
     let solved = finished(&dir, "runs/corner");
     assert_eq!(dir.read("runs/corner/cells.csv").lines().count(), 5);
     let collected = dir.json("runs/corner/cells.json");
     assert_eq!(collected[3]["result"]["start"], "3");
-    assert_eq!(collected[3]["state"], "done");
+    assert_eq!(collected[3]["state"], "planned");
 
     batch(&dir, line, 0)
-        .says("nothing to do: all 4 cells are finished, 4 done, 0 failed")
+        .says("nothing to do: all 4 cells are finished, 4 planned, 0 failed")
         .keeps_silent_about("written");
     assert_eq!(finished(&dir, "runs/corner"), solved);
-    batch(&dir, "status runs/corner", 0).says("4 cells: 4 done, 0 running, 0 failed, 0 to do");
+    batch(&dir, "status runs/corner", 0).says("4 cells: 4 planned, 0 running, 0 failed, 0 to do");
 
     // A batch that has moved with its scenes is the same one.
     dir.make_folder("moved");
@@ -140,7 +140,7 @@ fn a_terminated_batch_goes_on_with_the_homotopy_iteration_it_had_reached() {
     run.signal("TERM");
     run.finish().code(130).says("interrupted with 2 cells to do");
     assert_eq!(finished(&dir, "runs"), [None, None]);
-    batch(&dir, "status runs", 0).says("2 cells: 0 done, 0 running, 0 failed, 2 to do");
+    batch(&dir, "status runs", 0).says("2 cells: 0 planned, 0 running, 0 failed, 2 to do");
 
     batch(&dir, "run runs --jobs 1", 0);
     let log = dir.read(cell.join("log.txt"));
@@ -164,10 +164,10 @@ fn failing_cells_are_named_and_stop_no_other() {
     let dir = folder();
     let line = "corner.toml --starts 1,2 --homotopies hasty.toml,homotopy.toml --out runs";
     batch(&dir, line, 1)
-        .says("2/4 cells done, 2 failed")
+        .says("2/4 cells planned, 2 failed")
         .says("failed: cell 0 (corner, start 1, delta 0.02, hasty): homotopy iteration 5: iteration limit reached")
         .says("failed: cell 2 (corner, start 2, delta 0.02, hasty)");
-    batch(&dir, line, 1).says("nothing to do: all 4 cells are finished, 2 done, 2 failed").says("failed: cell 2");
+    batch(&dir, line, 1).says("nothing to do: all 4 cells are finished, 2 planned, 2 failed").says("failed: cell 2");
 
     // Cells whose scene is gone or another one since crash; those that are finished do not care.
     batch(&dir, "expand corner.toml slow.toml --out changed", 0);
@@ -178,7 +178,7 @@ fn failing_cells_are_named_and_stop_no_other() {
     batch(&dir, "run changed", 1)
         .says("failed: cell 1 (slow, start 1, delta 0.02)")
         .says("is not the one of the manifest");
-    batch(&dir, "status changed", 0).says("2 cells: 1 done, 0 running, 1 failed, 0 to do");
+    batch(&dir, "status changed", 0).says("2 cells: 1 planned, 0 running, 1 failed, 0 to do");
     batch(&dir, "collect changed", 0);
     dir.write("slow.toml", scene);
     batch(&dir, "run changed", 0);
@@ -220,11 +220,11 @@ fn a_cell_that_has_lost_a_file_is_no_finished_one() {
     dir.remove(&lost);
     let words = "stages/2/wrench.csv: belongs to the plan and cannot be read";
     batch(&dir, "status runs", 0)
-        .says("2 cells: 1 done, 0 running, 1 failed, 0 to do")
+        .says("2 cells: 1 planned, 0 running, 1 failed, 0 to do")
         .says("failed: cell 1")
         .says(words);
     batch(&dir, "collect runs", 0);
-    assert_eq!(dir.table("runs/cells.csv").column("state"), ["done", "failed"]);
+    assert_eq!(dir.table("runs/cells.csv").column("state"), ["planned", "failed"]);
     assert_eq!(dir.json("runs/cells.json")[1]["result"], Value::Null);
     batch(&dir, "run runs", 1).says("failed: cell 1").says(words);
     // A changed one neither.

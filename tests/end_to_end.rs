@@ -10,7 +10,7 @@ const STATE: &str = "px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy
 #[test]
 fn a_plan_is_written_with_all_its_files() {
     let dir = Dir::new();
-    let run = dir.run("solve corner.toml --out out").code(0).says("corner: done");
+    let run = dir.run("solve corner.toml --out out").code(0).says("corner: planned, not tested");
     let progress = run.stderr.lines().filter(|line| line.starts_with("homotopy iteration ")).count();
     assert_eq!(progress, 5, "one line per homotopy iteration off a terminal");
     assert!(run.stderr.contains("homotopy iteration 1 of at most 5 (tau "), "{}", run.stderr);
@@ -33,7 +33,7 @@ fn a_plan_is_written_with_all_its_files() {
     }
     assert!(!dir.exists(".out.unfinished"), "a whole plan leaves nothing unfinished");
     let result = dir.result("out");
-    assert_eq!((&result["status"], &result["done"]), (&"done".into(), &true.into()));
+    assert_eq!((&result["status"], &result["outcome"]), (&"planned, not tested".into(), &"planned".into()));
     assert_eq!(result["linear_solver"], "stage");
     assert!((number(&result, "objective") / 0.1886 - 1.0).abs() < 0.02);
     assert!((number(&result, "time_step_s") - 0.08).abs() < 1e-12);
@@ -143,7 +143,7 @@ fn the_first_homotopy_iterations_have_half_of_the_steps() {
             (last - 61.0 * 0.0262).abs() < 1e-9 && (last / steps as f64 - number(stage, "time_step_s")).abs() < 1e-9
         );
     }
-    assert_eq!((dir.table("out/reference.csv").rows.len(), &result["done"]), (62, &true.into()));
+    assert_eq!((dir.table("out/reference.csv").rows.len(), &result["planned"]), (62, &true.into()));
     assert!((number(&result, "objective") / number(&all_steps, "objective") - 1.0).abs() < 1e-3, "the same optimum");
     let reached = |key: &str| number(&result["reached"], key);
     assert!((0.039_9..0.040_000_1).contains(&reached("translational_velocity_m_s")), "{}", result["reached"]);
@@ -205,7 +205,10 @@ fn where_the_default_misses_the_goal_another_homotopy_is_tried() {
     let attempts = list(&result, "attempts");
     assert_eq!(attempts.len(), 2);
     assert!(attempts[0]["status"].as_str().unwrap().starts_with("given up after homotopy iteration 3"), "{attempts:?}");
-    assert!(number(&attempts[0], "position_error_m") > 3e-3 && attempts[1]["status"] == "done", "{attempts:?}");
+    assert!(
+        number(&attempts[0], "position_error_m") > 3e-3 && attempts[1]["status"] == "planned, not tested",
+        "{attempts:?}"
+    );
     // What was chosen is in resolved.toml, which begins with it.
     dir.run("solve out/resolved.toml --out again").code(0).keeps_silent_about("trying");
     let objective = |out: &str| number(&dir.result(out), "objective");
@@ -307,7 +310,7 @@ fn a_part_from_cad_is_planned_with_nothing_but_its_unit() {
     let part = "[[environment.part]]\nname = \"corner\"\nmesh = \"corner.obj\"\nunit = \"mm\"\n\n[[start]]";
     dir.write("cad.toml", format!("{head}{part}{tail}"));
     dir.run("check cad.toml").code(0).says("2 convex parts").says("corner.2").keeps_silent_about("no path");
-    dir.run("solve cad.toml --out out").code(0).says("done");
+    dir.run("solve cad.toml --out out").code(0).says("planned, not tested");
     let pairs: Vec<String> = dir.table("out/contacts.csv").rows.iter().map(|row| row[2].clone()).collect();
     assert!(pairs.contains(&"box/corner.1".to_owned()) && pairs.contains(&"box/corner.2".to_owned()));
 }
@@ -333,7 +336,7 @@ fn links_of_models_are_planned_like_other_parts() {
     dir.write("model.toml", format!("{head}{part}{tail}"));
     let check = dir.run("check model.toml").code(0).says("link of `corner`: corner.sdf").keeps_silent_about("no path");
     check.says("corner.1               floor, up to 0.0000 mm from it").says("corner.2               wall");
-    dir.run("solve model.toml --out out").code(0).says("done");
+    dir.run("solve model.toml --out out").code(0).says("planned, not tested");
     let pairs: Vec<String> = dir.table("out/contacts.csv").rows.iter().map(|row| row[2].clone()).collect();
     assert!(pairs.contains(&"box/corner.1".to_owned()) && pairs.contains(&"box/corner.2".to_owned()));
 }
@@ -353,5 +356,28 @@ fn nobody_has_to_listen() {
     let mut running = dir.program("solve corner.toml --out out").spawn();
     running.close_streams();
     running.finish().code(0);
-    assert_eq!(dir.result("out")["status"], "done");
+    assert_eq!(dir.result("out")["outcome"], "planned");
+}
+
+#[test]
+fn a_plan_of_the_solver_is_played_and_the_summary_names_the_next_commands() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out out")
+        .code(0)
+        .says("rollouts with hard contact")
+        .says("  friction 0.3: ")
+        .says("a straight push ")
+        .says("run with --robust for a plan")
+        .says("next: `assembly-plan report out` shows it, `assembly-plan export out`");
+    let result = dir.result("out");
+    assert_eq!((&result["planned"], &result["done"]), (&true.into(), &false.into()));
+    assert!(list(&result["tested"], "rates").len() > 3 && result["tested"]["push"]["reached"].is_boolean(), "{result}");
+    dir.run("export out --to csv --out exported").code(0).says("planned, not tested");
+}
+
+#[test]
+fn a_straight_push_that_does_it_too_is_named() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --robust --friction 0 --out out").code(0).says("a straight push does it too");
+    assert_eq!(dir.result("out")["robust"]["push"]["reached"], true);
 }

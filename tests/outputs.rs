@@ -209,7 +209,7 @@ fn inputs_are_never_replaced() {
     dir.run("solve corner.toml --out .").code(0);
     let after = dir.snapshot("");
     assert!(before.iter().all(|(name, content)| after.get(name) == Some(content)));
-    assert_eq!(dir.result(".")["status"], "done");
+    assert_eq!(dir.result(".")["outcome"], "planned");
 }
 
 #[test]

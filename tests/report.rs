@@ -84,7 +84,7 @@ fn a_batch_leads_to_the_pages_of_its_cells() {
     dir.run("batch run runs --index 0").code(0);
     dir.run("report runs").code(0).says("with that of 1 plan;");
     let cells = data(&dir, "runs/report.html")["cells"].clone();
-    assert_eq!((cells[0]["state"].as_str(), cells[1]["state"].as_str()), (Some("done"), Some("to do")));
+    assert_eq!((cells[0]["state"].as_str(), cells[1]["state"].as_str()), (Some("planned"), Some("to do")));
     assert_eq!(cells[1]["page"], Value::Null);
     let page = format!("runs/{}", cells[0]["page"].as_str().unwrap());
     assert_eq!(number(&data(&dir, &page), "result.delta_m"), 0.01);

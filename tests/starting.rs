@@ -2,12 +2,12 @@
 
 use crate::support::Dir;
 
-/// Solves a scene and expects that the plan is done.
+/// Solves a scene and expects that the plan reaches the goal.
 #[track_caller]
 fn solved(dir: &Dir, scene: &str) {
     dir.run(&format!("check {scene}")).code(0).keeps_silent_about("warning");
     dir.run(&format!("solve {scene} --out out")).code(0);
-    assert_eq!(dir.result("out")["status"], "done");
+    assert_eq!(dir.result("out")["outcome"], "planned");
 }
 
 #[test]

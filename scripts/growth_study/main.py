@@ -78,7 +78,7 @@ def panels(rows: list[dict], series: str) -> list[chart.Panel]:
 
     solve_lines = [line("wall", lambda row: row["wall_s"]), line("processor", lambda row: row["cpu_s"])]
     solve = chart.Panel("Whole solve", "time (s)", solve_lines)
-    solve.notes = [f"{row['iterations']:.0f}" + ("" if row["status"] == "done" else "*") for row in rows]
+    solve.notes = [f"{row['iterations']:.0f}" + ("" if row["status"] == "planned, not tested" else "*") for row in rows]
     solve.remark = "numbers: iterations; *: the goal is not reached"
     parts = [per_iteration(part.replace("_", " "), (part,)) for part in measure.SPLIT]
     all_parts = per_iteration("all", measure.SPLIT)

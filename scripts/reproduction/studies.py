@@ -33,7 +33,7 @@ class Cell:
     @property
     def is_done(self) -> bool:
         """Whether the plan converged and every scenario reaches the goal."""
-        return self.state == "done"
+        return self.state == "planned"
 
     @property
     def stages(self) -> list[dict]:

@@ -25,6 +25,8 @@ mod values;
 use std::ffi::OsString;
 use std::io::Write;
 
+use planner::RunClock;
+
 use crate::arguments::Command;
 use crate::console::tell;
 use crate::exit::Exit;
@@ -36,10 +38,11 @@ pub use program::Program;
 ///
 /// Returns the exit code; what help, a wrong usage and some interrupts end, ends the process.
 pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let clock = RunClock::start();
     program.remember();
     let arguments = usage::parse(arguments);
     let outcome = match &arguments.command {
-        Command::Solve(arguments) => solve::run(arguments),
+        Command::Solve(arguments) => solve::run(arguments, clock),
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
         Command::Report(arguments) => report::run(arguments),

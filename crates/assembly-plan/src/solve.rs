@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
 
 use planner::check::refusal;
 use planner::files::{PlanFolder, PlanResult};
-use planner::{PlanStatus, PlannerError, Problem, RobustnessTarget, Session, refine};
+use planner::{Outcome, Plan, PlannerError, Problem, RunClock, Session, Stop, refine};
 
 use crate::arguments::SolveArguments;
 use crate::console::{say, tell};
@@ -17,18 +16,19 @@ use crate::report;
 use crate::summary::summary;
 use crate::values::threads;
 
-/// Plans, writes all files and says what happened.
-pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
-    let problem = Problem::load(&arguments.task.scene, &arguments.choices())?;
+/// Plans, writes all files and says what happened. The clock has begun with the program.
+pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandError> {
+    let clock = clock.limited(arguments.time_limit());
+    let (scene, choices) = (arguments.task.scene.clone(), arguments.choices());
+    let problem = clock.wait_for(move || Problem::load(&scene, &choices)).ok_or(PlannerError::NoTimeToRead)??;
     require_cell(arguments, &problem)?;
     if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&arguments.task.scene, reason).into());
     }
-    let target = arguments.robust_target(problem.scene());
-    target.iter().try_for_each(RobustnessTarget::validate)?;
+    let target = arguments.target(problem.scene());
+    target.validate()?;
     problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
-    let deadline = target.as_ref().and_then(|target| Instant::now().checked_add(target.time_limit));
-    let progress = Progress::new(&arguments.progress)?.until(deadline);
+    let progress = Progress::new(&arguments.progress)?.until(clock.deadline());
     let chosen = problem.chosen();
     if !chosen.is_empty() {
         progress.say(&format!("defaults chosen for this scene: {}", chosen.join(", ")));
@@ -47,33 +47,74 @@ pub fn run(arguments: &SolveArguments) -> Result<Exit, CommandError> {
         stop_with_parent(Arc::clone(&stopped));
     }
     let threads = threads(arguments.jobs);
-    let session = Session { folder: Some(&folder), threads, deadline, ..Session::new(&progress, &stopped) };
+    let session = Session { folder: Some(&folder), threads, clock, ..Session::new(&progress, &stopped) };
     let mut plan = planner::solve(&problem, &session)?;
-    if let Some(target) = &target {
-        plan = refine(plan, target, &session)?;
+    if arguments.robust.robust {
+        plan = refine(plan, &target, &session)?;
     }
-    progress.end();
-    if plan.interrupted {
-        let again = if arguments.resume { "the same command" } else { "the same command with --resume" };
-        match &plan.robustness {
-            Some(report) => tell!(
-                "interrupted while refining, at a success rate of {:.1} %; {again} resumes it",
-                100.0 * report.rate_after
-            ),
-            None => tell!("interrupted in homotopy iteration {}; {again} resumes it", plan.iterations.len()),
-        }
+    if plan.stopped == Some(Stop::User) {
+        progress.end();
+        tell_interrupted(arguments, &plan);
         return Ok(Exit::Interrupted);
     }
+    // Whatever comes of the test, the plan is written.
+    match planner::test(&plan, &target, &session) {
+        Ok(tested) => plan.tested = tested,
+        Err(error) => tell!("warning: the plan could not be tested: {error}"),
+    }
+    let was_interrupted = session.is_interrupted();
+    progress.end();
     plan.own_warnings().iter().for_each(|warning| tell!("warning: {warning}"));
     let result: PlanResult = folder.finish(&plan)?;
-    say!("{}\nwritten to {}", summary(&result), out.display());
+    say!("{}", summary(&result));
+    plan.can_go_on().then(|| say!("{}", going_on(arguments, &out)));
+    say!("written to {}", out.display());
     let page = report::page_of(&out);
     if arguments.report {
         report::write_into(&out)?;
     } else if page.exists() {
         tell!("{} shows an older plan; `assembly-plan report {}` rewrites it", page.display(), out.display());
+    } else {
+        say!("{}", next(&result, &out));
     }
-    Ok(if plan.status() == PlanStatus::Done { Exit::Done } else { Exit::NoPlan })
+    let wanted = if arguments.robust.robust { Outcome::Done } else { Outcome::Planned };
+    Ok(match (was_interrupted, result.outcome == wanted) {
+        (true, _) => Exit::Interrupted,
+        (_, true) => Exit::Done,
+        (_, false) => Exit::NoPlan,
+    })
+}
+
+fn tell_interrupted(arguments: &SolveArguments, plan: &Plan) {
+    let again = if arguments.resume { "the same command" } else { "the same command with --resume" };
+    match &plan.robustness {
+        Some(report) => tell!(
+            "interrupted while refining, at a success rate of {:.1} %; {again} resumes it",
+            100.0 * report.rate_after
+        ),
+        None => tell!("interrupted in homotopy iteration {}; {again} resumes it", plan.iterations.len()),
+    }
+}
+
+/// How another run resumes what the time limit has ended.
+fn going_on(arguments: &SolveArguments, out: &Path) -> String {
+    let robust = if arguments.robust.robust { " --robust" } else { "" };
+    format!(
+        "to resume: assembly-plan solve {}{robust} --resume --out {} --time-limit S, with all other flags as they were",
+        arguments.task.scene.display(),
+        out.display()
+    )
+}
+
+/// The command that follows.
+fn next(result: &PlanResult, out: &Path) -> String {
+    let out = out.display();
+    match result.done || result.planned {
+        true => format!(
+            "next: `assembly-plan report {out}` shows it, `assembly-plan export {out}` writes what a robot reads"
+        ),
+        false => format!("next: `assembly-plan report {out}` shows it"),
+    }
 }
 
 /// A cell of a batch is solved only as the manifest has it.

@@ -1,7 +1,9 @@
 //! What came of a plan, in a few lines.
 
 use planner::files::{LimitsRecord, MotionRecord, PlanResult};
-use planner::{Millimetres, OffsetRegion, RobustnessReport, SuccessRate, interval, rate};
+use planner::{
+    Millimetres, OffsetRegion, PushReport, RobustnessReport, SuccessRate, SuccessRates, TestReport, interval, rate,
+};
 
 /// What came of a plan, in a few lines.
 pub fn summary(result: &PlanResult) -> String {
@@ -52,6 +54,13 @@ pub fn summary(result: &PlanResult) -> String {
     let why = result.explanation.iter().flat_map(|explanation| explanation.sentences(result.converged));
     lines.extend(why.map(|sentence| format!("  {sentence}")));
     lines.extend(result.robust.iter().flat_map(|report| robustness(report, result.chosen_stage)));
+    lines.extend(result.tested.iter().flat_map(tested));
+    let push = result.robust.iter().flat_map(|report| &report.push).chain(result.tested.iter().map(|test| &test.push));
+    lines.extend(push.map(straight_push));
+    if result.planned {
+        lines
+            .push("  run with --robust for a plan that succeeds in rollouts with hard contact and friction".to_owned());
+    }
     lines.join("\n")
 }
 
@@ -90,17 +99,40 @@ fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
         report.wall_s,
         changes(report, planned)
     )];
-    lines.extend(report.after.by_friction().map(|groups| {
-        let listed: Vec<String> = groups.iter().map(group).collect();
-        let [low, high] = interval(groups).map(|bound| 100.0 * bound);
-        let (friction, percent) = (groups[0].friction, 100.0 * rate(groups));
-        format!("  friction {friction}: {percent:.1} % (95 % confidence: {low:.1} to {high:.1}): {}", listed.join(", "))
-    }));
-    if !report.planned_offsets_succeed() {
+    lines.extend(by_friction(&report.after));
+    if report.unplayed == 0 && !report.planned_offsets_succeed() {
         lines.push("  not every planned offset reaches the goal".to_owned());
     }
     lines.extend(report.loss.iter().flat_map(|loss| loss.sentences().map(|sentence| format!("  {sentence}"))));
     lines
+}
+
+/// How a plan does that nothing has refined.
+fn tested(report: &TestReport) -> Vec<String> {
+    let mut lines =
+        vec![format!("played in {} rollouts with hard contact, {:.1} s:", report.rates.rollouts(), report.wall_s)];
+    lines.extend(by_friction(&report.rates));
+    lines
+}
+
+fn straight_push(push: &PushReport) -> String {
+    match push.reached {
+        true => "  a straight push does it too: it succeeds in the same rollouts".to_owned(),
+        false => format!(
+            "  a straight push succeeds in {:.1} % of {} of the same rollouts",
+            100.0 * push.rates.overall(),
+            push.rates.rollouts()
+        ),
+    }
+}
+
+fn by_friction(rates: &SuccessRates) -> impl Iterator<Item = String> {
+    rates.by_friction().map(|groups| {
+        let listed: Vec<String> = groups.iter().map(group).collect();
+        let [low, high] = interval(groups).map(|bound| 100.0 * bound);
+        let (friction, percent) = (groups[0].friction, 100.0 * rate(groups));
+        format!("  friction {friction}: {percent:.1} % (95 % confidence: {low:.1} to {high:.1}): {}", listed.join(", "))
+    })
 }
 
 fn group(group: &SuccessRate) -> String {

@@ -121,7 +121,7 @@ fn hash_of_result(plan: &StoredPlan) -> Result<String, PlannerError> {
 
 /// Refuses a plan that does not do what was asked for, unless it is wanted anyway.
 fn require_done(plan: &StoredPlan, anyway: bool) -> Result<(), PlannerError> {
-    if plan.result.done || anyway {
+    if plan.result.done || plan.result.planned || anyway {
         return Ok(());
     }
     let advice = "a robot should not play it; solve again, or export it with --anyway";

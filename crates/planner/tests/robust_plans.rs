@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use planner::files::{PlanResult, StateRow, read_csv, trajectory};
 use planner::{
-    Choices, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Variant, refine, refine_reference, solve,
+    Choices, Cut, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Stop, Variant, refine, refine_reference,
+    solve,
 };
 use simulation::{Reference, Success};
 use task::{STATE, TWIST};
@@ -134,7 +135,10 @@ fn a_limit_that_the_solve_has_used_up_leaves_the_plan_unjudged() {
     let plan = refined(0.1, &target);
     let report = plan.robustness.as_ref().unwrap();
     assert!(report.after.0.iter().all(|group| group.rollouts == 0));
-    assert_eq!((report.rate_after, report.is_reached(), plan.status()), (0.0, false, PlanStatus::NotRobust));
+    assert_eq!((report.rate_after, report.is_reached()), (0.0, false));
+    assert_eq!(plan.status(), PlanStatus::OutOfTime(Cut::Evaluation { played: 0, of: 502 }));
+    assert_eq!(plan.status().to_string(), "out of time: the time limit ended before the plan was tested");
+    assert!(report.push.is_none() && plan.can_go_on() && plan.explanation().is_none());
 }
 
 #[test]
@@ -191,22 +195,27 @@ fn status_and_success_never_contradict_each_other() {
         let success = Success { position, ..Success::default() };
         let plain = Plan { problem: corner(success), ..FINE.clone() };
         let cut = Plan { iterations: plain.iterations[..1].to_vec(), ..plain.clone() };
-        let interrupted = Plan { interrupted: true, ..plain.clone() };
+        let interrupted = Plan { stopped: Some(Stop::User), ..plain.clone() };
         robust.into_iter().chain([plain, cut, interrupted])
     });
-    let (mut done, mut missed) = (0, 0);
+    let (mut done, mut planned, mut missed) = (0, 0, 0);
     for plan in plans {
         let (status, result) = (plan.status(), result(&plan));
-        assert_eq!(result.done, status == PlanStatus::Done);
+        assert_eq!((result.done, result.planned), (status == PlanStatus::Done, status == PlanStatus::Planned));
+        assert_eq!(result.outcome, status.outcome());
         assert_eq!(result.status, status.to_string());
-        assert!(!result.done || result.goal_reached && result.converged, "{status} {result:?}");
+        let is_good = result.done || result.planned;
+        assert!(!is_good || result.goal_reached && result.converged, "{status} {result:?}");
+        assert_eq!(result.done, result.done && result.robust.is_some(), "what nobody has played is not done");
         assert!(status != PlanStatus::GoalMissed || !result.goal_reached && result.converged, "{status}");
         assert!(!matches!(status, PlanStatus::NotConverged { .. }) || !result.converged, "{status}");
         if let Some(report) = &result.robust {
             assert_eq!(report.reached, result.done);
         }
         done += usize::from(result.done);
+        planned += usize::from(result.planned);
         missed += usize::from(status == PlanStatus::GoalMissed);
     }
-    assert!(done > 3 && missed > 1, "{done} done, {missed} missed: not all statuses are seen");
+    let seen = (done, planned, missed);
+    assert!(done > 3 && planned > 1 && missed > 1, "{seen:?} done, planned, missed: not all statuses are seen");
 }

@@ -1,7 +1,7 @@
 //! What is chosen of a scene and how it is solved and simulated: dictionaries of the package, whose values all are there.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use ::scene::{Scene, Source, parse_homotopy};
 use planner::files::PlanFolder;
@@ -95,7 +95,7 @@ impl RobustOptions {
     ///
     /// # Errors
     /// When a value is out of its range.
-    pub fn target(self, scene: &Scene) -> Result<(RobustnessTarget, Option<Instant>), PlannerError> {
+    pub fn target(self, scene: &Scene) -> Result<RobustnessTarget, PlannerError> {
         /// More than anyone waits (s).
         const MOST: f64 = 1e7;
         if !(self.time_limit > 0.0 && self.time_limit <= MOST) {
@@ -111,8 +111,7 @@ impl RobustOptions {
             ..own
         };
         target.validate()?;
-        let deadline = Instant::now().checked_add(target.time_limit);
-        Ok((target, deadline))
+        Ok(target)
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ::scene::{Part, Source};
 use planner::check::{explain, pair_reports, refusal};
-use planner::{PlannerError, Session, refine};
+use planner::{PlannerError, RobustnessTarget, RunClock, Session, Stop, refine};
 use pyo3::prelude::*;
 use serde::Serialize;
 use serde_json::json;
@@ -114,6 +114,7 @@ fn solve(
     robust: Option<RobustOptions>,
     watch: &Watch,
 ) -> Result<Plan, PlannerError> {
+    let clock = RunClock::start();
     let inputs = [Some(read.file.clone()), choices.homotopy.clone()];
     let problem = choices.problem(&read.scene, &read.file)?;
     if let Some(reason) = refusal(&problem) {
@@ -122,15 +123,16 @@ fn solve(
     let target = robust.map(|robust| robust.target(problem.scene())).transpose()?;
     problem.warnings().into_iter().for_each(|warning| watch.warn(warning));
     let folder = options.claim(&inputs.iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>())?;
-    let deadline = target.as_ref().and_then(|(_, deadline)| *deadline);
-    let session = Session { folder: folder.as_ref(), deadline, ..watch.session(options.jobs) };
+    let clock = clock.limited(target.as_ref().map(|target| target.time_limit));
+    let session = Session { folder: folder.as_ref(), clock, ..watch.session(options.jobs) };
     let mut plan = planner::solve(&problem, &session)?;
-    if let Some((target, _)) = &target {
-        plan = refine(plan, target, &session)?;
+    match &target {
+        Some(target) => plan = refine(plan, target, &session)?,
+        None => plan.tested = planner::test(&plan, &RobustnessTarget::of(&problem.scene().borne), &session)?,
     }
     plan.own_warnings().into_iter().for_each(|warning| watch.warn(warning));
     // What is interrupted, is raised as such.
-    let folder = folder.filter(|_| !plan.interrupted);
+    let folder = folder.filter(|_| plan.stopped != Some(Stop::User));
     Plan::solved(plan, folder)
 }
 

@@ -74,7 +74,7 @@ def test_python_in_pages_runs(page: str, tmp_path: Path) -> None:
 
 def test_the_sweep_is_drawn(tmp_path: Path) -> None:
     shown = run([EXAMPLES / "sweep.py", CORNER, "--deltas", 0.005, 0.01, "--random", 5], tmp_path)
-    assert "planned for 5 mm: done" in shown
+    assert "planned for 5 mm: planned, not tested" in shown
     assert (tmp_path / "success.png").read_bytes().startswith(b"\x89PNG")
 
 

@@ -32,7 +32,9 @@ def test_arrays_are_the_tables(plan: Plan, tmp_path: Path) -> None:
 
 
 def test_a_plan_says_what_came_of_it(scene: Scene, plan: Plan) -> None:
-    assert plan.done and plan.status == "done"
+    assert plan.planned and not plan.done and plan.status == "planned, not tested"
+    tested = plan.result["tested"]
+    assert {group["friction"] for group in tested["rates"]} == {0.0, 0.1, 0.3} and tested["wall_s"] > 0.0
     errors = np.linalg.norm(plan.states[:, -1, :3] - scene.goal[:3], axis=1)
     assert errors == pytest.approx([scenario["position_error_m"] for scenario in plan.result["scenarios"]])
     assert np.linalg.norm(plan.offsets, axis=1).max() == pytest.approx(scene.offset_magnitude)
@@ -122,5 +124,5 @@ def test_a_scene_that_begins_inside_cannot_be_planned(tmp_path: Path) -> None:
 
 
 def test_no_plan_in_time_is_an_error() -> None:
-    with pytest.raises(NoPlanError, match="the time limit ended before the first plan"):
+    with pytest.raises(NoPlanError, match="the time limit ended before the first homotopy iteration"):
         Scene.load(ROOT / "scenes/peg1.toml").solve_robust(time_limit=0.001)

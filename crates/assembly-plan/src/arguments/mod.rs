@@ -128,9 +128,9 @@ pub struct RobustArguments {
     /// With --robust: success rate to reach at each friction, from 0 to 1
     #[arg(long, value_name = "RATE", default_value_t = 0.99, value_parser = fraction, requires = "robust")]
     pub wanted_rate: f64,
-    /// With --robust: keep the best plan so far after this time (s), the first solve included
-    #[arg(long, value_name = "S", default_value_t = 300.0, value_parser = seconds, requires = "robust")]
-    pub time_limit: f64,
+    /// End after this time (s), everything included, with the best plan so far [default: 300 with --robust]
+    #[arg(long, value_name = "S", value_parser = seconds)]
+    pub time_limit: Option<f64>,
     /// With --robust: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
     pub patience: u32,
@@ -396,18 +396,24 @@ impl SolveArguments {
         }
     }
 
-    /// How robust the plan is to be made, if at all.
-    pub fn robust_target(&self, scene: &Scene) -> Option<RobustnessTarget> {
+    /// What the plan is tested for, and made robust for if that is wanted.
+    pub fn target(&self, scene: &Scene) -> RobustnessTarget {
         let arguments = &self.robust;
         let own = RobustnessTarget::of(&scene.borne);
-        arguments.robust.then(|| RobustnessTarget {
+        RobustnessTarget {
             wanted_rate: arguments.wanted_rate,
             frictions: arguments.friction.clone().unwrap_or(own.frictions),
-            time_limit: Duration::from_secs_f64(arguments.time_limit),
+            time_limit: self.time_limit().unwrap_or(own.time_limit),
             patience: arguments.patience as usize,
             max_changes: arguments.max_changes.map(|most| most as usize),
             ..own
-        })
+        }
+    }
+
+    /// How long the program may run.
+    pub fn time_limit(&self) -> Option<Duration> {
+        let own = || self.robust.robust.then(|| RobustnessTarget::default().time_limit);
+        self.robust.time_limit.map(Duration::from_secs_f64).or_else(own)
     }
 }
 

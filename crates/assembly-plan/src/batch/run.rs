@@ -153,8 +153,8 @@ impl<'manifest> Pool<'manifest> {
     }
 
     fn finished(&mut self, cell: &'manifest Cell, result: &PlanResult) {
-        if result.done {
-            self.tally.done += 1;
+        if result.planned {
+            self.tally.planned += 1;
         } else {
             self.fail(cell, result.status.clone());
         }

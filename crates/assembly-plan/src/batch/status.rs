@@ -5,9 +5,9 @@ use planner::batch::{CellState, Manifest};
 use crate::console::say;
 use crate::exit::Exit;
 
-const WORDS: [&str; 4] = ["done", "running", "failed", "to do"];
+const WORDS: [&str; 4] = ["planned", "running", "failed", "to do"];
 
-/// Prints how many cells are done, running, failed and to do, and names those that run or have failed.
+/// Prints how many cells are planned, running, failed and to do, and names those that run or have failed.
 pub fn status(manifest: &Manifest) -> Exit {
     let states: Vec<CellState> = manifest.cells.iter().map(|cell| CellState::of(manifest, cell)).collect();
     let count = |word: &str| states.iter().filter(|state| state.word() == word).count();

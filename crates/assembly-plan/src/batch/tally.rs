@@ -14,8 +14,8 @@ const DRAWN: Duration = Duration::from_millis(200);
 
 /// Counts cells.
 pub struct Tally {
-    /// Cells that reach their goal.
-    pub done: usize,
+    /// Cells whose plans reach their goal.
+    pub planned: usize,
     /// Cells that do not, or have crashed.
     pub failed: usize,
     total: usize,
@@ -32,7 +32,7 @@ impl Tally {
     /// When the log file cannot be opened.
     pub fn new(total: usize, arguments: &ProgressArguments) -> Result<Self, CommandError> {
         let progress = Progress::new(arguments)?;
-        Ok(Self { done: 0, failed: 0, total, solved: 0, begun: Instant::now(), shown: None, progress })
+        Ok(Self { planned: 0, failed: 0, total, solved: 0, begun: Instant::now(), shown: None, progress })
     }
 
     /// Counts a cell that was solved now and not before.
@@ -49,24 +49,24 @@ impl Tally {
             return;
         }
         self.shown = Some(Instant::now());
-        let Self { done, failed, total, .. } = &self;
+        let Self { planned, failed, total, .. } = &self;
         let left =
             self.left(running + waiting).map_or_else(String::new, |left| format!(", about {} left", words(left)));
-        self.progress.show("cells done", (*done, *total), &[format!("{running} running, {failed} failed{left}")]);
+        self.progress.show("cells planned", (*planned, *total), &[format!("{running} running, {failed} failed{left}")]);
         if self.progress.has_no_bar() {
-            self.progress.say(&format!("{done}/{total} cells done, {running} running, {failed} failed{left}"));
+            self.progress.say(&format!("{planned}/{total} cells planned, {running} running, {failed} failed{left}"));
         }
     }
 
     /// Shows how the batch has ended.
     pub fn end(&self) {
         self.progress.end();
-        let Self { done, failed, total, solved, .. } = self;
-        let line = if *solved == 0 && done + failed == *total {
-            format!("nothing to do: all {total} cells are finished, {done} done, {failed} failed")
+        let Self { planned, failed, total, solved, .. } = self;
+        let line = if *solved == 0 && planned + failed == *total {
+            format!("nothing to do: all {total} cells are finished, {planned} planned, {failed} failed")
         } else {
             let time = words(self.begun.elapsed());
-            format!("{done}/{total} cells done, {failed} failed; {solved} solves in {time}")
+            format!("{planned}/{total} cells planned, {failed} failed; {solved} solves in {time}")
         };
         self.progress.say(&line);
     }

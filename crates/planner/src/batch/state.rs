@@ -40,6 +40,7 @@ impl CellState {
     pub fn word(&self) -> &'static str {
         match self {
             Self::Finished(result) if result.done => "done",
+            Self::Finished(result) if result.planned => "planned",
             Self::Finished(..) | Self::Failed(_) => "failed",
             Self::Running => "running",
             Self::ToDo => "to do",
@@ -49,7 +50,7 @@ impl CellState {
     /// Why the cell counts as failed, if it does.
     pub fn failure(&self) -> Option<&str> {
         match self {
-            Self::Finished(result) if !result.done => Some(&result.status),
+            Self::Finished(result) if !(result.done || result.planned) => Some(&result.status),
             Self::Failed(reason) => Some(reason),
             _ => None,
         }

@@ -1,6 +1,7 @@
 //! What to try where a plan is not done. Each piece of advice stands for a condition that holds for the plan.
 
 use nlp::SolveStatus;
+use scene::Part;
 use task::{POSE, STATE, pose_of};
 
 use crate::check::{first_smoothing, rest, step};
@@ -8,7 +9,7 @@ use crate::explain::limits::ActiveLimitRecord;
 use crate::explain::stuck::StuckScenario;
 use crate::explain::words::norm;
 use crate::length::Millimetres;
-use crate::plan::Plan;
+use crate::plan::{Plan, Stop};
 use crate::play::along_insertion;
 use crate::warnings::tolerance::free_offset;
 
@@ -28,12 +29,18 @@ const SETTLING: f64 = 5.0;
 /// What to try, the surest first.
 pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]) -> Vec<String> {
     let case = Case { plan, stuck };
+    let smoothing = || (!stuck.is_empty()).then(|| first_smoothing(&plan.task, plan.variant.settings.tau)).flatten();
+    if plan.stopped == Some(Stop::TimeLimit) {
+        // There is no time to look at all pairs along the path.
+        return [case.large_offset(), smoothing()].into_iter().flatten().collect();
+    }
     let often = |limit: &&ActiveLimitRecord| limit.steps as f64 >= OFTEN * limit.of as f64;
     let is_fast = limits.iter().filter(often).any(|limit| limit.limit == "translational_velocity");
     let sure = [
         case.overlap_at_goal(),
         case.overlap_at_start(),
         free_offset(&plan.problem),
+        case.large_offset(),
         case.way_blocked(),
         case.play(),
         case.reach_of_the_end(),
@@ -47,7 +54,7 @@ pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]
         Some(case.shorter_steps()),
         Some(case.more_iterations()),
         Some(case.smaller_offset()),
-        (!stuck.is_empty()).then(|| first_smoothing(&plan.task, plan.variant.settings.tau)),
+        Some(smoothing()),
     ];
     advice.extend(others.into_iter().flatten().flatten());
     if advice.is_empty() && plan.is_converged() {
@@ -98,6 +105,21 @@ impl Case<'_> {
             self.plan.problem.start().name,
             1e3 * overlap
         ))
+    }
+
+    /// A smaller offset where a scenario is farther off than the body is thick: it may begin beside what it belongs to.
+    fn large_offset(&self) -> Option<String> {
+        let thickness = thickness(&self.plan.problem.scene().body);
+        let offset = |stuck: &StuckScenario| norm(&stuck.grasp.offset_m);
+        let largest = self.stuck.iter().map(offset).max_by(f64::total_cmp)?;
+        (largest > thickness).then(|| {
+            format!(
+                "[robustness]: the offset of {:.1} mm is larger than the body is thick, {:.1} mm: contact can hardly lead it \
+                 in; set a smaller offset_magnitude",
+                1e3 * largest,
+                1e3 * thickness
+            )
+        })
     }
 
     /// More steps where a scenario that nothing holds still comes nearer at the end: so many as it takes with the speed of
@@ -235,4 +257,14 @@ impl Case<'_> {
 
 fn position_error(state: &[f64; STATE], goal: &[f64; POSE]) -> f64 {
     norm(&std::array::from_fn(|axis| state[axis] - goal[axis]))
+}
+
+/// Shortest edge of the smallest box along the axes that holds some parts (m).
+fn thickness(parts: &[Part]) -> f64 {
+    let corners = || parts.iter().flat_map(|part| part.shape.vertices());
+    let extent = |axis: usize| {
+        let coordinates = corners().map(|corner| corner[axis]);
+        coordinates.clone().fold(f64::NEG_INFINITY, f64::max) - coordinates.fold(f64::INFINITY, f64::min)
+    };
+    (0..3).map(extent).fold(f64::INFINITY, f64::min)
 }

@@ -13,7 +13,7 @@ mod words;
 use ocp::{Residual, Transcription};
 use serde::{Deserialize, Serialize};
 
-use crate::plan::{Plan, PlanStatus};
+use crate::plan::{Cut, Plan, PlanStatus, Stop};
 
 pub use dependencies::DependencyRecord;
 pub use limits::ActiveLimitRecord;
@@ -59,8 +59,15 @@ impl Plan {
     /// is in [`crate::RobustnessReport::loss`].
     pub fn explanation(&self) -> Option<FailureExplanation> {
         match self.status() {
-            PlanStatus::GoalMissed | PlanStatus::NotConverged { .. } => Some(explain(self)),
-            PlanStatus::Done | PlanStatus::NotRobust | PlanStatus::Overlapping | PlanStatus::Interrupted => None,
+            PlanStatus::GoalMissed | PlanStatus::NotConverged { .. } | PlanStatus::OutOfTime(Cut::Homotopy { .. }) => {
+                Some(explain(self))
+            }
+            PlanStatus::Done
+            | PlanStatus::Planned
+            | PlanStatus::NotRobust
+            | PlanStatus::Overlapping
+            | PlanStatus::OutOfTime(Cut::Evaluation { .. })
+            | PlanStatus::Interrupted => None,
         }
     }
 }
@@ -68,7 +75,9 @@ impl Plan {
 fn explain(plan: &Plan) -> FailureExplanation {
     let scenarios = stuck::of_plan(plan);
     let active_limits = limits::active(&plan.task.limits, &plan.variant.task.limits, &plan.trajectory);
-    let (residuals, dependencies) = constraints(plan).unwrap_or_default();
+    // Without time for the solve there is none to look for contradictions.
+    let is_cut = plan.stopped == Some(Stop::TimeLimit);
+    let (residuals, dependencies) = if is_cut { None } else { constraints(plan) }.unwrap_or_default();
     let advice = advice::advice(plan, &scenarios, &active_limits);
     FailureExplanation { residuals, dependencies, scenarios, active_limits, advice }
 }

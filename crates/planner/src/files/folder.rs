@@ -4,6 +4,8 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use task::{AssemblyTask, Trajectory};
 
@@ -19,12 +21,18 @@ use crate::plan::Plan;
 
 /// `result.json` of the plan that is being replaced, while its files are.
 const REPLACED: &str = "replaced.json";
+/// The plan has the tables of one motion more than its homotopy iterations, and all are read again for their hashes.
+const WRITING_MARGIN: u32 = 2;
 /// Homotopy iterations of refined plans, in a folder for every round, where they are not those of the scene itself.
 const REFINED: &str = "refined";
 
 /// A plan's folder that this process alone may write, and the hidden folder of unfinished work beside it.
 #[derive(Debug)]
-pub struct PlanFolder(WorkFolder);
+pub struct PlanFolder {
+    folder: WorkFolder,
+    /// What the tables of homotopy iterations have taken to write so far.
+    writing: Mutex<Duration>,
+}
 
 impl PlanFolder {
     /// Claims a folder for a plan, before anything is computed. Nothing in it changes until [`PlanFolder::finish`].
@@ -33,8 +41,8 @@ impl PlanFolder {
     /// When another process writes a plan into it, when it holds a file that the plan would replace and that no earlier
     /// run has written, or when one of the `inputs` is such a file.
     pub fn claim(target: &Path, inputs: &[&Path]) -> Result<Self, PlannerError> {
-        let folder = Self(WorkFolder::claim(target)?);
-        if folder.0.whole().join(RESULT).exists() {
+        let folder = Self { folder: WorkFolder::claim(target)?, writing: Mutex::default() };
+        if folder.folder.whole().join(RESULT).exists() {
             // A run was killed while it moved a whole plan in.
             folder.move_in()?;
         }
@@ -45,12 +53,17 @@ impl PlanFolder {
 
     /// Where the plan goes.
     pub fn target(&self) -> &Path {
-        self.0.target()
+        self.folder.target()
     }
 
     /// Where unfinished work stands.
     pub fn work(&self) -> &Path {
-        self.0.path()
+        self.folder.path()
+    }
+
+    /// What a plan of the homotopy iterations that are kept will take to write, with a margin.
+    pub fn writing_time(&self) -> Duration {
+        WRITING_MARGIN * *self.writing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Removes unfinished work; whether there was any.
@@ -58,7 +71,7 @@ impl PlanFolder {
     /// # Errors
     /// When it cannot be removed.
     pub fn discard(&self) -> Result<bool, PlannerError> {
-        self.0.discard()
+        self.folder.discard()
     }
 
     /// The finished homotopy iterations of a problem, if another run has left some; `Err` with the reason why they are
@@ -86,7 +99,9 @@ impl PlanFolder {
         motion: &Trajectory,
         task: &AssemblyTask,
     ) -> Result<Vec<(String, String)>, PlannerError> {
+        let begin = Instant::now();
         write_trajectory(&self.work().join(STAGES).join(number.to_string()), motion, task)?;
+        *self.writing.lock().unwrap_or_else(PoisonError::into_inner) += begin.elapsed();
         let hashed = |table: &str| {
             let name = format!("{STAGES}/{number}/{table}");
             let file = self.work().join(&name);
@@ -130,12 +145,13 @@ impl PlanFolder {
         read_trajectory(&self.work().join(REFINED).join(round.to_string()).join(number.to_string()), task)
     }
 
-    /// Writes a whole plan and moves it in; the older plan is replaced only then.
+    /// Writes a whole plan and moves it in; the older plan is replaced only then. Unfinished work stays if another run can
+    /// resume it ([`Plan::can_go_on`]).
     ///
     /// # Errors
     /// When it cannot be written; the older plan then still stands, and the unfinished work too.
     pub fn finish(self, plan: &Plan) -> Result<PlanResult, PlannerError> {
-        let whole = self.0.whole();
+        let whole = self.folder.whole();
         let motions = plan.iterations.iter().map(|iteration| &iteration.trajectory);
         write_iterations(&whole.join(STAGES), motions, &plan.variant.task)?;
         write_trajectory(&whole, &plan.trajectory, &plan.task)?;
@@ -143,6 +159,9 @@ impl PlanFolder {
         let result = PlanResult::new(plan, hashes(&whole)?);
         let json = serde_json::to_vec_pretty(&result).map_err(|_| PlannerError::Internal("result.json"))?;
         write_file(&whole.join(RESULT), &json)?;
+        if !plan.can_go_on() {
+            self.folder.discard_unfinished()?;
+        }
         self.move_in()?;
         Ok(result)
     }
@@ -156,18 +175,19 @@ impl PlanFolder {
         if StoredPlan::open(folder)?.result.files != result.files {
             return Err(PlannerError::file(folder, "holds another plan by now; open it again"));
         }
-        let whole = self.0.whole();
+        let whole = self.folder.whole();
         for name in result.files.keys().map(String::as_str).chain([RESULT]) {
             let from = folder.join(name);
             write_file(&whole.join(name), &fs::read(&from).map_err(PlannerError::read(&from))?)?;
         }
+        self.folder.discard_unfinished()?;
         self.move_in()
     }
 
     /// Moves a whole plan from the working folder to its place, `result.json` first out and last in. A run that is killed
     /// meanwhile has lost nothing: the next one that claims the folder goes on here.
     fn move_in(&self) -> Result<(), PlannerError> {
-        let whole = self.0.whole();
+        let whole = self.folder.whole();
         let result = read_result(&whole)?;
         let standing = self.target().join(RESULT);
         if standing.exists() {
@@ -189,7 +209,8 @@ impl PlanFolder {
                 rename(&from, &to)?;
             }
         }
-        self.discard().map(|_| ())
+        fs::remove_dir_all(&whole).map_err(PlannerError::written(&whole))?;
+        remove_file(&self.work().join(REPLACED))
     }
 
     /// Refuses to replace what no earlier run has written.

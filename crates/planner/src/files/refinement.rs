@@ -11,6 +11,7 @@ use crate::error::{PlannerError, Unusable};
 use crate::files::grasp::GraspRecord;
 use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
+use crate::refine::Drawn;
 use crate::robustness::Round;
 use crate::success_rates::SuccessRates;
 
@@ -77,6 +78,10 @@ pub struct BestRecord {
     pub rates: SuccessRates,
     /// Whether they are what was wanted, after a whole evaluation.
     pub reached: bool,
+    /// The evaluation that they are of.
+    pub evaluation: Drawn,
+    /// Rollouts that this lacks.
+    pub unplayed: usize,
     /// Trials that it fails.
     pub failing: Vec<TrialRecord>,
     /// Number of its round.

@@ -12,9 +12,9 @@ use crate::files::grasp::GraspRecord;
 use crate::files::motion::MotionRecord;
 use crate::iteration::IterationRecord;
 use crate::or_null;
-use crate::plan::Plan;
+use crate::plan::{Outcome, Plan, PlanStatus};
 use crate::problem::Problem;
-use crate::robustness::RobustnessReport;
+use crate::robustness::{RobustnessReport, TestReport};
 
 /// Name of the file, which is written last: where it stands, the plan is whole.
 pub const RESULT: &str = "result.json";
@@ -24,8 +24,13 @@ pub const RESULT: &str = "result.json";
 pub struct PlanResult {
     /// What has become of the plan, in words.
     pub status: String,
-    /// Whether the plan does what was asked for.
+    /// The same, without details.
+    pub outcome: Outcome,
+    /// Whether it is a robust plan that has passed its rollouts.
     pub done: bool,
+    /// Whether it is the plan of a solver that converged and reaches the goal from every planned offset in its smoothed model;
+    /// such a plan was not refined.
+    pub planned: bool,
     /// Whether the solver converged.
     pub converged: bool,
     /// Whether every planned offset reaches the goal; of a robust plan, at every friction.
@@ -90,6 +95,9 @@ pub struct PlanResult {
     /// Why the plan is not done; of `solve --robust`, that is in its own section.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub explanation: Option<FailureExplanation>,
+    /// How the plan of a solver does in rollouts with hard contact, where it was played.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tested: Option<TestReport>,
     /// Of `solve --robust`; the scenarios are then rollouts with hard contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robust: Option<RobustnessReport>,
@@ -247,7 +255,9 @@ impl PlanResult {
         let records = || plan.iterations.iter().map(|iteration| &iteration.record);
         let chosen = &plan.chosen().record;
         Self {
-            done: status == crate::PlanStatus::Done,
+            outcome: status.outcome(),
+            done: status == PlanStatus::Done,
+            planned: status == PlanStatus::Planned,
             status: status.to_string(),
             converged: plan.is_converged(),
             goal_reached: plan.reaches_goal(),
@@ -283,6 +293,7 @@ impl PlanResult {
             stages: records().cloned().collect(),
             scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),
             explanation: plan.explanation(),
+            tested: plan.tested.clone(),
             robust: plan.robustness.clone(),
             files,
         }

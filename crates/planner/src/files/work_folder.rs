@@ -53,11 +53,23 @@ impl WorkFolder {
     /// # Errors
     /// When it cannot be removed.
     pub fn discard(&self) -> Result<bool, PlannerError> {
+        self.discard_all_but(&[LOCK])
+    }
+
+    /// Removes all unfinished work but what is whole and still to be moved in.
+    ///
+    /// # Errors
+    /// When it cannot be removed.
+    pub fn discard_unfinished(&self) -> Result<bool, PlannerError> {
+        self.discard_all_but(&[LOCK, WHOLE])
+    }
+
+    fn discard_all_but(&self, kept: &[&str]) -> Result<bool, PlannerError> {
         let mut found = false;
         for entry in fs::read_dir(&self.path).map_err(PlannerError::read(&self.path))? {
             let entry = entry.map_err(PlannerError::read(&self.path))?;
             let path = entry.path();
-            if entry.file_name() == LOCK {
+            if kept.iter().any(|name| entry.file_name() == *name) {
                 continue;
             }
             let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());

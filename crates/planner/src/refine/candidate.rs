@@ -4,6 +4,7 @@ use simulation::{Reference, Refinement, Trial};
 use task::{AssemblyTask, Trajectory};
 
 use crate::iteration::PlanIteration;
+use crate::refine::evaluation::{Drawn, Judgement};
 use crate::robustness::Round;
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
@@ -28,6 +29,10 @@ pub struct Kept {
     pub rates: SuccessRates,
     /// Whether they are what is wanted, after a whole evaluation.
     pub reached: bool,
+    /// The evaluation that they are of.
+    pub evaluation: Drawn,
+    /// Rollouts that this lacks because the time was over; 0 where it is decided.
+    pub unplayed: usize,
     /// Trials that it fails.
     pub failing: Vec<Trial>,
     /// Number of its round, from 1.
@@ -41,6 +46,13 @@ pub struct Kept {
 }
 
 impl Kept {
+    /// After another evaluation.
+    pub fn judged(self, judgement: Judgement) -> Self {
+        let failing = judgement.failing();
+        let Judgement { rates, reached, evaluation, unplayed, .. } = judgement;
+        Self { rates, reached, evaluation, unplayed, failing, ..self }
+    }
+
     /// Whether it is better than another plan: robust before not, then by the rate of all rollouts.
     pub fn is_better_than(&self, other: &Self) -> bool {
         (self.reached, self.rates.overall()) > (other.reached, other.rates.overall())

@@ -7,6 +7,7 @@ use simulation::Reference;
 
 use crate::error::PlannerError;
 use crate::refine::candidate::Kept;
+use crate::refine::evaluation::Judgement;
 use crate::refine::{Refiner, race};
 use crate::session::Event;
 
@@ -42,9 +43,24 @@ impl Refiner<'_> {
             return Ok(());
         };
         let judgement = evaluation.judgement(&winner.results, self.target.wanted_rate);
-        let (rates, failing) = (judgement.rates.clone(), judgement.failing());
-        self.session.tell(Event::Refined { rate: rates.overall() });
-        self.keep(Kept { rates, failing, ..compared.swap_remove(winner.index) }, self.rounds.clone())
+        let winner = compared.swap_remove(winner.index);
+        self.session.tell(Event::Refined { rate: judgement.rates.overall() });
+        let kept = if judgement.reached { self.decided(winner, judgement) } else { winner.judged(judgement) };
+        self.keep(kept, self.rounds.clone())
+    }
+
+    /// The winner after a whole evaluation: the few trials of the comparison decide against a reference, not for it. Where the
+    /// time ends before that is decided, with the evaluation that knows most.
+    fn decided(&mut self, winner: Kept, few: Judgement) -> Kept {
+        let whole = self.judge(&winner.reference, self.clock.limit());
+        let played = whole.rates.rollouts();
+        if whole.unplayed == 0 || played > few.rates.rollouts().max(winner.rates.rollouts()) {
+            winner.judged(whole)
+        } else if winner.unplayed > 0 {
+            winner
+        } else {
+            winner.judged(Judgement { reached: false, unplayed: whole.unplayed, ..few })
+        }
     }
 }
 
@@ -55,6 +71,7 @@ mod tests {
     use task::at_rest;
 
     use super::*;
+    use crate::refine::evaluation::Drawn;
     use crate::refine::tests::in_corner;
     use crate::success_rates::{OffsetRegion, SuccessRate, SuccessRates};
     use crate::variant::Variant;
@@ -76,6 +93,8 @@ mod tests {
                     successes,
                 }]),
                 reached: false,
+                evaluation: Drawn::default(),
+                unplayed: 0,
                 failing: Vec::new(),
                 round: 1,
                 chosen: 1,

@@ -7,18 +7,17 @@
 use std::time::Duration;
 
 use fastrand::Rng;
-use nlp::{Control, SolveStatus};
 use simulation::Reference;
 use workers::Workers;
 
 use crate::error::PlannerError;
+use crate::homotopy_run::HomotopyRun;
 use crate::iteration::PlanIteration;
 use crate::refine::candidate::{self, Candidate};
 use crate::refine::clock::Deadline;
 use crate::refine::draft::Draft;
 use crate::refine::{OWN_SHARE, Refiner, SEED};
 use crate::session::Event;
-use crate::solve::run_homotopy;
 use crate::variant::Variant;
 
 /// Fraction of the training trials in which the plan of the scene must fail.
@@ -107,13 +106,11 @@ impl<'run> Refiner<'run> {
         let drafts = (0..MOST).map(|_| Draft::random(&mut random, friction).variant(&scene));
         let solve = |variant: Variant| {
             let is_over = || self.clock.is_over(until);
-            let observe = |_: &ocp::Event| if is_over() { Control::Stop } else { Control::Continue };
             let iterations = match is_over() {
                 true => Vec::new(),
-                false => run_homotopy(&variant, 1, &[], None, observe, |_, _| Control::Continue)?,
+                false => HomotopyRun::new(&variant).finished(self.session, is_over)?,
             };
-            let finished = iterations.iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
-            Ok((variant, finished.map(PlanIteration::from).collect()))
+            Ok((variant, iterations))
         };
         let solved = Workers::new(self.session.threads).map(drafts.into_iter(), solve);
         let solved: Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> = solved.into_iter().collect();
@@ -138,8 +135,7 @@ mod tests {
             let Horizon { steps, time_step } = draft.task.horizon;
             draft.task.horizon = Horizon { steps: 60, time_step: time_step * steps as f64 / 60.0 };
             draft.settings.coarse_iterations = 3;
-            let solved = run_homotopy(&draft, 1, &[], None, |_| Control::Continue, |_, _| Control::Continue).unwrap();
-            let iterations: Vec<PlanIteration> = solved.iter().map(PlanIteration::from).collect();
+            let iterations = HomotopyRun::new(&draft).finished(refiner.session, || false).unwrap();
             refiner.drafts = vec![(draft.clone(), iterations[..3].to_vec())];
             assert!(refiner.best_draft().is_none(), "all have half of the steps");
             refiner.drafts = vec![(draft, iterations[..4].to_vec())];
@@ -151,9 +147,9 @@ mod tests {
     fn where_the_first_evaluation_is_poor_a_draft_takes_the_place_of_the_plan() {
         in_corner(Duration::from_secs(1000), |refiner| {
             let scene = Variant::of_scene(refiner.problem);
-            let solved = run_homotopy(&scene, 1, &[], None, |_| Control::Continue, |_, _| Control::Continue).unwrap();
+            let solved = HomotopyRun::new(&scene).finished(refiner.session, || false).unwrap();
             let draft = Variant { name: "a draft".to_owned(), ..scene.clone() };
-            refiner.drafts = vec![(draft, solved.iter().map(PlanIteration::from).collect())];
+            refiner.drafts = vec![(draft, solved)];
             let resting = Reference::new(0.1, &[at_rest(&refiner.problem.task().start); 3]);
             let best = refiner.best_of(&[resting], refiner.clock.end()).unwrap();
             let own = refiner.candidate_of(best, scene, (Vec::new(), 0), true);

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use fastrand::Rng;
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
 use task::{AssemblyTask, Coverage, GraspError};
 
@@ -102,8 +103,19 @@ struct OffsetGroup {
     offsets: Vec<[f64; 3]>,
 }
 
+/// What tells an evaluation of a problem from others.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Drawn {
+    /// Largest number of random offsets per friction and magnitude.
+    pub random: usize,
+    /// Their seed.
+    pub seed: u64,
+}
+
 /// Trials of a reference, in groups of one friction, magnitude and region.
 pub struct Evaluation {
+    drawn: Drawn,
     groups: Vec<SuccessRate>,
     /// The planned grasp errors first, then one of each group in turn: the first ones speak for all.
     trials: Vec<Trial>,
@@ -118,6 +130,10 @@ pub struct Judgement {
     pub rates: SuccessRates,
     /// Whether the whole evaluation was played, every planned grasp error succeeds, and the wanted rate holds at each friction.
     pub reached: bool,
+    /// The evaluation.
+    pub evaluation: Drawn,
+    /// Rollouts that it lacks because it was stopped; 0 where it is decided.
+    pub unplayed: usize,
     /// Trials that failed.
     pub failures: Vec<(Trial, TrialResult)>,
 }
@@ -171,7 +187,7 @@ impl Evaluation {
         }
         placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
         let (group, trials) = placed.into_iter().map(|(_, _, group, trial)| (group, trial)).unzip();
-        Self { groups, trials, group }
+        Self { drawn: Drawn { random: count, seed }, groups, trials, group }
     }
 
     /// The trials, in the order in which they are played.
@@ -183,7 +199,7 @@ impl Evaluation {
     /// each about another [axis](training_axis). What bears these mostly bears smaller turns.
     pub fn into_training(self, range: &ErrorRange) -> Vec<Trial> {
         let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.turn));
-        let Self { groups, mut trials, group } = self;
+        let Self { groups, mut trials, group, .. } = self;
         for (trial, group) in trials.iter_mut().zip(group) {
             if !groups[group].planned {
                 trial.grasp.turn = turns.next().unwrap_or_default();
@@ -201,16 +217,19 @@ impl Evaluation {
         wanted: f64,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Judgement {
-        let mut results = Vec::new();
+        let (mut results, mut unplayed) = (Vec::new(), 0);
         for batch in self.trials.chunks(BATCH) {
             let Judgement { rates, failures, .. } = self.judgement(&results, wanted);
             if failures.len() >= ENOUGH_FAILURES && !self.can_satisfy(&rates.0, wanted) {
                 break;
             }
-            let Some(new) = evaluator.evaluate_all(reference, batch, stop) else { break };
+            let Some(new) = evaluator.evaluate_all(reference, batch, stop) else {
+                unplayed = self.trials.len() - results.len();
+                break;
+            };
             results.extend(new);
         }
-        self.judgement(&results, wanted)
+        Judgement { unplayed, ..self.judgement(&results, wanted) }
     }
 
     /// What the results of the first trials show.
@@ -224,7 +243,8 @@ impl Evaluation {
             }
         }
         let rates = SuccessRates(groups);
-        Judgement { reached: results.len() == self.trials.len() && rates.satisfy(wanted), rates, failures }
+        let reached = results.len() == self.trials.len() && rates.satisfy(wanted);
+        Judgement { reached, evaluation: self.drawn, unplayed: 0, rates, failures }
     }
 
     /// Whether the wanted rate could be reached if all trials to come succeeded.
@@ -277,7 +297,8 @@ mod tests {
         };
         let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
-        Evaluation { groups: vec![group(true), group(false)], trials: vec![trial; numbers.len()], group: numbers }
+        let (groups, trials) = (vec![group(true), group(false)], vec![trial; numbers.len()]);
+        Evaluation { drawn: Drawn::default(), groups, trials, group: numbers }
     }
 
     /// What is drawn of a range in a task with two frictions: groups, and offsets of each with how they are counted.

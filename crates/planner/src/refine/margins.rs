@@ -57,8 +57,8 @@ impl Refiner<'_> {
             return Ok(());
         }
         self.rounds.push(Round { rate: Some(judgement.rates.overall()), ..round });
-        let (failing, round) = (judgement.failing(), self.rounds.len());
-        self.keep(Kept { failing, rates: judgement.rates, reached: true, round, ..refined }, self.rounds.clone())
+        let round = self.rounds.len();
+        self.keep(Kept { round, ..refined.judged(judgement) }, self.rounds.clone())
     }
 
     /// Refines a plan that is robust in another world, until it is robust in this one or the time is over. The best, with its
@@ -67,8 +67,7 @@ impl Refiner<'_> {
         plan.variant.name += WITH_MARGINS;
         let until = self.clock.end();
         let judgement = self.judge(&plan.reference, until);
-        let (failing, reached) = (judgement.failing(), judgement.reached);
-        self.best = Some(Kept { failing, rates: judgement.rates, reached, round: 0, ..plan });
+        self.best = Some(Kept { round: 0, ..plan.judged(judgement) });
         while self.goes_on(until) {
             self.refine_best(until)?;
         }

@@ -27,6 +27,7 @@ mod race;
 mod resume;
 mod simplify;
 mod target;
+mod tested;
 mod training;
 mod variants;
 
@@ -38,7 +39,7 @@ use simulation::{Evaluator, Reference, Strokes, Trial};
 use crate::error::PlannerError;
 use crate::explain::loss;
 use crate::iteration::PlanIteration;
-use crate::plan::Plan;
+use crate::plan::{Plan, Stop};
 use crate::problem::Problem;
 use crate::ranges::require_threads;
 use crate::refine::candidate::Candidate;
@@ -51,8 +52,10 @@ use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
 pub(crate) use candidate::Kept;
+pub use evaluation::Drawn;
 pub(crate) use evaluators::EVALUATION_FORCE_SHARE;
 pub use target::RobustnessTarget;
+pub use tested::test;
 
 /// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so
 /// that one is enough. More cost more rollouts than they save.
@@ -69,11 +72,11 @@ const OWN_SHARE: f64 = 0.5;
 ///
 /// # Errors
 /// When the target is out of range, or a linear solver or a file fails. A plan that does not reach the target is one
-/// whose status says so; a plan that was interrupted comes back as it is.
+/// whose status says so; a plan that was interrupted, or had no time to become whole, comes back as it is.
 pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Result<Plan, PlannerError> {
     target.validate()?;
     require_threads(session.threads)?;
-    if plan.interrupted {
+    if plan.stopped == Some(Stop::User) || plan.stopped.is_some() && !plan.is_converged() {
         return Ok(plan);
     }
     let mut world = plan.problem.world();
@@ -92,8 +95,10 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     }
     let trajectory = problem.motions(&shown, &best.reference, tau)?;
     let Kept { variant, iterations, .. } = best;
-    let (robustness, interrupted) = (Some(report), session.is_interrupted());
-    Ok(Plan { problem, attempts, variant, iterations, trajectory, task: world, robustness, threads, interrupted })
+    let is_cut = report.unplayed > 0 || !report.reached && refiner.clock.is_over(refiner.clock.end());
+    let stopped = if session.is_interrupted() { Some(Stop::User) } else { is_cut.then_some(Stop::TimeLimit) };
+    let (task, robustness, tested) = (world, Some(report), None);
+    Ok(Plan { problem, attempts, variant, iterations, trajectory, task, robustness, tested, threads, stopped })
 }
 
 /// Refines any reference of a problem in the same way for the whole time limit, but solves nothing: what the optimal
@@ -172,7 +177,7 @@ impl<'run> Refiner<'run> {
             session,
             strokes: ends::strokes(problem, target),
             drafts: Vec::new(),
-            clock: Clock::new(session, Duration::ZERO, target.time_limit),
+            clock: Clock::new(session, target.time_limit),
             training,
             evaluations: 0,
             tried: 0,
@@ -219,7 +224,6 @@ impl<'run> Refiner<'run> {
             return self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE));
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
-        self.clock = Clock::new(self.session, spent, self.target.time_limit);
         let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let Plan { variant, iterations, .. } = plan;
         self.judge_first(variant.clone(), iterations.clone(), chosen, last)?;
@@ -254,6 +258,8 @@ impl<'run> Refiner<'run> {
             reference,
             rates: judgement.rates,
             reached: judgement.reached,
+            evaluation: judgement.evaluation,
+            unplayed: judgement.unplayed,
             failing,
             round: 1,
             chosen,
@@ -326,9 +332,11 @@ impl<'run> Refiner<'run> {
             reached: best.reached,
             rate_before: self.before.overall(),
             rate_after: best.rates.overall(),
-            wall_s: self.clock.elapsed().as_secs_f64(),
+            wall_s: self.clock.total().as_secs_f64(),
             before: self.before.clone(),
             after: best.rates.clone(),
+            unplayed: best.unplayed,
+            push: self.judge_push(best),
             kept_round: best.round,
             kept_stage: best.chosen,
             kept_changes: best.changes,

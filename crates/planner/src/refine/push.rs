@@ -1,10 +1,14 @@
 //! A straight push as the reference to refine.
 
-use simulation::Reference;
+use simulation::{Evaluator, Reference};
 
 use crate::error::PlannerError;
 use crate::iteration::PlanIteration;
+use crate::problem::Problem;
 use crate::refine::Refiner;
+use crate::refine::candidate::Kept;
+use crate::refine::evaluation::{Drawn, Evaluation};
+use crate::robustness::PushReport;
 use crate::variant::Variant;
 
 /// Share of the time that is left.
@@ -26,4 +30,27 @@ impl Refiner<'_> {
         let candidate = self.candidate_of(best, variant, (homotopy, 0), true);
         self.refine(candidate, until, 0.0)
     }
+
+    /// How the straight push does, unrefined, in the evaluation of a plan. `None` where the time is over.
+    pub(super) fn judge_push(&self, plan: &Kept) -> Option<PushReport> {
+        let Drawn { random, seed } = plan.evaluation;
+        let evaluation = Evaluation::new(self.problem.task(), &self.range, &self.target.frictions, random, seed);
+        let stop = || self.clock.is_over(self.clock.limit());
+        judge_push(self.problem, self.evaluator, &evaluation, self.target.wanted_rate, &stop)
+    }
+}
+
+/// How a straight push of a problem does in an evaluation, of which it is wanted to pass a share (0 to 1) at each friction.
+/// `None` where `stop` returned true before that was decided.
+pub(super) fn judge_push(
+    problem: &Problem,
+    evaluator: &Evaluator,
+    evaluation: &Evaluation,
+    wanted: f64,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<PushReport> {
+    let task = problem.task();
+    let push = Reference::straight(&task.start, &task.goal, task.horizon);
+    let judgement = evaluation.judge(evaluator, &push, wanted, stop);
+    (judgement.unplayed == 0).then_some(PushReport { reached: judgement.reached, rates: judgement.rates })
 }

@@ -29,7 +29,7 @@ impl Refiner<'_> {
             delay_s: self.target.delay,
             edge_radius_m: self.problem.edge_radius(),
             tolerance: [success.position, success.orientation],
-            elapsed_s: self.clock.elapsed().as_secs_f64(),
+            elapsed_s: self.clock.total().as_secs_f64(),
             evaluations: self.evaluations,
             before: self.before.clone(),
             training: self.training.iter().map(TrialRecord::from).collect(),
@@ -45,6 +45,8 @@ impl Refiner<'_> {
                 reference: kept.reference.states(),
                 rates: kept.rates.clone(),
                 reached: kept.reached,
+                evaluation: kept.evaluation,
+                unplayed: kept.unplayed,
                 failing: kept.failing.iter().map(TrialRecord::from).collect(),
                 round: kept.round,
                 chosen_stage: kept.chosen,
@@ -103,8 +105,8 @@ impl Refiner<'_> {
             }
             _ => plan.iterations.clone(),
         };
-        let spent = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
-        self.clock = Clock::new(self.session, spent, self.target.time_limit);
+        let earlier = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
+        self.clock = Clock::new(self.session, self.target.time_limit).after(earlier);
         self.evaluations = evaluations;
         self.before = before;
         self.training = training.iter().map(Trial::from).collect();
@@ -115,6 +117,8 @@ impl Refiner<'_> {
             iterations,
             rates: best.rates,
             reached: best.reached,
+            evaluation: best.evaluation,
+            unplayed: best.unplayed,
             failing: best.failing.iter().map(Trial::from).collect(),
             round: best.round,
             chosen: best.chosen_stage,

@@ -58,6 +58,8 @@ impl<'run> Refiner<'run> {
                 failing: judgement.failing(),
                 rates: judgement.rates.clone(),
                 reached: judgement.reached,
+                evaluation: judgement.evaluation,
+                unplayed: judgement.unplayed,
                 round: number,
                 chosen: round.chosen_stage,
                 changes: round.changes,

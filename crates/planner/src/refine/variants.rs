@@ -2,17 +2,15 @@
 
 use std::time::Duration;
 
-use nlp::{Control, SolveStatus};
 use task::GraspError;
 
 use crate::error::PlannerError;
-use crate::iteration::PlanIteration;
+use crate::homotopy_run::HomotopyRun;
 use crate::refine::Refiner;
 use crate::refine::candidate::Candidate;
 use crate::refine::clock::Deadline;
 use crate::refine::portfolio::{PORTFOLIO, Recipe};
 use crate::session::Event;
-use crate::solve::run_homotopy;
 use crate::variant::Variant;
 
 /// Share of a variant's time for its solve; the rest is for its refinement.
@@ -63,13 +61,12 @@ impl<'run> Refiner<'run> {
         let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &failing);
         self.session.tell(Event::Variant { name: &variant.name, number, count });
         let solving = self.clock.share(until, SOLVING_SHARE);
-        let observe = |_: &ocp::Event| if self.clock.is_over(solving) { Control::Stop } else { Control::Continue };
-        let iterations = run_homotopy(&variant, self.session.threads, &[], None, observe, |_, _| Control::Continue)?;
-        let status = iterations.last().map_or_else(String::new, |last| last.status.to_string());
-        self.session.tell(Event::VariantSolved { status: &status });
-        // What an interrupted homotopy has finished may do.
-        let finished = iterations.iter().filter(|iteration| iteration.status != SolveStatus::Interrupted);
-        let candidate = self.candidate(variant, finished.map(PlanIteration::from).collect(), false, until);
+        let run = HomotopyRun { threads: self.session.threads, ..HomotopyRun::new(&variant) };
+        // What has finished until then may do.
+        let iterations = run.finished(self.session, || self.clock.is_over(solving))?;
+        let status = iterations.last().map_or("no homotopy iteration in time", |last| &last.record.status);
+        self.session.tell(Event::VariantSolved { status });
+        let candidate = self.candidate(variant, iterations, false, until);
         if let Some(Candidate { round, .. }) = &candidate {
             let (failing, trials) = (round.training_failures, round.training_trials);
             self.session.tell(Event::VariantTried { failing, trials });

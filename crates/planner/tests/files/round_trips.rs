@@ -83,7 +83,7 @@ fn manifest_and_cells_are_read_back() {
     assert_eq!(collect(&manifest).unwrap().len(), 2);
     assert_eq!(collect(&manifest).unwrap().len(), 0, "nothing has changed");
     let rows: Vec<CellRow> = read_csv(&folder.path().join("cells.csv")).unwrap();
-    assert_eq!(rows.iter().map(|row| row.state.as_str()).collect::<Vec<_>>(), ["to do", "done"]);
+    assert_eq!(rows.iter().map(|row| row.state.as_str()).collect::<Vec<_>>(), ["to do", "planned"]);
     let json = std::fs::read_to_string(folder.path().join("cells.json")).unwrap();
     let elements: Vec<CellElement> = serde_json::from_str(&json).unwrap();
     assert_eq!(elements[1].result.as_ref().unwrap().scenarios.len(), plan().task.grasps.len());

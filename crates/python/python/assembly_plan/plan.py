@@ -125,8 +125,16 @@ class Plan(Motion):
 
     @property
     def done(self) -> bool:
-        """Whether the plan does what was asked for (exit code 0 of the command)."""
+        """Whether it is a robust plan that has passed its rollouts (exit code 0 of ``solve --robust``)."""
         return bool(self.result["done"])
+
+    @property
+    def planned(self) -> bool:
+        """Whether it is the plan of a solver that reaches the goal in its smoothed model (exit code 0 of ``solve``).
+
+        ``result["tested"]`` says how it does in rollouts with hard contact.
+        """
+        return bool(self.result["planned"])
 
     @property
     def resolved(self) -> str:

@@ -207,7 +207,7 @@ class Scene:
         As the command ``solve --robust``:
 
         - `wanted_rate`: success rate to reach at each friction, from 0 to 1.
-        - `time_limit`: keep the best plan so far after this time (s), the first solve included.
+        - `time_limit`: end with the best plan so far after this time (s), everything included.
         - `patience`: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it.
         - `friction`: Coulomb friction coefficients; by default the scene's.
         - `turn`: the part may also be turned in the gripper by up to this angle, about any axis (rad); by default the
