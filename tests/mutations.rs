@@ -18,7 +18,7 @@ use planner::batch::{CellState, Manifest, collect};
 use planner::check::{explain, pair_reports};
 use planner::files::{PlanFolder, PlanResult, RolloutRow, StoredPlan, hash, to_csv};
 use planner::{
-    Choices, Event, GraspErrors, Motion, OffsetSource, PlannerError, Problem, RobustnessTarget, Session,
+    Choices, Event, GraspErrors, Motion, OffsetSource, Region, PlannerError, Problem, RobustnessTarget, Session,
     SimulationRequest, SuccessTable, refine, simulate, solve,
 };
 use proptest::prelude::*;
@@ -152,7 +152,7 @@ fn check(folder: &Path) -> Result<(), PlannerError> {
 /// As `simulate` does, with few and coarse rollouts.
 fn play(folder: &Path) -> Result<(), PlannerError> {
     let request = SimulationRequest {
-        errors: GraspErrors { offsets: OffsetSource::Hull(1), ..GraspErrors::default() },
+        errors: GraspErrors { offsets: OffsetSource::Random(1, Region::Covered), ..GraspErrors::default() },
         time_step: 0.05,
         settling_time: 0.1,
         ..SimulationRequest::default()
