@@ -18,7 +18,7 @@ use planner::batch::{CellState, Manifest, collect};
 use planner::check::{explain, pair_reports};
 use planner::files::{PlanFolder, PlanResult, RolloutRow, StoredPlan, hash, to_csv};
 use planner::{
-    Choices, Event, GraspErrors, Motion, OffsetSource, Region, PlannerError, Problem, RobustnessTarget, Session,
+    Choices, Event, GraspErrors, Motion, OffsetSource, PlannerError, Problem, Region, RobustnessTarget, Session,
     SimulationRequest, SuccessTable, refine, simulate, solve,
 };
 use proptest::prelude::*;

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use planner::{
-    Choices, Event, GraspErrors, Motion, OffsetSource, PlannerError, Problem, RobustnessTarget, Session,
+    Choices, Event, GraspErrors, Motion, OffsetSource, PlannerError, Problem, Region, RobustnessTarget, Session,
     SimulationRequest,
 };
 use simulation::Reference;
@@ -62,7 +62,7 @@ fn row(scene: &Path) -> Result<String, PlannerError> {
 fn played(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -> Result<String, PlannerError> {
     let delta = problem.delta();
     let random = GraspErrors {
-        offsets: OffsetSource::Hull(OFFSETS),
+        offsets: OffsetSource::Random(OFFSETS, Region::Hull),
         magnitudes: FRACTIONS.map(|fraction| fraction * delta).to_vec(),
         seed: SEED,
         turn: 0.0,
