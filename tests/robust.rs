@@ -70,9 +70,7 @@ fn interval(successes: f64, count: f64) -> [f64; 2] {
 #[test]
 fn without_time_for_a_plan_there_is_none_and_work_is_kept() {
     let dir = Dir::new();
-    dir.run(&SOLVE.replace("100000", "0.001"))
-        .code(1)
-        .says("the time limit ended before the first homotopy iteration");
+    dir.run(&SOLVE.replace("100000", "0.001")).code(1).says("the time limit ended before the first homotopy iteration");
     assert!(!dir.exists("out/result.json"));
 }
 

@@ -89,7 +89,12 @@ mod tests {
         let now = || begin + Duration::from_secs(looks.fetch_add(1, Ordering::Relaxed));
         let clock = RunClock::with(&now).limited(Some(Duration::from_secs(5)));
         let (release, released) = channel::<()>();
-        assert_eq!(clock.wait_for(move || drop(released.recv())), None);
+        assert_eq!(
+            clock.wait_for(move || {
+                let _ = released.recv();
+            }),
+            None
+        );
         assert!(looks.load(Ordering::Relaxed) < 10);
         drop(release);
         assert_eq!(RunClock::start().wait_for(|| 7), Some(7), "without a limit all work ends");

@@ -304,7 +304,7 @@ mod tests {
     /// What is drawn of a range in a task with two frictions: groups, and offsets of each with how they are counted.
     fn drawn(range: &ErrorRange, count: usize) -> Vec<(SuccessRate, Vec<Vector3<f64>>)> {
         let problem = Problem::load(&corner(), &Choices::default()).unwrap();
-        let Evaluation { groups, trials, group } = Evaluation::new(problem.task(), range, &[0.0, 0.3], count, 1);
+        let Evaluation { groups, trials, group, .. } = Evaluation::new(problem.task(), range, &[0.0, 0.3], count, 1);
         let offsets_of = |index: usize| {
             let of_group = trials.iter().zip(&group).filter(|(_, of)| **of == index);
             of_group.map(|(trial, _)| Vector3::from(trial.grasp.offset)).collect()

@@ -347,14 +347,14 @@ impl<'run> Refiner<'run> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::*;
     use crate::problem::Choices;
 
     /// The file of the corner scene.
-    pub(super) fn corner() -> std::path::PathBuf {
+    pub(crate) fn corner() -> std::path::PathBuf {
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml")
     }
 
