@@ -108,10 +108,15 @@ fn a_rail_guides_across_itself_and_offsets_along_it_stay() {
 }
 
 #[test]
-fn stops_on_one_side_neither_guide_nor_leave_free() {
+fn a_corner_holds_the_body_along_a_diagonal_and_leaves_no_direction_free() {
     let walls = [("left", [0.01, 0.2, 0.02], [-0.015, 0.0, 0.0]), ("back", [0.1, 0.01, 0.02], [0.0, 0.015, 0.0])];
     let engagement = problem(&text(-0.005, 0.0, &walls)).engagement().clone();
-    assert_eq!((engagement.depth_m, engagement.free.len(), engagement.rest_m), (None, 0, None));
+    is_near(engagement.depth_m.unwrap(), 0.015, 5e-5);
+    assert_eq!(
+        (engagement.free.len(), engagement.rest_m),
+        (0, None),
+        "along the other diagonal it is stopped on one side"
+    );
 }
 
 #[test]
