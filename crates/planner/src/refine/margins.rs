@@ -85,13 +85,15 @@ mod tests {
     use simulation::{Reference, Success};
 
     use super::*;
-    use crate::refine::tests::in_corner_with_changes;
+    use crate::refine::RobustnessTarget;
+    use crate::refine::tests::in_corner_for;
     use crate::variant::Variant;
 
     /// A push of the corner scene, which is robust there, after so many changes in a world where it has to end within a
     /// distance (m) of the goal: what is kept, and its rounds.
     fn kept_after(max_changes: usize, position: f64) -> (Kept, Vec<Round>) {
-        in_corner_with_changes(Some(max_changes), Duration::from_secs(100_000), |refiner| {
+        let (max_changes, time_limit) = (Some(max_changes), Duration::from_secs(100_000));
+        in_corner_for(RobustnessTarget { max_changes, time_limit, ..RobustnessTarget::default() }, |refiner| {
             let task = refiner.problem.task();
             let push = Reference::straight(&task.start, &task.goal, task.horizon);
             refiner.judge_first(Variant::of_scene(refiner.problem), Vec::new(), 0, push).unwrap();

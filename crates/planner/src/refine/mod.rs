@@ -360,19 +360,13 @@ pub(crate) mod tests {
 
     /// Hands over a refiner of the corner scene without friction, before its first plan. It has no patience.
     pub(super) fn in_corner<T>(time_limit: Duration, work: impl FnOnce(&mut Refiner) -> T) -> T {
-        in_corner_with_changes(None, time_limit, work)
+        in_corner_for(RobustnessTarget { time_limit, patience: 1, ..RobustnessTarget::default() }, work)
     }
 
-    /// The same, with a largest number of changes.
-    pub(super) fn in_corner_with_changes<T>(
-        max_changes: Option<usize>,
-        time_limit: Duration,
-        work: impl FnOnce(&mut Refiner) -> T,
-    ) -> T {
+    /// Hands over a refiner of the corner scene without friction, before its first plan.
+    pub(super) fn in_corner_for<T>(target: RobustnessTarget, work: impl FnOnce(&mut Refiner) -> T) -> T {
         let problem = Problem::load(&corner(), &Choices::default()).unwrap();
-        let frictions = vec![0.0];
-        let target =
-            RobustnessTarget { frictions, time_limit, max_changes, patience: 1, ..RobustnessTarget::default() };
+        let target = RobustnessTarget { frictions: vec![0.0], ..target };
         let evaluator = problem.evaluator(&target.frictions).unwrap();
         let interrupted = AtomicBool::new(false);
         let session = Session::new(&|_: &Event| {}, &interrupted);
