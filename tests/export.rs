@@ -163,6 +163,7 @@ fn only_earlier_exports_are_replaced() {
 #[test]
 fn a_plan_that_fails_in_rollouts_is_exported_only_anyway() {
     let dir = Dir::new();
+    dir.add_scene("peg1");
     dir.run("solve peg1.toml --delta 0.02 --out out").code(0);
     dir.run("export out --to csv").code(2).says("rollouts with hard contact reach the goal").says("--robust");
     assert!(!dir.exists("out/export"));

@@ -37,7 +37,6 @@ const DISC: (&str, &str) =
 fn evaluations_and_simulations_of_a_disc_agree() {
     let dir = Dir::new();
     dir.add_variant("disc.toml", &[DISC]);
-    // No rate is wanted, so that the evaluation is played to its end.
     let tolerance = "--position-tolerance 0.0009";
     let solve = format!("solve disc.toml --friction 0 --robust --patience 0 --wanted-rate 0 {tolerance} --out out");
     dir.run(&solve).says("offsets covered: up to 20.0 mm in any direction across the insertion").says("rim, 20.0 mm,");
@@ -47,8 +46,8 @@ fn evaluations_and_simulations_of_a_disc_agree() {
     let groups: Vec<&serde_json::Value> =
         list(&result["robust"], "after").iter().filter(|group| group["planned"] == false).collect();
     let regions: Vec<&str> = groups.iter().map(|group| group["region"].as_str().unwrap()).collect();
-    assert_eq!((regions, count(&groups, "rollouts")), (vec!["inside", "rim"], 500.0));
-    let evaluated = interval(count(&groups, "successes"), 500.0);
+    assert_eq!(regions, ["inside", "rim"]);
+    let evaluated = interval(count(&groups, "successes"), count(&groups, "rollouts"));
 
     dir.run(&format!("simulate disc.toml out --random 500 --seed 9 {tolerance}"))
         .code(0)
@@ -70,7 +69,7 @@ fn interval(successes: f64, count: f64) -> [f64; 2] {
 #[test]
 fn without_time_for_a_plan_there_is_none_and_work_is_kept() {
     let dir = Dir::new();
-    dir.run(&SOLVE.replace("100000", "0.001")).code(1).says("the time limit ended before the first homotopy iteration");
+    dir.run(&SOLVE.replace("100000", "0.001")).code(1).says("the time limit ended");
     assert!(!dir.exists("out/result.json"));
 }
 
@@ -107,7 +106,7 @@ fn where_friction_holds_the_body_the_reference_goes_past_the_goal_and_back() {
     let result = dir.result("out");
     let kept = number(&result["robust"], "kept_round") as usize - 1;
     let planned = result["robust"]["rounds"][kept]["planned"].as_str().unwrap();
-    assert_eq!(planned, "the scene as it is, with strokes at the end");
+    assert!(planned.starts_with("the scene as it is, with strokes at the end"), "{planned}");
     let rows_of = |file: &str| dir.table(file).numbers_from("time_s");
     let (rows, planned_rows) = (rows_of("out/reference.csv"), rows_of("out/stages/1/reference.csv"));
     let planned_until = planned_rows[planned_rows.len() - 1][0];

@@ -133,7 +133,7 @@ fn a_goal_that_the_environment_encloses_is_refused() {
         format!("[[environment.part]]\nname = \"wall{number}\"\nbox = {edges:?}\nposition = {place:?}\n")
     });
     let scene = format!(
-        "[body]\n[[body.part]]\nname = \"cube\"\nbox = [0.03, 0.03, 0.03]\n{}[[start]]\nname = \"1\"\nposition = [0, 0, 0.1]\n\
+        "[body]\n[[body.part]]\nname = \"cube\"\nbox = [0.036, 0.036, 0.036]\n{}[[start]]\nname = \"1\"\nposition = [0, 0, 0.1]\n\
          orientation = [1, 0, 0, 0]\n[goal]\nposition = [0, 0, 0]\norientation = [1, 0, 0, 0]\n\
          [robustness]\noffset_magnitude = 0.001\n",
         walls.collect::<String>()

@@ -39,7 +39,6 @@ pub const ROWS: &[Row] = &[
     ("solve scene.toml --out /dev/null", &[], "is a file; name a folder"),
     ("solve scene.toml --resume", &[], "--out"),
     ("solve scene.toml --out out --wanted-rate 0.5", &[], "--robust"),
-    ("solve scene.toml --out out --time-limit 5", &[], "--robust"),
     ("solve scene.toml --out out --patience 5", &[], "--robust"),
     ("solve scene.toml --out out --friction 0", &[], "--robust"),
     ("solve scene.toml --out out --turn 0.1", &[], "--robust"),

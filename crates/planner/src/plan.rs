@@ -231,9 +231,14 @@ impl Plan {
         }
     }
 
-    /// Whether exact shapes overlap no deeper than the problem allows.
+    /// Whether exact shapes overlap no deeper than the problem allows; those of a plan that was not refined, than its last
+    /// smoothing explains.
     pub fn keeps_apart(&self) -> bool {
-        self.trajectory.max_penetration() <= self.problem.max_overlap()
+        let smoothing = match self.robustness {
+            Some(_) => 0.0,
+            None => self.task.reach(self.chosen().record.tau),
+        };
+        self.trajectory.max_penetration() <= self.problem.max_overlap().max(smoothing)
     }
 
     /// What has become of it.

@@ -159,7 +159,7 @@ pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
     if let Some(name) = result.files.keys().find(|name| !is_plan_file(name)) {
         return Err(PlannerError::file(&file, format!("lists `{name}`, which is not a file of a plan")));
     }
-    match result.done && !result.is_finite() {
+    match (result.done || result.planned) && !result.is_finite() {
         true => Err(PlannerError::file(&file, "is called done, but has a null where a value should be; solve again")),
         false => Ok(result),
     }
