@@ -8,8 +8,8 @@ from case import Case, fault
 
 PLAYERS = ("ur-rtde", "franka", "ros2")
 WITH_SCRIPT = (*PLAYERS, "urscript")
-# Height (m) of dry runs of the corner in free air.
-DRY_RUN = "0.03"
+# A plan with heights in free air for both arms: outside of the corner, they are close to their full reach. One of the heights (m).
+DRY_RUN_PLAN, DRY_RUN = "clamp1", "0.05"
 BEGIN, END = "<!-- faults -->\n", "<!-- end of faults -->\n"
 
 
@@ -55,9 +55,12 @@ def faults() -> list[Fault]:
         told("a force that nothing explains", "force", 2.0, 1, "force of", WITH_SCRIPT),
         told("a push that no sensor feels", "push", 2.0, 1, "stopped: ", WITH_SCRIPT),
         told("a load of 20 N that is not set as payload", "payload", 0.0, 1, "payload", WITH_SCRIPT),
-        told("obstacle on the path to the start", "obstacle", 0.8, 1, "stopped: ", WITH_SCRIPT, simulation_more={"displaced": 0.02}),
+        told("obstacle on the path to the start", "obstacle", 0.8, 1, "stopped: ", WITH_SCRIPT, simulation_more={"displaced": 0.01}),
         told("obstacle in the test of the frames", "obstacle", 1.4, 1, "stopped: ", WITH_SCRIPT, flags=()),
-        told("obstacle in a dry run", "obstacle", 2.0, 1, "", WITH_SCRIPT, flags=("--skip-self-test", "--dry-run", DRY_RUN)),
+        told(
+            "obstacle in a dry run", "obstacle", 2.0, 1, "", WITH_SCRIPT, plan=DRY_RUN_PLAN,
+            flags=("--skip-self-test", "--dry-run", DRY_RUN),
+        ),
         told("connection lost while playing", "disconnect", 2.0, 1, "stopped: ", ("franka", "ros2")),
         told("protective stop of the robot", "protective", 2.0, 1, "stopped by itself", ("ur-rtde", "franka")),
         told("safeguard stop of the robot", "safeguard", 2.0, 1, "safeguard", ("ur-rtde",)),
@@ -95,7 +98,7 @@ def faults() -> list[Fault]:
     made("distance guard that is no number", 2, "--distance-limit", flags=("--distance-limit", "nan"))
     made("dry run of 1 mm", 2, "not in free air", WITH_SCRIPT, flags=("--dry-run", "0.001"))
     made("plan.json: edited gain", 2, "was changed", spoil=spoiling.edited(spoiling.stiffer))
-    made("plan.json: NaN, sealed again", 2, "no number", spoil=spoiling.edited(spoiling.no_number, sealed=True))
+    made("plan.json: NaN, sealed again", 2, "not a number", spoil=spoiling.edited(spoiling.no_number, sealed=True))
     made("plan.json: another format", 2, "export again", spoil=spoiling.edited(spoiling.older, sealed=True))
     made("trajectory of another plan", 2, "another export", spoil=spoiling.foreign("clamp1-six"))
     made("trajectory cut", 2, "was changed", spoil=spoiling.rows(lambda lines: lines[:50], sealed=False))
@@ -103,7 +106,7 @@ def faults() -> list[Fault]:
     made("trajectory that jumps, sealed again", 2, "jumps", spoil=spoiling.rows(spoiling.moved))
     made("quaternions that change sign, sealed again", 2, "sign", spoil=spoiling.rows(spoiling.flipped))
     made("quaternions of norm 1.1, sealed again", 2, "unit norm", spoil=spoiling.rows(spoiling.longer))
-    made("seal missing", 2, "no whole export", spoil=spoiling.lost("SHA256SUMS"))
+    made("seal missing", 2, "not a whole folder", spoil=spoiling.lost("SHA256SUMS"))
     made("player with a guard taken out", 2, "was changed", spoil=spoiling.changed_player)
     return found
 
@@ -122,7 +125,8 @@ def case_of(fault_: Fault, player: str) -> Case:
     words = fault_.words.replace("/", " ").replace(":", "").replace(",", "")
     is_script = player == "urscript"
     says = "stopped: " if is_script and fault_.says in ("number", "force of", "tool point") else fault_.says
-    return Case(f"{player} {words}", player, "corner", code_of(fault_, player), says, **making)
+    plan = making.pop("plan", "corner")
+    return Case(f"{player} {words}", player, plan, code_of(fault_, player), says, **making)
 
 
 def code_of(fault_: Fault, player: str) -> int:

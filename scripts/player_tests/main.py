@@ -20,7 +20,7 @@ from collections.abc import Iterator
 
 import checks
 from case import Case, fault
-from faulty_cases import DRY_RUN, faulty, write_table
+from faulty_cases import DRY_RUN, DRY_RUN_PLAN, faulty, write_table
 from rtde_server import DASHBOARD
 from seal import seal
 
@@ -66,10 +66,10 @@ def guards() -> list[Case]:
 
     cases = []
     for target in ("ur-rtde", "franka", "ros2"):
-        add = lambda name, *rest, target=target, **more: cases.append(
-            Case(f"{target} {name}", target, "corner", *rest, **more)
+        add = lambda name, *rest, plan="corner", target=target, **more: cases.append(
+            Case(f"{target} {name}", target, plan, *rest, **more)
         )
-        add("self-test and dry run", 0, "dry run: the tool ends", flags=("--dry-run", DRY_RUN))
+        add("self-test and dry run", 0, "dry run: the tool ends", plan=DRY_RUN_PLAN, flags=("--dry-run", DRY_RUN))
         add("interrupt", 130, "interrupted", interrupted_at="testing the frames", flags=())
         add("without packages", 3, "pip install numpy", has_packages=False)
         add("wrong factor", 2, "--stiffness-factor", flags=("--stiffness-factor", "-1"))
