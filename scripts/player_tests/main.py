@@ -75,7 +75,7 @@ def guards() -> list[Case]:
         add("wrong factor", 2, "--stiffness-factor", flags=("--stiffness-factor", "-1"))
         add("soft", 1, "the tool moved", flags=("--stiffness-factor", "0.001"))
         add("distance", 1, "from its reference", flags=("--skip-self-test", "--distance-limit", "0.001"))
-        add("displaced", 0, "", inserts=True, simulation={"displaced": 0.01})
+        add("displaced", 0, "", inserts=True, simulation={"displaced": 0.005})
     for name in ("force", "hang", "disconnect", "protective"):
         cases.append(Case(f"loopback {name}", "loopback", "corner", 1, "stopped: ", simulation=fault(name)))
     cases += [
@@ -91,7 +91,6 @@ def guards() -> list[Case]:
         Case("ros2 motion-update", "ros2", "corner", inserts=True, flags=("--skip-self-test", "--message", "motion-update")),
         Case("urscript without receiver", "urscript", "corner", inserts=True, has_receiver=False),
         Case("urscript turned base", "urscript", "corner", inserts=True, simulation={"base_is_turned": True}),
-        Case("urscript frame", "urscript", "corner", 1, "tool point (TCP)", simulation=fault("frame", 0.0)),
         Case("urscript force", "urscript", "corner", 1, "beyond the limit", simulation=fault("force")),
         Case("urscript too far", "urscript", "corner", 1, "move the robot to the start", simulation={"displaced": 0.6}),
     ]
