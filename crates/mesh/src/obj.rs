@@ -70,7 +70,7 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, MeshError> {
         match keyword.as_str() {
             "v" => vertices.push(vertex(&words.collect::<Vec<_>>(), line, &mut digits)?),
             "f" | "fo" => {
-                let corners = words.map(|word| Ok(index(word, line)?.from_first(vertices.len())));
+                let corners = words.map(|word| Ok(index(word, line)?.counted_from_first(vertices.len())));
                 faces.push((line, corners.collect::<Result<Vec<i64>, MeshError>>()?));
             }
             known if SHAPELESS.contains(&known) => {}
@@ -130,7 +130,7 @@ struct Index(i64);
 
 impl Index {
     /// Counted from zero; out of range where there is no such vertex.
-    fn from_first(&self, known: usize) -> i64 {
+    fn counted_from_first(&self, known: usize) -> i64 {
         if self.0 > 0 { self.0 - 1 } else { self.0.saturating_add(known as i64) }
     }
 }

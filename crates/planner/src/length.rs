@@ -13,7 +13,7 @@ const NOTHING: f64 = 5e-10;
 /// Decimals of a length (m) in millimetres.
 pub(crate) fn decimals(length: f64) -> usize {
     match length.abs() {
-        size if size >= 1e-3 || size < NOTHING => 1,
+        size if !(NOTHING..1e-3).contains(&size) => 1,
         size if size >= 1e-4 => 2,
         size if size >= 1e-5 => 3,
         _ => 4,
