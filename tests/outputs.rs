@@ -198,7 +198,7 @@ fn inputs_are_never_replaced() {
     dir.copy("homotopy.toml", "other/stages/1/reference.csv");
     refused(&dir, "solve corner.toml --homotopy other/stages/1/reference.csv --out other", "choose another --out");
     refused(&dir, "solve corner.toml --out corner.toml", "corner.toml: is a file; name a folder");
-    refused(&dir, "solve corner.toml --out /", "cannot be the folder of a plan");
+    refused(&dir, "solve corner.toml --out /", "cannot be the folder to write");
     dir.copy("corner.toml", "inside/resolved.toml");
     dir.copy("homotopy.toml", "inside/homotopy.toml");
     let inside = TestCommand::new(&dir.path("inside"), "solve resolved.toml --out .");

@@ -11,7 +11,7 @@ impl Table {
     pub fn parse(text: &str) -> Self {
         let mut lines = text.lines();
         let header = lines.next().unwrap_or_default().to_owned();
-        Self { header, rows: lines.map(|line| line.split(',').map(str::to_owned).collect()).collect() }
+        Self { header, rows: lines.map(cells).collect() }
     }
 
     /// Index of a column.
@@ -41,6 +41,16 @@ impl Table {
             self.header.split(',').enumerate().filter(|(_, name)| !columns.contains(name)).map(|(at, _)| at).collect();
         self.rows.iter().map(|row| kept.iter().map(|&index| row[index].clone()).collect()).collect()
     }
+}
+
+/// Cells of a line; commas between quotes belong to their cell.
+fn cells(line: &str) -> Vec<String> {
+    let mut is_quoted = false;
+    let mut ends_cell = |letter: char| {
+        is_quoted ^= letter == '"';
+        letter == ',' && !is_quoted
+    };
+    line.split(&mut ends_cell).map(|cell| cell.trim_matches('"').to_owned()).collect()
 }
 
 /// Cells as numbers.
