@@ -119,7 +119,7 @@ mod tests {
             (largest - value).abs() < 1e-4 * value && (time_s - time).abs() < 1e-12
         };
         assert!(close(motion.rotation, 0.3, 0.5), "of the reference: {:?}", motion.rotation);
-        assert!(close(motion.departure, 0.00697, 1.0), "{:?}", motion.departure);
+        assert!(close(motion.departure, 0.006_965_26, 1.0), "{:?}", motion.departure);
         assert!(motion.free_departure.largest == 0.0, "in the second step it touches: {:?}", motion.free_departure);
     }
 
