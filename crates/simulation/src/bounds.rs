@@ -1,5 +1,6 @@
 //! How a reference may move.
 
+use nalgebra::UnitQuaternion;
 use task::Limits;
 
 use crate::reference::Reference;
@@ -7,20 +8,26 @@ use crate::reference::Reference;
 /// Fraction of a limit by which a motion may exceed it.
 pub const LIMIT_SLACK: f64 = 1e-3;
 
+/// Rounding of a scalar product of unit quaternions.
+const ROUNDING: f64 = 1e-12;
+
 /// Limits of velocity and acceleration that a reference keeps, and motions that it stays near to: success alone would also
 /// be reached by throwing the part.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
     limits: Limits,
     near: Option<Near>,
 }
 
-/// A box of positions, and velocities.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A box of positions, orientations, and velocities.
+#[derive(Debug, Clone, PartialEq)]
 struct Near {
     /// Smallest and largest coordinates (m, world frame).
     lowest: [f64; 3],
     highest: [f64; 3],
+    /// Orientations, and the largest angle to the nearest of them (rad).
+    orientations: Vec<UnitQuaternion<f64>>,
+    rotation: f64,
     /// Largest component (m/s, and rad/s).
     velocity: f64,
     angular_velocity: f64,
@@ -33,22 +40,24 @@ impl Bounds {
     }
 
     /// Also near some references: no further than `margin` (m) outside of the box of their positions, and no faster than
-    /// `haste` times the fastest of them. A body that reaches `radius` (m) from its origin may also turn so fast that its
-    /// farthest corner is as fast as the body may be.
+    /// `haste` times the fastest of them. A body that reaches `radius` (m) from its origin may be rotated away from all of
+    /// their orientations by so much that its farthest corner is shifted by the margin, and rotate so fast that this is as fast
+    /// as the body may be.
     pub fn near(self, references: &[&Reference], margin: f64, haste: f64, radius: f64) -> Self {
         let all = references.iter().map(|reference| Near::of(reference)).reduce(|one, other| one.with(&other));
         Self { near: all.map(|near| near.widened(margin, haste, radius)), ..self }
     }
 
     /// With room for another reference, as it is: where refinement begins must be allowed.
-    pub fn including(self, reference: &Reference) -> Self {
-        Self { near: self.near.map(|near| near.with(&Near::of(reference))), ..self }
+    pub fn including(&self, reference: &Reference) -> Self {
+        Self { near: self.near.as_ref().map(|near| near.with(&Near::of(reference))), ..*self }
     }
 
     /// Whether a reference keeps the limits, within a solver's tolerance, and stays near.
     pub fn allow(&self, reference: &Reference) -> bool {
         let kept = reference.limits_kept();
-        self.limits.allow(&kept, LIMIT_SLACK) && self.near.is_none_or(|near| near.contains(&Near::of(reference)))
+        self.limits.allow(&kept, LIMIT_SLACK)
+            && self.near.as_ref().is_none_or(|near| near.contains(&Near::of(reference)))
     }
 }
 
@@ -59,6 +68,8 @@ impl Near {
         Self {
             lowest: [0, 1, 2].map(|of| axis(of).fold(f64::INFINITY, f64::min)),
             highest: [0, 1, 2].map(|of| axis(of).fold(f64::NEG_INFINITY, f64::max)),
+            orientations: reference.orientations().collect(),
+            rotation: 0.0,
             velocity: translational_velocity,
             angular_velocity: rotational_velocity,
         }
@@ -68,6 +79,8 @@ impl Near {
         Self {
             lowest: std::array::from_fn(|axis| self.lowest[axis].min(other.lowest[axis])),
             highest: std::array::from_fn(|axis| self.highest[axis].max(other.highest[axis])),
+            orientations: [&self.orientations[..], &other.orientations[..]].concat(),
+            rotation: self.rotation.max(other.rotation),
             velocity: self.velocity.max(other.velocity),
             angular_velocity: self.angular_velocity.max(other.angular_velocity),
         }
@@ -78,6 +91,8 @@ impl Near {
         Self {
             lowest: self.lowest.map(|least| least - margin),
             highest: self.highest.map(|most| most + margin),
+            orientations: self.orientations.clone(),
+            rotation: margin / radius,
             velocity,
             angular_velocity: (haste * self.angular_velocity).max(velocity / radius),
         }
@@ -86,7 +101,16 @@ impl Near {
     fn contains(&self, other: &Self) -> bool {
         let is_inside =
             |axis: usize| self.lowest[axis] <= other.lowest[axis] && other.highest[axis] <= self.highest[axis];
-        (0..3).all(is_inside) && other.velocity <= self.velocity && other.angular_velocity <= self.angular_velocity
+        (0..3).all(is_inside)
+            && other.orientations.iter().all(|orientation| self.is_near(orientation))
+            && other.velocity <= self.velocity
+            && other.angular_velocity <= self.angular_velocity
+    }
+
+    fn is_near(&self, orientation: &UnitQuaternion<f64>) -> bool {
+        // The cosine of half of the angle between two orientations is the size of their scalar product.
+        let least = (0.5 * self.rotation.min(std::f64::consts::PI)).cos() - ROUNDING;
+        self.orientations.iter().any(|known| known.coords.dot(&orientation.coords).abs() >= least)
     }
 }
 
@@ -121,6 +145,13 @@ mod tests {
         assert!(bounds.allow(&Reference::new(1.0, &turning)), "corners 0.5 m away are as fast as the body may be");
         turning[1][12] = 0.41;
         assert!(!bounds.allow(&Reference::new(1.0, &turning)), "turns too fast");
+        let mut turned = along(&[0.0, 0.1, 0.2]).states();
+        // The farthest corner may be shifted by 0.05 m as well.
+        for (angle, allowed) in [(0.099_f64, true), (0.101, false)] {
+            turned[1][3..7].copy_from_slice(&[(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0]);
+            assert_eq!(bounds.allow(&Reference::new(1.0, &turned)), allowed, "turned by {angle} rad");
+        }
+        assert!(bounds.including(&Reference::new(1.0, &turned)).allow(&Reference::new(1.0, &turned)));
         assert!(bounds.including(&wide).allow(&wide));
         let limited = Limits { translational_velocity: 0.15, ..Limits::NONE };
         assert!(

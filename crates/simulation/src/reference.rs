@@ -153,6 +153,11 @@ impl Reference {
         self.knots.iter().map(|knot| knot.pose.translation.vector.into())
     }
 
+    /// Orientations at the knots.
+    pub fn orientations(&self) -> impl Iterator<Item = UnitQuaternion<f64>> {
+        self.knots.iter().map(|knot| knot.pose.rotation)
+    }
+
     /// The tightest limits that the reference keeps; it has velocities and accelerations only.
     pub fn limits_kept(&self) -> Limits {
         Limits::kept_by(&self.states(), self.time_step, &[], 0.0)

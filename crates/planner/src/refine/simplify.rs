@@ -24,7 +24,7 @@ const SHARE: f64 = 0.5;
 const STRAIGHTENED: &str = ", straightened";
 
 impl Refiner<'_> {
-    /// Simplifies a robust plan for a free body. What comes of it is kept if it is robust in a new evaluation.
+    /// Simplifies a robust plan for a free body. What comes of it is kept if it succeeds as often in a new evaluation.
     pub(super) fn simplify(&mut self) -> Result<(), PlannerError> {
         let Some(robust) = self.best.clone().filter(|best| best.reached) else { return Ok(()) };
         let is_as_planned = robust.changes == 0 && !has_strokes(&robust);
@@ -36,11 +36,12 @@ impl Refiner<'_> {
         for _ in 0..ATTEMPTS {
             let Some((simpler, round)) = self.simpler(&robust) else { return Ok(()) };
             let judgement = self.judge(&simpler.reference, self.clock.end());
+            let rate = judgement.rates.overall();
             if judgement.rates.rollouts() > 0 {
-                self.session.tell(Event::Refined { rate: judgement.rates.overall() });
+                self.session.tell(Event::Refined { rate });
             }
-            if judgement.reached {
-                self.rounds.push(Round { rate: Some(judgement.rates.overall()), ..round });
+            if judgement.reached && rate >= robust.rates.overall() {
+                self.rounds.push(Round { rate: Some(rate), ..round });
                 let (failing, round) = (judgement.failing(), self.rounds.len());
                 return self.keep(Kept { failing, rates: judgement.rates, round, ..simpler }, self.rounds.clone());
             }

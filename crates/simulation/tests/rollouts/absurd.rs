@@ -54,7 +54,7 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
             let outcome = rollout.play(&reference, [0.0; 3], |_, _| {});
             assert!(outcome.diverged || outcome.pose.iter().all(|component| component.is_finite()));
             rollout.trajectory(&reference, &[[0.0; 3]], value);
-            evaluator.bounds().near(&[&reference], value, value, value).allow(&reference);
+            evaluator.bounds().clone().near(&[&reference], value, value, value).allow(&reference);
         }
         for grasp in
             [GraspError { offset: [value; 3], turn: [0.0; 3] }, GraspError { offset: [0.0; 3], turn: [value; 3] }]
