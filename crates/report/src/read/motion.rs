@@ -87,7 +87,9 @@ impl World {
     pub fn measures(&self, tables: &MotionTables) -> Vec<Measures> {
         let last = |scenario: &ScenarioTables| scenario.states.last().map_or(self.goal, pose_of);
         let errors = |pose: [f64; 7]| <[f64; 2]>::from(task::pose::errors(&pose, &self.goal));
-        let max_force = |scenario: &ScenarioTables| scenario.contacts.iter().map(largest_force).fold(0.0, f64::max);
+        let max_force = |scenario: &ScenarioTables| {
+            scenario.contacts.iter().map(|contacts| largest_force(contacts)).fold(0.0, f64::max)
+        };
         let measures = |scenario| Measures { errors: errors(last(scenario)), max_force: max_force(scenario) };
         tables.scenarios.iter().map(measures).collect()
     }
@@ -179,7 +181,7 @@ impl World {
 }
 
 /// Force of the pair that pushes most.
-fn largest_force(contacts: &Vec<Contact>) -> f64 {
+fn largest_force(contacts: &[Contact]) -> f64 {
     contacts.iter().map(|contact| contact.force).fold(0.0, f64::max)
 }
 
