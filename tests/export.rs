@@ -201,15 +201,16 @@ fn a_title_is_no_template() {
 #[test]
 fn an_interrupted_export_is_repeated() {
     let dir = plan();
-    dir.run("export out --to csv --rate 100 --out robot").code(0);
-    let old = dir.snapshot("robot");
-    dir.run("export out --to csv --rate 250 --out other").code(0);
-    let new = dir.snapshot("other");
+    let exported = |rate: u32, folder: &str| {
+        dir.run(&format!("export out --to csv --rate {rate} --out {folder}")).code(0);
+        dir.snapshot(folder)
+    };
+    exported(250, "other");
+    let [new, old] = [250, 100].map(|rate| exported(rate, "robot"));
     let names = ["README.md", "plan.json", "trajectory.csv", "wrench.csv", "SHA256SUMS"];
     for moved in 0..=names.len() {
         // As it is after so many moves: the sums are out, some files are in.
-        dir.run("export out --to csv --rate 100 --out robot").code(0);
-        assert!(dir.snapshot("robot") == old);
+        assert!(exported(100, "robot") == old);
         dir.make_folder(".robot.unfinished/whole");
         dir.write(".robot.unfinished/lock", "");
         dir.write(".robot.unfinished/replaced", dir.read("robot/SHA256SUMS"));
@@ -218,8 +219,7 @@ fn an_interrupted_export_is_repeated() {
             let place = if index < moved { "robot" } else { ".robot.unfinished/whole" };
             dir.write(format!("{place}/{name}"), dir.read(format!("other/{name}")));
         }
-        dir.run("export out --to csv --rate 250 --out robot").code(0);
-        assert!(dir.snapshot("robot") == new, "after {moved} moves");
+        assert!(exported(250, "robot") == new, "after {moved} moves");
         assert!(!dir.exists(".robot.unfinished"));
     }
 }

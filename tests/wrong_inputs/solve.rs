@@ -12,7 +12,7 @@ pub const ROWS: &[Row] = &[
     ("solve", &[], "<SCENE>"),
     ("solve scene.toml other.toml", &[], "unexpected argument 'other.toml'"),
     ("solve gone.toml --out out", &[], "gone.toml"),
-    ("solve folder --out out", &[], "folder: the scene cannot be read: it is a folder; name a scene file"),
+    ("solve folder --out out", &[], "folder: the scene cannot be read: it is a folder; name a file"),
     ("solve '' --out out", &[], "a value is required for '<SCENE>'"),
     ("solve latin.toml --out out", &[], "latin.toml:1"),
     ("solve binary.toml --out out", &[], "binary.toml: the scene cannot be read: it is not a text file"),

@@ -1,6 +1,6 @@
 //! A scene to begin with, from two files: where the body goes in, how deep, and where it starts.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 use scene::{Axis, FilePair, Scene, Source, StarterPoses, StarterValues, probe_scene, starter_scene};
@@ -61,13 +61,21 @@ pub fn starter(
         let problem = read(file, &text, &Choices::default())?;
         return Ok(Starter { text, problem, fit: None });
     };
-    let (poses, fit) = fit(file, files, axis, values)?;
-    let text = starter_scene(file, Some((files, &poses)), values)?;
-    let problem = read(file, &text, &Choices::default())?;
+    let standing = in_standing_folder(file);
+    let (poses, fit) = fit(&standing, files, axis, values)?;
+    let problem = read(&standing, &starter_scene(&standing, Some((files, &poses)), values)?, &Choices::default())?;
     match refusal(&problem) {
         Some(reason) => Err(PlannerError::file(&files.body, reason)),
-        None => Ok(Starter { text, problem, fit: Some(fit) }),
+        None => Ok(Starter { text: starter_scene(file, Some((files, &poses)), values)?, problem, fit: Some(fit) }),
     }
+}
+
+/// The file, or one of its name in the nearest folder above that exists: from a folder that is still to be made, no other
+/// file is found.
+fn in_standing_folder(file: &Path) -> PathBuf {
+    let is_folder = |folder: &&Path| folder.as_os_str().is_empty() || folder.is_dir();
+    let folder = file.ancestors().skip(1).find(is_folder).unwrap_or(Path::new(""));
+    folder.join(file.file_name().unwrap_or_default())
 }
 
 fn read(file: &Path, text: &str, choices: &Choices) -> Result<Problem, PlannerError> {

@@ -131,7 +131,7 @@ fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
 
 #[test]
 fn a_limit_that_the_solve_has_used_up_leaves_the_plan_unjudged() {
-    let target = RobustnessTarget { time_limit: Duration::ZERO, ..RobustnessTarget::default() };
+    let target = RobustnessTarget { time_limit: Duration::ZERO, frictions: vec![0.0], ..RobustnessTarget::default() };
     let plan = refined(0.1, &target);
     let report = plan.robustness.as_ref().unwrap();
     assert!(report.after.0.iter().all(|group| group.rollouts == 0));

@@ -28,7 +28,7 @@ pub fn read_text(file: &Path, what: &str) -> Result<String, SceneError> {
     let refuse = |reason: &str| SceneError::about(file, format!("the {what} cannot be read: {reason}"));
     let failed = |error: std::io::Error| match error.kind() {
         ErrorKind::NotFound => refuse("there is no such file"),
-        ErrorKind::IsADirectory => refuse(&format!("it is a folder; name a {what} file")),
+        ErrorKind::IsADirectory => refuse("it is a folder; name a file"),
         ErrorKind::PermissionDenied => refuse("permission denied"),
         _ => refuse(&error.to_string()),
     };
@@ -38,7 +38,9 @@ pub fn read_text(file: &Path, what: &str) -> Result<String, SceneError> {
     if bytes.len() as u64 > limit {
         return Err(refuse(&format!("it is larger than {LARGEST} MiB")));
     }
-    if bytes.contains(&0) {
+    // Text in UTF-16 has zeros as well, and is said to be in another encoding.
+    let is_utf_16 = [[0xff, 0xfe], [0xfe, 0xff]].iter().any(|mark| bytes.starts_with(mark));
+    if bytes.contains(&0) && !is_utf_16 {
         return Err(refuse("it is not a text file"));
     }
     String::from_utf8(bytes).map_err(|error| {

@@ -93,7 +93,7 @@ fn manifest_and_cells_are_read_back() {
         let file = folder.path().join(name);
         let ours = std::fs::read(&file).unwrap();
         std::fs::write(&file, mine).unwrap();
-        assert!(collect(&manifest).unwrap_err().to_string().contains("is no table of an earlier run"));
+        assert!(collect(&manifest).unwrap_err().to_string().contains("is not a table of an earlier run"));
         assert_eq!(std::fs::read_to_string(&file).unwrap(), mine);
         std::fs::write(&file, ours).unwrap();
     }

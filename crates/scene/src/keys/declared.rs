@@ -96,7 +96,7 @@ pub const KEYS: &[Key] = &[
     key("impedance", "rotational_damping", Matrix(DAMPING), "Nms/rad", Means("critical damping"), "damping in the body frame: about each axis, or 3x3 matrix"),
 
     key("robustness", "offset_magnitude", Number(Range::closed(0.0, 10.0)), "m", Refused, "how far the body may be from where the robot believes it to be: a radius"),
-    key("robustness", "coverage", Choice(COVERAGES), "", Means("`disc`"), "which offsets of up to `offset_magnitude` are covered: all across the insertion (`disc`), or all in any direction (`ball`); not beside `offset_directions`"),
+    key("robustness", "coverage", Choice(COVERAGES), "", Means("`disc`"), "which offsets of up to `offset_magnitude` are covered: those across the insertion (`disc`) or in any direction (`ball`); not beside `offset_directions`"),
     key("robustness", "insertion_axis", Direction, "", Means("the straight line from the first start to the goal"), "axis of the disc, in the body frame"),
     key("robustness", "offset_directions", Directions(1..=1000), "", Means("chosen for `coverage`"), "one planned motion for each: its offset is magnitude x direction, in the body frame; `[0, 0, 0]` is no offset; covered is their convex hull"),
     key("robustness", "turn", Number(Range::closed(0.0, 1.57)), "rad", Default(0.0), "how far the body may also be rotated in the gripper, about any axis; `--robust` tolerates it"),

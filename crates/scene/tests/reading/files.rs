@@ -22,8 +22,11 @@ fn a_file_that_cannot_be_read_is_named_with_the_reason() {
     let folder = tempfile::tempdir().unwrap();
     let reason = |file: &Path| Scene::load(file).unwrap_err().message().to_owned();
     assert_eq!(reason(&folder.path().join("none.toml")), "the scene cannot be read: there is no such file");
-    assert_eq!(reason(folder.path()), "the scene cannot be read: it is a folder");
-    assert_eq!(read_text(folder.path(), "matrix").unwrap_err().message(), "the matrix cannot be read: it is a folder");
+    assert_eq!(reason(folder.path()), "the scene cannot be read: it is a folder; name a file");
+    assert_eq!(
+        read_text(folder.path(), "matrix").unwrap_err().message(),
+        "the matrix cannot be read: it is a folder; name a file"
+    );
 }
 
 #[test]

@@ -324,7 +324,9 @@ fn a_homotopy_file_that_cannot_be_read_is_shown_in_the_scene_that_names_it() {
     let large = other.path().join("large.toml");
     std::fs::write(&large, "# padding\n".repeat(1_700_000)).unwrap();
     let (gone, large, other) = ("gone.toml", large.to_str().unwrap(), other.path().to_str().unwrap());
-    for (name, reason) in [(gone, "there is no such file"), (other, "it is a folder"), (large, "larger than 16 MiB")] {
+    for (name, reason) in
+        [(gone, "there is no such file"), (other, "it is a folder; name a file"), (large, "larger than 16 MiB")]
+    {
         let error = scene_with(&format!("homotopy = {name:?}"), "").unwrap_err();
         assert!(error.message().starts_with("the homotopy ") && error.message().ends_with(reason), "{error}");
         assert!(error.message().contains(&format!("{name} cannot be read: ")), "{error}");
