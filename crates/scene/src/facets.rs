@@ -13,6 +13,10 @@ const DEFAULT: usize = 24;
 pub const SHARE: f64 = 0.05;
 /// Share beyond which a plan for the facets says nothing about the part.
 pub const LARGEST_SHARE: f64 = 0.25;
+/// Largest interference and largest gap of a fit, in radii of the hole: cylinders that interfere more are walls of other
+/// features, those that leave more room guide nothing.
+const LARGEST_INTERFERENCE: f64 = 0.02;
+const LARGEST_GAP: f64 = 0.5;
 /// Cylinders that overlap by less along their axis (m) only touch end to end.
 const TOUCHING: f64 = 1e-6;
 /// Cosine of the angle between axes that are parallel.
@@ -106,7 +110,26 @@ impl Cylinder {
         let is_around = self.axis.dot(&hole.axis).abs() > PARALLEL
             && along.abs() < 0.5 * (self.length + hole.length) - TOUCHING
             && aside < 0.1 * hole.radius
-            && gap.abs() < 0.5 * hole.radius;
+            && (-LARGEST_INTERFERENCE * hole.radius..LARGEST_GAP * hole.radius).contains(&gap);
         is_around.then_some(Fit { hole: hole.radius, gap: gap - aside, mesh_error: hole.mesh_error })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cylinder(radius: f64) -> Cylinder {
+        Cylinder { middle: Point3::origin(), axis: Vector3::z(), length: 0.01, radius, mesh_error: 0.0 }
+    }
+
+    #[test]
+    fn walls_of_other_features_are_no_fit() {
+        let gap = |part: f64, hole: f64| cylinder(part).fit(&cylinder(hole)).map(|fit| fit.gap);
+        // The rim of a lid in its pot, and a boss that is nominally as large as its hole.
+        assert!((gap(0.0367, 0.037).unwrap() - 3e-4).abs() < 1e-12);
+        assert!((gap(0.01813, 0.018).unwrap() + 1.3e-4).abs() < 1e-12);
+        // The inside of the rim around the outside of the pot, and a pin in a wide pot.
+        assert_eq!((gap(0.04, 0.033), gap(0.01, 0.037)), (None, None));
     }
 }
