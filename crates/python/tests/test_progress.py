@@ -13,6 +13,7 @@ import pytest
 from assembly_plan import Plan, Scene, events
 from conftest import PEG, ROOT
 
+
 @pytest.fixture(scope="module")
 def peg() -> Scene:
     return Scene.load(PEG)
