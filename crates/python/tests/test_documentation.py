@@ -35,7 +35,7 @@ def test_keywords_are_flags_of_the_command(name: str) -> None:
     assert keywords - {"progress"} - ({"homotopy"} if subcommand == "check" else set()) <= flags
     for key in keywords:
         default = re.search(
-            rf"--{key.replace('_', '-')} <.*?\[default: ([0-9.e-]+)\]", shown.split("Options:")[1], re.DOTALL
+            rf"--{key.replace('_', '-')} <[^\n]*\[default: ([0-9.e-]+)", shown.split("Options:")[1], re.DOTALL
         )
         value = parameters[key].default
         if isinstance(value, float | int) and not isinstance(value, bool):
@@ -81,7 +81,7 @@ def test_the_sweep_is_drawn(tmp_path: Path) -> None:
 def test_a_part_is_planned_from_a_mesh(tmp_path: Path) -> None:
     shown = run([EXAMPLES / "mesh.py", "--out", tmp_path / "clamp"], tmp_path)
     assert "the mesh became clamp.1, clamp.2, clamp.3" in shown
-    assert Plan.load(tmp_path / "clamp").done
+    assert Plan.load(tmp_path / "clamp").planned
 
 
 def test_a_plan_is_played_in_mujoco(tmp_path: Path) -> None:

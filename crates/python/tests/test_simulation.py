@@ -41,8 +41,13 @@ def test_columns_are_the_rollouts(scene: Scene, plan: Plan) -> None:
 def test_every_source_of_offsets_is_played(scene: Scene, plan: Plan) -> None:
     count = len(plan.offsets)
     assert len(scene.simulate(plan).rollouts["success"]) == 2 * count
-    for region in ({}, {"hull": True}, {"disc": True}, {"ball": True}):
-        assert len(scene.simulate(plan, random=5, **region).rollouts["success"]) == 10
+    for played in (
+        scene.simulate(plan, random=5),
+        scene.simulate(plan, random=5, hull=True),
+        scene.simulate(plan, random=5, disc=True),
+        scene.simulate(plan, random=5, ball=True),
+    ):
+        assert len(played.rollouts["success"]) == 10
     assert len(scene.simulate(plan, grid=2).rollouts["success"]) > 2 * count
 
 

@@ -64,7 +64,7 @@ class Attempt:
 
 @dataclass(frozen=True)
 class Resumed:
-    """An earlier run is continued after `done` of at most `most` homotopy iterations; `refining` if it was refining already."""
+    """An earlier run is continued after `done` of at most `most` homotopy iterations; `refining` if it refined."""
 
     done: int
     most: int
