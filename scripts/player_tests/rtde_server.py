@@ -2,8 +2,9 @@
 
 Dashboard (29999), scripts (30003, which are received and not run) and RTDE (30004, version 2). Commands of the control script come
 in registers: `input_int_register_0` names one, `output_int_register_0` says that it is done (2) or that the next may come (1).
-While torques come, a period of the robot's time passes with each of them, so that a slow computer makes a slow robot and not a
-failure. The state is sent every two milliseconds, whether it is new or not."""
+The robot's time begins with the control script. While torques come, a period of it passes with each of them: a slow computer makes a
+slow robot and not a failure, and faults come where they are meant to. The state is sent every two milliseconds, whether it is new or
+not."""
 
 import functools
 import re
@@ -62,7 +63,8 @@ class Server:
         while True:
             time.sleep(PERIOD)
             with self.tick:
-                if self.robot.torques is not None or time.monotonic() - self.last_torque > SILENCE:
+                is_silent = time.monotonic() - self.last_torque > SILENCE
+                if self.registers["runtime_state"] == PLAYING and (self.robot.torques is not None or is_silent):
                     self.robot.wait()
                 self.periods += 1
                 self.tick.notify_all()

@@ -9,8 +9,8 @@ import numpy as np
 
 import rotations
 from exported_plan import ExportedPlan, ToolState
-from failures import ConnectionLost, InputError, Stopped
-from guards import Limits, Measurement
+from failures import ConnectionLost, InputError
+from guards import Limits, Measurement, require_later
 from kinematics import Pose
 from settings import Settings
 
@@ -49,9 +49,9 @@ class FrankaRobot:
             if time.monotonic() > deadline:
                 raise ConnectionLost(f"the robot has sent nothing for {PATIENCE:g} s")
             time.sleep(1e-4)
-        if not state.time.to_sec() > self.time:
-            raise Stopped(f"the time of the robot runs backwards: from {self.time:.3f} to {state.time.to_sec():.3f} s")
-        self.time = state.time.to_sec()
+        now = state.time.to_sec()
+        require_later(now, self.time)
+        self.time = now
         self.require_running()
         x, y, z, w = np.array(state.O_T_EE.quaternion).flatten()
         tool = Pose(np.array(state.O_T_EE.translation).flatten(), rotations.matrix(np.array([w, x, y, z])))

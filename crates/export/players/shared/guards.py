@@ -45,8 +45,7 @@ class Measurement:
         rotation = self.tool.pose.rotation
         if not (self.tool.is_finite() and np.abs(rotation @ rotation.T - np.eye(3)).max() <= 1e-3):
             raise Stopped("the robot says no numbers, or no rotation, for the pose or velocity of its tool")
-        if not np.isfinite(self.time):
-            raise Stopped("the robot says no number for its time")
+        require_later(self.time, -np.inf)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -142,6 +141,14 @@ class Guards:
                 f"the robot says its tool {1e3 * distance:.1f} mm and {angle:.3f} rad from where its joints have it: one of the two "
                 "is measured wrongly, or late"
             )
+
+
+def require_later(time: float, last: float) -> None:
+    """The time of a robot (s) goes on."""
+    if not np.isfinite(time):
+        raise Stopped("the robot says no number for its time")
+    if not time > last:
+        raise Stopped(f"the time of the robot runs backwards: from {last:.3f} to {time:.3f} s")
 
 
 def require_command(name: str, values: Any) -> None:

@@ -10,8 +10,8 @@ from rtde_receive import RTDEReceiveInterface
 
 import rotations
 from exported_plan import ExportedPlan, ToolState
-from failures import ConnectionLost, InputError, Stopped
-from guards import Measurement, require_command
+from failures import ConnectionLost, InputError
+from guards import Measurement, require_command, require_later
 from impedance import Impedance
 from kinematics import Pose
 from settings import Settings, require_between
@@ -98,8 +98,7 @@ class Connection:
                 self.is_lost = True
                 raise ConnectionLost(f"the robot has sent nothing for {PATIENCE:g} s; its watchdog stops it")
             time.sleep(1e-4)
-        if not now > self.time:
-            raise Stopped(f"the time of the robot runs backwards: from {self.time:.3f} to {now:.3f} s")
+        require_later(now, self.time)
         self.time = now
 
     def require_running(self) -> None:

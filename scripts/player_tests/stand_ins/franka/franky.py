@@ -1,6 +1,8 @@
 """Stand-in for the package franky-control: what the player uses, with the same signatures. Each look at the state lets two
 milliseconds of the simulated robot pass, in which its controller holds its torques; the real one computes them twice."""
 
+import atexit
+
 import numpy as np
 
 import rotations
@@ -98,6 +100,8 @@ class RobotState:
 class Robot:
     def __init__(self, fci_hostname: str) -> None:
         self.arm = SimulatedArm(Task.read())
+        # The connection ends with the program.
+        atexit.register(self.arm.leave)
         self.motion: CartesianImpedanceTrackingMotion | None = None
 
     def set_collision_behavior(self, torque_thresholds: object, force_thresholds: object) -> None:
@@ -112,7 +116,6 @@ class Robot:
         self.controller = ImpedanceController(self.arm, PERIOD)
 
     def join_motion(self, timeout: float | None = None) -> bool:
-        self.arm.leave()
         return True
 
     @property
