@@ -65,6 +65,8 @@ def faults() -> list[Fault]:
         told("protective stop of the robot", "protective", 2.0, 1, "stopped by itself", ("ur-rtde", "franka")),
         told("safeguard stop of the robot", "safeguard", 2.0, 1, "safeguard", ("ur-rtde",)),
         told("robot that refuses commands", "refuse", 2.0, 1, "does not take commands", ("ur-rtde",)),
+        told("robot that takes no watchdog", "no watchdog", 0.0, 1, "watchdog", ("ur-rtde",)),
+        told("command that never returns", "stuck", 2.0, 1, "does not return", ("ur-rtde",)),
         told("Jacobian of another tool", "jacobian", 0.0, 2, "Jacobian", ("ur-rtde",)),
         told("joint states without velocities", "no speeds", 0.0, 1, "velocities", ("ros2",)),
         told("joint states that end", "no joints", 2.0, 1, "joint states is", ("ros2",)),

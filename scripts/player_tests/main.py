@@ -37,7 +37,7 @@ TARGETS = {
     "urscript": ("urscript", ""),
 }
 # Longest time of a player (s), also on a machine that is busy.
-PATIENCE = 300.0
+PATIENCE = 120.0
 # What the players say of success: distance (m) and angle (rad) to the goal.
 POSITION_TOLERANCE, ANGLE_TOLERANCE = 0.003, 0.1
 # Largest force (N) on something that stands in free air: that of the guard, and what a millisecond of an impact adds.

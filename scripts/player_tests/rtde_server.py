@@ -190,6 +190,7 @@ class Server:
                 jacobian = self.robot.tool()[2].flatten(order="F")
                 numbers = [*range(24), *range(36, 48)]
                 self.registers |= {f"output_double_register_{number}": v for number, v in zip(numbers, jacobian)}
+                return
             self.registers["output_int_register_0"] = DONE if command else READY
             if command in (FORCE_MODE_STOP, STOP_JOINTS, STOP_SCRIPT):
                 self.leave_mode(command)

@@ -1,5 +1,7 @@
 """The robot that the stand-ins of ur-rtde share: its control period is 2 ms, and it does nothing between two commands."""
 
+import threading
+
 import numpy as np
 
 from simulated_arm import SimulatedArm, Task
@@ -48,6 +50,12 @@ class SimulatedRobot:
             return False
         self.arm.mode, self.torques = mode, torques
         return True
+
+    def fall_silent(self) -> None:
+        """A call never returns; the robot's watchdog stops it."""
+        self.arm.mode = "position"
+        self.arm.leave()
+        threading.Event().wait()
 
 
 _robots: dict[str, SimulatedRobot] = {}

@@ -15,7 +15,7 @@ DEFAULT = "executed.csv"
 # Room in the first line for the reason of a stop (bytes), and the longest reason that fits in (characters).
 ROOM, LONGEST_REASON = 4096, 600
 # What the first line says until the session has ended.
-UNFINISHED = "the player ended without a word: it was killed, or its computer lost power"
+UNFINISHED = "the player ended without a word: it was killed, crashed, or its computer lost power"
 # Time between two times at which rows are written, and at which they are forced to the disk (s).
 WRITTEN, SYNCHRONISED = 0.05, 1.0
 

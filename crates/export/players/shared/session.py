@@ -12,7 +12,7 @@ import rotations
 from exported_plan import ExportedPlan, ToolState, load
 from failures import InputError, Stopped
 from guards import SAME_ANGLE, SAME_POSITION, Guards, Limits, Measurement, require_command
-from interruption import Interruption
+from interruption import Interruption, Watchdog
 from journal import Journal, say
 from kinematics import Pose
 from motions import PEAK, straight
@@ -61,9 +61,16 @@ class Session:
     """One execution of a plan."""
 
     def __init__(
-        self, plan: ExportedPlan, robot: Robot, chosen: Settings, journal: Journal, interruption: Interruption
+        self,
+        plan: ExportedPlan,
+        robot: Robot,
+        chosen: Settings,
+        journal: Journal,
+        interruption: Interruption,
+        watchdog: Watchdog,
     ) -> None:
-        self.plan, self.robot, self.settings, self.journal, self.interruption = plan, robot, chosen, journal, interruption
+        self.plan, self.robot, self.settings, self.journal = plan, robot, chosen, journal
+        self.interruption, self.watchdog = interruption, watchdog
         self.is_begun = False
         # A dry run is shifted as a whole, away from the goal.
         self.shift = chosen.dry_run * plan.way_out() if chosen.dry_run else np.zeros(3)
@@ -102,6 +109,7 @@ class Session:
         """Stops the robot if it was begun with, and ends the connection; returns what goes wrong with that."""
         problems = []
         for step in (self.robot.end, self.robot.close) if self.is_begun else (self.robot.close,):
+            self.watchdog.go_on()
             try:
                 step()
             except Exception as error:
@@ -112,6 +120,7 @@ class Session:
 
     def read(self) -> Measurement:
         """The next measurement, of which nothing is missing."""
+        self.watchdog.go_on()
         self.interruption.check()
         measured = self.robot.read()
         measured.require_whole(self.plan.arm)
@@ -294,9 +303,21 @@ def main(parser: argparse.ArgumentParser, connect: Callable[[argparse.Namespace,
         for line in plan.warnings():
             say(f"warning: {line}")
         journal = Journal(plan, arguments.log, header(arguments, plan))
-        return keeping(
-            journal, lambda: Session(plan, connect(arguments, plan, chosen), chosen, journal, interruption).execute()
-        )
+
+        def give_up(why: str) -> int:
+            journal.close(why)
+            say(f"stopped: {why}")
+            return MISSED
+
+        def run() -> bool:
+            watchdog = Watchdog(give_up)
+            try:
+                robot = connect(arguments, plan, chosen)
+                return Session(plan, robot, chosen, journal, interruption, watchdog).execute()
+            finally:
+                watchdog.rest()
+
+        return keeping(journal, run)
 
     return exit_code(play)
 

@@ -126,7 +126,8 @@ class Connection:
                 f"the Jacobian of the robot differs by {difference:.2g} from that of the URDF file: tool point or base of the "
                 "robot are not those of the scene"
             )
-        self.control.setWatchdog(WATCHDOG)
+        if not self.control.setWatchdog(WATCHDOG):
+            raise ConnectionLost("the robot does not take a watchdog, which stops it when the player falls silent")
 
     def end(self) -> None:
         """Stops the joints. A command to a robot that does not answer would never return."""

@@ -33,7 +33,10 @@ class RTDEControlInterface:
         viscous_scale: list[float] = [0.9, 0.9, 0.8, 0.9, 0.9, 0.9],
         coulomb_scale: list[float] = [0.8, 0.8, 0.7, 0.8, 0.8, 0.8],
     ) -> bool:
-        return self.robot.command("torque", np.array(torque))
+        is_accepted = self.robot.command("torque", np.array(torque))
+        if self.arm.fails("stuck"):
+            self.robot.fall_silent()
+        return is_accepted
 
     def forceMode(self, arg0: list[float], arg1: list[int], arg2: list[float], arg3: int, arg4: list[float]) -> bool:
         position, _, jacobian = self.robot.tool()
@@ -55,7 +58,7 @@ class RTDEControlInterface:
         return True
 
     def setWatchdog(self, min_frequency: float = 10.0) -> bool:
-        return True
+        return not self.arm.fails("no watchdog")
 
     def kickWatchdog(self) -> bool:
         return True
