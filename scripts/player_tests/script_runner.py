@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+import faults
 import rotations
 from simulated_arm import SimulatedArm, Task
 
@@ -107,11 +108,13 @@ class Controller:
 
     def get_forward_kin(self, positions: list[float]) -> list[float]:
         """Where the controller has its tool point: a wrong tool point is wrong here too."""
-        before = self.arm.data.qpos.copy()
-        self.arm.data.qpos[:] = positions
-        pose = self.get_actual_tcp_pose()
-        self.arm.data.qpos[:] = before
-        return pose
+        arm = self.arm
+        before = arm.data.qpos.copy()
+        arm.data.qpos[:] = positions
+        position, rotation, _ = arm.tool()
+        arm.data.qpos[:] = before
+        said = arm.spoiled(faults.Said(arm.time, np.array(positions), np.zeros(6), position, rotation, np.zeros(6)))
+        return pose_of(self.base @ said.pose, self.base @ said.rotation)
 
     def pose_trans(self, first: list[float], second: list[float]) -> list[float]:
         (position, rotation), (further, turned) = isometry(first), isometry(second)

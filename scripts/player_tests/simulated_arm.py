@@ -121,7 +121,10 @@ class SimulatedArm:
         """What the robot says of itself."""
         position, rotation, _ = self.tool()
         data = self.data
-        said = faults.Said(self.time, data.qpos.copy(), data.qvel.copy(), position, rotation, self.wrench())
+        return self.spoiled(faults.Said(self.time, data.qpos.copy(), data.qvel.copy(), position, rotation, self.wrench()))
+
+    def spoiled(self, said: faults.Said) -> faults.Said:
+        """The same, when the fault has come."""
         if self.time < self.task.fault.time or not self.task.fault.kind:
             return said
         self.first = self.first or said
