@@ -2,7 +2,8 @@
 
 use planner::files::{LimitsRecord, MotionRecord, PlanResult};
 use planner::{
-    Millimetres, OffsetRegion, PushReport, RobustnessReport, SuccessRate, SuccessRates, TestReport, interval, rate,
+    Millimetres, OffsetRegion, PushReport, RobustnessReport, SuccessRate, SuccessRates, TestReport, interval,
+    max_force, rate,
 };
 
 /// What came of a plan, in a few lines.
@@ -131,7 +132,11 @@ fn by_friction(rates: &SuccessRates) -> impl Iterator<Item = String> {
         let listed: Vec<String> = groups.iter().map(group).collect();
         let [low, high] = interval(groups).map(|bound| 100.0 * bound);
         let (friction, percent) = (groups[0].friction, 100.0 * rate(groups));
-        format!("  friction {friction}: {percent:.1} % (95 % confidence: {low:.1} to {high:.1}): {}", listed.join(", "))
+        let force = max_force(groups);
+        format!(
+            "  friction {friction}: {percent:.1} % (95 % confidence: {low:.1} to {high:.1}), presses with at most {force:.1} N: {}",
+            listed.join(", ")
+        )
     })
 }
 

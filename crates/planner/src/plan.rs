@@ -11,6 +11,7 @@ use crate::files::MotionRecord;
 use crate::iteration::PlanIteration;
 use crate::problem::Problem;
 use crate::robustness::{RobustnessReport, TestReport};
+use crate::success_rates::max_force;
 use crate::variant::Variant;
 
 /// A plan of a problem. It says itself what it was made with: a robust plan may come from another horizon, other
@@ -212,9 +213,13 @@ impl Plan {
         Reference::new(self.trajectory.time_step, &self.trajectory.reference)
     }
 
-    /// How it moves and how hard it presses.
+    /// How it moves, and how hard it presses in its scenarios and in the rollouts that tested it.
     pub fn motion(&self) -> MotionRecord {
-        MotionRecord::new(&self.trajectory, &self.task)
+        let motion = MotionRecord::new(&self.trajectory, &self.task);
+        let played = self.robustness.as_ref().map(|report| &report.after);
+        let played =
+            played.or(self.tested.as_ref().map(|report| &report.rates)).map_or(0.0, |rates| max_force(&rates.0));
+        MotionRecord { max_force_n: motion.max_force_n.max(played), ..motion }
     }
 
     /// Whether all wanted iterations of its own homotopy ran and the one that is the plan found a solution.

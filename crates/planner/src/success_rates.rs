@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
 use crate::length::Millimetres;
+use crate::or_null;
 
 /// Where the offsets of a group lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -34,9 +35,24 @@ pub struct SuccessRate {
     pub rollouts: usize,
     /// Rollouts that succeeded.
     pub successes: usize,
+    /// Largest contact force of all of them, the mean over 10 ms.
+    #[serde(default, with = "or_null")]
+    pub max_force_n: f64,
 }
 
 impl SuccessRate {
+    /// Before the first rollout.
+    pub fn unplayed(friction: f64, magnitude_m: f64, region: OffsetRegion, planned: bool) -> Self {
+        Self { friction, magnitude_m, region, planned, rollouts: 0, successes: 0, max_force_n: 0.0 }
+    }
+
+    /// Counts a rollout with its contact force (N); what is no number counts as infinite.
+    pub fn count(&mut self, passed: bool, force: f64) {
+        self.rollouts += 1;
+        self.successes += usize::from(passed);
+        self.max_force_n = self.max_force_n.max(if force.is_nan() { f64::INFINITY } else { force });
+    }
+
     /// The offsets, such as `random offsets of up to 0.80 mm`.
     pub fn offsets_in_words(&self) -> String {
         let length = Millimetres(self.magnitude_m);
@@ -81,6 +97,11 @@ impl SuccessRates {
     }
 }
 
+/// Largest contact force (N, the mean over 10 ms) in some groups; 0 without rollouts.
+pub fn max_force(groups: &[SuccessRate]) -> f64 {
+    groups.iter().map(|group| group.max_force_n).fold(0.0, f64::max)
+}
+
 /// Success rate of some groups together; 0 without rollouts.
 pub fn rate(groups: &[SuccessRate]) -> f64 {
     let [successes, rollouts] = counts(groups);
@@ -102,7 +123,7 @@ mod tests {
     use super::*;
 
     fn group(friction: f64, planned: bool, successes: usize) -> SuccessRate {
-        SuccessRate { friction, magnitude_m: 0.01, region: OffsetRegion::Hull, planned, rollouts: 10, successes }
+        SuccessRate { rollouts: 10, successes, ..SuccessRate::unplayed(friction, 0.01, OffsetRegion::Hull, planned) }
     }
 
     #[test]
@@ -119,5 +140,17 @@ mod tests {
         let rates = SuccessRates(vec![group(0.0, true, 9), group(0.0, false, 10)]);
         assert!(!rates.satisfy(0.5));
         assert!(SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 5)]).satisfy(0.5));
+    }
+
+    #[test]
+    fn the_largest_force_is_that_of_all_rollouts() {
+        let pressing = |forces: &[f64]| {
+            let mut group = SuccessRate::unplayed(0.0, 0.01, OffsetRegion::Hull, false);
+            forces.iter().for_each(|force| group.count(*force < 10.0, *force));
+            group
+        };
+        let groups = [pressing(&[3.0, 12.0, 5.0]), pressing(&[7.0])];
+        assert_eq!((groups[0].rollouts, groups[0].successes, max_force(&groups)), (3, 2, 12.0));
+        assert_eq!(max_force(&[pressing(&[f64::NAN, 2.0])]), f64::INFINITY);
     }
 }

@@ -14,7 +14,7 @@ const FREE_FORCE: f64 = 0.1;
 pub struct MotionRecord {
     /// Duration of the reference.
     pub duration_s: f64,
-    /// Largest normal force of a pair, the mean over 10 ms, in any scenario.
+    /// Largest normal force of a pair, the mean over 10 ms, in any scenario and in any rollout of its test.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
     /// Largest angle to the orientation of the nearest pose of the straight motion, of the reference and all bodies.

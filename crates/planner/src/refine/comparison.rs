@@ -85,12 +85,9 @@ mod tests {
                 iterations: Vec::new(),
                 reference,
                 rates: SuccessRates(vec![SuccessRate {
-                    friction: 0.0,
-                    magnitude_m: 0.0,
-                    region: OffsetRegion::Hull,
-                    planned: false,
                     rollouts: 2,
                     successes,
+                    ..SuccessRate::unplayed(0.0, 0.0, OffsetRegion::Hull, false)
                 }]),
                 reached: false,
                 evaluation: Drawn::default(),

@@ -163,14 +163,7 @@ impl Evaluation {
                 placed.extend(errors.into_iter().enumerate().map(trial));
                 groups.push(group);
             };
-            let group = |region, magnitude_m, planned| SuccessRate {
-                friction,
-                magnitude_m,
-                region,
-                planned,
-                rollouts: 0,
-                successes: 0,
-            };
+            let group = |region, magnitude, planned| SuccessRate::unplayed(friction, magnitude, region, planned);
             let random_groups = range.groups(&task.offsets(), count, seed);
             for (seed, OffsetGroup { region, magnitude, offsets }) in (seed..).zip(random_groups) {
                 let spread = offsets::ball(SPREAD * delta, offsets.len(), seed);
@@ -236,8 +229,7 @@ impl Evaluation {
     pub fn judgement(&self, results: &[TrialResult], wanted: f64) -> Judgement {
         let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
         for ((result, trial), &group) in results.iter().zip(&self.trials).zip(&self.group) {
-            groups[group].rollouts += 1;
-            groups[group].successes += usize::from(result.passed);
+            groups[group].count(result.passed, result.contact_force);
             if !result.passed {
                 failures.push((*trial, *result));
             }
@@ -287,14 +279,7 @@ mod tests {
 
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
-        let group = |planned| SuccessRate {
-            friction: 0.0,
-            magnitude_m: 0.01,
-            region: OffsetRegion::Hull,
-            planned,
-            rollouts: 0,
-            successes: 0,
-        };
+        let group = |planned| SuccessRate::unplayed(0.0, 0.01, OffsetRegion::Hull, planned);
         let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
         let (groups, trials) = (vec![group(true), group(false)], vec![trial; numbers.len()]);

@@ -154,14 +154,8 @@ mod tests {
             let mut extends = |rate: f64, round: usize, vain: usize| {
                 let rollouts = 100;
                 let successes = (rate * rollouts as f64) as usize;
-                let group = SuccessRate {
-                    friction: 0.0,
-                    magnitude_m: 0.0,
-                    region: OffsetRegion::Hull,
-                    planned: false,
-                    rollouts,
-                    successes,
-                };
+                let unplayed = SuccessRate::unplayed(0.0, 0.0, OffsetRegion::Hull, false);
+                let group = SuccessRate { rollouts, successes, ..unplayed };
                 refiner.best.as_mut().unwrap().rates = SuccessRates(vec![group]);
                 assert_eq!(refiner.extended(running, round, vain), running, "it has time");
                 refiner.extended(over, round, vain) > over
