@@ -328,6 +328,27 @@ mod tests {
     }
 
     #[test]
+    fn offsets_in_a_hull_are_drawn_as_in_earlier_versions() {
+        // Plans of earlier versions are evaluated with the same offsets as then.
+        let range = ErrorRange { delta: 0.01, ..NO_ERRORS };
+        let groups = drawn(&range, 100);
+        let magnitudes: Vec<f64> = groups.iter().map(|(group, _)| group.magnitude_m).collect();
+        assert_eq!(magnitudes[..6], [0.0, 0.0025, 0.005, 0.0075, 0.0095, 0.01]);
+        let sums = [
+            [-2.011_066_896e-4, -1.157_222_648e-3, -3.159_207_880e-4],
+            [0.257_816_654, 2.318_044_508e-3, 0.245_468_966],
+            [0.528_335_143, 6.519_431_348e-4, 0.470_115_280],
+            [0.719_052_698, -2.767_080_487e-4, 0.783_203_309],
+            [0.990_368_947, -2.615_411_064e-3, 0.913_341_318],
+            [0.02, 0.0, 0.02],
+        ];
+        for ((group, offsets), sum) in groups.iter().zip(sums.iter().cycle()) {
+            let difference = offsets.iter().sum::<Vector3<f64>>() - Vector3::from(*sum);
+            assert!(difference.norm() < 1e-9 && group.region == OffsetRegion::Hull, "{group:?}: {offsets:?}");
+        }
+    }
+
+    #[test]
     fn training_turns_the_part_as_far_as_may_be_about_axes_in_all_directions() {
         let range = ErrorRange { turn: 0.02, ..NO_ERRORS };
         let trials = evaluation(15).into_training(&range);
