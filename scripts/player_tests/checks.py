@@ -18,6 +18,7 @@ import numpy as np
 
 import exported_plan
 import impedance
+import no_numbers
 import rotations
 from exported_plan import ToolState
 from failures import Stopped
@@ -144,6 +145,11 @@ def guards_stop_at_joints_and_times() -> str:
     return "" if "takes longer" in said[-1] else f"no end of time: {said[-1]!r}"
 
 
+def what_is_no_number_stops_in_every_phase() -> str:
+    """Each signal, as NaN and as infinity of both signs."""
+    return no_numbers.all_problems(plan_of("corner-six"))
+
+
 def stopped(plan, at_rest, measured, reference, before=()) -> str:
     """Why guards that allow a second stop at a measurement, or nothing."""
     guards = Guards(plan, at_rest, 1.0)
@@ -222,5 +228,6 @@ ALL = [
     the_law_is_that_of_the_plan,
     rotations_are_inverse_to_each_other,
     guards_stop_at_joints_and_times,
+    what_is_no_number_stops_in_every_phase,
     stand_ins_have_the_signatures_of_the_packages,
 ]

@@ -36,12 +36,11 @@ def faults() -> list[Fault]:
         "positions": "joint positions", "speeds": "joint speeds", "pose": "pose of the tool", "wrench": "force and torque",
         "time": "time",
     }
-    for word, name in (("nan", "NaN"), ("inf", "infinity")):
-        for signal, called in names.items():
-            # A middleware has a clock of its own.
-            players = tuple(each for each in PLAYERS if each != "ros2") if signal == "time" else WITH_SCRIPT
-            found.append(told(f"{called}: {name} from the beginning", f"{word} {signal}", 0.0, 1, "number", players))
-            found.append(told(f"{called}: {name} while playing", f"{word} {signal}", 2.0, 1, "number", players))
+    for signal, called in names.items():
+        # A middleware has a clock of its own. The other values and phases are those of no_numbers.py.
+        players = tuple(each for each in PLAYERS if each != "ros2") if signal == "time" else WITH_SCRIPT
+        found.append(told(f"{called}: infinity from the beginning", f"inf {signal}", 0.0, 1, "number", players))
+        found.append(told(f"{called}: NaN while playing", f"nan {signal}", 2.0, 1, "number", players))
     for signal, says in (("pose", "from where its joints have it"), ("positions", "from where its joints have it")):
         found.append(told(f"{names[signal]} that stands still", f"frozen {signal}", 2.0, 1, says))
     found += [

@@ -107,6 +107,8 @@ def run(case: Case, address: str, work: pathlib.Path) -> str:
     simulation = {"plan": str(recorded), "arm": arm, "offset": (0.0, 0.0, 0.0), "outcome": str(outcome), **case.simulation}
     paths = [HERE / "stand_ins" / stand_ins, HERE, PLAYERS / "shared"] if stand_ins or case.target == "urscript" else []
     common = {**os.environ, **case.environment, "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"}
+    # Nothing is drawn: MuJoCo need not look for a screen.
+    common["MUJOCO_GL"] = "disable"
     environment = {**common, "SIMULATION": json.dumps(simulation), "PYTHONPATH": ":".join(map(str, paths))}
     with contextlib.ExitStack() as stack:
         if case.target == "loopback":
@@ -272,7 +274,11 @@ def main() -> int:
             failures += report(case.name, problem)
     if is_for_page and not failures:
         write_table(ROOT / "docs/export.md")
-    print(f"{len(cases)} cases, {failures} failures, {time.monotonic() - begin:.0f} s")
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(
+        f"{len(cases)} cases, {failures} failures, {time.monotonic() - begin:.0f} s, of which processors worked "
+        f"{used.ru_utime + used.ru_stime:.0f} s"
+    )
     return 1 if failures else 0
 
 

@@ -20,6 +20,7 @@ import mujoco
 import arm_world
 import faults
 import robots
+import rotations
 from arm import ArmPlayer
 from offsets import GraspError
 from plans import Impedance, Plan, Reference
@@ -222,7 +223,7 @@ class SimulatedArm:
             sign = 1.0 if self.model.geom_bodyid[contact.geom2] == self.player.part else -1.0
             force = base.T @ (sign * frame.T @ contact_wrench[:3])
             lever = base.T @ (contact.pos - robot.base[:3]) - position
-            total += np.concatenate([force, np.cross(lever, force)])
+            total += np.concatenate([force, rotations.cross(lever, force)])
         return total
 
     def leave(self) -> None:

@@ -4,8 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from kinematics import Pose
+import rotations
 from exported_plan import ExportedPlan, ToolState
+from kinematics import Pose
 
 
 class Impedance:
@@ -32,9 +33,9 @@ class Impedance:
         slip = wanted.rotation.T @ reference.angular_velocity - part.rotation.T @ measured.angular_velocity
         torque = part.rotation @ (self.turning_stiffness * turn + self.turning_damping @ slip)
         lever = part.position - measured.pose.position
-        return np.concatenate([force, torque + np.cross(lever, force)])
+        return np.concatenate([force, torque + rotations.cross(lever, force)])
 
     def of_part(self, tool: ToolState) -> tuple[Pose, np.ndarray]:
         """Pose and velocity of the part that the tool holds, in the base."""
         part = tool.pose @ self.plan.grasp
-        return part, tool.velocity + np.cross(tool.angular_velocity, part.position - tool.pose.position)
+        return part, tool.velocity + rotations.cross(tool.angular_velocity, part.position - tool.pose.position)

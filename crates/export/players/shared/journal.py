@@ -40,7 +40,7 @@ class Journal:
         numbers = [
             *self.state(measured.tool), measured.force, measured.torque, [measured.time - self.first], *self.state(reference)
         ]
-        values = ",".join(f"{number:.9g}" for number in np.concatenate(numbers))
+        values = ",".join(f"{number:.9g}" for number in np.concatenate(numbers).tolist())
         self.log.add(f"{measured.time - self.begin:.6f},{values},{self.phase}")
         self.count += 1
 
@@ -48,7 +48,7 @@ class Journal:
         """Pose and velocity of the part in the world, angular velocity in its own frame, as in the tables of plans."""
         plan, part = self.plan, self.plan.part(tool.pose)
         lever = tool.pose.rotation @ plan.grasp.position
-        velocity = plan.base.rotation @ (tool.velocity + np.cross(tool.angular_velocity, lever))
+        velocity = plan.base.rotation @ (tool.velocity + rotations.cross(tool.angular_velocity, lever))
         spin = part.rotation.T @ plan.base.rotation @ tool.angular_velocity
         return [part.position, rotations.quaternion(part.rotation), velocity, spin]
 

@@ -70,13 +70,16 @@ class Arm:
         for index, (before, axis, slides) in enumerate(zip(self.frames, self.axes, self.slides)):
             frame = frame @ before
             axes[index], origins[index] = frame.rotation @ axis, frame.position
-            position = positions[index] * axis
-            frame = frame @ (Pose(position, np.eye(3)) if slides else Pose(np.zeros(3), rotations.of_vector(position)))
+            if slides:
+                frame = Pose(frame.position + positions[index] * axes[index], frame.rotation)
+            else:
+                frame = Pose(frame.position, frame.rotation @ rotations.of_vector(positions[index] * axis))
         tool = frame @ self.tool
-        slides = np.array(self.slides)[:, None]
-        linear = np.where(slides, axes, np.cross(axes, tool.position - origins))
-        angular = np.where(slides, 0.0, axes)
-        return tool, np.vstack([linear.T, angular.T])
+        jacobian = np.zeros((6, len(self.frames)))
+        for index, (axis, origin, slides) in enumerate(zip(axes, origins, self.slides)):
+            jacobian[:3, index] = axis if slides else rotations.cross(axis, tool.position - origin)
+            jacobian[3:, index] = 0.0 if slides else axis
+        return tool, jacobian
 
 
 def limits(joints: list[dict[str, Any]], key: str, absent: float) -> np.ndarray:
