@@ -41,9 +41,9 @@ def faults() -> list[Fault]:
         players = tuple(each for each in PLAYERS if each != "ros2") if signal == "time" else WITH_SCRIPT
         found.append(told(f"{called}: infinity from the beginning", f"inf {signal}", 0.0, 1, "number", players))
         found.append(told(f"{called}: NaN while playing", f"nan {signal}", 2.0, 1, "number", players))
-    for signal, says in (("pose", "from where its joints have it"), ("positions", "from where its joints have it")):
-        found.append(told(f"{names[signal]} that stands still", f"frozen {signal}", 2.0, 1, says))
     found += [
+        told("pose of the tool that stands still", "frozen pose", 2.0, 1, "from where its joints have it"),
+        told("joint positions that stand still", "frozen positions", 2.0, 1, "from where its joints have it"),
         told("time that stands still", "hang", 2.0, 1, "stopped: ", ("franka", "ros2")),
         told("time that runs backwards", "time back", 2.0, 1, "backwards"),
         told("a gap of 0.2 s", "gap", 2.0, 1, "stopped: "),
