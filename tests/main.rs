@@ -9,6 +9,7 @@ mod executed;
 mod explained;
 mod export;
 mod failures;
+mod hostile;
 mod limits;
 mod mujoco;
 mod mutations;

@@ -13,7 +13,7 @@ use std::thread;
 use std::time::Duration;
 
 use crate::support::small::SMALL;
-use crate::support::{Dir, WATCHDOG};
+use crate::support::{Dir, WATCHDOG, sealed};
 use planner::batch::{CellState, Manifest, collect};
 use planner::check::{explain, pair_reports};
 use planner::files::{PlanFolder, PlanResult, RolloutRow, StoredPlan, hash, to_csv};
@@ -74,6 +74,7 @@ fn run(name: &str, files: &'static [&'static str], default_cases: u32, used: Use
         change(&dir, file, mutations);
         if rehashes {
             rehash(&dir);
+            ["checkpoint.json", "refinement.json"].iter().for_each(|name| reseal(&dir, name));
         }
         let folder = dir.folder().to_owned();
         let outcome = in_time(move || used(&folder));
@@ -110,6 +111,14 @@ fn rehash(dir: &Dir) {
         }
     }
     dir.write("plan/result.json", result.to_string());
+}
+
+/// Gives a record of unfinished work the hash of what stands there, likewise.
+fn reseal(dir: &Dir, name: &str) {
+    let file = format!(".work.unfinished/{name}");
+    let text = dir.read(&file);
+    let record = text.split_once("\"record\":").and_then(|(_, record)| record.strip_suffix('}'));
+    record.into_iter().for_each(|record| dir.write(&file, sealed(record)));
 }
 
 /// Runs something that must end in time. It may panic, which is the caller's panic then.

@@ -183,3 +183,8 @@ pub fn number(value: &Value, path: &str) -> f64 {
 pub fn list<'value>(value: &'value Value, key: &str) -> &'value [Value] {
     value[key].as_array().unwrap_or_else(|| panic!("no list {key} in {value:#}"))
 }
+
+/// A record of unfinished work (JSON) with the hash of itself, as the program writes it.
+pub fn sealed(record: &str) -> String {
+    format!("{{\"hash\":\"{}\",\"record\":{record}}}", planner::files::hash(record.as_bytes()))
+}

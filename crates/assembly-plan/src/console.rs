@@ -1,15 +1,21 @@
-//! What the user is told. Whoever stops reading must not stop the program: lines that cannot be written are dropped.
+//! What the user is told. Text of files may be part of it, so whatever a terminal would obey is shown by its number.
+//!
+//! Whoever stops reading must not stop the program: lines that cannot be written are dropped, and what is lost otherwise
+//! than by a reader that has gone is remembered for the exit code.
 
 use std::fmt;
-use std::io::{Write, stderr, stdout};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::io::{Error, ErrorKind, Write, stderr, stdout};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use indicatif::ProgressBar;
+use input::{is_control, shown};
 use planner::PlannerError;
 use serde::Serialize;
 
 /// The bar that stands on the terminal, if there is one.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
+/// Why the first of the results that are lost could not be written.
+static LOST: OnceLock<String> = OnceLock::new();
 
 /// Prints a result on standard output.
 macro_rules! say {
@@ -25,7 +31,27 @@ pub(crate) use {say, tell};
 
 /// A line of standard output.
 pub fn result(line: fmt::Arguments) {
-    above_bar(|| drop(writeln!(stdout(), "{line}")));
+    above_bar(|| print(&format!("{}\n", shown(&line.to_string()))));
+}
+
+/// Text of standard output, as it is.
+pub fn print(text: &str) {
+    let mut stdout = stdout();
+    if let Err(error) = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        lose("standard output", &error);
+    }
+}
+
+/// Remembers that a result could not be written to a place.
+pub fn lose(place: &str, error: &Error) {
+    if error.kind() != ErrorKind::BrokenPipe {
+        LOST.get_or_init(|| format!("{place}: cannot be written: {error}"));
+    }
+}
+
+/// Why a result is lost, if one is.
+pub fn lost() -> Option<&'static str> {
+    LOST.get().map(String::as_str)
 }
 
 /// Prints a result as JSON.
@@ -34,13 +60,18 @@ pub fn result(line: fmt::Arguments) {
 /// When it cannot be, which no result of ours causes.
 pub fn print_json(value: &impl Serialize) -> Result<(), PlannerError> {
     let json = serde_json::to_string_pretty(value).map_err(|_| PlannerError::Internal("a report"))?;
-    say!("{json}");
+    // In JSON, what a terminal might obey has escapes of four digits.
+    let escaped = |character: char| match is_control(character) && character != '\n' {
+        true => format!("\\u{:04x}", u32::from(character)),
+        false => character.to_string(),
+    };
+    above_bar(|| print(&format!("{}\n", json.chars().map(escaped).collect::<String>())));
     Ok(())
 }
 
 /// A line of standard error.
 pub fn message(line: fmt::Arguments) {
-    above_bar(|| drop(writeln!(stderr(), "{line}")));
+    above_bar(|| drop(writeln!(stderr(), "{}", shown(&line.to_string()))));
 }
 
 /// Keeps a bar below all lines until it is removed.

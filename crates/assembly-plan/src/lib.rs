@@ -23,7 +23,6 @@ mod usage;
 mod values;
 
 use std::ffi::OsString;
-use std::io::Write;
 
 use planner::RunClock;
 
@@ -59,7 +58,9 @@ pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u
         tell!("error: {error}");
         Exit::from(&error)
     });
-    // Whoever stops reading must not stop the program.
-    let _ = std::io::stdout().flush();
+    if let Some(lost) = console::lost() {
+        tell!("error: {lost}");
+        return Exit::Failed as u8;
+    }
     exit as u8
 }

@@ -99,7 +99,9 @@ fn number(text: &str, is_right: impl Fn(f64) -> bool, rule: &str) -> Result<f64,
     }
 }
 
-/// Number of threads: as many as wanted, else one per processor.
+/// Number of threads: one per processor, or as many as wanted, up to some per processor. More would only wait for each other.
 pub fn threads(jobs: Option<u16>) -> usize {
-    jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, Into::into), usize::from)
+    const MOST_PER_PROCESSOR: usize = 4;
+    let processors = std::thread::available_parallelism().map_or(1, Into::into);
+    jobs.map_or(processors, |jobs| usize::from(jobs).min(MOST_PER_PROCESSOR * processors))
 }

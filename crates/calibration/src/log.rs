@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use export::ImpedanceRecord;
 use nalgebra::Isometry3;
 use planner::PlannerError;
-use planner::files::{RESTING, StateRow, Value, read_csv, read_log_header};
+use planner::files::{RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
 use scene::Scene;
 use serde::Deserialize;
 use simulation::isometry;
@@ -106,6 +106,7 @@ impl Log {
         let header = read_header(file)?;
         header.require_scene(file, scene)?;
         let (states, followed) = (read_csv::<StateRow>(file)?, read_csv::<FollowedRow>(file)?);
+        require_states(file, &states, &followed)?;
         let rows: Vec<Row> = states
             .iter()
             .zip(&followed)
@@ -161,10 +162,24 @@ impl Header {
     }
 }
 
+/// Lines above the first row.
+const ABOVE: usize = 2;
+/// How far the norm of a quaternion may be from 1: robots give few digits.
+const NORM: f64 = 1e-3;
+
+/// Refuses measurements and references that no robot and no plan has.
+fn require_states(file: &Path, states: &[StateRow], followed: &[FollowedRow]) -> Result<(), PlannerError> {
+    for (index, (state, followed)) in states.iter().zip(followed).enumerate() {
+        let problem = state_problem(&state.state(), NORM).or_else(|| state_problem(&followed.state(), NORM));
+        if let Some(problem) = problem {
+            return Err(PlannerError::line(file, index + 1 + ABOVE, format!("{problem}; leave this log out")));
+        }
+    }
+    Ok(())
+}
+
 /// Refuses tables that are no course of one motion.
 fn require_rows(file: &Path, rows: &[Row]) -> Result<(), PlannerError> {
-    /// Lines above the first row.
-    const ABOVE: usize = 2;
     if rows.len() < 2 {
         return Err(PlannerError::file(file, "has no rows: the player measured nothing; repeat the run"));
     }

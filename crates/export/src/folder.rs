@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use planner::PlannerError;
-use planner::files::{WorkFolder, hash, read_text, remove_file, write_file};
+use planner::files::{WorkFolder, hash, read_bytes, read_text, remove_file, write_file};
 
 /// Hashes of all files of an export, as `sha256sum --check` reads them. It is moved out first and in last: where it stands, the
 /// export is whole.
@@ -88,7 +88,7 @@ impl ExportFolder {
             false => BTreeMap::new(),
         };
         let is_ours = |name: &str, file: &Path| {
-            earlier.get(name).is_some_and(|own| fs::read(file).is_ok_and(|content| hash(&content) == *own))
+            earlier.get(name).is_some_and(|own| read_bytes(file).is_ok_and(|content| hash(&content) == *own))
         };
         for name in names {
             let file = target.join(name);

@@ -2,11 +2,10 @@
 
 /// A name or title without what could end its line, turn its direction or close its quotes.
 pub fn plain(text: &str) -> String {
-    let is_hidden = |letter: &char| {
-        letter.is_control()
-            || matches!(letter, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-    };
-    text.chars().filter(|letter| !is_hidden(letter)).map(|letter| if letter == '`' { '\'' } else { letter }).collect()
+    text.chars()
+        .filter(|letter| !input::is_control(*letter))
+        .map(|letter| if letter == '`' { '\'' } else { letter })
+        .collect()
 }
 
 /// A template whose `{{name}}` are replaced by their values, all in one pass: what stands in a value stays as it is.

@@ -1,9 +1,8 @@
 //! Writes the folder of an export.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use planner::files::{RESOLVED, RESULT, StoredPlan, hash, require_folder};
+use planner::files::{RESOLVED, RESULT, StoredPlan, hash, read_bytes, require_folder};
 use planner::{Choices, PlannerError, Problem};
 
 use crate::document::{Document, Exported};
@@ -116,7 +115,7 @@ fn problem_of(plan: &StoredPlan) -> Result<Problem, PlannerError> {
 
 fn hash_of_result(plan: &StoredPlan) -> Result<String, PlannerError> {
     let file = plan.folder.join(RESULT);
-    fs::read(&file).map(|content| hash(&content)).map_err(PlannerError::read(&file))
+    read_bytes(&file).map(|content| hash(&content))
 }
 
 /// Refuses a plan that does not do what was asked for, unless it is wanted anyway.

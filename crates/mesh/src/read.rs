@@ -1,7 +1,5 @@
 //! Triangle meshes from STL and OBJ files.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use crate::error::MeshError;
@@ -54,7 +52,7 @@ impl TriangleMesh {
             Some("obj") => Format::Obj,
             other => return Err(MeshError::Format { extension: other.unwrap_or_default().to_owned() }),
         };
-        Self::parse(&content(path)?, format, scale)
+        Self::parse(&input::read(path, LARGEST_FILE).map_err(unreadable)?, format, scale)
     }
 
     /// The same for the content of a file.
@@ -105,19 +103,6 @@ impl TriangleMesh {
     pub fn rounding(&self) -> f64 {
         self.rounding
     }
-}
-
-/// All of a file: only regular ones end.
-fn content(path: &Path) -> Result<Vec<u8>, MeshError> {
-    if !std::fs::metadata(path).map_err(unreadable)?.is_file() {
-        return Err(MeshError::Read { reason: "it is no regular file".to_owned() });
-    }
-    let mut bytes = Vec::new();
-    File::open(path).and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)).map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return Err(MeshError::Read { reason: format!("it is larger than {} MiB", LARGEST_FILE >> 20) });
-    }
-    Ok(bytes)
 }
 
 fn unreadable(error: impl std::fmt::Display) -> MeshError {

@@ -130,7 +130,11 @@ fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Res
         Err(reason) => return discard(reason),
     };
     let Some(change) = changes.get(checkpoint.attempt) else { return discard(Unusable::DamagedCheckpoint) };
-    let task = change.of(problem).task().clone();
+    let (changed, last) = (change.of(problem), checkpoint.iterations.last());
+    let (task, settings) = (changed.task().clone(), changed.homotopy());
+    if !last.is_some_and(|last| checkpoint.is_point_of(&last.task(&task), settings.complementarity)) {
+        return discard(Unusable::DamagedCheckpoint);
+    }
     let read = |(number, record): (usize, &IterationRecord)| {
         let trajectory = folder.read_iteration(number, &record.task(&task))?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory, point: None })

@@ -1,7 +1,6 @@
 //! An arm that holds a part.
 
-use std::fs::File;
-use std::io::Read;
+use std::io::ErrorKind;
 use std::path::Path;
 
 use nalgebra::{Isometry3, IsometryMatrix3, Vector3};
@@ -251,12 +250,9 @@ fn without_inertia(joint: &str, line: usize) -> Fault {
 }
 
 fn read_text(path: &Path) -> Result<String, Fault> {
-    let unreadable = |error: std::io::Error| Fault::somewhere(format!("cannot be read: {error}"));
-    let file = File::open(path).map_err(unreadable)?;
-    let mut bytes = Vec::new();
-    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() as u64 > LARGEST_FILE {
-        return Err(Fault::somewhere("the file is larger than 1 MiB: remove what is not links and joints"));
-    }
+    let bytes = input::read(path, LARGEST_FILE).map_err(|error| match error.kind() {
+        ErrorKind::FileTooLarge => Fault::somewhere(format!("{error}: remove what is not links and joints")),
+        _ => Fault::somewhere(format!("cannot be read: {error}")),
+    })?;
     String::from_utf8(bytes).map_err(|_| Fault::somewhere("the file is not UTF-8 text: save it as UTF-8"))
 }

@@ -199,7 +199,7 @@ impl<'text> Entry<'text> {
         if name.trim().is_empty() {
             return Err(self.refuse(format!("{} is empty: 1 to {MAX_NAME_LENGTH} characters are needed", self.path)));
         }
-        if name.chars().any(is_control) {
+        if name.chars().any(input::is_control) {
             return Err(self.refuse(format!("{} must not contain line breaks or control characters", self.path)));
         }
         if length > MAX_NAME_LENGTH {
@@ -319,11 +319,6 @@ impl<'text> Entry<'text> {
 
 /// Numbers that are only bounded to be finite, as their norm is checked afterwards.
 const COMPONENT: Range = Range::closed(-1e3, 1e3);
-
-/// Whether a character breaks a line or does not show.
-pub fn is_control(character: char) -> bool {
-    character.is_control() || matches!(character, '\u{2028}' | '\u{2029}')
-}
 
 fn diagonal([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]

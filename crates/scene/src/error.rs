@@ -89,7 +89,7 @@ impl Excerpt {
         let skipped = if line.chars().count() > Self::LENGTH { indent.saturating_sub(Self::BEFORE) } else { 0 };
         let shown = line.chars().skip(skipped).take(Self::LENGTH);
         // Tabs would shift the marks below the line, and other control characters would act on the terminal.
-        let text: String = shown.map(|shown| if shown.is_control() { ' ' } else { shown }).collect();
+        let text: String = shown.map(|shown| if input::is_control(shown) { ' ' } else { shown }).collect();
         let indent = indent - skipped;
         let width = width.min(text.chars().count().saturating_sub(indent));
         Self { text, indent, width }

@@ -1,13 +1,12 @@
 //! Reading text files that people have written.
 
-use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::Path;
 
 use crate::error::{SceneError, Source};
 
-/// Largest file (MiB).
-const LARGEST: u64 = 16;
+/// Largest file (bytes).
+const LARGEST: u64 = 16 << 20;
 
 /// Text of a TOML file. `what` names it in messages.
 ///
@@ -32,12 +31,7 @@ pub fn read_text(file: &Path, what: &str) -> Result<String, SceneError> {
         ErrorKind::PermissionDenied => refuse("permission denied"),
         _ => refuse(&error.to_string()),
     };
-    let mut bytes = Vec::new();
-    let limit = LARGEST << 20;
-    File::open(file).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes)).map_err(failed)?;
-    if bytes.len() as u64 > limit {
-        return Err(refuse(&format!("it is larger than {LARGEST} MiB")));
-    }
+    let bytes = input::read(file, LARGEST).map_err(failed)?;
     // Text in UTF-16 has zeros as well, and is said to be in another encoding.
     let is_utf_16 = [[0xff, 0xfe], [0xfe, 0xff]].iter().any(|mark| bytes.starts_with(mark));
     if bytes.contains(&0) && !is_utf_16 {

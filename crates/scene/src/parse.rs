@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use crate::chosen;
-use crate::entry::is_control;
 use crate::error::{SceneError, Source};
 use crate::file::read_toml;
 use crate::homotopy;
@@ -155,6 +154,6 @@ impl Scene {
 /// The name of a file without its ending, where it can be a title.
 fn title_of(file: &Path) -> String {
     let stem = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    let title: String = stem.chars().filter(|character| !is_control(*character)).take(MAX_NAME_LENGTH).collect();
+    let title: String = stem.chars().filter(|character| !input::is_control(*character)).take(MAX_NAME_LENGTH).collect();
     if title.trim().is_empty() { "scene".to_owned() } else { title }
 }

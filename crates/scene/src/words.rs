@@ -7,7 +7,8 @@ pub fn clipped(written: &str) -> String {
 
 /// The first characters of a text, without control characters.
 pub fn clipped_to(text: &str, length: usize) -> String {
-    let shown: String = text.chars().take(length).map(|shown| if shown.is_control() { ' ' } else { shown }).collect();
+    let shown: String =
+        text.chars().take(length).map(|shown| if input::is_control(shown) { ' ' } else { shown }).collect();
     if text.chars().nth(length).is_some() { shown + "..." } else { shown }
 }
 

@@ -98,7 +98,11 @@ fn starts(matrix: &Matrix, file: &Path, scene: &Scene) -> Result<Vec<String>, Pl
 }
 
 fn absolute(file: &Path) -> Result<PathBuf, PlannerError> {
-    file.canonicalize().map_err(PlannerError::read(file))
+    let absolute = file.canonicalize().map_err(PlannerError::read(file))?;
+    match absolute.to_str() {
+        Some(_) => Ok(absolute),
+        None => Err(PlannerError::file(file, "has a path that is not UTF-8, which a manifest cannot hold; rename it")),
+    }
 }
 
 /// Two cells that solve the same problem.

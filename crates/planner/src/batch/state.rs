@@ -1,9 +1,9 @@
 //! What has become of a cell, as its folder says.
 
-use std::fs::{self, File, TryLockError};
+use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 
-use crate::files::{Cell, Manifest, PlanResult, RESULT, StoredPlan};
+use crate::files::{Cell, Manifest, PlanResult, RESULT, StoredPlan, read_text};
 
 /// State of a cell.
 #[derive(Debug)]
@@ -30,7 +30,7 @@ impl CellState {
             Ok(None) => {}
             Err(problem) => return Self::Failed(problem),
         }
-        match fs::read_to_string(files.failure()) {
+        match read_text(&files.failure()) {
             Ok(reason) => Self::Failed(reason.trim_end().to_owned()),
             Err(_) => Self::ToDo,
         }
@@ -94,7 +94,7 @@ impl CellFiles {
         }
         match StoredPlan::open(&self.folder) {
             Ok(plan) => Ok(Some(plan.result)),
-            Err(error) => Err(error.to_string()),
+            Err(error) => Err(format!("{error}; or remove {}, to solve the cell again", self.folder.display())),
         }
     }
 

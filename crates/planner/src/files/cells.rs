@@ -1,13 +1,12 @@
 //! One table of all cells of a batch: `cells.csv` and `cells.json`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use crate::batch::CellState;
 use crate::error::PlannerError;
-use crate::files::atomic::write_file;
+use crate::files::atomic::{read_bytes, write_file};
 use crate::files::manifest::{Cell, Manifest};
 use crate::files::result::{PlanResult, ScenarioRecord};
 use crate::files::table::to_csv;
@@ -72,7 +71,7 @@ pub fn collect(manifest: &Manifest) -> Result<Vec<PathBuf>, PlannerError> {
     for (name, content, _) in files {
         let file = manifest.folder.join(name);
         // A second run leaves everything as it is.
-        if !fs::read(&file).is_ok_and(|standing| standing == content) {
+        if !read_bytes(&file).is_ok_and(|standing| standing == content) {
             write_file(&file, &content)?;
             written.push(file);
         }
@@ -83,7 +82,7 @@ pub fn collect(manifest: &Manifest) -> Result<Vec<PathBuf>, PlannerError> {
 /// Refuses to replace a file that does not begin as the new content does, up to a byte.
 fn require_own(file: &Path, content: &[u8], end: u8) -> Result<(), PlannerError> {
     let begin = |bytes: &[u8]| bytes.split(|&byte| byte == end).next().map(<[u8]>::to_vec);
-    match fs::read(file) {
+    match read_bytes(file) {
         Ok(standing) if begin(&standing) != begin(content) => {
             Err(PlannerError::file(file, "exists and is not a table of an earlier run; move it away"))
         }

@@ -1,13 +1,15 @@
 //! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy iteration.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::Path;
 
 use nlp::Iterate;
+use ocp::{Layout, blocks, standard_terms};
 use serde::{Deserialize, Serialize};
+use task::{AssemblyTask, Complementarity};
 
 use crate::error::{PlannerError, Unusable};
+use crate::files::atomic::read_text;
 use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
 
@@ -51,7 +53,7 @@ impl Checkpoint {
     /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
     /// of another problem, so that the solve has to start from the beginning.
     pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
-        let Ok(text) = fs::read_to_string(folder.join(CHECKPOINT)) else { return Ok(None) };
+        let Ok(text) = read_text(&folder.join(CHECKPOINT)) else { return Ok(None) };
         let checkpoint: Self = unseal(&text).ok_or(Unusable::DamagedCheckpoint)?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
@@ -65,6 +67,19 @@ impl Checkpoint {
     /// When it cannot be written.
     pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
         write_sealed(&folder.join(CHECKPOINT), self)
+    }
+
+    /// Whether the primal-dual point is one of a task: as many numbers as its transcription has, all of them finite.
+    pub fn is_point_of(&self, task: &AssemblyTask, complementarity: Complementarity) -> bool {
+        let layout = Layout::new(task, &blocks(&standard_terms(task, complementarity)));
+        let Self { x, constraint_multipliers, lower_multipliers, upper_multipliers, .. } = self;
+        let variables = layout.variable_count();
+        [x, lower_multipliers, upper_multipliers].iter().all(|values| values.len() == variables)
+            && constraint_multipliers.len() == layout.constraint_count()
+            && [x, constraint_multipliers, lower_multipliers, upper_multipliers]
+                .into_iter()
+                .flatten()
+                .all(|value| value.is_finite())
     }
 
     /// The primal-dual point where the next iteration starts.

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use task::{AssemblyTask, Trajectory};
 
 use crate::error::{PlannerError, Unusable};
-use crate::files::atomic::{hash, remove_file, write_file};
+use crate::files::atomic::{hash, read_bytes, read_text, remove_file, write_file};
 use crate::files::checkpoint::Checkpoint;
 use crate::files::refinement::RefinementCheckpoint;
 use crate::files::result::{PlanResult, RESULT};
@@ -79,7 +79,7 @@ impl PlanFolder {
     pub(crate) fn checkpoint(&self, identity: &str) -> Result<Option<Checkpoint>, Unusable> {
         let checkpoint = Checkpoint::load(self.work(), identity)?;
         let is_whole = |(name, expected): (&String, &String)| {
-            fs::read(self.work().join(name)).is_ok_and(|content| hash(&content) == *expected)
+            read_bytes(&self.work().join(name)).is_ok_and(|content| hash(&content) == *expected)
         };
         match checkpoint.iter().flat_map(|checkpoint| &checkpoint.tables).all(is_whole) {
             true => Ok(checkpoint),
@@ -105,7 +105,7 @@ impl PlanFolder {
         let hashed = |table: &str| {
             let name = format!("{STAGES}/{number}/{table}");
             let file = self.work().join(&name);
-            Ok((name, hash(&fs::read(&file).map_err(PlannerError::read(&file))?)))
+            Ok((name, hash(&read_bytes(&file)?)))
         };
         TABLES.into_iter().map(hashed).collect()
     }
@@ -178,7 +178,7 @@ impl PlanFolder {
         let whole = self.folder.whole();
         for name in result.files.keys().map(String::as_str).chain([RESULT]) {
             let from = folder.join(name);
-            write_file(&whole.join(name), &fs::read(&from).map_err(PlannerError::read(&from))?)?;
+            write_file(&whole.join(name), &read_bytes(&from)?)?;
         }
         self.folder.discard_unfinished()?;
         self.move_in()
@@ -193,7 +193,7 @@ impl PlanFolder {
         if standing.exists() {
             rename(&standing, &self.work().join(REPLACED))?;
         }
-        let replaced = fs::read_to_string(self.work().join(REPLACED)).ok();
+        let replaced = read_text(&self.work().join(REPLACED)).ok();
         let replaced: Option<PlanResult> = replaced.and_then(|text| serde_json::from_str(&text).ok());
         for name in replaced.iter().flat_map(|replaced| replaced.files.keys()) {
             if is_plan_file(name) && !result.files.contains_key(name) {
@@ -235,7 +235,7 @@ impl PlanFolder {
                 None => {
                     return refuse(name, "was not written by an earlier run; choose another --out, or move it away");
                 }
-                Some(expected) if hash(&fs::read(&file).map_err(PlannerError::read(&file))?) != *expected => {
+                Some(expected) if hash(&read_bytes(&file)?) != *expected => {
                     return refuse(
                         name,
                         "was changed since the plan was written; choose another --out, or move it away",
@@ -280,7 +280,7 @@ fn hashes(folder: &Path) -> Result<BTreeMap<String, String>, PlannerError> {
     for name in plan_files(folder)? {
         let file = folder.join(&name);
         if name != RESULT {
-            hashes.insert(name, hash(&fs::read(&file).map_err(PlannerError::read(&file))?));
+            hashes.insert(name, hash(&read_bytes(&file)?));
         }
     }
     Ok(hashes)

@@ -1,7 +1,6 @@
 //! `manifest.jsonl`: all cells of a batch, one per line, never changed once it is written.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -9,6 +8,7 @@ use task::LinearSolver;
 
 use crate::error::{PlannerError, short};
 use crate::files::atomic::{read_text, require_folder, write_file};
+use crate::files::work_folder::WorkFolder;
 
 /// Name of the file.
 pub const MANIFEST: &str = "manifest.jsonl";
@@ -135,17 +135,20 @@ impl Manifest {
             text += &serde_json::to_string(cell).map_err(|_| PlannerError::Internal("a cell cannot be written"))?;
             text.push('\n');
         }
+        // Two batches do not replace each other's.
+        let _lock = WorkFolder::claim(&self.folder)?;
         let file = self.file();
-        match fs::read_to_string(&file) {
-            Ok(standing) if standing == text => Ok(false),
-            Ok(standing) => Err(PlannerError::line(
+        if file.symlink_metadata().is_err() {
+            return write_file(&file, text.as_bytes()).map(|()| true);
+        }
+        match read_text(&file)? {
+            standing if standing == text => Ok(false),
+            standing => Err(PlannerError::line(
                 &file,
                 first_difference(&standing, &text),
                 "this folder belongs to another batch, and a manifest is never changed; choose another --out, or remove \
                  the folder to start over",
             )),
-            Err(error) if error.kind() == ErrorKind::NotFound => write_file(&file, text.as_bytes()).map(|()| true),
-            Err(error) => Err(PlannerError::read(&file)(error)),
         }
     }
 }

@@ -34,7 +34,7 @@ mod table;
 pub mod trajectory;
 mod work_folder;
 
-pub use atomic::{hash, read_text, remove_file, require_folder, write_file};
+pub use atomic::{hash, read_bytes, read_text, remove_file, require_folder, write_file};
 pub use checkpoint::Checkpoint;
 pub use coverage::{CoverageKind, CoverageRecord};
 pub use folder::PlanFolder;
@@ -50,7 +50,7 @@ pub use rollouts::{
     write_rollout_tables,
 };
 pub use simulation_record::{SIMULATION, SimulationRecord};
-pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result};
+pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result, require_moved};
 pub use table::{Value, read_csv, to_csv};
-pub use trajectory::{MotionTables, ScenarioTables, StateRow};
+pub use trajectory::{MotionTables, ScenarioTables, StateRow, state_problem};
 pub use work_folder::WorkFolder;

@@ -1,6 +1,5 @@
 //! What an unfinished refinement leaves behind so that another one can go on with its best plan.
 
-use std::fs;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -8,6 +7,7 @@ use simulation::{Disturbance, Trial};
 use task::GraspError;
 
 use crate::error::{PlannerError, Unusable};
+use crate::files::atomic::read_text;
 use crate::files::grasp::GraspRecord;
 use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
@@ -141,7 +141,7 @@ impl RefinementCheckpoint {
     /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
     /// of another problem.
     pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
-        let Ok(text) = fs::read_to_string(folder.join(REFINEMENT)) else { return Ok(None) };
+        let Ok(text) = read_text(&folder.join(REFINEMENT)) else { return Ok(None) };
         let checkpoint: Self = unseal(&text).ok_or(Unusable::DamagedRefinement)?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),

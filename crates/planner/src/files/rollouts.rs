@@ -1,14 +1,16 @@
 //! The tables of a simulation: `rollouts.csv`, `success.csv`, and lists of offsets.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
 use crate::error::PlannerError;
-use crate::files::atomic::{require_folder, write_file};
+use crate::files::atomic::{hash, require_folder, write_file};
 use crate::files::simulation_record::{SIMULATION, SimulationRecord};
 use crate::files::table::{Value, has_header, read_csv, to_csv};
+use crate::files::work_folder::WorkFolder;
 use crate::simulate::PlayedRollout;
 use crate::success_table::SuccessGroup;
 
@@ -151,24 +153,32 @@ pub fn is_rollout_table(file: &Path, folder: &Path) -> bool {
     // A folder that is missing has no other name yet.
     let place = |folder: &Path| folder.canonicalize().or_else(|_| std::path::absolute(folder)).ok();
     let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let has_name = file.file_name().is_some_and(|name| name == ROLLOUTS || name == SUCCESS || name == SIMULATION);
+    let has_name = file.file_name().and_then(OsStr::to_str).is_some_and(|name| is_table(name) || name == SIMULATION);
     has_name && place(parent) == place(folder)
 }
 
 /// Writes the tables of a simulation and what they are of into a folder, in the place of older ones.
 ///
 /// # Errors
-/// When something else stands there, or they cannot be written.
+/// When something else stands there, another run is writing there, or they cannot be written.
 pub fn write_rollout_tables(
     folder: &Path,
     record: &SimulationRecord,
     rollouts: &[RolloutRow],
     successes: &[SuccessRow],
 ) -> Result<(), PlannerError> {
+    // Two simulations do not mix their tables.
+    let _lock = WorkFolder::claim(folder)?;
     require_rollout_tables(folder)?;
-    write_file(&folder.join(SIMULATION), &record.to_json()?)?;
-    write_file(&folder.join(ROLLOUTS), &to_csv(rollouts)?)?;
-    write_file(&folder.join(SUCCESS), &to_csv(successes)?)
+    let tables = [(ROLLOUTS, to_csv(rollouts)?), (SUCCESS, to_csv(successes)?)];
+    let files = tables.iter().map(|(name, content)| ((*name).to_owned(), hash(content))).collect();
+    tables.iter().try_for_each(|(name, content)| write_file(&folder.join(name), content))?;
+    write_file(&folder.join(SIMULATION), &SimulationRecord { files, ..record.clone() }.to_json()?)
+}
+
+/// Whether a name is that of a table of a simulation.
+pub(super) fn is_table(name: &str) -> bool {
+    name == ROLLOUTS || name == SUCCESS
 }
 
 /// Refuses a file that is not an older table of these rows.

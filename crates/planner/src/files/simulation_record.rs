@@ -1,11 +1,13 @@
 //! `simulation.json`: what was simulated, beside the tables of it.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::PlannerError;
-use crate::files::atomic::read_text;
+use crate::files::atomic::{hash, read_bytes, read_text};
+use crate::files::rollouts::is_table;
 use crate::problem::Problem;
 use crate::simulate::GraspErrors;
 
@@ -29,6 +31,9 @@ pub struct SimulationRecord {
     pub angle_tolerance_rad: f64,
     /// Version of the program that simulated.
     pub assembly_plan: String,
+    /// Hash (SHA-256, hexadecimal) of each of the tables, by its name.
+    #[serde(default)]
+    pub files: BTreeMap<String, String>,
 }
 
 impl SimulationRecord {
@@ -42,6 +47,7 @@ impl SimulationRecord {
             position_tolerance_m: problem.success().position,
             angle_tolerance_rad: problem.success().orientation,
             assembly_plan: env!("CARGO_PKG_VERSION").to_owned(),
+            files: BTreeMap::new(),
         }
     }
 
@@ -56,6 +62,28 @@ impl SimulationRecord {
         }
         let record = serde_json::from_str(&read_text(&file)?);
         record.map(Some).map_err(|error| PlannerError::file(&file, format!("is no record of a simulation: {error}")))
+    }
+
+    /// The record in a folder, once its tables are known to be those that were written with it.
+    ///
+    /// # Errors
+    /// When there is none, as where a simulation was interrupted while it was written, or a table is another.
+    pub fn read(folder: &Path) -> Result<Self, PlannerError> {
+        let record = Self::read_if_there(folder)?.filter(|record| !record.files.is_empty());
+        let record = record.ok_or_else(|| {
+            let problem =
+                "is missing or of an older version, so that its tables may be of two simulations; simulate again";
+            PlannerError::file(&folder.join(SIMULATION), problem)
+        })?;
+        for (name, expected) in &record.files {
+            let file = folder.join(name);
+            if !is_table(name) || hash(&read_bytes(&file)?) != *expected {
+                let problem = "is not of the simulation that simulation.json is of: one was interrupted, or it was changed; \
+                               simulate again";
+                return Err(PlannerError::file(&file, problem));
+            }
+        }
+        Ok(record)
     }
 
     /// As the file has it.

@@ -7,9 +7,10 @@ use scene::{Scene, Source};
 use simulation::Reference;
 
 use crate::error::PlannerError;
-use crate::files::atomic::{hash, read_text};
+use crate::files::atomic::{hash, read_bytes, read_text};
 use crate::files::result::{PlanResult, RESULT};
 use crate::files::trajectory::{REFERENCE, TABLES, read_reference};
+use crate::files::work_folder::WorkFolder;
 use crate::problem::Problem;
 
 /// Scene and homotopy after defaults and choices.
@@ -50,7 +51,7 @@ impl StoredPlan {
         let result = read_result(folder)?;
         for (name, expected) in &result.files {
             let file = folder.join(name);
-            let content = fs::read(&file).map_err(|error| {
+            let content = read_bytes(&file).map_err(|error| {
                 PlannerError::file(&file, format!("belongs to the plan and cannot be read ({error}); solve again"))
             })?;
             if hash(&content) != *expected {
@@ -150,6 +151,7 @@ fn difference(plan: &Scene, problem: &Problem) -> Option<String> {
 /// When it is missing, or not one of this program and version.
 pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
     require_no_file(folder)?;
+    require_moved(folder)?;
     let file = folder.join(RESULT);
     let text = read_text(&file)?;
     let result: PlanResult = serde_json::from_str(&text).map_err(|error| {
@@ -175,6 +177,20 @@ fn require_no_file(folder: &Path) -> Result<(), PlannerError> {
     }
 }
 
+/// Refuses a folder without a plan into which a run was moving one when it was killed.
+///
+/// # Errors
+/// With what finishes that.
+pub fn require_moved(folder: &Path) -> Result<(), PlannerError> {
+    match !folder.join(RESULT).exists() && WorkFolder::is_half_moved(folder) {
+        true => Err(PlannerError::file(
+            folder,
+            "a run was interrupted while it moved its plan in; `assembly-plan solve` into this folder finishes that first",
+        )),
+        false => Ok(()),
+    }
+}
+
 /// Whether a path in a plan's folder, with slashes, is one that plans have besides `result.json`.
 pub fn is_plan_file(name: &str) -> bool {
     let is_number = |text: &str| text.len() <= 4 && text.parse::<u16>().is_ok_and(|number| number > 0);
@@ -190,6 +206,7 @@ fn collect(folder: &Path, plans: &mut Vec<StoredPlan>) -> Result<(), PlannerErro
         plans.push(StoredPlan::open(folder)?);
         return Ok(());
     }
+    require_moved(folder)?;
     let entries: Vec<_> = fs::read_dir(folder).and_then(Iterator::collect).map_err(PlannerError::read(folder))?;
     // Links are not followed: they may lead in a circle. Hidden folders hold unfinished work.
     let is_folder = |entry: &fs::DirEntry| {

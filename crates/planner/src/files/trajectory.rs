@@ -107,16 +107,27 @@ impl StateRow {
 
     /// Why the row is no state of a body, if so. The norm of its quaternion may differ from 1 by `norm_error`.
     pub(crate) fn problem(&self, norm_error: f64) -> Option<&'static str> {
-        /// Largest value that means anything (m, m/s, rad/s).
-        const LARGEST: f64 = 1e6;
-        let state = self.state();
-        let norm = state[3..POSE].iter().map(|component| component * component).sum::<f64>().sqrt();
-        if (norm - 1.0).abs() > norm_error {
-            return Some("qw, qx, qy, qz are not a unit quaternion");
+        /// Longest time that means anything (s).
+        const LONGEST: f64 = 1e6;
+        match self.time().abs() <= LONGEST {
+            true => state_problem(&self.state(), norm_error),
+            false => Some(ABSURD),
         }
-        let is_absurd = self.time().abs() > LARGEST || state.iter().any(|value| value.abs() > LARGEST);
-        is_absurd.then_some("a value is out of any reasonable range")
     }
+}
+
+const ABSURD: &str = "a value is out of any reasonable range";
+
+/// Why numbers are no state of a body (pose, twist), if so. The norm of its quaternion may differ from 1 by `norm_error`.
+pub fn state_problem(state: &[f64; STATE], norm_error: f64) -> Option<&'static str> {
+    /// Largest value that means anything (m, m/s, rad/s).
+    const LARGEST: f64 = 1e3;
+    let norm = state[3..POSE].iter().map(|component| component * component).sum::<f64>().sqrt();
+    // Comparisons are false for what is no number.
+    if !state.iter().all(|value| value.abs() <= LARGEST) {
+        return Some(ABSURD);
+    }
+    (!((norm - 1.0).abs() <= norm_error)).then_some("qw, qx, qy, qz are not a unit quaternion")
 }
 
 impl ScenarioRow {

@@ -1,11 +1,12 @@
 //! A hidden folder beside the one that is to be written: all work is done there, under a lock, and only what is whole is moved
 //! in.
 
+use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
 
 use crate::error::PlannerError;
-use crate::files::atomic::require_folder;
+use crate::files::atomic::{is_at, require_folder};
 
 /// Marks a hidden folder as ours; who works in it holds a lock on this file.
 const LOCK: &str = "lock";
@@ -27,10 +28,16 @@ impl WorkFolder {
     /// When another process writes into it, or the hidden folder is not ours.
     pub fn claim(target: &Path) -> Result<Self, PlannerError> {
         let target = locate(target)?;
-        let name = target.file_name().unwrap_or_default().to_string_lossy();
-        let path = target.with_file_name(format!(".{name}.unfinished"));
+        let path = work_of(&target, target.file_name().unwrap_or_default());
         let lock = lock(&path, &target)?;
         Ok(Self { target, path, lock })
+    }
+
+    /// Whether a run has ended while it moved its results into a folder.
+    pub fn is_half_moved(target: &Path) -> bool {
+        let Ok(target) = target.canonicalize() else { return false };
+        let Some(name) = target.file_name() else { return false };
+        work_of(&target, name).join(WHOLE).is_dir()
     }
 
     /// The folder that is to be written.
@@ -93,6 +100,11 @@ impl Drop for WorkFolder {
     }
 }
 
+/// The hidden folder of a folder with a name.
+fn work_of(target: &Path, name: &OsStr) -> PathBuf {
+    target.with_file_name(format!(".{}.unfinished", name.to_string_lossy()))
+}
+
 /// The absolute path of a folder that may be missing; its parent is made.
 fn locate(target: &Path) -> Result<PathBuf, PlannerError> {
     require_folder(target)?;
@@ -134,19 +146,4 @@ fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
         }
     }
     Err(busy())
-}
-
-#[cfg(unix)]
-fn is_at(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let identity = |metadata: fs::Metadata| (metadata.dev(), metadata.ino());
-    match (file.metadata(), fs::metadata(path)) {
-        (Ok(one), Ok(other)) => identity(one) == identity(other),
-        _ => false,
-    }
-}
-
-#[cfg(not(unix))]
-fn is_at(_file: &File, path: &Path) -> bool {
-    path.exists()
 }

@@ -110,9 +110,18 @@ fn the_tables_of_a_simulation_are_read_back() {
     let successes: Vec<SuccessRow> = SuccessTable::new(&rollouts).groups().iter().map(SuccessRow::from).collect();
     let record = SimulationRecord::new(&problem(0.01), vec!["plan".to_owned()], &SimulationRequest::default().errors);
     write_rollout_tables(folder.path(), &record, &rows, &successes).unwrap();
-    assert_eq!(SimulationRecord::read_if_there(folder.path()).unwrap(), Some(record.clone()));
+    let read = SimulationRecord::read(folder.path()).unwrap();
+    assert_eq!(SimulationRecord { files: record.files.clone(), ..read.clone() }, record);
+    assert_eq!(read.files.keys().collect::<Vec<_>>(), ["rollouts.csv", "success.csv"]);
     assert_eq!(read_csv::<RolloutRow>(&folder.path().join("rollouts.csv")).unwrap(), rows);
     assert_eq!(read_csv::<SuccessRow>(&folder.path().join("success.csv")).unwrap(), successes);
+    // What a run leaves that is killed between two files is not taken for a simulation.
+    write_rollout_tables(folder.path(), &record, &rows[1..], &successes).unwrap();
+    let newer = std::fs::read(folder.path().join("rollouts.csv")).unwrap();
+    write_rollout_tables(folder.path(), &record, &rows, &successes).unwrap();
+    std::fs::write(folder.path().join("rollouts.csv"), newer).unwrap();
+    let problem = SimulationRecord::read(folder.path()).unwrap_err().to_string();
+    assert!(problem.contains("rollouts.csv: is not of the simulation that simulation.json is of"), "{problem}");
     std::fs::write(folder.path().join("success.csv"), "my,own,table\n").unwrap();
     assert!(write_rollout_tables(folder.path(), &record, &rows, &successes).is_err());
 }

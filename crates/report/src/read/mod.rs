@@ -10,7 +10,7 @@ mod simulation;
 use std::path::{Path, PathBuf};
 
 use planner::PlannerError;
-use planner::files::{MANIFEST, RESULT, SUCCESS};
+use planner::files::{MANIFEST, RESULT, SUCCESS, require_moved};
 
 use crate::model::PageData;
 
@@ -37,6 +37,7 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PageData, PlannerError> {
     if holds(SUCCESS) {
         return Ok(PageData::Simulation(simulation::read(folder)?));
     }
+    require_moved(folder)?;
     Err(PlannerError::file(folder, nothing(folder)))
 }
 

@@ -11,14 +11,14 @@ use crate::model::SimulationData;
 /// Reads `success.csv` of a folder.
 ///
 /// # Errors
-/// When it is not one, or has no rows.
+/// When it is not one, has no rows, or is of another simulation than the files beside it.
 pub fn read(folder: &Path) -> Result<SimulationData, PlannerError> {
     let file = folder.join(SUCCESS);
     let groups: Vec<SuccessRow> = read_csv(&file)?;
     if groups.is_empty() {
         return Err(PlannerError::file(&file, "has no rows; simulate again"));
     }
-    Ok(SimulationData { title: title(folder), record: SimulationRecord::read_if_there(folder)?, groups })
+    Ok(SimulationData { title: title(folder), record: Some(SimulationRecord::read(folder)?), groups })
 }
 
 /// Likewise, of a folder that may hold none.

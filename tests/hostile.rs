@@ -1,0 +1,154 @@
+//! Files that are no files, numbers that are none, output that nobody gets: nothing blocks, is lost without a word, or is
+//! obeyed by a terminal.
+
+use std::fs;
+use std::process::Command;
+
+use crate::support::small::SMALL;
+use crate::support::{Dir, TestCommand};
+
+/// The small scene, its plan in `plan`, and an export of that.
+fn folder() -> Dir {
+    let dir = Dir::new();
+    dir.write("scene.toml", SMALL);
+    dir.add_homotopy("homotopy.toml", "iterations = 2\ntau = 0.0025\nsigma = 0.00125", "tol = 1e-2\nmax_iter = 50");
+    dir.run("solve scene.toml --homotopy homotopy.toml --out plan").code(0);
+    dir
+}
+
+/// Puts a pipe that nobody writes to in the place of a file.
+fn put_pipe(dir: &Dir, name: &str) {
+    let path = dir.path(name);
+    let _ = fs::remove_file(&path);
+    assert!(Command::new("mkfifo").arg(&path).status().unwrap().success());
+}
+
+#[test]
+fn a_pipe_in_the_place_of_a_file_is_refused_and_not_waited_for() {
+    let dir = folder();
+    let refused = |name: &str, lines: &[&str]| {
+        put_pipe(&dir, name);
+        for line in lines {
+            let run = TestCommand::new(dir.folder(), line).spawn().finish_in_time();
+            run.code(2).says("it is a pipe, a device or a socket");
+        }
+    };
+    refused("pipe.toml", &["check pipe.toml", "solve pipe.toml", "batch pipe.toml --out runs"]);
+    refused("pipe.csv", &["simulate plan --offsets pipe.csv", "simulate plan --executed pipe.csv"]);
+    refused("log.csv", &["calibrate scene.toml log.csv"]);
+    refused("pipe.stl", &["new made.toml --body pipe.stl --environment pipe.stl --unit mm"]);
+    refused("pipe.sdf", &["new made.toml --body pipe.sdf --environment pipe.sdf"]);
+    refused("pipe.log", &["solve scene.toml --log pipe.log"]);
+    refused("h.toml", &["solve scene.toml --homotopy h.toml"]);
+    for name in ["reference.csv", "resolved.toml", "result.json"] {
+        dir.copy("plan", "kept");
+        refused(&format!("plan/{name}"), &["simulate plan", "report plan", "export plan --to csv"]);
+        dir.remove("plan");
+        dir.copy("kept", "plan");
+        dir.remove("kept");
+    }
+}
+
+#[test]
+fn a_device_is_read_by_no_command_and_written_by_none() {
+    let dir = folder();
+    for line in ["check /dev/zero", "simulate plan --offsets /dev/zero", "solve scene.toml --log /dev/full"] {
+        dir.run(line).code(2).says("it is a pipe, a device or a socket");
+    }
+    dir.run("report plan --out /dev/full").code(2);
+}
+
+#[test]
+fn a_log_is_added_to_logs_only() {
+    let dir = folder();
+    dir.run("solve scene.toml --out other --log new.log").code(0);
+    dir.run("solve scene.toml --out other --log new.log").code(0);
+    for file in ["scene.toml", "plan/reference.csv", "plan/result.json", "plan/resolved.toml"] {
+        let before = dir.bytes(file);
+        let line = format!("solve scene.toml --out other --log {file}");
+        dir.run(&line).code(2).says("exists and is no log; choose another name");
+        assert!(dir.bytes(file) == before, "{file}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_is_lost_is_no_success() {
+    let dir = folder();
+    for line in ["check scene.toml", "check scene.toml --json", "schema", "completions bash", "simulate plan"] {
+        let run = TestCommand::in_shell(dir.folder(), "exec >/dev/full", line).run();
+        run.code(3).says("error: standard output: cannot be written: No space left on device");
+    }
+    // Whoever stops reading has seen enough.
+    TestCommand::in_shell(dir.folder(), "exec 2>&1", "schema").run().code(0);
+}
+
+#[test]
+fn what_a_terminal_would_obey_is_shown_by_its_number() {
+    let dir = folder();
+    dir.write("offsets.csv", "x_m,y_m,z_m\n0,\u{1b}[2J,0\n");
+    let run = dir.run("simulate plan --offsets offsets.csv").code(2).says("\\u{1b}[2J");
+    assert!(!run.stderr.contains('\u{1b}'));
+    let result = dir.read("plan/result.json").replace("planned, not tested", "planned\\u001b[2J\\u202e");
+    dir.write("plan/result.json", result);
+    for line in ["export plan --to csv", "report plan", "simulate plan"] {
+        let run = dir.run(line);
+        let said = format!("{}{}", run.stdout, run.stderr);
+        assert!(!said.contains(['\u{1b}', '\u{202e}']), "{line}: {said:?}");
+    }
+    dir.write("turned.toml", SMALL.replace("\"small\"", "\"a\\u202eb\""));
+    dir.run("check turned.toml").code(2).says("title must not contain line breaks or control characters");
+}
+
+#[test]
+fn threads_are_as_many_as_help() {
+    let dir = folder();
+    dir.run("solve scene.toml --homotopy homotopy.toml --out one --jobs 1").code(0);
+    dir.run("solve scene.toml --homotopy homotopy.toml --out many --jobs 1024").code(0);
+    assert!(dir.bytes("one/reference.csv") == dir.bytes("many/reference.csv"));
+}
+
+#[test]
+fn half_of_a_simulation_is_no_simulation() {
+    let dir = folder();
+    dir.run("simulate plan --out si").code(0);
+    dir.copy("si", "kept");
+    dir.run("simulate plan --random 3 --out si").code(0);
+    dir.run("report si").code(0);
+    // Killed between two files.
+    let rollouts = dir.bytes("kept/rollouts.csv");
+    dir.write("si/rollouts.csv", rollouts);
+    dir.run("report si").code(2).says("rollouts.csv: is not of the simulation that simulation.json is of");
+    dir.run("simulate plan --random 3 --out si").code(0);
+    dir.run("report si").code(0);
+}
+
+#[test]
+fn a_folder_into_which_a_plan_was_being_moved_says_so() {
+    let dir = folder();
+    dir.rename("plan/result.json", "result.json");
+    dir.copy("plan", ".plan.unfinished/whole");
+    for line in ["report plan", "simulate plan", "export plan --to csv"] {
+        dir.run(line).code(2).says("a run was interrupted while it moved its plan in; `assembly-plan solve` into this");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_a_killed_run_left_of_a_file_is_used_again() {
+    let dir = folder();
+    dir.write("plan/.report.html.partial", "half of a page");
+    dir.run("report plan").code(0);
+    assert!(!dir.exists("plan/.report.html.partial") && dir.read("plan/report.html").ends_with("</html>\n"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_whose_name_is_no_text_is_named() {
+    use std::os::unix::ffi::OsStrExt;
+    let dir = folder();
+    let name = std::ffi::OsStr::from_bytes(b"a\xff.toml");
+    fs::write(dir.path(name), SMALL).unwrap();
+    let run = TestCommand::new(dir.folder(), "batch --out runs").arg(name).run();
+    run.code(2).says("has a path that is not UTF-8");
+}
