@@ -62,7 +62,9 @@ fn every_limit_is_kept_where_it_is_active() {
 fn limits_in_resolved_toml_repeat_the_plan() {
     let dir = Dir::new();
     let first = plan(&dir, "force = 1.5\nrotational_velocity = 0.12");
-    dir.run("solve out/resolved.toml --out again").code(0).says("limits: rotational_velocity 0.1");
+    dir.run("solve out/resolved.toml --out again")
+        .code(0)
+        .says("limits, in the planned scenarios: rotational_velocity 0.1");
     let second = dir.result("again");
     assert_eq!((&first["limits"], &first["objective"]), (&second["limits"], &second["objective"]));
     assert!(dir.bytes("out/reference.csv") == dir.bytes("again/reference.csv"));

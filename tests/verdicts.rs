@@ -119,6 +119,32 @@ fn a_goal_inside_of_the_wall_is_refused() {
     // A press fit of a few hundredths is a matter of the fit.
     dir.write("plug.obj", obj(&block([5.23, 5.23], -8.0, 8.0), here));
     dir.run("check s.toml").code(0).says("state the fit by `clearance`");
+    // One of more is a press fit.
+    dir.write("plug.obj", obj(&block([5.26, 5.26], -8.0, 8.0), here));
+    dir.run("check s.toml").code(1).says("overlap there by 0.060 mm, and no path in clearance leads away from it");
+    dir.run("solve s.toml --out out").code(2).says("a press fit cannot be planned");
+}
+
+#[test]
+fn a_body_that_hovers_where_nothing_guides_it_is_not_assembled() {
+    let dir = plug(1.8, 0.05, |corner| corner);
+    // A lid that is laid onto a plate is guided by nothing, but touches it.
+    dir.write("socket.obj", obj(&block([20.0, 20.0], -8.0, -1.8), here));
+    dir.run(&format!("new laid.toml {FILES}")).code(0).says("nothing guides the body");
+    dir.write("plug.obj", obj(&block([5.0, 5.0], -1.8, 8.0), |[x, y, z]| [x, y, z + 1.2]));
+    dir.run(&format!("new hovering.toml {FILES}"))
+        .code(2)
+        .says("are 1.3 mm apart, and no offset or play is larger than");
+}
+
+#[test]
+fn a_start_within_the_tolerance_is_warned_of() {
+    let dir = plug(1.8, 0.05, here);
+    dir.run(&format!("new s.toml {FILES}")).code(0);
+    let words = "within the tolerance of 50.00 mm, so that a body that never moves is a success";
+    dir.run(&format!("new loose.toml {FILES} --position-tolerance 0.05")).code(0).says(words);
+    dir.run("check loose.toml").code(0).says(words);
+    dir.run("check s.toml").keeps_silent_about("never moves");
 }
 
 #[test]

@@ -189,7 +189,7 @@ fn print_size(problem: &Problem, explanation: &Explanation) {
     let size = explanation.size;
     say!(
         "problem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy iterations; about \
-         {:.0} s and {:.0} MB for the first plan",
+         {:.0} s on an idle machine and {:.0} MB for the first plan",
         size.steps,
         size.time_step_s,
         size.scenarios,

@@ -8,7 +8,7 @@ use planner::files::{
     RESOLVED, RolloutRow, SimulationRecord, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
     require_rollout_tables, to_csv, write_file, write_rollout_tables,
 };
-use planner::simulate::overlap_warning;
+use planner::simulate::{force_warning, overlap_warning};
 use planner::{
     Choices, Ending, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable,
     simulate,
@@ -61,7 +61,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     }
     progress.end();
     let seconds = begin.elapsed().as_secs_f64();
-    overlap_warning(&rollouts).iter().for_each(|warning| tell!("warning: {warning}"));
+    let limit = played.iter().map(|(_, problem)| problem.task().limits.contact_force).fold(f64::INFINITY, f64::min);
+    let force_warning = force_warning(&rollouts, limit);
+    overlap_warning(&rollouts).iter().chain(&force_warning).for_each(|warning| tell!("warning: {warning}"));
     let table = SuccessTable::new(&rollouts);
     let successes: Vec<SuccessRow> = table.groups().iter().map(SuccessRow::from).collect();
     if let Some((_, problem)) = played.first() {

@@ -85,7 +85,7 @@ fn limits(limits: &LimitsRecord, reached: &LimitsRecord) -> Option<String> {
         .filter(|((_, _, limit), _)| limit.is_finite())
         .map(|((name, unit, limit), (_, _, value))| format!("{name} {value:.4} of {limit} {unit}"))
         .collect();
-    (!used.is_empty()).then(|| format!("  limits: {}", used.join(", ")))
+    (!used.is_empty()).then(|| format!("  limits, in the planned scenarios: {}", used.join(", ")))
 }
 
 fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {

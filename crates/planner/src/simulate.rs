@@ -300,6 +300,24 @@ fn with_turns(offsets: &[[f64; 3]], errors: &GraspErrors) -> Vec<GraspError> {
     GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| GraspError { offset, turn }))
 }
 
+/// Successes that press with more than the task's limit of contact forces, which no robust plan may.
+pub fn force_warning(played: &[PlayedRollout], limit: f64) -> Option<String> {
+    let force = |rollout: &PlayedRollout| rollout.outcome.loads.contact_force;
+    let is_of_plan = |rollout: &&PlayedRollout| rollout.success && rollout.motion == Motion::Plan;
+    let successes: Vec<f64> = played.iter().filter(is_of_plan).map(force).collect();
+    // Comparisons are false for what is no number.
+    let beyond: Vec<f64> = successes.iter().copied().filter(|force| !(*force <= limit)).collect();
+    (!beyond.is_empty()).then(|| {
+        format!(
+            "{} of the {} successes of the plan press with more than contact_force = {limit:.1} N, with up to {:.1} N; `solve \
+             --robust` counts such rollouts as failures",
+            beyond.len(),
+            successes.len(),
+            beyond.iter().copied().fold(0.0, f64::max)
+        )
+    })
+}
+
 /// What the user is to be warned of: rollouts in which parts overlap. Contacts are hard: what overlaps has done so from
 /// the beginning.
 pub fn overlap_warning(played: &[PlayedRollout]) -> Option<String> {

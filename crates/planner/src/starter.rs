@@ -106,8 +106,9 @@ fn fit(
     let out = axis.or_else(|| ends.first().or(ways.first()).copied()).ok_or_else(|| {
         PlannerError::file(
             &files.body,
-            "the body gets out of the environment along no axis of the files: name the direction in which it is taken out \
-             (--axis), or export both files in the assembled pose, with the axes along the insertion",
+            "the body gets out of the environment along no axis of the files, whichever way: export both files in the assembled \
+             pose, with an axis along the insertion; where a motion of several parts leads out, name the axis of the last \
+             (--axis)",
         )
     })?;
     if !ways.is_empty() && !ways.contains(&out) {
@@ -118,7 +119,10 @@ fn fit(
         );
         return Err(PlannerError::file(&files.body, problem));
     }
+    // Where the environment also is in the way out, the body is lifted to the middle between both.
     let lift = LIFT.min(LARGEST_LIFT * height(out));
+    let room_above = clearance.travel(&place, &Vector3::from(out.times(1.0)), 2.0 * lift);
+    let lift = room_above.map_or(lift, |room| lift.min(0.5 * room));
     let room = ROOM * scene.offset_magnitude;
     let has_room = |distance: &f64| clearance.at(&(place + Vector3::from(out.times(*distance)))) >= room;
     let steps = (0..).map(|step| height(out) * (1.0 + STEP * f64::from(step)));

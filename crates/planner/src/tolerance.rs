@@ -6,12 +6,15 @@ use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 use scene::Scene;
 use task::{AssemblyTask, Coverage};
 
+use crate::clearance::position;
 use crate::engagement::Engagement;
 
-/// Largest tolerance that is chosen (m), also in sizes of the body and in depths of engagement, and the smallest in
-/// distances that play lets the body rest from its goal.
+/// Largest tolerance that is chosen (m), also in sizes of the body, in distances of the start from the goal and in depths of
+/// engagement, and the smallest in distances that play lets the body rest from its goal. Where play lets it rest farther than
+/// the depth allows, the depth decides: with less, a body that is not engaged would be a success.
 const LARGEST: f64 = 3e-3;
 const IN_SIZES: f64 = 0.1;
+const IN_WAYS: f64 = 0.25;
 const IN_DEPTHS: f64 = 0.25;
 const IN_RESTS: f64 = 1.5;
 /// Offsets in evaluations, in offsets of the scene.
@@ -31,6 +34,7 @@ pub struct ChosenTolerance {
 enum Reason {
     Usual,
     BodySize(f64),
+    Way(f64),
     Depth(f64),
     Rest(f64),
 }
@@ -38,16 +42,14 @@ enum Reason {
 impl ChosenTolerance {
     /// What a task's size, engagement and play allow.
     pub fn new(scene: &Scene, task: &AssemblyTask, engagement: &Engagement) -> Self {
-        let size = scene.body_size();
-        let mut limits = vec![(LARGEST, Reason::Usual), (IN_SIZES * size, Reason::BodySize(size))];
-        limits.extend(engagement.depth_m.map(|depth| (IN_DEPTHS * depth, Reason::Depth(depth))));
-        let tightest = limits.into_iter().min_by(|one, other| one.0.total_cmp(&other.0));
-        let rest = engagement.rest_m.map(|rest| (IN_RESTS * rest, Reason::Rest(rest)));
-        let (guided, reason) = rest
-            .into_iter()
-            .chain(tightest)
-            .max_by(|one, other| one.0.total_cmp(&other.0))
-            .unwrap_or((LARGEST, Reason::Usual));
+        let (size, way) = (scene.body_size(), (position(&task.start) - position(&task.goal)).norm());
+        let of_depth = engagement.depth_m.map(|depth| (IN_DEPTHS * depth, Reason::Depth(depth)));
+        let of_rest = engagement.rest_m.map(|rest| (IN_RESTS * rest, Reason::Rest(rest)));
+        let smallest = |one: (f64, Reason), other: (f64, Reason)| if other.0 < one.0 { other } else { one };
+        let usual = [(IN_SIZES * size, Reason::BodySize(size)), (IN_WAYS * way, Reason::Way(way))];
+        let usual = usual.into_iter().chain(of_depth).fold((LARGEST, Reason::Usual), smallest);
+        let of_rest = of_rest.map(|rest| of_depth.into_iter().fold(rest, smallest));
+        let (guided, reason) = of_rest.filter(|rest| rest.0 > usual.0).unwrap_or(usual);
         Self { guided, reason, free_offset: OFFSETS * engagement.free_offset(task, &scene.coverage) }
     }
 
@@ -63,6 +65,7 @@ impl ChosenTolerance {
         let reason = match self.reason {
             Reason::Usual => "the usual one".to_owned(),
             Reason::BodySize(size) => format!("a tenth of the body's size of {:.2} mm", 1e3 * size),
+            Reason::Way(way) => format!("a quarter of the way of {:.2} mm from start to goal", 1e3 * way),
             Reason::Depth(depth) => format!("a quarter of the engagement depth of {:.2} mm", 1e3 * depth),
             Reason::Rest(rest) => format!("1.5 times the error of {:.3} mm that play allows", 1e3 * rest),
         };

@@ -86,6 +86,22 @@ fn a_tolerance_that_calls_an_unassembled_part_a_success_is_warned_of() {
 }
 
 #[test]
+fn play_that_lets_the_body_rest_farther_than_its_depth_allows_raises_no_tolerance() {
+    // Pushed into a corner of its recess, the body rests 0.7 mm from its goal; on the rim, 0.5 mm.
+    let problem = problem(&text(-0.0005, 0.0, &socket(5e-4)));
+    is_near(problem.success().position, 0.25 * 0.0005, 5e-6);
+    // A deeper one may rest where play lets it.
+    let problem = problem_with(&text(-0.0075, 0.0, &socket(1e-3)), &Choices::default());
+    is_near(problem.success().position, 0.25 * 0.0075, 3e-5);
+}
+
+#[test]
+fn a_start_close_to_the_goal_lowers_the_tolerance() {
+    let near = text(-0.0075, 0.0, &socket(1e-4)).replace("position = [0, 0, 0.0175]", "position = [0, 0, -0.0005]");
+    is_near(problem(&near).success().position, 0.25 * 0.002, 1e-9);
+}
+
+#[test]
 fn a_rail_guides_across_itself_and_offsets_along_it_stay() {
     for turn in [0.0, 0.4, 1.1] {
         let problem = problem(&text(-0.008, turn, &rail(2e-4)));

@@ -44,7 +44,8 @@ impl Plan {
     /// contact.
     pub fn own_warnings(&self) -> Vec<String> {
         let mut warnings = limits::warnings(&self.task.limits, &self.trajectory.keeps());
-        if self.robustness.is_none() && self.chosen().record.converged {
+        // What time has cut leans on the smoothing of its last homotopy iteration, which time would have tightened.
+        if self.robustness.is_none() && self.stopped.is_none() && self.chosen().record.converged {
             warnings.extend(smoothing::warning(self));
         }
         warnings.extend(motion::warnings(self));

@@ -3,9 +3,23 @@
 use crate::explain::axis_name;
 use crate::problem::Problem;
 
-/// A tolerance beyond the depth of engagement, and offsets along free directions beyond the tolerance.
+/// A tolerance within which the start is, or beyond the depth of engagement, and offsets along free directions beyond the
+/// tolerance.
 pub fn warnings(problem: &Problem) -> Vec<String> {
-    [unassembled_success(problem), free_offset(problem)].into_iter().flatten().collect()
+    [success_at_start(problem), unassembled_success(problem), free_offset(problem)].into_iter().flatten().collect()
+}
+
+fn success_at_start(problem: &Problem) -> Option<String> {
+    let (tolerance, task) = (problem.success().position, problem.task());
+    let (way, turn) = task::pose::errors(&task.start, &task.goal);
+    (way <= tolerance && turn <= problem.success().orientation).then(|| {
+        format!(
+            "the start is {:.2} mm from the goal, within the tolerance of {:.2} mm, so that a body that never moves is a \
+             success: move the start, or lower position_tolerance in [goal] or --position-tolerance",
+            1e3 * way,
+            1e3 * tolerance
+        )
+    })
 }
 
 fn unassembled_success(problem: &Problem) -> Option<String> {
