@@ -56,7 +56,7 @@ fn files_that_cannot_be_read_are_refused() {
     fs::write(&file, [0xff, 0xfe, 0x00]).unwrap();
     assert_eq!(Arm::read(&file, "tip").unwrap_err().message(), "the file is not UTF-8 text: save it as UTF-8");
     fs::write(&file, vec![b' '; (1 << 20) + 1]).unwrap();
-    let message = "the file is larger than 1 MiB: remove what is not links and joints";
+    let message = "it is larger than 1 MiB: remove what is not links and joints";
     assert_eq!(Arm::read(&file, "tip").unwrap_err().message(), message);
 }
 

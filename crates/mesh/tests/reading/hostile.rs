@@ -322,5 +322,5 @@ fn only_regular_files_are_read() {
     let path = folder.path().join("folder.stl");
     std::fs::create_dir(&path).unwrap();
     let error = TriangleMesh::read(&path, 1.0).unwrap_err();
-    assert_eq!(error.to_string(), "cannot be read: it is no regular file");
+    assert_eq!(error.to_string(), "cannot be read: it is a folder");
 }

@@ -131,13 +131,15 @@ fn try_all(content: &[u8], format: Format) -> bool {
 }
 
 fn mutations(format: Format, default: usize) {
-    let count = std::env::var("MUTATIONS").map_or(default, |count| count.parse().expect("a number of mutations"));
+    let given = |name: &str| std::env::var(name).ok().map(|value| value.parse::<u64>().expect("a whole number"));
+    let (count, first) =
+        (given("MUTATIONS").map_or(default, |count| count as usize), given("FIRST_MUTATION").unwrap_or(0));
     let seeds = seeds();
     let own: Vec<&(Vec<u8>, Format)> = seeds.iter().filter(|(_, other)| *other == format).collect();
     let mut slowest = Duration::ZERO;
     let mut parts = 0;
     for number in 0..count {
-        let mut random = Random(number as u64);
+        let mut random = Random(first.wrapping_add(number as u64));
         let mut content = random.pick(&own).0.clone();
         for _ in 0..1 + random.below(4) {
             mutate(&mut content, &seeds, &mut random);

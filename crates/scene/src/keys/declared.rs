@@ -87,7 +87,7 @@ pub const KEYS: &[Key] = &[
 
     key("goal", "position", Vector(COORDINATE), "m", Refused, "position of the body's frame in the world"),
     key("goal", "orientation", Quaternion, "", Refused, "orientation of the body's frame in the world"),
-    key("goal", "position_tolerance", Number(Range::closed(1e-9, 1e3)), "m", Means("0.003, less for small bodies and shallow engagement, more where play or free directions leave more"), "largest final distance from the goal of a success"),
+    key("goal", "position_tolerance", Number(Range::closed(1e-9, 1e3)), "m", Means("0.003, less for small bodies, short ways and shallow engagement, more where play or free directions leave more"), "largest final distance from the goal of a success"),
     key("goal", "angle_tolerance", Number(Range::closed(1e-9, 10.0)), "rad", Default(0.1), "largest final angle to the goal of a success"),
 
     key("impedance", "translational_stiffness", Number(STIFFNESS), "N/m", Means("1 m/s^2 x mass / offset_magnitude, 50 to 1000 N/m per kg"), "stiffness along every axis"),
