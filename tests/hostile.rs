@@ -56,6 +56,19 @@ fn a_device_is_read_by_no_command_and_written_by_none() {
         dir.run(line).code(2).says("it is a pipe, a device or a socket");
     }
     dir.run("report plan --out /dev/full").code(2);
+    let device = "it is a pipe, a device or a socket";
+    for line in ["new made.toml --force", "generate round --out made.toml --force", "batch submit runs"] {
+        dir.run("batch expand scene.toml --out runs").code(0);
+        for name in ["made.toml", "runs/submit.sh"] {
+            put_pipe(&dir, name);
+        }
+        let run = TestCommand::new(dir.folder(), line).spawn().finish_in_time();
+        assert!(
+            run.code != Some(0) && (run.stderr.contains(device) || line.contains("submit")),
+            "{line}: {}",
+            run.stderr
+        );
+    }
 }
 
 #[test]
@@ -75,9 +88,21 @@ fn a_log_is_added_to_logs_only() {
 #[test]
 fn output_that_is_lost_is_no_success() {
     let dir = folder();
-    for line in ["check scene.toml", "check scene.toml --json", "schema", "completions bash", "simulate plan"] {
+    for line in [
+        "--help",
+        "solve --help",
+        "--version",
+        "check scene.toml",
+        "check scene.toml --json",
+        "schema",
+        "completions bash",
+        "simulate plan",
+    ] {
         let run = TestCommand::in_shell(dir.folder(), "exec >/dev/full", line).run();
-        run.code(3).says("error: standard output: cannot be written: No space left on device");
+        let run = run.code(3);
+        assert!(
+            line.contains("--help") || line == "--version" || run.stderr.contains("standard output: cannot be written")
+        );
     }
     // Whoever stops reading has seen enough.
     TestCommand::in_shell(dir.folder(), "exec 2>&1", "schema").run().code(0);

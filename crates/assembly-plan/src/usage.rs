@@ -1,11 +1,14 @@
 //! Reading the command line, and what is said about mistakes in it.
 
 use std::ffi::OsString;
+use std::io::{Write, stdout};
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error, FromArgMatches};
 
 use crate::arguments::{Arguments, command_line};
+use crate::console::{lose, lost};
+use crate::exit::Exit;
 
 /// Names that people try, and flags that they may mean, the likeliest first.
 const MEANT: &[(&str, &[&str])] = &[
@@ -30,14 +33,21 @@ const MEANT: &[(&str, &[&str])] = &[
 ];
 
 /// The arguments, of which the first is the program's name. Ends the process after help, a version or a mistake, with the
-/// exit code 2 after a mistake.
+/// exit code 2 after a mistake, and 3 where nobody gets what was asked for.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Arguments {
     let mut command = command_line();
     let words: Vec<OsString> = arguments.into_iter().collect();
     command
         .try_get_matches_from_mut(&words)
         .and_then(|matches| Arguments::from_arg_matches(&matches))
-        .unwrap_or_else(|error| advised(error, subcommand(&command, &words)).exit())
+        .unwrap_or_else(|error| exit_with(&advised(error, subcommand(&command, &words))))
+}
+
+fn exit_with(error: &Error) -> ! {
+    if let Err(lost) = error.print().and_then(|()| stdout().flush()) {
+        lose("standard output", &lost);
+    }
+    std::process::exit(lost().map_or(error.exit_code(), |_| Exit::Failed as i32))
 }
 
 /// The command whose arguments some words are.

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 
 use planner::batch::{Cell, CellFiles, Manifest};
-use planner::files::{PlanResult, remove_file, write_file};
+use planner::files::{PlanResult, read_bytes, remove_file, write_file};
 
 use crate::exit::{CommandError, Exit};
 use crate::program::Program;
@@ -115,7 +115,7 @@ fn solve(manifest: &Manifest, cell: &Cell) -> Command {
 
 /// Why a process has failed: its last error, else how it ended.
 fn reason(status: ExitStatus, log: &Path) -> String {
-    let text = fs::read(log).unwrap_or_default();
+    let text = read_bytes(log).unwrap_or_default();
     let text = String::from_utf8_lossy(&text);
     let error = text.lines().rev().find_map(|line| line.strip_prefix("error: "));
     match (status.code(), error) {

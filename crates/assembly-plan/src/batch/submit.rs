@@ -6,7 +6,7 @@ use std::process::Command;
 
 use planner::PlannerError;
 use planner::batch::Manifest;
-use planner::files::write_file;
+use planner::files::{read_text, write_file};
 
 use super::process::in_system;
 use crate::arguments::SubmitArguments;
@@ -25,7 +25,7 @@ pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, 
     let folder = manifest.folder.canonicalize().map_err(in_system(&manifest.folder))?;
     require_plain(&folder, &arguments.options)?;
     let file = manifest.folder.join("submit.sh");
-    if file.exists() && !fs::read_to_string(&file).is_ok_and(|text| text.contains(MARK)) {
+    if file.exists() && !read_text(&file).is_ok_and(|text| text.contains(MARK)) {
         let problem = "was not written by `batch submit` and would be replaced; move it away";
         return Err(PlannerError::file(&file, problem).into());
     }

@@ -19,6 +19,10 @@ const LARGEST: u64 = 1 << 28;
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;
+    // A device or a pipe that stands there is no file of ours; a link to nothing is replaced.
+    if fs::metadata(path).is_ok() {
+        input::require_regular(path).map_err(PlannerError::written(path))?;
+    }
     let name = path.file_name().ok_or_else(|| PlannerError::file(path, "is not the name of a file"))?.to_string_lossy();
     let partial = folder.join(format!(".{name}.partial"));
     let mut file = claim(&partial).map_err(PlannerError::written(path))?;
