@@ -22,7 +22,7 @@ use planner::{
     Session, SimulationRequest, SuccessTable, refine, simulate, solve,
 };
 use proptest::prelude::*;
-use proptest::test_runner::{RngSeed, TestRunner};
+use proptest::test_runner::TestRunner;
 use text::{Mutation, mutated, mutation};
 
 /// A scene, its plan in `plan`, a batch of two cells, one of them finished, in `runs`, and unfinished work in `work`.
@@ -99,12 +99,8 @@ type Use = fn(&Path) -> Result<(), PlannerError>;
 fn run(name: &str, files: &'static [&'static str], default_cases: u32, used: Use) {
     LazyLock::force(&RIGHT);
     let mut config = ProptestConfig { failure_persistence: None, max_shrink_iters: 200, ..ProptestConfig::default() };
-    // The same files every time, unless a long run asks for others.
     if std::env::var_os("PROPTEST_CASES").is_none() {
         config.cases = default_cases;
-    }
-    if std::env::var_os("PROPTEST_RNG_SEED").is_none() {
-        config.rng_seed = RngSeed::Fixed(1);
     }
     let (cases, accepted) = (config.cases, Cell::new(0_u32));
     let strategy = (any::<usize>(), prop::collection::vec(mutation(), 1..4), any::<bool>());
