@@ -39,6 +39,11 @@ fn a_pipe_in_the_place_of_a_file_is_refused_and_not_waited_for() {
     refused("pipe.stl", &["new made.toml --body pipe.stl --environment pipe.stl --unit mm"]);
     refused("pipe.sdf", &["new made.toml --body pipe.sdf --environment pipe.sdf"]);
     refused("pipe.log", &["solve scene.toml --log pipe.log"]);
+    fs::create_dir(dir.path(".o.unfinished")).unwrap();
+    put_pipe(&dir, ".o.unfinished/lock");
+    let run = TestCommand::new(dir.folder(), "solve scene.toml --out o").spawn().finish_in_time();
+    run.code(3).says("it is a pipe, a device or a socket");
+    dir.run("simulate plan --trace t.csv --log t.csv").code(2).says("is the file of --log as well");
     refused("h.toml", &["solve scene.toml --homotopy h.toml"]);
     for name in ["reference.csv", "resolved.toml", "result.json"] {
         dir.copy("plan", "kept");

@@ -189,6 +189,9 @@ fn require_free(arguments: &SimulateArguments, folder: &Path) -> Result<(), Plan
         Some(file) if file.symlink_metadata().is_ok() => {
             Err(PlannerError::file(file, "exists, and a trace replaces nothing; choose another name for --trace"))
         }
+        Some(file) if arguments.progress.log.as_ref() == Some(file) => {
+            Err(PlannerError::file(file, "is the file of --log as well; choose another name for --trace"))
+        }
         Some(file) if is_rollout_table(file, folder) => {
             Err(PlannerError::file(file, "is a table of this simulation; choose another name for --trace"))
         }

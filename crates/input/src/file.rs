@@ -18,6 +18,17 @@ pub fn read(path: &Path, largest: u64) -> Result<Vec<u8>> {
     }
 }
 
+/// Opens a file to add to it, which is made if need be.
+///
+/// # Errors
+/// When it cannot be opened, or another kind of file stands there.
+pub fn append(path: &Path) -> Result<File> {
+    if path.symlink_metadata().is_ok() {
+        require_regular(path)?;
+    }
+    File::options().append(true).create(true).open(path)
+}
+
 /// Refuses what is no file on a disk: folders, pipes, devices.
 ///
 /// # Errors
@@ -57,6 +68,7 @@ mod tests {
         let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
         for path in [Path::new("/dev/zero"), &socket] {
             assert_eq!(read(path, 1).unwrap_err().kind(), ErrorKind::InvalidInput);
+            assert_eq!(append(path).unwrap_err().kind(), ErrorKind::InvalidInput);
         }
     }
 }

@@ -3,5 +3,5 @@
 mod file;
 mod text;
 
-pub use file::{read, require_regular};
+pub use file::{append, read, require_regular};
 pub use text::{is_control, shown};

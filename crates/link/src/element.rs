@@ -31,6 +31,20 @@ pub fn require_attribute<'text>(element: Node<'text, 'text>, name: &str) -> Resu
     attribute(element, name).ok_or_else(|| refuse(element, format!("<{}> has no `{name}`", tag(element))))
 }
 
+/// The shape of a collision, which must have one: each of several needs a collision of its own.
+///
+/// # Errors
+/// When it has none or several.
+pub fn only_shape<'text>(collision: Node<'text, 'text>) -> Result<Node<'text, 'text>, ModelError> {
+    let shapes = child(collision, "geometry").into_iter().flat_map(|geometry| geometry.children());
+    let mut shapes = shapes.filter(Node::is_element);
+    let Some(shape) = shapes.next() else { return Err(refuse(collision, "<collision> has no geometry")) };
+    match shapes.next() {
+        None => Ok(shape),
+        Some(second) => Err(refuse(second, "a second shape in one <geometry>: give it a <collision> of its own")),
+    }
+}
+
 /// The child of a name, if there is one.
 pub fn child<'text>(element: Node<'text, 'text>, name: &str) -> Option<Node<'text, 'text>> {
     children(element, name).next()

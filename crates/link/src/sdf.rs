@@ -6,7 +6,7 @@ use nalgebra::Isometry3;
 use roxmltree::Node;
 
 use crate::element::{
-    attribute, child, children, content, pose, refuse, require_content, shape_name, tag, unsupported,
+    attribute, child, children, content, only_shape, pose, require_content, shape_name, tag, unsupported,
 };
 use crate::error::ModelError;
 use crate::mesh_file::mesh_file;
@@ -70,8 +70,7 @@ fn pose_in<'text>(element: Node<'text, 'text>, link: Node) -> Result<Isometry3<f
 
 /// The geometry of a collision; an empty one is none.
 fn geometry<'text>(collision: Node<'text, 'text>, file: &Path) -> Result<Option<Geometry>, ModelError> {
-    let geometry = child(collision, "geometry").and_then(|geometry| geometry.first_element_child());
-    let Some(shape) = geometry else { return Err(refuse(collision, "<collision> has no geometry")) };
+    let shape = only_shape(collision)?;
     Ok(Some(match tag(shape) {
         "empty" => return Ok(None),
         "box" => Geometry::Box { edges: require_content(shape, "size")?.lengths()? },

@@ -5,7 +5,7 @@ use std::path::Path;
 use nalgebra::Isometry3;
 use roxmltree::Node;
 
-use crate::element::{attribute, child, children, pose, refuse, require_attribute, shape_name, tag, unsupported};
+use crate::element::{attribute, child, children, only_shape, pose, require_attribute, shape_name, tag, unsupported};
 use crate::error::ModelError;
 use crate::mesh_file::mesh_file;
 use crate::shape::{Geometry, LinkShape};
@@ -35,8 +35,7 @@ fn origin<'text>(origin: Node<'text, 'text>) -> Result<Isometry3<f64>, ModelErro
 }
 
 fn geometry<'text>(collision: Node<'text, 'text>, file: &Path) -> Result<Geometry, ModelError> {
-    let geometry = child(collision, "geometry").and_then(|geometry| geometry.first_element_child());
-    let Some(shape) = geometry else { return Err(refuse(collision, "<collision> has no geometry")) };
+    let shape = only_shape(collision)?;
     match tag(shape) {
         "box" => Ok(Geometry::Box { edges: require_attribute(shape, "size")?.lengths()? }),
         "cylinder" => Ok(Geometry::Cylinder {

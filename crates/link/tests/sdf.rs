@@ -109,6 +109,7 @@ fn what_is_not_read_is_refused_at_its_place() {
         (geometry("<heightmap/>"), "heightmap is not supported"),
         (geometry("<polyline/>"), "polyline is not supported"),
         (geometry(""), "<collision> has no geometry"),
+        (geometry("<empty/><empty/>"), "a second shape in one <geometry>: give it a <collision> of its own"),
         (model("<collision name='c'/>"), "<collision> has no geometry"),
         (geometry("<box/>"), "<box> has no <size>"),
         (geometry("<box><size>1 1</size></box>"), "size \"1 1\" must have 3 numbers, not 2"),

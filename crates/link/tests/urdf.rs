@@ -38,6 +38,10 @@ fn what_is_not_read_is_refused_at_its_place() {
         (geometry("<sphere radius='1'/>"), "sphere is not supported: use boxes, cylinders"),
         (geometry("<capsule radius='1' length='1'/>"), "capsule is not supported"),
         (geometry(""), "<collision> has no geometry"),
+        (
+            geometry("<box size='1 1 1'/><box size='2 2 2'/>"),
+            "a second shape in one <geometry>: give it a <collision> of its own",
+        ),
         (geometry("<box/>"), "<box> has no `size`"),
         (geometry("<box size='1 1 ${w}'/>"), "size \"1 1 ${w}\" must be numbers with blanks between them"),
         (geometry("<box size='1 1 1 1'/>"), "must have 3 numbers, not 4"),

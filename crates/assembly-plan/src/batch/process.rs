@@ -1,6 +1,6 @@
 //! The process that solves a cell.
 
-use std::fs::{self, File, TryLockError};
+use std::fs::{self, TryLockError};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 
@@ -50,7 +50,7 @@ impl Process {
         let files = CellFiles::new(manifest, cell);
         fs::create_dir_all(files.folder()).map_err(in_system(files.folder()))?;
         let path = files.log();
-        let log = File::options().append(true).create(true).open(&path).map_err(in_system(&path))?;
+        let log = input::append(&path).map_err(in_system(&path))?;
         match log.try_lock() {
             Err(TryLockError::WouldBlock) => return Ok(Begun::Busy),
             Err(TryLockError::Error(error)) => return Err(in_system(&path)(error)),

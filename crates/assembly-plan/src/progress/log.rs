@@ -39,7 +39,7 @@ impl Log {
         if path.symlink_metadata().is_ok() {
             require_log(path)?;
         }
-        let file = File::options().append(true).create(true).open(path);
+        let file = input::append(path);
         let file = file.map_err(|error| CommandError::System(format!("--log {}: {error}", path.display())))?;
         Ok(Self { file: Mutex::new(file), begin: Instant::now() })
     }

@@ -99,7 +99,8 @@ impl CellFiles {
     }
 
     fn is_locked(&self) -> bool {
-        let Ok(log) = File::open(self.log()) else { return false };
+        let log = input::require_regular(&self.log()).and_then(|()| File::open(self.log()));
+        let Ok(log) = log else { return false };
         matches!(log.try_lock_shared(), Err(TryLockError::WouldBlock))
     }
 }

@@ -38,10 +38,7 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
 /// used again, so that nothing piles up.
 fn claim(partial: &Path) -> std::io::Result<File> {
     loop {
-        if partial.symlink_metadata().is_ok() {
-            input::require_regular(partial)?;
-        }
-        let file = File::options().append(true).create(true).open(partial)?;
+        let file = input::append(partial)?;
         file.lock()?;
         // Who waited for the lock holds a file that has its final name by now.
         if is_at(&file, partial) {

@@ -134,7 +134,7 @@ fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
     // A run that ends removes its lock. Who has opened it just before holds the lock of nothing and tries again.
     for _ in 0..10 {
         fs::create_dir_all(work).map_err(PlannerError::written(target))?;
-        let file = match File::options().append(true).create(true).open(&path) {
+        let file = match input::append(&path) {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => continue,
             file => file.map_err(PlannerError::written(&path))?,
         };
