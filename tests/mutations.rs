@@ -150,7 +150,7 @@ fn rehash(dir: &Dir) {
     dir.write("plan/result.json", result.to_string());
 }
 
-/// Gives a record of unfinished work the hash of what stands there, likewise.
+/// Gives a record of unfinished work the hash of its content as it is, so that it is read.
 fn reseal(dir: &Dir, name: &str) {
     let file = format!(".work.unfinished/{name}");
     let text = dir.read(&file);

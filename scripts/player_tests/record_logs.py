@@ -8,7 +8,7 @@ from main import Case, run
 
 # What MuJoCo is given. The scene says rotor inertia 0.1 kg m^2, joint friction 0.5 Nm and no delay.
 TRUTH = {"rotor_inertia": 0.14, "joint_friction": 0.8, "delay": 0.004, "damping": 0.85, "friction": 0.25}
-# A grasp error that the plan bears with this friction.
+# A grasp error that the plan tolerates with this friction.
 OFFSET, TURN = (0.003, 0.003, 0.0), (0.0, 0.005, 0.0)
 FLAGS = ("--message", "motion-update", "--rate", "100")
 CASES = {

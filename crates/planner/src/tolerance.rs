@@ -65,7 +65,7 @@ impl ChosenTolerance {
         let reason = match self.reason {
             Reason::Usual => "the usual one".to_owned(),
             Reason::BodySize(size) => format!("a tenth of the body's size of {:.2} mm", 1e3 * size),
-            Reason::Way(way) => format!("a quarter of the way of {:.2} mm from start to goal", 1e3 * way),
+            Reason::Way(way) => format!("a quarter of the path of {:.2} mm from start to goal", 1e3 * way),
             Reason::Depth(depth) => format!("a quarter of the engagement depth of {:.2} mm", 1e3 * depth),
             Reason::Rest(rest) => format!("1.5 times the error of {:.3} mm that play allows", 1e3 * rest),
         };

@@ -64,10 +64,10 @@ impl SimulationRecord {
         record.map(Some).map_err(|error| PlannerError::file(&file, format!("is no record of a simulation: {error}")))
     }
 
-    /// The record in a folder, once its tables are known to be those that were written with it.
+    /// The record in a folder, whose tables have the hashes that it lists.
     ///
     /// # Errors
-    /// When there is none, as where a simulation was interrupted while it was written, or a table is another.
+    /// When the record is missing, as after an interrupted simulation, or a table has another hash.
     pub fn read(folder: &Path) -> Result<Self, PlannerError> {
         let record = Self::read_if_there(folder)?.filter(|record| !record.files.is_empty());
         let record = record.ok_or_else(|| {

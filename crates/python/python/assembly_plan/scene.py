@@ -259,7 +259,7 @@ class Scene:
 
         By default the planned offsets are played. As the command ``simulate``:
 
-        - `random`: play so many random offsets of those that the scene covers, or with `hull` in the hull of the
+        - `random`: play this many random offsets of those that the scene covers, or with `hull` in the hull of the
           planned ones, with `disc` in the disc across the insertion, with `ball` in the ball; half of those of a disc
           or a ball lie on its rim. `seed` is that of random numbers.
         - `grid`: play a grid in the hull of the planned offsets, so many intervals along each of its edges.
