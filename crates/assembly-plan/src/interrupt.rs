@@ -32,6 +32,14 @@ pub fn exit_at_once() -> Result<(), CommandError> {
     })
 }
 
+/// Files that outgrow the limit of the system (`ulimit -f`) are then errors like those of a full disk, where the signal would
+/// have ended the program without a word.
+pub fn outlive_large_files() {
+    #[cfg(unix)]
+    // Who cannot be told of the signal is ended by it, as every other program.
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
 fn handle(handler: impl FnMut() + Send + 'static) -> Result<(), CommandError> {
     ctrlc::set_handler(handler).map_err(|error| CommandError::System(format!("interrupts cannot be handled: {error}")))
 }

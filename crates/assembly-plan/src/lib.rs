@@ -39,6 +39,7 @@ pub use program::Program;
 pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let clock = RunClock::start();
     program.remember();
+    interrupt::outlive_large_files();
     let arguments = usage::parse(arguments);
     let outcome = match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments, clock),

@@ -7,6 +7,7 @@ use std::path::Path;
 use clap::{Arg, Command};
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, italic, roman};
+use planner::files::require_folder;
 
 use crate::arguments::{CLOSINGS, Closing, ManualArguments, command_line};
 use crate::console::say;
@@ -17,6 +18,7 @@ pub fn run(arguments: &ManualArguments) -> Result<Exit, CommandError> {
     let folder = &arguments.folder;
     let mut program = command_line().disable_help_subcommand(true);
     program.build();
+    require_folder(folder)?;
     create_dir_all(folder).and_then(|()| write_pages(&program, folder)).map_err(|error| {
         CommandError::System(format!("{}: the manual cannot be written: {error}", folder.display()))
     })?;

@@ -83,6 +83,31 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     number(text, |number| number > 0.0 && number <= MOST, "must lie between 0 and 10000000 s")
 }
 
+/// A number that a key of scenes takes, as in `of_key("robustness.offset_magnitude")`.
+pub fn of_key(path: &'static str) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+    let (table, name) = path.split_once('.').unwrap_or(("", path));
+    let key = scene::key(table, name);
+    move |text| {
+        let range = key.range().ok_or("takes no number")?;
+        number(text, |number| range.contains(number), &format!("must lie {range} {}", key.unit))
+    }
+}
+
+/// A whole number up to a billion.
+pub fn whole<N: TryFrom<u32>>(least: u32) -> impl Fn(&str) -> Result<N, String> + Clone + Send + Sync + 'static {
+    const MOST: u32 = 1_000_000_000;
+    move |text| {
+        let number = text.parse().ok().filter(|number| (least..=MOST).contains(number));
+        let number = number.and_then(|number: u32| N::try_from(number).ok());
+        number.ok_or_else(|| format!("must be a whole number between {least} and {MOST}"))
+    }
+}
+
+/// A seed of random numbers.
+pub fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("must be a whole number between 0 and {}", u64::MAX))
+}
+
 /// A number of threads or processes.
 pub fn jobs(text: &str) -> Result<u16, String> {
     const MOST: u16 = 1024;

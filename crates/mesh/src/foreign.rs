@@ -6,7 +6,7 @@ use crate::stl;
 use crate::text::{is_blank, lines, without_mark, words};
 
 /// How files begin that people take for meshes, in small letters, and what to do about them.
-const BEGINNINGS: [(&[u8], &str); 15] = [
+const BEGINNINGS: [(&[u8], &str); 18] = [
     (b"version https://git-lfs", "a Git LFS pointer and not the file itself: run `git lfs pull`"),
     (b"<!doctype html", "a web page and not a mesh: download the file itself"),
     (b"<html", "a web page and not a mesh: download the file itself"),
@@ -22,6 +22,9 @@ const BEGINNINGS: [(&[u8], &str); 15] = [
     (b"#vrml", "a VRML file: export the part as STL or OBJ"),
     (b"\xff\xfe", "text in UTF-16: save it as UTF-8"),
     (b"\xfe\xff", "text in UTF-16: save it as UTF-8"),
+    (b"s\0o\0l\0", "text in UTF-16: save it as UTF-8"),
+    (b"v\0 \0", "text in UTF-16: save it as UTF-8"),
+    (b"#\0", "text in UTF-16: save it as UTF-8"),
 ];
 /// Lines among which an OBJ file has a vertex, but for those with long introductions.
 const FIRST_LINES: usize = 200;

@@ -15,7 +15,7 @@ use crate::weld::weld;
 
 /// Points of a file are the same, and in a plane, within this many roundings: each of two coordinates, in space.
 pub const SAME: f64 = 4.0;
-/// A hole that takes this share of the surface is not small.
+/// A hole that takes this share of the surface is not small: more than a triangle is missing there.
 const SMALL_HOLE: f64 = 0.02;
 /// A hole with more edges is not capped.
 const MOST_EDGES: usize = 2000;
@@ -132,12 +132,18 @@ fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshEr
         let points: Vec<Vector> = hole.iter().map(|&corner| surface.vertices[corner]).collect();
         let length: f64 = (0..points.len()).map(|at| (points[at] - points[(at + 1) % points.len()]).norm()).sum();
         let area = area_vector(&points).norm();
-        let is_certain = is_gap(&points, area, tolerance)
-            || (is_planar(&points, tolerance)
-                // A cap would lie on an open sheet.
+        let is_gap = is_gap(&points, area, tolerance);
+        let is_small = || {
+            area <= SMALL_HOLE * total
+                || (points.len() == 3 && continues(surface, &edges, &hole, &points, 1.0, tolerance))
+        };
+        // On an open sheet, a cap would lie on the sheet.
+        let is_hole = || {
+            is_planar(&points, tolerance)
+                && is_small()
                 && !continues(surface, &edges, &hole, &points, -1.0, tolerance)
-                && (area <= SMALL_HOLE * total || continues(surface, &edges, &hole, &points, 1.0, tolerance)));
-        if !is_certain || hole.len() > MOST_EDGES {
+        };
+        if !(is_gap || is_hole()) || hole.len() > MOST_EDGES {
             return Err(MeshError::Open {
                 place: (points[0] / scale).into(),
                 length: length / scale,
@@ -146,7 +152,8 @@ fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshEr
         }
         caps.extend(triangulate(&points).into_iter().map(|triangle| triangle.map(|place| hole[place])));
         let place = (mean(&points) / scale).into();
-        surface.repairs.push(Repair::Capped { place, edges: hole.len(), area });
+        let edges = hole.len();
+        surface.repairs.push(if is_gap { Repair::Sewn { place, edges } } else { Repair::Capped { place, edges, area } });
     }
     surface.triangles.extend(caps);
     Ok(())

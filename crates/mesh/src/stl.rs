@@ -182,16 +182,15 @@ impl<'a> Words<'a> {
         Ok(())
     }
 
-    /// Passes over the normal of a facet up to its corners: whatever it is, the corners say it too.
+    /// Passes over the normal of a facet, whatever its numbers are: the corners say it too.
     fn skip_normal(&mut self) -> Result<(), MeshError> {
-        loop {
-            match self.next() {
-                Some(word) if word.eq_ignore_ascii_case(b"outer") => return self.expect("loop"),
-                Some(word) if !word.eq_ignore_ascii_case(b"vertex") && !word.eq_ignore_ascii_case(b"facet") => {}
-                Some(word) => return Err(at(self.line, format!("{} where `outer loop` should be", shown(word)))),
-                None => return Err(at(self.line, "the file is cut off: it ends where `outer loop` should follow")),
+        if self.one_of(["normal", "outer"])? == "normal" {
+            for _ in 0..3 {
+                self.next();
             }
+            self.expect("outer")?;
         }
+        self.expect("loop")
     }
 
     fn corner(&mut self, digits: &mut Digits) -> Result<[f64; 3], MeshError> {

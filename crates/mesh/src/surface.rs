@@ -31,7 +31,15 @@ pub enum Repair {
         /// Number of shells.
         shells: usize,
     },
-    /// A planar hole, or a gap of zero width beside a corner in the middle of an edge, was closed.
+    /// A gap of zero width, beside a corner in the middle of an edge, was closed.
+    Sewn {
+        /// Middle of the gap's corners.
+        place: [f64; 3],
+        /// Number of its edges.
+        edges: usize,
+    },
+    /// A small planar hole was closed. Whether it is a lost triangle or the mouth of a pocket that was lost, nobody can
+    /// tell.
     Capped {
         /// Middle of the hole's corners.
         place: [f64; 3],
@@ -50,9 +58,12 @@ impl std::fmt::Display for Repair {
             Self::Rewound { triangles } => write!(formatter, "{triangles} triangles with reversed winding flipped"),
             Self::Inverted { shells } => write!(formatter, "{shells} shells turned inside out"),
             Self::Flat { shells } => write!(formatter, "{shells} shells without volume dropped"),
+            Self::Sewn { place: [x, y, z], edges } => {
+                write!(formatter, "gap of zero width, {edges} edges, at ({x:.6}, {y:.6}, {z:.6}) closed")
+            }
             Self::Capped { place: [x, y, z], edges, area } => write!(
                 formatter,
-                "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed, area {:.3} mm^2",
+                "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed by a flat cap of {:.3} mm^2",
                 1e6 * area
             ),
         }

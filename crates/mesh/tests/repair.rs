@@ -80,7 +80,7 @@ fn a_corner_in_the_middle_of_an_edge_is_joined() {
     let replaced = |end: usize| corners.iter().map(|&c| if c == end { middle } else { c }).collect::<Vec<_>>();
     shape.polygons.extend([replaced(edge[0]), replaced(edge[1])]);
     let solid = shape.solid();
-    assert!(matches!(solid.repairs(), [Repair::Capped { edges: 3, .. }]), "{:?}", solid.repairs());
+    assert!(matches!(solid.repairs(), [Repair::Sewn { edges: 3, .. }]), "{:?}", solid.repairs());
     assert_volume(&solid, 1000.0);
     assert_eq!((solid.face_count(), shape.cover(24).pieces().len()), (6, 1));
 }

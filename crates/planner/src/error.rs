@@ -135,13 +135,20 @@ pub enum Unusable {
     DamagedRefinementTables,
 }
 
+/// Whether a file cannot be written because something else stands there.
+fn is_in_the_way(kind: io::ErrorKind) -> bool {
+    use io::ErrorKind::{AlreadyExists, InvalidInput, IsADirectory, NotADirectory};
+    matches!(kind, AlreadyExists | InvalidInput | IsADirectory | NotADirectory)
+}
+
 impl PlannerError {
     /// Whose fault it is.
     pub fn fault(&self) -> Fault {
         match self {
             Self::NoTimeToRead | Self::OutOfTime { .. } => Fault::NoPlan,
-            // What is read was named by the user.
+            // What is read was named by the user, and so was what another kind of file stands in the way of.
             Self::Io { action: "read", .. } => Fault::Input,
+            Self::Io { source, .. } if is_in_the_way(source.kind()) => Fault::Input,
             Self::Distance { .. } | Self::Solver(SolveError::Problem(_)) | Self::Io { .. } | Self::Internal(_) => {
                 Fault::System
             }

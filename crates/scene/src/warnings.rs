@@ -1,6 +1,9 @@
 //! Remarks on what looks like a mistake.
 
+use mesh::Repair;
+
 use crate::error::SceneError;
+use crate::mesh::MeshPart;
 use crate::part::{Extent, Part};
 use crate::pose::norm;
 use crate::robot;
@@ -19,6 +22,7 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
     for (name, parts) in [("body", &scene.body), ("environment", &scene.environment)] {
         sizes(&table.require_table(name)?, parts, &mut warnings)?;
     }
+    warnings.extend(scene.body_meshes.iter().chain(&scene.environment_meshes).flat_map(caps));
     let (body, environment) = (Extent::of(&scene.body), Extent::of(&scene.environment));
     let far = FAR.min(FAR_IN_SIZES * body.size().max(environment.size()));
     if body.distance(&[0.0; 3]) > far {
@@ -54,6 +58,18 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
     }
     warnings.extend(robot::warnings(table, scene.robot.as_ref(), &scene.impedance)?);
     Ok(warnings)
+}
+
+/// Remarks on holes of a mesh that were closed: they may be mouths of pockets.
+fn caps(mesh: &MeshPart) -> impl Iterator<Item = String> {
+    let caps = mesh.solid.repairs().iter().filter(|repair| matches!(repair, Repair::Capped { .. }));
+    caps.map(|cap| {
+        format!(
+            "part `{}`, {}: {cap}; if a pocket begins there, the file lacks its faces: export the part again",
+            mesh.name,
+            mesh.file.display()
+        )
+    })
 }
 
 /// Remarks on parts that are very large or very small.

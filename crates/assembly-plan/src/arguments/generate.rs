@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{ArgGroup, Args, Subcommand};
 use scene::{Peg, PegKey, PegSection};
 
-use crate::values::{not_negative, positive};
+use crate::values::{self, not_negative, positive};
 
 #[derive(Debug, Args)]
 pub struct GenerateArguments {
@@ -51,13 +51,13 @@ pub struct PegArguments {
 #[derive(Debug, Args)]
 pub struct RandomArguments {
     /// The same seed gives the same peg
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::seed)]
     seed: u64,
     /// Number of convex prisms
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::whole::<usize>(0))]
     prisms: usize,
     /// Number of sides of the peg
-    #[arg(long, value_name = "N", default_value_t = 6)]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = values::whole::<usize>(0))]
     facets: usize,
     /// Diameter (m) of the circle that holds the section
     #[arg(long, value_name = "M", default_value_t = 0.09, value_parser = positive)]
@@ -80,7 +80,7 @@ pub struct RoundArguments {
 #[derive(Debug, Args)]
 pub struct FacetArguments {
     /// Number of sides of a round peg's prism
-    #[arg(long, value_name = "N", default_value_t = 8)]
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = values::whole::<usize>(0))]
     facets: usize,
 }
 

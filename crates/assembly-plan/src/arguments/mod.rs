@@ -112,10 +112,10 @@ pub struct SolveArguments {
 #[derive(Debug, Args)]
 pub struct ToleranceArguments {
     /// Largest final position error of a success (m) [default: the scene's]
-    #[arg(long, value_name = "M", value_parser = positive)]
+    #[arg(long, value_name = "M", value_parser = values::of_key("goal.position_tolerance"))]
     pub position_tolerance: Option<f64>,
     /// Largest final angle to the goal of a success (rad) [default: the scene's]
-    #[arg(long, value_name = "RAD", value_parser = positive)]
+    #[arg(long, value_name = "RAD", value_parser = values::of_key("goal.angle_tolerance"))]
     pub angle_tolerance: Option<f64>,
 }
 
@@ -132,10 +132,10 @@ pub struct RobustArguments {
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub time_limit: Option<f64>,
     /// With --robust: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it
-    #[arg(long, value_name = "N", default_value_t = 150, requires = "robust")]
+    #[arg(long, value_name = "N", default_value_t = 150, value_parser = values::whole::<u32>(0), requires = "robust")]
     pub patience: u32,
     /// With --robust: try no more than this many changes in all
-    #[arg(long, hide = true, value_name = "N", requires = "robust")]
+    #[arg(long, hide = true, value_name = "N", value_parser = values::whole::<u32>(0), requires = "robust")]
     pub max_changes: Option<u32>,
     /// With --robust: Coulomb friction coefficients, such as 0,0.1 [default: the scene's]
     #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', value_parser = not_negative)]
@@ -159,15 +159,15 @@ pub struct SimulateArguments {
     pub folder: PathBuf,
     /// Play N random offsets of those that the scene covers, half of a disc or ball on its rim [default: the planned
     /// offsets themselves]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), group = "source")]
+    #[arg(long, value_name = "N", value_parser = values::whole::<u32>(1), group = "source")]
     pub random: Option<u32>,
     #[command(flatten)]
     pub region: RegionArguments,
     /// Seed of the random offsets
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::seed)]
     pub seed: u64,
     /// Play a grid in the hull of the planned offsets, N intervals along each of its edges
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), group = "source")]
+    #[arg(long, value_name = "N", value_parser = values::whole::<u32>(1), group = "source")]
     pub grid: Option<u32>,
     /// Play the offsets of a CSV file with the header x_m,y_m,z_m (body frame)
     #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]
@@ -351,13 +351,13 @@ pub struct NewArguments {
     #[arg(long, value_name = "NAME", requires = "environment")]
     pub environment_link: Option<String>,
     /// How far the body may be off in the gripper (m) [default: 0.001, with meshes or models]
-    #[arg(long, value_name = "M", value_parser = positive)]
+    #[arg(long, value_name = "M", value_parser = values::of_key("robustness.offset_magnitude"))]
     pub offset: Option<f64>,
     /// Largest final position error of a success (m) [default: a quarter of the engagement depth, at most 0.003]
-    #[arg(long, value_name = "M", value_parser = positive)]
+    #[arg(long, value_name = "M", value_parser = values::of_key("goal.position_tolerance"))]
     pub position_tolerance: Option<f64>,
     /// Largest contact force of a plan (N) [default: 60]
-    #[arg(long, value_name = "N", value_parser = positive)]
+    #[arg(long, value_name = "N", value_parser = values::of_key("limits.contact_force"))]
     pub contact_force: Option<f64>,
     /// Replace the file if it exists
     #[arg(short, long)]

@@ -1,5 +1,6 @@
 //! The process that solves a cell.
 
+use std::ffi::OsString;
 use std::fs::{self, TryLockError};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -98,19 +99,26 @@ impl Process {
 
 fn solve(manifest: &Manifest, cell: &Cell) -> Command {
     let mut command = Program::command();
-    command.arg("solve").arg(manifest.folder.join(&cell.scene)).arg("--resume");
-    command.arg("--out").arg(manifest.folder.join(&cell.folder));
+    command.args(["solve", "--resume"]).arg(flag("--out=", &manifest.folder.join(&cell.folder)));
     command.arg(format!("--start={}", cell.start)).arg(format!("--delta={}", cell.delta_m));
     // Cells are solved side by side.
     command.args(["--jobs", "1", "--cell", &cell.identity]);
     if let Some(homotopy) = &cell.homotopy {
-        command.arg("--homotopy").arg(manifest.folder.join(homotopy));
+        command.arg(flag("--homotopy=", &manifest.folder.join(homotopy)));
     }
     if let Some(solver) = &cell.linear_solver {
         command.arg(format!("--linear-solver={solver}"));
     }
     command.envs(THREAD_LIMITS.map(|name| (name, "1")));
+    command.arg("--").arg(manifest.folder.join(&cell.scene));
     command
+}
+
+/// A flag and its file in one word: names may begin with a dash.
+fn flag(flag: &str, file: &Path) -> OsString {
+    let mut word = OsString::from(flag);
+    word.push(file);
+    word
 }
 
 /// Why a process has failed: its last error, else how it ended.

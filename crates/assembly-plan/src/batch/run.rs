@@ -1,7 +1,6 @@
 //! Solves the cells of a batch, some at a time, each in a process of its own.
 
 use std::collections::VecDeque;
-use std::num::NonZeroUsize;
 use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::Duration;
@@ -27,7 +26,7 @@ const INDEX_VARIABLES: [&str; 2] = ["HQ_TASK_ID", "SLURM_ARRAY_TASK_ID"];
 ///
 /// # Errors
 /// When there are no such cells.
-pub fn select(manifest: &Manifest, index: Option<usize>, count: Option<NonZeroUsize>) -> Result<&[Cell], CommandError> {
+pub fn select(manifest: &Manifest, index: Option<usize>, count: Option<usize>) -> Result<&[Cell], CommandError> {
     let from_flag = index.map(|index| ("--index", index));
     let Some((name, index)) = from_flag.map_or_else(index_of_task, |index| Ok(Some(index)))? else {
         return match count {
@@ -36,7 +35,7 @@ pub fn select(manifest: &Manifest, index: Option<usize>, count: Option<NonZeroUs
         };
     };
     let last = manifest.cells.len().saturating_sub(1);
-    let end = index.saturating_add(count.map_or(1, NonZeroUsize::get)).min(manifest.cells.len());
+    let end = index.saturating_add(count.unwrap_or(1)).min(manifest.cells.len());
     manifest.cells.get(index..end).filter(|cells| !cells.is_empty()).ok_or_else(|| {
         CommandError::Usage(format!("{name} {index}: the cells of {} are 0 to {last}", manifest.file().display()))
     })

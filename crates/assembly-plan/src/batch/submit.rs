@@ -29,7 +29,7 @@ pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, 
         let problem = "was not written by `batch submit` and would be replaced; move it away";
         return Err(PlannerError::file(&file, problem).into());
     }
-    let tasks = manifest.cells.len().div_ceil(arguments.count.get());
+    let tasks = manifest.cells.len().div_ceil(arguments.count);
     let logs = folder.join("slurm");
     fs::create_dir_all(&logs).map_err(in_system(&logs))?;
     write_file(&file, script(&folder, tasks, arguments)?.as_bytes())?;

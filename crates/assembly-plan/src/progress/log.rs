@@ -1,7 +1,8 @@
 //! A log of JSON lines.
 
-use std::fs::File;
-use std::io::{Read, Write};
+use std::fmt::Display;
+use std::fs::{File, TryLockError};
+use std::io::{ErrorKind, Read, Write};
 use std::path::Path;
 use std::sync::Mutex;
 use std::time::Instant;
@@ -34,22 +35,34 @@ impl Log {
     /// Adds to a file, which is made if need be.
     ///
     /// # Errors
-    /// When it is no log of an earlier run, or cannot be opened.
+    /// When it is no log of an earlier run, another run writes to it, or it cannot be opened.
     pub fn open(path: &Path) -> Result<Self, CommandError> {
         if path.symlink_metadata().is_ok() {
             require_log(path)?;
         }
-        let file = input::append(path);
-        let file = file.map_err(|error| CommandError::System(format!("--log {}: {error}", path.display())))?;
+        let about = |problem: &dyn Display| format!("--log {}: {problem}", path.display());
+        let file = input::append(path).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => CommandError::Usage(about(&"its folder does not exist")),
+            _ => CommandError::System(about(&error)),
+        })?;
+        match file.try_lock() {
+            // Times of two runs would be mixed.
+            Err(TryLockError::WouldBlock) => {
+                return Err(CommandError::Usage(about(&"another run writes to it; name another file")));
+            }
+            Err(TryLockError::Error(error)) => return Err(CommandError::System(about(&error))),
+            Ok(()) => {}
+        }
         Ok(Self { file: Mutex::new(file), begin: Instant::now() })
     }
 
     /// Adds an event. A log that cannot be written to any more is no reason to stop, only to say so in the end.
     pub fn add(&self, event: &'static str, fields: &impl Serialize) {
         let elapsed_s = (1e3 * self.begin.elapsed().as_secs_f64()).round() / 1e3;
-        let Ok(line) = serde_json::to_string(&Line { elapsed_s, event, fields }) else { return };
+        let Ok(mut line) = serde_json::to_string(&Line { elapsed_s, event, fields }) else { return };
+        line.push('\n');
         if let Ok(mut file) = self.file.lock() {
-            writeln!(file, "{line}").unwrap_or_else(|error| lose("--log", &error));
+            file.write_all(line.as_bytes()).unwrap_or_else(|error| lose("--log", &error));
         }
     }
 }

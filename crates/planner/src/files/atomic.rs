@@ -64,16 +64,24 @@ pub(super) fn is_at(_file: &File, path: &Path) -> bool {
     path.exists()
 }
 
-/// Refuses the name of a folder on whose way a file stands.
+/// Refuses the name of a folder on whose way a file stands, or a link that leads nowhere.
 ///
 /// # Errors
 /// With the name of that file.
 pub fn require_folder(folder: &Path) -> Result<(), PlannerError> {
-    match folder.ancestors().find(|place| place.exists() && !place.is_dir()) {
-        None => Ok(()),
-        Some(file) if file == folder => Err(PlannerError::file(folder, "is a file; name a folder")),
-        Some(file) => Err(PlannerError::file(folder, format!("{} is a file; name another folder", file.display()))),
-    }
+    let stands = |place: &&Path| place.symlink_metadata().is_ok() && !place.is_dir();
+    let Some(place) = folder.ancestors().find(stands) else { return Ok(()) };
+    let what = match place.exists() {
+        true => "is a file",
+        false => "is a link to what does not exist",
+    };
+    Err(PlannerError::file(
+        folder,
+        match place == folder {
+            true => format!("{what}; name a folder"),
+            false => format!("{} {what}; name another folder", place.display()),
+        },
+    ))
 }
 
 /// Removes a file, if there is one.

@@ -17,7 +17,8 @@ pub fn write_new_scene(file: &Path, text: &str, replaces: bool) -> Result<(), Pl
     if file.is_dir() {
         return Err(PlannerError::file(file, "is a folder; name a file"));
     }
-    if file.exists() && !replaces {
+    // A link that leads nowhere is something of the user's, too.
+    if file.symlink_metadata().is_ok() && !replaces {
         return Err(PlannerError::file(file, "already exists; name another file, or replace it with --force"));
     }
     file.parent().map_or(Ok(()), require_folder)?;
