@@ -42,7 +42,7 @@ fn a_pipe_in_the_place_of_a_file_is_refused_and_not_waited_for() {
     fs::create_dir(dir.path(".o.unfinished")).unwrap();
     put_pipe(&dir, ".o.unfinished/lock");
     let run = TestCommand::new(dir.folder(), "solve scene.toml --out o").spawn().finish_in_time();
-    run.code(3).says("it is a pipe, a device or a socket");
+    run.code(2).says("it is a pipe, a device or a socket");
     dir.run("simulate plan --trace t.csv --log t.csv").code(2).says("is the file of --log as well");
     refused("h.toml", &["solve scene.toml --homotopy h.toml"]);
     for name in ["reference.csv", "resolved.toml", "result.json"] {
@@ -86,6 +86,71 @@ fn a_log_is_added_to_logs_only() {
         let line = format!("solve scene.toml --out other --log {file}");
         dir.run(&line).code(2).says("exists and is no log; choose another name");
         assert!(dir.bytes(file) == before, "{file}");
+    }
+}
+
+#[test]
+fn two_runs_do_not_mix_their_times_in_one_log() {
+    let dir = folder();
+    fs::write(dir.path("run.log"), "").unwrap();
+    let held = fs::File::open(dir.path("run.log")).unwrap();
+    held.lock().unwrap();
+    dir.run("solve scene.toml --out other --log run.log").code(2).says("another run writes to it");
+    dir.run("solve scene.toml --out other --log missing/run.log").code(2).says("its folder does not exist");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_is_no_folder_and_stays() {
+    use std::os::unix::fs::symlink;
+    let dir = folder();
+    symlink("nowhere", dir.path("dangling")).unwrap();
+    symlink("circle", dir.path("circle")).unwrap();
+    for link in ["dangling", "circle"] {
+        for line in [
+            "solve scene.toml --out",
+            "report plan --figures",
+            "export plan --to csv --anyway --out",
+            "simulate plan --out",
+            "man",
+            "batch expand scene.toml --out",
+        ] {
+            let run =
+                dir.run(&format!("{line} {link}")).code(2).says("is a link to what does not exist; name a folder");
+            run.keeps_silent_about("homotopy iteration");
+            dir.run(&format!("{line} {link}/below")).code(2).says("is a link to what does not exist; name another");
+        }
+        assert!(fs::symlink_metadata(dir.path(link)).unwrap().is_symlink());
+    }
+    symlink("nowhere", dir.path("new.toml")).unwrap();
+    dir.run("new new.toml").code(2).says("already exists");
+    assert!(fs::symlink_metadata(dir.path("new.toml")).unwrap().is_symlink());
+    dir.run("man scene.toml").code(2).says("scene.toml: is a file; name a folder");
+}
+
+#[test]
+fn names_that_begin_with_a_dash_are_names() {
+    let dir = folder();
+    fs::copy(dir.path("scene.toml"), dir.path("-s.toml")).unwrap();
+    let run = TestCommand::new(dir.folder(), "batch --homotopies homotopy.toml --out=-q -- -s.toml").run();
+    run.code(0).says("1/1 cells planned");
+}
+
+#[test]
+fn numbers_of_flags_have_ranges() {
+    let dir = folder();
+    for (line, words) in [
+        ("new n.toml --offset 1e308", "must lie between 0 and 10 m"),
+        ("new n.toml --contact-force 1e308", "must lie"),
+        ("new n.toml --position-tolerance 1e-300", "must lie"),
+        ("simulate plan --random 18446744073709551615", "must be a whole number between 1 and 1000000000"),
+        ("simulate plan --random 0", "must be a whole number between 1"),
+        ("simulate plan --random 1 --seed 18446744073709551616", "must be a whole number between 0 and"),
+        ("solve scene.toml --robust --patience 18446744073709551616", "must be a whole number between 0 and"),
+        ("batch submit plan --slurm --count 0", "must be a whole number between 1 and"),
+        ("generate random --out p.toml --prisms 1e9", "must be a whole number between 0 and"),
+    ] {
+        dir.run(line).code(2).says(words);
     }
 }
 

@@ -136,6 +136,8 @@ fn a_reference_that_is_none_is_refused_whatever_its_hash_is() {
         (3, 0, "0.09", "plan/reference.csv:3: times must increase in equal steps"),
         (3, 0, "0", "times must increase in equal steps"),
         (22, 0, "1e300", "times must increase in equal steps"),
+        (6, 1, "0.09", "plan/reference.csv:6: the position does not follow from the row before and the velocity"),
+        (6, 10, "0.5", "plan/reference.csv:6: the position does not follow"),
         (4, 1, "1e300", "plan/reference.csv:4: a value is out of any reasonable range"),
         (4, 8, "-1e7", "a value is out of any reasonable range"),
         (5, 4, "5", not_unit),
@@ -155,6 +157,32 @@ fn a_reference_that_is_none_is_refused_whatever_its_hash_is() {
     }
     forge(&dir, "reference.csv", |text| text.replacen("qw", "qv", 1));
     dir.run("simulate corner.toml plan").code(2).says("there is no column `qw`");
+}
+
+#[test]
+fn files_of_two_plans_are_no_plan_whatever_their_hashes_are() {
+    let dir = plans();
+    let refused = |words: &str| {
+        for line in ["simulate plan", "export plan --to csv --anyway", "report plan"] {
+            dir.run(line).code(2).says(words);
+        }
+        dir.remove("plan");
+    };
+    forge(&dir, "resolved.toml", |text| {
+        let (before, goal) = text.split_once("[goal]").unwrap();
+        format!("{before}[goal]{}", goal.replacen("position = [0.", "position = [0.1", 1))
+    });
+    refused("the files are not of one plan");
+    forge(&dir, "scenarios.csv", |text| {
+        let (last, _) = (1..).zip(text.lines()).last().unwrap();
+        with_cell(text, last, 2, "0.2")
+    });
+    refused("the files are not of one plan");
+    forge(&dir, "wrench.csv", |text| with_cell(text, 3, 1, "99"));
+    dir.run("report plan").code(2).says("plan/wrench.csv:3: another scenario or time should be here");
+    dir.remove("plan");
+    forge(&dir, "wrench.csv", |text| with_cell(text, 3, 2, "1e200"));
+    dir.run("report plan").code(2).says("plan/wrench.csv:3: a value is out of any reasonable range");
 }
 
 #[test]

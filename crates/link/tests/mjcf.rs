@@ -150,6 +150,7 @@ fn what_is_not_read_is_refused_at_its_place() {
         ("<geom type='box' size='1 2 a'/>", "size \"1 2 a\" must be numbers with blanks between them"),
         ("<geom type='box' size='1 2 3' pos='1 2'/>", "pos \"1 2\" must have 3 numbers, not 2"),
         ("<geom type='box' size='1 2 3' quat='0 0 0 0'/>", "quat \"0 0 0 0\" must have a quaternion, not zero"),
+        ("<geom type='box' size='1 2 3' quat='1 0 0 0' euler='9 0 0'/>", "euler \"9 0 0\" is a second orientation"),
         ("<geom type='box' size='1 2 3' zaxis='0 0 0'/>", "zaxis \"0 0 0\" must be a direction, not zero"),
         ("<geom type='box' size='1 2 3' xyaxes='1 0 0 2 0 0'/>", "must be a direction, not zero"),
         ("<geom type='cylinder' size='1' fromto='1 1 1 1 1 1'/>", "must be a direction, not zero"),

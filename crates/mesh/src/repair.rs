@@ -139,9 +139,7 @@ fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshEr
         };
         // On an open sheet, a cap would lie on the sheet.
         let is_hole = || {
-            is_planar(&points, tolerance)
-                && is_small()
-                && !continues(surface, &edges, &hole, &points, -1.0, tolerance)
+            is_planar(&points, tolerance) && is_small() && !continues(surface, &edges, &hole, &points, -1.0, tolerance)
         };
         if !(is_gap || is_hole()) || hole.len() > MOST_EDGES {
             return Err(MeshError::Open {
@@ -153,7 +151,11 @@ fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshEr
         caps.extend(triangulate(&points).into_iter().map(|triangle| triangle.map(|place| hole[place])));
         let place = (mean(&points) / scale).into();
         let edges = hole.len();
-        surface.repairs.push(if is_gap { Repair::Sewn { place, edges } } else { Repair::Capped { place, edges, area } });
+        surface.repairs.push(if is_gap {
+            Repair::Sewn { place, edges }
+        } else {
+            Repair::Capped { place, edges, area }
+        });
     }
     surface.triangles.extend(caps);
     Ok(())

@@ -93,6 +93,35 @@ fn an_open_box_is_refused_with_the_place_of_its_rim() {
     assert!((place[2] - 10.0).abs() < 1e-9 && (length - 40.0).abs() < 1e-6);
 }
 
+/// A cube with a blind hole of square section in its top, as cut from a file before the faces of the hole.
+fn without_its_pocket(width: f64) -> Shape {
+    let mut shape = cube(20.0);
+    let (low, high) = (10.0 - 0.5 * width, 10.0 + 0.5 * width);
+    let rim = shape.add(&[[low, low, 20.0], [high, low, 20.0], [high, high, 20.0], [low, high, 20.0]]);
+    let top = shape.polygons.iter().position(|p| p.iter().all(|&corner| shape.vertices[corner][2] == 20.0)).unwrap();
+    let outer = shape.polygons.remove(top);
+    let nearest = |corner: usize| {
+        let distance = |&one: &usize| {
+            (0..2).map(|axis| (shape.vertices[one][axis] - shape.vertices[corner][axis]).powi(2)).sum::<f64>()
+        };
+        rim.iter().copied().min_by(|one, other| distance(one).total_cmp(&distance(other))).unwrap()
+    };
+    let sides: Vec<Vec<usize>> = (0..4)
+        .map(|at| (outer[at], outer[(at + 1) % 4]))
+        .map(|(one, next)| vec![one, next, nearest(next), nearest(one)])
+        .collect();
+    shape.polygons.extend(sides);
+    shape
+}
+
+#[test]
+fn the_mouth_of_a_lost_pocket_is_told_and_refused_where_it_is_large() {
+    let solid = without_its_pocket(4.0).solid();
+    let [Repair::Capped { place, edges: 4, area }] = solid.repairs() else { panic!("{:?}", solid.repairs()) };
+    assert!((place[0] - 10.0).abs() < 1e-9 && (place[2] - 20.0).abs() < 1e-9 && (area - 1.6e-5).abs() < 1e-12);
+    let MeshError::Open { edges: 4, .. } = refused(&without_its_pocket(8.0)) else { panic!() };
+}
+
 #[test]
 fn crossing_bodies_are_refused_with_a_place_of_both() {
     let other = cube(10.0).moved([5.0, 4.0, 3.0]);

@@ -52,4 +52,18 @@ impl<'text> Levels<'text> {
         };
         self.elements.iter().find_map(of_element)
     }
+
+    /// As [`first`](Self::first), of attributes that say the same in different ways.
+    ///
+    /// # Errors
+    /// When an element has two of them.
+    pub fn one_of(&self, names: &[&str]) -> Result<Option<(usize, Value<'text>)>, ModelError> {
+        for element in &self.elements {
+            let mut values = names.iter().filter_map(|name| attribute(*element, name));
+            if let (Some(_), Some(second)) = (values.next(), values.next()) {
+                return Err(second.refuse("is a second orientation: state one"));
+            }
+        }
+        Ok(self.first(names))
+    }
 }

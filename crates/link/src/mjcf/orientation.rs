@@ -10,7 +10,7 @@ use crate::mjcf::defaults::Levels;
 /// The orientation of an element, none where it states none.
 pub fn orientation(levels: &Levels, compiler: &Compiler) -> Result<UnitQuaternion<f64>, ModelError> {
     let angle = |angle: f64| if compiler.is_in_degrees { angle.to_radians() } else { angle };
-    match levels.first(&["quat", "axisangle", "euler", "xyaxes", "zaxis"]) {
+    match levels.one_of(&["quat", "axisangle", "euler", "xyaxes", "zaxis"])? {
         None => Ok(UnitQuaternion::identity()),
         Some((0, value)) => value.rotation(value.numbers()?),
         Some((1, value)) => {

@@ -52,7 +52,14 @@ fn text_as_other_programs_write_it_is_read() {
         ("name in Latin-1", latin(b"Geh\xe4use")),
         ("name with keywords", latin(b"facet normal solid endsolid loop")),
         ("name of 10 kB", latin(&[b'x'; 10_000])),
-        ("normals that are none", text.replace("normal", "normal nan -nan(ind) 1.#QNAN").into()),
+        (
+            "normals that are none",
+            text.lines()
+                .map(|line| if line.starts_with("facet") { "facet normal nan -nan(ind) 1.#QNAN" } else { line })
+                .map(|line| line.to_owned() + "\n")
+                .collect::<String>()
+                .into(),
+        ),
         (
             "no normals",
             text.lines()
@@ -111,6 +118,8 @@ fn text_that_is_wrong_is_refused_at_its_line() {
         "line 7: `vertex` where `endloop` should be",
     );
     assert_refused(text.replacen("facet", "fact", 1), Stl, "line 2: `fact` where `facet` or `endsolid` should be");
+    let commented = text.replacen("outer loop", "a comment\nouter loop", 1);
+    assert_refused(commented, Stl, "line 3: `a` where `outer` should be");
     assert_refused(format!("{text}rubbish"), Stl, "`rubbish` where `solid` should be");
     assert_refused(text.replace('\n', " "), Stl, "begin a new line");
     let lines = text.lines().count();
@@ -180,6 +189,9 @@ fn files_that_are_something_else_are_named() {
         assert_refused("ply\nformat ascii 1.0\n", format, "PLY");
         let utf_16: Vec<u8> = text().encode_utf16().flat_map(u16::to_le_bytes).collect();
         assert_refused([&b"\xff\xfe"[..], &utf_16].concat(), format, "UTF-16");
+        assert_refused(utf_16, format, "UTF-16");
+        let big_endian: Vec<u8> = text().encode_utf16().flat_map(u16::to_be_bytes).collect();
+        assert_refused(big_endian, format, "UTF-16");
     }
     assert_refused(obj(), Stl, "it is an OBJ file: name it .obj");
     assert_refused(format!("# a comment\n\n{}", obj()), Stl, "it is an OBJ file");

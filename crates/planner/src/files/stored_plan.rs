@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use scene::{Scene, Source};
 use simulation::Reference;
+use task::POSE;
 
 use crate::error::PlannerError;
 use crate::files::atomic::{hash, read_bytes, read_text};
 use crate::files::result::{PlanResult, RESULT};
-use crate::files::trajectory::{REFERENCE, TABLES, read_reference};
+use crate::files::trajectory::{REFERENCE, SCENARIOS, TABLES, read_ends, read_reference};
 use crate::files::work_folder::WorkFolder;
 use crate::problem::Problem;
 
@@ -89,10 +90,42 @@ impl StoredPlan {
     /// The scene that the plan was made for.
     ///
     /// # Errors
-    /// When the plan's `resolved.toml` is not a scene.
+    /// When the plan's `resolved.toml` is not a scene, or not the one that the plan was made for.
     pub fn scene(&self) -> Result<Scene, PlannerError> {
         let file = self.folder.join(RESOLVED);
-        Ok(Scene::parse(Source { file: &file, text: &read_text(&file)? })?)
+        let scene = Scene::parse(Source { file: &file, text: &read_text(&file)? })?;
+        self.require_goal(&scene.goal)?;
+        Ok(scene)
+    }
+
+    /// Checks that the errors at the end, which `result.json` states, are those of the tables to a goal: files that are whole
+    /// each may still be of several plans.
+    fn require_goal(&self, goal: &[f64; POSE]) -> Result<(), PlannerError> {
+        /// How far a stated error may be from that of the table (m, rad).
+        const SAME: f64 = 1e-5;
+        let file = self.folder.join(SCENARIOS);
+        let ends = read_ends(&file)?;
+        let stated = &self.result.scenarios;
+        if ends.len() != stated.len() {
+            let problem = format!("has {} scenarios, {RESULT} {}; solve again", ends.len(), stated.len());
+            return Err(PlannerError::file(&file, problem));
+        }
+        for ((end, stated), number) in ends.iter().zip(stated).zip(1..) {
+            let (position, angle) = task::pose::errors(end, goal);
+            let differs = |found: f64, stated: f64| stated.is_finite() && !((found - stated).abs() <= SAME);
+            if differs(position, stated.position_error_m) || differs(angle, stated.orientation_error_rad) {
+                let problem = format!(
+                    "scenario {number} ends {:.3} mm and {:.3} rad from the goal of {RESOLVED}, {RESULT} says {:.3} mm and \
+                     {:.3} rad: the files are not of one plan; solve again",
+                    1e3 * position,
+                    angle,
+                    1e3 * stated.position_error_m,
+                    stated.orientation_error_rad
+                );
+                return Err(PlannerError::file(&file, problem));
+            }
+        }
+        Ok(())
     }
 
     /// Checks that the plan was made for the shapes, the start and the goal of a problem. Returns whether everything
@@ -102,17 +135,16 @@ impl StoredPlan {
     /// When it was made for others.
     pub fn require_made_for(&self, problem: &Problem) -> Result<bool, PlannerError> {
         let made_from = &self.result.made_from;
-        if made_from.problem == problem.identity() {
-            return Ok(true);
-        }
-        if made_from.shapes != problem.shapes_hash() {
+        let is_same = made_from.problem == problem.identity();
+        if !is_same && made_from.shapes != problem.shapes_hash() {
             let scene = self.scene()?;
             if let Some(difference) = difference(&scene, problem) {
                 let problem = format!("the plan was made for another scene: {difference}");
                 return Err(PlannerError::file(&self.folder, problem));
             }
         }
-        Ok(made_from.settings == problem.settings_hash())
+        self.require_goal(&problem.scene().goal)?;
+        Ok(is_same || made_from.settings == problem.settings_hash())
     }
 }
 

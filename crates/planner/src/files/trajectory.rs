@@ -116,6 +116,8 @@ impl StateRow {
     }
 }
 
+/// How far the norm of a quaternion in a table may be from 1.
+const NORM: f64 = 1e-6;
 const ABSURD: &str = "a value is out of any reasonable range";
 
 /// Why numbers are no state of a body (pose, twist), if so. The norm of its quaternion may differ from 1 by `norm_error`.
@@ -213,8 +215,8 @@ pub fn read_reference(file: &Path) -> Result<Reference, PlannerError> {
 
 /// Time step (s) and states of a reference.
 fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
-    /// How far the norm of a quaternion may be from 1.
-    const NORM: f64 = 1e-6;
+    /// How far a position may be from where the velocity leads (m).
+    const JUMP: f64 = 1e-6;
     let rows: Vec<StateRow> = read_csv(file)?;
     let wrong = |row: usize, problem: &str| Err(PlannerError::line(file, row + 2, problem));
     let [first, .., last] = rows.as_slice() else {
@@ -229,7 +231,26 @@ fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
             return wrong(index, problem);
         }
     }
+    // As the motion is computed: each position follows from the one before by the velocity at the end of the step.
+    for (index, neighbors) in (1..).zip(rows.windows(2)) {
+        let [before, after] = [&neighbors[0], &neighbors[1]].map(StateRow::state);
+        let is_continuous = |axis: usize| (after[axis] - before[axis] - time_step * after[POSE + axis]).abs() <= JUMP;
+        if !(0..3).all(is_continuous) {
+            return wrong(index, "the position does not follow from the row before and the velocity");
+        }
+    }
     Ok((time_step, rows.iter().map(StateRow::state).collect()))
+}
+
+/// Poses of the body at the end of every scenario.
+///
+/// # Errors
+/// When the table of scenarios is missing or wrong.
+pub fn read_ends(file: &Path) -> Result<Vec<[f64; POSE]>, PlannerError> {
+    let rows: Vec<ScenarioRow> = read_csv(file)?;
+    let is_end =
+        |(index, row): &(usize, &ScenarioRow)| rows.get(index + 1).is_none_or(|next| next.scenario != row.scenario);
+    Ok(rows.iter().enumerate().filter(is_end).map(|(_, row)| pose_of(&row.row().state())).collect())
 }
 
 /// The four tables of a motion as they stand in a folder, whatever task they are of.
@@ -284,6 +305,16 @@ pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
     let contacts: Vec<ContactRow> = read_csv(&folder.join(CONTACTS))?;
     let steps = reference.len() - 1;
     let scenarios = states.len() / (steps + 1);
+    let place = |index: usize, rows: usize, first: usize| (index / rows + 1, (index % rows + first) as f64 * time_step);
+    for (index, row) in states.iter().enumerate() {
+        let problem =
+            row.row().problem(NORM).or_else(|| misplaced(row.scenario, row.time_s, place(index, steps + 1, 0)));
+        require_none(&folder.join(SCENARIOS), index, problem)?;
+    }
+    for (index, row) in wrenches.iter().enumerate() {
+        let problem = absurd(&wrench(row)).or_else(|| misplaced(row.scenario, row.time_s, place(index, steps, 1)));
+        require_none(&folder.join(WRENCH), index, problem)?;
+    }
     // Every pair is named in the first step of the first scenario.
     let first_step = |row: &&ContactRow| row.scenario == 1 && row.time_s == contacts[0].time_s;
     let pairs: Vec<String> = contacts.iter().take_while(first_step).map(|row| row.pair.clone()).collect();
@@ -302,6 +333,25 @@ pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
             .collect(),
     };
     Ok(MotionTables { time_step, reference, scenarios: (0..scenarios).map(scenario).collect(), pairs })
+}
+
+/// Refuses a row (from 0) of a table that has a problem.
+fn require_none(file: &Path, row: usize, problem: Option<impl Into<String>>) -> Result<(), PlannerError> {
+    problem.map_or(Ok(()), |problem| Err(PlannerError::line(file, row + 2, problem)))
+}
+
+/// Why a row does not belong where it stands, if so: at a scenario and a time (s).
+fn misplaced(scenario: usize, time: Value, (expected, at): (usize, f64)) -> Option<&'static str> {
+    /// How far a time may be off (s): it is written in nanoseconds.
+    const SAME: f64 = 1e-6;
+    (scenario != expected || !((time.0 - at).abs() <= SAME)).then_some("another scenario or time should be here")
+}
+
+/// Why numbers are no wrench, if so.
+fn absurd(wrench: &[f64; TWIST]) -> Option<&'static str> {
+    /// Largest value that means anything (N, Nm).
+    const LARGEST: f64 = 1e9;
+    (!wrench.iter().all(|value| value.abs() <= LARGEST)).then_some(ABSURD)
 }
 
 fn require_rows(file: &Path, rows: usize, expected: usize) -> Result<(), PlannerError> {
