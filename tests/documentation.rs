@@ -175,8 +175,10 @@ fn merged(scene: &toml::Table, fragment: &toml::Table) -> toml::Table {
     scene.remove("homotopy");
     for (key, value) in fragment {
         match value.get("part").and_then(toml::Value::as_array) {
-            Some(parts) => scene[key]["part"].as_array_mut().unwrap().extend(parts.iter().cloned()),
-            None => _ = scene.insert(key.clone(), value.clone()),
+            Some(parts) if scene.contains_key(key) => {
+                scene[key]["part"].as_array_mut().unwrap().extend(parts.iter().cloned());
+            }
+            _ => _ = scene.insert(key.clone(), value.clone()),
         }
     }
     scene

@@ -2,6 +2,7 @@
 
 mod batch;
 mod calibrate;
+mod carried;
 mod command_line;
 mod documentation;
 mod end_to_end;

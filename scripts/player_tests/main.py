@@ -1,13 +1,16 @@
 """Plays recorded plans with every player on a simulated arm, and makes faults of all kinds: `main.py [--write-table] [WORD...]` plays
-the cases with one of these words, or all; the table of faults is written into docs/export.md when all are right."""
+the cases with one of these words, or all; the table of faults is written into docs/export.md when all are right.
+`main.py --good-runs N` plays N motions without a fault, with random grasp errors, none of which a guard may stop."""
 
 import concurrent.futures
 import contextlib
 import csv
 import importlib.util
 import json
+import math
 import os
 import pathlib
+import random
 import resource
 import shutil
 import signal
@@ -44,21 +47,43 @@ POSITION_TOLERANCE, ANGLE_TOLERANCE = 0.003, 0.1
 LARGEST_TOUCH = 200.0
 
 
+# Two offsets (m) of each plan that it covers.
+OFFSETS = {
+    "corner": ((0.019, 0.0, 0.0), (0.008, 0.0, 0.01)),
+    "clamp1": ((0.003, -0.003, 0.0), (0.0, 0.0035, 0.0)),
+    "peg1": ((0.0, 0.0, 0.0), (0.008, -0.008, 0.0)),
+}
+# Largest turn of the part (rad) in a good run, as those plans cover it.
+LARGEST_TURN = 0.01
+
+
 def insertions() -> list[Case]:
     """Every plan with every player, each with a grasp error that was planned for and one between them."""
-    offsets = {
-        "corner": ((0.019, 0.0, 0.0), (0.008, 0.0, 0.01)),
-        "clamp1": ((0.003, -0.003, 0.0), (0.0, 0.0035, 0.0)),
-        "peg1": ((0.0, 0.0, 0.0), (0.008, -0.008, 0.0)),
-    }
     return [
         Case(f"{target} {plan} {number}", target, plan, inserts=True, simulation={"offset": offset, "turn": (0.0, 0.005, 0.0)})
         for target in TARGETS
-        for plan in offsets
-        for number, offset in enumerate(offsets[plan], 1)
+        for plan in OFFSETS
+        for number, offset in enumerate(OFFSETS[plan], 1)
         # Behind sockets, a robot takes longer than its own time.
         if target != "loopback" or (plan, number) == ("clamp1", 1)
     ]
+
+
+def good_runs(count: int) -> list[Case]:
+    """Motions without a fault: players and plans in turn, offsets between two of a plan, turns about any axis."""
+    generator = random.Random(1)
+    kinds = [(target, plan) for target in TARGETS if target != "loopback" for plan in OFFSETS]
+    cases = []
+    for number in range(count):
+        target, plan = kinds[number % len(kinds)]
+        share = generator.random()
+        offset = [share * one + (1 - share) * other for one, other in zip(*OFFSETS[plan])]
+        axis = [generator.gauss(0, 1) for _ in range(3)]
+        size = generator.uniform(0, LARGEST_TURN) / math.hypot(*axis)
+        turn = [size * component for component in axis]
+        simulation = {"offset": offset, "turn": turn}
+        cases.append(Case(f"good run {number + 1}: {target} {plan}", target, plan, inserts=True, simulation=simulation))
+    return cases
 
 
 def guards() -> list[Case]:
@@ -258,7 +283,10 @@ def main() -> int:
     """Runs the cases whose names contain a word of the command line, or all; returns the exit code."""
     words = [word for word in sys.argv[1:] if word != "--write-table"]
     is_for_page = words != sys.argv[1:]
-    cases = [case for case in insertions() + guards() + faulty() if not words or any(word in case.name for word in words)]
+    if words[:1] == ["--good-runs"]:
+        cases = good_runs(int(words[1]))
+    else:
+        cases = [case for case in insertions() + guards() + faulty() if not words or any(word in case.name for word in words)]
     if importlib.util.find_spec("rtde_control") is None:
         print("       ur-rtde is not installed: nothing is played over sockets")
         cases = [case for case in cases if case.target != "loopback"]

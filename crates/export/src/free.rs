@@ -2,6 +2,7 @@
 
 use nalgebra::{Isometry3, Vector3};
 use planner::Problem;
+use planner::carried::{CarriedWorld, Frames};
 use serde::Serialize;
 use simulation::{coordinates, isometry};
 use task::{AssemblyTask, POSE, STATE, pose_of};
@@ -53,12 +54,24 @@ impl FreeAir {
             let room_at = |pose: &[f64; POSE]| world.clearance(&at(pose, height)) - margin_m;
             poses.iter().map(room_at).fold(f64::INFINITY, f64::min)
         };
+        let carried = CarriedWorld::new(problem.scene());
+        let is_free = |frames: Vec<Frames>| carried.as_ref().is_none_or(|carried| carried.is_free(&frames, margin_m));
         let can_move = |height: f64| {
-            let Some(robot) = &problem.scene().robot else { return true };
+            let Some(robot) = &problem.scene().robot else {
+                return is_free(poses.iter().map(|pose| Frames::of_body(isometry(&at(pose, height)))).collect());
+            };
             let states = shifted(states, &(height * out));
             course(robot, time_step, &states).is_ok_and(|course| {
                 let held = Held::along(robot, &problem.task().impedance, &course);
-                held.distance <= LARGEST_HELD.distance && held.angle <= LARGEST_HELD.angle
+                held.distance <= LARGEST_HELD.distance
+                    && held.angle <= LARGEST_HELD.angle
+                    && is_free(
+                        course
+                            .configurations
+                            .iter()
+                            .map(|configuration| Frames::of_arm(robot, configuration))
+                            .collect(),
+                    )
             })
         };
         let start_clearance_m = (0..=(HIGHEST / CLEARANCES) as usize)

@@ -94,6 +94,11 @@ impl TriangleMesh {
         Ok(Self { vertices, triangles: triangles.to_vec(), scale, rounding })
     }
 
+    /// Its corners (m), some of them several times.
+    pub fn corners(&self) -> impl Iterator<Item = [f64; 3]> {
+        self.triangles.iter().flatten().map(|&corner| self.vertices[corner].into())
+    }
+
     /// Number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()

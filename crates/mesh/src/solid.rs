@@ -79,6 +79,11 @@ impl Solid {
         &self.mass_properties
     }
 
+    /// Corners of its triangles (m).
+    pub fn points(&self) -> impl Iterator<Item = [f64; 3]> {
+        self.vertices.iter().map(|vertex| (*vertex).into())
+    }
+
     /// Lower and upper corner (m).
     pub fn bounding_box(&self) -> [[f64; 3]; 2] {
         self.bounds().map(Into::into)

@@ -49,6 +49,7 @@
 mod arm_course;
 mod attempt;
 pub mod batch;
+pub mod carried;
 pub mod check;
 mod clearance;
 mod clock;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use nalgebra::{Isometry3, IsometryMatrix3, Vector3};
 
-use crate::chain::Chain;
+use crate::chain::{Chain, MovedLink};
 use crate::error::{Fault, RobotError};
 use crate::inertia::RigidInertia;
 use crate::joint::{Joint, JointVector};
@@ -22,6 +22,7 @@ const LEAST_SHARE: f64 = 1e-10;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arm {
     joints: Vec<Joint>,
+    moved: Vec<MovedLink>,
     /// In the frame of the last moving link.
     tip: IsometryMatrix3<f64>,
     base: IsometryMatrix3<f64>,
@@ -87,9 +88,10 @@ impl Arm {
     }
 
     fn from_urdf(text: &str, tip: &str) -> Result<(Self, Vec<Fault>), Fault> {
-        let Chain { joints, lines, tip, mut remarks } = Chain::to_tip(&Urdf::parse(text)?, tip)?;
+        let Chain { joints, lines, tip, moved, mut remarks } = Chain::to_tip(&Urdf::parse(text)?, tip)?;
         let arm = Self {
             joints,
+            moved,
             tip,
             base: IsometryMatrix3::identity(),
             grasp: IsometryMatrix3::identity(),
@@ -106,6 +108,22 @@ impl Arm {
             )));
         }
         Ok((arm, remarks))
+    }
+
+    /// The links that move, also those that hang on the chain beside it.
+    pub fn moved_links(&self) -> &[MovedLink] {
+        &self.moved
+    }
+
+    /// Poses of all links that move in the world frame, in the order of [`Arm::moved_links`], at joint positions (rad or m).
+    pub fn link_poses(&self, configuration: &JointVector) -> Vec<Isometry3<f64>> {
+        let mut frame = self.base;
+        let behind = |(index, joint): (usize, &Joint)| {
+            frame *= joint.link_frame(configuration[index]);
+            frame
+        };
+        let frames: Vec<IsometryMatrix3<f64>> = self.joints.iter().enumerate().map(behind).collect();
+        self.moved.iter().map(|link| nalgebra::convert(frames[link.joint] * link.frame)).collect()
     }
 
     /// What is odd in its file, though an arm can have it, each with file and line.

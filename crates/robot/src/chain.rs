@@ -7,6 +7,17 @@ use crate::inertia::RigidInertia;
 use crate::joint::{Joint, JointKind, MOST_JOINTS};
 use crate::urdf::{Urdf, UrdfJoint, UrdfKind, UrdfLink};
 
+/// A link that some joint of the chain moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovedLink {
+    /// Its name in the file.
+    pub name: String,
+    /// Index of the last joint of the chain that moves it.
+    pub joint: usize,
+    /// Its frame in that of the link behind the joint.
+    pub(crate) frame: IsometryMatrix3<f64>,
+}
+
 /// Moving joints from the root to the tip, and the tip in the frame of the last one's link.
 #[derive(Debug)]
 pub struct Chain {
@@ -14,6 +25,8 @@ pub struct Chain {
     /// Lines of the links behind the joints.
     pub lines: Vec<usize>,
     pub tip: IsometryMatrix3<f64>,
+    /// All links that move.
+    pub moved: Vec<MovedLink>,
     /// What is odd in the file, though an arm can have it.
     pub remarks: Vec<Fault>,
 }
@@ -34,7 +47,7 @@ impl Chain {
         let read = |&index: &usize| joint(&urdf.joints[index], &mut remarks);
         let joints = moving.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let lines = moving.iter().map(|&index| urdf.links[urdf.joints[index].child].line).collect();
-        let mut chain = Self { joints, lines, tip: IsometryMatrix3::identity(), remarks };
+        let mut chain = Self { joints, lines, tip: IsometryMatrix3::identity(), moved: Vec::new(), remarks };
         chain.place_links(urdf, root, tip, &moving)?;
         Ok(chain)
     }
@@ -50,6 +63,8 @@ impl Chain {
                 self.remarks.extend(impossible_shape(&urdf.links[link], &inertia));
                 let joint = &mut self.joints[carrier];
                 joint.link_inertia = joint.link_inertia.joined(&inertia.seen_from(&frame));
+                let name = urdf.links[link].name.clone();
+                self.moved.push(MovedLink { name, joint: carrier, frame });
             }
             if link == tip {
                 self.tip = frame;

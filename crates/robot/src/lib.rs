@@ -30,6 +30,7 @@ mod spatial;
 mod urdf;
 
 pub use arm::{Arm, ArmError};
+pub use chain::MovedLink;
 pub use error::RobotError;
 pub use follow::{FollowError, FollowReason, JointExtreme, JointPath};
 pub use inertia::{InertiaError, RigidInertia};

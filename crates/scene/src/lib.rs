@@ -7,6 +7,7 @@
 //! [`homotopy_schema`] are JSON schemas of the files.
 
 mod boxes;
+mod carried;
 mod chosen;
 mod draft;
 mod entry;
@@ -41,6 +42,7 @@ mod task_error;
 mod warnings;
 mod words;
 
+pub use carried::{Carried, CarriedShapes, Carrier};
 pub use error::{SceneError, Source};
 pub use facets::{Fit, SHARE};
 pub use file::read_text;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::carried::{CarriedShapes, gripper};
 use crate::chosen;
 use crate::error::{SceneError, Source};
 use crate::file::read_toml;
@@ -62,6 +63,7 @@ impl Scene {
         let turn_axes = sections::turn_axes(&robustness, &offset_directions)?;
         let material = Material::of(&body)?;
         let robot = Robot::read(&table.table("robot")?, material.as_ref(), (&starts, &goal))?;
+        let gripper = gripper(table)?;
         let inertia = inertia(table, robot.as_ref(), (material.as_ref(), &body), &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let borne = sections::borne(&robustness)?;
@@ -106,6 +108,8 @@ impl Scene {
             turn_axes,
             inertia,
             borne,
+            carried: CarriedShapes::new(robot.as_ref(), &gripper),
+            gripper,
             robot,
             chosen: Vec::new(),
             warnings: Vec::new(),

@@ -70,6 +70,9 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
     if mass.is_none() || scene.robot.is_some() {
         robot.insert("apparent_inertia".into(), rows(scene.inertia.matrix()));
     }
+    if !scene.gripper.is_empty() {
+        document.insert("gripper".into(), table([("part", parts(&scene.gripper))]).into());
+    }
     if !robot.is_empty() {
         document.insert("robot".into(), robot.into());
     }

@@ -5,6 +5,7 @@ use task::{
     TrajectoryCost,
 };
 
+use crate::carried::CarriedShapes;
 use crate::chosen;
 use crate::facets::Fit;
 use crate::keys::key;
@@ -106,6 +107,10 @@ pub struct Scene {
     pub chosen: Vec<String>,
     /// Remarks on what looks like a mistake, each with file, line and column.
     pub warnings: Vec<String>,
+    /// Parts of the gripper in the frame of the arm's tip, as convex hulls.
+    pub gripper: Vec<Part>,
+    /// What moves with the arm besides the body.
+    pub carried: CarriedShapes,
 }
 
 impl Scene {

@@ -56,6 +56,9 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
         let entry = table.require_table("robustness")?.require("offset_magnitude")?;
         warnings.push(entry.refuse(message).headline());
     }
+    warnings.extend(
+        scene.carried.unread.iter().map(|unread| format!("{unread}; whether it meets the environment is not checked")),
+    );
     warnings.extend(robot::warnings(table, scene.robot.as_ref(), &scene.impedance)?);
     Ok(warnings)
 }

@@ -1,6 +1,7 @@
 //! What is odd about a problem or a plan, in plain words with the setting that cures it.
 
 mod arm;
+mod carried;
 mod limits;
 mod motion;
 mod region;
@@ -20,6 +21,7 @@ impl Problem {
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = self.scene().warnings.clone();
         warnings.extend(overlaps::warnings(self));
+        warnings.extend(carried::warning(self));
         warnings.extend(tolerance::warnings(self));
         warnings.extend(sizes::warnings(self));
         if self.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {

@@ -53,6 +53,7 @@ pub const KEYS: &[Key] = &[
     key("", "impedance", Table, "", Means("chosen"), "the robot's Cartesian impedance controller"),
     key("", "robustness", Table, "", Refused, "position errors to tolerate"),
     key("", "robot", Table, "", Means("a free body"), "the arm that moves the body"),
+    key("", "gripper", Table, "", Means("none"), "what holds the body: warned of where it meets the environment, as are the collision shapes of the arm"),
     key("", "horizon", Table, "", Means("chosen"), "time grid of the plan"),
     key("", "cost", Table, "", Means("default weights"), "weights of the cost"),
     key("", "limits", Table, "", Means("no limits"), "what the plan must not exceed"),
@@ -62,6 +63,8 @@ pub const KEYS: &[Key] = &[
     key("body", "part", Tables(1..=1000), "", Refused, "convex parts of the body, in its frame; its origin is the centre of mass unless the parts have a `density`"),
 
     key("environment", "part", Tables(1..=1000), "", Refused, "convex parts of the environment, in the world frame"),
+
+    key("gripper", "part", Tables(1..=1000), "", Refused, "convex parts of the gripper in the frame of the arm's `tip` (without an arm: of the body as the robot believes it to be held); a mesh or link stands for its convex hull"),
 
     key("part", "name", Name, "", Refused, "name of the part, unique in its body or environment"),
     key("part", "vertices", Vectors(COORDINATE, 4..=10_000), "m", Means("another shape"), "points whose convex hull is the part"),

@@ -184,7 +184,7 @@ impl Form {
         let mut tables = self.tables.iter().chain(options::options()).filter(|key| key.name == name);
         match (tables.next()?.table, tables.next()) {
             ("", _) | (_, Some(_)) => None,
-            ("part", None) => Some("body.part] or [environment.part"),
+            ("part", None) => Some("body.part], [environment.part] or [gripper.part"),
             (table, None) => Some(table),
         }
     }

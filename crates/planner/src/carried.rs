@@ -1,0 +1,233 @@
+//! Whether the arm and the gripper meet the environment.
+
+use collision::Pair;
+use nalgebra::{Isometry3, Point3, Vector3};
+use robot::JointVector;
+use scene::{Carrier, Scene};
+use simulation::coordinates;
+
+/// Overlap (m) that is rounding.
+const ROUNDING: f64 = 1e-6;
+
+/// What an arm carries besides the body, and the environment: convex shapes, exact distances.
+pub struct CarriedWorld<'scene> {
+    scene: &'scene Scene,
+    pairs: Vec<CarriedPair>,
+}
+
+struct CarriedPair {
+    /// Indices of the carried shape and of the part of the environment.
+    carried: usize,
+    part: usize,
+    shapes: Pair,
+    /// Middle (m) of the carried shape in its frame, and radius (m) around it.
+    ball: (Point3<f64>, f64),
+    /// Lowest and highest corner (m) of the part.
+    bounds: [Vector3<f64>; 2],
+}
+
+/// Frames of an arm in the world.
+#[derive(Debug, Clone)]
+pub struct Frames {
+    /// Of the links that move, in their order.
+    links: Vec<Isometry3<f64>>,
+    /// Of the tip.
+    tip: Isometry3<f64>,
+}
+
+impl Frames {
+    /// Of the arm of a scene at joint positions (rad or m).
+    pub fn of_arm(robot: &scene::Robot, configuration: &JointVector) -> Self {
+        let grasp = simulation::isometry(&robot.grasp);
+        Self { links: robot.arm.link_poses(configuration), tip: robot.arm.pose(configuration) * grasp.inverse() }
+    }
+
+    /// Without an arm: the gripper where the robot believes the body to be.
+    pub fn of_body(believed: Isometry3<f64>) -> Self {
+        Self { links: Vec::new(), tip: believed }
+    }
+}
+
+/// A carried shape and a part of the environment that overlap.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Meeting {
+    /// What is carried, in words.
+    pub carried: String,
+    /// Name of the part of the environment.
+    pub part: String,
+    /// m
+    pub depth: f64,
+    /// Index of the frames.
+    pub at: usize,
+}
+
+impl<'scene> CarriedWorld<'scene> {
+    /// Of a scene; none where nothing but the body is known to move.
+    pub fn new(scene: &'scene Scene) -> Option<Self> {
+        let all = scene.carried.shapes.iter().enumerate();
+        let pairs: Vec<CarriedPair> = all
+            .flat_map(|(carried, shape)| {
+                let ball = ball(shape.shape.vertices());
+                scene.environment.iter().enumerate().map(move |(part, other)| CarriedPair {
+                    carried,
+                    part,
+                    shapes: Pair::new(shape.shape.clone(), other.shape.clone()),
+                    ball,
+                    bounds: bounds(other.shape.vertices()),
+                })
+            })
+            .collect();
+        (!pairs.is_empty()).then_some(Self { scene, pairs })
+    }
+
+    /// The deepest overlap at any of these frames.
+    pub fn meeting(&self, course: &[Frames]) -> Option<Meeting> {
+        let (distance, pair, at) = self.nearest(course, 0.0)?;
+        let names = &self.pairs[pair];
+        (distance < -ROUNDING).then(|| Meeting {
+            carried: self.scene.carried.shapes[names.carried].to_string(),
+            part: self.scene.environment[names.part].name.clone(),
+            depth: -distance,
+            at,
+        })
+    }
+
+    /// What keeps the arm and its gripper away from the environment.
+    pub fn advice(&self) -> &'static str {
+        match self.scene.robot {
+            Some(_) => {
+                "move robot.base, choose another branch by robot.configuration, or hold the body farther from the gripper"
+            }
+            None => "hold the body farther from the gripper",
+        }
+    }
+
+    /// Whether all shapes are farther from each other than a margin (m) at all of these frames. What cannot be computed is not.
+    pub fn is_free(&self, course: &[Frames], margin: f64) -> bool {
+        self.nearest(course, margin).is_none_or(|(distance, ..)| distance >= margin)
+    }
+
+    /// The smallest distance (m) of those that may be below a margin, with the pair and the frames: minus infinity where it
+    /// cannot be computed.
+    fn nearest(&self, course: &[Frames], margin: f64) -> Option<(f64, usize, usize)> {
+        let mut nearest: Option<(f64, usize, usize)> = None;
+        for (at, frames) in course.iter().enumerate() {
+            for (index, pair) in self.pairs.iter().enumerate() {
+                let frame = match self.scene.carried.shapes[pair.carried].carrier {
+                    Carrier::Link(link) => &frames.links[link],
+                    Carrier::Tip => &frames.tip,
+                };
+                if pair.is_apart(frame, margin) {
+                    continue;
+                }
+                let distance = pair.shapes.exact_distance(&coordinates(frame));
+                let distance = if distance.is_nan() { f64::NEG_INFINITY } else { distance };
+                if nearest.is_none_or(|(least, ..)| distance < least) {
+                    nearest = Some((distance, index, at));
+                }
+            }
+        }
+        nearest
+    }
+}
+
+impl CarriedPair {
+    /// Whether the ball around the carried shape is farther from the box around the part than a margin (m).
+    fn is_apart(&self, frame: &Isometry3<f64>, margin: f64) -> bool {
+        let (center, radius) = &self.ball;
+        let center = (frame * center).coords;
+        let [low, high] = &self.bounds;
+        let outside = (low - center).sup(&(center - high)).sup(&Vector3::zeros());
+        outside.norm() > radius + margin
+    }
+}
+
+fn bounds(points: &[[f64; 3]]) -> [Vector3<f64>; 2] {
+    let start = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+    points.iter().fold(start, |[low, high], point| {
+        let point = Vector3::from(*point);
+        [low.inf(&point), high.sup(&point)]
+    })
+}
+
+fn ball(points: &[[f64; 3]]) -> (Point3<f64>, f64) {
+    let [low, high] = bounds(points);
+    let center = Point3::from((low + high) / 2.0);
+    (center, points.iter().map(|point| (Point3::from(*point) - center).norm()).fold(0.0, f64::max))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use nalgebra::Translation3;
+    use scene::Source;
+
+    use super::*;
+
+    /// A cube of 0.1 m on the floor, with a jaw whose lower side is 0.1 m above its middle.
+    const TEXT: &str = "
+        [body]
+        mass = 1.0
+        inertia = [0.1, 0.1, 0.1]
+        [[body.part]]
+        name = 'cube'
+        box = [0.1, 0.1, 0.1]
+        [[environment.part]]
+        name = 'floor'
+        box = [1.0, 1.0, 0.1]
+        position = [0.0, 0.0, -0.05]
+        [[environment.part]]
+        name = 'shelf'
+        box = [0.1, 1.0, 0.1]
+        position = [0.35, 0.0, 0.2]
+        [[gripper.part]]
+        name = 'jaw'
+        box = [0.4, 0.02, 0.02]
+        position = [0.0, 0.0, 0.11]
+        [[start]]
+        name = 'above'
+        position = [0.0, 0.0, 0.2]
+        orientation = [1, 0, 0, 0]
+        [goal]
+        position = [0.0, 0.0, 0.051]
+        orientation = [1, 0, 0, 0]
+        [robustness]
+        offset_magnitude = 0.001
+    ";
+
+    fn at(x: f64, z: f64) -> Frames {
+        Frames::of_body(Translation3::new(x, 0.0, z).into())
+    }
+
+    #[test]
+    fn the_deepest_overlap_is_named_with_its_frames() {
+        let scene = Scene::parse(Source { file: Path::new("scene.toml"), text: TEXT }).unwrap();
+        let world = CarriedWorld::new(&scene).unwrap();
+        assert_eq!(world.meeting(&[at(0.0, 0.05), at(0.09, 0.1)]), None);
+        let meeting = world.meeting(&[at(0.0, 0.05), at(0.105, 0.06), at(0.11, 0.06), at(0.106, 0.06)]).unwrap();
+        assert_eq!(
+            (meeting.carried.as_str(), meeting.part.as_str(), meeting.at),
+            ("part `jaw` of the gripper", "shelf", 2)
+        );
+        assert!((meeting.depth - 0.01).abs() < 1e-9, "{meeting:?}");
+    }
+
+    #[test]
+    fn free_air_begins_at_the_margin() {
+        let scene = Scene::parse(Source { file: Path::new("scene.toml"), text: TEXT }).unwrap();
+        let world = CarriedWorld::new(&scene).unwrap();
+        // The jaw ends 0.2 m from the middle, the shelf begins at 0.3 m.
+        for (x, is_free) in [(0.0, true), (0.0799, true), (0.0801, false), (0.2, false)] {
+            assert_eq!(world.is_free(&[at(0.0, 0.3), at(x, 0.09)], 0.02), is_free, "{x}");
+        }
+        assert!(!world.is_free(&[at(f64::NAN, 0.09)], 0.02), "what is no pose is not free");
+    }
+
+    #[test]
+    fn nothing_is_looked_at_where_nothing_is_known() {
+        let text = TEXT.replace("[[gripper.part]]", "[[body.part]]");
+        let scene = Scene::parse(Source { file: Path::new("scene.toml"), text: &text }).unwrap();
+        assert!(CarriedWorld::new(&scene).is_none());
+    }
+}
