@@ -295,20 +295,26 @@ impl Comparison<'_> {
         self.compared.iter().map(|&run| self.runs[run].samples.len()).collect()
     }
 
-    /// Where the best of some fits ends that begin with several delays: there is more than one place at which the sum of squares is
-    /// least nearby.
+    /// Where the best of some fits ends that begin with several delays, and then beside the best of these: there is more than one
+    /// delay nearby at which the sum of squares is least.
     fn fitted_from_some_delays(&self, begin: &[f64], is_free: impl Fn(&Quantity) -> bool) -> Vec<f64> {
         const DELAYS: [f64; 3] = [0.0, 0.003, 0.006];
+        const BESIDE: f64 = 5e-4;
         let Some(place) = self.place(Parameter::Delay) else { return begin.to_vec() };
         let free: Vec<usize> = (0..self.quantities.len()).filter(|&index| is_free(&self.quantities[index])).collect();
-        let fits = DELAYS.iter().filter_map(|&delay| {
-            let mut values = begin.to_vec();
-            values[place] = delay;
+        let fitted = |from: &[f64], delay: f64| {
+            let mut values = from.to_vec();
+            values[place] = delay.max(0.0);
             fit(self, &values, &free)
-        });
+        };
         let squares = |fit: &Fit| sum_of_squares(&fit.residuals);
-        let best = fits.min_by(|one, other| squares(one).total_cmp(&squares(other)));
-        best.map_or_else(|| begin.to_vec(), |fit| fit.values)
+        let best = |fits: Vec<Fit>| fits.into_iter().min_by(|one, other| squares(one).total_cmp(&squares(other)));
+        let Some(first) = best(DELAYS.iter().filter_map(|&delay| fitted(begin, delay)).collect()) else {
+            return begin.to_vec();
+        };
+        let beside = [-BESIDE, BESIDE].iter().filter_map(|step| fitted(&first.values, first.values[place] + step));
+        let fits: Vec<Fit> = beside.collect();
+        best(fits.into_iter().chain([first]).collect()).map_or_else(|| begin.to_vec(), |fit| fit.values)
     }
 
     fn place(&self, parameter: Parameter) -> Option<usize> {

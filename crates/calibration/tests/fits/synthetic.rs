@@ -28,15 +28,6 @@ fn an_arm_is_found_in_free_air() {
     truth.task.impedance.rotational_damping *= 0.8;
     workshop.log("free.csv", &truth, &test_motion(&above_goal(&workshop)), 0.05);
     let calibration = workshop.calibrate(&["free.csv"], false);
-    eprintln!(
-        "{:#?} {:?}",
-        calibration
-            .estimates
-            .iter()
-            .map(|e| (e.quantity.parameter.name(), e.value, e.standard_error, e.partner))
-            .collect::<Vec<_>>(),
-        calibration.runs
-    );
     found(&calibration, Parameter::RotorInertia(None), 0.17, 0.01);
     found(&calibration, Parameter::JointFriction(None), 0.9, 0.05);
     found(&calibration, Parameter::Delay, 0.0033, 2e-4);
