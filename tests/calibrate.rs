@@ -54,6 +54,23 @@ fn a_scene_is_fitted_and_a_copy_is_written() {
     assert_eq!(list(&record, "parameters").len(), 3);
     assert_eq!(list(&record, "logs")[0]["has_contact"], false);
     assert!(record["entries"]["robustness"]["inertia_error"].as_f64().unwrap() > 0.0);
+    let covariance = &record["covariance"];
+    let names: Vec<&str> = list(covariance, "parameters").iter().map(|name| name.as_str().unwrap()).collect();
+    assert_eq!((names.len(), list(covariance, "units").len()), (3, 3));
+    for (place, name) in names.iter().enumerate() {
+        let parameter = list(&record, "parameters").iter().find(|parameter| parameter["name"] == *name).unwrap();
+        let (error, variance) =
+            (parameter["standard_error"].as_f64().unwrap(), covariance["matrix"][place][place].as_f64());
+        assert!((error * error - variance.unwrap()).abs() <= 1e-9 * error * error);
+    }
+}
+
+#[test]
+fn a_dry_run_that_was_stopped_is_used_up_to_there() {
+    let (dir, text) = log();
+    dir.write("stopped.csv", text.lines().take(130).map(|line| line.to_owned() + "\n").collect::<String>());
+    let run = dir.run("calibrate corner.toml stopped.csv").code(0);
+    run.says("used up to where it was stopped (the log ends before the plan does)");
 }
 
 #[test]
@@ -69,7 +86,7 @@ fn what_is_no_log_of_the_scene_is_refused() {
         (text.replacen("elapsed_s", "elapsed", 1), "there is no column `elapsed_s`"),
         (text.replacen("reference_qw", "qqq", 1), "there is no column `reference_qw`"),
         (rows(2), "has no rows"),
-        (rows(100), "was stopped before its end"),
+        (rows(100).replacen("\"dry_run_m\": 0.1", "\"dry_run_m\": 0", 1), "has no motion in free air"),
         (text.replacen("\n0.02,", "\nsoon,", 1), "wrong.csv:5: column 1: `soon` is not a finite number"),
         (text.replacen(",0.03,", ",0.05,", 1), "wrong.csv:7: column elapsed_s"),
         (text.replacen("\"dry_run_m\": 0.1", "\"dry_run_m\": 0", 1), "the part did not end at its goal"),

@@ -21,4 +21,6 @@ class ImpedanceController:
         position, rotation, jacobian = self.arm.tool()
         error = np.concatenate([self.position - position, rotations.vector(self.rotation @ rotation.T)])
         lag = self.twist - jacobian @ self.arm.data.qvel
-        self.arm.apply(jacobian.T @ (self.stiffness @ error + self.arm.task.truth.damping * self.damping @ lag), self.period)
+        truth = self.arm.task.truth
+        wrench = truth.stiffness * self.stiffness @ error + truth.damping * self.damping @ lag
+        self.arm.apply(jacobian.T @ wrench, self.period)

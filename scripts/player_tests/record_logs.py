@@ -1,5 +1,6 @@
-"""Keeps what players log of an arm that is not what its scene says, for the tests of `calibration`: `record_logs.py FOLDER`."""
+"""Keeps what players log of an arm that is not what its scene says, for the tests of `calibration`: `record_logs.py FOLDER [NAME...]`."""
 
+import json
 import pathlib
 import sys
 import tempfile
@@ -8,12 +9,23 @@ from main import Case, run
 
 # What MuJoCo is given. The scene says rotor inertia 0.1 kg m^2, joint friction 0.5 Nm and no delay.
 TRUTH = {"rotor_inertia": 0.14, "joint_friction": 0.8, "delay": 0.004, "damping": 0.85, "friction": 0.25}
+OTHERS = {
+    "light": {"rotor_inertia": 0.08, "joint_friction": 0.3, "delay": 0.001, "stiffness": 1.2, "damping": 1.2},
+    "late": {"rotor_inertia": 0.28, "joint_friction": 1.0, "delay": 0.008, "stiffness": 0.9, "damping": 0.8},
+    "stiff": {"rotor_inertia": 0.3, "joint_friction": 3.0, "delay": 0.005, "stiffness": 0.8, "damping": 1.1},
+}
 # A grasp error that the plan tolerates with this friction.
 OFFSET, TURN = (0.003, 0.003, 0.0), (0.0, 0.005, 0.0)
 FLAGS = ("--message", "motion-update", "--rate", "100")
+DRY = (*FLAGS, "--dry-run", "0.05")
+# Joints with much friction turn with higher gains only.
+GAINS = ("--stiffness-factor", "2", "--damping-factor", "1.4")
 CASES = {
-    "free_air": Case("free air", "ros2", "clamp1", flags=(*FLAGS, "--dry-run", "0.05")),
+    "free_air": Case("free air", "ros2", "clamp1", flags=DRY),
     "contact": Case("contact", "ros2", "clamp1", flags=(*FLAGS, "--skip-self-test"), simulation={"offset": OFFSET, "turn": TURN}),
+    "light": Case("light", "ros2", "clamp1", flags=DRY),
+    "late": Case("late", "ros2", "clamp1", flags=DRY),
+    "stiff": Case("stiff", "ros2", "clamp1", flags=(*DRY, *GAINS)),
 }
 # Decimals that are kept, fewer of measured velocities, which fits do not need.
 DECIMALS, FEW = 6, 2
@@ -37,12 +49,15 @@ def shortened(text: str) -> str:
 
 
 def main() -> int:
-    """Records all logs; returns the exit code."""
+    """Records the logs that are named, or all, and what MuJoCo was given; returns the exit code."""
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
+    (folder / "truths.json").write_text(json.dumps(OTHERS, indent=2) + "\n")
     for name, case in CASES.items():
+        if sys.argv[2:] and name not in sys.argv[2:]:
+            continue
         with tempfile.TemporaryDirectory() as work:
-            case.simulation["truth"] = TRUTH
+            case.simulation["truth"] = OTHERS.get(name, TRUTH)
             if problem := run(case, "", pathlib.Path(work)):
                 print(f"error: {case.name}: {problem}", file=sys.stderr)
                 return 3

@@ -51,12 +51,13 @@ class Fault:
 @dataclasses.dataclass(frozen=True)
 class Truth:
     """What the robot and the parts really are, where that is not what the plan takes them for: rotor inertia (kg m^2) and
-    friction (Nm) of every joint, delay of the torques (s), damping of the controller over that which is set, friction of
-    contacts."""
+    friction (Nm) of every joint, delay of the torques (s), stiffness and damping of the controller over those which are set,
+    friction of contacts."""
 
     rotor_inertia: float | None = None
     joint_friction: float | None = None
     delay: float = 0.0
+    stiffness: float = 1.0
     damping: float = 1.0
     friction: float = FRICTION
 

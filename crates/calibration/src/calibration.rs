@@ -10,7 +10,7 @@ use crate::log::Log;
 use crate::model::Comparison;
 use crate::parameter::{Parameter, Quantity};
 use crate::run::Run;
-use crate::statistics::{correlation, covariance, standard_error, variance};
+use crate::statistics::{Information, correlation, standard_error};
 
 /// What is known of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +50,8 @@ pub struct RunResult {
     pub name: String,
     /// Whether the parts could touch.
     pub has_contact: bool,
+    /// Why only a part of it is used, if that is so.
+    pub end: Option<String>,
     /// Length (s).
     pub duration: f64,
     /// Rollouts of the scene as it is; `None` where they diverge.
@@ -60,11 +62,22 @@ pub struct RunResult {
     pub lag: Misfit,
 }
 
+/// Covariance of the parameters that are known, in units of the SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Covariance {
+    /// What rows and columns are of.
+    pub parameters: Vec<Parameter>,
+    /// The rows.
+    pub rows: Vec<Vec<f64>>,
+}
+
 /// What logs tell of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
     /// All parameters.
     pub estimates: Vec<Estimate>,
+    /// Of those that are known.
+    pub covariance: Covariance,
     /// All runs.
     pub runs: Vec<RunResult>,
     /// Whether the search ended by itself.
@@ -83,8 +96,9 @@ pub struct Progress {
 /// What a comparison has come to.
 struct Outcome {
     values: Vec<f64>,
-    /// One for each parameter; `None` where it is not known.
-    errors: Vec<Option<f64>>,
+    /// Indices of the parameters that are known, and their covariance.
+    known: Vec<usize>,
+    covariance: Mat<f64>,
     partners: Vec<Option<(Parameter, f64)>>,
     converged: bool,
 }
@@ -112,38 +126,62 @@ pub fn calibrate(
         // Contacts depend on everything: what free motion tells is found first.
         comparison.compared = in_air;
         let is_free = |quantity: &Quantity| !quantity.parameter.is_of_contact();
-        outcome = comparison.search(&before, is_free, observe)?;
+        let begin = comparison.fitted_from_some_delays(&before, is_free);
+        outcome = comparison.search(&begin, is_free, observe)?;
     }
     if !touching.is_empty() {
         comparison.compared = (0..runs.len()).collect();
         let begin = comparison.with_best_friction(outcome.values);
         outcome = comparison.search(&begin, |_| true, observe)?;
     }
-    let Outcome { values, errors, partners, converged } = outcome;
     let results = runs.iter().enumerate().zip(misfits_before).map(|((index, run), before)| RunResult {
         name: run.name.clone(),
         has_contact: run.has_contact(),
+        end: run.end.clone(),
         duration: run.samples.last().map_or(0.0, |(time, _)| *time),
         before,
-        after: comparison.misfit(index, &values).unwrap_or(Misfit { distance: f64::NAN, angle: f64::NAN }),
+        after: comparison.misfit(index, &outcome.values).unwrap_or(Misfit { distance: f64::NAN, angle: f64::NAN }),
         lag: Misfit::of(&run.lags),
     });
     let results = results.collect();
-    let estimates = quantities.iter().zip(values).zip(errors).zip(partners);
-    let estimates = estimates.map(|(((quantity, value), standard_error), partner)| Estimate {
-        quantity: quantity.clone(),
-        value,
-        standard_error,
-        partner,
-    });
-    Ok(Calibration { estimates: estimates.collect(), runs: results, converged })
+    Ok(Calibration {
+        estimates: (0..quantities.len()).map(|index| outcome.estimate(index, &quantities)).collect(),
+        covariance: outcome.covariance(&quantities),
+        runs: results,
+        converged: outcome.converged,
+    })
 }
 
 impl Outcome {
     fn nothing(values: &[f64]) -> Self {
-        let (errors, partners) = (vec![None; values.len()], vec![None; values.len()]);
-        Self { values: values.to_vec(), errors, partners, converged: true }
+        let partners = vec![None; values.len()];
+        Self { values: values.to_vec(), known: Vec::new(), covariance: Mat::zeros(0, 0), partners, converged: true }
     }
+}
+
+impl Outcome {
+    fn estimate(&self, index: usize, quantities: &[Quantity]) -> Estimate {
+        let place = self.known.iter().position(|&known| known == index);
+        Estimate {
+            quantity: quantities[index].clone(),
+            value: self.values[index],
+            standard_error: place.map(|place| standard_error(&self.covariance, place)),
+            partner: self.partners[index],
+        }
+    }
+
+    fn covariance(&self, quantities: &[Quantity]) -> Covariance {
+        let row = |row: usize| (0..self.known.len()).map(move |column| self.covariance[(row, column)]).collect();
+        Covariance {
+            parameters: self.known.iter().map(|&index| quantities[index].parameter).collect(),
+            rows: (0..self.known.len()).map(row).collect(),
+        }
+    }
+}
+
+/// The columns of so many that are not among some.
+fn others(columns: &[usize], count: usize) -> Vec<usize> {
+    (0..count).filter(|column| !columns.contains(column)).collect()
 }
 
 impl Comparison<'_> {
@@ -154,48 +192,53 @@ impl Comparison<'_> {
         is_free: impl Fn(&Quantity) -> bool,
         observe: &dyn Fn(Progress),
     ) -> Result<Outcome, PlannerError> {
-        let mut free: Vec<usize> =
-            (0..self.quantities.len()).filter(|&index| is_free(&self.quantities[index])).collect();
+        let all: Vec<usize> = (0..self.quantities.len()).filter(|&index| is_free(&self.quantities[index])).collect();
+        let mut free: Vec<usize> = (0..all.len()).collect();
         let mut outcome = Outcome::nothing(begin);
         loop {
             observe(Progress { parameters: free.len(), logs: self.compared.len() });
-            let fit = self.fit_with_noise(&outcome.values, &free)?;
-            let known = self.known(&fit, &free);
-            let factor = variance(&fit.residuals, &self.samples(), known.len());
-            let all: Vec<usize> = (0..free.len()).collect();
-            let together = covariance(&fit.triangle, &all, factor);
-            for &column in &all {
-                outcome.partners[free[column]] = self.partner(&together, &free, column);
+            let fitted: Vec<usize> = free.iter().map(|&column| all[column]).collect();
+            let fit = self.fit_with_noise(&outcome.values, &fitted)?;
+            let jacobian = self.jacobian(&fit.values, &fit.residuals, &all);
+            let information = Information::new(&jacobian, &fit.residuals, &self.samples());
+            let known = self.known(&information, &all, &free);
+            let covariance = information.covariance(&free, &others(&free, all.len()));
+            for (place, &index) in fitted.iter().enumerate() {
+                outcome.partners[index] = self.partner(&covariance, &fitted, place);
             }
             (outcome.values, outcome.converged) = (fit.values, fit.converged);
             if known.len() == free.len() {
-                for &column in &all {
-                    outcome.errors[free[column]] = Some(self.scale(free[column]) * standard_error(&together, column));
-                }
+                outcome.covariance = self.in_units(&covariance, &fitted, &outcome.values);
+                outcome.known = fitted;
                 return Ok(outcome);
             }
-            for (column, &index) in free.iter().enumerate() {
-                if !known.contains(&column) {
-                    outcome.values[index] = self.quantities[index].before;
-                }
+            for &column in free.iter().filter(|column| !known.contains(column)) {
+                outcome.values[all[column]] = self.quantities[all[column]].before;
             }
-            free = known.iter().map(|&column| free[column]).collect();
+            free = known;
         }
+    }
+
+    /// A covariance in units of the SI. A motion tells forces in units of the one that is taken to be known, so that what is in its
+    /// proportion is in doubt with it.
+    fn in_units(&self, covariance: &Mat<f64>, fitted: &[usize], values: &[f64]) -> Mat<f64> {
+        /// Relative error of the masses of links, or of the stiffness of a robot without an arm.
+        const DOUBT: f64 = 0.02;
+        let scale = |place: usize| self.scale(fitted[place]);
+        let doubt = |place: usize| {
+            let index = fitted[place];
+            if self.quantities[index].parameter.is_of_forces() { DOUBT * values[index] } else { 0.0 }
+        };
+        Mat::from_fn(fitted.len(), fitted.len(), |row, column| {
+            scale(row) * covariance[(row, column)] * scale(column) + doubt(row) * doubt(column)
+        })
     }
 
     /// A fit, and another one in which deviations are weighted with the noise that the first has left.
     fn fit_with_noise(&mut self, begin: &[f64], free: &[usize]) -> Result<Fit, PlannerError> {
-        /// Fits with noise that is more and more that of the residuals.
-        const FITS: usize = 2;
-        let mut values = begin.to_vec();
-        let mut found = None;
-        for _ in 0..FITS {
-            let fit = fit(self, &values, free).ok_or_else(|| self.refusal(&values))?;
-            values.clone_from(&fit.values);
-            self.noise = self.noise_of(&fit.residuals);
-            found = Some(fit);
-        }
-        found.ok_or(PlannerError::Internal("nothing was fitted"))
+        let first = fit(self, begin, free).ok_or_else(|| self.refusal(begin))?;
+        self.noise = self.noise_of(&first.residuals);
+        fit(self, &first.values, free).ok_or_else(|| self.refusal(&first.values))
     }
 
     fn refusal(&self, values: &[f64]) -> PlannerError {
@@ -221,20 +264,19 @@ impl Comparison<'_> {
         })
     }
 
-    /// Columns of the parameters that the runs tell. As long as one is not, the one of which they tell least goes: the others
+    /// Those of the free columns that the runs tell. As long as one is not, the one of which they tell least goes: the others
     /// may be known without it.
-    fn known(&self, fit: &Fit, free: &[usize]) -> Vec<usize> {
-        let mut columns: Vec<usize> = (0..free.len()).collect();
+    fn known(&self, information: &Information, all: &[usize], free: &[usize]) -> Vec<usize> {
+        let mut columns = free.to_vec();
         loop {
-            let covariance =
-                covariance(&fit.triangle, &columns, variance(&fit.residuals, &self.samples(), columns.len()));
+            let covariance = information.covariance(&columns, &others(&columns, all.len()));
             let excess = |place: usize| {
-                let quantity = &self.quantities[free[columns[place]]];
+                let quantity = &self.quantities[all[columns[place]]];
                 quantity.scale * standard_error(&covariance, place) / quantity.resolution
             };
             let worst = (0..columns.len()).max_by(|&one, &other| excess(one).total_cmp(&excess(other)));
             match worst {
-                Some(place) if excess(place) > 1.0 => columns.remove(place),
+                Some(place) if !(excess(place) <= 1.0) => columns.remove(place),
                 _ => return columns,
             };
         }
@@ -253,13 +295,37 @@ impl Comparison<'_> {
         self.compared.iter().map(|&run| self.runs[run].samples.len()).collect()
     }
 
+    /// Where the best of some fits ends that begin with several delays, and then beside the best of these: there is more than one
+    /// delay nearby at which the sum of squares is least.
+    fn fitted_from_some_delays(&self, begin: &[f64], is_free: impl Fn(&Quantity) -> bool) -> Vec<f64> {
+        const DELAYS: [f64; 3] = [0.0, 0.003, 0.006];
+        const BESIDE: f64 = 5e-4;
+        let Some(place) = self.place(Parameter::Delay) else { return begin.to_vec() };
+        let free: Vec<usize> = (0..self.quantities.len()).filter(|&index| is_free(&self.quantities[index])).collect();
+        let fitted = |from: &[f64], delay: f64| {
+            let mut values = from.to_vec();
+            values[place] = delay.max(0.0);
+            fit(self, &values, &free)
+        };
+        let squares = |fit: &Fit| sum_of_squares(&fit.residuals);
+        let best = |fits: Vec<Fit>| fits.into_iter().min_by(|one, other| squares(one).total_cmp(&squares(other)));
+        let Some(first) = best(DELAYS.iter().filter_map(|&delay| fitted(begin, delay)).collect()) else {
+            return begin.to_vec();
+        };
+        let beside = [-BESIDE, BESIDE].iter().filter_map(|step| fitted(&first.values, first.values[place] + step));
+        let fits: Vec<Fit> = beside.collect();
+        best(fits.into_iter().chain([first]).collect()).map_or_else(|| begin.to_vec(), |fit| fit.values)
+    }
+
+    fn place(&self, parameter: Parameter) -> Option<usize> {
+        self.quantities.iter().position(|quantity| quantity.parameter == parameter)
+    }
+
     /// With the contact friction of some that explains the runs best: a motion that jams where the robot's did not tells no
     /// derivative.
     fn with_best_friction(&self, mut values: Vec<f64>) -> Vec<f64> {
         const FRICTIONS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.8];
-        let Some(place) = self.quantities.iter().position(|quantity| quantity.parameter == Parameter::Friction) else {
-            return values;
-        };
+        let Some(place) = self.place(Parameter::Friction) else { return values };
         let mut best = (f64::INFINITY, values[place]);
         for friction in FRICTIONS {
             values[place] = friction;

@@ -27,8 +27,6 @@ pub struct Fit {
     pub values: Vec<f64>,
     /// Residuals there.
     pub residuals: Vec<f64>,
-    /// Factor `R` of the Jacobian `J = Q R`, so that `R' R = J' J`; a column for each free value, per unit of its scale.
-    pub triangle: Mat<f64>,
     /// Whether the search ended by itself.
     pub converged: bool,
 }
@@ -69,15 +67,13 @@ pub fn fit(model: &impl Model, start: &[f64], free: &[usize]) -> Option<Fit> {
             }
         }
         let Some((part, longest)) = gain else {
-            return Some(Fit { values, residuals, triangle, converged: true });
+            return Some(Fit { values, residuals, converged: true });
         };
         if part < LEAST_GAIN || longest < SHORTEST_STEP {
-            let (triangle, _) = self::triangle(&model.jacobian(&values, &residuals, free), &residuals);
-            return Some(Fit { values, residuals, triangle, converged: true });
+            return Some(Fit { values, residuals, converged: true });
         }
     }
-    let (triangle, _) = triangle(&model.jacobian(&values, &residuals, free), &residuals);
-    Some(Fit { values, residuals, triangle, converged: false })
+    Some(Fit { values, residuals, converged: false })
 }
 
 /// Sum of squares.

@@ -14,14 +14,15 @@
 //! 5. Levenberg and Marquardt's method finds the least sum of squares. Derivatives are differences with steps of 2 % of a
 //!    scale, as contacts and dry friction are not smooth. Runs in free air are fitted first, then all runs together, with the
 //!    contact friction of a few that does best.
-//! 6. Standard errors count residuals that are alike for a while as one. A parameter whose error is larger than what makes it
-//!    worth knowing is held at what the scene says, and the rest is fitted again.
+//! 6. Standard errors are those of the jackknife over blocks of time: what changes when a part of the motion is left out. A
+//!    parameter whose error is larger than what makes it worth knowing is held at what the scene says, and the rest is fitted
+//!    again; errors of the rest then know that the held one may be wrong.
 //! 7. [`Entries`] are what the scene should say instead: the values, and as `[robustness]` two standard errors of them.
 //!
 //! | module | what it holds |
 //! |---|---|
 //! | `log`, `run` | logs, and what rollouts need of them |
-//! | `deviation` | how far poses are from each other |
+//! | `deviation`, `swing` | how far poses are from each other; robots that swing by themselves |
 //! | `parameter`, `model` | parameters, and rollouts with them |
 //! | `least_squares`, `statistics` | the fit and how well it is known; dense algebra is faer's |
 //! | `calibration` | the search |
@@ -37,9 +38,10 @@ mod parameter;
 mod record;
 mod run;
 mod statistics;
+mod swing;
 
-pub use calibration::{Calibration, Estimate, Misfit, Progress, RunResult, calibrate};
+pub use calibration::{Calibration, Covariance, Estimate, Misfit, Progress, RunResult, calibrate};
 pub use entries::{Entries, Entry};
 pub use log::Log;
 pub use parameter::{Parameter, Quantity};
-pub use record::{CalibrationRecord, ParameterRecord, RunRecord};
+pub use record::{CalibrationRecord, CovarianceRecord, ParameterRecord, RunRecord};

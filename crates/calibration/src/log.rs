@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use export::ImpedanceRecord;
 use nalgebra::Isometry3;
 use planner::PlannerError;
-use planner::files::{RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
+use planner::files::{PLAYING, RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
 use scene::Scene;
 use serde::Deserialize;
 use simulation::isometry;
@@ -13,6 +13,8 @@ use task::{STATE, pose_of};
 
 /// Longest time between two rows (s): between them, nobody knows what the robot did.
 const LONGEST_GAP: f64 = 0.1;
+/// Why a log ends early that does not say why.
+const CUT: &str = "the log ends before the plan does";
 /// Poses whose numbers differ by less (m, or a component of a quaternion) are the same.
 const SAME: f64 = 1e-5;
 
@@ -91,22 +93,30 @@ pub struct Log {
     pub rows: Vec<Row>,
     /// The gains that were set.
     pub impedance: ImpedanceRecord,
-    /// How far from the goal it was played (m); 0 where the parts were put together.
-    pub dry_run: f64,
+    /// Whether all of its rows are of motions in free air.
+    pub in_free_air: bool,
+    /// Why it ends before its plan does, if it does: then it only has rows in free air.
+    pub stopped: Option<String>,
     /// Offset magnitude that the plan bears (m).
     pub delta: f64,
 }
 
 impl Log {
-    /// Reads a log of a plan of a scene.
+    /// Reads a log of a plan of a scene. Of a run that was stopped, nobody knows how the part sat in the gripper: only what it did in
+    /// free air is kept.
     ///
     /// # Errors
-    /// With file, line and column, when it is not a log, is of another scene, or was stopped before its end.
+    /// With file, line and column, when it is not a log, is of another scene, or was stopped without a motion in free air.
     pub fn read(file: &Path, scene: &Scene) -> Result<Self, PlannerError> {
         let header = read_header(file)?;
         header.require_scene(file, scene)?;
         let (states, followed) = (read_csv::<StateRow>(file)?, read_csv::<FollowedRow>(file)?);
         require_states(file, &states, &followed)?;
+        let Header { impedance, dry_run_m, delta_m, stopped, .. } = header;
+        let stopped = stopped.or_else(|| followed.last().filter(|row| row.phase != RESTING).map(|_| CUT.to_owned()));
+        let is_dry = dry_run_m > 0.0;
+        let in_free_air = |row: &&FollowedRow| is_dry || (row.phase != PLAYING && row.phase != RESTING);
+        let kept = if stopped.is_some() { followed.iter().take_while(in_free_air).count() } else { followed.len() };
         let rows: Vec<Row> = states
             .iter()
             .zip(&followed)
@@ -115,14 +125,18 @@ impl Log {
                 believed: isometry(&pose_of(&state.state())),
                 reference: followed.state(),
             })
+            .take(kept)
             .collect();
-        require_rows(file, &rows)?;
-        if header.stopped.is_some() || followed.last().is_none_or(|row| row.phase != RESTING) {
-            let problem = "the execution was stopped before its end; leave this log out, or repeat the run";
+        if let Some(reason) = stopped.as_ref().filter(|_| rows.len() < 2 && followed.len() >= 2) {
+            let problem = format!(
+                "the run was stopped ({reason}) and has no motion in free air: leave this log out, or repeat the run with \
+                 --dry-run or without --skip-self-test"
+            );
             return Err(PlannerError::file(file, problem));
         }
-        let Header { impedance, dry_run_m, delta_m, .. } = header;
-        Ok(Self { file: file.to_owned(), rows, impedance, dry_run: dry_run_m, delta: delta_m })
+        require_rows(file, &rows)?;
+        let in_free_air = is_dry || stopped.is_some();
+        Ok(Self { file: file.to_owned(), rows, impedance, in_free_air, stopped, delta: delta_m })
     }
 }
 

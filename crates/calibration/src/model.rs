@@ -55,7 +55,7 @@ impl<'work> Comparison<'work> {
         let settings = Settings { friction, settling_time: 0.0, ..Settings::default() };
         let mut rollout = Rollout::new(&task, settings).with_even_steps();
         if let Some(arm) = &arm {
-            rollout = rollout.with_arm(arm).ok()?;
+            rollout = rollout.with_arm(arm).ok()?.with_gains_set_for(isometry(&task.goal).rotation);
         }
         let believed = grasp.believed();
         let mut deviations = Vec::with_capacity(run.samples.len());

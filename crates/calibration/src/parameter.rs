@@ -144,6 +144,12 @@ impl Parameter {
         matches!(self, Self::Friction | Self::Offset { .. } | Self::Turn { .. })
     }
 
+    /// Whether it is in proportion to the forces: with all of these multiplied by a number, and masses with them, the motion in
+    /// free air stays the same.
+    pub fn is_of_forces(self) -> bool {
+        !self.is_of_contact() && self != Self::Delay
+    }
+
     /// What it is called in messages.
     pub fn name(self) -> String {
         let of_joint = |name: &str, joint: Option<usize>| match joint {
@@ -174,6 +180,16 @@ impl Parameter {
             Self::Offset { .. } => ("mm", 1e3),
             Self::Turn { .. } => ("rad", 1.0),
             _ => ("", 1.0),
+        }
+    }
+
+    /// Its unit of the SI; 1 where it has none.
+    pub fn si_unit(self) -> &'static str {
+        match self {
+            Self::Delay => "s",
+            Self::Offset { .. } => "m",
+            other if other.unit().0.is_empty() => "1",
+            other => other.unit().0,
         }
     }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use planner::Problem;
 use serde::Serialize;
 
-use crate::calibration::{Calibration, Estimate, Misfit, RunResult};
+use crate::calibration::{Calibration, Covariance, Estimate, Misfit, RunResult};
 use crate::entries::Entries;
 use crate::parameter::Parameter;
 
@@ -20,10 +20,23 @@ pub struct CalibrationRecord {
     pub logs: Vec<RunRecord>,
     /// All parameters.
     pub parameters: Vec<ParameterRecord>,
+    /// Of those that are known.
+    pub covariance: CovarianceRecord,
     /// What the scene should say, by table and key.
     pub entries: BTreeMap<&'static str, BTreeMap<&'static str, serde_json::Value>>,
     /// What the user should know.
     pub warnings: Vec<String>,
+}
+
+/// Covariance of the parameters that are known: squares of standard errors on its diagonal.
+#[derive(Debug, Clone, Serialize)]
+pub struct CovarianceRecord {
+    /// Names, in the order of rows and columns.
+    pub parameters: Vec<String>,
+    /// Their units; 1 is none.
+    pub units: Vec<&'static str>,
+    /// The rows: an entry is in the unit of its row times that of its column.
+    pub matrix: Vec<Vec<f64>>,
 }
 
 /// What a log says. Distances and angles are root mean squares.
@@ -33,7 +46,9 @@ pub struct RunRecord {
     pub log: String,
     /// Whether the parts could touch.
     pub has_contact: bool,
-    /// Length.
+    /// Why only a part of it is used; null where all is.
+    pub end: Option<String>,
+    /// Length of what is used.
     pub duration_s: f64,
     /// Distance between robot and reference.
     pub lag_m: f64,
@@ -83,6 +98,7 @@ impl CalibrationRecord {
             converged: calibration.converged,
             logs: calibration.runs.iter().map(RunRecord::new).collect(),
             parameters: calibration.estimates.iter().map(ParameterRecord::new).collect(),
+            covariance: CovarianceRecord::new(calibration),
             entries: by_table,
             warnings: warnings(calibration),
         }
@@ -94,12 +110,24 @@ impl RunRecord {
         Self {
             log: run.name.clone(),
             has_contact: run.has_contact,
+            end: run.end.clone(),
             duration_s: run.duration,
             lag_m: run.lag.distance,
             before_m: run.before.map(|misfit| misfit.distance),
             after_m: run.after.distance,
             before_rad: run.before.map(|misfit| misfit.angle),
             after_rad: run.after.angle,
+        }
+    }
+}
+
+impl CovarianceRecord {
+    fn new(calibration: &Calibration) -> Self {
+        let Covariance { parameters, rows } = &calibration.covariance;
+        Self {
+            parameters: parameters.iter().map(|parameter| parameter.name()).collect(),
+            units: parameters.iter().map(|parameter| parameter.si_unit()).collect(),
+            matrix: rows.clone(),
         }
     }
 }
@@ -122,10 +150,10 @@ impl ParameterRecord {
 fn remark(estimate: &Estimate) -> String {
     let Estimate { quantity, value, standard_error, partner } = estimate;
     let parameter = quantity.parameter;
-    let alike = partner
-        .filter(|(_, correlation)| correlation.abs() > ALIKE)
-        .map(|(other, correlation)| format!("hard to tell from {} (correlation {correlation:.2})", other.name()));
     if standard_error.is_none() {
+        let alike = partner
+            .filter(|(_, correlation)| correlation.abs() > ALIKE)
+            .map(|(other, correlation)| format!("hard to tell from {} (correlation {correlation:.2})", other.name()));
         let reason = alike.unwrap_or_else(|| parameter.advice().to_owned());
         return format!("not known: {reason}");
     }
@@ -134,8 +162,7 @@ fn remark(estimate: &Estimate) -> String {
         Parameter::Damping if estimate.is_off() => Some("--damping-factor"),
         _ => None,
     };
-    let advice = flag.map(|flag| format!("play with {flag} {:.2}", 1.0 / value));
-    advice.into_iter().chain(alike).collect::<Vec<_>>().join("; ")
+    flag.map(|flag| format!("play with {flag} {:.2}", 1.0 / value)).unwrap_or_default()
 }
 
 fn warnings(calibration: &Calibration) -> Vec<String> {
@@ -144,7 +171,8 @@ fn warnings(calibration: &Calibration) -> Vec<String> {
         warnings
             .push("the search was still improving when it was ended: calibrate again from the scene it writes".into());
     }
-    for RunResult { name, after, lag, .. } in &calibration.runs {
+    for RunResult { name, end, after, lag, .. } in &calibration.runs {
+        warnings.extend(end.iter().map(|end| format!("{name}: {end}")));
         let Misfit { distance, .. } = after;
         if *distance > SMALL.max(UNEXPLAINED * lag.distance) {
             warnings.push(format!(

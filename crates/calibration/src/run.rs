@@ -7,6 +7,7 @@ use task::{AssemblyTask, GraspError, Impedance, STATE};
 
 use crate::deviation::{COMPONENTS, deviation};
 use crate::log::{Log, Row};
+use crate::swing::end_before_swing;
 
 /// Time between two samples that are compared (s), at least: closer ones say the same.
 const SAMPLE_INTERVAL: f64 = 0.01;
@@ -26,6 +27,8 @@ pub struct Run {
     pub lags: Vec<[f64; COMPONENTS]>,
     /// The grasp error, as far as the end of the log tells.
     pub grasp: GraspError,
+    /// Why it is not the whole log, if it is not.
+    pub end: Option<String>,
 }
 
 impl Run {
@@ -36,7 +39,7 @@ impl Run {
     pub fn new(log: &Log, problem: &Problem) -> Result<Self, PlannerError> {
         let mut task = AssemblyTask { impedance: Impedance::from(&log.impedance), ..problem.world() };
         let mut grasp = GraspError::default();
-        if log.dry_run > 0.0 {
+        if log.in_free_air {
             task.pairs.clear();
         } else {
             grasp = grasp_at_end(log, problem)?;
@@ -46,15 +49,32 @@ impl Run {
         let reference = reference(&log.rows, time_step);
         task.start = reference.start();
         let every = (SAMPLE_INTERVAL / time_step).round().max(1.0) as usize;
-        let (mut samples, mut lags) = (Vec::new(), Vec::new());
-        for knot in (every..reference.intervals()).step_by(every) {
-            let time = knot as f64 * time_step;
-            let believed = believed(&log.rows, time);
-            samples.push((time, believed));
-            lags.push(deviation(&believed, &reference.at(knot, 0.0).pose));
-        }
+        let times = (every..reference.intervals()).step_by(every).map(|knot| knot as f64 * time_step);
+        let samples: Vec<(f64, Isometry3<f64>)> = times.map(|time| (time, believed(&log.rows, time))).collect();
+        let end = log.stopped.as_ref().map(|reason| format!("used up to where it was stopped ({reason})"));
         let name = log.file.display().to_string();
-        Ok(Self { name, task, reference, samples, lags, grasp })
+        let mut run = Self { name, task, reference, samples, lags: Vec::new(), grasp, end };
+        run.compare_with_reference(every);
+        Ok(run)
+    }
+
+    /// Finds how far the robot is from its reference, at samples so many knots apart. In free air, the run ends where it swings: no
+    /// rollout follows a swing for long.
+    fn compare_with_reference(&mut self, every: usize) {
+        let believed: Vec<Isometry3<f64>> = self.samples.iter().map(|(_, pose)| *pose).collect();
+        let followed: Vec<Isometry3<f64>> =
+            (1..=believed.len()).map(|sample| self.reference.at(sample * every, 0.0).pose).collect();
+        if let Some(first) = end_before_swing(&believed, &followed).filter(|_| !self.has_contact()) {
+            let swing = format!(
+                "used up to {:.1} s, after which the robot swings by itself: torques come too late for the gains, which should be \
+                 lower, or damp more",
+                self.samples[first].0
+            );
+            self.end = Some(self.end.iter().chain([&swing]).map(String::as_str).collect::<Vec<_>>().join("; "));
+            self.samples.truncate(first);
+            self.reference = self.reference.cut(first * every + 1);
+        }
+        self.lags = self.samples.iter().zip(&followed).map(|((_, pose), from)| deviation(pose, from)).collect();
     }
 
     /// Whether the parts could touch.

@@ -1,6 +1,6 @@
 //! One time step of an arm that holds the body: control at samples, joint friction, contacts, motion.
 
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 use robot::{Arm, JointMatrix, JointVector};
 use task::Impedance;
 
@@ -40,6 +40,8 @@ pub struct ArmStepper<'arm> {
     /// For how long torques wait on average (s), and what that makes of the impedance.
     waiting: f64,
     late: Impedance,
+    /// Of a controller of players: the orientation for which the damping of rotations is set, and that damping (Nms/rad).
+    set_for: Option<(UnitQuaternion<f64>, Matrix3<f64>)>,
     /// The believed part in the frame of the part.
     grasp: Isometry3<f64>,
     /// Factor of the mass matrix, and with it of all inertia.
@@ -109,6 +111,7 @@ impl<'arm> ArmStepper<'arm> {
             time_step,
             late: late(&impedance, waiting),
             waiting,
+            set_for: None,
             grasp,
             heaviness,
             controller: SampledController::new(model.control_period, delay),
@@ -122,6 +125,28 @@ impl<'arm> ArmStepper<'arm> {
             impedance,
             longer: [const { None }; DOUBLINGS],
         })
+    }
+
+    /// With a controller of players ([`Rollout::with_gains_set_for`](crate::Rollout::with_gains_set_for)), if there is one: an
+    /// orientation of the part, and damping of rotations (Nms/rad) along its axes there.
+    pub fn with_damping_set_for(mut self, set: Option<(UnitQuaternion<f64>, Matrix3<f64>)>) -> Self {
+        self.set_for = set;
+        self.turn_damping();
+        self
+    }
+
+    /// Damping that does not turn with the part, as the part sees it in its posture.
+    fn turn_damping(&mut self) {
+        let Some((orientation, damping)) = &self.set_for else { return };
+        let turn = (self.posture.pose.rotation.inverse() * orientation).to_rotation_matrix();
+        self.impedance.rotational_damping = turn * damping * turn.inverse();
+        self.late = late(&self.impedance, self.waiting);
+        self.inert = inert(&self.posture, &self.impedance, self.waiting);
+    }
+
+    /// Torques (Nm or N) with which the controller balances Coriolis and centrifugal forces.
+    fn balance(&self) -> JointVector {
+        if self.set_for.is_some() { JointVector::zeros() } else { self.posture.bias }
     }
 
     /// Moves the body by one step, when `done` of the `count` shortest steps of an interval have been taken. `target` is the
@@ -156,11 +181,11 @@ impl<'arm> ArmStepper<'arm> {
 
     /// The shortest step. Returns the overlap (m) before, and how much the velocity (m/s) of any point has changed.
     fn advance(&mut self, state: &mut State, target: &Knot, finder: &mut ContactFinder) -> (f64, f64) {
+        let balance = self.balance();
         let Self { posture, impedance, .. } = self;
         let (time, time_step) = ((self.steps) as f64 * self.time_step, self.time_step);
         let command = || {
-            let wanted =
-                posture.torque(impedance, &state.believed(&self.grasp), &state.velocity, target) + posture.bias;
+            let wanted = posture.torque(impedance, &state.believed(&self.grasp), &state.velocity, target) + balance;
             within_limits(self.arm, posture, wanted)
         };
         if !self.is_sampled {
@@ -192,6 +217,7 @@ impl<'arm> ArmStepper<'arm> {
         const TOO_LONG: (f64, f64) = (0.0, f64::INFINITY);
         let time_step = self.time_step * f64::from(1_u32 << doublings);
         let half = 0.5 * time_step;
+        let balance = self.balance();
         let Self { posture, impedance, .. } = self;
         let longer = &mut self.longer[doublings - 1];
         if longer.is_none() {
@@ -200,12 +226,12 @@ impl<'arm> ArmStepper<'arm> {
         }
         let Some(mobility) = longer else { return TOO_LONG };
         let (believed, still) = (state.believed(&self.grasp), JointVector::zeros());
-        let wanted = posture.torque(impedance, &believed, &state.velocity, target) + posture.bias;
+        let wanted = posture.torque(impedance, &believed, &state.velocity, target) + balance;
         if (within_limits(self.arm, posture, wanted) - wanted).amax() > ROUNDING {
             return TOO_LONG;
         }
         // The torques of damping and of what positions change by are in the mass matrix.
-        let torque = posture.torque(impedance, &believed, &still, target) + posture.bias * (1.0 - self.heaviness);
+        let torque = posture.torque(impedance, &believed, &still, target) + balance - posture.bias * self.heaviness;
         let carried: JointMatrix = self.inert * 2.0 - mobility.mass;
         let free = mobility.inverse * (carried * state.velocity + torque * time_step);
         let (before, radius) = (state.body, finder.radius());
@@ -243,6 +269,7 @@ impl<'arm> ArmStepper<'arm> {
                 body.set_twist(&(posture.jacobian * *velocity));
                 self.inert = inert(&posture, &self.impedance, self.waiting);
                 self.posture = posture;
+                self.turn_damping();
                 self.longer.fill(None);
             }
             None => body.velocity = Vector3::repeat(f64::NAN),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot::JointVector;
 use task::AssemblyTask;
 use workers::Workers;
@@ -42,6 +42,8 @@ pub struct Rollout {
     steady: f64,
     /// Whether contact forces count friction as if it reversed.
     reverses_friction: bool,
+    /// The orientation of the part for which the gains are set, where the arm is controlled as players of exports do it.
+    set_for: Option<UnitQuaternion<f64>>,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
     pub(crate) arm: Option<(ArmModel, JointVector)>,
 }
@@ -88,6 +90,7 @@ impl Rollout {
             has_even_steps: false,
             steady: STEADY,
             reverses_friction: false,
+            set_for: None,
             arm: None,
         }
     }
@@ -121,6 +124,12 @@ impl Rollout {
     /// With steps that are all of the same length, so that motions depend smoothly on the parameters of task and arm.
     pub fn with_even_steps(self) -> Self {
         Self { has_even_steps: true, ..self }
+    }
+
+    /// With an arm that is controlled as players of exports do it. Its gains are set once, for the part at this orientation: their
+    /// axes do not turn with the part. Nobody balances Coriolis and centrifugal torques.
+    pub fn with_gains_set_for(self, orientation: UnitQuaternion<f64>) -> Self {
+        Self { set_for: Some(orientation), ..self }
     }
 
     /// One rollout of a reference per injection, grasp error or offset (m, body frame). Outcomes are in
@@ -229,6 +238,7 @@ impl Rollout {
         let Injection { grasp, disturbance } = injection;
         self.settings.validate_for(reference).ok().and(disturbance.validate().ok())?;
         let impedance = disturbance.impedance(grasp.impedance(&self.task.impedance));
+        let as_set = disturbance.impedance(self.task.impedance.clone()).rotational_damping;
         let (time_step, substeps) = self.settings.divide(reference.time_step());
         let solver = ContactSolver::new(self.settings.friction, self.reverses_friction);
         let most = if self.has_even_steps { 1 } else { substeps };
@@ -243,7 +253,8 @@ impl Rollout {
             Some((model, near)) => {
                 let control = (impedance, disturbance);
                 let stepper = ArmStepper::new(model, near, (start, grasp.believed()), control, &steps, solver);
-                stepper.map(|stepper| Plant::Arm(Box::new(stepper)))
+                let set = self.set_for.map(|orientation| (orientation, as_set));
+                stepper.map(|stepper| Plant::Arm(Box::new(stepper.with_damping_set_for(set))))
             }
         }
     }

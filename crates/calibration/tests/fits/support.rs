@@ -80,7 +80,7 @@ impl Workshop {
         let settings = Settings { friction: truth.friction, settling_time: 0.0, ..Settings::default() };
         let mut rollout = Rollout::new(&task, settings);
         if let Some(arm) = &truth.arm {
-            rollout = rollout.with_arm(arm).unwrap();
+            rollout = rollout.with_arm(arm).unwrap().with_gains_set_for(isometry(&task.goal).rotation);
         }
         let mut poses = vec![isometry(&reference.start())];
         rollout.play(reference, truth.grasp, |state, _| {

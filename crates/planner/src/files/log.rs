@@ -16,7 +16,7 @@ const FORMAT: u32 = 1;
 /// How far the norm of a quaternion may be from 1: other tools write few digits.
 const NORM: f64 = 1e-3;
 /// The phase in which the plan is executed.
-const PLAYING: &str = "playing";
+pub const PLAYING: &str = "playing";
 /// The phase with which a log ends unless the robot was stopped.
 pub const RESTING: &str = "resting";
 

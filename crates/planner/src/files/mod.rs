@@ -39,7 +39,7 @@ pub use checkpoint::Checkpoint;
 pub use coverage::{CoverageKind, CoverageRecord};
 pub use folder::PlanFolder;
 pub use grasp::GraspRecord;
-pub use log::{ExecutedState, PlayedRows, RESTING, read_log_header, read_played_rows};
+pub use log::{ExecutedState, PLAYING, PlayedRows, RESTING, read_log_header, read_played_rows};
 pub use manifest::{Cell, MANIFEST, Manifest};
 pub use motion::{Extreme, MotionRecord};
 pub use new_scene::write_new_scene;
