@@ -144,9 +144,9 @@ impl<'arm> ArmStepper<'arm> {
         self.inert = inert(&self.posture, &self.impedance, self.waiting);
     }
 
-    /// Torques (Nm or N) with which the controller balances Coriolis and centrifugal forces.
-    fn balance(&self) -> JointVector {
-        if self.set_for.is_some() { JointVector::zeros() } else { self.posture.bias }
+    /// Share of Coriolis and centrifugal forces that the controller balances.
+    fn balance(&self) -> f64 {
+        if self.set_for.is_some() { 0.0 } else { 1.0 }
     }
 
     /// Moves the body by one step, when `done` of the `count` shortest steps of an interval have been taken. `target` is the
@@ -185,7 +185,8 @@ impl<'arm> ArmStepper<'arm> {
         let Self { posture, impedance, .. } = self;
         let (time, time_step) = ((self.steps) as f64 * self.time_step, self.time_step);
         let command = || {
-            let wanted = posture.torque(impedance, &state.believed(&self.grasp), &state.velocity, target) + balance;
+            let wanted = posture.torque(impedance, &state.believed(&self.grasp), &state.velocity, target)
+                + posture.bias * balance;
             within_limits(self.arm, posture, wanted)
         };
         if !self.is_sampled {
@@ -226,12 +227,12 @@ impl<'arm> ArmStepper<'arm> {
         }
         let Some(mobility) = longer else { return TOO_LONG };
         let (believed, still) = (state.believed(&self.grasp), JointVector::zeros());
-        let wanted = posture.torque(impedance, &believed, &state.velocity, target) + balance;
+        let wanted = posture.torque(impedance, &believed, &state.velocity, target) + posture.bias * balance;
         if (within_limits(self.arm, posture, wanted) - wanted).amax() > ROUNDING {
             return TOO_LONG;
         }
         // The torques of damping and of what positions change by are in the mass matrix.
-        let torque = posture.torque(impedance, &believed, &still, target) + balance - posture.bias * self.heaviness;
+        let torque = posture.torque(impedance, &believed, &still, target) + posture.bias * (balance - self.heaviness);
         let carried: JointMatrix = self.inert * 2.0 - mobility.mass;
         let free = mobility.inverse * (carried * state.velocity + torque * time_step);
         let (before, radius) = (state.body, finder.radius());
