@@ -140,10 +140,10 @@ fn names_that_begin_with_a_dash_are_names() {
 fn numbers_of_flags_have_ranges() {
     let dir = folder();
     for (line, words) in [
-        ("new n.toml --offset 1e308", "must lie between 0 and 10 m"),
+        ("new n.toml --offset 1e308", "must lie above 0 and at or below 10 m"),
         ("new n.toml --contact-force 1e308", "must lie"),
         ("new n.toml --position-tolerance 1e-300", "must lie"),
-        ("simulate plan --random 18446744073709551615", "must be a whole number between 1 and 1000000000"),
+        ("simulate plan --random 18446744073709551615", "must be a whole number between 1 and 1000000"),
         ("simulate plan --random 0", "must be a whole number between 1"),
         ("simulate plan --random 1 --seed 18446744073709551616", "must be a whole number between 0 and"),
         ("solve scene.toml --robust --patience 18446744073709551616", "must be a whole number between 0 and"),

@@ -51,6 +51,8 @@ fn users_choose_how_much_is_said() {
     let quiet = dir.run("solve corner.toml --out quiet --quiet").code(0).stderr;
     assert!(!quiet.contains("homotopy iteration"), "{quiet}");
     dir.run("solve corner.toml --quiet --verbose").code(2).says("cannot be used with");
-    dir.run("solve corner.toml --out other --log no/such/log").code(3).says("--log no/such/log");
+    dir.run("solve corner.toml --out other --log no/such/log")
+        .code(2)
+        .says("--log no/such/log: its folder does not exist");
     assert!(!dir.exists("other/result.json"));
 }

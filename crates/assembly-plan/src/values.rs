@@ -1,5 +1,7 @@
 //! Numbers on the command line, each with its range.
 
+use std::ops::RangeInclusive;
+
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use export::Target;
 use scene::Axis;
@@ -83,23 +85,28 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     number(text, |number| number > 0.0 && number <= MOST, "must lie between 0 and 10000000 s")
 }
 
-/// A number that a key of scenes takes, as in `of_key("robustness.offset_magnitude")`.
+/// A number above zero that a key of scenes takes, as in `of_key("robustness.offset_magnitude")`.
 pub fn of_key(path: &'static str) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
     let (table, name) = path.split_once('.').unwrap_or(("", path));
     let key = scene::key(table, name);
     move |text| {
         let range = key.range().ok_or("takes no number")?;
+        let range = scene::Range { includes_low: range.low > 0.0, ..range };
         number(text, |number| range.contains(number), &format!("must lie {range} {}", key.unit))
     }
 }
 
-/// A whole number up to a billion.
-pub fn whole<N: TryFrom<u32>>(least: u32) -> impl Fn(&str) -> Result<N, String> + Clone + Send + Sync + 'static {
-    const MOST: u32 = 1_000_000_000;
+/// The largest whole number of flags that have no other limit.
+pub const BILLION: u32 = 1_000_000_000;
+
+/// A whole number.
+pub fn whole<N: TryFrom<u32>>(
+    range: RangeInclusive<u32>,
+) -> impl Fn(&str) -> Result<N, String> + Clone + Send + Sync + 'static {
     move |text| {
-        let number = text.parse().ok().filter(|number| (least..=MOST).contains(number));
+        let number = text.parse().ok().filter(|number| range.contains(number));
         let number = number.and_then(|number: u32| N::try_from(number).ok());
-        number.ok_or_else(|| format!("must be a whole number between {least} and {MOST}"))
+        number.ok_or_else(|| format!("must be a whole number between {} and {}", range.start(), range.end()))
     }
 }
 

@@ -109,10 +109,10 @@ pub struct RunArguments {
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
     /// Only the cells from this one, counted from 0 [default: HQ_TASK_ID or SLURM_ARRAY_TASK_ID, else all cells]
-    #[arg(long, value_name = "K", value_parser = values::whole::<usize>(0))]
+    #[arg(long, value_name = "K", value_parser = values::whole::<usize>(0..=values::BILLION))]
     pub index: Option<usize>,
     /// How many cells from --index
-    #[arg(long, value_name = "C", value_parser = values::whole::<usize>(1))]
+    #[arg(long, value_name = "C", value_parser = values::whole::<usize>(1..=values::BILLION))]
     pub count: Option<usize>,
     /// How many cells are solved at once, each by one thread [default: the number of cores]
     #[arg(short, long, value_name = "N", value_parser = values::jobs)]
@@ -133,7 +133,7 @@ pub struct SubmitArguments {
     #[arg(long)]
     pub now: bool,
     /// Cells per task of the array, solved one after the other
-    #[arg(long, value_name = "C", default_value = "1", value_parser = values::whole::<usize>(1))]
+    #[arg(long, value_name = "C", default_value = "1", value_parser = values::whole::<usize>(1..=values::BILLION))]
     pub count: usize,
     /// Options of sbatch, such as `-- --partition=long --time=2:00:00`
     #[arg(last = true, value_name = "SBATCH OPTIONS")]

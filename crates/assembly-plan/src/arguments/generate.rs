@@ -54,10 +54,10 @@ pub struct RandomArguments {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::seed)]
     seed: u64,
     /// Number of convex prisms
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::whole::<usize>(0))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::whole::<usize>(0..=values::BILLION))]
     prisms: usize,
     /// Number of sides of the peg
-    #[arg(long, value_name = "N", default_value_t = 6, value_parser = values::whole::<usize>(0))]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = values::whole::<usize>(0..=values::BILLION))]
     facets: usize,
     /// Diameter (m) of the circle that holds the section
     #[arg(long, value_name = "M", default_value_t = 0.09, value_parser = positive)]
@@ -80,7 +80,7 @@ pub struct RoundArguments {
 #[derive(Debug, Args)]
 pub struct FacetArguments {
     /// Number of sides of a round peg's prism
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = values::whole::<usize>(0))]
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = values::whole::<usize>(0..=values::BILLION))]
     facets: usize,
 }
 

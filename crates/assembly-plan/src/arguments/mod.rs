@@ -132,10 +132,10 @@ pub struct RobustArguments {
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub time_limit: Option<f64>,
     /// With --robust: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it
-    #[arg(long, value_name = "N", default_value_t = 150, value_parser = values::whole::<u32>(0), requires = "robust")]
+    #[arg(long, value_name = "N", default_value_t = 150, value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
     pub patience: u32,
     /// With --robust: try no more than this many changes in all
-    #[arg(long, hide = true, value_name = "N", value_parser = values::whole::<u32>(0), requires = "robust")]
+    #[arg(long, hide = true, value_name = "N", value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
     pub max_changes: Option<u32>,
     /// With --robust: Coulomb friction coefficients, such as 0,0.1 [default: the scene's]
     #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', value_parser = not_negative)]
@@ -159,7 +159,7 @@ pub struct SimulateArguments {
     pub folder: PathBuf,
     /// Play N random offsets of those that the scene covers, half of a disc or ball on its rim [default: the planned
     /// offsets themselves]
-    #[arg(long, value_name = "N", value_parser = values::whole::<u32>(1), group = "source")]
+    #[arg(long, value_name = "N", value_parser = values::whole::<u32>(1..=1_000_000), group = "source")]
     pub random: Option<u32>,
     #[command(flatten)]
     pub region: RegionArguments,
@@ -167,7 +167,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::seed)]
     pub seed: u64,
     /// Play a grid in the hull of the planned offsets, N intervals along each of its edges
-    #[arg(long, value_name = "N", value_parser = values::whole::<u32>(1), group = "source")]
+    #[arg(long, value_name = "N", value_parser = values::whole::<u32>(1..=1_000_000), group = "source")]
     pub grid: Option<u32>,
     /// Play the offsets of a CSV file with the header x_m,y_m,z_m (body frame)
     #[arg(long, value_name = "FILE", group = "source", conflicts_with = "magnitude")]
