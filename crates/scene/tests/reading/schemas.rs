@@ -153,7 +153,7 @@ fn wrong_homotopies_are_refused() {
 /// A scene in which every table is given, and nearly every key.
 fn complete() -> Value {
     let text = format!(
-        "{SCENE}[limits]\nforce = 100\n[robot]\napparent_inertia = {}\n",
+        "{SCENE}[limits]\nforce = 100\n[[gripper.part]]\nname = 'jaw'\nbox = [0.1, 0.1, 0.1]\n[robot]\napparent_inertia = {}\n",
         apparent_inertia([7.0, 7.0, 8.0, 1.0, 1.0, 1.0])
     );
     let scene = Scene::parse(Source { file: "test.toml".as_ref(), text: &text }).unwrap();
