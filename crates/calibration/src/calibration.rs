@@ -179,7 +179,7 @@ impl Outcome {
     }
 }
 
-/// The columns of so many that are not among some.
+/// All columns up to `count` that are not in `columns`.
 fn others(columns: &[usize], count: usize) -> Vec<usize> {
     (0..count).filter(|column| !columns.contains(column)).collect()
 }

@@ -33,7 +33,7 @@ pub struct CalibrationRecord {
 pub struct CovarianceRecord {
     /// Names, in the order of rows and columns.
     pub parameters: Vec<String>,
-    /// Their units; 1 is none.
+    /// Their units, in the same order; `1` for a parameter without a unit.
     pub units: Vec<&'static str>,
     /// The rows: an entry is in the unit of its row times that of its column.
     pub matrix: Vec<Vec<f64>>,

@@ -58,7 +58,7 @@ impl Run {
         Ok(run)
     }
 
-    /// Finds how far the robot is from its reference, at samples so many knots apart. In free air, the run ends where it swings: no
+    /// Finds how far the robot is from its reference, at every `every`-th knot. In free air, the run ends where it swings: no
     /// rollout follows a swing for long.
     fn compare_with_reference(&mut self, every: usize) {
         let believed: Vec<Isometry3<f64>> = self.samples.iter().map(|(_, pose)| *pose).collect();

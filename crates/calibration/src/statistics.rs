@@ -27,7 +27,7 @@ const FEWEST: usize = 4;
 const SMALLEST: f64 = 1e-12;
 
 impl Information {
-    /// Of residuals and derivatives of runs with so many samples, one after the other.
+    /// From residuals and their derivatives. `runs` has the number of samples of each run; their rows follow each other.
     pub fn new(jacobian: &Mat<f64>, residuals: &[f64], runs: &[usize]) -> Self {
         let shortest: Vec<Block> = blocks(runs, LENGTHS[0]).map(|rows| Block::new(jacobian, residuals, rows)).collect();
         let squares = residuals.iter().map(|residual| residual * residual).sum::<f64>();
@@ -99,7 +99,7 @@ impl Block {
     }
 }
 
-/// Rows of the blocks of so many samples, within runs.
+/// Rows of blocks of `length` samples. No block spans two runs.
 fn blocks(runs: &[usize], length: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
     let mut first = 0;
     runs.iter().flat_map(move |&samples| {

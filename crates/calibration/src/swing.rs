@@ -4,8 +4,8 @@ use nalgebra::Isometry3;
 
 use crate::deviation::{COMPONENTS, deviation};
 
-/// A robot that leaves its reference so many times as fast as that has moved lately is swinging: a joint that has stuck slips more
-/// slowly.
+/// A robot swings if it leaves its reference faster than this factor times the reference's recent speed. A joint that slips after
+/// sticking is slower.
 const TIMES: f64 = 3.0;
 /// Number of poses that are late: a lag has gone after so many.
 const LATELY: usize = 100;

@@ -65,13 +65,7 @@ impl FreeAir {
                 let held = Held::along(robot, &problem.task().impedance, &course);
                 held.distance <= LARGEST_HELD.distance
                     && held.angle <= LARGEST_HELD.angle
-                    && is_free(
-                        course
-                            .configurations
-                            .iter()
-                            .map(|configuration| Frames::of_arm(robot, configuration))
-                            .collect(),
-                    )
+                    && is_free(Frames::along(robot, &course.configurations))
             })
         };
         let start_clearance_m = (0..=(HIGHEST / CLEARANCES) as usize)

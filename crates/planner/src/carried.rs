@@ -6,6 +6,8 @@ use robot::JointVector;
 use scene::{Carrier, Scene};
 use simulation::coordinates;
 
+use crate::clearance::bounds;
+
 /// Overlap (m) that is rounding.
 const ROUNDING: f64 = 1e-6;
 
@@ -37,9 +39,14 @@ pub struct Frames {
 
 impl Frames {
     /// Of the arm of a scene at joint positions (rad or m).
-    pub fn of_arm(robot: &scene::Robot, configuration: &JointVector) -> Self {
+    fn of_arm(robot: &scene::Robot, configuration: &JointVector) -> Self {
         let grasp = simulation::isometry(&robot.grasp);
         Self { links: robot.arm.link_poses(configuration), tip: robot.arm.pose(configuration) * grasp.inverse() }
+    }
+
+    /// Of the arm of a scene along its joint positions.
+    pub fn along(robot: &scene::Robot, configurations: &[JointVector]) -> Vec<Self> {
+        configurations.iter().map(|configuration| Self::of_arm(robot, configuration)).collect()
     }
 
     /// Without an arm: the gripper where the robot believes the body to be.
@@ -73,7 +80,7 @@ impl<'scene> CarriedWorld<'scene> {
                     part,
                     shapes: Pair::new(shape.shape.clone(), other.shape.clone()),
                     ball,
-                    bounds: bounds(other.shape.vertices()),
+                    bounds: bounds(other.shape.vertices(), |vertex| vertex),
                 })
             })
             .collect();
@@ -142,16 +149,8 @@ impl CarriedPair {
     }
 }
 
-fn bounds(points: &[[f64; 3]]) -> [Vector3<f64>; 2] {
-    let start = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
-    points.iter().fold(start, |[low, high], point| {
-        let point = Vector3::from(*point);
-        [low.inf(&point), high.sup(&point)]
-    })
-}
-
 fn ball(points: &[[f64; 3]]) -> (Point3<f64>, f64) {
-    let [low, high] = bounds(points);
+    let [low, high] = bounds(points, |point| point);
     let center = Point3::from((low + high) / 2.0);
     (center, points.iter().map(|point| (Point3::from(*point) - center).norm()).fold(0.0, f64::max))
 }

@@ -99,7 +99,7 @@ impl<'task> Clearance<'task> {
 }
 
 /// Lowest and highest corner of the box around some points.
-fn bounds(points: &[[f64; 3]], place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> [Vector3<f64>; 2] {
+pub fn bounds(points: &[[f64; 3]], place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> [Vector3<f64>; 2] {
     let start = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
     points
         .iter()

@@ -25,8 +25,7 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
     let courses: Result<Vec<ArmCourse>, _> = trajectory.scenarios.iter().map(course).collect();
     match courses {
         Ok(courses) => {
-            let frames =
-                |course: &ArmCourse| course.configurations.iter().map(|it| Frames::of_arm(robot, it)).collect();
+            let frames = |course: &ArmCourse| Frames::along(robot, &course.configurations);
             let meeting = meeting(plan, courses.iter().map(frames));
             torque(robot, trajectory.time_step, &courses).into_iter().chain(meeting).collect()
         }

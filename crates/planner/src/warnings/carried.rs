@@ -34,10 +34,7 @@ fn straight(problem: &Problem) -> Option<Vec<Frames>> {
     let (scene, start) = (problem.scene(), problem.start());
     let index = scene.starts.iter().position(|other| other.name == start.name)?;
     match &scene.robot {
-        Some(robot) => {
-            let way = robot.ways.get(index)?;
-            Some(way.configurations.iter().map(|configuration| Frames::of_arm(robot, configuration)).collect())
-        }
+        Some(robot) => Some(Frames::along(robot, &robot.ways.get(index)?.configurations)),
         None => {
             let [goal, start]: [Isometry3<f64>; 2] = [isometry(&scene.goal), isometry(&start.pose)];
             let pose = |index: usize| interpolate(&goal, &start, index as f64 / (POSES - 1) as f64);
