@@ -4,12 +4,12 @@
 use std::fmt;
 
 use collision::Polytope;
-use link::{Geometry, LinkShape, Model};
-use mesh::TriangleMesh;
+use link::{LinkShape, Model};
 use nalgebra::{Isometry3, Point3};
 
 use crate::error::SceneError;
 use crate::file::read_text;
+use crate::model::triangles;
 use crate::part::{GivenPart, Part, Shape, given_parts};
 use crate::robot::Robot;
 use crate::table::Table;
@@ -123,16 +123,7 @@ fn links(robot: &Robot) -> Result<Vec<LinkShapes>, String> {
 
 /// The convex hull of a collision shape in the frame of its link.
 fn hull(shape: &LinkShape) -> Result<Polytope, String> {
-    let mesh = match &shape.geometry {
-        Geometry::Box { edges } => TriangleMesh::cuboid(*edges),
-        Geometry::Cylinder { radius, length } => TriangleMesh::cylinder(*radius, *length),
-        Geometry::Mesh { file, scale } => TriangleMesh::read(file, *scale),
-    };
-    let mesh = mesh.map_err(|error| match &shape.geometry {
-        Geometry::Mesh { file, .. } => format!("mesh {}: {error}", file.display()),
-        _ => error.to_string(),
-    })?;
-    hull_of(mesh.corners(), &shape.pose)
+    hull_of(triangles(shape)?.corners(), &shape.pose)
 }
 
 fn hull_of(points: impl Iterator<Item = [f64; 3]>, placement: &Isometry3<f64>) -> Result<Polytope, String> {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use collision::{Pair, Polytope};
 use link::{Geometry, Link, LinkShape, Model, ModelError};
-use mesh::{Solid, TriangleMesh};
+use mesh::{MeshError, Solid, TriangleMesh};
 use nalgebra::{Isometry3, Point3};
 
 use crate::boxes::corners_of;
@@ -130,15 +130,25 @@ fn chosen<'links, 'model>(
 
 /// The surface of a shape in its own frame.
 fn solid(shape: &LinkShape) -> Result<Solid, String> {
+    Solid::of(&triangles(shape)?).map_err(|error| explained(shape, &error))
+}
+
+/// The triangles of a shape in its own frame, closed or not.
+pub fn triangles(shape: &LinkShape) -> Result<TriangleMesh, String> {
     let mesh = match &shape.geometry {
         Geometry::Box { edges } => TriangleMesh::cuboid(*edges),
         Geometry::Cylinder { radius, length } => TriangleMesh::cylinder(*radius, *length),
-        Geometry::Mesh { file, scale } => {
-            let solid = TriangleMesh::read(file, *scale).and_then(|mesh| Solid::of(&mesh));
-            return solid.map_err(|error| format!("mesh {}: {error}", file.display()));
-        }
+        Geometry::Mesh { file, scale } => TriangleMesh::read(file, *scale),
     };
-    mesh.and_then(|mesh| Solid::of(&mesh)).map_err(|error| error.to_string())
+    mesh.map_err(|error| explained(shape, &error))
+}
+
+/// An error with the file of the shape, if it has one.
+fn explained(shape: &LinkShape, error: &MeshError) -> String {
+    match &shape.geometry {
+        Geometry::Mesh { file, .. } => format!("mesh {}: {error}", file.display()),
+        _ => error.to_string(),
+    }
 }
 
 /// Refuses shapes whose boxes overlap: their material would be counted twice.
