@@ -1,4 +1,4 @@
-"""Solves scenes with --robust, plays the plans in MuJoCo and writes docs/robustness.md, or docs/robustness-arm.md."""
+"""Solves scenes with --robust, plays the plans in MuJoCo and writes docs/experiments/robustness*.md."""
 
 import argparse
 import json
@@ -51,7 +51,8 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument(
         "--friction",
         metavar="LIST",
-        help="plan and play with these friction coefficients, 0.0,0.1 for example, and write docs/robustness-low-friction.md",
+        help="plan and play with these friction coefficients, 0.0,0.1 for example, and write "
+        "docs/experiments/robustness-low-friction.md",
     )
     parser.add_argument("--no-run", action="store_true", help="only write the page, from what is in out/")
     parser.add_argument(
@@ -60,8 +61,8 @@ def parse_arguments() -> argparse.Namespace:
         action="append",
         default=[],
         metavar="FILE",
-        help="plan for the [robot] table of this TOML file, let the whole arm play, and write docs/robustness-arm.md; "
-        "may be repeated",
+        help="plan for the [robot] table of this TOML file, let the whole arm play, and write "
+        "docs/experiments/robustness-arm.md; may be repeated",
     )
     parser.add_argument("--starts", type=int, metavar="N", help="only the first N starts of each scene [default: all]")
     return parser.parse_args()
@@ -144,7 +145,7 @@ def free_bodies(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
     everything = cases(root, [], out)
     done = [case for case in everything if case.is_played()]
     missing = [case for case in everything if case not in done]
-    return root / f"docs/{name}.md", page(arguments, frictions, done, missing)
+    return root / f"docs/experiments/{name}.md", page(arguments, frictions, done, missing)
 
 
 def arms(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
@@ -154,7 +155,7 @@ def arms(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
             print(f"{arm.stem}: {case.label()}", file=sys.stderr)
             robust_arm.make(arguments, arm, case)
     everything = {arm: cases(arguments.root, [], f"out/robust-arm/{arm.stem}") for arm in arguments.arm}
-    return arguments.root / "docs/robustness-arm.md", robust_arm.page(arguments, everything)
+    return arguments.root / "docs/experiments/robustness-arm.md", robust_arm.page(arguments, everything)
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""Robust plans for arms, played by the whole arms: docs/robustness-arm.md."""
+"""Robust plans for arms, played by the whole arms: docs/experiments/robustness-arm.md."""
 
 import argparse
 import json
@@ -30,7 +30,7 @@ Starts of the scenes, planned by `solve --robust --friction {frictions} --turn {
 contact force of at most 60 N (`[limits]`), with gains that the program chose for it, and then played in MuJoCo by the whole
 arm: rotor inertia, gravity, joint friction, torques held for a control period. Each plan is played with {count} random offsets in
 the hull of the planned ones at each of 0, 50 and 95 % of delta-hat, the part turned in the gripper by up to {turn} rad about any
-axis (`scripts/validate_mujoco --arm --seed {seed}`: [validation.md](validation.md#the-whole-arm)). The
+axis (`scripts/validate_mujoco --arm --seed {seed}`: [validation.md](../guide/validation.md#the-whole-arm)). The
 push is an unplanned straight motion with the same gains and in the same time, without contact friction.
 `scripts/robust-all{arms}` repeats all of it and writes this page.
 

@@ -18,13 +18,25 @@ fn project(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap().join(name)
 }
 
-/// The README and the pages in `docs/`, but for those that scripts write.
-fn pages() -> Vec<Page> {
-    let mut files = vec![project("README.md")];
-    files.extend(fs::read_dir(project("docs")).unwrap().map(|entry| entry.unwrap().path()));
+/// The pages in some folders.
+fn pages_in(folders: &[&str]) -> Vec<Page> {
+    let entries = folders.iter().flat_map(|folder| fs::read_dir(project(folder)).unwrap());
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     files.retain(|file| file.extension().is_some_and(|extension| extension == "md"));
     files.sort();
     files.into_iter().map(Page::read).collect()
+}
+
+/// The manual: the README and all pages in `docs/`, except for the notebook of experiments.
+fn pages() -> Vec<Page> {
+    let mut pages = vec![page("README.md")];
+    pages.extend(pages_in(&["docs", "docs/guide", "docs/reference", "docs/concepts"]));
+    pages
+}
+
+/// The notebook of experiments.
+fn notebook() -> Vec<Page> {
+    pages_in(&["docs/experiments", "docs/experiments/reproduction"])
 }
 
 fn page(name: &str) -> Page {
@@ -42,8 +54,8 @@ fn sandbox() -> tempfile::TempDir {
         }
     }
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
-    write("my.toml", &page("docs/scene.md").blocks_of("toml")[0]);
-    write("my_homotopy.toml", &page("docs/homotopy.md").blocks_of("toml")[0]);
+    write("my.toml", &page("docs/reference/scene.md").blocks_of("toml")[0]);
+    write("my_homotopy.toml", &page("docs/reference/homotopy.md").blocks_of("toml")[0]);
     write("housing.stl", TETRAHEDRON);
     write("socket.stl", TETRAHEDRON);
     fs::create_dir(folder.path().join("SC_Plug")).unwrap();
@@ -186,7 +198,7 @@ fn merged(scene: &toml::Table, fragment: &toml::Table) -> toml::Table {
 
 #[test]
 fn links_lead_somewhere() {
-    for page in pages() {
+    for page in pages().into_iter().chain(notebook()) {
         for link in page.links() {
             if link.starts_with("http") {
                 continue;
@@ -205,9 +217,9 @@ fn links_lead_somewhere() {
 #[test]
 fn every_page_is_in_the_index() {
     let index = page("docs/README.md").links();
-    for page in pages() {
-        let name = page.name();
-        assert!(name == "README.md" || index.contains(&name), "{name}");
+    for page in pages_in(&["docs/guide", "docs/reference", "docs/concepts", "docs/experiments"]) {
+        let link = page.file.strip_prefix(project("docs")).unwrap().to_str().unwrap();
+        assert!(index.iter().any(|known| known == link), "{link}");
     }
 }
 
@@ -306,17 +318,17 @@ fn documents_header(page: &Page, file: &Path) {
 #[test]
 fn columns_of_tables_are_documented() {
     let sandbox = sandbox();
-    let results = page("docs/results.md");
+    let results = page("docs/reference/results.md");
     for name in ["reference.csv", "scenarios.csv", "wrench.csv", "contacts.csv"] {
         documents_header(&results, &sandbox.path().join("out/corner").join(name));
     }
     run(sandbox.path(), &["simulate", "scenes/corner.toml", "out/corner"]);
     for name in ["rollouts.csv", "success.csv"] {
-        documents_header(&page("docs/validation.md"), &sandbox.path().join("out/corner").join(name));
+        documents_header(&page("docs/guide/validation.md"), &sandbox.path().join("out/corner").join(name));
     }
     run(sandbox.path(), &["batch", "expand", "scenes/corner.toml", "--out", "runs/corner"]);
     run(sandbox.path(), &["batch", "collect", "runs/corner"]);
-    documents_header(&page("docs/batches.md"), &sandbox.path().join("runs/corner/cells.csv"));
+    documents_header(&page("docs/guide/batches.md"), &sandbox.path().join("runs/corner/cells.csv"));
 }
 
 #[test]
@@ -326,8 +338,8 @@ fn settings_of_the_homotopy_are_those_of_the_scene_page() {
         tables[0].1.iter().map(|row| row[..4].to_vec()).collect()
     };
     assert_eq!(
-        settings(page("docs/homotopy.md"), "settings"),
-        settings(page("docs/scene.md"), "keys of homotopy"),
+        settings(page("docs/reference/homotopy.md"), "settings"),
+        settings(page("docs/reference/scene.md"), "keys of homotopy"),
         "key, values, unit, default"
     );
 }
@@ -335,7 +347,7 @@ fn settings_of_the_homotopy_are_those_of_the_scene_page() {
 #[test]
 fn functions_of_the_method_exist() {
     let mut count = 0;
-    for (_, rows) in page("docs/method.md").marked_tables("functions") {
+    for (_, rows) in page("docs/concepts/method.md").marked_tables("functions") {
         for row in rows {
             let [.., crates, functions] = row.as_slice() else { panic!("{row:?}") };
             let source: String =
@@ -369,7 +381,7 @@ fn sources(folder: &Path) -> String {
 #[test]
 fn the_table_of_crates_is_that_of_the_workspace() {
     let mut documented = Vec::new();
-    for row in &page("docs/architecture.md").marked_tables("crates")[0].1 {
+    for row in &page("docs/concepts/architecture.md").marked_tables("crates")[0].1 {
         documented.push((spans(&row[0])[0].clone(), spans(&row[2])));
     }
     let mut crates = Vec::new();

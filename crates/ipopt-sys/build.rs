@@ -3,7 +3,8 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-const FIX: &str = "On Debian: apt-get install coinor-libipopt-dev libclang-dev pkg-config. Elsewhere: docs/install.md";
+const FIX: &str =
+    "On Debian: apt-get install coinor-libipopt-dev libclang-dev pkg-config. Elsewhere: docs/guide/install.md";
 
 fn main() {
     let library = probe();

@@ -92,7 +92,7 @@ def main() -> None:
     arguments = parse_arguments()
     root = arguments.root
     out = root / "out" / ("growth-quick" if arguments.quick else "growth")
-    folder = out / "figures" if arguments.quick else root / "docs/growth"
+    folder = out / "figures" if arguments.quick else root / "docs/experiments/growth"
     folder.mkdir(parents=True, exist_ok=True)
     table = folder / "growth.csv"
     if not arguments.no_run:

@@ -1,4 +1,4 @@
-"""Plans pairs of parts with `solve --robust`, plays the plans in MuJoCo and writes docs/real-parts.md."""
+"""Plans pairs of parts with `solve --robust`, plays the plans in MuJoCo and writes docs/experiments/real-parts.md."""
 
 import argparse
 import csv
@@ -218,7 +218,7 @@ def main() -> None:
             run(arguments, pair, out)
     parts = "\n".join(part_row(pair, out) for pair, out in zip(pairs, folders))
     plans = HEADER + "\n".join(plan_row(pair, out) for pair, out in zip(pairs, folders))
-    page = arguments.root / "docs/real-parts.md"
+    page = arguments.root / "docs/experiments/real-parts.md"
     settings = {"jobs": arguments.jobs, "time_limit": arguments.time_limit, "count": arguments.count}
     notes = "\n".join(f"- {pair['name']}: {pair['note']}" for pair in pairs if "note" in pair)
     page.write_text(PAGE.format(parts=parts, plans=plans, notes=notes, **settings))

@@ -31,7 +31,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--jobs", type=int, default=1, help="plans solved at once; more make wall times larger [default: 1]")
     parser.add_argument("--quick", action="store_true", help="only the first plan of every study, a few minutes")
     parser.add_argument("--no-run", action="store_true", help="solve and measure nothing, only write what there is")
-    parser.add_argument("--out", type=pathlib.Path, help="folder of the pages [default: docs/reproduction, with --quick out/reproduction/pages]")
+    parser.add_argument("--out", type=pathlib.Path, help="folder of the pages [default: docs/experiments/reproduction, with --quick out/reproduction/pages]")
     arguments = parser.parse_args()
     unknown = [page for page in arguments.pages if page not in PAGES]
     if unknown:
@@ -100,7 +100,7 @@ def main() -> None:
     if not arguments.no_run:
         run(names, arguments.jobs, arguments.quick)
     quick_folder = studies.RUNS / "pages"
-    write(arguments.out or (quick_folder if arguments.quick else studies.ROOT / "docs/reproduction"))
+    write(arguments.out or (quick_folder if arguments.quick else studies.ROOT / "docs/experiments/reproduction"))
 
 
 main()

@@ -54,7 +54,7 @@ fn every_key_of_a_result_is_documented_and_no_other() {
     real.extend(["time_s", "step", "pair"].map(|key| format!("scenarios[].max_penetration_at.{key}")));
 
     let mut documented = BTreeSet::new();
-    for (prefixes, rows) in page("docs/results.md").marked_tables("keys of ") {
+    for (prefixes, rows) in page("docs/reference/results.md").marked_tables("keys of ") {
         for prefix in prefixes.split(", ") {
             for row in &rows {
                 let key = &spans(&row[0])[0];
@@ -63,7 +63,7 @@ fn every_key_of_a_result_is_documented_and_no_other() {
         }
     }
     let undocumented: Vec<&String> = real.difference(&documented).collect();
-    assert!(undocumented.is_empty(), "not in docs/results.md: {undocumented:?}");
+    assert!(undocumented.is_empty(), "not in docs/reference/results.md: {undocumented:?}");
     let invented: Vec<&String> = documented.difference(&real).collect();
     assert!(invented.is_empty(), "not in result.json: {invented:?}");
 }

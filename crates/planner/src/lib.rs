@@ -103,7 +103,7 @@ pub use success_table::{SuccessGroup, SuccessTable};
 pub use tolerance::ChosenTolerance;
 pub use variant::Variant;
 
-/// The examples of `docs/library.md` compile.
+/// The examples of `docs/reference/library.md` compile.
 #[cfg(doctest)]
-#[doc = include_str!("../../../docs/library.md")]
+#[doc = include_str!("../../../docs/reference/library.md")]
 struct LibraryPage;

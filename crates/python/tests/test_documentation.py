@@ -61,7 +61,7 @@ def test_help_renders() -> None:
     assert "offset magnitude (m)" in shown
 
 
-@pytest.mark.parametrize("page", ["docs/python.md", "README.md", "crates/python/README.md"])
+@pytest.mark.parametrize("page", ["docs/reference/python.md", "README.md", "crates/python/README.md"])
 def test_python_in_pages_runs(page: str, tmp_path: Path) -> None:
     (tmp_path / "scenes").symlink_to(ROOT / "scenes")
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)

@@ -52,7 +52,7 @@ pub enum DraftShape {
 const HELP: &str = "\
 #
 # Lengths are in metres, orientations are quaternions [w, x, y, z]. `assembly-plan check` explains this file,
-# `assembly-plan solve` plans it, docs/scene.md lists all keys. To use a line that begins with #key, remove the #.
+# `assembly-plan solve` plans it, docs/reference/scene.md lists all keys. To use a line that begins with #key, remove the #.
 
 # name of the scene in results; without it, the name of this file
 #title = \"my scene\"

@@ -27,7 +27,7 @@ impl Problem {
         if self.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {
             warnings.push(format!(
                 "this Ipopt {IPOPT_VERSION} exports no function to register linear_solver = \"stage\"; MUMPS is used, which \
-                 is several times slower. Build with a shared library of Ipopt 3.11 or newer (docs/install.md)"
+                 is several times slower. Build with a shared library of Ipopt 3.11 or newer (docs/guide/install.md)"
             ));
         }
         warnings

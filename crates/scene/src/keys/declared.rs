@@ -82,7 +82,7 @@ pub const KEYS: &[Key] = &[
     key("part", "orientation", Quaternion, "", Means("`[1, 0, 0, 0]`"), "turns the part about its origin"),
 
     key("contact", "pairs", Pairs(1..=10_000), "", Means("every body part with every environment part"), "pairs that may touch: a body part and an environment part, each pair once"),
-    key("contact", "friction", NumberOrNumbers(Range::closed(0.0, 2.0), 1..=5), "", Default(0.0), "Coulomb's coefficient of friction in the plan, or several that it tolerates at once; [what it does](friction.md)"),
+    key("contact", "friction", NumberOrNumbers(Range::closed(0.0, 2.0), 1..=5), "", Default(0.0), "Coulomb's coefficient of friction in the plan, or several that it tolerates at once; [what it does](../concepts/friction.md)"),
 
     key("start", "name", Name, "", Refused, "unique name of the start, for `--start`"),
     key("start", "position", Vector(COORDINATE), "m", Refused, "position of the body's frame in the world"),

@@ -1,5 +1,5 @@
 //! The keys of scene and homotopy files, declared once: validation reads its ranges and defaults here, and the tables
-//! of `docs/scene.md` are made of the same declarations.
+//! of `docs/reference/scene.md` are made of the same declarations.
 
 mod declared;
 mod options;

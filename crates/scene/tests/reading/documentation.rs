@@ -1,4 +1,4 @@
-//! `docs/scene.md` says what the program does. `UPDATE_DOCS=1 cargo test -p scene` writes its tables.
+//! `docs/reference/scene.md` says what the program does. `UPDATE_DOCS=1 cargo test -p scene` writes its tables.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ const BEGIN: &str = "<!-- keys of ";
 const END: &str = "<!-- end of keys -->";
 
 fn page() -> String {
-    std::fs::read_to_string(folder("docs/scene.md")).unwrap()
+    std::fs::read_to_string(folder("docs/reference/scene.md")).unwrap()
 }
 
 /// The tables that a page has a place for, each with the text from its mark to the end mark.
@@ -47,9 +47,9 @@ fn the_tables_of_the_page_are_those_of_the_program() {
         right = right.replace(&format!("{begin}{text}{END}"), &format!("{begin}{}{END}", table(name)));
     }
     if std::env::var_os("UPDATE_DOCS").is_some() {
-        std::fs::write(folder("docs/scene.md"), right).unwrap();
+        std::fs::write(folder("docs/reference/scene.md"), right).unwrap();
     } else {
-        assert!(page == right, "docs/scene.md is old: UPDATE_DOCS=1 cargo test -p scene writes it");
+        assert!(page == right, "docs/reference/scene.md is old: UPDATE_DOCS=1 cargo test -p scene writes it");
     }
 }
 
