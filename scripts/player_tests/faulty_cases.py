@@ -1,4 +1,4 @@
-"""Faults, and how every player ends with them: the rows of the table in docs/guide/export.md."""
+"""Faults, and how every player ends with them: the rows of the table in docs/reference/players.md."""
 
 import dataclasses
 import pathlib

@@ -1,5 +1,5 @@
 """Plays recorded plans with every player on a simulated arm, and makes faults of all kinds: `main.py [--write-table] [WORD...]` plays
-the cases with one of these words, or all; the table of faults is written into docs/guide/export.md when all are right.
+the cases with one of these words, or all; the table of faults is written into docs/reference/players.md when all are right.
 `main.py --good-runs N` plays N motions without a fault, with random grasp errors, none of which a guard may stop."""
 
 import concurrent.futures
@@ -301,7 +301,7 @@ def main() -> int:
         for case, problem in zip(cases, played):
             failures += report(case.name, problem)
     if is_for_page and not failures:
-        write_table(ROOT / "docs/guide/export.md")
+        write_table(ROOT / "docs/reference/players.md")
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     print(
         f"{len(cases)} cases, {failures} failures, {time.monotonic() - begin:.0f} s, of which processors worked "
