@@ -324,7 +324,7 @@ fn columns_of_tables_are_documented() {
     }
     run(sandbox.path(), &["simulate", "scenes/corner.toml", "out/corner"]);
     for name in ["rollouts.csv", "success.csv"] {
-        documents_header(&page("docs/guide/validation.md"), &sandbox.path().join("out/corner").join(name));
+        documents_header(&page("docs/reference/simulate.md"), &sandbox.path().join("out/corner").join(name));
     }
     run(sandbox.path(), &["batch", "expand", "scenes/corner.toml", "--out", "runs/corner"]);
     run(sandbox.path(), &["batch", "collect", "runs/corner"]);
