@@ -1,6 +1,7 @@
 """Solves scenes with --robust, plays the plans in MuJoCo and writes docs/experiments/robustness*.md."""
 
 import argparse
+import datetime
 import json
 import pathlib
 import sys
@@ -17,6 +18,8 @@ TIME_LIMIT = "120"
 
 PAGE = """\
 # Robust plans, played in MuJoCo
+
+*Lab notebook, written on {date}.*
 
 Every start of every scene, planned by `solve --robust{asked} --time-limit {limit}` and then played in MuJoCo with frictions
 {frictions} by `scripts/validate_mujoco --seed {seed}`: {count} random offsets in the hull of the planned ones at each of
@@ -111,6 +114,7 @@ def page(arguments: argparse.Namespace, frictions: tuple[str, ...], done: list[C
     options = f" --friction {arguments.friction} --count {arguments.count}" if arguments.friction else ""
     before, after = ["plan", "own rollouts, plain -> robust, %", "changes"], ["push", "largest error, mm", "force, N"]
     return PAGE.format(
+        date=datetime.date.today().isoformat(),
         asked=f" --friction {','.join(shown)}" if arguments.friction else "",
         frictions=" and ".join([", ".join(shown[:-1]), shown[-1]]),
         options=options,

@@ -1,6 +1,7 @@
 """Robust plans for arms, played by the whole arms: docs/experiments/robustness-arm.md."""
 
 import argparse
+import datetime
 import json
 import pathlib
 import re
@@ -25,6 +26,8 @@ REPLACED = re.compile(r"(mass|inertia|(translational|rotational)_(stiffness|damp
 
 PAGE = """\
 # Robust plans, played by whole arms
+
+*Lab notebook, written on {date}.*
 
 Starts of the scenes, planned by `solve --robust --friction {frictions} --turn {turn} --time-limit {limit}` for an arm with a
 contact force of at most 60 N (`[limits]`), with gains that the program chose for it, and then played in MuJoCo by the whole
@@ -138,6 +141,7 @@ def section(arm: pathlib.Path, cases: list[Case]) -> str:
 def page(arguments: argparse.Namespace, cases: dict[pathlib.Path, list[Case]]) -> str:
     """Everything as Markdown."""
     return PAGE.format(
+        date=datetime.date.today().isoformat(),
         arms="".join(f" --arm {arm}" for arm in cases),
         frictions=",".join(FRICTIONS),
         limit=TIME_LIMIT,

@@ -2,6 +2,7 @@
 
 import argparse
 import csv
+import datetime
 import json
 import math
 import os
@@ -38,6 +39,8 @@ turn = {turn}
 """
 PAGE = """\
 # Real parts
+
+*Lab notebook, written on {date}.*
 
 Pairs of parts from public repositories (`scripts/real_parts/manifest.toml`), planned by `solve --robust` with nothing
 but the two files, their unit, start, goal, offsets and turns; other settings of a part are listed below. Stiffness, horizon,
@@ -221,7 +224,7 @@ def main() -> None:
     page = arguments.root / "docs/experiments/real-parts.md"
     settings = {"jobs": arguments.jobs, "time_limit": arguments.time_limit, "count": arguments.count}
     notes = "\n".join(f"- {pair['name']}: {pair['note']}" for pair in pairs if "note" in pair)
-    page.write_text(PAGE.format(parts=parts, plans=plans, notes=notes, **settings))
+    page.write_text(PAGE.format(date=datetime.date.today().isoformat(), parts=parts, plans=plans, notes=notes, **settings))
     print(f"written to {page}")
 
 

@@ -1,6 +1,7 @@
 """Repeats the paper's experiments and writes pages and figures of what came out."""
 
 import argparse
+import datetime
 import os
 import pathlib
 import sys
@@ -73,6 +74,7 @@ def write(folder: pathlib.Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     index = Page(folder, "README", "The paper's experiments, repeated")
     index.text(
+        f"*Lab notebook, written on {datetime.date.today().isoformat()}.*",
         """*Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order Derivatives* (Dietz et
         al.), with our numbers beside the paper's where it gives any. `scripts/reproduce` runs everything and writes these
         pages; `--quick` tries one plan of each study.""",
