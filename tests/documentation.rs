@@ -27,9 +27,9 @@ fn pages_in(folders: &[&str]) -> Vec<Page> {
     files.into_iter().map(Page::read).collect()
 }
 
-/// The manual: the README and all pages in `docs/`, except for the notebook of experiments.
+/// The manual: README, CONTRIBUTING and all pages in `docs/`, except for the notebook of experiments.
 fn pages() -> Vec<Page> {
-    let mut pages = vec![page("README.md")];
+    let mut pages = vec![page("README.md"), page("CONTRIBUTING.md")];
     pages.extend(pages_in(&["docs", "docs/guide", "docs/reference", "docs/concepts"]));
     pages
 }
@@ -399,7 +399,20 @@ fn the_table_of_crates_is_that_of_the_workspace() {
 }
 
 #[test]
-fn the_readme_is_short() {
-    let lines = page("README.md").text.lines().count();
-    assert!(lines <= 130, "{lines} lines");
+fn pages_that_everybody_reads_are_short() {
+    for (name, largest) in [("README.md", 130), ("CONTRIBUTING.md", 90), ("docs/concepts/robust-plans.md", 150)] {
+        let lines = page(name).text.lines().count();
+        assert!(lines <= largest, "{name} has {lines} lines");
+    }
+}
+
+/// What was tried and measured belongs into the notebook.
+#[test]
+fn the_manual_speaks_of_now() {
+    for page in pages_in(&["docs/guide", "docs/reference", "docs/concepts"]) {
+        let prose = page.prose().to_lowercase();
+        for words in ["no longer", "not kept", "earlier version", "older version", "at first"] {
+            assert!(!prose.contains(words), "{}: {words}", page.name());
+        }
+    }
 }
