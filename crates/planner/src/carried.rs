@@ -1,5 +1,7 @@
 //! Whether the arm and the gripper meet the environment.
 
+use std::fmt;
+
 use collision::Pair;
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot::JointVector;
@@ -62,10 +64,21 @@ pub struct Meeting {
     pub carried: String,
     /// Name of the part of the environment.
     pub part: String,
-    /// m
+    /// m; infinite where it cannot be computed.
     pub depth: f64,
     /// Index of the frames.
     pub at: usize,
+}
+
+impl fmt::Display for Meeting {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { carried, part, depth, .. } = self;
+        if depth.is_finite() {
+            write!(f, "{carried} overlaps `{part}` by {:.1} mm", 1e3 * depth)
+        } else {
+            write!(f, "the distance between {carried} and `{part}` cannot be computed")
+        }
+    }
 }
 
 impl<'scene> CarriedWorld<'scene> {
@@ -210,6 +223,17 @@ mod tests {
             ("part `jaw` of the gripper", "shelf", 2)
         );
         assert!((meeting.depth - 0.01).abs() < 1e-9, "{meeting:?}");
+        assert_eq!(meeting.to_string(), "part `jaw` of the gripper overlaps `shelf` by 10.0 mm");
+    }
+
+    #[test]
+    fn a_distance_that_cannot_be_computed_is_said_without_a_number() {
+        let scene = Scene::parse(Source { file: Path::new("scene.toml"), text: TEXT }).unwrap();
+        let meeting = CarriedWorld::new(&scene).unwrap().meeting(&[at(f64::NAN, 0.05)]).unwrap();
+        assert_eq!(
+            meeting.to_string(),
+            "the distance between part `jaw` of the gripper and `shelf` cannot be computed"
+        );
     }
 
     #[test]

@@ -5,7 +5,7 @@ use simulation::isometry;
 use task::{ScenarioTrajectory, pose_of};
 
 use crate::arm_course::ArmCourse;
-use crate::carried::{CarriedWorld, Frames, Meeting};
+use crate::carried::{CarriedWorld, Frames};
 use crate::plan::Plan;
 
 /// Poses, speeds and torques that the arm cannot have, in the motions of all scenarios, and where it or the gripper meets the
@@ -39,12 +39,11 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
 fn meeting(plan: &Plan, courses: impl Iterator<Item = Vec<Frames>>) -> Option<String> {
     let world = CarriedWorld::new(plan.problem.scene())?;
     let meetings = (1..).zip(courses).filter_map(|(scenario, course)| Some((scenario, world.meeting(&course)?)));
-    let (scenario, Meeting { carried, part, depth, at }) =
+    let (scenario, meeting) =
         meetings.max_by(|(_, one), (_, other)| one.depth.total_cmp(&other.depth))?;
     Some(format!(
-        "{carried} overlaps `{part}` by {:.1} mm at {:.2} s of scenario {scenario}: {}",
-        1e3 * depth,
-        at as f64 * plan.trajectory.time_step,
+        "{meeting} at {:.2} s of scenario {scenario}: {}",
+        meeting.at as f64 * plan.trajectory.time_step,
         world.advice()
     ))
 }

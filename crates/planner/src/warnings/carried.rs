@@ -4,7 +4,7 @@ use nalgebra::Isometry3;
 use simulation::isometry;
 use task::pose::interpolate;
 
-use crate::carried::{CarriedWorld, Frames, Meeting};
+use crate::carried::{CarriedWorld, Frames};
 use crate::problem::Problem;
 
 /// Poses between goal and start that are looked at without an arm.
@@ -15,18 +15,18 @@ pub fn warning(problem: &Problem) -> Option<String> {
     let scene = problem.scene();
     let world = CarriedWorld::new(scene)?;
     let course = straight(problem)?;
-    let Meeting { carried, part, depth, at } = world.meeting(&course)?;
+    let meeting = world.meeting(&course)?;
     let last = course.len() - 1;
-    let place = match at {
+    let place = match meeting.at {
         0 => "at the goal".to_owned(),
-        _ if at == last => "at the start".to_owned(),
-        _ => {
+        at if at == last => "at the start".to_owned(),
+        at => {
             let [goal, start] = [&scene.goal, &problem.start().pose].map(|pose| isometry(pose).translation.vector);
             let distance = (goal - start).norm() * at as f64 / last as f64;
             format!("{:.1} mm from the goal on the straight path to the start", 1e3 * distance)
         }
     };
-    Some(format!("{carried} overlaps `{part}` by {:.1} mm {place}: {}", 1e3 * depth, world.advice()))
+    Some(format!("{meeting} {place}: {}", world.advice()))
 }
 
 /// Frames from the goal to the start.
