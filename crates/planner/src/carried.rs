@@ -232,7 +232,7 @@ mod tests {
         let meeting = CarriedWorld::new(&scene).unwrap().meeting(&[at(f64::NAN, 0.05)]).unwrap();
         assert_eq!(
             meeting.to_string(),
-            "the distance between part `jaw` of the gripper and `shelf` cannot be computed"
+            "the distance between part `jaw` of the gripper and `floor` cannot be computed"
         );
     }
 

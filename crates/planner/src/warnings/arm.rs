@@ -39,8 +39,7 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
 fn meeting(plan: &Plan, courses: impl Iterator<Item = Vec<Frames>>) -> Option<String> {
     let world = CarriedWorld::new(plan.problem.scene())?;
     let meetings = (1..).zip(courses).filter_map(|(scenario, course)| Some((scenario, world.meeting(&course)?)));
-    let (scenario, meeting) =
-        meetings.max_by(|(_, one), (_, other)| one.depth.total_cmp(&other.depth))?;
+    let (scenario, meeting) = meetings.max_by(|(_, one), (_, other)| one.depth.total_cmp(&other.depth))?;
     Some(format!(
         "{meeting} at {:.2} s of scenario {scenario}: {}",
         meeting.at as f64 * plan.trajectory.time_step,
