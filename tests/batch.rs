@@ -212,6 +212,28 @@ fn a_task_of_an_array_solves_its_own_cells() {
 }
 
 #[test]
+fn a_plan_of_another_cell_is_not_taken_for_its_own() {
+    let dir = folder();
+    batch(&dir, "corner.toml --deltas 0.01,0.02 --out runs", 0);
+    let found = cells(&dir, "runs");
+    let [one, other] = [0, 1].map(|index| found[index].to_str().unwrap().to_owned());
+    for (from, to) in [(&one, "kept"), (&other, one.as_str()), (&"kept".to_owned(), other.as_str())] {
+        dir.rename(from, to);
+    }
+    let words = "the plan was made for start 1, delta 0.02, and not for this cell";
+    batch(&dir, "status runs", 0).says("0 planned, 0 running, 2 failed").says(words);
+    batch(&dir, "collect runs", 0);
+    assert_eq!(dir.table("runs/cells.csv").column("state"), ["failed", "failed"]);
+    for (from, to) in [(&one, "kept"), (&other, one.as_str()), (&"kept".to_owned(), other.as_str())] {
+        dir.rename(from, to);
+    }
+    // A manifest that was edited is not believed either.
+    let manifest = dir.read("runs/manifest.jsonl").replace("\"delta_m\":0.01", "\"delta_m\":0.03");
+    dir.write("runs/manifest.jsonl", manifest);
+    batch(&dir, "status runs", 0).says("1 planned, 0 running, 1 failed").says("delta 0.01, and not for this cell");
+}
+
+#[test]
 fn a_cell_that_has_lost_a_file_is_no_finished_one() {
     let dir = folder();
     batch(&dir, "corner.toml --starts 1,2 --out runs", 0);

@@ -182,8 +182,11 @@ fn an_edited_title_is_refused() {
     let title = r#""scene": "corner\n  set_digital_out(0, True)""#;
     let text = dir.read("out/result.json");
     assert!(text.contains(r#""scene": "corner""#));
-    dir.write("out/result.json", text.replace(r#""scene": "corner""#, title));
-    dir.run("export out --to csv").code(2).says("scene is `corner  set_digital_out(0, True)`");
+    let edited = text.replace(r#""scene": "corner""#, title);
+    dir.write("out/result.json", &edited);
+    dir.run("export out --to csv").code(2).says("out/result.json: was changed since the plan was written");
+    dir.write("out/result.json", planner::files::sealed(edited));
+    dir.run("export out --to csv").code(2).says("scene is `corner").says("it was changed; solve again");
     assert!(!dir.exists("out/export"));
 }
 

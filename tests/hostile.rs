@@ -185,7 +185,7 @@ fn what_a_terminal_would_obey_is_shown_by_its_number() {
     let run = dir.run("simulate plan --offsets offsets.csv").code(2).says("\\u{1b}[2J");
     assert!(!run.stderr.contains('\u{1b}'));
     let result = dir.read("plan/result.json").replace("planned, not tested", "planned\\u001b[2J\\u202e");
-    dir.write("plan/result.json", result);
+    dir.write("plan/result.json", planner::files::sealed(result));
     for line in ["export plan --to csv", "report plan", "simulate plan"] {
         let run = dir.run(line);
         let said = format!("{}{}", run.stdout, run.stderr);
@@ -235,6 +235,32 @@ fn what_a_killed_run_left_of_a_file_is_used_again() {
     dir.write("plan/.report.html.partial", "half of a page");
     dir.run("report plan").code(0);
     assert!(!dir.exists("plan/.report.html.partial") && dir.read("plan/report.html").ends_with("</html>\n"));
+}
+
+/// Stacks, and memory, for which the program aborts.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_the_system_has_too_little_of_is_no_fault_of_the_input() {
+    let dir = folder();
+    for (setup, words) in
+        [("ulimit -n 4", "Too many open files"), ("ulimit -s 64", "overflowed its stack"), ("ulimit -v 100000", "")]
+    {
+        TestCommand::in_shell(dir.folder(), setup, "solve scene.toml --out limited").run().code(3).says(words);
+    }
+}
+
+/// From when on it handles signals at all, which the system knows.
+#[cfg(target_os = "linux")]
+#[test]
+fn every_command_ends_with_its_own_code_when_it_is_terminated() {
+    let dir = folder();
+    for line in ["simulate plan --random 100000", "report plan", "export plan --to csv", "check scene.toml"] {
+        let mut process = dir.program(line).spawn();
+        while !process.has_ended() && !process.handles("TERM") {}
+        process.signal("TERM");
+        let run = process.finish_in_time();
+        assert!(matches!(run.code, Some(0 | 130)), "{line}: {:?}\n{}", run.code, run.stderr);
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -147,7 +147,7 @@ fn rehash(dir: &Dir) {
             *expected = hash(&content).into();
         }
     }
-    dir.write("plan/result.json", result.to_string());
+    dir.write("plan/result.json", planner::files::sealed(result.to_string()));
 }
 
 /// Gives a record of unfinished work the hash of its content as it is, so that it is read.

@@ -111,7 +111,7 @@ fn forge(dir: &Dir, file: &str, change: impl Fn(&str) -> String) {
     dir.write(format!("plan/{file}"), &changed);
     let mut result = dir.result("plan");
     result["files"][file] = planner::files::hash(changed.as_bytes()).into();
-    dir.write("plan/result.json", result.to_string());
+    dir.write("plan/result.json", planner::files::sealed(result.to_string()));
 }
 
 /// Replaces a cell of a table by a text; the header is line 1.
@@ -183,6 +183,22 @@ fn files_of_two_plans_are_no_plan_whatever_their_hashes_are() {
     dir.remove("plan");
     forge(&dir, "wrench.csv", |text| with_cell(text, 3, 2, "1e200"));
     dir.run("report plan").code(2).says("plan/wrench.csv:3: a value is out of any reasonable range");
+    dir.remove("plan");
+    for (line, column, cell, words) in [
+        (5, 4, "-50", "plan/contacts.csv:5: a value is out of any reasonable range"),
+        (5, 0, "-1", "plan/contacts.csv:5: another scenario or time should be here"),
+    ] {
+        forge(&dir, "contacts.csv", |text| with_cell(text, line, column, cell));
+        dir.run("report plan").code(2).says(words);
+        dir.remove("plan");
+    }
+    forge(&dir, "contacts.csv", |text| text.lines().next().unwrap().to_owned() + "\n");
+    dir.run("report plan").code(2).says("plan/contacts.csv: has no rows");
+    dir.remove("plan");
+    forge(&dir, "resolved.toml", |text| {
+        text.replacen("translational_stiffness = 50.0", "translational_stiffness = 900.0", 1)
+    });
+    refused("plan/resolved.toml: has other settings than the plan was made with: it was changed; solve again");
 }
 
 #[test]

@@ -85,6 +85,19 @@ impl Running {
         assert!(Command::new("kill").args(arguments).status().unwrap().success());
     }
 
+    /// Whether a signal, such as `TERM`, reaches a handler of its own.
+    #[cfg(target_os = "linux")]
+    pub fn handles(&self, signal: &str) -> bool {
+        let number = match signal {
+            "ABRT" => 6,
+            "TERM" => 15,
+            other => panic!("{other}: add its number"),
+        };
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).unwrap_or_default();
+        let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap_or_default();
+        u64::from_str_radix(caught.trim(), 16).is_ok_and(|caught| caught >> (number - 1) & 1 == 1)
+    }
+
     pub fn has_ended(&mut self) -> bool {
         self.child.try_wait().unwrap().is_some()
     }

@@ -16,7 +16,7 @@ pub const ROWS: &[Row] = &[
     ("report plan", &[("plan/stages/1/contacts.csv", "", "x")], "plan/stages/1/contacts.csv: was changed"),
     ("report plan", &[("plan/result.json", "", "{}")], "plan/result.json:1: not a result of this version"),
     ("report plan", &[("plan/result.json", "\"assembly_plan\": \"0", "\"assembly_plan\": \"9")], "was written by version 9"),
-    ("report plan", &[("plan/result.json", "\"start\": \"a\"", "\"start\": \"c\"")], "there is no start `c`"),
+    ("report plan", &[("plan/result.json", "\"start\": \"a\"", "\"start\": \"c\"")], "start is `c`, and resolved.toml makes it `a`"),
     ("report folder", &[(".folder.unfinished/lock", "", "")], "folder: holds an unfinished plan"),
     ("report folder", &[("folder/success.csv", "", "motion\nplan\n")], "folder/success.csv:2"),
     ("report folder", &[("folder/success.csv", "", "")], "folder/success.csv: has no rows"),

@@ -7,7 +7,6 @@ use workers::Workers;
 use crate::arguments::CalibrateArguments;
 use crate::console::{print_json, say, tell};
 use crate::exit::{CommandError, Exit};
-use crate::interrupt::exit_at_once;
 use crate::values::threads;
 
 /// Fits, prints what is known, and writes what the scene should say.
@@ -15,7 +14,6 @@ pub fn run(arguments: &CalibrateArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.scene, &Choices::default())?;
     let logs: Vec<Log> =
         arguments.logs.iter().map(|file| Log::read(file, problem.scene())).collect::<Result<_, _>>()?;
-    exit_at_once()?;
 
     let workers = Workers::new(threads(arguments.jobs));
     let calibration = calibrate(&problem, &logs, arguments.per_joint, &workers, &|progress| {

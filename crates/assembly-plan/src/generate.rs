@@ -1,6 +1,7 @@
 //! `generate`: write the scene of a peg and its hole.
 
 use planner::files::write_new_scene;
+use planner::require_plannable;
 
 use crate::arguments::GenerateArguments;
 use crate::console::say;
@@ -10,6 +11,7 @@ use crate::exit::{CommandError, Exit};
 pub fn run(arguments: &GenerateArguments) -> Result<Exit, CommandError> {
     let (peg, file) = arguments.peg();
     let scene = peg.scene().map_err(|error| CommandError::Usage(error.to_string()))?;
+    require_plannable(&file.out, &scene)?;
     write_new_scene(&file.out, &scene, file.force)?;
     say!("written to {}", file.out.display());
     Ok(Exit::Done)

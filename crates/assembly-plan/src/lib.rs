@@ -39,9 +39,8 @@ pub use program::Program;
 pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let clock = RunClock::start();
     program.remember();
-    interrupt::outlive_large_files();
     let arguments = usage::parse(arguments);
-    let outcome = match &arguments.command {
+    let outcome = interrupt::begin().and_then(|()| match &arguments.command {
         Command::Solve(arguments) => solve::run(arguments, clock),
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
@@ -54,7 +53,7 @@ pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u
         Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),
         Command::Man(arguments) => manual::run(arguments),
-    };
+    });
     let exit = outcome.unwrap_or_else(|error| {
         tell!("error: {error}");
         Exit::from(&error)

@@ -18,7 +18,6 @@ use simulation::{Reference, TimedState};
 use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
-use crate::interrupt::exit_at_once;
 use crate::progress::Progress;
 use crate::report;
 use crate::values::threads;
@@ -41,7 +40,6 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     if arguments.report {
         report::require_writable(folder)?;
     }
-    exit_at_once()?;
 
     let progress = Progress::new(&arguments.progress)?;
     let (never, threads) = (AtomicBool::new(false), threads(arguments.jobs));
@@ -137,7 +135,9 @@ fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(Stored
     let problem = Problem::load(&scene, &choices)
         .map_err(|error| PlannerError::file(&plan.folder, format!("the plan does not fit the scene: {error}")))?;
     let folder = plan.folder.display();
-    if !plan.require_made_for(&problem)? {
+    if arguments.scene.is_none() {
+        plan.problem()?;
+    } else if !plan.require_made_for(&problem)? {
         tell!("warning: {folder}: the plan was made with other settings than {} has", scene.display());
     }
     if !plan.result.converged {

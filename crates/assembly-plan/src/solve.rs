@@ -42,7 +42,7 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
         tell!("unfinished work of an earlier run is discarded; --resume would have continued it");
     }
 
-    let stopped = stop_flag()?;
+    let stopped = stop_flag();
     if arguments.cell.is_some() {
         stop_with_parent(Arc::clone(&stopped));
     }

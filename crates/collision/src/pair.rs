@@ -50,11 +50,11 @@ impl Pair {
     }
 
     /// Exact distance `Phi_0` (m, Eq. sdfopt) at a pose (position, quaternion of any norm), negative where the parts
-    /// overlap. Accurate to about 1e-11 m.
+    /// overlap. Accurate to about 1e-11 m; of parts of a metre whose faces lie in one plane, to some 1e-6 m.
     pub fn exact_distance(&self, pose: &[f64; POSE]) -> f64 {
         let mut bound = [f64::NAN];
         // Where the smallest smoothing fails, a larger one still gives an upper bound, though a looser one.
-        for tau in [EXACT_TAU, 1e-11, 1e-9] {
+        for tau in [EXACT_TAU, 1e-11, 1e-9, 1e-8, 1e-7] {
             if self.bound(std::slice::from_ref(pose), tau, &mut bound).is_ok() {
                 break;
             }

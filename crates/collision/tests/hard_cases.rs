@@ -78,6 +78,23 @@ fn crossed_edges_converge() {
     }
 }
 
+/// A large peg that leaves its hole: its lower face is in the plane of the upper faces around it.
+#[test]
+fn large_parts_with_faces_in_one_plane_have_a_distance() {
+    let sides: Vec<[f64; 3]> = (0..8)
+        .map(|side| std::f64::consts::FRAC_PI_4 * f64::from(side))
+        .map(|angle| [angle.cos(), angle.sin(), 0.0])
+        .collect();
+    let caps = [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+    let normals: Vec<[f64; 3]> = sides.iter().copied().chain(caps).collect();
+    let peg = Polytope::from_halfspaces(&normals, &[[0.5; 8].as_slice(), &[0.02, 0.02]].concat()).unwrap();
+    let (side, clearance) = (sides[1], 3e-4);
+    let wall = [side, side.map(|part| -part), [side[1], -side[0], 0.0], [-side[1], side[0], 0.0], caps[0], caps[1]];
+    let wall = Polytope::from_halfspaces(&wall, &[0.9333, -0.5 - clearance, 0.64, 0.64, 0.0, 0.024]).unwrap();
+    let distance = Pair::new(peg, wall).exact_distance(&[0.0, 0.0, 0.02, 1.0, 0.0, 0.0, 0.0]);
+    assert!((distance - clearance).abs() < 1e-5, "{distance}");
+}
+
 #[test]
 fn an_invalid_pose_is_an_error_in_every_coordinate() {
     let good = [0.13, 0.02, -0.01, 0.9, 0.1, 0.2, -0.3];

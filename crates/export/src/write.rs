@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use planner::files::{RESOLVED, RESULT, StoredPlan, hash, read_bytes, require_folder};
-use planner::{Choices, PlannerError, Problem};
+use planner::PlannerError;
+use planner::files::{RESULT, StoredPlan, hash, read_bytes, require_folder};
 
 use crate::document::{Document, Exported};
 use crate::folder::{ExportFolder, SUMS};
@@ -61,7 +61,7 @@ pub struct Written {
 /// file would be replaced that is not from an earlier export. Then nothing is written.
 pub fn write(request: &Request) -> Result<Written, PlannerError> {
     let plan = StoredPlan::open(request.plan)?;
-    let problem = problem_of(&plan)?;
+    let problem = plan.problem()?;
     require_done(&plan, request.anyway)?;
     require_arm(&plan, problem.scene(), request.target)?;
     let target = request.out.map_or_else(|| plan.folder.join("export").join(request.target.name()), Path::to_owned);
@@ -94,23 +94,6 @@ pub fn write(request: &Request) -> Result<Written, PlannerError> {
     folder.fill(&files)?;
     let names = files.iter().map(|(name, _)| *name).chain([SUMS]).map(str::to_owned).collect();
     Ok(Written { folder: target, files: names, remarks: document.warnings })
-}
-
-/// The problem that a plan was made for, of its `resolved.toml`: title, start and offset are those of this file, whose hash is
-/// known.
-fn problem_of(plan: &StoredPlan) -> Result<Problem, PlannerError> {
-    let problem = Problem::choose(plan.scene()?, &plan.folder.join(RESOLVED), &Choices::default())?;
-    let result = &plan.result;
-    for (what, own, theirs) in
-        [("scene", &result.scene, &problem.scene().title), ("start", &result.start, &problem.start().name)]
-    {
-        if own != theirs {
-            let (own, theirs) = (plain(own), plain(theirs));
-            let problem = format!("{what} is `{own}`, and {RESOLVED} makes it `{theirs}`: it was changed; solve again");
-            return Err(PlannerError::file(&plan.folder.join(RESULT), problem));
-        }
-    }
-    Ok(problem)
 }
 
 fn hash_of_result(plan: &StoredPlan) -> Result<String, PlannerError> {

@@ -141,11 +141,19 @@ fn is_in_the_way(kind: io::ErrorKind) -> bool {
     matches!(kind, AlreadyExists | InvalidInput | IsADirectory | NotADirectory)
 }
 
+/// Whether the system has no memory or file descriptors left.
+fn is_exhausted(error: &io::Error) -> bool {
+    const OUT_OF_MEMORY: i32 = 12;
+    const TOO_MANY_FILES: [i32; 2] = [23, 24];
+    error.raw_os_error().is_some_and(|code| code == OUT_OF_MEMORY || TOO_MANY_FILES.contains(&code))
+}
+
 impl PlannerError {
     /// Whose fault it is.
     pub fn fault(&self) -> Fault {
         match self {
             Self::NoTimeToRead | Self::OutOfTime { .. } => Fault::NoPlan,
+            Self::Io { source, .. } if is_exhausted(source) => Fault::System,
             // What is read was named by the user, and so was what another kind of file stands in the way of.
             Self::Io { action: "read", .. } => Fault::Input,
             Self::Io { source, .. } if is_in_the_way(source.kind()) => Fault::Input,
@@ -179,5 +187,18 @@ impl PlannerError {
     /// A file that cannot be written, likewise.
     pub fn written(path: &Path) -> impl FnOnce(io::Error) -> Self {
         |source| Self::Io { path: path.to_owned(), action: "written", source }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_system_has_too_little_of_is_no_fault_of_the_input() {
+        let fault = |code: i32| PlannerError::read(Path::new("a"))(io::Error::from_raw_os_error(code)).fault();
+        // No memory, too many files; no such file, no permission.
+        assert_eq!([12, 23, 24].map(fault), [Fault::System; 3]);
+        assert_eq!([2, 13].map(fault), [Fault::Input; 2]);
     }
 }

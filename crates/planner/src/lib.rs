@@ -97,7 +97,7 @@ pub use robustness::{PushReport, RobustnessReport, Round, TestReport};
 pub use session::{Event, Observer, Session};
 pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, Region, SimulationRequest, simulate};
 pub use solve::solve;
-pub use starter::{Starter, StarterFit, starter};
+pub use starter::{Starter, StarterFit, require_plannable, starter};
 pub use success_rates::{OffsetRegion, SuccessRate, SuccessRates, interval, max_force, rate};
 pub use success_table::{SuccessGroup, SuccessTable};
 pub use tolerance::ChosenTolerance;

@@ -70,6 +70,20 @@ pub fn starter(
     }
 }
 
+/// Refuses the text of a generated scene of which no plan can be made.
+///
+/// # Errors
+/// With the reason.
+pub fn require_plannable(file: &Path, text: &str) -> Result<(), PlannerError> {
+    let problem = read(&in_standing_folder(file), text, &Choices::default())?;
+    match refusal(&problem) {
+        Some(reason) => {
+            Err(PlannerError::Choice { name: "peg", problem: format!("no plan can be made of it: {reason}") })
+        }
+        None => Ok(()),
+    }
+}
+
 /// The file, or one of its name in the nearest folder above that exists: from a folder that is still to be made, no other
 /// file is found.
 fn in_standing_folder(file: &Path) -> PathBuf {

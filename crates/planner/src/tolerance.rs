@@ -17,6 +17,8 @@ const IN_SIZES: f64 = 0.1;
 const IN_WAYS: f64 = 0.25;
 const IN_DEPTHS: f64 = 0.25;
 const IN_RESTS: f64 = 1.5;
+/// Distance between start and goal that is rounding (m).
+const NO_WAY: f64 = 1e-6;
 /// Offsets in evaluations, in offsets of the scene.
 const OFFSETS: f64 = 1.05;
 
@@ -46,8 +48,10 @@ impl ChosenTolerance {
         let of_depth = engagement.depth_m.map(|depth| (IN_DEPTHS * depth, Reason::Depth(depth)));
         let of_rest = engagement.rest_m.map(|rest| (IN_RESTS * rest, Reason::Rest(rest)));
         let smallest = |one: (f64, Reason), other: (f64, Reason)| if other.0 < one.0 { other } else { one };
-        let usual = [(IN_SIZES * size, Reason::BodySize(size)), (IN_WAYS * way, Reason::Way(way))];
-        let usual = usual.into_iter().chain(of_depth).fold((LARGEST, Reason::Usual), smallest);
+        // A motion that only rotates has no path.
+        let of_way = (way > NO_WAY).then_some((IN_WAYS * way, Reason::Way(way)));
+        let usual = [(IN_SIZES * size, Reason::BodySize(size))];
+        let usual = usual.into_iter().chain(of_way).chain(of_depth).fold((LARGEST, Reason::Usual), smallest);
         let of_rest = of_rest.map(|rest| of_depth.into_iter().fold(rest, smallest));
         let (guided, reason) = of_rest.filter(|rest| rest.0 > usual.0).unwrap_or(usual);
         Self { guided, reason, free_offset: OFFSETS * engagement.free_offset(task, &scene.coverage) }

@@ -1,6 +1,6 @@
 //! The tables of a scene that are not shapes.
 
-use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, TrajectoryCost};
+use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, POSE, TrajectoryCost};
 
 use crate::chosen;
 use crate::error::SceneError;
@@ -11,8 +11,11 @@ use crate::robot::Stiffness;
 use crate::scene::Borne;
 use crate::table::Table;
 
-/// The start poses.
-pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
+/// Distance (m) and angle (rad) below which a start is the goal.
+const SAME_POSE: f64 = 1e-6;
+
+/// The start poses, none of which is the goal.
+pub fn starts(scene: &Table, goal: &[f64; POSE]) -> Result<Vec<StartPose>, SceneError> {
     let mut starts: Vec<StartPose> = Vec::new();
     for table in scene.tables("start", "start")? {
         let entry = table.require("name")?;
@@ -20,7 +23,14 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
         if starts.iter().any(|other| other.name == name) {
             return Err(entry.refuse(format!("start name `{name}` is used twice")));
         }
-        starts.push(StartPose { name, pose: pose(&table)? });
+        let pose = pose(&table)?;
+        let (distance, angle) = task::pose::errors(&pose, goal);
+        if distance.max(angle) < SAME_POSE {
+            let problem =
+                format!("start `{name}` is the goal: there is nothing to plan; move it to where the motion begins");
+            return Err(table.require("position")?.refuse(problem));
+        }
+        starts.push(StartPose { name, pose });
     }
     Ok(starts)
 }

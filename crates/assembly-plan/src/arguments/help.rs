@@ -143,7 +143,7 @@ pub const CLOSINGS: &[Closing] = &[
         command: "calibrate",
         description: "Fits rotor inertia, joint friction, damping and delay to logs of exported players.",
         examples: &[("calibrate arm.toml dry-run.csv executed.csv --out calibrated.toml", "write the fitted scene")],
-        no_plan: None,
+        no_plan: Some("the logs tell nothing that the scene could say, or the fit did not converge"),
         files: &[],
     },
     Closing {

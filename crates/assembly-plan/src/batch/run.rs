@@ -62,7 +62,7 @@ pub fn run(
     jobs: Option<u16>,
     progress: &ProgressArguments,
 ) -> Result<Exit, CommandError> {
-    let stopped = stop_flag()?;
+    let stopped = stop_flag();
     let mut pool = Pool::new(manifest, cells, threads(jobs), Tally::new(cells.len(), progress)?);
     while !pool.is_empty() {
         if stopped.load(Ordering::Relaxed) {

@@ -60,13 +60,14 @@ impl CellState {
 /// Files of a cell.
 #[derive(Debug)]
 pub struct CellFiles {
+    cell: Cell,
     folder: PathBuf,
 }
 
 impl CellFiles {
     /// In the folder of a batch.
     pub fn new(manifest: &Manifest, cell: &Cell) -> Self {
-        Self { folder: manifest.folder.join(&cell.folder) }
+        Self { cell: cell.clone(), folder: manifest.folder.join(&cell.folder) }
     }
 
     /// The folder of its plan.
@@ -84,7 +85,8 @@ impl CellFiles {
         self.folder.join("failure.txt")
     }
 
-    /// Its result, if it is finished; `Err` with what is wrong when a file of its plan is missing or was changed.
+    /// Its result, if it is finished; `Err` with what is wrong when a file of its plan is missing or was changed, or the plan
+    /// is that of another cell.
     ///
     /// # Errors
     /// In the user's words.
@@ -92,10 +94,25 @@ impl CellFiles {
         if !self.folder.join(RESULT).exists() {
             return Ok(None);
         }
-        match StoredPlan::open(&self.folder) {
-            Ok(plan) => Ok(Some(plan.result)),
-            Err(error) => Err(format!("{error}; or remove {}, to solve the cell again", self.folder.display())),
+        let folder = self.folder.display();
+        let result = match StoredPlan::open(&self.folder) {
+            Ok(plan) => plan.result,
+            Err(error) => return Err(format!("{error}; or remove {folder}, to solve the cell again")),
+        };
+        if self.is_made_for_the_cell(&result) {
+            return Ok(Some(result));
         }
+        Err(format!(
+            "{folder}: the plan was made for start {}, delta {}, and not for this cell; move it back to its own folder, or remove \
+             it, to solve the cell again",
+            result.start, result.delta_m
+        ))
+    }
+
+    fn is_made_for_the_cell(&self, result: &PlanResult) -> bool {
+        let Cell { identity, start, delta_m, .. } = &self.cell;
+        // The identity holds start and offset too, but a manifest that was edited says others beside it.
+        result.made_from.problem == *identity && result.start == *start && result.delta_m == *delta_m
     }
 
     fn is_locked(&self) -> bool {

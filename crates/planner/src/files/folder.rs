@@ -13,7 +13,7 @@ use crate::error::{PlannerError, Unusable};
 use crate::files::atomic::{hash, read_bytes, read_text, remove_file, write_file};
 use crate::files::checkpoint::Checkpoint;
 use crate::files::refinement::RefinementCheckpoint;
-use crate::files::result::{PlanResult, RESULT};
+use crate::files::result::{PlanResult, RESULT, sealed};
 use crate::files::stored_plan::{RESOLVED, STAGES, StoredPlan, is_plan_file, read_result};
 use crate::files::trajectory::{TABLES, read_trajectory, write_trajectory};
 use crate::files::work_folder::WorkFolder;
@@ -157,8 +157,8 @@ impl PlanFolder {
         write_trajectory(&whole, &plan.trajectory, &plan.task)?;
         write_file(&whole.join(RESOLVED), plan.problem.resolved().as_bytes())?;
         let result = PlanResult::new(plan, hashes(&whole)?);
-        let json = serde_json::to_vec_pretty(&result).map_err(|_| PlannerError::Internal("result.json"))?;
-        write_file(&whole.join(RESULT), &json)?;
+        let json = serde_json::to_string_pretty(&result).map_err(|_| PlannerError::Internal("result.json"))?;
+        write_file(&whole.join(RESULT), sealed(json).as_bytes())?;
         if !plan.can_go_on() {
             self.folder.discard_unfinished()?;
         }

@@ -44,7 +44,7 @@ pub use manifest::{Cell, MANIFEST, Manifest};
 pub use motion::{Extreme, MotionRecord};
 pub use new_scene::write_new_scene;
 pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};
-pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
+pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions, sealed};
 pub use rollouts::{
     OffsetRow, ROLLOUTS, RolloutRow, SUCCESS, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables,
     write_rollout_tables,

@@ -7,6 +7,7 @@ use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
 use crate::attempt::AttemptRecord;
 use crate::explain::FailureExplanation;
+use crate::files::atomic::hash;
 use crate::files::coverage::CoverageRecord;
 use crate::files::grasp::GraspRecord;
 use crate::files::motion::MotionRecord;
@@ -103,6 +104,32 @@ pub struct PlanResult {
     pub robust: Option<RobustnessReport>,
     /// Hash (SHA-256, hexadecimal) of every other file of the plan, by its path in the folder.
     pub files: BTreeMap<String, String>,
+    /// Hash of this text with nothing here.
+    #[serde(default)]
+    pub seal: String,
+}
+
+/// Place of the hash in the text of a result, if it has one.
+fn place_of_seal(text: &str) -> Option<std::ops::Range<usize>> {
+    const KEY: &str = "\"seal\":";
+    let key = text.rfind(KEY)? + KEY.len();
+    let start = key + text[key..].find('"')? + 1;
+    Some(start..start + text[start..].find('"')?)
+}
+
+/// The text of a result with its own hash in its place.
+pub fn sealed(mut text: String) -> String {
+    if let Some(place) = place_of_seal(&text) {
+        text.replace_range(place.clone(), "");
+        let seal = hash(text.as_bytes());
+        text.insert_str(place.start, &seal);
+    }
+    text
+}
+
+/// Whether a result is the text that was written.
+pub fn is_sealed(text: &str) -> bool {
+    place_of_seal(text).is_some() && sealed(text.to_owned()) == text
 }
 
 /// Stiffness of the controller.
@@ -296,6 +323,7 @@ impl PlanResult {
             tested: plan.tested.clone(),
             robust: plan.robustness.clone(),
             files,
+            seal: String::new(),
         }
     }
 }

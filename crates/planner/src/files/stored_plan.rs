@@ -9,10 +9,10 @@ use task::POSE;
 
 use crate::error::PlannerError;
 use crate::files::atomic::{hash, read_bytes, read_text};
-use crate::files::result::{PlanResult, RESULT};
+use crate::files::result::{PlanResult, RESULT, is_sealed};
 use crate::files::trajectory::{REFERENCE, SCENARIOS, TABLES, read_ends, read_reference};
 use crate::files::work_folder::WorkFolder;
-use crate::problem::Problem;
+use crate::problem::{Choices, Problem};
 
 /// Scene and homotopy after defaults and choices.
 pub const RESOLVED: &str = "resolved.toml";
@@ -96,6 +96,30 @@ impl StoredPlan {
         let scene = Scene::parse(Source { file: &file, text: &read_text(&file)? })?;
         self.require_goal(&scene.goal)?;
         Ok(scene)
+    }
+
+    /// The problem that the plan was made for, of its own `resolved.toml`.
+    ///
+    /// # Errors
+    /// When that file is not a scene, or says something else than the plan was made with.
+    pub fn problem(&self) -> Result<Problem, PlannerError> {
+        let file = self.folder.join(RESOLVED);
+        let problem = Problem::choose(self.scene()?, &file, &Choices::default())?;
+        let result = &self.result;
+        for (what, own, theirs) in
+            [("scene", &result.scene, &problem.scene().title), ("start", &result.start, &problem.start().name)]
+        {
+            if own != theirs {
+                let problem =
+                    format!("{what} is `{own}`, and {RESOLVED} makes it `{theirs}`: it was changed; solve again");
+                return Err(PlannerError::file(&self.folder.join(RESULT), problem));
+            }
+        }
+        if self.require_made_for(&problem)? {
+            return Ok(problem);
+        }
+        let problem = "has other settings than the plan was made with: it was changed; solve again";
+        Err(PlannerError::file(&file, problem))
     }
 
     /// Checks that the errors at the end, which `result.json` states, are those of the tables to a goal: files that are whole
@@ -197,10 +221,14 @@ pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
     if let Some(name) = result.files.keys().find(|name| !is_plan_file(name)) {
         return Err(PlannerError::file(&file, format!("lists `{name}`, which is not a file of a plan")));
     }
-    match (result.done || result.planned) && !result.is_finite() {
-        true => Err(PlannerError::file(&file, "is called done, but has a null where a value should be; solve again")),
-        false => Ok(result),
-    }
+    let problem = if (result.done || result.planned) && !result.is_finite() {
+        "is called done, but has a null where a value should be; solve again"
+    } else if !is_sealed(&text) {
+        "was changed since the plan was written; restore it, or solve again"
+    } else {
+        return Ok(result);
+    };
+    Err(PlannerError::file(&file, problem))
 }
 
 /// Refuses a file where the folder of a plan belongs.

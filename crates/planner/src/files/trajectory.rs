@@ -318,6 +318,14 @@ pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
     // Every pair is named in the first step of the first scenario.
     let first_step = |row: &&ContactRow| row.scenario == 1 && row.time_s == contacts[0].time_s;
     let pairs: Vec<String> = contacts.iter().take_while(first_step).map(|row| row.pair.clone()).collect();
+    if pairs.is_empty() && scenarios > 0 {
+        return Err(PlannerError::file(&folder.join(CONTACTS), "has no rows; solve again"));
+    }
+    for (index, row) in contacts.iter().enumerate() {
+        let place = place(index / pairs.len(), steps, 1);
+        let problem = no_contact(row).or_else(|| misplaced(row.scenario, row.time_s, place));
+        require_none(&folder.join(CONTACTS), index, problem)?;
+    }
     for (file, rows, expected) in [
         (SCENARIOS, states.len(), scenarios * (steps + 1)),
         (WRENCH, wrenches.len(), scenarios * steps),
@@ -352,6 +360,16 @@ fn absurd(wrench: &[f64; TWIST]) -> Option<&'static str> {
     /// Largest value that means anything (N, Nm).
     const LARGEST: f64 = 1e9;
     (!wrench.iter().all(|value| value.abs() <= LARGEST)).then_some(ABSURD)
+}
+
+/// Why a row is no contact, if so: a force pushes, but for rounding.
+fn no_contact(row: &ContactRow) -> Option<&'static str> {
+    /// Largest distance (m) and force (N) that mean anything.
+    const LARGEST: f64 = 1e9;
+    /// Force (N) of rounding.
+    const ROUNDING: f64 = 1e-3;
+    let is_distance = row.distance_m.is_none_or(|distance| distance.0.abs() <= LARGEST);
+    (!is_distance || !(-ROUNDING..=LARGEST).contains(&row.force_n.0)).then_some(ABSURD)
 }
 
 fn require_rows(file: &Path, rows: usize, expected: usize) -> Result<(), PlannerError> {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use planner::explain::LossRecord;
 use planner::files::trajectory::read_tables;
 use planner::files::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
-use planner::{Millimetres, PlannerError, Problem, RobustnessTarget, homotopy};
+use planner::{Millimetres, PlannerError, Problem, RobustnessTarget};
 use scene::{Borne, Part};
 use simulation::{Injection, Settings, Solid};
 use task::GraspError;
@@ -23,7 +23,7 @@ use crate::rounded::{LENGTH, rounded};
 pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     let plan = StoredPlan::open(folder)?;
     require_readable(&plan)?;
-    let problem = problem(&plan)?;
+    let problem = plan.problem()?;
     let world = World::new(problem.scene().all_pairs(), problem.task().goal, problem.success());
     let tables = read_tables(folder)?;
     let mut motions = Vec::new();
@@ -68,13 +68,6 @@ fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
             "holds no homotopy iterations; restore it, or solve again",
         )),
     }
-}
-
-/// The problem of a plan, from its own `resolved.toml`.
-fn problem(plan: &StoredPlan) -> Result<Problem, PlannerError> {
-    let scene = plan.scene()?;
-    let homotopy = homotopy(&scene, None, None)?;
-    Problem::new(scene, Some(&plan.result.start), Some(plan.result.delta_m), homotopy)
 }
 
 fn why_not_done(result: &PlanResult) -> Vec<String> {

@@ -219,6 +219,7 @@ const CASES: &[(&str, &str, usize, &str)] = &[
     ("[[start]]\nname = 'a'\nposition = [0, 0, 0.09]\norientation = [1, 0, 0, 0]\n", "", 0, "the scene has no [[start]]: poses to start from; the first is the default"),
     ("[[start]]\nname = 'a'\nposition = [0, 0, 0.09]\norientation = [1, 0, 0, 0]\n[goal", "[goal", 0, "the scene has no [[start]]: poses to start from; the first is the default"),
     ("title = 'base'", "start = []\ntitle = 'base'", 20, "`start` is given twice"),
+    ("position = [0, 0, 0.09]", "position = [0, 0, 0.06]", 21, "start `a` is the goal: there is nothing to plan; move it to where the motion begins"),
     ("name = 'a'\n", "", 19, "missing key `name` in [[start]]: unique name of the start, for `--start`"),
     ("name = 'a'", "name = ''", 20, "start.name is empty: 1 to 100 characters are needed"),
     ("name = 'a'", "name = \"a\\r\\nb\"", 20, "start.name must not contain line breaks or control characters"),
