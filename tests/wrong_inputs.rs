@@ -115,6 +115,7 @@ fn refused_as_listed(rows: &'static [Row]) {
 }
 
 #[test]
+#[ignore = "slow"]
 fn what_the_rows_change_is_right() {
     let dir = folder(&[]);
     for line in [
@@ -137,6 +138,7 @@ fn what_the_rows_change_is_right() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn a_wrong_scene_is_refused_by_every_command() {
     let lines = [
         "check scene.toml",
@@ -161,6 +163,7 @@ fn a_wrong_homotopy_is_refused_by_every_command_that_takes_one() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn a_wrong_value_of_a_flag_is_refused() {
     let rows = flags::ROWS.iter().flat_map(|(line, flag, values, words)| {
         values.iter().map(move |value| {

@@ -55,9 +55,9 @@ impl Scene {
             None => title_of(file),
         };
         let (body, environment) = (given_parts(&body_table)?, given_parts(&table.require_table("environment")?)?);
-        let goal_table = table.require_table("goal")?;
+        let (starts, goal_table) = (sections::starts(table)?, table.require_table("goal")?);
         let goal = pose(&goal_table)?;
-        let starts = sections::starts(table, &goal)?;
+        sections::require_motions(table, &starts, &goal)?;
         let offset_magnitude = robustness.number("offset_magnitude")?;
         let coverage = sections::coverage(&robustness, (&starts[0], &goal))?;
         let offset_directions = sections::offset_directions(&robustness, &coverage)?;

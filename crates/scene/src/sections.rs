@@ -14,8 +14,8 @@ use crate::table::Table;
 /// Distance (m) and angle (rad) below which a start is the goal.
 const SAME_POSE: f64 = 1e-6;
 
-/// The start poses, none of which is the goal.
-pub fn starts(scene: &Table, goal: &[f64; POSE]) -> Result<Vec<StartPose>, SceneError> {
+/// The start poses.
+pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
     let mut starts: Vec<StartPose> = Vec::new();
     for table in scene.tables("start", "start")? {
         let entry = table.require("name")?;
@@ -23,16 +23,22 @@ pub fn starts(scene: &Table, goal: &[f64; POSE]) -> Result<Vec<StartPose>, Scene
         if starts.iter().any(|other| other.name == name) {
             return Err(entry.refuse(format!("start name `{name}` is used twice")));
         }
-        let pose = pose(&table)?;
-        let (distance, angle) = task::pose::errors(&pose, goal);
+        starts.push(StartPose { name, pose: pose(&table)? });
+    }
+    Ok(starts)
+}
+
+/// Refuses a start that is the goal.
+pub fn require_motions(scene: &Table, starts: &[StartPose], goal: &[f64; POSE]) -> Result<(), SceneError> {
+    for (table, StartPose { name, pose }) in scene.tables("start", "start")?.iter().zip(starts) {
+        let (distance, angle) = task::pose::errors(pose, goal);
         if distance.max(angle) < SAME_POSE {
             let problem =
                 format!("start `{name}` is the goal: there is nothing to plan; move it to where the motion begins");
             return Err(table.require("position")?.refuse(problem));
         }
-        starts.push(StartPose { name, pose });
     }
-    Ok(starts)
+    Ok(())
 }
 
 /// The controller, critically damped where the scene does not say otherwise.

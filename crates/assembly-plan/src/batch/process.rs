@@ -17,7 +17,7 @@ const THREAD_LIMITS: [&str; 4] = ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MK
 /// What came of the wish to solve a cell.
 pub enum Begun {
     /// A process solves it now.
-    Process(Process),
+    Process(Box<Process>),
     /// It was finished before.
     Finished(Box<PlanResult>),
     /// Another run solves it.
@@ -68,7 +68,7 @@ impl Process {
         let mut command = solve(manifest, cell);
         let child = command.stdin(Stdio::piped()).stdout(log).stderr(errors).spawn();
         let child = child.map_err(in_system(Path::new(command.get_program())))?;
-        Ok(Begun::Process(Self { cell: cell.index, files, child }))
+        Ok(Begun::Process(Box::new(Self { cell: cell.index, files, child })))
     }
 
     /// Asks the process to stop. It does so at its next iteration.
