@@ -143,7 +143,7 @@ impl<'manifest> Pool<'manifest> {
             }
             let Some(cell) = self.waiting.pop_front() else { return };
             match Process::begin(self.manifest, cell) {
-                Ok(Begun::Process(process)) => self.processes.push(process),
+                Ok(Begun::Process(process)) => self.processes.push(*process),
                 Ok(Begun::Finished(result)) => self.finished(cell, &result),
                 Ok(Begun::Busy) => self.waiting.push_back(cell),
                 Err(error) => self.crashed(cell, error.to_string()),
