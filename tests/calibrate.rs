@@ -85,7 +85,7 @@ fn what_is_no_log_of_the_scene_is_refused() {
         (text.replacen("0.051", "0.052", 1), "its goal is another pose"),
         (text.replacen("elapsed_s", "elapsed", 1), "there is no column `elapsed_s`"),
         (text.replacen("reference_qw", "qqq", 1), "there is no column `reference_qw`"),
-        (rows(2), "has no rows"),
+        (rows(2), "has fewer than two rows"),
         (rows(100).replacen("\"dry_run_m\": 0.1", "\"dry_run_m\": 0", 1), "has no motion in free air"),
         (text.replacen("\n0.02,", "\nsoon,", 1), "wrong.csv:5: column 1: `soon` is not a finite number"),
         (text.replacen(",0.03,", ",0.05,", 1), "wrong.csv:7: column elapsed_s"),

@@ -195,7 +195,7 @@ fn require_states(file: &Path, states: &[StateRow], followed: &[FollowedRow]) ->
 /// Refuses tables that are no course of one motion.
 fn require_rows(file: &Path, rows: &[Row]) -> Result<(), PlannerError> {
     if rows.len() < 2 {
-        return Err(PlannerError::file(file, "has no rows: the player measured nothing; repeat the run"));
+        return Err(PlannerError::file(file, "has fewer than two rows: the player measured nothing; repeat the run"));
     }
     for (index, pair) in rows.windows(2).enumerate() {
         let gap = pair[1].time - pair[0].time;

@@ -36,7 +36,7 @@ pub fn require_attribute<'text>(element: Node<'text, 'text>, name: &str) -> Resu
 /// # Errors
 /// When it has none or several.
 pub fn only_shape<'text>(collision: Node<'text, 'text>) -> Result<Node<'text, 'text>, ModelError> {
-    let shapes = child(collision, "geometry").into_iter().flat_map(|geometry| geometry.children());
+    let shapes = child(collision, "geometry")?.into_iter().flat_map(|geometry| geometry.children());
     let mut shapes = shapes.filter(Node::is_element);
     let Some(shape) = shapes.next() else { return Err(refuse(collision, "<collision> has no geometry")) };
     match shapes.next() {
@@ -45,9 +45,16 @@ pub fn only_shape<'text>(collision: Node<'text, 'text>) -> Result<Node<'text, 't
     }
 }
 
-/// The child of a name, if there is one.
-pub fn child<'text>(element: Node<'text, 'text>, name: &str) -> Option<Node<'text, 'text>> {
-    children(element, name).next()
+/// The only child of a name, if there is one.
+pub fn child<'text>(element: Node<'text, 'text>, name: &str) -> Result<Option<Node<'text, 'text>>, ModelError> {
+    let mut found = children(element, name);
+    let first = found.next();
+    match found.next() {
+        None => Ok(first),
+        Some(second) => {
+            Err(refuse(second, format!("a second <{name}> in one <{}>: only one can be meant", tag(element))))
+        }
+    }
 }
 
 /// All children of a name.
@@ -60,7 +67,7 @@ pub fn children<'text, 'name>(
 
 /// The text of a child of a name that must be there.
 pub fn require_content<'text>(element: Node<'text, 'text>, name: &str) -> Result<Value<'text>, ModelError> {
-    let child = child(element, name);
+    let child = child(element, name)?;
     child.map(content).ok_or_else(|| refuse(element, format!("<{}> has no <{name}>", tag(element))))
 }
 

@@ -14,7 +14,8 @@ use crate::shape::{Geometry, LinkShape};
 
 /// The links with collision shapes.
 pub fn links<'text>(root: Node<'text, 'text>) -> Vec<(String, Node<'text, 'text>)> {
-    let links = root.descendants().filter(|node| node.has_tag_name("link") && child(*node, "collision").is_some());
+    let links =
+        root.descendants().filter(|node| node.has_tag_name("link") && children(*node, "collision").next().is_some());
     links.map(|link| (scoped_name(link), link)).collect()
 }
 
@@ -36,7 +37,7 @@ pub fn shapes<'text>(link: Node<'text, 'text>, file: &Path) -> Result<Vec<LinkSh
     for (number, collision) in (1..).zip(children(link, "collision")) {
         let Some(geometry) = geometry(collision, file)? else { continue };
         let name = shape_name(collision, number);
-        let pose = child(collision, "pose").map_or(Ok(Isometry3::identity()), |pose| pose_in(pose, link))?;
+        let pose = child(collision, "pose")?.map_or(Ok(Isometry3::identity()), |pose| pose_in(pose, link))?;
         shapes.push(LinkShape { name, pose, geometry, span: collision.range() });
     }
     Ok(shapes)
@@ -79,10 +80,10 @@ fn geometry<'text>(collision: Node<'text, 'text>, file: &Path) -> Result<Option<
             length: require_content(shape, "length")?.length()?,
         },
         "mesh" => {
-            if let Some(submesh) = child(shape, "submesh") {
+            if let Some(submesh) = child(shape, "submesh")? {
                 return Err(unsupported(submesh, "a submesh"));
             }
-            let scale = child(shape, "scale").map(content);
+            let scale = child(shape, "scale")?.map(content);
             Geometry::Mesh {
                 file: mesh_file(&require_content(shape, "uri")?, file)?,
                 scale: scale.map_or(Ok(1.0), |scale| scale.uniform_scale())?,

@@ -12,7 +12,7 @@ use crate::shape::{Geometry, LinkShape};
 
 /// The links with collision shapes.
 pub fn links<'text>(root: Node<'text, 'text>) -> Vec<(String, Node<'text, 'text>)> {
-    let links = children(root, "link").filter(|link| child(*link, "collision").is_some());
+    let links = children(root, "link").filter(|link| children(*link, "collision").next().is_some());
     links.map(|link| (link.attribute("name").unwrap_or_default().to_owned(), link)).collect()
 }
 
@@ -21,7 +21,7 @@ pub fn shapes<'text>(link: Node<'text, 'text>, file: &Path) -> Result<Vec<LinkSh
     let shape = |(number, collision): (usize, Node<'text, 'text>)| {
         Ok(LinkShape {
             name: shape_name(collision, number),
-            pose: child(collision, "origin").map_or(Ok(Isometry3::identity()), origin)?,
+            pose: child(collision, "origin")?.map_or(Ok(Isometry3::identity()), origin)?,
             geometry: geometry(collision, file)?,
             span: collision.range(),
         })

@@ -111,6 +111,10 @@ fn what_is_not_read_is_refused_at_its_place() {
         (geometry(""), "<collision> has no geometry"),
         (geometry("<empty/><empty/>"), "a second shape in one <geometry>: give it a <collision> of its own"),
         (model("<collision name='c'/>"), "<collision> has no geometry"),
+        (
+            geometry("<box><size>1 1 1</size><size>2 2 2</size></box>"),
+            "a second <size> in one <box>: only one can be meant",
+        ),
         (geometry("<box/>"), "<box> has no <size>"),
         (geometry("<box><size>1 1</size></box>"), "size \"1 1\" must have 3 numbers, not 2"),
         (geometry("<box><size>1 1 -1</size></box>"), "size \"1 1 -1\" must be positive"),

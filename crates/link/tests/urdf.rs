@@ -42,6 +42,7 @@ fn what_is_not_read_is_refused_at_its_place() {
             geometry("<box size='1 1 1'/><box size='2 2 2'/>"),
             "a second shape in one <geometry>: give it a <collision> of its own",
         ),
+        (origin("<origin/><origin xyz='1 0 0'/>"), "a second <origin> in one <collision>: only one can be meant"),
         (geometry("<box/>"), "<box> has no `size`"),
         (geometry("<box size='1 1 ${w}'/>"), "size \"1 1 ${w}\" must be numbers with blanks between them"),
         (geometry("<box size='1 1 1 1'/>"), "must have 3 numbers, not 4"),

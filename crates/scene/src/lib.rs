@@ -53,7 +53,7 @@ pub use limits::OutOfReach;
 pub use mesh::MeshPart;
 pub use motion_region::MotionRegion;
 pub use part::Part;
-pub use pose::StartPose;
+pub use pose::{NORM_TOLERANCE, StartPose};
 pub use range::Range;
 pub use resolved::resolved;
 pub use robot::Robot;
