@@ -272,8 +272,8 @@ fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
     let program = flags_of_program();
     let mut scripts = String::new();
     let players = ["shared", "ur_rtde", "franka", "ros2"].map(|name| format!("crates/export/players/{name}"));
-    let folders =
-        ["scripts", "scripts/mujoco_validation", "scripts/reproduction", "crates/python/examples"].map(str::to_owned);
+    let folders = ["scripts", "scripts/python/lab/commands", "scripts/python/lab/validation", "crates/python/examples"]
+        .map(str::to_owned);
     for folder in folders.iter().chain(&players) {
         let files = fs::read_dir(project(folder)).unwrap().map(|entry| entry.unwrap().path());
         files.filter_map(|file| fs::read_to_string(file).ok()).for_each(|text| scripts += &text);
