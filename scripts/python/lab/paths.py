@@ -8,6 +8,6 @@ TARGET = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 PROGRAM = TARGET / "release/assembly-plan"
 # Arms of six and seven joints as [robot] tables, `six.toml` and `seven.toml`.
 ARMS = ROOT / "examples/arms"
-DOCS, OUT, SCENES = ROOT / "docs", ROOT / "out", ROOT / "scenes"
+OUT, SCENES = ROOT / "out", ROOT / "scenes"
 LAB = ROOT / "scripts/lab"
 PLAYERS = ROOT / "crates/export/players"

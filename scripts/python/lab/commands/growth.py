@@ -1,6 +1,6 @@
 """Measures how time and memory of `solve` grow with steps, scenarios and pairs.
 
-Writes one figure each and a table to docs/growth. It can be stopped at any moment and goes on where it was. For times
+Draws one figure each, and writes a table. It can be stopped at any moment and goes on where it was. For times
 that mean something, nothing else should run on the machine.
 """
 
@@ -9,9 +9,9 @@ import pathlib
 import sys
 from collections.abc import Callable
 
-from lab import program, tables, toml
+from lab import notebook, program, tables, toml
 from lab.growth import chart, measure, scenes
-from lab.paths import DOCS, OUT, SCENES
+from lab.paths import OUT, SCENES
 
 SERIES = {"steps": scenes.with_steps, "scenarios": scenes.with_scenarios, "pairs": scenes.with_pairs}
 FIXED = {"steps": "3 scenarios, 6 pairs, 4 s", "scenarios": "100 steps, 6 pairs", "pairs": "100 steps, 3 scenarios"}
@@ -84,7 +84,7 @@ def panels(rows: list[dict], series: str) -> list[chart.Panel]:
 def run(arguments: argparse.Namespace) -> None:
     """Measures what is missing and writes everything."""
     out = OUT / ("growth-quick" if arguments.quick else "growth")
-    folder = out / "figures" if arguments.quick else DOCS / "growth"
+    folder = out / "figures" if arguments.quick else notebook.FOLDER / "growth"
     folder.mkdir(parents=True, exist_ok=True)
     table = folder / "growth.csv"
     if not arguments.no_run:
@@ -95,3 +95,4 @@ def run(arguments: argparse.Namespace) -> None:
         of_series = [row for row in rows if row["series"] == series]
         drawing = chart.draw(f"Growth with {series}: peg1, {fixed}", f"number of {series}", panels(of_series, series))
         (folder / f"{series}.svg").write_text(drawing)
+    notebook.said_to(folder)

@@ -10,7 +10,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 
-from lab.paths import DOCS
+from lab import notebook
 
 # Those of the makers where they exist: stand-ins are compared with them, and ur-rtde is tested itself.
 PACKAGES = ("mujoco", "numpy", "ur-rtde", "franky-control")
@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="play N motions without a fault instead, none of which may be stopped",
     )
-    add("--write-table", action="store_true", help="write the table of faults into docs/export.md when all are right")
+    add("--write-table", action="store_true", help="write the table of faults into its page when all are right")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
         failures += sum(report(check.__name__.replace("_", " "), check()) for check in checks.ALL)
     failures += play(cases)
     if arguments.write_table and not failures:
-        faulty_cases.write_table(DOCS / "export.md")
+        faulty_cases.write_table(notebook.PLAYERS)
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     print(
         f"{len(cases)} cases, {failures} failures, {time.monotonic() - begin:.0f} s, of which processors worked "

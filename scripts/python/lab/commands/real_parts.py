@@ -1,4 +1,4 @@
-"""Plans pairs of real parts from their meshes, plays the plans in MuJoCo and writes docs/real-parts.md.
+"""Plans pairs of real parts from their meshes, plays the plans in MuJoCo and writes a page about them.
 
 It goes on where it was stopped.
 """
@@ -7,8 +7,8 @@ import argparse
 import pathlib
 import tomllib
 
-from lab import program
-from lab.paths import DOCS, OUT
+from lab import notebook, program
+from lab.paths import OUT
 from lab.real_parts import make
 from lab.real_parts.page import page
 
@@ -32,6 +32,4 @@ def run(arguments: argparse.Namespace) -> None:
     for pair, out in made:
         if pair["name"] not in arguments.skip:
             make.run(arguments, pair, out)
-    file = DOCS / "real-parts.md"
-    file.write_text(page(arguments, made))
-    print(f"written to {file}")
+    notebook.write("real-parts", "Real parts", page(arguments, made))

@@ -1,4 +1,4 @@
-"""Repeats the paper's experiments and writes what came out to docs/reproduction, beside the paper's numbers.
+"""Repeats the paper's experiments and writes pages of what came out, beside the paper's numbers.
 
 Runs are kept in out/reproduction; the same command goes on where it was stopped.
 """
@@ -6,9 +6,9 @@ Runs are kept in out/reproduction; the same command goes on where it was stopped
 import argparse
 import pathlib
 
-from lab import program
+from lab import notebook, program
 from lab.errors import InputError
-from lab.paths import DOCS, OUT
+from lab.paths import OUT
 
 PACKAGES = ("matplotlib", "numpy")
 PAGES = ("distances", "pegs", "clamps", "hessians")
@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add(
         "--out",
         type=pathlib.Path,
-        help="folder of the pages [default: docs/reproduction, with --quick out/reproduction/pages]",
+        help="folder of the pages [default: that of the documentation, with --quick out/reproduction/pages]",
     )
 
 
@@ -39,4 +39,4 @@ def run(arguments: argparse.Namespace) -> None:
     if not arguments.no_run:
         program.build()
         book.run(arguments.pages or list(PAGES), arguments.jobs, arguments.quick)
-    book.write(arguments.out or (OUT / "reproduction/pages" if arguments.quick else DOCS / "reproduction"))
+    book.write(arguments.out or (OUT / "reproduction/pages" if arguments.quick else notebook.FOLDER / "reproduction"))

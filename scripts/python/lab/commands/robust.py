@@ -1,11 +1,10 @@
-"""Makes robust plans of many scenes, plays them in MuJoCo and writes docs/robustness.md or another page.
+"""Makes robust plans of many scenes, plays them in MuJoCo and writes a page about them.
 
 It can be stopped at any moment and goes on where it was.
 """
 
 import argparse
 import pathlib
-import sys
 
 from lab import program
 from lab.robust import arms, bodies
@@ -21,8 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add(
         "--friction",
         metavar="LIST",
-        help="plan and play with these friction coefficients, 0.0,0.1 for example, and write "
-        "docs/robustness-low-friction.md",
+        help="plan and play with these friction coefficients, 0.0,0.1 for example, and write a page of its own",
     )
     add("--no-run", action="store_true", help="only write the page, from what is in out/")
     add(
@@ -31,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="FILE",
-        help="plan for the [robot] table of this TOML file, let the whole arm play, and write docs/robustness-arm.md; "
+        help="plan for the [robot] table of this TOML file, let the whole arm play, and write a page of its own; "
         "may be repeated",
     )
     add("--starts", type=int, metavar="N", help="only the first N starts of each scene [default: all]")
@@ -41,6 +39,4 @@ def run(arguments: argparse.Namespace) -> None:
     """Runs what is missing and writes the page."""
     if not arguments.no_run:
         program.build()
-    file, text = arms.make(arguments) if arguments.arm else bodies.make(arguments)
-    file.write_text(text)
-    print(f"written to {file}", file=sys.stderr)
+    (arms if arguments.arm else bodies).make(arguments)

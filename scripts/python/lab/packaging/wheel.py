@@ -9,13 +9,14 @@ import subprocess
 import zipfile
 from pathlib import Path
 
+from lab import notebook
 from lab.errors import Failure
-from lab.paths import DOCS, ROOT
+from lab.paths import ROOT
 
 PACKAGE = ROOT / "crates/python"
 
-# Libraries of the wheel are those of the table in docs/python.md.
-PAGE = DOCS / "python.md"
+# Libraries of the wheel are those of the table in this page.
+PAGE = notebook.PYTHON
 TABLE = re.compile(r"<!-- libraries -->\n(.*?)<!-- end of libraries -->", re.DOTALL)
 # A library in the wheel has a hash in its name: libipopt-0123abcd.so.1.9.9.
 GRAFTED = re.compile(r"^assembly_plan\.libs/(lib\w+)")

@@ -1,4 +1,4 @@
-"""Faults, and how every player ends with them: the rows of the table in docs/export.md."""
+"""Faults, and how every player ends with them: the rows of a table in the documentation."""
 
 import dataclasses
 import pathlib

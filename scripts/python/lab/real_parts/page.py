@@ -1,4 +1,4 @@
-"""The page about all pairs: docs/real-parts.md."""
+"""The page about all pairs."""
 
 import argparse
 import json
@@ -10,8 +10,6 @@ from lab import tables
 from lab.real_parts.make import FRICTIONS, MOTIONS
 
 PAGE = """\
-# Real parts
-
 Pairs of parts from public repositories (`scripts/python/lab/real_parts/manifest.toml`), planned by `solve --robust`
 with nothing but the two files, their unit, start, goal, offsets and turns; other settings of a part are listed below.
 Stiffness, horizon, directions of the offsets and facets are those that the program chooses. The plans were played in

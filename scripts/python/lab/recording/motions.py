@@ -1,5 +1,9 @@
 """Motions of arms under an impedance controller in MuJoCo, as JSON: torques `J' w + bias`, held for a control
-period."""
+period.
+
+The controller is written apart from that of `validate`: the program is compared with both, so that a mistake in one of
+them shows.
+"""
 
 import collections
 import dataclasses

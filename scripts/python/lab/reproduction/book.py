@@ -2,8 +2,8 @@
 
 import os
 import pathlib
-import sys
 
+from lab import notebook
 from lab.reproduction import clamps, distances, hessians, pegs, studies
 from lab.reproduction.page import Page
 
@@ -67,4 +67,4 @@ def write(folder: pathlib.Path) -> None:
         else "No plan is missing."
     )
     index.write()
-    print(f"written to {folder}", file=sys.stderr)
+    notebook.said_to(folder)

@@ -1,4 +1,4 @@
-"""Robust plans for arms, played by the whole arms: docs/robustness-arm.md."""
+"""Robust plans for arms, played by the whole arms, and the page about them."""
 
 import argparse
 import json
@@ -6,9 +6,9 @@ import pathlib
 import statistics
 import sys
 
-from lab import tables
+from lab import notebook, tables
 from lab.arm_scenes import LARGEST_FORCE, robot_of, with_robot
-from lab.paths import DOCS, SCENES
+from lab.paths import SCENES
 from lab.robust.cases import SEED, Case, by_offset, cases, chosen, run, shares, succeeded
 
 FRICTIONS = ("0.0", "0.1", "0.3")
@@ -19,8 +19,6 @@ TURN = "0.02"
 TIME_LIMIT = "60"
 
 PAGE = """\
-# Robust plans, played by whole arms
-
 Starts of the scenes, planned by `solve --robust --friction {frictions} --turn {turn} --time-limit {limit}` for an arm
 with a contact force of at most 60 N (`[limits]`), with gains that the program chose for it, and then played in MuJoCo
 by the whole arm: rotor inertia, gravity, joint friction, torques held for a control period. Each plan is played with
@@ -119,11 +117,11 @@ def page(arguments: argparse.Namespace, cases: dict[pathlib.Path, list[Case]]) -
     )
 
 
-def make(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
-    """Plans and plays what is missing; file and text of the page."""
+def make(arguments: argparse.Namespace) -> None:
+    """Plans and plays what is missing, and writes the page."""
     for arm in arguments.arm:
         for case in [] if arguments.no_run else chosen(arguments, f"robust-arm/{arm.stem}"):
             print(f"{arm.stem}: {case.label()}", file=sys.stderr)
             make_one(arguments, arm, case)
     everything = {arm: cases([], f"robust-arm/{arm.stem}") for arm in arguments.arm}
-    return DOCS / "robustness-arm.md", page(arguments, everything)
+    notebook.write("robustness-arm", "Robust plans, played by whole arms", page(arguments, everything))

@@ -1,12 +1,11 @@
-"""Robust plans for free bodies: docs/robustness.md, or docs/robustness-low-friction.md."""
+"""Robust plans for free bodies, and the page about them."""
 
 import argparse
 import json
-import pathlib
 import sys
 
-from lab import tables
-from lab.paths import DOCS, SCENES
+from lab import notebook, tables
+from lab.paths import SCENES
 from lab.robust.cases import SEED, Case, by_offset, cases, chosen, run, shares, summary
 
 # Wall seconds that the paper's solver took for a plan without any refinement (Table total_comp_times).
@@ -17,8 +16,6 @@ FRICTIONS = ("0.0", "0.1", "0.3")
 TIME_LIMIT = "120"
 
 PAGE = """\
-# Robust plans, played in MuJoCo
-
 Every start of every scene, planned by `solve --robust{asked} --time-limit {limit}` and then played in MuJoCo with
 frictions {frictions} by `scripts/lab validate --seed {seed}`: {count} random offsets in the hull of the planned ones at
 each of 0, 25, 50 and 75 % of delta-hat and at delta-hat less 1 mm (one without offset). Success: within 3 mm and 0.1
@@ -85,8 +82,8 @@ def page(arguments: argparse.Namespace, frictions: tuple[str, ...], done: list[C
     )
 
 
-def make(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
-    """Plans and plays what is missing; file and text of the page."""
+def make(arguments: argparse.Namespace) -> None:
+    """Plans and plays what is missing, and writes the page."""
     name, out, frictions, asked = "robustness", "robust", FRICTIONS, []
     if arguments.friction:
         name, out = f"{name}-low-friction", f"{out}-low-friction"
@@ -97,4 +94,4 @@ def make(arguments: argparse.Namespace) -> tuple[pathlib.Path, str]:
     everything = cases([], out)
     done = [case for case in everything if case.is_played()]
     missing = [case for case in everything if case not in done]
-    return DOCS / f"{name}.md", page(arguments, frictions, done, missing)
+    notebook.write(name, "Robust plans, played in MuJoCo", page(arguments, frictions, done, missing))
