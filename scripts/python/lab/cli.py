@@ -24,8 +24,11 @@ def main() -> int:
     except InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
-    except (Failure, OSError, subprocess.CalledProcessError) as error:
+    except (Failure, OSError) as error:
         print(f"error: {error}", file=sys.stderr)
+        return 3
+    except subprocess.CalledProcessError as error:
+        print(f"error: {' '.join(map(str, error.cmd))} ended with code {error.returncode}", file=sys.stderr)
         return 3
     except KeyboardInterrupt:
         return 130
