@@ -9,7 +9,7 @@ fn jaw(height: f64) -> String {
 
 /// The arm of the tests with a collision shape for its tool, in its file.
 fn arm(dir: &Dir, collision: &str) -> String {
-    let arms = project("scripts/mujoco_validation/arms");
+    let arms = project("examples/arms");
     let urdf = std::fs::read_to_string(arms.join("six.urdf")).unwrap();
     let (before, tool) = urdf.split_once("<link name=\"tool\">").unwrap();
     dir.write("arm.urdf", format!("{before}<link name=\"tool\"><collision>{collision}</collision>{tool}"));

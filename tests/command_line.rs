@@ -155,8 +155,8 @@ fn a_file_of_another_kind_is_named() {
     dir.run("solve scene.toml --out plan").code(0);
     for (line, words) in [
         ("check lid.stl", "it is a mesh; `assembly-plan new SCENE --body lid.stl --environment FILE` makes a scene"),
-        ("solve lid.step", "scripts/step-to-obj"),
-        ("check lid.STP", "scripts/step-to-obj"),
+        ("solve lid.step", "scripts/lab step-to-obj"),
+        ("check lid.STP", "scripts/lab step-to-obj"),
         ("check robot.urdf", "it is a model; `assembly-plan new"),
         ("check binary.toml", "binary.toml: the scene cannot be read: it is not a text file"),
         ("check plan", "plan: the scene cannot be read: it is a folder; name a file"),
@@ -165,7 +165,7 @@ fn a_file_of_another_kind_is_named() {
         ("simulate scene.toml", "scene.toml: is a file; name the folder of a plan"),
         ("export scene.toml --to csv", "scene.toml: is a file; name the folder of a plan"),
         ("report scene.toml", "scene.toml: is not a folder"),
-        ("new new.toml --body lid.step --environment lid.stl --unit mm", "scripts/step-to-obj"),
+        ("new new.toml --body lid.step --environment lid.stl --unit mm", "scripts/lab step-to-obj"),
     ] {
         let run = dir.run(line).code(2).says(words);
         assert!(!run.stderr.contains(['\0', '\u{fffd}']), "{line}: {}", run.stderr);

@@ -46,10 +46,10 @@ fn page(name: &str) -> Page {
 /// A folder in which examples run: scenes, configurations and meshes, files that examples name, and a plan in `out/corner`.
 fn sandbox() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["scenes", "configs", "examples"] {
+    for name in ["scenes", "configs", "examples", "examples/arms"] {
         fs::create_dir(folder.path().join(name)).unwrap();
-        for entry in fs::read_dir(project(name)).unwrap() {
-            let file = entry.unwrap().path();
+        let entries = fs::read_dir(project(name)).unwrap().map(|entry| entry.unwrap().path());
+        for file in entries.filter(|file| file.is_file()) {
             fs::copy(&file, folder.path().join(name).join(file.file_name().unwrap())).unwrap();
         }
     }
@@ -285,8 +285,8 @@ fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
     let program = flags_of_program();
     let mut scripts = String::new();
     let players = ["shared", "ur_rtde", "franka", "ros2"].map(|name| format!("crates/export/players/{name}"));
-    let folders =
-        ["scripts", "scripts/mujoco_validation", "scripts/reproduction", "crates/python/examples"].map(str::to_owned);
+    let folders = ["scripts", "scripts/python/lab/commands", "scripts/python/lab/validation", "crates/python/examples"]
+        .map(str::to_owned);
     for folder in folders.iter().chain(&players) {
         let files = fs::read_dir(project(folder)).unwrap().map(|entry| entry.unwrap().path());
         files.filter_map(|file| fs::read_to_string(file).ok()).for_each(|text| scripts += &text);

@@ -6,8 +6,8 @@ use crate::support::{Dir, project};
 
 /// An arm for the corner scene, as the end of a scene file.
 fn robot() -> String {
-    let arm = std::fs::read_to_string(project("scripts/mujoco_validation/arms/six.toml")).unwrap();
-    let urdf = project("scripts/mujoco_validation/arms/six.urdf");
+    let arm = std::fs::read_to_string(project("examples/arms/six.toml")).unwrap();
+    let urdf = project("examples/arms/six.urdf");
     arm.replace("six.urdf", urdf.to_str().unwrap())
 }
 

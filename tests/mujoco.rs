@@ -1,4 +1,4 @@
-//! `simulate` against motions that MuJoCo made from the same plans; `scripts/record-mujoco` records them.
+//! `simulate` against motions that MuJoCo made from the same plans; `scripts/lab record mujoco` records them.
 
 use crate::support::{Dir, Table, project};
 

@@ -164,7 +164,7 @@ pub enum MeshError {
 
 /// What else helps with a format of CAD programs.
 fn step_advice(extension: &str) -> &'static str {
-    if ["step", "stp"].contains(&extension) { ", which scripts/step-to-obj makes of it" } else { "" }
+    if ["step", "stp"].contains(&extension) { ", which scripts/lab step-to-obj makes of it" } else { "" }
 }
 
 impl MeshError {

@@ -14,7 +14,7 @@ const BEGINNINGS: [(&[u8], &str); 18] = [
     (b"{", "a JSON file: export the part as STL or OBJ"),
     (b"pk\x03\x04", "a ZIP or 3MF archive: unpack it, or export the part as STL or OBJ"),
     (b"\x1f\x8b", "compressed by gzip: unpack it"),
-    (b"iso-10303-21", "a STEP file: make a mesh of it with `scripts/step-to-obj`"),
+    (b"iso-10303-21", "a STEP file: make a mesh of it with `scripts/lab step-to-obj`"),
     (b"ply\n", "a PLY file: export the part as STL or OBJ"),
     (b"ply\r", "a PLY file: export the part as STL or OBJ"),
     (b"off\n", "an OFF file: export the part as STL or OBJ"),

@@ -1,5 +1,5 @@
 //! What the optimal control problem is worth: beside robust plans, a straight push that is refined by the same loop for
-//! the same time without solving anything. Prints a row of a Markdown table per scene; `scripts/baseline` makes a page
+//! the same time without solving anything. Prints a row of a Markdown table per scene; `scripts/lab baseline` makes a page
 //! of it.
 
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Compares the arm of a URDF file with what `scripts/record-arm` wrote for it, and prints its apparent inertia:
+//! Compares the arm of a URDF file with what `scripts/lab record arm` wrote for it, and prints its apparent inertia:
 //! `cargo run -p robot --example compare_arm -- URDF FILE`.
 
 #[path = "../tests/support/record.rs"]

@@ -1,5 +1,5 @@
 //! Kinematics and dynamics are those of MuJoCo: of an arm with fixed side branches, of a redundant one with a gripper, and
-//! of one with slides; each with a base, a grasp, a payload and rotor inertia. `scripts/record-arm` writes the records.
+//! of one with slides; each with a base, a grasp, a payload and rotor inertia. `scripts/lab record arm` writes the records.
 
 #[path = "support/record.rs"]
 mod record;

@@ -54,7 +54,7 @@ fn other_kind(file: &Path) -> Option<String> {
     match file.extension()?.to_str()?.to_lowercase().as_str() {
         "stl" | "obj" => Some(new("mesh")),
         "sdf" | "urdf" | "xml" | "mjcf" => Some(new("model")),
-        "step" | "stp" => Some("it is a STEP file; scripts/step-to-obj makes meshes of it".to_owned()),
+        "step" | "stp" => Some("it is a STEP file; scripts/lab step-to-obj makes meshes of it".to_owned()),
         _ => None,
     }
 }

@@ -1,4 +1,4 @@
-//! What MuJoCo was given is found in the logs of a player that moved an arm there: `scripts/record-executions` writes them.
+//! What MuJoCo was given is found in the logs of a player that moved an arm there: `scripts/lab record executions` writes them.
 
 use std::fs;
 

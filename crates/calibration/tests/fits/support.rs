@@ -22,8 +22,8 @@ pub fn arm_scene(name: &str) -> String {
     let scene = fs::read_to_string(project(&format!("scenes/{name}.toml"))).unwrap();
     let replaced = ["mass", "inertia", "translational_stiffness", "rotational_stiffness"];
     let kept = scene.lines().filter(|line| !replaced.iter().any(|key| line.starts_with(key)));
-    let robot = fs::read_to_string(project("scripts/mujoco_validation/arms/six.toml")).unwrap();
-    let urdf = project("scripts/mujoco_validation/arms/six.urdf");
+    let robot = fs::read_to_string(project("examples/arms/six.toml")).unwrap();
+    let urdf = project("examples/arms/six.urdf");
     kept.map(|line| line.to_owned() + "\n").collect::<String>() + &robot.replace("six.urdf", urdf.to_str().unwrap())
 }
 

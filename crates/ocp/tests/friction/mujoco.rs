@@ -1,4 +1,4 @@
-//! The planner's friction against motions of MuJoCo: `tests/mujoco`, which `scripts/record-mujoco` recorded.
+//! The planner's friction against motions of MuJoCo: `tests/mujoco`, which `scripts/lab record mujoco` recorded.
 
 use std::path::Path;
 

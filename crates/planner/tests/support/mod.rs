@@ -8,7 +8,7 @@ use planner::{Choices, Problem};
 pub fn problem_of_arm(control_period: f64, choices: &Choices) -> Problem {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
     let read = |file: &Path| std::fs::read_to_string(root.join(file)).unwrap();
-    let arms = root.join("scripts/mujoco_validation/arms");
+    let arms = root.join("examples/arms");
     let robot = read(&arms.join("six.toml")).replace("six.urdf", arms.join("six.urdf").to_str().unwrap());
     let robot = robot.replace("control_period = 0.002", &format!("control_period = {control_period}"));
     // The arm has its own inertia and gains.

@@ -1,4 +1,4 @@
-//! An arm and what MuJoCo computes for it, as `scripts/record-arm` writes it.
+//! An arm and what MuJoCo computes for it, as `scripts/lab record arm` writes it.
 
 use std::path::Path;
 

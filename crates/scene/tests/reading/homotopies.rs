@@ -256,7 +256,7 @@ fn the_table_has_all_options_that_the_program_sets() {
 #[test]
 fn every_homotopy_file_of_the_project_loads() {
     let mut paths = files(&folder("configs"));
-    paths.extend(files(&folder("scripts/reproduction/studies/homotopies")));
+    paths.extend(files(&folder("scripts/python/lab/reproduction/studies/homotopies")));
     for path in paths {
         let homotopy = load_homotopy(&path).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(homotopy.ipopt.len(), 2, "{}", path.display());
@@ -265,7 +265,7 @@ fn every_homotopy_file_of_the_project_loads() {
 
 #[test]
 fn files_that_repeat_the_paper_neither_go_on_nor_begin_coarse() {
-    let mut paths = files(&folder("scripts/reproduction/studies/homotopies"));
+    let mut paths = files(&folder("scripts/python/lab/reproduction/studies/homotopies"));
     paths.extend(
         ["homotopy_peg", "homotopy_clamp", "homotopy_clamp_wide"].map(|name| folder(&format!("configs/{name}.toml"))),
     );

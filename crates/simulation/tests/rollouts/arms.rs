@@ -1,4 +1,4 @@
-//! Rollouts of whole arms, compared with MuJoCo: `scripts/record-arm-motions` writes the records.
+//! Rollouts of whole arms, compared with MuJoCo: `scripts/lab record motions` writes the records.
 
 use std::path::{Path, PathBuf};
 

@@ -1,0 +1,1 @@
+"""Measures, validates, records, and makes files beside the program itself."""

@@ -1,0 +1,1 @@
+"""Plans in MuJoCo: models of scenes and arms, and motions on them."""

@@ -1,0 +1,108 @@
+"""Cases beside faults: plans that are played to their end, and what stops a player."""
+
+import math
+import random
+
+from lab.players.case import Case, fault
+from lab.players.faulty_cases import DRY_RUN, DRY_RUN_PLAN
+
+# Of robots, the one behind sockets is `loopback`.
+TARGETS = ("ur-rtde", "loopback", "franka", "ros2", "urscript")
+# Two offsets (m) of each plan that it covers.
+OFFSETS = {
+    "corner": ((0.019, 0.0, 0.0), (0.008, 0.0, 0.01)),
+    "clamp1": ((0.003, -0.003, 0.0), (0.0, 0.0035, 0.0)),
+    "peg1": ((0.0, 0.0, 0.0), (0.008, -0.008, 0.0)),
+}
+# Largest turn of the part (rad) in a good run, as those plans cover it.
+LARGEST_TURN = 0.01
+
+
+def insertions() -> list[Case]:
+    """Every plan with every player, each with a grasp error that was planned for and one between them."""
+    return [
+        Case(
+            f"{target} {plan} {number}",
+            target,
+            plan,
+            inserts=True,
+            simulation={"offset": offset, "turn": (0.0, 0.005, 0.0)},
+        )
+        for target in TARGETS
+        for plan in OFFSETS
+        for number, offset in enumerate(OFFSETS[plan], 1)
+        # Behind sockets, a robot takes longer than its own time.
+        if target != "loopback" or (plan, number) == ("clamp1", 1)
+    ]
+
+
+def good_runs(count: int) -> list[Case]:
+    """Motions without a fault: players and plans in turn, offsets between two of a plan, turns about any axis."""
+    generator = random.Random(1)
+    kinds = [(target, plan) for target in TARGETS if target != "loopback" for plan in OFFSETS]
+    cases = []
+    for number in range(count):
+        target, plan = kinds[number % len(kinds)]
+        share = generator.random()
+        offset = [share * one + (1 - share) * other for one, other in zip(*OFFSETS[plan])]
+        axis = [generator.gauss(0, 1) for _ in range(3)]
+        size = generator.uniform(0, LARGEST_TURN) / math.hypot(*axis)
+        turn = [size * component for component in axis]
+        simulation = {"offset": offset, "turn": turn}
+        cases.append(Case(f"good run {number + 1}: {target} {plan}", target, plan, inserts=True, simulation=simulation))
+    return cases
+
+
+def guards() -> list[Case]:
+    """What stops a player beside faults, and what must not."""
+    cases = []
+    for target in ("ur-rtde", "franka", "ros2"):
+
+        def add(name: str, *rest: object, plan: str = "corner", target: str = target, **more: object) -> None:
+            cases.append(Case(f"{target} {name}", target, plan, *rest, **more))
+
+        add("self-test and dry run", 0, "dry run: the tool ends", plan=DRY_RUN_PLAN, flags=("--dry-run", DRY_RUN))
+        add("interrupt", 130, "interrupted", interrupted_at="testing the frames", flags=())
+        add("without packages", 3, "pip install numpy", has_packages=False)
+        add("wrong factor", 2, "--stiffness-factor", flags=("--stiffness-factor", "-1"))
+        add("soft", 1, "the tool moved", flags=("--stiffness-factor", "0.001"))
+        add("distance", 1, "from its reference", flags=("--skip-self-test", "--distance-limit", "0.001"))
+        add("displaced", 0, "", inserts=True, simulation={"displaced": 0.005})
+    for name in ("force", "hang", "disconnect", "protective"):
+        cases.append(Case(f"loopback {name}", "loopback", "corner", 1, "stopped: ", simulation=fault(name)))
+    cases += [
+        Case(
+            "loopback interrupt",
+            "loopback",
+            "corner",
+            130,
+            "interrupted",
+            interrupted_at="testing the frames",
+            flags=(),
+        ),
+        Case("loopback force mode", "loopback", "corner", inserts=True, flags=("--skip-self-test", "--mode", "force")),
+        Case("ur-rtde turned base", "ur-rtde", "corner", inserts=True, simulation={"base_is_turned": True}),
+        Case("ur-rtde force mode", "ur-rtde", "corner", inserts=True, flags=("--skip-self-test", "--mode", "force")),
+        Case("ur-rtde older", "ur-rtde", "corner", inserts=True, environment={"POLYSCOPE": "URSoftware 5.12.6 (2022)"}),
+        Case(
+            "ur-rtde older torque",
+            "ur-rtde",
+            "corner",
+            2,
+            "takes no joint torques",
+            flags=("--mode", "torque"),
+            environment={"POLYSCOPE": "URSoftware 5.12.6 (2022)"},
+        ),
+        Case(
+            "ros2 motion-update",
+            "ros2",
+            "corner",
+            inserts=True,
+            flags=("--skip-self-test", "--message", "motion-update"),
+        ),
+        Case("urscript without receiver", "urscript", "corner", inserts=True, has_receiver=False),
+        Case("urscript turned base", "urscript", "corner", inserts=True, simulation={"base_is_turned": True}),
+        Case("urscript force", "urscript", "corner", 1, "beyond the limit", simulation=fault("force")),
+        Case("urscript too far", "urscript", "corner", 1, "move the robot to the start", simulation={"displaced": 0.6}),
+    ]
+    return cases

@@ -1,0 +1,1 @@
+"""Records of MuJoCo and of players, for tests to compare with."""

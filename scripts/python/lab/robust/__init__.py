@@ -1,0 +1,1 @@
+"""Robust plans of many scenes, made and played."""

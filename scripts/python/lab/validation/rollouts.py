@@ -1,0 +1,75 @@
+"""The motions of a plan, played by one process or by several."""
+
+import multiprocessing
+import signal
+from collections.abc import Iterator
+
+from lab.mujoco import arm_world, world
+from lab.mujoco.arm import ArmPlayer
+from lab.mujoco.plans import Plan
+from lab.mujoco.rollout import FreePlayer, GraspError, Outcome, Player
+
+PLANNED, STRAIGHT = "plan", "straight push"
+# Time over which contact forces are averaged (s).
+FORCE_WINDOW = 0.01
+
+
+class Rollouts:
+    """Plays the motions of one plan; every process makes its own models."""
+
+    def __init__(self, plan: Plan, time_step: float, settling_time: float) -> None:
+        self.plan = plan
+        self.time_step = time_step
+        references = {PLANNED: plan.reference, STRAIGHT: plan.straight()}
+        self.samples = {
+            motion: reference.sample(time_step, settling_time).tolist() for motion, reference in references.items()
+        }
+        self.players: dict[float, Player] = {}
+
+    def player(self, friction: float) -> Player:
+        """The simulation at a friction, made on first use."""
+        if friction not in self.players:
+            contact = world.Contact(friction, self.time_step)
+            window = max(1, round(FORCE_WINDOW / self.time_step))
+            if self.plan.robot:
+                self.players[friction] = ArmPlayer(arm_world.build(self.plan, contact), self.plan, window)
+            else:
+                self.players[friction] = FreePlayer(world.build(self.plan, contact), self.plan, window)
+        return self.players[friction]
+
+    def play(self, motion: str, friction: float, grasp_error: GraspError) -> Outcome:
+        """One motion."""
+        return self.player(friction).outcome(self.samples[motion], grasp_error)
+
+    def trace(self, friction: float, grasp_error: GraspError) -> list[list[float]]:
+        """Time and state at every step of the plan's motion."""
+        rows: list[list[float]] = []
+        player, samples = self.player(friction), self.samples[PLANNED]
+        player.begin(samples, grasp_error)
+        player.play(samples, lambda: rows.append([player.data.time, *player.state()]))
+        return rows
+
+
+# The rollouts of the current folder, in every process of a pool.
+ROLLOUTS: list[Rollouts] = []
+
+
+def initialise(plan: Plan, time_step: float, settling_time: float) -> None:
+    """Prepares a process; Ctrl-C is for the one that started it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    ROLLOUTS[:] = [Rollouts(plan, time_step, settling_time)]
+
+
+# Motion, friction and grasp error.
+Task = tuple[str, float, GraspError]
+
+
+def run(task: Task) -> Outcome:
+    """Plays a motion in a prepared process."""
+    return ROLLOUTS[0].play(*task)
+
+
+def play_all(plan: Plan, time_step: float, settling_time: float, jobs: int, tasks: list[Task]) -> Iterator[Outcome]:
+    """Plays motions of one plan in some processes; outcomes come in the order of the tasks."""
+    with multiprocessing.Pool(jobs, initialise, (plan, time_step, settling_time)) as pool:
+        yield from pool.imap(run, tasks, chunksize=1)
