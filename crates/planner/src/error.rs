@@ -118,6 +118,9 @@ pub enum Unusable {
     /// Another scene, start, offset, homotopy or version.
     #[error("it belongs to another problem")]
     OtherProblem,
+    /// A newer version has left it.
+    #[error("a newer version of assembly-plan has left it")]
+    Newer,
     /// The checkpoint was cut or changed.
     #[error("its checkpoint is damaged")]
     DamagedCheckpoint,

@@ -91,7 +91,7 @@ pub use length::Millimetres;
 pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;
 pub use plan::{Cut, Outcome, Plan, PlanStatus, Stop};
-pub use problem::{Choices, Problem, homotopy};
+pub use problem::{Choices, Problem, VERSION, homotopy};
 pub use refine::{RobustnessTarget, refine, refine_reference, test};
 pub use robustness::{PushReport, RobustnessReport, Round, TestReport};
 pub use session::{Event, Observer, Session};

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use scene::{Borne, Scene, StartPose, TaskError, resolved};
+use scene::{Borne, Scene, StartPose, TaskError, resolved, resolved_settings, resolved_world};
 use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
 
@@ -11,6 +11,10 @@ use crate::error::PlannerError;
 use crate::files::hash;
 use crate::ranges::require_turn;
 use crate::tolerance::ChosenTolerance;
+
+/// The version whose plans these are, bit for bit: it is raised with every change that moves a bit of a plan, so that
+/// unfinished work of other plans is not resumed.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What is chosen of a scene; the default is the scene's own.
 #[derive(Debug, Clone, Default)]
@@ -114,7 +118,7 @@ impl Problem {
         let borne = Borne { turn, ..Borne::default() };
         let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, borne, ..scene.clone() };
         let solved = resolved(&solved, &start, delta, &homotopy);
-        let identity = hash(format!("{}\n{solved}", env!("CARGO_PKG_VERSION")).as_bytes());
+        let identity = hash(format!("{VERSION}\n{solved}").as_bytes());
         (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
         let resolved = resolved(&scene, &start, delta, &homotopy);
         Ok(Self {
@@ -291,23 +295,13 @@ impl Problem {
 
     /// Hash (hexadecimal) of what stands in the world: shapes, start and goal.
     pub fn shapes_hash(&self) -> String {
-        let mut text = format!("{:?} {:?}\n", self.start.pose, self.scene.goal);
-        for part in self.scene.body.iter().chain(&self.scene.environment) {
-            text += &format!("{} {:?} {:?}\n", part.name, part.shape.normals(), part.shape.offsets());
-        }
-        hash(text.as_bytes())
+        hash(resolved_world(&self.scene, &self.start).as_bytes())
     }
 
     /// Hash (hexadecimal) of everything else: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy,
     /// what the joints and the controller of an arm do.
     pub fn settings_hash(&self) -> String {
-        let AssemblyTask { inertia, impedance, frictions, grasps, horizon, cost, limits, .. } = &self.task;
-        let robot = self.scene.robot.as_ref().map(|robot| (&robot.joint_friction, robot.control_period));
-        let homotopy = &self.homotopy;
-        let text = format!(
-            "{inertia:?} {impedance:?} {frictions:?} {grasps:?} {horizon:?} {cost:?} {limits:?} {homotopy:?} {robot:?}"
-        );
-        hash(text.as_bytes())
+        hash(resolved_settings(&self.scene, self.delta, &self.homotopy).as_bytes())
     }
 }
 

@@ -55,7 +55,7 @@ pub use motion_region::MotionRegion;
 pub use part::Part;
 pub use pose::StartPose;
 pub use range::Range;
-pub use resolved::resolved;
+pub use resolved::{resolved, resolved_settings, resolved_world};
 pub use robot::Robot;
 pub use scene::{Borne, Scene};
 pub use schema::{homotopy_schema, scene_schema};

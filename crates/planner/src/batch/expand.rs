@@ -6,7 +6,7 @@ use scene::Scene;
 
 use crate::batch::matrix::{Key, Matrix, Starts};
 use crate::error::PlannerError;
-use crate::files::Cell;
+use crate::files::{Cell, Format};
 use crate::problem::{Problem, homotopy};
 
 /// More cells than anyone solves.
@@ -68,6 +68,7 @@ fn add_scene(
                         }
                     })?;
                 cells.push(Cell {
+                    format: Format::CURRENT,
                     index: 0,
                     scene: absolute(file)?,
                     start: start.clone(),

@@ -54,7 +54,7 @@ impl Checkpoint {
     /// of another problem, so that the solve has to start from the beginning.
     pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
         let Ok(text) = read_text(&folder.join(CHECKPOINT)) else { return Ok(None) };
-        let checkpoint: Self = unseal(&text).ok_or(Unusable::DamagedCheckpoint)?;
+        let checkpoint: Self = unseal(&text, Unusable::DamagedCheckpoint)?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
             false => Err(Unusable::OtherProblem),

@@ -8,6 +8,7 @@ use task::LinearSolver;
 
 use crate::error::{PlannerError, short};
 use crate::files::atomic::{read_text, require_folder, write_file};
+use crate::files::format::Format;
 use crate::files::work_folder::WorkFolder;
 
 /// Name of the file.
@@ -21,6 +22,9 @@ const LARGEST_DELTA: f64 = 10.0;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cell {
+    /// Format of the line.
+    #[serde(default)]
+    pub format: Format,
     /// Line in the manifest, from 0.
     pub index: usize,
     /// Scene file.

@@ -19,6 +19,7 @@ pub mod cells;
 mod checkpoint;
 mod coverage;
 mod folder;
+mod format;
 mod grasp;
 mod log;
 mod manifest;
@@ -38,6 +39,7 @@ pub use atomic::{hash, read_bytes, read_text, remove_file, require_folder, write
 pub use checkpoint::Checkpoint;
 pub use coverage::{CoverageKind, CoverageRecord};
 pub use folder::PlanFolder;
+pub use format::Format;
 pub use grasp::GraspRecord;
 pub use log::{ExecutedState, PLAYING, PlayedRows, RESTING, read_log_header, read_played_rows};
 pub use manifest::{Cell, MANIFEST, Manifest};

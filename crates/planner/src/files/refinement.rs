@@ -142,7 +142,7 @@ impl RefinementCheckpoint {
     /// of another problem.
     pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
         let Ok(text) = read_text(&folder.join(REFINEMENT)) else { return Ok(None) };
-        let checkpoint: Self = unseal(&text).ok_or(Unusable::DamagedRefinement)?;
+        let checkpoint: Self = unseal(&text, Unusable::DamagedRefinement)?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
             false => Err(Unusable::OtherProblem),

@@ -8,12 +8,13 @@ use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 use crate::attempt::AttemptRecord;
 use crate::explain::FailureExplanation;
 use crate::files::coverage::CoverageRecord;
+use crate::files::format::Format;
 use crate::files::grasp::GraspRecord;
 use crate::files::motion::MotionRecord;
 use crate::iteration::IterationRecord;
 use crate::or_null;
 use crate::plan::{Outcome, Plan, PlanStatus};
-use crate::problem::Problem;
+use crate::problem::{Problem, VERSION};
 use crate::robustness::{RobustnessReport, TestReport};
 
 /// Name of the file, which is written last: where it stands, the plan is whole.
@@ -22,6 +23,9 @@ pub const RESULT: &str = "result.json";
 /// Everything that is known of a plan besides its motions.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanResult {
+    /// Format of the file.
+    #[serde(default)]
+    pub format: Format,
     /// What has become of the plan, in words.
     pub status: String,
     /// The same, without details.
@@ -255,6 +259,7 @@ impl PlanResult {
         let records = || plan.iterations.iter().map(|iteration| &iteration.record);
         let chosen = &plan.chosen().record;
         Self {
+            format: Format::CURRENT,
             outcome: status.outcome(),
             done: status == PlanStatus::Done,
             planned: status == PlanStatus::Planned,
@@ -270,10 +275,7 @@ impl PlanResult {
             linear_solver: chosen.linear_solver.clone(),
             linear_solver_fallbacks: records().map(IterationRecord::fallbacks).sum(),
             threads: plan.threads,
-            versions: Versions {
-                assembly_plan: env!("CARGO_PKG_VERSION").to_owned(),
-                ipopt: nlp::IPOPT_VERSION.to_owned(),
-            },
+            versions: Versions { assembly_plan: VERSION.to_owned(), ipopt: nlp::IPOPT_VERSION.to_owned() },
             iterations: records().map(|record| record.iterations).sum(),
             chosen_stage: plan.chosen_stage(),
             objective: chosen.objective,

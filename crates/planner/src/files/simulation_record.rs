@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::PlannerError;
 use crate::files::atomic::{hash, read_bytes, read_text};
+use crate::files::format::Format;
 use crate::files::rollouts::is_table;
-use crate::problem::Problem;
+use crate::problem::{Problem, VERSION};
 use crate::simulate::GraspErrors;
 
 /// Name of the file.
@@ -17,6 +18,9 @@ pub const SIMULATION: &str = "simulation.json";
 /// What was simulated. The tables beside it have the rest.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SimulationRecord {
+    /// Format of the file.
+    #[serde(default)]
+    pub format: Format,
     /// Title of the scene.
     pub scene: String,
     /// Folders of the plans.
@@ -40,13 +44,14 @@ impl SimulationRecord {
     /// Of the plans of a problem, with these injected errors.
     pub fn new(problem: &Problem, plans: Vec<String>, errors: &GraspErrors) -> Self {
         Self {
+            format: Format::CURRENT,
             scene: problem.scene().title.clone(),
             plans,
             seed: errors.seed,
             turn_rad: errors.turn,
             position_tolerance_m: problem.success().position,
             angle_tolerance_rad: problem.success().orientation,
-            assembly_plan: env!("CARGO_PKG_VERSION").to_owned(),
+            assembly_plan: VERSION.to_owned(),
             files: BTreeMap::new(),
         }
     }
