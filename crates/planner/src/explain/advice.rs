@@ -2,12 +2,13 @@
 
 use nlp::SolveStatus;
 use scene::Part;
+use task::algebra::norm;
 use task::{POSE, STATE, pose_of};
 
 use crate::check::{first_smoothing, rest, step};
 use crate::explain::limits::ActiveLimitRecord;
 use crate::explain::stuck::StuckScenario;
-use crate::explain::words::norm;
+
 use crate::length::Millimetres;
 use crate::plan::{Plan, Stop};
 use crate::play::along_insertion;

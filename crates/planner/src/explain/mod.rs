@@ -22,7 +22,6 @@ pub use rollouts::LossRecord;
 pub(crate) use rollouts::loss;
 pub use stuck::{HoldRecord, MotionEnd, StuckScenario};
 pub use words::axis_name;
-pub(crate) use words::norm;
 
 /// Why a plan is not done.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

@@ -2,10 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Injection, Settings, Trial};
+use task::algebra::norm;
 use task::{GraspError, ScenarioTrajectory, Trajectory};
 
 use crate::explain::stuck::MotionEnd;
-use crate::explain::words::{direction, norm};
+use crate::explain::words::direction;
 use crate::files::GraspRecord;
 use crate::or_null;
 use crate::problem::Problem;

@@ -2,9 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 use simulation::Success;
+use task::algebra::norm;
 use task::{AssemblyTask, POSE, STATE, ScenarioTrajectory, pose, pose_of};
 
-use crate::explain::words::{direction, norm};
+use crate::explain::words::direction;
 use crate::files::GraspRecord;
 use crate::or_null;
 use crate::plan::Plan;

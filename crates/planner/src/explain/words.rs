@@ -85,11 +85,6 @@ pub fn axis_name(direction: &[f64; 3]) -> String {
     }
 }
 
-/// Length of a vector.
-pub fn norm(vector: &[f64; 3]) -> f64 {
-    vector.iter().map(|component| component * component).sum::<f64>().sqrt()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,9 +2,9 @@
 //! them helps differs from scene to scene.
 
 use simulation::{Reference, Rollout, Settings};
+use task::algebra::norm;
 use task::{AssemblyTask, CostWeights, GraspError, HomotopySettings};
 
-use crate::explain::norm;
 use crate::variant::Variant;
 
 /// Failing grasp errors that a variant takes over as scenarios.
