@@ -2,13 +2,12 @@
 //! the built-in one, the same problem with slower tightening and with shorter steps. Which homotopy reaches the goal
 //! differs from scene to scene, and a miss shows early.
 
-use serde::{Deserialize, Serialize};
 use task::HomotopySettings;
 
 use crate::iteration::PlanIteration;
-use crate::or_null;
 use crate::plan::{Plan, PlanStatus};
 use crate::problem::Problem;
+use crate::records::AttemptRecord;
 
 /// Factor of `tau_1` and of `sigma_1` of the homotopy that tightens slowly.
 const SLOW_FIRST: f64 = 4.0 / 3.0;
@@ -58,38 +57,20 @@ impl Change {
     }
 }
 
-/// What came of an attempt.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct AttemptRecord {
-    /// What was planned, in words.
-    pub planned: String,
-    /// What came of it, in words.
-    pub status: String,
-    /// Largest final distance of all scenarios from the goal.
-    #[serde(with = "or_null")]
-    pub position_error_m: f64,
-    /// Iterations of the solver.
-    pub iterations: usize,
-    /// Wall time of the solver.
-    pub wall_s: f64,
-}
-
-impl AttemptRecord {
-    /// Of an attempt whose homotopy has ended.
-    pub(crate) fn new(change: Change, plan: &Plan) -> Self {
-        let records = || plan.iterations.iter().map(|iteration| &iteration.record);
-        Self {
-            planned: change.name().to_owned(),
-            status: match is_given_up(plan) {
-                true => {
-                    format!("given up after homotopy iteration {}, which led away from the goal", plan.iterations.len())
-                }
-                false => plan.status().to_string(),
-            },
-            position_error_m: plan.trajectory.worst_errors().0,
-            iterations: records().map(|record| record.iterations).sum(),
-            wall_s: records().map(|record| record.wall_s).sum(),
-        }
+/// What came of an attempt whose homotopy has ended.
+pub(crate) fn record(change: Change, plan: &Plan) -> AttemptRecord {
+    let records = || plan.iterations.iter().map(|iteration| &iteration.record);
+    AttemptRecord {
+        planned: change.name().to_owned(),
+        status: match is_given_up(plan) {
+            true => {
+                format!("given up after homotopy iteration {}, which led away from the goal", plan.iterations.len())
+            }
+            false => plan.status().to_string(),
+        },
+        position_error_m: plan.trajectory.worst_errors().0,
+        iterations: records().map(|record| record.iterations).sum(),
+        wall_s: records().map(|record| record.wall_s).sum(),
     }
 }
 

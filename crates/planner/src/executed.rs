@@ -11,9 +11,10 @@ use simulation::{Reference, Settings, coordinates, interpolate, isometry};
 use task::{GraspError, POSE, pose_of};
 
 use crate::error::PlannerError;
-use crate::files::{ExecutedState, GraspRecord, PlayedRows, StoredPlan, read_log_header, read_played_rows};
+use crate::files::{ExecutedState, PlayedRows, StoredPlan, read_log_header, read_played_rows};
 use crate::length::Millimetres;
 use crate::problem::Problem;
+use crate::records::GraspRecord;
 
 /// What the first line of a log says of its session.
 #[derive(Debug, Default, Deserialize)]

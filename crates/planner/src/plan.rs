@@ -6,10 +6,9 @@ use serde::{Deserialize, Serialize};
 use simulation::Reference;
 use task::{AssemblyTask, Trajectory};
 
-use crate::attempt::AttemptRecord;
-use crate::files::MotionRecord;
 use crate::iteration::PlanIteration;
 use crate::problem::Problem;
+use crate::records::{AttemptRecord, MotionRecord};
 use crate::robustness::{RobustnessReport, TestReport};
 use crate::success_rates::max_force;
 use crate::variant::Variant;

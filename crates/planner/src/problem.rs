@@ -6,9 +6,9 @@ use scene::{Borne, Scene, StartPose, TaskError, resolved, resolved_settings, res
 use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
 
+use crate::digest::hash;
 use crate::engagement::{Engagement, engagement};
 use crate::error::PlannerError;
-use crate::files::hash;
 use crate::ranges::require_turn;
 use crate::tolerance::ChosenTolerance;
 

@@ -3,9 +3,8 @@
 use serde::{Deserialize, Serialize};
 use simulation::TrialResult;
 
-use crate::explain::LossRecord;
-use crate::files::GraspRecord;
 use crate::iteration::PlanIteration;
+use crate::records::{GraspRecord, LossRecord};
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 

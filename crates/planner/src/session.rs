@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use crate::clock::RunClock;
 use crate::error::Unusable;
-use crate::files::PlanFolder;
 use crate::iteration::IterationRecord;
+use crate::keeper::Keeper;
 
 /// What accompanies a long computation.
 pub struct Session<'run> {
@@ -15,7 +15,7 @@ pub struct Session<'run> {
     /// Once set, the computation ends as soon as it can, with what it has.
     pub interrupted: &'run AtomicBool,
     /// Where finished homotopy iterations and refined references are kept, so that another run can go on with them.
-    pub folder: Option<&'run PlanFolder>,
+    pub folder: Option<&'run dyn Keeper>,
     /// Threads. They change nothing but the time it takes.
     pub threads: usize,
     /// The clock of the run, which says when it has to end.
@@ -41,7 +41,7 @@ impl<'run> Session<'run> {
     /// is not limited.
     pub fn end_of_work(&self) -> Option<Duration> {
         let limit = self.clock.limit()?;
-        let writing = self.folder.map_or(Duration::ZERO, PlanFolder::writing_time);
+        let writing = self.folder.map_or(Duration::ZERO, Keeper::writing_time);
         Some(limit.saturating_sub(writing.max(limit.mul_f64(RESERVE))))
     }
 

@@ -6,14 +6,16 @@ use std::sync::Arc;
 use nlp::{Control, Iterate, Start};
 use ocp::Event as SolverEvent;
 
-use crate::attempt::{AttemptRecord, Change, is_better, leads_away};
+use crate::attempt::{self, Change, is_better, leads_away};
+use crate::checkpoint::Checkpoint;
 use crate::error::{PlannerError, Unusable};
-use crate::files::{Checkpoint, PlanFolder};
 use crate::homotopy_run::{Ended, HomotopyRun, Solved};
 use crate::iteration::{IterationRecord, PlanIteration};
+use crate::keeper::Keeper;
 use crate::plan::{Plan, PlanStatus, Stop};
 use crate::problem::Problem;
 use crate::ranges::require_threads;
+use crate::records::AttemptRecord;
 use crate::session::{Event, Session};
 use crate::variant::Variant;
 
@@ -39,7 +41,7 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
             session.tell(Event::Attempt { planned: changes[index].name(), position_error });
         }
         let Some(plan) = attempt.solve(earlier.take(), session)? else { break };
-        attempts.insert(index, AttemptRecord::new(changes[index], &plan));
+        attempts.insert(index, attempt::record(changes[index], &plan));
         let is_interrupted = plan.stopped == Some(Stop::User);
         let ends = plan.stopped.is_some() || plan.status() == PlanStatus::Planned || session.is_over();
         if best.as_ref().is_none_or(|best| is_interrupted || is_better(&plan, best)) {
@@ -124,7 +126,7 @@ fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Res
         session.tell(Event::Discarded { reason });
         folder.discard().map(|_| None)
     };
-    let checkpoint = match folder.checkpoint(problem.identity()) {
+    let checkpoint = match Checkpoint::load(folder, problem.identity()) {
         Ok(Some(checkpoint)) => checkpoint,
         Ok(None) => return Ok(None),
         Err(reason) => return discard(reason),
@@ -136,7 +138,7 @@ fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Res
         return discard(Unusable::DamagedCheckpoint);
     }
     let read = |(number, record): (usize, &IterationRecord)| {
-        let trajectory = folder.read_iteration(number, &record.task(&task))?;
+        let trajectory = folder.iteration(number, &record.task(&task))?;
         Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory, point: None })
     };
     let iterations: Result<Vec<PlanIteration>, _> = (1..).zip(&checkpoint.iterations).map(read).collect();
@@ -159,13 +161,13 @@ struct Finished {
 
 impl Finished {
     /// Keeps the tables of the last iteration, then the checkpoint from which the next one can start.
-    fn keep(&mut self, folder: &PlanFolder, attempt: &Attempt, variant: &Variant) -> Result<(), PlannerError> {
+    fn keep(&mut self, keeper: &dyn Keeper, attempt: &Attempt, variant: &Variant) -> Result<(), PlannerError> {
         let Some(PlanIteration { trajectory, point: Some(point), .. }) = self.iterations.last() else { return Ok(()) };
-        self.tables.extend(folder.keep_iteration(self.iterations.len(), trajectory, &variant.task)?);
+        self.tables.extend(keeper.keep_iteration(self.iterations.len(), trajectory, &variant.task)?);
         let records = self.iterations.iter().map(|iteration| iteration.record.clone()).collect();
         let mut checkpoint = Checkpoint::new(attempt.problem.identity(), attempt.index, records, point);
         checkpoint.tables.clone_from(&self.tables);
-        folder.keep_checkpoint(&checkpoint)
+        checkpoint.save(keeper)
     }
 }
 

@@ -102,7 +102,7 @@ mod success;
 mod timed_state;
 
 pub use arm_model::{ArmModel, ArmModelError};
-pub use bounds::Bounds;
+pub use bounds::{Bounds, LIMIT_SLACK};
 pub use bump::Bump;
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, Trial, TrialResult};

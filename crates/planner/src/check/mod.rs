@@ -20,6 +20,7 @@ use crate::error::PlannerError;
 use crate::play::along_insertion;
 use crate::problem::Problem;
 use crate::ranges::require;
+use crate::warnings;
 
 pub use crate::play::{AxisPlay, Play};
 pub(crate) use oddities::{first_smoothing, rest, step};
@@ -192,7 +193,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         refusal: refusal(problem).or_else(|| refusal::enclosed(&way)),
         size: size(problem),
         chosen: problem.chosen(),
-        warnings: problem.warnings(),
+        warnings: warnings::of_problem(problem),
     };
     let oddities = oddities(problem, &explanation);
     explanation.warnings.extend(oddities);

@@ -6,7 +6,6 @@ mod dependencies;
 mod factorisation;
 mod limits;
 mod residuals;
-mod rollouts;
 mod stuck;
 mod words;
 
@@ -15,13 +14,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::plan::{Cut, Plan, PlanStatus, Stop};
 
+pub use crate::records::{HoldRecord, LossRecord, MotionEnd};
 pub use dependencies::DependencyRecord;
 pub use limits::ActiveLimitRecord;
 pub use residuals::ResidualRecord;
-pub use rollouts::LossRecord;
-pub(crate) use rollouts::loss;
-pub use stuck::{HoldRecord, MotionEnd, StuckScenario};
-pub use words::axis_name;
+pub use stuck::StuckScenario;
 
 /// Why a plan is not done.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -53,21 +50,19 @@ impl FailureExplanation {
     }
 }
 
-impl Plan {
-    /// Why the plan is not done. `None` where it is, and where it was interrupted or refined: what a refined plan loses
-    /// is in [`crate::RobustnessReport::loss`].
-    pub fn explanation(&self) -> Option<FailureExplanation> {
-        match self.status() {
-            PlanStatus::GoalMissed | PlanStatus::NotConverged { .. } | PlanStatus::OutOfTime(Cut::Homotopy { .. }) => {
-                Some(explain(self))
-            }
-            PlanStatus::Done
-            | PlanStatus::Planned
-            | PlanStatus::NotRobust
-            | PlanStatus::Overlapping
-            | PlanStatus::OutOfTime(Cut::Evaluation { .. })
-            | PlanStatus::Interrupted => None,
+/// Why a plan is not done. `None` where it is, and where it was interrupted or refined: what a refined plan loses is in
+/// [`RobustnessReport::loss`](crate::RobustnessReport::loss).
+pub fn explanation(plan: &Plan) -> Option<FailureExplanation> {
+    match plan.status() {
+        PlanStatus::GoalMissed | PlanStatus::NotConverged { .. } | PlanStatus::OutOfTime(Cut::Homotopy { .. }) => {
+            Some(explain(plan))
         }
+        PlanStatus::Done
+        | PlanStatus::Planned
+        | PlanStatus::NotRobust
+        | PlanStatus::Overlapping
+        | PlanStatus::OutOfTime(Cut::Evaluation { .. })
+        | PlanStatus::Interrupted => None,
     }
 }
 

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use task::AssemblyTask;
 
 use crate::explain::words::{ConstraintName, constraint};
-use crate::files::GraspRecord;
 use crate::or_null;
+use crate::records::GraspRecord;
 
 /// Violations that are not worth a word (in the unit of the row): Ipopt's own tolerance by default.
 const NEGLIGIBLE: f64 = 1e-4;

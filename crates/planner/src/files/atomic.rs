@@ -4,8 +4,6 @@ use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-use sha2::{Digest, Sha256};
-
 use crate::error::PlannerError;
 
 /// Larger files (bytes) are none of ours.
@@ -114,9 +112,4 @@ pub fn read_text(path: &Path) -> Result<String, PlannerError> {
             1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
         PlannerError::line(path, line, "not UTF-8 text")
     })
-}
-
-/// Hash (SHA-256, hexadecimal) of some bytes.
-pub fn hash(content: &[u8]) -> String {
-    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -9,14 +9,14 @@ use std::time::{Duration, Instant};
 
 use task::{AssemblyTask, Trajectory};
 
-use crate::error::{PlannerError, Unusable};
-use crate::files::atomic::{hash, read_bytes, read_text, remove_file, write_file};
-use crate::files::checkpoint::Checkpoint;
-use crate::files::refinement::RefinementCheckpoint;
+use crate::digest::hash;
+use crate::error::PlannerError;
+use crate::files::atomic::{read_bytes, read_text, remove_file, write_file};
 use crate::files::result::{PlanResult, RESULT};
 use crate::files::stored_plan::{RESOLVED, STAGES, StoredPlan, is_plan_file, read_result};
 use crate::files::trajectory::{TABLES, read_trajectory, write_trajectory};
 use crate::files::work_folder::WorkFolder;
+use crate::keeper::Keeper;
 use crate::plan::Plan;
 
 /// `result.json` of the plan that is being replaced, while its files are.
@@ -59,90 +59,6 @@ impl PlanFolder {
     /// Where unfinished work stands.
     pub fn work(&self) -> &Path {
         self.folder.path()
-    }
-
-    /// What a plan of the homotopy iterations that are kept will take to write, with a margin.
-    pub fn writing_time(&self) -> Duration {
-        WRITING_MARGIN * *self.writing.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Removes unfinished work; whether there was any.
-    ///
-    /// # Errors
-    /// When it cannot be removed.
-    pub fn discard(&self) -> Result<bool, PlannerError> {
-        self.folder.discard()
-    }
-
-    /// The finished homotopy iterations of a problem, if another run has left some; `Err` with the reason why they are
-    /// of no use.
-    pub(crate) fn checkpoint(&self, identity: &str) -> Result<Option<Checkpoint>, Unusable> {
-        let checkpoint = Checkpoint::load(self.work(), identity)?;
-        let is_whole = |(name, expected): (&String, &String)| {
-            read_bytes(&self.work().join(name)).is_ok_and(|content| hash(&content) == *expected)
-        };
-        match checkpoint.iter().flat_map(|checkpoint| &checkpoint.tables).all(is_whole) {
-            true => Ok(checkpoint),
-            false => Err(Unusable::DamagedTables),
-        }
-    }
-
-    /// The refinement that another run has left, likewise.
-    pub(crate) fn refinement(&self, identity: &str) -> Result<Option<RefinementCheckpoint>, Unusable> {
-        RefinementCheckpoint::load(self.work(), identity)
-    }
-
-    /// Keeps the tables of a finished homotopy iteration, from 1. Returns their hashes by their paths in the folder.
-    pub(crate) fn keep_iteration(
-        &self,
-        number: usize,
-        motion: &Trajectory,
-        task: &AssemblyTask,
-    ) -> Result<Vec<(String, String)>, PlannerError> {
-        let begin = Instant::now();
-        write_trajectory(&self.work().join(STAGES).join(number.to_string()), motion, task)?;
-        *self.writing.lock().unwrap_or_else(PoisonError::into_inner) += begin.elapsed();
-        let hashed = |table: &str| {
-            let name = format!("{STAGES}/{number}/{table}");
-            let file = self.work().join(&name);
-            Ok((name, hash(&read_bytes(&file)?)))
-        };
-        TABLES.into_iter().map(hashed).collect()
-    }
-
-    /// Keeps the point from which the next homotopy iteration can start.
-    pub(crate) fn keep_checkpoint(&self, checkpoint: &Checkpoint) -> Result<(), PlannerError> {
-        checkpoint.save(self.work())
-    }
-
-    /// Keeps how far a refinement is.
-    pub(crate) fn keep_refinement(&self, checkpoint: &RefinementCheckpoint) -> Result<(), PlannerError> {
-        checkpoint.save(self.work())
-    }
-
-    /// Keeps the homotopy iterations of the best refined plan, where they are not those of the scene itself.
-    pub(crate) fn keep_refined_iterations<'motion>(
-        &self,
-        round: usize,
-        motions: impl Iterator<Item = &'motion Trajectory>,
-        task: &AssemblyTask,
-    ) -> Result<(), PlannerError> {
-        write_iterations(&self.work().join(REFINED).join(round.to_string()), motions, task)
-    }
-
-    /// The motion of a kept homotopy iteration, from 1.
-    pub(crate) fn read_iteration(&self, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
-        read_trajectory(&self.work().join(STAGES).join(number.to_string()), task)
-    }
-
-    /// The motion of a kept homotopy iteration, from 1, of the best refined plan.
-    pub(crate) fn read_refined_iteration(
-        &self,
-        round: usize,
-        number: usize,
-        task: &AssemblyTask,
-    ) -> Result<Trajectory, PlannerError> {
-        read_trajectory(&self.work().join(REFINED).join(round.to_string()).join(number.to_string()), task)
     }
 
     /// Writes a whole plan and moves it in; the older plan is replaced only then. Unfinished work stays if another run can
@@ -257,6 +173,57 @@ impl PlanFolder {
             return Err(PlannerError::file(input, problem));
         }
         Ok(())
+    }
+}
+
+impl Keeper for PlanFolder {
+    fn keep_iteration(
+        &self,
+        number: usize,
+        motion: &Trajectory,
+        task: &AssemblyTask,
+    ) -> Result<Vec<(String, String)>, PlannerError> {
+        let begin = Instant::now();
+        write_trajectory(&self.work().join(STAGES).join(number.to_string()), motion, task)?;
+        *self.writing.lock().unwrap_or_else(PoisonError::into_inner) += begin.elapsed();
+        let hashed = |table: &str| {
+            let name = format!("{STAGES}/{number}/{table}");
+            let file = self.work().join(&name);
+            Ok((name, hash(&read_bytes(&file)?)))
+        };
+        TABLES.into_iter().map(hashed).collect()
+    }
+
+    fn iteration(&self, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
+        read_trajectory(&self.work().join(STAGES).join(number.to_string()), task)
+    }
+
+    fn keep_refined(&self, round: usize, motions: &[&Trajectory], task: &AssemblyTask) -> Result<(), PlannerError> {
+        write_iterations(&self.work().join(REFINED).join(round.to_string()), motions.iter().copied(), task)
+    }
+
+    fn refined(&self, round: usize, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
+        read_trajectory(&self.work().join(REFINED).join(round.to_string()).join(number.to_string()), task)
+    }
+
+    fn keep_record(&self, name: &str, record: &[u8]) -> Result<(), PlannerError> {
+        write_file(&self.work().join(name), record)
+    }
+
+    fn record(&self, name: &str) -> Option<String> {
+        read_text(&self.work().join(name)).ok()
+    }
+
+    fn is_unchanged(&self, name: &str, expected: &str) -> bool {
+        read_bytes(&self.work().join(name)).is_ok_and(|content| hash(&content) == expected)
+    }
+
+    fn discard(&self) -> Result<bool, PlannerError> {
+        self.folder.discard()
+    }
+
+    fn writing_time(&self) -> Duration {
+        WRITING_MARGIN * *self.writing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

@@ -8,8 +8,8 @@ use task::LinearSolver;
 
 use crate::error::{PlannerError, short};
 use crate::files::atomic::{read_text, require_folder, write_file};
-use crate::files::format::Format;
 use crate::files::work_folder::WorkFolder;
+use crate::format::Format;
 
 /// Name of the file.
 pub const MANIFEST: &str = "manifest.jsonl";

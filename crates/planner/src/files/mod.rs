@@ -16,36 +16,30 @@
 
 mod atomic;
 pub mod cells;
-mod checkpoint;
 mod coverage;
 mod folder;
-mod format;
-mod grasp;
 mod log;
 mod manifest;
-mod motion;
 mod new_scene;
-mod refinement;
 mod result;
 mod rollouts;
-mod sealed;
 mod simulation_record;
 mod stored_plan;
 mod table;
 pub mod trajectory;
 mod work_folder;
 
-pub use atomic::{hash, read_bytes, read_text, remove_file, require_folder, write_file};
-pub use checkpoint::Checkpoint;
+pub use crate::checkpoint::Checkpoint;
+pub use crate::digest::hash;
+pub use crate::format::Format;
+pub use crate::records::{Extreme, GraspRecord, MotionRecord};
+pub use crate::refine::{BestRecord, RefinementCheckpoint, TrialRecord};
+pub use atomic::{read_bytes, read_text, remove_file, require_folder, write_file};
 pub use coverage::{CoverageKind, CoverageRecord};
 pub use folder::PlanFolder;
-pub use format::Format;
-pub use grasp::GraspRecord;
 pub use log::{ExecutedState, PLAYING, PlayedRows, RESTING, read_log_header, read_played_rows};
 pub use manifest::{Cell, MANIFEST, Manifest};
-pub use motion::{Extreme, MotionRecord};
 pub use new_scene::write_new_scene;
-pub use refinement::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
 pub use rollouts::{
     OffsetRow, ROLLOUTS, RolloutRow, SUCCESS, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables,

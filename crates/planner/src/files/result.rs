@@ -5,17 +5,16 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
-use crate::attempt::AttemptRecord;
-use crate::explain::FailureExplanation;
+use crate::explain::{self, FailureExplanation};
 use crate::files::coverage::CoverageRecord;
-use crate::files::format::Format;
-use crate::files::grasp::GraspRecord;
-use crate::files::motion::MotionRecord;
+use crate::format::Format;
 use crate::iteration::IterationRecord;
 use crate::or_null;
 use crate::plan::{Outcome, Plan, PlanStatus};
 use crate::problem::{Problem, VERSION};
+use crate::records::{AttemptRecord, GraspRecord, MotionRecord};
 use crate::robustness::{RobustnessReport, TestReport};
+use crate::warnings;
 
 /// Name of the file, which is written last: where it stands, the plan is whole.
 pub const RESULT: &str = "result.json";
@@ -286,7 +285,7 @@ impl PlanResult {
                 translational_stiffness_n_m: plan.task.impedance.translational_stiffness,
                 rotational_stiffness_nm_rad: plan.task.impedance.rotational_stiffness,
             },
-            warnings: plan.warnings(),
+            warnings: [warnings::of_problem(&plan.problem), warnings::of_plan(plan)].concat(),
             motion: Some(plan.motion()),
             limits: plan.task.limits.into(),
             reached: plan.trajectory.keeps().into(),
@@ -294,7 +293,7 @@ impl PlanResult {
             attempts: plan.attempts.iter().filter(|_| plan.attempts.len() > 1).cloned().collect(),
             stages: records().cloned().collect(),
             scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),
-            explanation: plan.explanation(),
+            explanation: explain::explanation(plan),
             tested: plan.tested.clone(),
             robust: plan.robustness.clone(),
             files,

@@ -6,8 +6,9 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
+use crate::digest::hash;
 use crate::error::PlannerError;
-use crate::files::atomic::{hash, require_folder, write_file};
+use crate::files::atomic::{require_folder, write_file};
 use crate::files::simulation_record::{SIMULATION, SimulationRecord};
 use crate::files::table::{Value, has_header, read_csv, to_csv};
 use crate::files::work_folder::WorkFolder;

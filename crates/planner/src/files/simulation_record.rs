@@ -5,10 +5,11 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::digest::hash;
 use crate::error::PlannerError;
-use crate::files::atomic::{hash, read_bytes, read_text};
-use crate::files::format::Format;
+use crate::files::atomic::{read_bytes, read_text};
 use crate::files::rollouts::is_table;
+use crate::format::Format;
 use crate::problem::{Problem, VERSION};
 use crate::simulate::GraspErrors;
 

@@ -7,8 +7,9 @@ use scene::{Scene, Source};
 use simulation::Reference;
 use task::POSE;
 
+use crate::digest::hash;
 use crate::error::PlannerError;
-use crate::files::atomic::{hash, read_bytes, read_text};
+use crate::files::atomic::{read_bytes, read_text};
 use crate::files::result::{PlanResult, RESULT};
 use crate::files::trajectory::{REFERENCE, SCENARIOS, TABLES, read_ends, read_reference};
 use crate::files::work_folder::WorkFolder;

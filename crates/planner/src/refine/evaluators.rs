@@ -6,6 +6,7 @@ use workers::Workers;
 
 use crate::error::PlannerError;
 use crate::problem::Problem;
+use crate::records::EVALUATION_FORCE_SHARE;
 use crate::refine::RobustnessTarget;
 use crate::session::Session;
 
@@ -13,9 +14,7 @@ use crate::session::Session;
 const MARGIN: f64 = 2.0;
 /// It is at most so many times as fast as they are, where no limit says how fast it may be.
 const HASTE: f64 = 4.0;
-/// Parts of the limit of contact forces that evaluations and training trials may use: largest forces in MuJoCo are a tenth
-/// larger.
-pub const EVALUATION_FORCE_SHARE: f64 = 0.9;
+/// Part of the limit of contact forces that training trials may use, less than [those of evaluations](EVALUATION_FORCE_SHARE).
 const TRAINING_FORCE_SHARE: f64 = 0.85;
 
 /// One for evaluations and one for training trials, with margins of contact forces and for references near one.

@@ -13,6 +13,7 @@
 
 mod again;
 mod candidate;
+mod checkpoint;
 mod clock;
 mod comparison;
 mod draft;
@@ -20,6 +21,7 @@ mod drafts;
 mod ends;
 mod evaluation;
 mod evaluators;
+mod loss;
 mod margins;
 mod portfolio;
 mod push;
@@ -35,9 +37,9 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use simulation::{Evaluator, Reference, Strokes, Trial};
+use task::Trajectory;
 
 use crate::error::PlannerError;
-use crate::explain::loss;
 use crate::iteration::PlanIteration;
 use crate::plan::{Plan, Stop};
 use crate::problem::Problem;
@@ -46,14 +48,15 @@ use crate::refine::candidate::Candidate;
 use crate::refine::clock::{Clock, Deadline};
 use crate::refine::evaluation::{ErrorRange, Evaluation};
 use crate::refine::evaluators::evaluators;
+use crate::refine::loss::loss;
 use crate::robustness::{RobustnessReport, Round};
 use crate::session::{Event, Session};
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
 pub(crate) use candidate::Kept;
+pub use checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use evaluation::Drawn;
-pub(crate) use evaluators::EVALUATION_FORCE_SHARE;
 pub use target::RobustnessTarget;
 pub use tested::test;
 
@@ -302,10 +305,10 @@ impl<'run> Refiner<'run> {
         if let Some(folder) = self.session.folder {
             let are_kept = self.best.as_ref().is_some_and(|best| best.round == kept.round);
             if !kept.is_scenes_own && !are_kept {
-                let motions = kept.iterations.iter().map(|iteration| &iteration.trajectory);
-                folder.keep_refined_iterations(kept.round, motions, &kept.variant.task)?;
+                let motions: Vec<&Trajectory> = kept.iterations.iter().map(|iteration| &iteration.trajectory).collect();
+                folder.keep_refined(kept.round, &motions, &kept.variant.task)?;
             }
-            folder.keep_refinement(&self.checkpoint(&kept, rounds))?;
+            self.checkpoint(&kept, rounds).save(folder)?;
         }
         self.best = Some(kept);
         Ok(())

@@ -6,11 +6,12 @@ use simulation::{Reference, Trial};
 use task::GraspError;
 
 use crate::error::{PlannerError, Unusable};
-use crate::files::{BestRecord, GraspRecord, RefinementCheckpoint, TrialRecord};
 use crate::iteration::{IterationRecord, PlanIteration};
 use crate::plan::Plan;
+use crate::records::GraspRecord;
 use crate::refine::Refiner;
 use crate::refine::candidate::Kept;
+use crate::refine::checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
 use crate::refine::clock::Clock;
 use crate::robustness::Round;
 use crate::session::Event;
@@ -60,7 +61,7 @@ impl Refiner<'_> {
     pub(super) fn earlier_work(&self) -> Result<Option<RefinementCheckpoint>, PlannerError> {
         let Some(folder) = self.session.folder else { return Ok(None) };
         let success = self.problem.success();
-        let reason = match folder.refinement(self.problem.identity()) {
+        let reason = match RefinementCheckpoint::load(folder, self.problem.identity()) {
             Ok(None) => return Ok(None),
             Ok(Some(checkpoint)) => {
                 let same = checkpoint.frictions == self.target.frictions
@@ -94,7 +95,7 @@ impl Refiner<'_> {
             (false, Some(folder)) => {
                 let read = |(number, record): (usize, IterationRecord)| {
                     let task = record.task(&variant.task);
-                    let trajectory = folder.read_refined_iteration(best.round, number, &task)?;
+                    let trajectory = folder.refined(best.round, number, &task)?;
                     Ok(PlanIteration { record, trajectory, point: None })
                 };
                 let iterations: Result<_, PlannerError> = (1..).zip(best.iterations).map(read).collect();

@@ -16,43 +16,31 @@ use crate::check::overlaps;
 use crate::plan::Plan;
 use crate::problem::Problem;
 
-impl Problem {
-    /// What is odd about the problem before it is solved.
-    pub fn warnings(&self) -> Vec<String> {
-        let mut warnings = self.scene().warnings.clone();
-        warnings.extend(overlaps::warnings(self));
-        warnings.extend(carried::warning(self));
-        warnings.extend(tolerance::warnings(self));
-        warnings.extend(sizes::warnings(self));
-        if self.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {
-            warnings.push(format!(
-                "this Ipopt {IPOPT_VERSION} exports no function to register linear_solver = \"stage\"; MUMPS is used, which \
-                 is several times slower. Build with a shared library of Ipopt 3.11 or newer (docs/install.md)"
-            ));
-        }
-        warnings
+/// What is odd about a problem before it is solved.
+pub fn of_problem(problem: &Problem) -> Vec<String> {
+    let mut warnings = problem.scene().warnings.clone();
+    warnings.extend(overlaps::warnings(problem));
+    warnings.extend(carried::warning(problem));
+    warnings.extend(tolerance::warnings(problem));
+    warnings.extend(sizes::warnings(problem));
+    if problem.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {
+        warnings.push(format!(
+            "this Ipopt {IPOPT_VERSION} exports no function to register linear_solver = \"stage\"; MUMPS is used, which \
+             is several times slower. Build with a shared library of Ipopt 3.11 or newer (docs/install.md)"
+        ));
     }
+    warnings
 }
 
-impl Plan {
-    /// What is odd about the problem and the plan.
-    pub fn warnings(&self) -> Vec<String> {
-        let mut warnings = self.problem.warnings();
-        warnings.extend(self.own_warnings());
-        warnings
+/// What is odd about a plan. A refined one does not lean on smoothing: its scenarios are rollouts with hard contact.
+pub fn of_plan(plan: &Plan) -> Vec<String> {
+    let mut warnings = limits::warnings(&plan.task.limits, &plan.trajectory.keeps());
+    // What time has cut leans on the smoothing of its last homotopy iteration, which time would have tightened.
+    if plan.robustness.is_none() && plan.stopped.is_none() && plan.chosen().record.converged {
+        warnings.extend(smoothing::warning(plan));
     }
-
-    /// What is wrong with the plan. A refined one does not lean on smoothing: its scenarios are rollouts with hard
-    /// contact.
-    pub fn own_warnings(&self) -> Vec<String> {
-        let mut warnings = limits::warnings(&self.task.limits, &self.trajectory.keeps());
-        // What time has cut leans on the smoothing of its last homotopy iteration, which time would have tightened.
-        if self.robustness.is_none() && self.stopped.is_none() && self.chosen().record.converged {
-            warnings.extend(smoothing::warning(self));
-        }
-        warnings.extend(motion::warnings(self));
-        warnings.extend(region::warning(self));
-        warnings.extend(arm::warnings(self));
-        warnings
-    }
+    warnings.extend(motion::warnings(plan));
+    warnings.extend(region::warning(plan));
+    warnings.extend(arm::warnings(plan));
+    warnings
 }

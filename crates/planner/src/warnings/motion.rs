@@ -1,7 +1,7 @@
 //! Whether a plan moves and presses as a person would let a robot do.
 
-use crate::files::MotionRecord;
 use crate::plan::Plan;
+use crate::records::MotionRecord;
 
 /// Contact force (N) beyond which a plan without a limit is warned of.
 const FORCE: f64 = 60.0;
@@ -48,7 +48,7 @@ fn of(motion: &MotionRecord, limit: f64, reach: f64) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::Extreme;
+    use crate::records::Extreme;
 
     fn motion(force: f64, degrees: f64, free: f64) -> MotionRecord {
         let extreme = |largest: f64| Extreme { largest, time_s: 0.5 };

@@ -1,6 +1,6 @@
 //! Whether the position tolerance tells an assembled body from one that is not.
 
-use crate::explain::axis_name;
+use crate::directions::axis_name;
 use crate::problem::Problem;
 
 /// A tolerance within which the start is, or beyond the depth of engagement, and offsets along free directions beyond the

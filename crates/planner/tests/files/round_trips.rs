@@ -52,6 +52,7 @@ fn a_plan_fits_the_scene_that_it_writes() {
 #[test]
 fn a_checkpoint_is_read_back_exactly_and_only_for_its_own_problem() {
     let folder = tempfile::tempdir().unwrap();
+    let keeper = claim(&folder.path().join("out"));
     let iterate = nlp::Iterate {
         x: vec![0.1, 1.0 / 3.0, -0.0],
         constraint_multipliers: vec![1e-300],
@@ -60,17 +61,17 @@ fn a_checkpoint_is_read_back_exactly_and_only_for_its_own_problem() {
     };
     let records = plan().iterations.iter().map(|iteration| iteration.record.clone()).collect();
     let checkpoint = Checkpoint::new("identity", 0, records, &iterate);
-    checkpoint.save(folder.path()).unwrap();
-    let again = Checkpoint::load(folder.path(), "identity").unwrap().unwrap();
+    checkpoint.save(&keeper).unwrap();
+    let again = Checkpoint::load(&keeper, "identity").unwrap().unwrap();
     assert_eq!(again, checkpoint);
     assert_eq!(again.iterate(), iterate);
-    assert_eq!(Checkpoint::load(folder.path(), "another"), Err(planner::Unusable::OtherProblem));
-    let file = folder.path().join("checkpoint.json");
+    assert_eq!(Checkpoint::load(&keeper, "another"), Err(planner::Unusable::OtherProblem));
+    let file = keeper.work().join("checkpoint.json");
     let text = std::fs::read_to_string(&file).unwrap();
     std::fs::write(&file, text.replace("{\"format\":1,", "{\"format\":9,")).unwrap();
-    assert_eq!(Checkpoint::load(folder.path(), "identity"), Err(planner::Unusable::Newer));
+    assert_eq!(Checkpoint::load(&keeper, "identity"), Err(planner::Unusable::Newer));
     std::fs::write(&file, text.replace("{\"format\":1,", "{")).unwrap();
-    assert_eq!(Checkpoint::load(folder.path(), "identity"), Ok(Some(checkpoint)), "version 0.1 states no format");
+    assert_eq!(Checkpoint::load(&keeper, "identity"), Ok(Some(checkpoint)), "version 0.1 states no format");
 }
 
 #[test]

@@ -1,14 +1,12 @@
 //! Records of unfinished work with a hash of themselves: one that was cut or changed is not gone on with.
 
-use std::path::Path;
-
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::value::{RawValue, to_raw_value};
 
+use crate::digest::hash;
 use crate::error::{PlannerError, Unusable};
-use crate::files::atomic::{hash, write_file};
-use crate::files::format::Format;
+use crate::format::Format;
 
 /// The JSON of a record, its format and its hash (SHA-256, hexadecimal).
 #[derive(Serialize, Deserialize)]
@@ -20,15 +18,15 @@ struct Sealed {
     record: Box<RawValue>,
 }
 
-/// Writes a record.
+/// The text of a record with its hash.
 ///
 /// # Errors
-/// When it cannot be written.
-pub fn write_sealed<T: Serialize>(file: &Path, record: &T) -> Result<(), PlannerError> {
+/// When it has no JSON.
+pub fn seal<T: Serialize>(record: &T) -> Result<Vec<u8>, PlannerError> {
     let json = |_| PlannerError::Internal("a record of unfinished work cannot be written");
     let record = to_raw_value(record).map_err(json)?;
     let sealed = Sealed { format: Format::CURRENT.into(), hash: hash(record.get().as_bytes()), record };
-    write_file(file, &serde_json::to_vec(&sealed).map_err(json)?)
+    serde_json::to_vec(&sealed).map_err(json)
 }
 
 /// The record in a text; `damaged` if it is not the one that was written.

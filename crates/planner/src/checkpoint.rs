@@ -1,7 +1,6 @@
 //! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy iteration.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use nlp::Iterate;
 use ocp::{Layout, blocks, standard_terms};
@@ -9,12 +8,12 @@ use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Complementarity};
 
 use crate::error::{PlannerError, Unusable};
-use crate::files::atomic::read_text;
-use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
+use crate::keeper::Keeper;
+use crate::sealed::{seal, unseal};
 
-/// Name of the file in the folder of unfinished work.
-pub const CHECKPOINT: &str = "checkpoint.json";
+/// Name of the record.
+const CHECKPOINT: &str = "checkpoint.json";
 
 /// The finished homotopy iterations of a problem and the point where the next one starts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -50,23 +49,26 @@ impl Checkpoint {
         }
     }
 
-    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
-    /// of another problem, so that the solve has to start from the beginning.
-    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
-        let Ok(text) = read_text(&folder.join(CHECKPOINT)) else { return Ok(None) };
+    /// The checkpoint that is kept: none where nothing is; `Err` with the reason where it or a table was cut or changed, or is of
+    /// another problem, so that the solve has to start from the beginning.
+    pub fn load(keeper: &dyn Keeper, identity: &str) -> Result<Option<Self>, Unusable> {
+        let Some(text) = keeper.record(CHECKPOINT) else { return Ok(None) };
         let checkpoint: Self = unseal(&text, Unusable::DamagedCheckpoint)?;
-        match checkpoint.identity == identity {
+        if checkpoint.identity != identity {
+            return Err(Unusable::OtherProblem);
+        }
+        match checkpoint.tables.iter().all(|(name, hash)| keeper.is_unchanged(name, hash)) {
             true => Ok(Some(checkpoint)),
-            false => Err(Unusable::OtherProblem),
+            false => Err(Unusable::DamagedTables),
         }
     }
 
-    /// Writes the checkpoint into a folder. Values are written so that they are read back exactly.
+    /// Keeps the checkpoint. Values are written so that they are read back exactly.
     ///
     /// # Errors
     /// When it cannot be written.
-    pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
-        write_sealed(&folder.join(CHECKPOINT), self)
+    pub fn save(&self, keeper: &dyn Keeper) -> Result<(), PlannerError> {
+        keeper.keep_record(CHECKPOINT, &seal(self)?)
     }
 
     /// Whether the primal-dual point is one of a task: as many numbers as its transcription has, all of them finite.

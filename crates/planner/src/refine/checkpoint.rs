@@ -1,22 +1,20 @@
 //! What an unfinished refinement leaves behind so that another one can go on with its best plan.
 
-use std::path::Path;
-
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Trial};
 use task::GraspError;
 
 use crate::error::{PlannerError, Unusable};
-use crate::files::atomic::read_text;
-use crate::files::grasp::GraspRecord;
-use crate::files::sealed::{unseal, write_sealed};
 use crate::iteration::IterationRecord;
+use crate::keeper::Keeper;
+use crate::records::GraspRecord;
 use crate::refine::Drawn;
 use crate::robustness::Round;
+use crate::sealed::{seal, unseal};
 use crate::success_rates::SuccessRates;
 
-/// Name of the file in the folder of unfinished work.
-pub const REFINEMENT: &str = "refinement.json";
+/// Name of the record.
+const REFINEMENT: &str = "refinement.json";
 
 /// The best plan so far of a refinement, and what it has learnt.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -138,10 +136,10 @@ impl From<&TrialRecord> for Trial {
 }
 
 impl RefinementCheckpoint {
-    /// The checkpoint in a folder: none where the file is missing; `Err` with the reason where it was cut or changed, or is
-    /// of another problem.
-    pub fn load(folder: &Path, identity: &str) -> Result<Option<Self>, Unusable> {
-        let Ok(text) = read_text(&folder.join(REFINEMENT)) else { return Ok(None) };
+    /// The checkpoint that is kept: none where nothing is; `Err` with the reason where it was cut or changed, or is of another
+    /// problem.
+    pub fn load(keeper: &dyn Keeper, identity: &str) -> Result<Option<Self>, Unusable> {
+        let Some(text) = keeper.record(REFINEMENT) else { return Ok(None) };
         let checkpoint: Self = unseal(&text, Unusable::DamagedRefinement)?;
         match checkpoint.identity == identity {
             true => Ok(Some(checkpoint)),
@@ -149,11 +147,11 @@ impl RefinementCheckpoint {
         }
     }
 
-    /// Writes the checkpoint into a folder.
+    /// Keeps the checkpoint.
     ///
     /// # Errors
     /// When it cannot be written.
-    pub fn save(&self, folder: &Path) -> Result<(), PlannerError> {
-        write_sealed(&folder.join(REFINEMENT), self)
+    pub fn save(&self, keeper: &dyn Keeper) -> Result<(), PlannerError> {
+        keeper.keep_record(REFINEMENT, &seal(self)?)
     }
 }
