@@ -2,7 +2,7 @@
 
 use planner::files::write_new_scene;
 use planner::{Problem, Starter, StarterFit, axis_name, starter, warnings};
-use scene::{Axis, FilePair, StarterValues};
+use scene_templates::{Axis, FilePair, StarterValues};
 
 use crate::arguments::NewArguments;
 use crate::console::{say, tell};

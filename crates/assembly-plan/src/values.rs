@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use export::Target;
-use scene::Axis;
+use scene_templates::Axis;
 use task::LinearSolver;
 
 /// A pose from the command line, its quaternion scaled to unit norm.

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use planner::files::{RESOLVED, RESULT, StoredPlan, hash, read_bytes, require_folder};
-use planner::{Choices, PlannerError, Problem};
+use plan::hash;
+use plan::{Choices, PlannerError, Problem};
+use store::{RESOLVED, RESULT, StoredPlan, read_bytes, require_folder};
 
 use crate::document::{Document, Exported};
 use crate::folder::{ExportFolder, SUMS};

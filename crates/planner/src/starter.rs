@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use scene::{Axis, FilePair, Scene, Source, StarterPoses, StarterValues, probe_scene, starter_scene};
+use scene::{Scene, Source};
+use scene_templates::{Axis, FilePair, StarterPoses, StarterValues, probe_scene, starter_scene};
 use task::AssemblyTask;
 
-use crate::check::refusal;
-use crate::clearance::{Clearance, position};
-use crate::error::PlannerError;
-use crate::problem::{Choices, Problem};
+use diagnosis::check::refusal;
+use plan::PlannerError;
+use plan::clearance::{Clearance, position};
+use plan::{Choices, Problem};
 
 /// Height (m) of the goal above the place in the files, where parts touch; at most this share of the body's height.
 const LIFT: f64 = 2e-4;

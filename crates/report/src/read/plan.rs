@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use planner::explain::LossRecord;
-use planner::files::trajectory::read_tables;
-use planner::files::{CoverageRecord, Format, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
-use planner::{Millimetres, PlannerError, Problem, RobustnessTarget, VERSION, homotopy};
+use plan::Format;
+use plan::records::LossRecord;
+use plan::{Millimetres, PlannerError, Problem, RobustnessTarget, VERSION, homotopy};
 use scene::{Borne, Part};
 use simulation::{Injection, Settings, Solid};
+use store::trajectory::read_tables;
+use store::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
 use task::GraspError;
 
 use super::motion::{HARD, Measures, World};

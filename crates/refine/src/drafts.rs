@@ -1,0 +1,164 @@
+//! Many drafts instead of one plan.
+//!
+//! A rollout of an arm takes several times as long as one of a free body, so that refinement tries few changes, and it
+//! matters where it begins. How many trials plans pass before they are refined differs tenfold with weights and offsets,
+//! and which of them are good differs from scene to scene: so several are made, each by one thread, and compared.
+
+use std::time::Duration;
+
+use fastrand::Rng;
+use simulation::Reference;
+use workers::Workers;
+
+use crate::candidate::{self, Candidate};
+use crate::clock::Deadline;
+use crate::draft::Draft;
+use crate::{OWN_SHARE, Refiner, SEED};
+use plan::Event;
+use plan::HomotopyRun;
+use plan::PlanIteration;
+use plan::PlannerError;
+use plan::Variant;
+
+/// Fraction of the training trials in which the plan of the scene must fail.
+const LOST: f64 = 0.5;
+/// Share of the time that is left for drafts.
+const SHARE: f64 = 0.3;
+/// So many of the last homotopy iterations of a draft are tried: earlier ones hardly ever win.
+const LAST: usize = 2;
+/// Success rate in the first evaluation below which refinement mostly gets stuck.
+const PROMISING: f64 = 0.8;
+/// Share of the time that is left in which others may take the place of drafts that do.
+const TRYING: f64 = 0.4;
+/// Largest number of drafts: more would take more time to compare than to make.
+const MOST: usize = 24;
+
+impl<'run> Refiner<'run> {
+    /// Refines the plan of the scene, which took `solving`, or the best of drafts where that fails in fewer trials.
+    pub(super) fn refine_better(&mut self, own: Candidate<'run>, solving: Duration) -> Result<(), PlannerError> {
+        let is_wanted = self.problem.arm().is_some()
+            && own.refinement.failing_fraction() > LOST
+            && solving < self.clock.left().mul_f64(SHARE);
+        if is_wanted {
+            self.session.tell(Event::Variant { name: "drafts", number: 1, count: 1 });
+            self.drafts = self.solve_drafts(self.clock.share(self.clock.end(), SHARE))?;
+            self.session.tell(Event::VariantSolved { status: &format!("{} drafts", self.drafts.len()) });
+        }
+        match self.best_draft() {
+            Some(draft) if draft.refinement.failing_fraction() < own.refinement.failing_fraction() => {
+                self.rounds.push(own.round);
+                self.refine_promising(draft, &mut None)
+            }
+            mut second @ Some(_) => {
+                self.refine_promising(own, &mut second)?;
+                self.rounds.extend(second.map(|draft| draft.round));
+                Ok(())
+            }
+            None => self.refine(own, self.clock.share(self.clock.end(), OWN_SHARE), 0.0),
+        }
+    }
+
+    /// Refines a plan, or the `second` instead if its first evaluation says that it will get stuck, then the best of the other
+    /// drafts, and so on; where all of them do, the best goes on. Leaves a second one that was not needed.
+    fn refine_promising(
+        &mut self,
+        first: Candidate<'run>,
+        second: &mut Option<Candidate<'run>>,
+    ) -> Result<(), PlannerError> {
+        let trying = self.clock.share(self.clock.end(), TRYING);
+        let mut next = Some(first);
+        while let Some(candidate) = next {
+            self.refine(candidate, self.clock.share(self.clock.end(), OWN_SHARE), PROMISING)?;
+            let is_promising = self.best.as_ref().is_some_and(|best| best.rates.overall() >= PROMISING);
+            if is_promising {
+                return Ok(());
+            }
+            next = if self.goes_on(trying) { second.take().or_else(|| self.best_draft()) } else { None };
+        }
+        self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE))
+    }
+
+    /// Takes out the draft with the best reference. `None` without drafts or time.
+    fn best_draft(&mut self) -> Option<Candidate<'run>> {
+        let mut places = Vec::new();
+        let mut references: Vec<Reference> = Vec::new();
+        for (draft, (variant, iterations)) in self.drafts.iter().enumerate() {
+            let fine = candidate::with_all_steps(iterations, &variant.task);
+            let last = &fine[fine.len().saturating_sub(LAST)..];
+            places.extend(last.iter().map(|&index| (draft, index)));
+            references.extend(last.iter().map(|&index| candidate::reference(&iterations[index].trajectory)));
+        }
+        let best = self.best_of(&references, self.clock.end())?;
+        let (draft, index) = places[best.winner.index];
+        let (variant, iterations) = self.drafts.swap_remove(draft);
+        let candidate = self.candidate_of(best, variant, (iterations, index + 1), false);
+        let (failing, trials) = (candidate.round.training_failures, candidate.round.training_trials);
+        self.session.tell(Event::VariantTried { failing, trials });
+        Some(candidate)
+    }
+
+    /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy iterations count that it
+    /// has finished; those that have none with all steps are left out.
+    fn solve_drafts(&self, until: Deadline) -> Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> {
+        let scene = Variant::of_scene(self.problem);
+        let mut random = Rng::with_seed(SEED);
+        let friction = self.target.largest_friction();
+        let drafts = (0..MOST).map(|_| Draft::random(&mut random, friction).variant(&scene));
+        let solve = |variant: Variant| {
+            let is_over = || self.clock.is_over(until);
+            let iterations = match is_over() {
+                true => Vec::new(),
+                false => HomotopyRun::new(&variant).finished(self.session, is_over)?,
+            };
+            Ok((variant, iterations))
+        };
+        let solved = Workers::new(self.session.threads).map(drafts.into_iter(), solve);
+        let solved: Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> = solved.into_iter().collect();
+        let is_draft = |(variant, iterations): &(Variant, Vec<PlanIteration>)| {
+            !candidate::with_all_steps(iterations, &variant.task).is_empty()
+        };
+        Ok(solved?.into_iter().filter(is_draft).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use task::{Horizon, at_rest};
+
+    use super::*;
+    use crate::tests::in_corner;
+
+    #[test]
+    fn of_a_draft_only_what_has_all_steps_is_played() {
+        in_corner(Duration::from_secs(1000), |refiner| {
+            let mut draft = Variant::of_scene(refiner.problem);
+            let Horizon { steps, time_step } = draft.task.horizon;
+            draft.task.horizon = Horizon { steps: 60, time_step: time_step * steps as f64 / 60.0 };
+            draft.settings.coarse_iterations = 3;
+            let iterations = HomotopyRun::new(&draft).finished(refiner.session, || false).unwrap();
+            refiner.drafts = vec![(draft.clone(), iterations[..3].to_vec())];
+            assert!(refiner.best_draft().is_none(), "all have half of the steps");
+            refiner.drafts = vec![(draft, iterations[..4].to_vec())];
+            assert_eq!(refiner.best_draft().unwrap().round.chosen_stage, 4);
+        });
+    }
+
+    #[test]
+    fn where_the_first_evaluation_is_poor_a_draft_takes_the_place_of_the_plan() {
+        in_corner(Duration::from_secs(1000), |refiner| {
+            let scene = Variant::of_scene(refiner.problem);
+            let solved = HomotopyRun::new(&scene).finished(refiner.session, || false).unwrap();
+            let draft = Variant { name: "a draft".to_owned(), ..scene.clone() };
+            refiner.drafts = vec![(draft, solved)];
+            let resting = Reference::new(0.1, &[at_rest(&refiner.problem.task().start); 3]);
+            let best = refiner.best_of(&[resting], refiner.clock.end()).unwrap();
+            let own = refiner.candidate_of(best, scene, (Vec::new(), 0), true);
+            refiner.refine_promising(own, &mut None).unwrap();
+            let rounds: Vec<(&str, Option<f64>)> =
+                refiner.rounds.iter().map(|round| (round.planned.as_str(), round.rate)).collect();
+            assert_eq!(rounds[0], ("the scene as it is", Some(0.0)));
+            assert!(rounds[1].0 == "a draft" && rounds[1].1 > Some(PROMISING), "{rounds:?}");
+            assert_eq!(refiner.best.as_ref().unwrap().round, 2);
+        });
+    }
+}

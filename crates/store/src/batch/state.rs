@@ -1,0 +1,106 @@
+//! What has become of a cell, as its folder says.
+
+use std::fs::{File, TryLockError};
+use std::path::{Path, PathBuf};
+
+use crate::{Cell, Manifest, PlanResult, RESULT, StoredPlan, read_text};
+
+/// State of a cell.
+#[derive(Debug)]
+pub enum CellState {
+    /// Its plan is whole, good or bad.
+    Finished(Box<PlanResult>),
+    /// A process is solving it.
+    Running,
+    /// It has failed, for this reason: the process that solved it last, or a file of its plan that was changed.
+    Failed(String),
+    /// Not begun, or interrupted.
+    ToDo,
+}
+
+impl CellState {
+    /// Reads the state of a cell.
+    pub fn of(manifest: &Manifest, cell: &Cell) -> Self {
+        let files = CellFiles::new(manifest, cell);
+        if files.is_locked() {
+            return Self::Running;
+        }
+        match files.result() {
+            Ok(Some(result)) => return Self::Finished(Box::new(result)),
+            Ok(None) => {}
+            Err(problem) => return Self::Failed(problem),
+        }
+        match read_text(&files.failure()) {
+            Ok(reason) => Self::Failed(reason.trim_end().to_owned()),
+            Err(_) => Self::ToDo,
+        }
+    }
+
+    /// The state in a word or two.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Finished(result) if result.done => "done",
+            Self::Finished(result) if result.planned => "planned",
+            Self::Finished(..) | Self::Failed(_) => "failed",
+            Self::Running => "running",
+            Self::ToDo => "to do",
+        }
+    }
+
+    /// Why the cell counts as failed, if it does.
+    pub fn failure(&self) -> Option<&str> {
+        match self {
+            Self::Finished(result) if !(result.done || result.planned) => Some(&result.status),
+            Self::Failed(reason) => Some(reason),
+            _ => None,
+        }
+    }
+}
+
+/// Files of a cell.
+#[derive(Debug)]
+pub struct CellFiles {
+    folder: PathBuf,
+}
+
+impl CellFiles {
+    /// In the folder of a batch.
+    pub fn new(manifest: &Manifest, cell: &Cell) -> Self {
+        Self { folder: manifest.folder.join(&cell.folder) }
+    }
+
+    /// The folder of its plan.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// What its last process has printed. The process that solves the cell holds a lock on it.
+    pub fn log(&self) -> PathBuf {
+        self.folder.join("log.txt")
+    }
+
+    /// Why its last process has failed.
+    pub fn failure(&self) -> PathBuf {
+        self.folder.join("failure.txt")
+    }
+
+    /// Its result, if it is finished; `Err` with what is wrong when a file of its plan is missing or was changed.
+    ///
+    /// # Errors
+    /// In the user's words.
+    pub fn result(&self) -> Result<Option<PlanResult>, String> {
+        if !self.folder.join(RESULT).exists() {
+            return Ok(None);
+        }
+        match StoredPlan::open(&self.folder) {
+            Ok(plan) => Ok(Some(plan.result)),
+            Err(error) => Err(format!("{error}; or remove {}, to solve the cell again", self.folder.display())),
+        }
+    }
+
+    fn is_locked(&self) -> bool {
+        let log = input::require_regular(&self.log()).and_then(|()| File::open(self.log()));
+        let Ok(log) = log else { return false };
+        matches!(log.try_lock_shared(), Err(TryLockError::WouldBlock))
+    }
+}
