@@ -1,22 +1,25 @@
-//! MUMPS with the settings that Ipopt uses, as the reference for other solvers.
+//! MUMPS by itself, with the settings that Ipopt uses: what tests and benchmarks compare other linear solvers with. Nothing that
+//! is shipped depends on this crate.
 
 #![allow(unsafe_code)]
 
 use std::ffi::c_int;
 use std::mem::MaybeUninit;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
-use ipopt_sys::{DMUMPS_STRUC_C, dmumps_c};
+use bindings::{DMUMPS_STRUC_C, dmumps_c};
+use nlp::{AnalysisError, Factorisation, KktSolver};
 
-use crate::kkt_solver::{AnalysisError, Factorisation, KktSolver};
-
-/// Sequential MUMPS keeps global state: its calls must not overlap.
-static CALLS: Mutex<()> = Mutex::new(());
-
-/// Blocks all other calls of MUMPS.
-pub fn lock() -> MutexGuard<'static, ()> {
-    CALLS.lock().unwrap_or_else(PoisonError::into_inner)
+/// The C interface of the MUMPS that the installed Ipopt uses.
+#[allow(missing_docs, non_camel_case_types, non_snake_case, non_upper_case_globals)]
+#[allow(clippy::all)]
+mod bindings {
+    include!(concat!(env!("OUT_DIR"), "/bindings.rs"));
 }
+
+/// Sequential MUMPS keeps global state: its calls must not overlap. Solves by Ipopt's own MUMPS do not know of this lock, so
+/// that a process that compares runs none.
+static CALLS: Mutex<()> = Mutex::new(());
 
 /// Jobs of MUMPS.
 const INITIALISE: c_int = -1;
@@ -61,7 +64,7 @@ impl Mumps {
     }
 
     fn run(&mut self, job: c_int) -> c_int {
-        let _guard = lock();
+        let _guard = CALLS.lock().unwrap_or_else(PoisonError::into_inner);
         self.structure.job = job;
         // SAFETY: the pointers refer to arrays of this solver of the stated lengths, and no other thread runs MUMPS.
         unsafe { dmumps_c(&mut *self.structure) };
@@ -83,7 +86,7 @@ impl Drop for Mumps {
 
 impl KktSolver for Mumps {
     fn name(&self) -> &str {
-        crate::MUMPS
+        nlp::MUMPS
     }
 
     fn analyse(&mut self, dimension: usize, rows: &[usize], columns: &[usize]) -> Result<(), AnalysisError> {
