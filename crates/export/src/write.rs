@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use plan::hash;
-use plan::{Choices, PlannerError, Problem};
+use plan::{Choices, PlannerError, Problem, hash};
 use store::{RESOLVED, RESULT, StoredPlan, read_bytes, require_folder};
 
 use crate::document::{Document, Exported};

@@ -2,15 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use diagnosis::check::refusal;
 use nalgebra::Vector3;
+use plan::clearance::{Clearance, position};
+use plan::{Choices, PlannerError, Problem};
 use scene::{Scene, Source};
 use scene_templates::{Axis, FilePair, StarterPoses, StarterValues, probe_scene, starter_scene};
 use task::AssemblyTask;
-
-use diagnosis::check::refusal;
-use plan::PlannerError;
-use plan::clearance::{Clearance, position};
-use plan::{Choices, Problem};
 
 /// Height (m) of the goal above the place in the files, where parts touch; at most this share of the body's height.
 const LIFT: f64 = 2e-4;

@@ -1,13 +1,12 @@
 //! Refinement of the best plan so far, once more.
 
+use plan::{PlannerError, Round};
 use simulation::Refinement;
 
 use crate::candidate::{Candidate, Kept};
 use crate::clock::Deadline;
 use crate::margins::WITH_MARGINS;
 use crate::{Refiner, SEED, SEED_STRIDE};
-use plan::PlannerError;
-use plan::Round;
 
 /// Success rate from which on a plan is refined rather than replaced.
 const NEARLY: f64 = 0.75;

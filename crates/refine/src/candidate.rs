@@ -1,13 +1,10 @@
 //! Plans on the way to a robust one.
 
+use plan::{PlanIteration, Round, SuccessRates, Variant};
 use simulation::{Reference, Refinement, Trial};
 use task::{AssemblyTask, Trajectory};
 
 use crate::evaluation::{Drawn, Judgement};
-use plan::PlanIteration;
-use plan::Round;
-use plan::SuccessRates;
-use plan::Variant;
 
 /// A reference that is refined, and the problem it solves.
 pub struct Candidate<'run> {

@@ -1,17 +1,12 @@
 //! What an unfinished refinement leaves behind so that another one can go on with its best plan.
 
+use plan::records::GraspRecord;
+use plan::{IterationRecord, Keeper, PlannerError, Round, SuccessRates, Unusable, seal, unseal};
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Trial};
 use task::GraspError;
 
 use crate::Drawn;
-use plan::IterationRecord;
-use plan::Keeper;
-use plan::Round;
-use plan::SuccessRates;
-use plan::records::GraspRecord;
-use plan::{PlannerError, Unusable};
-use plan::{seal, unseal};
 
 /// Name of the record.
 const REFINEMENT: &str = "refinement.json";

@@ -83,9 +83,9 @@ mod tests {
     use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
     use std::time::Instant;
 
+    use plan::{Event, RunClock};
+
     use super::*;
-    use plan::Event;
-    use plan::RunClock;
 
     #[test]
     fn shares_are_of_the_time_that_is_left() {

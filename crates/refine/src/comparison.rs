@@ -3,13 +3,12 @@
 //! An evaluation ends as soon as it is decided, mostly after few trials of its own. So its rate says whether a reference is
 //! good enough, but hardly which of two is better.
 
+use plan::{Event, PlannerError};
 use simulation::Reference;
 
 use crate::candidate::Kept;
 use crate::evaluation::Judgement;
 use crate::{Refiner, race};
-use plan::Event;
-use plan::PlannerError;
 
 /// So many of the latest are compared.
 const LATEST: usize = 8;
@@ -68,13 +67,12 @@ impl Refiner<'_> {
 mod tests {
     use std::time::Duration;
 
+    use plan::{OffsetRegion, SuccessRate, SuccessRates, Variant};
     use task::at_rest;
 
     use super::*;
     use crate::evaluation::Drawn;
     use crate::tests::in_corner;
-    use plan::Variant;
-    use plan::{OffsetRegion, SuccessRate, SuccessRates};
 
     /// What is kept after a comparison of a motion that stays at the start with a push to the goal.
     fn kept_in(time_limit: Duration) -> Kept {

@@ -2,9 +2,8 @@
 
 use fastrand::Rng;
 use nalgebra::{Rotation3, Unit, Vector3};
-use task::GraspError;
-
 use plan::Variant;
+use task::GraspError;
 
 /// What makes a draft differ from the scene as it is. Whether that helps differs from scene to scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,8 +117,9 @@ fn turn_offsets(grasps: &mut [GraspError], angle: f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use plan::{Choices, Problem};
+
+    use super::*;
 
     #[test]
     fn drafts_have_half_of_the_steps_and_what_they_say() {

@@ -7,6 +7,7 @@
 use std::time::Duration;
 
 use fastrand::Rng;
+use plan::{Event, HomotopyRun, PlanIteration, PlannerError, Variant};
 use simulation::Reference;
 use workers::Workers;
 
@@ -14,11 +15,6 @@ use crate::candidate::{self, Candidate};
 use crate::clock::Deadline;
 use crate::draft::Draft;
 use crate::{OWN_SHARE, Refiner, SEED};
-use plan::Event;
-use plan::HomotopyRun;
-use plan::PlanIteration;
-use plan::PlannerError;
-use plan::Variant;
 
 /// Fraction of the training trials in which the plan of the scene must fail.
 const LOST: f64 = 0.5;

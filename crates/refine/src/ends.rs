@@ -1,15 +1,12 @@
 //! How references end: as they were planned, or with strokes.
 
+use plan::{PlanIteration, Problem, Round, Variant};
 use simulation::{Reference, Refinement, Strokes};
 
 use crate::candidate::{Candidate, Kept};
 use crate::clock::Deadline;
 use crate::race::{FIRST, Winner, race};
 use crate::{Refiner, RobustnessTarget};
-use plan::PlanIteration;
-use plan::Problem;
-use plan::Round;
-use plan::Variant;
 
 /// Added to the name of a plan whose reference ends with strokes.
 pub const WITH_STROKES: &str = ", with strokes at the end";

@@ -4,13 +4,10 @@ use std::f64::consts::TAU;
 
 use fastrand::Rng;
 use nalgebra::Vector3;
+use plan::{OffsetRegion, Problem, RobustnessTarget, SuccessRate, SuccessRates};
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
 use task::{AssemblyTask, Coverage, GraspError};
-
-use plan::Problem;
-use plan::RobustnessTarget;
-use plan::{OffsetRegion, SuccessRate, SuccessRates};
 
 /// Magnitudes of the random offsets in a hull, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller
 /// has no margin there but the planned offsets, which are played too. In a disc or a ball there are as many offsets.
@@ -263,9 +260,10 @@ fn training_axis(index: u32) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
+    use plan::Choices;
+
     use super::*;
     use crate::tests::corner;
-    use plan::Choices;
 
     const NO_ERRORS: ErrorRange = ErrorRange {
         coverage: Coverage::Hull,

@@ -1,14 +1,12 @@
 //! What plays references in refinement: how far these may be led, and how hard they may push.
 
 use nalgebra::Vector3;
+use plan::records::EVALUATION_FORCE_SHARE;
+use plan::{PlannerError, Problem, Session};
 use simulation::{Evaluator, Reference};
 use workers::Workers;
 
 use crate::RobustnessTarget;
-use plan::PlannerError;
-use plan::Problem;
-use plan::Session;
-use plan::records::EVALUATION_FORCE_SHARE;
 
 /// A refined reference leaves the box of plan and straight way by at most so many times the sum of delta-hat and tolerance.
 const MARGIN: f64 = 2.0;
@@ -50,14 +48,13 @@ fn radius(problem: &Problem) -> f64 {
 mod tests {
     use std::sync::atomic::AtomicBool;
 
+    use plan::{Choices, Event};
     use scene::Scene;
     use simulation::{Disturbance, Settings, Trial};
     use task::GraspError;
 
     use super::*;
     use crate::tests::corner;
-    use plan::Choices;
-    use plan::Event;
 
     #[test]
     fn evaluations_and_training_keep_margins_of_contact_forces() {

@@ -35,25 +35,19 @@ mod variants;
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use plan::ranges::require_threads;
+use plan::{
+    Event, Plan, PlanIteration, PlannerError, Problem, RobustnessReport, Round, Session, Stop, SuccessRates, Variant,
+};
 use simulation::{Evaluator, Reference, Strokes, Trial};
 use task::Trajectory;
 
-use crate::candidate::Candidate;
+use crate::candidate::{Candidate, Kept};
 use crate::clock::{Clock, Deadline};
 use crate::evaluation::{ErrorRange, Evaluation};
 use crate::evaluators::evaluators;
 use crate::loss::loss;
-use plan::PlanIteration;
-use plan::PlannerError;
-use plan::Problem;
-use plan::SuccessRates;
-use plan::Variant;
-use plan::ranges::require_threads;
-use plan::{Event, Session};
-use plan::{Plan, Stop};
-use plan::{RobustnessReport, Round};
 
-use candidate::Kept;
 pub use checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use evaluation::Drawn;
 pub use tested::test;
@@ -351,8 +345,9 @@ impl<'run> Refiner<'run> {
 pub(crate) mod tests {
     use std::sync::atomic::AtomicBool;
 
-    use super::*;
     use plan::Choices;
+
+    use super::*;
 
     /// The file of the corner scene.
     pub(crate) fn corner() -> std::path::PathBuf {

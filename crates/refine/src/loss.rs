@@ -1,14 +1,13 @@
 //! What the best plan loses most, found by playing some of its failures again.
 
+use plan::directions::direction;
+use plan::records::{EVALUATION_FORCE_SHARE, GraspRecord, LossRecord, MotionEnd};
+use plan::{Problem, SuccessRate, interval, rate};
 use simulation::{Injection, LIMIT_SLACK, Settings, Trial};
 use task::algebra::norm;
 use task::{ScenarioTrajectory, Trajectory};
 
 use crate::Kept;
-use plan::Problem;
-use plan::directions::direction;
-use plan::records::{EVALUATION_FORCE_SHARE, GraspRecord, LossRecord, MotionEnd};
-use plan::{SuccessRate, interval, rate};
 
 /// Failing trials that are played again.
 const PLAYED: usize = 8;

@@ -4,14 +4,12 @@
 //! an arm is refined in a harder world while there is time: with more friction, the largest turns only, and contact forces of
 //! contacts that yield a little.
 
+use plan::{Event, PlannerError, Round, Session};
 use simulation::Evaluator;
 
 use crate::Refiner;
 use crate::candidate::Kept;
 use crate::clock::Deadline;
-use plan::PlannerError;
-use plan::Round;
-use plan::{Event, Session};
 
 /// So many times as large are frictions in the harder world.
 const FRICTION: f64 = 1.1;
@@ -82,12 +80,12 @@ impl Refiner<'_> {
 mod tests {
     use std::time::Duration;
 
+    use plan::Variant;
     use simulation::{Reference, Success};
 
     use super::*;
     use crate::RobustnessTarget;
     use crate::tests::in_corner_for;
-    use plan::Variant;
 
     /// A push of the corner scene, which is robust there, after so many changes in a world where it has to end within a
     /// distance (m) of the goal: what is kept, and its rounds.

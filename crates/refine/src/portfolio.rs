@@ -1,11 +1,10 @@
 //! What is planned where the plan of the scene cannot be refined: problems whose plans may have more margin. Which of
 //! them helps differs from scene to scene.
 
+use plan::Variant;
 use simulation::{Reference, Rollout, Settings};
 use task::algebra::norm;
 use task::{AssemblyTask, CostWeights, GraspError, HomotopySettings};
-
-use plan::Variant;
 
 /// Failing grasp errors that a variant takes over as scenarios.
 const ADDED_FAILURES: usize = 3;

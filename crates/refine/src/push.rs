@@ -1,15 +1,11 @@
 //! A straight push as the reference to refine.
 
+use plan::{PlanIteration, PlannerError, Problem, PushReport, Variant};
 use simulation::{Evaluator, Reference};
 
 use crate::Refiner;
 use crate::candidate::Kept;
 use crate::evaluation::{Drawn, Evaluation};
-use plan::PlanIteration;
-use plan::PlannerError;
-use plan::Problem;
-use plan::PushReport;
-use plan::Variant;
 
 /// Share of the time that is left.
 const SHARE: f64 = 0.4;

@@ -48,13 +48,12 @@ pub fn race(
 
 #[cfg(test)]
 mod tests {
+    use plan::{Choices, Problem};
     use simulation::{Disturbance, Success};
-    use task::GraspError;
-    use task::at_rest;
+    use task::{GraspError, at_rest};
 
     use super::*;
     use crate::tests::corner;
-    use plan::{Choices, Problem};
 
     #[test]
     fn the_reference_that_passes_most_trials_wins_with_few_rollouts() {

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use plan::records::GraspRecord;
+use plan::{Event, IterationRecord, Plan, PlanIteration, PlannerError, Round, Unusable, Variant};
 use simulation::{Reference, Trial};
 use task::GraspError;
 
@@ -9,13 +11,6 @@ use crate::Refiner;
 use crate::candidate::Kept;
 use crate::checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
 use crate::clock::Clock;
-use plan::Event;
-use plan::Plan;
-use plan::Round;
-use plan::Variant;
-use plan::records::GraspRecord;
-use plan::{IterationRecord, PlanIteration};
-use plan::{PlannerError, Unusable};
 
 impl Refiner<'_> {
     /// What is to be kept of the refinement.

@@ -4,15 +4,13 @@
 //! detours in free air, strokes that pull a seated part back. What no trial needs is taken back from a robust plan. One for
 //! an arm is refined with margins instead.
 
+use plan::{Event, PlannerError, Round};
 use simulation::Refinement;
 use task::StraightMotion;
 
 use crate::Refiner;
 use crate::candidate::Kept;
 use crate::ends::{WITH_STROKES, has_strokes};
-use plan::Event;
-use plan::PlannerError;
-use plan::Round;
 
 /// Random grasp errors per friction and magnitude in which the simpler plan must succeed besides the training trials.
 const RANDOM: usize = 10;
@@ -80,11 +78,11 @@ impl Refiner<'_> {
 mod tests {
     use std::time::Duration;
 
+    use plan::Variant;
     use simulation::Reference;
 
     use super::*;
     use crate::tests::in_corner;
-    use plan::Variant;
 
     /// A push of the corner scene, which is robust there, with a rotation (rad) in its first half that nothing needs.
     fn twisted(refiner: &Refiner, rotation: f64) -> Reference {

@@ -1,14 +1,12 @@
 //! The test of a plan that nothing has refined: how it does in rollouts with hard contact, beside a straight push.
 
+use plan::ranges::require_threads;
+use plan::{Plan, PlannerError, Session, TestReport};
+
 use crate::evaluation::{ErrorRange, Evaluation};
 use crate::evaluators::evaluators;
 use crate::push::judge_push;
 use crate::{RobustnessTarget, SEED, SEED_STRIDE};
-use plan::Plan;
-use plan::PlannerError;
-use plan::Session;
-use plan::TestReport;
-use plan::ranges::require_threads;
 
 /// Random grasp errors per friction and magnitude: about a second of rollouts.
 const RANDOM: usize = 10;

@@ -2,14 +2,13 @@
 
 use std::time::Instant;
 
+use plan::{Event, PlannerError};
 use simulation::{Reference, Refinement};
 
 use crate::candidate::{Candidate, Kept};
 use crate::clock::Deadline;
 use crate::evaluation::{Evaluation, Judgement};
 use crate::{OWN_SHARE, Refiner, SEED, SEED_STRIDE};
-use plan::Event;
-use plan::PlannerError;
 
 /// Random offsets per friction and magnitude of an evaluation. A plan that fails in 4 % of the offsets of one magnitude
 /// passes 50 of them by luck in 13 of 100 cases, and 100 of them in 2.
@@ -139,10 +138,10 @@ impl<'run> Refiner<'run> {
 mod tests {
     use std::time::Duration;
 
+    use plan::{OffsetRegion, SuccessRate, SuccessRates, Variant};
+
     use super::*;
     use crate::tests::in_corner;
-    use plan::Variant;
-    use plan::{OffsetRegion, SuccessRate, SuccessRates};
 
     #[test]
     fn what_is_nearly_robust_is_not_interrupted() {

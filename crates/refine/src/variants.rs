@@ -2,16 +2,13 @@
 
 use std::time::Duration;
 
+use plan::{Event, HomotopyRun, PlannerError, Variant};
 use task::GraspError;
 
 use crate::Refiner;
 use crate::candidate::Candidate;
 use crate::clock::Deadline;
 use crate::portfolio::{PORTFOLIO, Recipe};
-use plan::Event;
-use plan::HomotopyRun;
-use plan::PlannerError;
-use plan::Variant;
 
 /// Share of a variant's time for its solve; the rest is for its refinement.
 const SOLVING_SHARE: f64 = 0.6;

@@ -1,9 +1,8 @@
 //! Scenes as text that people read and change: every key has a comment with its meaning, unit and usual values.
 
+use scene::{duration, horizon, key, rotational_stiffness, translational_stiffness};
 use task::Horizon;
 use toml::Value;
-
-use scene::{duration, horizon, key, rotational_stiffness, translational_stiffness};
 
 /// What a scene that is to be written does not share with all others. Lengths are in metres.
 pub struct Draft {

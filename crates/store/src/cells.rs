@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use plan::{PlannerError, Split};
 use serde::{Deserialize, Serialize};
 
 use crate::atomic::{read_bytes, write_file};
@@ -9,8 +10,6 @@ use crate::batch::CellState;
 use crate::manifest::{Cell, Manifest};
 use crate::result::{PlanResult, ScenarioRecord};
 use crate::table::to_csv;
-use plan::PlannerError;
-use plan::Split;
 
 /// A row of `cells.csv`. What is not known of an unfinished cell is empty.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

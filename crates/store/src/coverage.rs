@@ -2,12 +2,10 @@
 
 use std::fmt;
 
+use plan::{Millimetres, Problem};
 use serde::{Deserialize, Serialize};
 use simulation::offsets;
 use task::Coverage;
-
-use plan::Millimetres;
-use plan::Problem;
 
 /// Which offsets a plan covers.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

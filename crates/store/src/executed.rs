@@ -6,15 +6,13 @@
 use std::path::Path;
 
 use nalgebra::{Isometry3, Vector3};
+use plan::records::GraspRecord;
+use plan::{Millimetres, PlannerError, Problem};
 use serde::Deserialize;
 use simulation::{Reference, Settings, coordinates, interpolate, isometry};
 use task::{GraspError, POSE, pose_of};
 
 use crate::{ExecutedState, PlayedRows, StoredPlan, read_log_header, read_played_rows};
-use plan::Millimetres;
-use plan::PlannerError;
-use plan::Problem;
-use plan::records::GraspRecord;
 
 /// What the first line of a log says of its session.
 #[derive(Debug, Default, Deserialize)]

@@ -7,6 +7,7 @@ use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use plan::{Keeper, Plan, PlannerError, hash};
 use task::{AssemblyTask, Trajectory};
 
 use crate::atomic::{read_bytes, read_text, remove_file, write_file};
@@ -14,10 +15,6 @@ use crate::result::{PlanResult, RESULT};
 use crate::stored_plan::{RESOLVED, STAGES, StoredPlan, is_plan_file, read_result};
 use crate::trajectory::{TABLES, read_trajectory, write_trajectory};
 use crate::work_folder::WorkFolder;
-use plan::Keeper;
-use plan::Plan;
-use plan::PlannerError;
-use plan::hash;
 
 /// `result.json` of the plan that is being replaced, while its files are.
 const REPLACED: &str = "replaced.json";

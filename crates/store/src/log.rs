@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use plan::PlannerError;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use task::{STATE, TWIST};
@@ -9,7 +10,6 @@ use task::{STATE, TWIST};
 use crate::atomic::read_text;
 use crate::table::{Value, read_csv};
 use crate::trajectory::StateRow;
-use plan::PlannerError;
 
 /// Version of the log that is read.
 const FORMAT: u32 = 1;

@@ -3,13 +3,12 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
+use plan::{Format, PlannerError, short};
 use serde::{Deserialize, Serialize};
 use task::LinearSolver;
 
 use crate::atomic::{read_text, require_folder, write_file};
 use crate::work_folder::WorkFolder;
-use plan::Format;
-use plan::{PlannerError, short};
 
 /// Name of the file.
 pub const MANIFEST: &str = "manifest.jsonl";

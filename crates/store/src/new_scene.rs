@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use crate::atomic::{require_folder, write_file};
 use plan::PlannerError;
+
+use crate::atomic::{require_folder, write_file};
 
 /// Writes a scene to a file whose name ends with `.toml`. One that is there is replaced only if `replaces` says so.
 ///

@@ -2,19 +2,16 @@
 
 use std::collections::BTreeMap;
 
+use diagnosis::explain::{self, FailureExplanation};
+use diagnosis::warnings;
+use plan::records::{AttemptRecord, GraspRecord, MotionRecord};
+use plan::{
+    Format, IterationRecord, Outcome, Plan, PlanStatus, Problem, RobustnessReport, TestReport, VERSION, or_null,
+};
 use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
 use crate::coverage::CoverageRecord;
-use diagnosis::explain::{self, FailureExplanation};
-use diagnosis::warnings;
-use plan::Format;
-use plan::IterationRecord;
-use plan::or_null;
-use plan::records::{AttemptRecord, GraspRecord, MotionRecord};
-use plan::{Outcome, Plan, PlanStatus};
-use plan::{Problem, VERSION};
-use plan::{RobustnessReport, TestReport};
 
 /// Name of the file, which is written last: where it stands, the plan is whole.
 pub const RESULT: &str = "result.json";

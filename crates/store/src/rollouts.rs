@@ -3,6 +3,8 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use plan::simulate::PlayedRollout;
+use plan::{PlannerError, SuccessGroup, hash};
 use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
@@ -10,10 +12,6 @@ use crate::atomic::{require_folder, write_file};
 use crate::simulation_record::{SIMULATION, SimulationRecord};
 use crate::table::{Value, has_header, read_csv, to_csv};
 use crate::work_folder::WorkFolder;
-use plan::PlannerError;
-use plan::SuccessGroup;
-use plan::hash;
-use plan::simulate::PlayedRollout;
 
 /// Name of the table of every rollout.
 pub const ROLLOUTS: &str = "rollouts.csv";

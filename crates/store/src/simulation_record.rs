@@ -3,15 +3,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use plan::simulate::GraspErrors;
+use plan::{Format, PlannerError, Problem, VERSION, hash};
 use serde::{Deserialize, Serialize};
 
 use crate::atomic::{read_bytes, read_text};
 use crate::rollouts::is_table;
-use plan::Format;
-use plan::PlannerError;
-use plan::hash;
-use plan::simulate::GraspErrors;
-use plan::{Problem, VERSION};
 
 /// Name of the file.
 pub const SIMULATION: &str = "simulation.json";

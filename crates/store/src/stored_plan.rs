@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use plan::{PlannerError, Problem, hash};
 use scene::{Scene, Source};
 use simulation::Reference;
 use task::POSE;
@@ -11,9 +12,6 @@ use crate::atomic::{read_bytes, read_text};
 use crate::result::{PlanResult, RESULT};
 use crate::trajectory::{REFERENCE, SCENARIOS, TABLES, read_ends, read_reference};
 use crate::work_folder::WorkFolder;
-use plan::PlannerError;
-use plan::Problem;
-use plan::hash;
 
 /// Scene and homotopy after defaults and choices.
 pub const RESOLVED: &str = "resolved.toml";

@@ -4,11 +4,11 @@ use std::path::Path;
 use std::str::FromStr;
 
 use csv::StringRecord;
+use plan::PlannerError;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::atomic::read_text;
-use plan::PlannerError;
 
 /// A value of a table, written in full and without an exponent, so that it is read back exactly.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

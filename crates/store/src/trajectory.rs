@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use plan::PlannerError;
 use serde::{Deserialize, Serialize};
 use simulation::Reference;
 use task::{
@@ -10,7 +11,6 @@ use task::{
 
 use crate::atomic::write_file;
 use crate::table::{Value, read_csv, seconds, to_csv};
-use plan::PlannerError;
 
 /// Names of the tables in a plan's folder.
 pub const TABLES: [&str; 4] = [REFERENCE, SCENARIOS, WRENCH, CONTACTS];

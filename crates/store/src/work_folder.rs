@@ -5,8 +5,9 @@ use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
 
-use crate::atomic::{is_at, require_folder};
 use plan::PlannerError;
+
+use crate::atomic::{is_at, require_folder};
 
 /// Marks a hidden folder as ours; who works in it holds a lock on this file.
 const LOCK: &str = "lock";

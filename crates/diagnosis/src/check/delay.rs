@@ -1,9 +1,8 @@
 //! Whether an arm's controller answers in time.
 
 use nalgebra::{Cholesky, Matrix6};
-use task::AssemblyTask;
-
 use plan::Problem;
+use task::AssemblyTask;
 
 /// A warning where the controller of the scene's arm answers too late for its damping.
 pub fn delay(problem: &Problem) -> Option<String> {

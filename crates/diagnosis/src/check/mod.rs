@@ -9,6 +9,9 @@ pub(crate) mod refusal;
 mod way;
 
 use ocp::{Layout, blocks, standard_terms};
+use plan::play::along_insertion;
+use plan::ranges::require;
+use plan::{Engagement, PlannerError, Problem};
 use scene::Part;
 use serde::Serialize;
 use task::ContactPair;
@@ -16,11 +19,6 @@ use task::ContactPair;
 use crate::check::oddities::oddities;
 use crate::check::overlaps::overlaps;
 use crate::warnings;
-use plan::Engagement;
-use plan::PlannerError;
-use plan::Problem;
-use plan::play::along_insertion;
-use plan::ranges::require;
 
 pub(crate) use oddities::{first_smoothing, rest, step};
 pub use overlaps::PoseOverlap;

@@ -1,11 +1,10 @@
 //! What is odd about a scene, and which key to change.
 
+use plan::{Millimetres, Problem};
 use task::{AssemblyTask, Overlap};
 
 use crate::check::delay::delay;
 use crate::check::{Explanation, Play, Way, pairs};
-use plan::Millimetres;
-use plan::Problem;
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;

@@ -1,10 +1,10 @@
 //! Where the body overlaps the environment before it moves.
 
+use plan::Problem;
 use serde::Serialize;
 use task::{AssemblyTask, GraspError};
 
 use crate::check::refusal::largest_fit;
-use plan::Problem;
 
 /// Overlap (m) that rounding of poses and meshes explains.
 const ROUNDING: f64 = 1e-4;

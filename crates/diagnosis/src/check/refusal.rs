@@ -1,11 +1,11 @@
 //! Why no plan can be made of a scene, as far as that is certain.
 
 use nalgebra::Vector3;
+use plan::Problem;
 use task::AssemblyTask;
 
 use crate::check::overlaps::{deepest, start_inside};
 use crate::check::way::{self, Way};
-use plan::Problem;
 
 /// Overlap at the goal that a fit, rounding and facets explain: at least (m), and in sizes of the body.
 const FIT: f64 = 1e-4;

@@ -4,10 +4,9 @@
 use std::collections::{BTreeSet, VecDeque};
 
 use nalgebra::Vector3;
+use plan::clearance::{Clearance, position};
 use serde::Serialize;
 use task::AssemblyTask;
-
-use plan::clearance::{Clearance, position};
 
 /// Cells of the grid along the way from start to goal, and cells that are looked at, at most.
 const CELLS: f64 = 40.0;

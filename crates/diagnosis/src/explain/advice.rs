@@ -1,6 +1,8 @@
 //! What to try where a plan is not done. Each piece of advice stands for a condition that holds for the plan.
 
 use nlp::SolveStatus;
+use plan::play::along_insertion;
+use plan::{Millimetres, Plan, Stop};
 use scene::Part;
 use task::algebra::norm;
 use task::{POSE, STATE, pose_of};
@@ -8,11 +10,7 @@ use task::{POSE, STATE, pose_of};
 use crate::check::{first_smoothing, rest, step};
 use crate::explain::limits::ActiveLimitRecord;
 use crate::explain::stuck::StuckScenario;
-
 use crate::warnings::tolerance::free_offset;
-use plan::Millimetres;
-use plan::play::along_insertion;
-use plan::{Plan, Stop};
 
 /// Overlap that is worth a word (m).
 const OVERLAP: f64 = 1e-4;

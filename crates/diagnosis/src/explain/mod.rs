@@ -10,9 +10,8 @@ mod stuck;
 mod words;
 
 use ocp::{Residual, Transcription};
-use serde::{Deserialize, Serialize};
-
 use plan::{Cut, Plan, PlanStatus, Stop};
+use serde::{Deserialize, Serialize};
 
 pub use dependencies::DependencyRecord;
 pub use limits::ActiveLimitRecord;

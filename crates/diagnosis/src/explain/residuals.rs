@@ -2,12 +2,12 @@
 
 use kkt::Owner;
 use ocp::Residual;
+use plan::or_null;
+use plan::records::GraspRecord;
 use serde::{Deserialize, Serialize};
 use task::AssemblyTask;
 
 use crate::explain::words::{ConstraintName, constraint};
-use plan::or_null;
-use plan::records::GraspRecord;
 
 /// Violations that are not worth a word (in the unit of the row): Ipopt's own tolerance by default.
 const NEGLIGIBLE: f64 = 1e-4;

@@ -1,10 +1,9 @@
 //! Scenarios that miss the goal.
 
-use serde::{Deserialize, Serialize};
-use task::ScenarioTrajectory;
-
 use plan::Plan;
 use plan::records::{GraspRecord, MotionEnd};
+use serde::{Deserialize, Serialize};
+use task::ScenarioTrajectory;
 
 /// A scenario that misses the goal.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -5,9 +5,8 @@ use ocp::{
     ACCELERATION, CONTACT_FORCE, GAP, Member, POSE_DYNAMICS, PRODUCT, REFERENCE_KINEMATICS, TWIST_VARIABLES,
     VELOCITY_DYNAMICS, WRENCH,
 };
-use task::AssemblyTask;
-
 use plan::directions::AXES;
+use task::AssemblyTask;
 
 /// What a constraint is, in words of the scene.
 #[derive(Debug, Clone, PartialEq)]

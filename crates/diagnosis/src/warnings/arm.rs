@@ -1,12 +1,10 @@
 //! Whether an arm can move as a plan asks it to, and whether it or its gripper meets the environment then.
 
+use plan::carried::{CarriedWorld, Frames, Meeting};
+use plan::{ArmCourse, Plan};
 use scene::Robot;
 use simulation::isometry;
 use task::{ScenarioTrajectory, pose_of};
-
-use plan::ArmCourse;
-use plan::Plan;
-use plan::carried::{CarriedWorld, Frames, Meeting};
 
 /// Poses, speeds and torques that the arm cannot have, in the motions of all scenarios, and where it or the gripper meets the
 /// environment.

@@ -1,11 +1,10 @@
 //! Whether the arm and the gripper meet the environment before anything is planned.
 
 use nalgebra::Isometry3;
-use simulation::isometry;
-use task::pose::interpolate;
-
 use plan::Problem;
 use plan::carried::{CarriedWorld, Frames, Meeting};
+use simulation::isometry;
+use task::pose::interpolate;
 
 /// Poses between goal and start that are looked at without an arm.
 const POSES: usize = 20;

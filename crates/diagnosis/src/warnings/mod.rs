@@ -10,11 +10,10 @@ mod smoothing;
 pub(crate) mod tolerance;
 
 use nlp::{IPOPT_VERSION, takes_own_solver};
+use plan::{Plan, Problem};
 use task::LinearSolver;
 
 use crate::check::overlaps;
-use plan::Plan;
-use plan::Problem;
 
 /// What is odd about a problem before it is solved.
 pub fn of_problem(problem: &Problem) -> Vec<String> {

@@ -47,8 +47,9 @@ fn of(motion: &MotionRecord, limit: f64, reach: f64) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use plan::records::Extreme;
+
+    use super::*;
 
     fn motion(force: f64, degrees: f64, free: f64) -> MotionRecord {
         let extreme = |largest: f64| Extreme { largest, time_s: 0.5 };

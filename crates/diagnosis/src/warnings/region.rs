@@ -1,10 +1,9 @@
 //! Whether the body leaves the region for which meshes of the environment were made convex parts, near such a mesh.
 
 use nalgebra::{Point3, Vector3};
+use plan::Plan;
 use scene::{MeshPart, MotionRegion};
 use task::pose_of;
-
-use plan::Plan;
 
 /// A warning with the time at which the body of some scenario first leaves the region.
 pub fn warning(plan: &Plan) -> Option<String> {

@@ -1,8 +1,7 @@
 //! Whether a plan leans on smoothing: contact is soft while it is planned, real parts are not.
 
-use task::Overlap;
-
 use plan::Plan;
+use task::Overlap;
 
 /// What is wrong with a plan whose exact shapes overlap by more than a tenth of the clearance at the goal, in plain
 /// words with the setting that cures it.

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use plan::{PlannerError, Problem, RobustnessTarget};
 use simulation::{Reference, Settings, coordinates, isometry};
-use store::{Ending, Execution};
-use store::{ExecutedState, StoredPlan};
+use store::{Ending, ExecutedState, Execution, StoredPlan};
 use task::{GraspError, POSE, STATE, ScenarioTrajectory, Trajectory, at_rest, pose_of};
 
 use super::motion::{HARD, Measures, World};

@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use plan::Format;
 use plan::records::LossRecord;
-use plan::{Millimetres, PlannerError, Problem, RobustnessTarget, VERSION, homotopy};
+use plan::{Format, Millimetres, PlannerError, Problem, RobustnessTarget, VERSION, homotopy};
 use scene::{Borne, Part};
 use simulation::{Injection, Settings, Solid};
 use store::trajectory::read_tables;

@@ -3,11 +3,10 @@
 use std::f64::consts::PI;
 
 use fastrand::Rng;
-
-use super::random;
-use super::section::Section;
-use super::{LENGTH, PegError, metres, require, within};
 use scene::Range;
+
+use super::section::Section;
+use super::{LENGTH, PegError, metres, random, require, within};
 
 /// Cross-section of a peg. Lengths are in metres.
 #[derive(Debug, Clone, PartialEq)]

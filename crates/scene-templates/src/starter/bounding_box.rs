@@ -3,10 +3,9 @@
 use std::path::Path;
 
 use mesh::{Solid, TriangleMesh};
+use scene::{SceneError, points_of_link};
 
 use crate::starter::Axis;
-use scene::SceneError;
-use scene::points_of_link;
 
 /// A box along the axes (m).
 #[derive(Debug, Clone, Copy, PartialEq)]

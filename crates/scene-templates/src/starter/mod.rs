@@ -6,11 +6,10 @@ mod relative;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::draft::{Draft, DraftPart, DraftShape};
 use relative::relative_path;
-use scene::SceneError;
-use scene::USUAL_SIZES;
-use scene::{SCALES, UNITS};
+use scene::{SCALES, SceneError, UNITS, USUAL_SIZES};
+
+use crate::draft::{Draft, DraftPart, DraftShape};
 
 pub use bounding_box::BoundingBox;
 

@@ -2,12 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use plan::{PlannerError, Problem, homotopy};
 use scene::Scene;
 
 use crate::batch::matrix::{Key, Matrix, Starts};
 use crate::{Cell, Format};
-use plan::PlannerError;
-use plan::{Problem, homotopy};
 
 /// More cells than anyone solves.
 const MOST_CELLS: usize = 100_000;

@@ -3,12 +3,11 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use plan::PlannerError;
 use scene::{SceneError, Source, key, read_text};
 use serde::Deserialize;
 use task::LinearSolver;
 use toml::Spanned;
-
-use plan::PlannerError;
 
 /// Every scene with every start, offset magnitude and homotopy.
 #[derive(Debug)]
