@@ -25,7 +25,7 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
     if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&arguments.task.scene, reason).into());
     }
-    let target = arguments.target(problem.scene());
+    let target = arguments.target(problem.scene())?;
     target.validate()?;
     warnings::of_problem(&problem).iter().for_each(|warning| tell!("warning: {warning}"));
     let progress = Progress::new(&arguments.progress)?.until(clock.deadline());

@@ -6,6 +6,7 @@
 //! | [`solve()`] | from a problem to a [`Plan`] |
 //! | [`simulate`](mod@simulate) | rollouts of plans, success rates |
 //! | [`Session`], [`Keeper`] | who watches a computation, how it is stopped, where unfinished work is kept |
+//! | [`RobustnessTarget`], [`parameters`] | what robust plans must bear, and what steers the search for them |
 //! | [`records`] | what files say of motions and errors |
 
 mod arm_course;
@@ -25,6 +26,7 @@ mod iteration;
 mod keeper;
 mod length;
 pub mod or_null;
+pub mod parameters;
 mod plan;
 pub mod play;
 mod problem;
@@ -54,6 +56,7 @@ pub use homotopy_run::HomotopyRun;
 pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
 pub use keeper::Keeper;
 pub use length::Millimetres;
+pub use parameters::RobustParameters;
 pub use plan::{Cut, Outcome, Plan, PlanStatus, Stop};
 pub use problem::{Choices, Problem, VERSION, homotopy};
 pub use robustness::{PushReport, RobustnessReport, Round, TestReport};

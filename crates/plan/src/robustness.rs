@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use simulation::TrialResult;
 
 use crate::iteration::PlanIteration;
+use crate::parameters::RobustParameters;
 use crate::records::{GraspRecord, LossRecord};
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
@@ -39,6 +40,9 @@ pub struct RobustnessReport {
     pub kept_changes: usize,
     /// All rounds.
     pub rounds: Vec<Round>,
+    /// What steered the search; older plans do not say.
+    #[serde(default)]
+    pub parameters: RobustParameters,
     /// What the refined plan loses most, where some rollouts fail.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss: Option<LossRecord>,

@@ -5,6 +5,7 @@ use std::time::Duration;
 use scene::Borne;
 
 use crate::error::PlannerError;
+use crate::parameters::RobustParameters;
 use crate::ranges::{require, require_frictions, require_turn};
 
 /// What a robust plan must bear, and how much time may be spent on it.
@@ -26,6 +27,8 @@ pub struct RobustnessTarget {
     pub time_limit: Duration,
     /// Changes in a row without improvement after which a plan is evaluated anew.
     pub patience: usize,
+    /// What steers the search.
+    pub parameters: RobustParameters,
     /// Changes to try in the whole refinement, if they are limited: unlike a time, a count means the same on every machine.
     pub max_changes: Option<usize>,
 }
@@ -49,6 +52,7 @@ impl RobustnessTarget {
             delay,
             time_limit: Duration::from_secs(300),
             patience: 150,
+            parameters: RobustParameters::default(),
             max_changes: None,
         }
     }
@@ -67,7 +71,8 @@ impl RobustnessTarget {
             "must lie between 0 and 1",
         )?;
         require_frictions(&self.frictions)?;
-        require_turn(self.turn)
+        require_turn(self.turn)?;
+        self.parameters.validate()
     }
 
     /// The largest friction.

@@ -61,9 +61,10 @@ pub use plan::records::AttemptRecord;
 pub use plan::{
     ArmCourse, Choices, ChosenTolerance, Cut, Engagement, Event, Fallbacks, Fault, GraspErrors, IterationRecord,
     Keeper, Millimetres, Motion, Now, Observer, OffsetRegion, OffsetSource, Outcome, Plan, PlanIteration, PlanStatus,
-    PlannerError, PlayedRollout, Problem, PushReport, Region, RobustnessReport, RobustnessTarget, Round, RunClock,
-    Session, SimulationRequest, Split, StageSolverRecord, Stop, SuccessGroup, SuccessRate, SuccessRates, SuccessTable,
-    TestReport, Unusable, VERSION, Variant, carried, engagement, homotopy, interval, max_force, rate, simulate, solve,
+    PlannerError, PlayedRollout, Problem, PushReport, Region, RobustParameters, RobustnessReport, RobustnessTarget,
+    Round, RunClock, Session, SimulationRequest, Split, StageSolverRecord, Stop, SuccessGroup, SuccessRate,
+    SuccessRates, SuccessTable, TestReport, Unusable, VERSION, Variant, carried, engagement, homotopy, interval,
+    max_force, rate, simulate, solve,
 };
 pub use starter::{Starter, StarterFit, starter};
 pub use store::{Ending, Execution, batch};

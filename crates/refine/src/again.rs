@@ -3,13 +3,11 @@
 use plan::{PlannerError, Round};
 use simulation::Refinement;
 
+use crate::Refiner;
 use crate::candidate::{Candidate, Kept};
-use crate::clock::Deadline;
 use crate::margins::WITH_MARGINS;
-use crate::{Refiner, SEED, SEED_STRIDE};
+use crate::schedule::Deadline;
 
-/// Success rate from which on a plan is refined rather than replaced.
-const NEARLY: f64 = 0.75;
 /// Marks the name of a plan that was refined before.
 const CONTINUED: &str = ", continued";
 
@@ -21,14 +19,14 @@ impl Refiner<'_> {
 
     /// Whether the best plan so far fails seldom.
     pub(super) fn is_nearly_robust(&self) -> bool {
-        self.best.as_ref().is_some_and(|best| best.rates.overall() >= NEARLY)
+        self.best.as_ref().is_some_and(|best| best.rates.overall() >= self.target.parameters.training.nearly_robust)
     }
 
     /// Goes on with the best plan so far as long as this helps: other changes often help where some did not, and they cost
     /// less than another problem.
     pub(super) fn refine_again(&mut self) -> Result<(), PlannerError> {
         let rate = |refiner: &Self| refiner.best.as_ref().map_or(0.0, |best| best.rates.overall());
-        let (mut before, until) = (-1.0, self.clock.end());
+        let (mut before, until) = (-1.0, self.schedule.end());
         while rate(self) > before && self.goes_on(until) {
             before = rate(self);
             self.refine_best(until)?;
@@ -43,7 +41,7 @@ impl Refiner<'_> {
         if ![CONTINUED, WITH_MARGINS].iter().any(|mark| variant.name.ends_with(mark)) {
             variant.name += CONTINUED;
         }
-        let results = self.trainer.evaluate_all(&reference, &self.training, &|| self.clock.is_over(until));
+        let results = self.trainer.evaluate_all(&reference, &self.training, &|| self.schedule.is_over(until));
         let Some(results) = results else { return Ok(()) };
         let round = Round { rollouts: results.len(), ..Round::new(&variant, &iterations, chosen, &results) };
         self.change_seed();
@@ -53,6 +51,6 @@ impl Refiner<'_> {
 
     /// Other changes follow than before.
     pub(super) fn change_seed(&mut self) {
-        self.seed = SEED + SEED_STRIDE * self.evaluations;
+        self.seed = self.seed_of_evaluation();
     }
 }

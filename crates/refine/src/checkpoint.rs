@@ -1,7 +1,7 @@
 //! What an unfinished refinement leaves behind so that another one can go on with its best plan.
 
 use plan::records::GraspRecord;
-use plan::{IterationRecord, Keeper, PlannerError, Round, SuccessRates, Unusable, seal, unseal};
+use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Trial};
 use task::GraspError;
@@ -29,6 +29,8 @@ pub struct RefinementCheckpoint {
     pub delay_s: f64,
     /// Largest radius of edges that it must bear.
     pub edge_radius_m: f64,
+    /// What steered the search.
+    pub parameters: RobustParameters,
     /// Tolerances of success: distance (m) and angle (rad).
     pub tolerance: [f64; 2],
     /// Wall time so far.

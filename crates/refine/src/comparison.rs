@@ -10,16 +10,10 @@ use crate::candidate::Kept;
 use crate::evaluation::Judgement;
 use crate::{Refiner, race};
 
-/// So many of the latest are compared.
-const LATEST: usize = 8;
-/// Random grasp errors per friction and magnitude, and trials in which all references are played.
-const RANDOM: usize = 10;
-const FIRST: usize = 24;
-
 impl Refiner<'_> {
     /// Takes note of a reference for the comparison.
     pub(super) fn remember(&mut self, kept: Kept) {
-        if self.latest.len() == LATEST {
+        if self.latest.len() == self.target.parameters.comparison.latest {
             self.latest.pop_front();
         }
         self.latest.push_back(kept);
@@ -27,6 +21,7 @@ impl Refiner<'_> {
 
     /// Keeps the best of the latest and the best so far, unless that is robust or the time is over.
     pub(super) fn compare_latest(&mut self) -> Result<(), PlannerError> {
+        let parameters = self.target.parameters.comparison;
         let Some(best) = self.best.clone().filter(|best| !best.reached) else { return Ok(()) };
         let mut compared = Vec::from(std::mem::take(&mut self.latest));
         if !compared.iter().any(|kept| (kept.round, kept.changes) == (best.round, best.changes)) {
@@ -36,9 +31,10 @@ impl Refiner<'_> {
             return Ok(());
         }
         let references: Vec<Reference> = compared.iter().map(|kept| kept.reference.clone()).collect();
-        let evaluation = self.new_evaluation(RANDOM);
-        let stop = || self.clock.is_over(self.clock.limit());
-        let Some(winner) = race::race(self.evaluator, &references, (evaluation.trials(), FIRST), &stop) else {
+        let evaluation = self.new_evaluation(parameters.random);
+        let stop = || self.schedule.is_over(self.schedule.limit());
+        let Some(winner) = race::race(self.evaluator, &references, (evaluation.trials(), parameters.first), &stop)
+        else {
             return Ok(());
         };
         let judgement = evaluation.judgement(&winner.results, self.target.wanted_rate);
@@ -51,7 +47,7 @@ impl Refiner<'_> {
     /// The winner after a whole evaluation: the few trials of the comparison decide against a reference, not for it. Where the
     /// time ends before that is decided, with the evaluation that knows most.
     fn decided(&mut self, winner: Kept, few: Judgement) -> Kept {
-        let whole = self.judge(&winner.reference, self.clock.limit());
+        let whole = self.judge(&winner.reference, self.schedule.limit());
         let played = whole.rates.rollouts();
         if whole.unplayed == 0 || played > few.rates.rollouts().max(winner.rates.rollouts()) {
             winner.judged(whole)
@@ -67,6 +63,7 @@ impl Refiner<'_> {
 mod tests {
     use std::time::Duration;
 
+    use plan::parameters::ComparisonParameters;
     use plan::{OffsetRegion, SuccessRate, SuccessRates, Variant};
     use task::at_rest;
 
@@ -99,7 +96,7 @@ mod tests {
             let resting = lucky(Reference::new(0.1, &[at_rest(&task.start); 3]), 1, 2);
             refiner.best = Some(resting.clone());
             refiner.remember(lucky(Reference::straight(&task.start, &task.goal, task.horizon), 2, 0));
-            for changes in 3..LATEST + 2 {
+            for changes in 3..refiner.target.parameters.comparison.latest + 2 {
                 refiner.remember(Kept { changes, ..resting.clone() });
             }
             refiner.compare_latest().unwrap();
@@ -111,7 +108,11 @@ mod tests {
     fn what_does_best_in_the_same_trials_is_kept_whatever_its_own_evaluation_said() {
         let kept = kept_in(Duration::from_secs(100));
         assert_eq!(kept.changes, 2);
-        assert!(kept.rates.rollouts() > FIRST, "all trials of the evaluation: {}", kept.rates.rollouts());
+        assert!(
+            kept.rates.rollouts() > ComparisonParameters::default().first,
+            "all trials of the evaluation: {}",
+            kept.rates.rollouts()
+        );
         assert!(kept.rates.overall() > 0.5, "{}", kept.rates.overall());
     }
 

@@ -3,6 +3,7 @@
 use fastrand::Rng;
 use nalgebra::{Rotation3, Unit, Vector3};
 use plan::Variant;
+use plan::parameters::DraftParameters;
 use task::GraspError;
 
 /// What makes a draft differ from the scene as it is. Whether that helps differs from scene to scene.
@@ -29,46 +30,32 @@ pub struct Factors {
     pub rotational: f64,
 }
 
-/// Exponents of ten of the least and largest factors of weights. Compliant motions that shift slowly and turn freely pass most
-/// rollouts.
-const REFERENCE_TRANSLATIONAL: [f64; 2] = [-0.5, 0.7];
-const REFERENCE_ROTATIONAL: [f64; 2] = [-1.0, 0.3];
-const COMPLIANT_TRANSLATIONAL: [f64; 2] = [0.8, 2.0];
-const COMPLIANT_ROTATIONAL: [f64; 2] = [-1.3, -0.3];
-/// Fraction of drafts with friction, and their coefficient as a fraction of the largest that must be borne: more costs
-/// more, and is no better.
-const WITH_FRICTION: f64 = 1.0 / 3.0;
-const FRICTION: f64 = 1.0 / 3.0;
-/// Fraction of drafts that are slower.
-const SLOWER: f64 = 0.5;
-/// So many of their first homotopy iterations have half of their steps.
-const COARSE_ITERATIONS: usize = 3;
 /// Largest part of the product of two offsets that may be rounding.
 const PARALLEL: f64 = 1e-9;
 
 impl Draft {
     /// Any. `friction` is the largest that must be borne.
-    pub fn random(random: &mut Rng, friction: f64) -> Self {
+    pub fn random(random: &mut Rng, friction: f64, parameters: &DraftParameters) -> Self {
         let mut power = |[least, most]: [f64; 2]| 10_f64.powf(least + (most - least) * random.f64());
         let mut factors =
             |translational, rotational| Factors { translational: power(translational), rotational: power(rotational) };
-        let reference = factors(REFERENCE_TRANSLATIONAL, REFERENCE_ROTATIONAL);
-        let compliant = factors(COMPLIANT_TRANSLATIONAL, COMPLIANT_ROTATIONAL);
+        let reference = factors(parameters.reference_translational, parameters.reference_rotational);
+        let compliant = factors(parameters.compliant_translational, parameters.compliant_rotational);
         Self {
             angle: std::f64::consts::TAU * random.f64(),
             reference,
             compliant,
-            friction: if random.f64() < WITH_FRICTION { FRICTION * friction } else { 0.0 },
-            is_slower: random.f64() < SLOWER,
+            friction: if random.f64() < parameters.with_friction { parameters.friction * friction } else { 0.0 },
+            is_slower: random.f64() < parameters.slower,
         }
     }
 
     /// The changed problem.
-    pub fn variant(&self, scene: &Variant) -> Variant {
+    pub fn variant(&self, scene: &Variant, parameters: &DraftParameters) -> Variant {
         let mut variant = Variant { name: self.name(), near: None, ..scene.clone() };
         let (task, settings) = (&mut variant.task, &mut variant.settings);
         *task = ocp::coarsened(task).unwrap_or_else(|| task.clone());
-        settings.coarse_iterations = COARSE_ITERATIONS;
+        settings.coarse_iterations = parameters.coarse_iterations;
         turn_offsets(&mut task.grasps, self.angle);
         for (weights, factors) in
             [(&mut task.cost.reference, self.reference), (&mut task.cost.compliant, self.compliant)]
@@ -127,9 +114,10 @@ mod tests {
         let of_scene = Variant::of_scene(&Problem::load(&scene, &Choices::default()).unwrap());
         let task = &of_scene.task;
         let mut random = Rng::with_seed(1);
-        let drafts: Vec<Draft> = (0..100).map(|_| Draft::random(&mut random, 0.3)).collect();
+        let drafts: Vec<Draft> =
+            (0..100).map(|_| Draft::random(&mut random, 0.3, &DraftParameters::default())).collect();
         for draft in &drafts {
-            let variant = draft.variant(&of_scene);
+            let variant = draft.variant(&of_scene, &DraftParameters::default());
             let half = task.horizon.steps / 2;
             assert_eq!(variant.task.horizon.steps, if draft.is_slower { half + half / 2 } else { half });
             assert_eq!(variant.task.frictions, [draft.friction]);
@@ -159,7 +147,7 @@ mod tests {
         of_scene.task.frictions = vec![0.0, 0.2];
         of_scene.task.grasps = [-0.02, 0.0, 0.02].map(|shift| GraspError::from([shift, 0.0, 0.0])).to_vec();
         let mut random = Rng::with_seed(1);
-        let variant = Draft::random(&mut random, 0.3).variant(&of_scene);
+        let variant = Draft::random(&mut random, 0.3, &DraftParameters::default()).variant(&of_scene);
         assert_eq!(variant.task.frictions, of_scene.task.frictions);
         assert_eq!(variant.task.grasps, of_scene.task.grasps);
     }

@@ -7,37 +7,23 @@
 use std::time::Duration;
 
 use fastrand::Rng;
-use plan::{Event, HomotopyRun, PlanIteration, PlannerError, Variant};
+use plan::{Event, HomotopyRun, PlanIteration, PlannerError, RobustParameters, Variant};
 use simulation::Reference;
 use workers::Workers;
 
+use crate::Refiner;
 use crate::candidate::{self, Candidate};
-use crate::clock::Deadline;
 use crate::draft::Draft;
-use crate::{OWN_SHARE, Refiner, SEED};
-
-/// Fraction of the training trials in which the plan of the scene must fail.
-const LOST: f64 = 0.5;
-/// Share of the time that is left for drafts.
-const SHARE: f64 = 0.3;
-/// So many of the last homotopy iterations of a draft are tried: earlier ones hardly ever win.
-const LAST: usize = 2;
-/// Success rate in the first evaluation below which refinement mostly gets stuck.
-const PROMISING: f64 = 0.8;
-/// Share of the time that is left in which others may take the place of drafts that do.
-const TRYING: f64 = 0.4;
-/// Largest number of drafts: more would take more time to compare than to make.
-const MOST: usize = 24;
+use crate::schedule::Deadline;
 
 impl<'run> Refiner<'run> {
     /// Refines the plan of the scene, which took `solving`, or the best of drafts where that fails in fewer trials.
     pub(super) fn refine_better(&mut self, own: Candidate<'run>, solving: Duration) -> Result<(), PlannerError> {
-        let is_wanted = self.problem.arm().is_some()
-            && own.refinement.failing_fraction() > LOST
-            && solving < self.clock.left().mul_f64(SHARE);
-        if is_wanted {
+        let is_lost = own.refinement.failing_fraction() > self.target.parameters.drafts.lost;
+        let until = self.schedule.drafts(solving).filter(|_| self.problem.arm().is_some() && is_lost);
+        if let Some(until) = until {
             self.session.tell(Event::Variant { name: "drafts", number: 1, count: 1 });
-            self.drafts = self.solve_drafts(self.clock.share(self.clock.end(), SHARE))?;
+            self.drafts = self.solve_drafts(until)?;
             self.session.tell(Event::VariantSolved { status: &format!("{} drafts", self.drafts.len()) });
         }
         match self.best_draft() {
@@ -50,7 +36,7 @@ impl<'run> Refiner<'run> {
                 self.rounds.extend(second.map(|draft| draft.round));
                 Ok(())
             }
-            None => self.refine(own, self.clock.share(self.clock.end(), OWN_SHARE), 0.0),
+            None => self.refine(own, self.schedule.own(), 0.0),
         }
     }
 
@@ -61,17 +47,17 @@ impl<'run> Refiner<'run> {
         first: Candidate<'run>,
         second: &mut Option<Candidate<'run>>,
     ) -> Result<(), PlannerError> {
-        let trying = self.clock.share(self.clock.end(), TRYING);
+        let (trying, promising) = (self.schedule.other_drafts(), self.target.parameters.drafts.promising);
         let mut next = Some(first);
         while let Some(candidate) = next {
-            self.refine(candidate, self.clock.share(self.clock.end(), OWN_SHARE), PROMISING)?;
-            let is_promising = self.best.as_ref().is_some_and(|best| best.rates.overall() >= PROMISING);
+            self.refine(candidate, self.schedule.own(), promising)?;
+            let is_promising = self.best.as_ref().is_some_and(|best| best.rates.overall() >= promising);
             if is_promising {
                 return Ok(());
             }
             next = if self.goes_on(trying) { second.take().or_else(|| self.best_draft()) } else { None };
         }
-        self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE))
+        self.refine_best(self.schedule.own())
     }
 
     /// Takes out the draft with the best reference. `None` without drafts or time.
@@ -80,11 +66,11 @@ impl<'run> Refiner<'run> {
         let mut references: Vec<Reference> = Vec::new();
         for (draft, (variant, iterations)) in self.drafts.iter().enumerate() {
             let fine = candidate::with_all_steps(iterations, &variant.task);
-            let last = &fine[fine.len().saturating_sub(LAST)..];
+            let last = &fine[fine.len().saturating_sub(self.target.parameters.drafts.last)..];
             places.extend(last.iter().map(|&index| (draft, index)));
             references.extend(last.iter().map(|&index| candidate::reference(&iterations[index].trajectory)));
         }
-        let best = self.best_of(&references, self.clock.end())?;
+        let best = self.best_of(&references, self.schedule.end())?;
         let (draft, index) = places[best.winner.index];
         let (variant, iterations) = self.drafts.swap_remove(draft);
         let candidate = self.candidate_of(best, variant, (iterations, index + 1), false);
@@ -97,11 +83,13 @@ impl<'run> Refiner<'run> {
     /// has finished; those that have none with all steps are left out.
     fn solve_drafts(&self, until: Deadline) -> Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> {
         let scene = Variant::of_scene(self.problem);
-        let mut random = Rng::with_seed(SEED);
+        let RobustParameters { drafts: parameters, seeds, .. } = &self.target.parameters;
+        let mut random = Rng::with_seed(seeds.first);
         let friction = self.target.largest_friction();
-        let drafts = (0..MOST).map(|_| Draft::random(&mut random, friction).variant(&scene));
+        let drafts =
+            (0..parameters.most).map(|_| Draft::random(&mut random, friction, parameters).variant(&scene, parameters));
         let solve = |variant: Variant| {
-            let is_over = || self.clock.is_over(until);
+            let is_over = || self.schedule.is_over(until);
             let iterations = match is_over() {
                 true => Vec::new(),
                 false => HomotopyRun::new(&variant).finished(self.session, is_over)?,
@@ -119,6 +107,7 @@ impl<'run> Refiner<'run> {
 
 #[cfg(test)]
 mod tests {
+    use plan::parameters::DraftParameters;
     use task::{Horizon, at_rest};
 
     use super::*;
@@ -147,13 +136,13 @@ mod tests {
             let draft = Variant { name: "a draft".to_owned(), ..scene.clone() };
             refiner.drafts = vec![(draft, solved)];
             let resting = Reference::new(0.1, &[at_rest(&refiner.problem.task().start); 3]);
-            let best = refiner.best_of(&[resting], refiner.clock.end()).unwrap();
+            let best = refiner.best_of(&[resting], refiner.schedule.end()).unwrap();
             let own = refiner.candidate_of(best, scene, (Vec::new(), 0), true);
             refiner.refine_promising(own, &mut None).unwrap();
             let rounds: Vec<(&str, Option<f64>)> =
                 refiner.rounds.iter().map(|round| (round.planned.as_str(), round.rate)).collect();
             assert_eq!(rounds[0], ("the scene as it is", Some(0.0)));
-            assert!(rounds[1].0 == "a draft" && rounds[1].1 > Some(PROMISING), "{rounds:?}");
+            assert!(rounds[1].0 == "a draft" && rounds[1].1 > Some(DraftParameters::default().promising), "{rounds:?}");
             assert_eq!(refiner.best.as_ref().unwrap().round, 2);
         });
     }

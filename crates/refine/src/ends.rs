@@ -1,12 +1,12 @@
 //! How references end: as they were planned, or with strokes.
 
-use plan::{PlanIteration, Problem, Round, Variant};
+use plan::{PlanIteration, Problem, RobustnessTarget, Round, Variant};
 use simulation::{Reference, Refinement, Strokes};
 
+use crate::Refiner;
 use crate::candidate::{Candidate, Kept};
-use crate::clock::Deadline;
-use crate::race::{FIRST, Winner, race};
-use crate::{Refiner, RobustnessTarget};
+use crate::race::{Winner, race};
+use crate::schedule::Deadline;
 
 /// Added to the name of a plan whose reference ends with strokes.
 pub const WITH_STROKES: &str = ", with strokes at the end";
@@ -47,8 +47,8 @@ impl<'run> Refiner<'run> {
         // Of equals the later wins.
         places.extend((0..references.len()).map(|index| (index, false)));
         ends.extend_from_slice(references);
-        let stop = || self.clock.is_over(until);
-        let winner = race(self.trainer, &ends, (&self.training, FIRST), &stop)?;
+        let stop = || self.schedule.is_over(until);
+        let winner = race(self.trainer, &ends, (&self.training, self.target.parameters.training.first), &stop)?;
         let (reference, (index, has_strokes)) = (ends.swap_remove(winner.index), places[winner.index]);
         Some(Best { winner: Winner { index, ..winner }, reference, has_strokes })
     }

@@ -4,28 +4,11 @@ use std::f64::consts::TAU;
 
 use fastrand::Rng;
 use nalgebra::Vector3;
+use plan::parameters::EvaluationParameters;
 use plan::{OffsetRegion, Problem, RobustnessTarget, SuccessRate, SuccessRates};
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
 use task::{AssemblyTask, Coverage, GraspError};
-
-/// Magnitudes of the random offsets in a hull, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller
-/// has no margin there but the planned offsets, which are played too. In a disc or a ball there are as many offsets.
-const FRACTIONS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 0.95];
-
-/// Errors in every direction that random offsets have on top, as a fraction of delta-hat: what succeeds by a hair in one
-/// simulator does not in another, and planned offsets often lie in a plane.
-const SPREAD: f64 = 0.05;
-
-/// Trials that are played before it is asked whether they are enough; independent of the number of threads, so that the
-/// results are, too.
-const BATCH: usize = 24;
-
-/// So many failures are enough to train on.
-const ENOUGH_FAILURES: usize = 8;
-
-/// Distance between the seeds of errors of the robot and of offsets, which must not depend on each other.
-const DISTURBANCE_SEED: u64 = 75;
 
 /// Steps of height and of angle from one [axis](training_axis) to the next: powers of 1 / 1.3247, the root of x^3 = x + 1, which
 /// never repeat and leave no large gaps.
@@ -42,6 +25,8 @@ pub struct ErrorRange {
     stiffness: f64,
     delay: f64,
     edge_radius: f64,
+    evaluation: EvaluationParameters,
+    disturbance_seed: u64,
 }
 
 impl ErrorRange {
@@ -55,6 +40,8 @@ impl ErrorRange {
             stiffness: target.stiffness_error,
             delay: target.delay,
             edge_radius: problem.edge_radius(),
+            evaluation: target.parameters.evaluation,
+            disturbance_seed: target.parameters.seeds.disturbance,
         }
     }
 
@@ -69,16 +56,16 @@ impl ErrorRange {
     /// Random offsets of the planned `offsets`' coverage, of `count` for each of the fractions, in groups that are counted
     /// together.
     fn groups(&self, offsets: &[[f64; 3]], count: usize, seed: u64) -> Vec<OffsetGroup> {
-        let Self { coverage, delta, .. } = self;
+        let Self { coverage, delta, evaluation: EvaluationParameters { fractions, .. }, .. } = self;
         if *coverage == Coverage::Hull {
             let of_fraction = |(seed, fraction): (u64, &f64)| {
                 let scaled: Vec<[f64; 3]> = offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
                 let offsets = offsets::covered(coverage, &scaled, fraction * delta, count, seed);
                 OffsetGroup { region: OffsetRegion::Hull, magnitude: fraction * delta, offsets }
             };
-            return (seed..).zip(&FRACTIONS).map(of_fraction).collect();
+            return (seed..).zip(fractions).map(of_fraction).collect();
         }
-        let mut rim = offsets::covered(coverage, offsets, *delta, FRACTIONS.len() * count, seed);
+        let mut rim = offsets::covered(coverage, offsets, *delta, fractions.len() * count, seed);
         let inside = rim.split_off(offsets::rim_count(rim.len()));
         let group = |(region, offsets)| OffsetGroup { region, magnitude: *delta, offsets };
         [(OffsetRegion::Inside, inside), (OffsetRegion::Rim, rim)].map(group).into()
@@ -113,6 +100,7 @@ pub struct Drawn {
 /// Trials of a reference, in groups of one friction, magnitude and region.
 pub struct Evaluation {
     drawn: Drawn,
+    parameters: EvaluationParameters,
     groups: Vec<SuccessRate>,
     /// The planned grasp errors first, then one of each group in turn: the first ones speak for all.
     trials: Vec<Trial>,
@@ -147,7 +135,7 @@ impl Evaluation {
     /// controller and round edges, and the planned grasp errors without other errors.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
         let delta = range.delta;
-        let mut random = Rng::with_seed(seed + DISTURBANCE_SEED);
+        let mut random = Rng::with_seed(seed + range.disturbance_seed);
         let (mut groups, mut placed) = (Vec::new(), Vec::new());
         for (index, &friction) in frictions.iter().enumerate() {
             let mut add = |group: SuccessRate, errors: &mut dyn Iterator<Item = GraspError>| {
@@ -163,7 +151,7 @@ impl Evaluation {
             let group = |region, magnitude, planned| SuccessRate::unplayed(friction, magnitude, region, planned);
             let random_groups = range.groups(&task.offsets(), count, seed);
             for (seed, OffsetGroup { region, magnitude, offsets }) in (seed..).zip(random_groups) {
-                let spread = offsets::ball(SPREAD * delta, offsets.len(), seed);
+                let spread = offsets::ball(range.evaluation.spread * delta, offsets.len(), seed);
                 let turns = range.turns(offsets.len(), seed);
                 let error = |((offset, spread), turn): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
                     offset: std::array::from_fn(|axis| offset[axis] + spread[axis]),
@@ -177,7 +165,7 @@ impl Evaluation {
         }
         placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
         let (group, trials) = placed.into_iter().map(|(_, _, group, trial)| (group, trial)).unzip();
-        Self { drawn: Drawn { random: count, seed }, groups, trials, group }
+        Self { drawn: Drawn { random: count, seed }, parameters: range.evaluation, groups, trials, group }
     }
 
     /// The trials, in the order in which they are played.
@@ -208,9 +196,9 @@ impl Evaluation {
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Judgement {
         let (mut results, mut unplayed) = (Vec::new(), 0);
-        for batch in self.trials.chunks(BATCH) {
+        for batch in self.trials.chunks(self.parameters.batch) {
             let Judgement { rates, failures, .. } = self.judgement(&results, wanted);
-            if failures.len() >= ENOUGH_FAILURES && !self.can_satisfy(&rates.0, wanted) {
+            if failures.len() >= self.parameters.enough_failures && !self.can_satisfy(&rates.0, wanted) {
                 break;
             }
             let Some(new) = evaluator.evaluate_all(reference, batch, stop) else {
@@ -261,19 +249,24 @@ fn training_axis(index: u32) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use plan::Choices;
+    use plan::parameters::Seeds;
 
     use super::*;
     use crate::tests::corner;
 
-    const NO_ERRORS: ErrorRange = ErrorRange {
-        coverage: Coverage::Hull,
-        delta: 0.0,
-        turn: 0.0,
-        inertia: 0.0,
-        stiffness: 0.0,
-        delay: 0.0,
-        edge_radius: 0.0,
-    };
+    fn no_errors() -> ErrorRange {
+        ErrorRange {
+            coverage: Coverage::Hull,
+            delta: 0.0,
+            turn: 0.0,
+            inertia: 0.0,
+            stiffness: 0.0,
+            delay: 0.0,
+            edge_radius: 0.0,
+            evaluation: EvaluationParameters::default(),
+            disturbance_seed: Seeds::default().disturbance,
+        }
+    }
 
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
@@ -281,7 +274,13 @@ mod tests {
         let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
         let (groups, trials) = (vec![group(true), group(false)], vec![trial; numbers.len()]);
-        Evaluation { drawn: Drawn::default(), groups, trials, group: numbers }
+        Evaluation {
+            drawn: Drawn::default(),
+            parameters: EvaluationParameters::default(),
+            groups,
+            trials,
+            group: numbers,
+        }
     }
 
     /// What is drawn of a range in a task with two frictions: groups, and offsets of each with how they are counted.
@@ -298,7 +297,7 @@ mod tests {
     #[test]
     fn a_disc_is_evaluated_inside_and_on_its_rim_with_as_many_offsets_as_a_hull() {
         let axis = [0.0, 0.0, 1.0];
-        let range = ErrorRange { coverage: Coverage::Disc { axis }, delta: 0.01, ..NO_ERRORS };
+        let range = ErrorRange { coverage: Coverage::Disc { axis }, delta: 0.01, ..no_errors() };
         let groups = drawn(&range, 100);
         let names: Vec<(f64, OffsetRegion, bool, usize)> = groups
             .iter()
@@ -328,7 +327,7 @@ mod tests {
     #[test]
     fn offsets_in_a_hull_are_drawn_as_in_earlier_versions() {
         // Plans of earlier versions are evaluated with the same offsets as then.
-        let range = ErrorRange { delta: 0.01, ..NO_ERRORS };
+        let range = ErrorRange { delta: 0.01, ..no_errors() };
         let groups = drawn(&range, 100);
         let magnitudes: Vec<f64> = groups.iter().map(|(group, _)| group.magnitude_m).collect();
         assert_eq!(magnitudes[..6], [0.0, 0.0025, 0.005, 0.0075, 0.0095, 0.01]);
@@ -348,7 +347,7 @@ mod tests {
 
     #[test]
     fn training_turns_the_part_as_far_as_may_be_about_axes_in_all_directions() {
-        let range = ErrorRange { turn: 0.02, ..NO_ERRORS };
+        let range = ErrorRange { turn: 0.02, ..no_errors() };
         let trials = evaluation(15).into_training(&range);
         let turns: Vec<Vector3<f64>> = trials.iter().map(|trial| trial.grasp.turn.into()).collect();
         let (planned, random) = turns.split_at(2);
@@ -366,14 +365,14 @@ mod tests {
 
     #[test]
     fn evaluations_turn_the_part_as_far_as_may_be() {
-        let range = ErrorRange { turn: 0.02, ..NO_ERRORS };
+        let range = ErrorRange { turn: 0.02, ..no_errors() };
         assert!(range.turns(50, 3).iter().all(|turn| (Vector3::from(*turn).norm() - 0.02).abs() < 1e-12));
-        assert_eq!(NO_ERRORS.turns(1, 3), [[0.0; 3]]);
+        assert_eq!(no_errors().turns(1, 3), [[0.0; 3]]);
     }
 
     #[test]
     fn errors_fill_their_range() {
-        let range = ErrorRange { inertia: 0.1, stiffness: 0.2, delay: 0.003, edge_radius: 1e-4, ..NO_ERRORS };
+        let range = ErrorRange { inertia: 0.1, stiffness: 0.2, delay: 0.003, edge_radius: 1e-4, ..no_errors() };
         let mut random = Rng::with_seed(1);
         let drawn: Vec<Disturbance> = (0..200).map(|_| range.disturbance(&mut random)).collect();
         let extremes = |of: fn(&Disturbance) -> f64| {

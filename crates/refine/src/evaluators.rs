@@ -1,19 +1,10 @@
 //! What plays references in refinement: how far these may be led, and how hard they may push.
 
 use nalgebra::Vector3;
-use plan::records::EVALUATION_FORCE_SHARE;
-use plan::{PlannerError, Problem, Session};
+use plan::parameters::NearParameters;
+use plan::{PlannerError, Problem, RobustParameters, RobustnessTarget, Session};
 use simulation::{Evaluator, Reference};
 use workers::Workers;
-
-use crate::RobustnessTarget;
-
-/// A refined reference leaves the box of plan and straight way by at most so many times the sum of delta-hat and tolerance.
-const MARGIN: f64 = 2.0;
-/// It is at most so many times as fast as they are, where no limit says how fast it may be.
-const HASTE: f64 = 4.0;
-/// Part of the limit of contact forces that training trials may use, less than [those of evaluations](EVALUATION_FORCE_SHARE).
-const TRAINING_FORCE_SHARE: f64 = 0.85;
 
 /// One for evaluations and one for training trials, with margins of contact forces and for references near one.
 ///
@@ -26,16 +17,17 @@ pub fn evaluators(
     session: &Session,
 ) -> Result<[Evaluator; 2], PlannerError> {
     let evaluator = problem.evaluator(&target.frictions)?.with_workers(Workers::new(session.threads));
-    let evaluator = near(evaluator, problem, reference);
-    Ok([EVALUATION_FORCE_SHARE, TRAINING_FORCE_SHARE].map(|share| evaluator.clone().with_force_share(share)))
+    let RobustParameters { near: bounds, evaluation, training, .. } = &target.parameters;
+    let evaluator = near(evaluator, problem, reference, bounds);
+    Ok([evaluation.force_share, training.force_share].map(|share| evaluator.clone().with_force_share(share)))
 }
 
 /// With references that stay near a plan and the straight way: a part that is thrown may arrive as well.
-fn near(evaluator: Evaluator, problem: &Problem, reference: &Reference) -> Evaluator {
+fn near(evaluator: Evaluator, problem: &Problem, reference: &Reference, parameters: &NearParameters) -> Evaluator {
     let task = problem.task();
     let straight = Reference::straight(&task.start, &task.goal, task.horizon);
-    let margin = MARGIN * (problem.delta() + problem.success().position);
-    evaluator.near(&[reference, &straight], margin, HASTE, radius(problem))
+    let margin = parameters.margin * (problem.delta() + problem.success().position);
+    evaluator.near(&[reference, &straight], margin, parameters.haste, radius(problem))
 }
 
 /// Distance of the body's origin from its farthest corner (m).
@@ -81,8 +73,9 @@ mod tests {
             let evaluators = evaluators(&limited, &target, &pressing, &session).unwrap();
             evaluators.map(|evaluator| evaluator.evaluate(&pressing, &trial).passed)
         };
-        assert_eq!(passes(TRAINING_FORCE_SHARE - 0.02), [true, true]);
-        assert_eq!(passes(TRAINING_FORCE_SHARE + 0.02), [true, false]);
-        assert_eq!(passes(EVALUATION_FORCE_SHARE + 0.02), [false, false]);
+        let [evaluation, training] = [target.parameters.evaluation.force_share, target.parameters.training.force_share];
+        assert_eq!(passes(training - 0.02), [true, true]);
+        assert_eq!(passes(training + 0.02), [true, false]);
+        assert_eq!(passes(evaluation + 0.02), [false, false]);
     }
 }

@@ -14,7 +14,6 @@
 mod again;
 mod candidate;
 mod checkpoint;
-mod clock;
 mod comparison;
 mod draft;
 mod drafts;
@@ -27,6 +26,7 @@ mod portfolio;
 mod push;
 mod race;
 mod resume;
+mod schedule;
 mod simplify;
 mod tested;
 mod training;
@@ -37,30 +37,21 @@ use std::time::Duration;
 
 use plan::ranges::require_threads;
 use plan::{
-    Event, Plan, PlanIteration, PlannerError, Problem, RobustnessReport, Round, Session, Stop, SuccessRates, Variant,
+    Event, Plan, PlanIteration, PlannerError, Problem, RobustnessReport, RobustnessTarget, Round, Session, Stop,
+    SuccessRates, Variant,
 };
 use simulation::{Evaluator, Reference, Strokes, Trial};
 use task::Trajectory;
 
 use crate::candidate::{Candidate, Kept};
-use crate::clock::{Clock, Deadline};
 use crate::evaluation::{ErrorRange, Evaluation};
 use crate::evaluators::evaluators;
 use crate::loss::loss;
+use crate::schedule::{Deadline, Schedule};
 
 pub use checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
 pub use evaluation::Drawn;
 pub use tested::test;
-
-/// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so
-/// that one is enough. More cost more rollouts than they save.
-const TRAINING: usize = 1;
-/// Seed of training offsets and changes; evaluations have the seeds after it.
-const SEED: u64 = 1;
-/// Distance between the seeds of evaluations, which need one per magnitude.
-const SEED_STRIDE: u64 = 100;
-/// Share of the time for the first refinement of the plan of the scene itself.
-const OWN_SHARE: f64 = 0.5;
 
 /// Makes a plan robust. With a folder in the session, the best plan so far is kept there, and the refinement of an
 /// earlier run of the same problem is continued.
@@ -90,7 +81,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     }
     let trajectory = problem.motions(&shown, &best.reference, tau)?;
     let Kept { variant, iterations, .. } = best;
-    let is_cut = report.unplayed > 0 || !report.reached && refiner.clock.is_over(refiner.clock.end());
+    let is_cut = report.unplayed > 0 || !report.reached && refiner.schedule.is_over(refiner.schedule.end());
     let stopped = if session.is_interrupted() { Some(Stop::User) } else { is_cut.then_some(Stop::TimeLimit) };
     let (task, robustness, tested) = (world, Some(report), None);
     Ok(Plan { problem, attempts, variant, iterations, trajectory, task, robustness, tested, threads, stopped })
@@ -114,7 +105,7 @@ pub fn refine_reference(
     let mut refiner = Refiner::new(problem, target, (&evaluator, &trainer), &session);
     let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
     refiner.judge_first(variant, Vec::new(), 0, reference)?;
-    let until = refiner.clock.end();
+    let until = refiner.schedule.end();
     while refiner.goes_on(until) {
         refiner.refine_best(until)?;
     }
@@ -137,7 +128,7 @@ struct Refiner<'run> {
     strokes: Option<Strokes>,
     /// Drafts that were not refined, each with the homotopy iterations that it has finished, at least one of them with all steps.
     drafts: Vec<(Variant, Vec<PlanIteration>)>,
-    clock: Clock<'run>,
+    schedule: Schedule<'run>,
     /// Trials that every reference is refined in; failures of evaluations are added.
     training: Vec<Trial>,
     evaluations: u64,
@@ -162,7 +153,8 @@ impl<'run> Refiner<'run> {
         session: &'run Session<'run>,
     ) -> Self {
         let range = ErrorRange::new(problem, target);
-        let training = Evaluation::new(problem.task(), &range, &target.frictions, TRAINING, SEED).into_training(&range);
+        let (count, seed) = (target.parameters.training.random, target.parameters.seeds.first);
+        let training = Evaluation::new(problem.task(), &range, &target.frictions, count, seed).into_training(&range);
         Self {
             problem,
             target,
@@ -172,11 +164,11 @@ impl<'run> Refiner<'run> {
             session,
             strokes: ends::strokes(problem, target),
             drafts: Vec::new(),
-            clock: Clock::new(session, target.time_limit),
+            schedule: Schedule::new(session, target.time_limit, target.parameters.time),
             training,
             evaluations: 0,
             tried: 0,
-            seed: SEED,
+            seed,
             before: SuccessRates(Vec::new()),
             rounds: Vec::new(),
             best: None,
@@ -216,13 +208,13 @@ impl<'run> Refiner<'run> {
             let count = plan.iterations.len();
             self.session.tell(Event::Resumed { done: count, most: count, refining: true });
             self.best = Some(kept);
-            return self.refine_best(self.clock.share(self.clock.end(), OWN_SHARE));
+            return self.refine_best(self.schedule.own());
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         let (last, chosen) = (plan.reference(), plan.chosen_stage());
         let Plan { variant, iterations, .. } = plan;
         self.judge_first(variant.clone(), iterations.clone(), chosen, last)?;
-        let until = self.clock.share(self.clock.end(), OWN_SHARE);
+        let until = self.schedule.own();
         if self.goes_on(until)
             && let Some(candidate) = self.candidate(variant, iterations, true, until)
         {
@@ -240,7 +232,7 @@ impl<'run> Refiner<'run> {
         chosen: usize,
         reference: Reference,
     ) -> Result<(), PlannerError> {
-        let judgement = self.judge(&reference, self.clock.end());
+        let judgement = self.judge(&reference, self.schedule.end());
         let (rate, failing) = (judgement.rates.overall(), judgement.failing());
         if judgement.rates.rollouts() > 0 {
             self.session.tell(Event::Evaluated { rate });
@@ -309,7 +301,7 @@ impl<'run> Refiner<'run> {
     /// Whether there is something to do and time to do it.
     fn goes_on(&self, until: Deadline) -> bool {
         let is_robust = self.best.as_ref().is_some_and(|best| best.reached);
-        !is_robust && self.may_change() && !self.clock.is_over(until)
+        !is_robust && self.may_change() && !self.schedule.is_over(until)
     }
 
     /// Whether changes are wanted, and not all of them have been tried.
@@ -327,7 +319,7 @@ impl<'run> Refiner<'run> {
             reached: best.reached,
             rate_before: self.before.overall(),
             rate_after: best.rates.overall(),
-            wall_s: self.clock.total().as_secs_f64(),
+            wall_s: self.schedule.total().as_secs_f64(),
             before: self.before.clone(),
             after: best.rates.clone(),
             unplayed: best.unplayed,
@@ -336,7 +328,8 @@ impl<'run> Refiner<'run> {
             kept_stage: best.chosen,
             kept_changes: best.changes,
             rounds: self.rounds.clone(),
-            loss: loss(self.problem, &self.target.frictions, best),
+            loss: loss(self.problem, self.target, best),
+            parameters: self.target.parameters.clone(),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What the best plan loses most, found by playing some of its failures again.
 
 use plan::directions::direction;
-use plan::records::{EVALUATION_FORCE_SHARE, GraspRecord, LossRecord, MotionEnd};
-use plan::{Problem, SuccessRate, interval, rate};
+use plan::records::{GraspRecord, LossRecord, MotionEnd};
+use plan::{Problem, RobustnessTarget, SuccessRate, interval, rate};
 use simulation::{Injection, LIMIT_SLACK, Settings, Trial};
 use task::algebra::norm;
 use task::{ScenarioTrajectory, Trajectory};
@@ -17,7 +17,7 @@ const TAU: f64 = 1e-6;
 const COMMON: f64 = 0.5;
 
 /// What the best plan loses most. `None` where no rollout failed, as when time ended before any.
-pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRecord> {
+pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Kept) -> Option<LossRecord> {
     let groups = best.rates.by_friction().min_by(|one, other| rate(one).total_cmp(&rate(other)))?;
     let rate_of = |group: &SuccessRate| rate(std::slice::from_ref(group));
     let lossy = groups.iter().filter(|group| group.successes < group.rollouts);
@@ -27,7 +27,7 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
         one.total_cmp(&other).then(many.cmp(&few))
     });
     let worst = worst?.clone();
-    let is_worst = |trial: &&Trial| frictions.get(trial.friction) == Some(&worst.friction);
+    let is_worst = |trial: &&Trial| target.frictions.get(trial.friction) == Some(&worst.friction);
     let failing: Vec<Trial> = best.failing.iter().filter(is_worst).copied().collect();
     let mut world = problem.world();
     world.horizon = best.reference.horizon();
@@ -39,6 +39,7 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
     let error = |motion: &ScenarioTrajectory| motion.quality.position_error;
     let shown = injections.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
     let (Injection { grasp, disturbance }, motion) = shown?;
+    let contact_force_share = target.parameters.evaluation.force_share;
     Some(LossRecord {
         rate: rate(groups),
         worst_interval: interval(std::slice::from_ref(&worst)),
@@ -50,8 +51,9 @@ pub fn loss(problem: &Problem, frictions: &[f64], best: &Kept) -> Option<LossRec
         delay_s: disturbance.delay,
         edge_radius_m: disturbance.edge_radius,
         max_force_n: motion.quality.max_force,
+        contact_force_share,
         exceeds_contact_force: motion.quality.max_force
-            > (1.0 + LIMIT_SLACK) * EVALUATION_FORCE_SHARE * world.limits.contact_force,
+            > (1.0 + LIMIT_SLACK) * contact_force_share * world.limits.contact_force,
         end: MotionEnd::new(&world, motion, time_step, &problem.success()),
     })
 }

@@ -9,12 +9,8 @@ use simulation::Evaluator;
 
 use crate::Refiner;
 use crate::candidate::Kept;
-use crate::clock::Deadline;
+use crate::schedule::Deadline;
 
-/// So many times as large are frictions in the harder world.
-const FRICTION: f64 = 1.1;
-/// Share of the time for the harder world; the rest is for the evaluation that follows.
-const SHARE: f64 = 0.8;
 /// Added to the name of a plan that was refined in the harder world.
 pub const WITH_MARGINS: &str = ", with margins";
 
@@ -26,8 +22,9 @@ impl Refiner<'_> {
         if self.problem.arm().is_none() || !self.may_change() {
             return Ok(());
         }
-        let worlds = [self.evaluator, self.trainer].map(|world| world.clone().with_margins(FRICTION));
-        self.refine_in(&worlds, robust, self.clock.share(self.clock.as_much_again(), SHARE))
+        let worlds = [self.evaluator, self.trainer]
+            .map(|world| world.clone().with_margins(self.target.parameters.margins.friction));
+        self.refine_in(&worlds, robust, self.schedule.margins())
     }
 
     /// Refines a robust plan in another world, of evaluations and of training, until a time. What comes of it is kept if it is
@@ -42,12 +39,12 @@ impl Refiner<'_> {
         let session = Session { folder: None, ..*self.session };
         let mut other = Refiner::new(self.problem, self.target, (evaluator, trainer), &session);
         other.training.extend_from_slice(&self.training[other.training.len()..]);
-        other.clock = self.clock.until(until, &session);
+        other.schedule = self.schedule.until(until, &session);
         (other.evaluations, other.tried) = (self.evaluations, self.tried);
         let refined = other.refine_robust(robust)?;
         (self.evaluations, self.tried) = (other.evaluations, other.tried);
         let Some((refined, round)) = refined else { return Ok(()) };
-        let judgement = self.judge(&refined.reference, self.clock.end());
+        let judgement = self.judge(&refined.reference, self.schedule.end());
         if judgement.rates.rollouts() > 0 {
             self.session.tell(Event::Refined { rate: judgement.rates.overall() });
         }
@@ -63,7 +60,7 @@ impl Refiner<'_> {
     /// round; `None` if nothing is better than the plan as it is.
     fn refine_robust(&mut self, mut plan: Kept) -> Result<Option<(Kept, Round)>, PlannerError> {
         plan.variant.name += WITH_MARGINS;
-        let until = self.clock.end();
+        let until = self.schedule.end();
         let judgement = self.judge(&plan.reference, until);
         self.best = Some(Kept { round: 0, ..plan.judged(judgement) });
         while self.goes_on(until) {
@@ -80,11 +77,10 @@ impl Refiner<'_> {
 mod tests {
     use std::time::Duration;
 
-    use plan::Variant;
+    use plan::{RobustnessTarget, Variant};
     use simulation::{Reference, Success};
 
     use super::*;
-    use crate::RobustnessTarget;
     use crate::tests::in_corner_for;
 
     /// A push of the corner scene, which is robust there, after so many changes in a world where it has to end within a
@@ -99,7 +95,7 @@ mod tests {
             assert!(robust.reached, "{}", robust.rates.overall());
             let accurate = Evaluator::new(&refiner.problem.world(), &[0.0], Success { position, ..Success::default() });
             let worlds = [accurate.clone(), accurate];
-            refiner.refine_in(&worlds, robust, refiner.clock.end()).unwrap();
+            refiner.refine_in(&worlds, robust, refiner.schedule.end()).unwrap();
             (refiner.take_best().unwrap(), refiner.rounds.clone())
         })
     }

@@ -2,24 +2,10 @@
 //! them helps differs from scene to scene.
 
 use plan::Variant;
+use plan::parameters::PortfolioParameters;
 use simulation::{Reference, Rollout, Settings};
 use task::algebra::norm;
-use task::{AssemblyTask, CostWeights, GraspError, HomotopySettings};
-
-/// Failing grasp errors that a variant takes over as scenarios.
-const ADDED_FAILURES: usize = 3;
-
-/// Factor of the grasp errors that are planned with a margin.
-const MARGIN: f64 = 1.1;
-
-/// Factor of the weights of velocities in a slower plan.
-const SLOWNESS: f64 = 10.0;
-
-/// Iterations of the homotopy that begins at a motion.
-const RESOLVED_ITERATIONS: usize = 2;
-
-/// Its first barrier parameter: there are no multipliers yet.
-const RESOLVED_BARRIER: f64 = 1e-2;
+use task::{CostWeights, GraspError, HomotopySettings};
 
 /// A way to change the problem, in scenarios, horizon, weights, smoothing or first guess.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,9 +38,15 @@ pub const PORTFOLIO: [Recipe; 10] = [
 
 impl Recipe {
     /// The changed problem. `refined` is the best reference so far, and `failing` are grasp errors at which it fails.
-    pub fn variant(self, scene: &Variant, refined: &Reference, failing: &[GraspError]) -> Variant {
+    pub fn variant(
+        self,
+        scene: &Variant,
+        refined: &Reference,
+        failing: &[GraspError],
+        parameters: &PortfolioParameters,
+    ) -> Variant {
         let mut variant = Variant { name: self.name().to_owned(), ..scene.clone() };
-        self.change(&mut variant.task, &mut variant.settings, failing);
+        self.change(&mut variant, failing, parameters);
         variant.task.grasps = GraspError::distinct(variant.task.grasps);
         let task = &variant.task;
         let first_guess = match self {
@@ -88,7 +80,8 @@ impl Recipe {
         }
     }
 
-    fn change(self, task: &mut AssemblyTask, settings: &mut HomotopySettings, failing: &[GraspError]) {
+    fn change(self, variant: &mut Variant, failing: &[GraspError], parameters: &PortfolioParameters) {
+        let (task, settings) = (&mut variant.task, &mut variant.settings);
         let scaled = |grasps: &[GraspError], factor: f64| -> Vec<GraspError> {
             grasps.iter().map(|grasp| grasp.scaled(factor)).collect()
         };
@@ -99,20 +92,20 @@ impl Recipe {
             }
             Self::StraightFirstGuess => {}
             Self::FailingOffsetsFromRefinedPlan => {
-                add_failures(&mut task.grasps, failing);
-                end_of_homotopy(settings);
+                add_failures(&mut task.grasps, failing, parameters.added_failures);
+                end_of_homotopy(settings, parameters);
             }
-            Self::FailingOffsets => add_failures(&mut task.grasps, failing),
+            Self::FailingOffsets => add_failures(&mut task.grasps, failing, parameters.added_failures),
             Self::NoneAndHalfOffsets => {
                 let half = scaled(&task.grasps, 0.5);
                 task.grasps.push(GraspError::default());
                 task.grasps.extend(half);
             }
-            Self::MoreOffset => task.grasps = scaled(&task.grasps, MARGIN),
+            Self::MoreOffset => task.grasps = scaled(&task.grasps, parameters.offset_margin),
             Self::TwiceTheTime => task.horizon.steps *= 2,
             Self::SlowMotion => {
-                slow_down(&mut task.cost.reference);
-                slow_down(&mut task.cost.compliant);
+                slow_down(&mut task.cost.reference, parameters.slowness);
+                slow_down(&mut task.cost.compliant, parameters.slowness);
             }
             Self::HalfTheFirstSmoothing => {
                 settings.tau *= 0.5;
@@ -128,22 +121,22 @@ impl Recipe {
 }
 
 /// Keeps the last iterations only: more smoothing would lead away from a motion that is nearly a solution.
-fn end_of_homotopy(settings: &mut HomotopySettings) {
-    let iterations = settings.iterations.min(RESOLVED_ITERATIONS);
+fn end_of_homotopy(settings: &mut HomotopySettings, parameters: &PortfolioParameters) {
+    let iterations = settings.iterations.min(parameters.resolved_iterations);
     if let Some(first) = settings.schedule().nth(settings.iterations - iterations) {
-        (settings.tau, settings.sigma, settings.mu_init) = (first.tau, first.sigma, RESOLVED_BARRIER);
+        (settings.tau, settings.sigma, settings.mu_init) = (first.tau, first.sigma, parameters.resolved_barrier);
         settings.iterations = iterations;
     }
 }
 
-fn slow_down(weights: &mut CostWeights) {
-    weights.translational_velocity *= SLOWNESS;
-    weights.rotational_velocity *= SLOWNESS;
+fn slow_down(weights: &mut CostWeights, slowness: f64) {
+    weights.translational_velocity *= slowness;
+    weights.rotational_velocity *= slowness;
 }
 
 /// Adds a few of the failing grasp errors, each as far from all scenarios as possible: offsets and turns are measured in the
 /// largest of each.
-fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError]) {
+fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError], count: usize) {
     let largest = |part: fn(&GraspError) -> [f64; 3]| {
         let length = grasps.iter().chain(failing).map(|grasp| norm(&part(grasp))).fold(0.0, f64::max);
         if length > 0.0 { length } else { 1.0 }
@@ -153,7 +146,7 @@ fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError]) {
     let distance = |one: &GraspError, other: &GraspError| {
         (apart(one.offset, other.offset) / offset).hypot(apart(one.turn, other.turn) / turn)
     };
-    for _ in 0..ADDED_FAILURES {
+    for _ in 0..count {
         let nearest =
             |grasp: &GraspError| grasps.iter().map(|other| distance(grasp, other)).fold(f64::INFINITY, f64::min);
         let farthest = failing.iter().copied().max_by(|one, other| nearest(one).total_cmp(&nearest(other)));
@@ -171,7 +164,7 @@ mod tests {
         let near = GraspError::from([0.008, 0.0, 0.0]);
         let turned = GraspError { turn: [0.0, 0.02, 0.0], ..planned };
         let mut grasps = vec![planned];
-        add_failures(&mut grasps, &[near, turned]);
+        add_failures(&mut grasps, &[near, turned], 3);
         assert_eq!(grasps[..3], [planned, turned, near]);
     }
 }

@@ -7,14 +7,11 @@ use crate::Refiner;
 use crate::candidate::Kept;
 use crate::evaluation::{Drawn, Evaluation};
 
-/// Share of the time that is left.
-const SHARE: f64 = 0.4;
-
 impl Refiner<'_> {
     /// Refines the straight push from start to goal: on some scenes this is faster than the refinement of any plan. The
     /// homotopy of the scene stays the one that is shown.
     pub(super) fn refine_push(&mut self, homotopy: Vec<PlanIteration>) -> Result<(), PlannerError> {
-        let until = self.clock.share(self.clock.end(), SHARE);
+        let until = self.schedule.push();
         let task = self.problem.task();
         let reference = Reference::straight(&task.start, &task.goal, task.horizon);
         if !self.goes_on(until) || !self.evaluator.bounds().allow(&reference) {
@@ -31,7 +28,7 @@ impl Refiner<'_> {
     pub(super) fn judge_push(&self, plan: &Kept) -> Option<PushReport> {
         let Drawn { random, seed } = plan.evaluation;
         let evaluation = Evaluation::new(self.problem.task(), &self.range, &self.target.frictions, random, seed);
-        let stop = || self.clock.is_over(self.clock.limit());
+        let stop = || self.schedule.is_over(self.schedule.limit());
         judge_push(self.problem, self.evaluator, &evaluation, self.target.wanted_rate, &stop)
     }
 }

@@ -2,9 +2,6 @@
 
 use simulation::{Evaluator, Reference, Trial, TrialResult};
 
-/// Trials in which all references are played at first, where most of them differ much.
-pub const FIRST: usize = 6;
-
 /// How the best reference did.
 pub struct Winner {
     /// Its index.
@@ -64,18 +61,18 @@ mod tests {
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
         let trials = [Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() }; 30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
-        let winner = race(&evaluator, &references, (&trials, FIRST), &|| false).unwrap();
+        let winner = race(&evaluator, &references, (&trials, 6), &|| false).unwrap();
         assert_eq!((winner.index, winner.results.len()), (1, trials.len()));
         assert!(winner.results.iter().all(|result| result.passed));
         // Six trials of all four, six more of two, then the others of one.
         assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
         let equals = [push.clone(), push];
-        assert_eq!(race(&evaluator, &equals, (&trials, FIRST), &|| false).unwrap().index, 1, "of equals the later");
+        assert_eq!(race(&evaluator, &equals, (&trials, 6), &|| false).unwrap().index, 1, "of equals the later");
         // A push that ends halfway misses the goal by less than rest.
         let halfway = std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index]));
         let failing = [Reference::straight(&task.start, &halfway, task.horizon), references[0].clone()];
-        assert_eq!(race(&evaluator, &failing, (&trials, FIRST), &|| false).unwrap().index, 0, "of equals the nearer");
-        assert!(race(&evaluator, &references, (&trials, FIRST), &|| true).is_none(), "no time");
-        assert!(race(&evaluator, &[], (&trials, FIRST), &|| false).is_none(), "no references");
+        assert_eq!(race(&evaluator, &failing, (&trials, 6), &|| false).unwrap().index, 0, "of equals the nearer");
+        assert!(race(&evaluator, &references, (&trials, 6), &|| true).is_none(), "no time");
+        assert!(race(&evaluator, &[], (&trials, 6), &|| false).is_none(), "no references");
     }
 }

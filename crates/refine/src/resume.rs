@@ -10,7 +10,7 @@ use task::GraspError;
 use crate::Refiner;
 use crate::candidate::Kept;
 use crate::checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
-use crate::clock::Clock;
+use crate::schedule::Schedule;
 
 impl Refiner<'_> {
     /// What is to be kept of the refinement.
@@ -24,8 +24,9 @@ impl Refiner<'_> {
             stiffness_error: self.target.stiffness_error,
             delay_s: self.target.delay,
             edge_radius_m: self.problem.edge_radius(),
+            parameters: self.target.parameters.clone(),
             tolerance: [success.position, success.orientation],
-            elapsed_s: self.clock.total().as_secs_f64(),
+            elapsed_s: self.schedule.total().as_secs_f64(),
             evaluations: self.evaluations,
             before: self.before.clone(),
             training: self.training.iter().map(TrialRecord::from).collect(),
@@ -65,6 +66,7 @@ impl Refiner<'_> {
                     && checkpoint.stiffness_error == self.target.stiffness_error
                     && checkpoint.delay_s == self.target.delay
                     && checkpoint.edge_radius_m == self.problem.edge_radius()
+                    && checkpoint.parameters == self.target.parameters
                     && checkpoint.tolerance == [success.position, success.orientation];
                 if same {
                     return Ok(Some(checkpoint));
@@ -102,7 +104,7 @@ impl Refiner<'_> {
             _ => plan.iterations.clone(),
         };
         let earlier = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
-        self.clock = Clock::new(self.session, self.target.time_limit).after(earlier);
+        self.schedule = Schedule::new(self.session, self.target.time_limit, self.target.parameters.time).after(earlier);
         self.evaluations = evaluations;
         self.before = before;
         self.training = training.iter().map(Trial::from).collect();

@@ -12,12 +12,6 @@ use crate::Refiner;
 use crate::candidate::Kept;
 use crate::ends::{WITH_STROKES, has_strokes};
 
-/// Random grasp errors per friction and magnitude in which the simpler plan must succeed besides the training trials.
-const RANDOM: usize = 10;
-/// How often a plan that is too simple is made anew, with the trials that it fails.
-const ATTEMPTS: usize = 2;
-/// Share of the time for that; the rest is for the evaluation that follows.
-const SHARE: f64 = 0.5;
 /// Added to the name of a plan that was simplified.
 const STRAIGHTENED: &str = ", straightened";
 
@@ -29,11 +23,11 @@ impl Refiner<'_> {
         if is_as_planned || self.problem.arm().is_some() || self.target.patience == 0 {
             return Ok(());
         }
-        let trials = self.new_evaluation(RANDOM).trials().to_vec();
+        let trials = self.new_evaluation(self.target.parameters.simplification.random).trials().to_vec();
         self.training.extend(trials);
-        for _ in 0..ATTEMPTS {
+        for _ in 0..self.target.parameters.simplification.attempts {
             let Some((simpler, round)) = self.simpler(&robust) else { return Ok(()) };
-            let judgement = self.judge(&simpler.reference, self.clock.end());
+            let judgement = self.judge(&simpler.reference, self.schedule.end());
             let rate = judgement.rates.overall();
             if judgement.rates.rollouts() > 0 {
                 self.session.tell(Event::Refined { rate });
@@ -51,8 +45,8 @@ impl Refiner<'_> {
     /// A plan without what no training trial needs, and its round, still without a rate. `None` if there is no such thing, or no
     /// time.
     fn simpler(&mut self, robust: &Kept) -> Option<(Kept, Round)> {
-        let until = self.clock.share(self.clock.end(), SHARE);
-        let stop = || self.clock.is_over(until);
+        let until = self.schedule.simplification();
+        let stop = || self.schedule.is_over(until);
         let results = self.trainer.evaluate_all(&robust.reference, &self.training, &stop)?;
         let mut simpler = robust.clone();
         let (task, reference) = (&simpler.variant.task, simpler.reference.clone());

@@ -1,15 +1,11 @@
 //! The test of a plan that nothing has refined: how it does in rollouts with hard contact, beside a straight push.
 
 use plan::ranges::require_threads;
-use plan::{Plan, PlannerError, Session, TestReport};
+use plan::{Plan, PlannerError, RobustnessTarget, Session, TestReport};
 
 use crate::evaluation::{ErrorRange, Evaluation};
 use crate::evaluators::evaluators;
 use crate::push::judge_push;
-use crate::{RobustnessTarget, SEED, SEED_STRIDE};
-
-/// Random grasp errors per friction and magnitude: about a second of rollouts.
-const RANDOM: usize = 10;
 
 /// Plays the plan of a solver, and a straight push, as [`refine`](crate::refine) would play it at first, but with fewer
 /// grasp errors: enough to tell what it is worth, too few to call it robust. `None` where the plan is not whole, or the user
@@ -27,7 +23,14 @@ pub fn test(plan: &Plan, target: &RobustnessTarget, session: &Session) -> Result
     let (problem, reference, wanted) = (&plan.problem, plan.reference(), target.wanted_rate);
     let [evaluator, _] = evaluators(problem, target, &reference, session)?;
     let range = ErrorRange::new(problem, target);
-    let evaluation = Evaluation::new(problem.task(), &range, &target.frictions, RANDOM, SEED + SEED_STRIDE);
+    let (parameters, seeds) = (&target.parameters, target.parameters.seeds);
+    let evaluation = Evaluation::new(
+        problem.task(),
+        &range,
+        &target.frictions,
+        parameters.evaluation.test_random,
+        seeds.first + seeds.stride,
+    );
     let stop = || session.is_interrupted() || session.is_over();
     let Some(results) = evaluator.evaluate_all(&reference, evaluation.trials(), &stop) else { return Ok(None) };
     let Some(push) = judge_push(problem, &evaluator, &evaluation, wanted, &stop) else { return Ok(None) };

@@ -5,22 +5,10 @@ use std::time::Instant;
 use plan::{Event, PlannerError};
 use simulation::{Reference, Refinement};
 
+use crate::Refiner;
 use crate::candidate::{Candidate, Kept};
-use crate::clock::Deadline;
 use crate::evaluation::{Evaluation, Judgement};
-use crate::{OWN_SHARE, Refiner, SEED, SEED_STRIDE};
-
-/// Random offsets per friction and magnitude of an evaluation. A plan that fails in 4 % of the offsets of one magnitude
-/// passes 50 of them by luck in 13 of 100 cases, and 100 of them in 2.
-const EVALUATION: usize = 100;
-/// Misses that shrink by less than this factor are no improvement: refinement could creep until the time is over.
-const CREEPING: f64 = 0.99;
-/// How often a robust plan is refined in the few trials that it fails.
-const POLISHES: usize = 2;
-/// Evaluations in a row without a better rate after which a refinement is given up.
-const GIVEN_UP: usize = 3;
-/// Share of the time for changes; the rest is for the evaluation that follows.
-const TRAINING_SHARE: f64 = 0.8;
+use crate::schedule::Deadline;
 
 impl<'run> Refiner<'run> {
     /// Refines a reference and evaluates it, until it is good enough, given up, all changes have been tried, or the time is
@@ -34,21 +22,21 @@ impl<'run> Refiner<'run> {
         mut until: Deadline,
         least: f64,
     ) -> Result<(), PlannerError> {
-        let begin = Instant::now();
+        let (begin, parameters) = (Instant::now(), self.target.parameters.training);
         let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
         self.session.tell(Event::Refining { planned: &round.planned });
         let chosen_with = round.rollouts;
         let (mut polished, mut vain) = (0, 0);
         // What failed elsewhere since it became a candidate.
         let new = self.training[refinement.trials().len()..].to_vec();
-        let results = self.trainer.evaluate_all(refinement.reference(), &new, &|| self.clock.is_over(until));
+        let results = self.trainer.evaluate_all(refinement.reference(), &new, &|| self.schedule.is_over(until));
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
-            self.train(&mut refinement, &mut round.changes, self.clock.share(until, TRAINING_SHARE));
+            self.train(&mut refinement, &mut round.changes, self.schedule.training(until));
             round.rollouts = chosen_with + refinement.rollouts();
             round.refinement_s = begin.elapsed().as_secs_f64();
             // Whatever the share of the time: an evaluation that takes long is one that may succeed.
-            let judgement = self.judge(refinement.reference(), self.clock.end());
+            let judgement = self.judge(refinement.reference(), self.schedule.end());
             let number = self.rounds.len() + 1;
             let kept = Kept {
                 variant: variant.clone(),
@@ -72,13 +60,14 @@ impl<'run> Refiner<'run> {
             let rate = judgement.rates.overall();
             self.session.tell(Event::Refined { rate });
             polished += usize::from(judgement.reached);
-            let is_good = judgement.reached && (judgement.failures.is_empty() || polished > POLISHES);
+            let is_good = judgement.reached && (judgement.failures.is_empty() || polished > parameters.polishes);
             let is_lost = round.rate.is_none() && rate < least;
             vain = if round.rate.is_none_or(|best| rate > best) { 0 } else { vain + 1 };
             round.rate = Some(round.rate.map_or(rate, |best: f64| best.max(rate)));
             self.keep_if_best(kept, &round)?;
             until = self.extended(until, number, vain);
-            let is_last = is_good || is_lost || vain == GIVEN_UP || !self.may_change() || self.clock.is_over(until);
+            let is_last =
+                is_good || is_lost || vain == parameters.given_up || !self.may_change() || self.schedule.is_over(until);
             round.added_trials += judgement.failures.len();
             self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
             refinement.add(judgement.failures);
@@ -95,8 +84,8 @@ impl<'run> Refiner<'run> {
     /// still becomes better, or is nearly robust, may take more than its share of the time.
     fn extended(&self, until: Deadline, round: usize, vain: usize) -> Deadline {
         let is_best = self.best.as_ref().is_some_and(|best| best.round == round);
-        if is_best && (vain == 0 || self.is_nearly_robust()) && self.clock.is_over(until) {
-            self.clock.share(self.clock.end(), OWN_SHARE)
+        if is_best && (vain == 0 || self.is_nearly_robust()) && self.schedule.is_over(until) {
+            self.schedule.own()
         } else {
             until
         }
@@ -105,12 +94,15 @@ impl<'run> Refiner<'run> {
     /// Improves until all training trials pass, it is stuck, all changes have been tried, or the time is over.
     pub(super) fn train(&mut self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) {
         let (mut vain, mut last) = (0, refinement.score());
-        while refinement.score().0 > 0 && vain < self.target.patience && self.may_change() && !self.clock.is_over(until)
+        while refinement.score().0 > 0
+            && vain < self.target.patience
+            && self.may_change()
+            && !self.schedule.is_over(until)
         {
             self.tried += 1;
-            *changes += usize::from(refinement.improve(&|| self.clock.is_over(until)));
+            *changes += usize::from(refinement.improve(&|| self.schedule.is_over(until)));
             let (failing, miss) = refinement.score();
-            if failing < last.0 || miss < CREEPING * last.1 {
+            if failing < last.0 || miss < self.target.parameters.training.creeping * last.1 {
                 (vain, last) = (0, (failing, miss));
             } else {
                 vain += 1;
@@ -121,15 +113,21 @@ impl<'run> Refiner<'run> {
 
     /// Evaluates a reference at new grasp errors.
     pub(super) fn judge(&mut self, reference: &Reference, until: Deadline) -> Judgement {
-        let evaluation = self.new_evaluation(EVALUATION);
-        let stop = || self.clock.is_over(until);
+        let evaluation = self.new_evaluation(self.target.parameters.evaluation.random);
+        let stop = || self.schedule.is_over(until);
         evaluation.judge(self.evaluator, reference, self.target.wanted_rate, &stop)
+    }
+
+    /// Where the random numbers of the latest evaluation begin.
+    pub(super) fn seed_of_evaluation(&self) -> u64 {
+        let seeds = self.target.parameters.seeds;
+        seeds.first + seeds.stride * self.evaluations
     }
 
     /// At most `count` random grasp errors per friction and magnitude, not played yet.
     pub(super) fn new_evaluation(&mut self, count: usize) -> Evaluation {
         self.evaluations += 1;
-        let seed = SEED + SEED_STRIDE * self.evaluations;
+        let seed = self.seed_of_evaluation();
         Evaluation::new(self.problem.task(), &self.range, &self.target.frictions, count, seed)
     }
 }
@@ -149,7 +147,7 @@ mod tests {
             let task = refiner.problem.task();
             let straight = Reference::straight(&task.start, &task.goal, task.horizon);
             refiner.judge_first(Variant::of_scene(refiner.problem), Vec::new(), 0, straight).unwrap();
-            let (over, running) = (refiner.clock.share(refiner.clock.end(), 0.0), refiner.clock.end());
+            let (over, running) = (refiner.schedule.one_of(usize::MAX), refiner.schedule.end());
             let mut extends = |rate: f64, round: usize, vain: usize| {
                 let rollouts = 100;
                 let successes = (rate * rollouts as f64) as usize;

@@ -7,11 +7,8 @@ use task::GraspError;
 
 use crate::Refiner;
 use crate::candidate::Candidate;
-use crate::clock::Deadline;
 use crate::portfolio::{PORTFOLIO, Recipe};
-
-/// Share of a variant's time for its solve; the rest is for its refinement.
-const SOLVING_SHARE: f64 = 0.6;
+use crate::schedule::Deadline;
 
 impl<'run> Refiner<'run> {
     /// Solves variants of the problem one after the other, each in its share of the time. One whose plan fails in fewer
@@ -19,10 +16,9 @@ impl<'run> Refiner<'run> {
     /// `solving` is the time that the scene's own problem took: no more are begun than can be solved in such a time.
     pub(super) fn refine_variants(&mut self, solving: Duration) -> Result<(), PlannerError> {
         let mut waiting: Vec<Candidate> = Vec::new();
-        let affordable = SOLVING_SHARE * self.clock.left().as_secs_f64() / solving.as_secs_f64();
-        let count = (affordable as usize).min(PORTFOLIO.len());
+        let count = self.schedule.affordable_variants(solving).min(PORTFOLIO.len());
         for (index, recipe) in PORTFOLIO.into_iter().take(count).enumerate() {
-            let until = self.clock.share(self.clock.end(), 1.0 / (count - index) as f64);
+            let until = self.schedule.one_of(count - index);
             if !self.goes_on(until) {
                 break;
             }
@@ -36,7 +32,7 @@ impl<'run> Refiner<'run> {
         waiting.sort_by(|one, other| one.refinement.failing_fraction().total_cmp(&other.refinement.failing_fraction()));
         let count = waiting.len();
         for (index, candidate) in waiting.into_iter().enumerate() {
-            let until = self.clock.share(self.clock.end(), 1.0 / (count - index) as f64);
+            let until = self.schedule.one_of(count - index);
             if self.goes_on(until) {
                 self.refine(candidate, until, 0.0)?;
             } else {
@@ -55,12 +51,17 @@ impl<'run> Refiner<'run> {
     ) -> Result<Option<Candidate<'run>>, PlannerError> {
         let Some(best) = &self.best else { return Ok(None) };
         let failing: Vec<GraspError> = best.failing.iter().map(|trial| trial.grasp).collect();
-        let variant = recipe.variant(&Variant::of_scene(self.problem), &best.reference, &failing);
+        let variant = recipe.variant(
+            &Variant::of_scene(self.problem),
+            &best.reference,
+            &failing,
+            &self.target.parameters.portfolio,
+        );
         self.session.tell(Event::Variant { name: &variant.name, number, count });
-        let solving = self.clock.share(until, SOLVING_SHARE);
+        let solving = self.schedule.solving(until);
         let run = HomotopyRun { threads: self.session.threads, ..HomotopyRun::new(&variant) };
         // What has finished until then may do.
-        let iterations = run.finished(self.session, || self.clock.is_over(solving))?;
+        let iterations = run.finished(self.session, || self.schedule.is_over(solving))?;
         let status = iterations.last().map_or("no homotopy iteration in time", |last| &last.record.status);
         self.session.tell(Event::VariantSolved { status });
         let candidate = self.candidate(variant, iterations, false, until);

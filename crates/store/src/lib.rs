@@ -23,6 +23,7 @@ mod folder;
 mod log;
 mod manifest;
 mod new_scene;
+mod parameters;
 mod result;
 mod rollouts;
 mod simulation_record;
@@ -38,6 +39,7 @@ pub use folder::PlanFolder;
 pub use log::{ExecutedState, PLAYING, PlayedRows, RESTING, read_log_header, read_played_rows};
 pub use manifest::{Cell, MANIFEST, Manifest};
 pub use new_scene::write_new_scene;
+pub use parameters::read_robust_parameters;
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions};
 pub use rollouts::{
     OffsetRow, ROLLOUTS, RolloutRow, SUCCESS, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables,

@@ -5,11 +5,9 @@ use simulation::{Disturbance, Injection};
 use task::GraspError;
 
 use crate::or_null;
+use crate::parameters::EvaluationParameters;
 use crate::records::{GraspRecord, MotionEnd};
 use crate::success_rates::SuccessRate;
-
-/// Part of the limit of contact forces that rollouts of evaluations may use: largest forces in MuJoCo are a tenth larger.
-pub const EVALUATION_FORCE_SHARE: f64 = 0.9;
 
 /// What a plan loses most, and a rollout that shows it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -36,10 +34,17 @@ pub struct LossRecord {
     /// Its largest contact force.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
-    /// Whether that exceeds what rollouts may use of `limits.contact_force`.
+    /// Part of `limits.contact_force` that rollouts may use; version 0.1 does not say it, which was this default.
+    #[serde(default = "contact_force_share")]
+    pub contact_force_share: f64,
+    /// Whether that is exceeded.
     pub exceeds_contact_force: bool,
     /// How it ends.
     pub end: MotionEnd,
+}
+
+fn contact_force_share() -> f64 {
+    EvaluationParameters::default().force_share
 }
 
 impl LossRecord {
@@ -61,7 +66,7 @@ impl LossRecord {
             true => format!(
                 "; pushes with {:.1} N, more than {:.0} % of limits.contact_force",
                 self.max_force_n,
-                100.0 * EVALUATION_FORCE_SHARE
+                100.0 * self.contact_force_share
             ),
             false => String::new(),
         };

@@ -10,6 +10,6 @@ mod motion_end;
 pub use attempt::AttemptRecord;
 pub use grasp::GraspRecord;
 pub use impedance::ImpedanceRecord;
-pub use loss::{EVALUATION_FORCE_SHARE, LossRecord};
+pub use loss::LossRecord;
 pub use motion::{Extreme, MotionRecord};
 pub use motion_end::{HoldRecord, MotionEnd};
