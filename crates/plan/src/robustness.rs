@@ -111,10 +111,16 @@ pub struct Round {
 impl Round {
     /// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training
     /// trials.
-    pub fn new(variant: &Variant, iterations: &[PlanIteration], chosen: usize, results: &[TrialResult]) -> Self {
+    pub fn new(
+        planned: String,
+        variant: &Variant,
+        iterations: &[PlanIteration],
+        chosen: usize,
+        results: &[TrialResult],
+    ) -> Self {
         let records = || iterations.iter().map(|iteration| &iteration.record);
         Self {
-            planned: variant.name.clone(),
+            planned,
             scenarios: variant.task.grasps.iter().map(GraspRecord::from).collect(),
             frictions: variant.task.frictions.clone(),
             steps: variant.task.horizon.steps,

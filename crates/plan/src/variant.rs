@@ -4,7 +4,7 @@ use task::{AssemblyTask, HomotopySettings, Trajectory};
 
 use crate::problem::Problem;
 
-/// A task and settings to solve, and what makes them differ from the scene's own.
+/// A task and settings to solve.
 #[derive(Debug, Clone)]
 pub struct Variant {
     /// What is planned.
@@ -13,8 +13,6 @@ pub struct Variant {
     pub settings: HomotopySettings,
     /// The motion at which the homotopy begins, instead of rest at the start pose.
     pub near: Option<Trajectory>,
-    /// In words.
-    pub name: String,
 }
 
 /// Part of the limit of contact forces that plans may use. They know the mean over a time step; a rollout, and a robot, may
@@ -26,6 +24,6 @@ impl Variant {
     pub fn of_scene(problem: &Problem) -> Self {
         let mut task = problem.task().clone();
         task.limits.contact_force *= FORCE_SHARE;
-        Self { task, settings: problem.homotopy().clone(), near: None, name: "the scene as it is".to_owned() }
+        Self { task, settings: problem.homotopy().clone(), near: None }
     }
 }

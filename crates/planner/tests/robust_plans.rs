@@ -37,8 +37,7 @@ static FINE: LazyLock<Plan> = LazyLock::new(|| {
     (settings.iterations, settings.further_iterations) = (2, 0);
     let fine = Problem::new(scene, None, None, settings).unwrap();
     let plan = quietly(|session| solve(&fine, session)).unwrap();
-    let variant = Variant { name: "half the time step".to_owned(), ..plan.variant };
-    Plan { problem, variant, ..plan }
+    Plan { problem, ..plan }
 });
 
 /// The plan, judged with a tolerance, as `solve --robust` would leave it without changes.

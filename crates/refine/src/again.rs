@@ -3,13 +3,9 @@
 use plan::{PlannerError, Round};
 use simulation::Refinement;
 
-use crate::Refiner;
 use crate::candidate::{Candidate, Kept};
-use crate::margins::WITH_MARGINS;
 use crate::schedule::Deadline;
-
-/// Marks the name of a plan that was refined before.
-const CONTINUED: &str = ", continued";
+use crate::{Refiner, round};
 
 impl Refiner<'_> {
     /// Goes on with the best plan so far, where it fails so seldom that this helps more than another plan.
@@ -37,16 +33,14 @@ impl Refiner<'_> {
     /// Goes on with the best plan so far, with other changes than before.
     pub(super) fn refine_best(&mut self, until: Deadline) -> Result<(), PlannerError> {
         let Some(best) = self.best.clone().filter(|_| self.goes_on(until)) else { return Ok(()) };
-        let Kept { mut variant, iterations, reference, is_scenes_own, chosen, .. } = best;
-        if ![CONTINUED, WITH_MARGINS].iter().any(|mark| variant.name.ends_with(mark)) {
-            variant.name += CONTINUED;
-        }
+        let Kept { mut solved, reference, .. } = best;
+        solved.marks.is_continued |= !solved.marks.has_margins;
         let results = self.trainer.evaluate_all(&reference, &self.training, &|| self.schedule.is_over(until));
         let Some(results) = results else { return Ok(()) };
-        let round = Round { rollouts: results.len(), ..Round::new(&variant, &iterations, chosen, &results) };
+        let round = Round { rollouts: results.len(), ..round(&solved, &results) };
         self.change_seed();
         let refinement = Refinement::new(self.trainer, reference, self.training.clone(), results, self.seed);
-        self.refine(Candidate { variant, iterations, refinement, round, is_scenes_own }, until, 0.0)
+        self.refine(Candidate { solved, refinement, round }, until, 0.0)
     }
 
     /// Other changes follow than before.

@@ -7,6 +7,7 @@ use simulation::{Disturbance, Trial};
 use task::GraspError;
 
 use crate::Drawn;
+use crate::origin::{Marks, Origin};
 
 /// Name of the record.
 const REFINEMENT: &str = "refinement.json";
@@ -51,8 +52,10 @@ pub struct RefinementCheckpoint {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BestRecord {
-    /// The problem it comes from, in words.
-    pub name: String,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// What was done to it since.
+    pub marks: Marks,
     /// Its planned grasp errors.
     pub scenarios: Vec<GraspRecord>,
     /// Coulomb coefficients of its scenarios.
@@ -63,8 +66,6 @@ pub struct BestRecord {
     pub time_step_s: f64,
     /// Number of its homotopy iterations, if all of them run.
     pub homotopy_iterations: usize,
-    /// Whether its homotopy iterations are those of the scene itself.
-    pub is_scenes_own: bool,
     /// Its homotopy iterations.
     pub iterations: Vec<IterationRecord>,
     /// States (pose, twist) of its reference.

@@ -64,11 +64,12 @@ mod tests {
     use std::time::Duration;
 
     use plan::parameters::ComparisonParameters;
-    use plan::{OffsetRegion, SuccessRate, SuccessRates, Variant};
+    use plan::{OffsetRegion, SuccessRate, SuccessRates};
     use task::at_rest;
 
     use super::*;
     use crate::evaluation::Drawn;
+    use crate::origin::Solved;
     use crate::tests::in_corner;
 
     /// What is kept after a comparison of a motion that stays at the start with a push to the goal.
@@ -76,8 +77,7 @@ mod tests {
         in_corner(time_limit, |refiner| {
             let task = refiner.problem.task();
             let lucky = |reference: Reference, changes: usize, successes: usize| Kept {
-                variant: Variant::of_scene(refiner.problem),
-                iterations: Vec::new(),
+                solved: Solved { chosen: 1, ..refiner.of_scene() },
                 reference,
                 rates: SuccessRates(vec![SuccessRate {
                     rollouts: 2,
@@ -89,9 +89,7 @@ mod tests {
                 unplayed: 0,
                 failing: Vec::new(),
                 round: 1,
-                chosen: 1,
                 changes,
-                is_scenes_own: true,
             };
             let resting = lucky(Reference::new(0.1, &[at_rest(&task.start); 3]), 1, 2);
             refiner.best = Some(resting.clone());

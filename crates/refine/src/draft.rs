@@ -1,13 +1,17 @@
 //! Drafts: plans of the scene with other weights and offsets, on half of the steps, which cost little.
 
+use std::fmt;
+
 use fastrand::Rng;
 use nalgebra::{Rotation3, Unit, Vector3};
 use plan::Variant;
 use plan::parameters::DraftParameters;
+use serde::{Deserialize, Serialize};
 use task::GraspError;
 
 /// What makes a draft differ from the scene as it is. Whether that helps differs from scene to scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Draft {
     /// By how much the planned offsets are turned about the axis around which they lie (rad).
     pub angle: f64,
@@ -22,7 +26,8 @@ pub struct Draft {
 }
 
 /// Factors of weights.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Factors {
     /// Of translational velocity.
     pub translational: f64,
@@ -52,7 +57,7 @@ impl Draft {
 
     /// The changed problem.
     pub fn variant(&self, scene: &Variant, parameters: &DraftParameters) -> Variant {
-        let mut variant = Variant { name: self.name(), near: None, ..scene.clone() };
+        let mut variant = Variant { near: None, ..scene.clone() };
         let (task, settings) = (&mut variant.task, &mut variant.settings);
         *task = ocp::coarsened(task).unwrap_or_else(|| task.clone());
         settings.coarse_iterations = parameters.coarse_iterations;
@@ -71,22 +76,22 @@ impl Draft {
         }
         variant
     }
+}
 
-    fn name(&self) -> String {
+impl fmt::Display for Draft {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let Self { angle, reference, compliant, friction, is_slower } = self;
         let factors =
             |Factors { translational, rotational }: &Factors| format!("{translational:.1} and {rotational:.2}");
-        let mut name = format!(
+        write!(
+            formatter,
             "draft with offsets turned by {:.0} degrees, weights of translational and rotational velocity times {} \
              (reference) and {} (compliant), friction {friction:.2}",
             angle.to_degrees(),
             factors(reference),
             factors(compliant),
-        );
-        if *is_slower {
-            name += ", 1.5 times the time";
-        }
-        name
+        )?;
+        if *is_slower { formatter.write_str(", 1.5 times the time") } else { Ok(()) }
     }
 }
 

@@ -7,13 +7,14 @@
 use std::time::Duration;
 
 use fastrand::Rng;
-use plan::{Event, HomotopyRun, PlanIteration, PlannerError, RobustParameters, Variant};
+use plan::{Event, HomotopyRun, PlannerError, RobustParameters, Variant};
 use simulation::Reference;
 use workers::Workers;
 
 use crate::Refiner;
 use crate::candidate::{self, Candidate};
 use crate::draft::Draft;
+use crate::origin::{Origin, Solved};
 use crate::schedule::Deadline;
 
 impl<'run> Refiner<'run> {
@@ -64,16 +65,16 @@ impl<'run> Refiner<'run> {
     fn best_draft(&mut self) -> Option<Candidate<'run>> {
         let mut places = Vec::new();
         let mut references: Vec<Reference> = Vec::new();
-        for (draft, (variant, iterations)) in self.drafts.iter().enumerate() {
-            let fine = candidate::with_all_steps(iterations, &variant.task);
+        for (draft, solved) in self.drafts.iter().enumerate() {
+            let fine = solved.with_all_steps();
             let last = &fine[fine.len().saturating_sub(self.target.parameters.drafts.last)..];
             places.extend(last.iter().map(|&index| (draft, index)));
-            references.extend(last.iter().map(|&index| candidate::reference(&iterations[index].trajectory)));
+            references.extend(last.iter().map(|&index| candidate::reference(&solved.iterations[index].trajectory)));
         }
         let best = self.best_of(&references, self.schedule.end())?;
         let (draft, index) = places[best.winner.index];
-        let (variant, iterations) = self.drafts.swap_remove(draft);
-        let candidate = self.candidate_of(best, variant, (iterations, index + 1), false);
+        let solved = Solved { chosen: index + 1, ..self.drafts.swap_remove(draft) };
+        let candidate = self.candidate_of(best, solved);
         let (failing, trials) = (candidate.round.training_failures, candidate.round.training_trials);
         self.session.tell(Event::VariantTried { failing, trials });
         Some(candidate)
@@ -81,27 +82,24 @@ impl<'run> Refiner<'run> {
 
     /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy iterations count that it
     /// has finished; those that have none with all steps are left out.
-    fn solve_drafts(&self, until: Deadline) -> Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> {
+    fn solve_drafts(&self, until: Deadline) -> Result<Vec<Solved>, PlannerError> {
         let scene = Variant::of_scene(self.problem);
         let RobustParameters { drafts: parameters, seeds, .. } = &self.target.parameters;
         let mut random = Rng::with_seed(seeds.first);
         let friction = self.target.largest_friction();
-        let drafts =
-            (0..parameters.most).map(|_| Draft::random(&mut random, friction, parameters).variant(&scene, parameters));
-        let solve = |variant: Variant| {
+        let drafts = (0..parameters.most).map(|_| Draft::random(&mut random, friction, parameters));
+        let solve = |draft: Draft| {
+            let variant = draft.variant(&scene, parameters);
             let is_over = || self.schedule.is_over(until);
             let iterations = match is_over() {
                 true => Vec::new(),
                 false => HomotopyRun::new(&variant).finished(self.session, is_over)?,
             };
-            Ok((variant, iterations))
+            Ok(Solved::new(Origin::Draft(draft), variant, iterations))
         };
         let solved = Workers::new(self.session.threads).map(drafts.into_iter(), solve);
-        let solved: Result<Vec<(Variant, Vec<PlanIteration>)>, PlannerError> = solved.into_iter().collect();
-        let is_draft = |(variant, iterations): &(Variant, Vec<PlanIteration>)| {
-            !candidate::with_all_steps(iterations, &variant.task).is_empty()
-        };
-        Ok(solved?.into_iter().filter(is_draft).collect())
+        let solved: Result<Vec<Solved>, PlannerError> = solved.into_iter().collect();
+        Ok(solved?.into_iter().filter(|draft| !draft.with_all_steps().is_empty()).collect())
     }
 }
 
@@ -121,9 +119,10 @@ mod tests {
             draft.task.horizon = Horizon { steps: 60, time_step: time_step * steps as f64 / 60.0 };
             draft.settings.coarse_iterations = 3;
             let iterations = HomotopyRun::new(&draft).finished(refiner.session, || false).unwrap();
-            refiner.drafts = vec![(draft.clone(), iterations[..3].to_vec())];
+            let solved = |count: usize| Solved::new(Origin::Scene, draft.clone(), iterations[..count].to_vec());
+            refiner.drafts = vec![solved(3)];
             assert!(refiner.best_draft().is_none(), "all have half of the steps");
-            refiner.drafts = vec![(draft, iterations[..4].to_vec())];
+            refiner.drafts = vec![solved(4)];
             assert_eq!(refiner.best_draft().unwrap().round.chosen_stage, 4);
         });
     }
@@ -133,16 +132,19 @@ mod tests {
         in_corner(Duration::from_secs(1000), |refiner| {
             let scene = Variant::of_scene(refiner.problem);
             let solved = HomotopyRun::new(&scene).finished(refiner.session, || false).unwrap();
-            let draft = Variant { name: "a draft".to_owned(), ..scene.clone() };
-            refiner.drafts = vec![(draft, solved)];
+            let draft = Draft::random(&mut Rng::with_seed(1), 0.0, &DraftParameters::default());
+            refiner.drafts = vec![Solved::new(Origin::Draft(draft), scene.clone(), solved)];
             let resting = Reference::new(0.1, &[at_rest(&refiner.problem.task().start); 3]);
             let best = refiner.best_of(&[resting], refiner.schedule.end()).unwrap();
-            let own = refiner.candidate_of(best, scene, (Vec::new(), 0), true);
+            let own = refiner.candidate_of(best, refiner.of_scene());
             refiner.refine_promising(own, &mut None).unwrap();
             let rounds: Vec<(&str, Option<f64>)> =
                 refiner.rounds.iter().map(|round| (round.planned.as_str(), round.rate)).collect();
             assert_eq!(rounds[0], ("the scene as it is", Some(0.0)));
-            assert!(rounds[1].0 == "a draft" && rounds[1].1 > Some(DraftParameters::default().promising), "{rounds:?}");
+            assert!(
+                rounds[1].0.starts_with("draft with") && rounds[1].1 > Some(DraftParameters::default().promising),
+                "{rounds:?}"
+            );
             assert_eq!(refiner.best.as_ref().unwrap().round, 2);
         });
     }

@@ -1,15 +1,13 @@
 //! How references end: as they were planned, or with strokes.
 
-use plan::{PlanIteration, Problem, RobustnessTarget, Round, Variant};
+use plan::{Problem, RobustnessTarget, Round};
 use simulation::{Reference, Refinement, Strokes};
 
-use crate::Refiner;
 use crate::candidate::{Candidate, Kept};
+use crate::origin::Solved;
 use crate::race::{Winner, race};
 use crate::schedule::Deadline;
-
-/// Added to the name of a plan whose reference ends with strokes.
-pub const WITH_STROKES: &str = ", with strokes at the end";
+use crate::{Refiner, round};
 
 /// The best of several references in the training trials.
 pub struct Best {
@@ -29,7 +27,7 @@ pub fn strokes(problem: &Problem, target: &RobustnessTarget) -> Option<Strokes> 
 
 /// Whether a plan's reference is longer than its horizon.
 pub fn has_strokes(plan: &Kept) -> bool {
-    plan.reference.intervals() > plan.variant.task.horizon.steps
+    plan.reference.intervals() > plan.solved.variant.task.horizon.steps
 }
 
 impl<'run> Refiner<'run> {
@@ -53,20 +51,12 @@ impl<'run> Refiner<'run> {
         Some(Best { winner: Winner { index, ..winner }, reference, has_strokes })
     }
 
-    /// The candidate of the best reference, of its problem, and the number of its homotopy iteration, from 1, or 0 for none.
-    pub(super) fn candidate_of(
-        &self,
-        Best { winner, reference, has_strokes }: Best,
-        mut variant: Variant,
-        (iterations, chosen): (Vec<PlanIteration>, usize),
-        is_scenes_own: bool,
-    ) -> Candidate<'run> {
-        if has_strokes {
-            variant.name += WITH_STROKES;
-        }
-        let mut round = Round::new(&variant, &iterations, chosen, &winner.results);
-        round.rollouts = winner.rollouts;
+    /// The candidate of the best reference, which is that of the chosen homotopy iteration of a solved problem.
+    pub(super) fn candidate_of(&self, best: Best, mut solved: Solved) -> Candidate<'run> {
+        let Best { winner, reference, has_strokes } = best;
+        solved.marks.has_strokes = has_strokes;
+        let round = Round { rollouts: winner.rollouts, ..round(&solved, &winner.results) };
         let refinement = Refinement::new(self.trainer, reference, self.training.clone(), winner.results, self.seed);
-        Candidate { variant, iterations, refinement, round, is_scenes_own }
+        Candidate { solved, refinement, round }
     }
 }

@@ -22,6 +22,7 @@ mod evaluation;
 mod evaluators;
 mod loss;
 mod margins;
+mod origin;
 mod portfolio;
 mod push;
 mod race;
@@ -40,13 +41,14 @@ use plan::{
     Event, Plan, PlanIteration, PlannerError, Problem, RobustnessReport, RobustnessTarget, Round, Session, Stop,
     SuccessRates, Variant,
 };
-use simulation::{Evaluator, Reference, Strokes, Trial};
+use simulation::{Evaluator, Reference, Strokes, Trial, TrialResult};
 use task::Trajectory;
 
 use crate::candidate::{Candidate, Kept};
 use crate::evaluation::{ErrorRange, Evaluation};
 use crate::evaluators::evaluators;
 use crate::loss::loss;
+use crate::origin::{Origin, Solved};
 use crate::schedule::{Deadline, Schedule};
 
 pub use checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
@@ -73,14 +75,14 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     let report = refiner.report(&best);
     // Reality is the problem's; only the grid of time is the reference's.
     world.horizon = best.reference.horizon();
-    let tau = best.iterations[best.iterations.len() - 1].record.tau;
+    let tau = best.solved.iterations[best.solved.iterations.len() - 1].record.tau;
     // One friction in the plan is not what is shown: the least that is borne is.
     let mut shown = world.clone();
     if let [friction] = &mut shown.frictions[..] {
         *friction = target.least_friction();
     }
     let trajectory = problem.motions(&shown, &best.reference, tau)?;
-    let Kept { variant, iterations, .. } = best;
+    let Solved { variant, iterations, .. } = best.solved;
     let is_cut = report.unplayed > 0 || !report.reached && refiner.schedule.is_over(refiner.schedule.end());
     let stopped = if session.is_interrupted() { Some(Stop::User) } else { is_cut.then_some(Stop::TimeLimit) };
     let (task, robustness, tested) = (world, Some(report), None);
@@ -103,8 +105,7 @@ pub fn refine_reference(
     let session = Session { folder: None, ..*session };
     let [evaluator, trainer] = evaluators(problem, target, &reference, &session)?;
     let mut refiner = Refiner::new(problem, target, (&evaluator, &trainer), &session);
-    let variant = Variant { name: "a given reference".to_owned(), ..Variant::of_scene(problem) };
-    refiner.judge_first(variant, Vec::new(), 0, reference)?;
+    refiner.judge_first(Solved::new(Origin::Given, Variant::of_scene(problem), Vec::new()), reference)?;
     let until = refiner.schedule.end();
     while refiner.goes_on(until) {
         refiner.refine_best(until)?;
@@ -126,8 +127,8 @@ struct Refiner<'run> {
     session: &'run Session<'run>,
     /// Where dry friction may hold the body short of its goal.
     strokes: Option<Strokes>,
-    /// Drafts that were not refined, each with the homotopy iterations that it has finished, at least one of them with all steps.
-    drafts: Vec<(Variant, Vec<PlanIteration>)>,
+    /// Drafts that were not refined; at least one of their homotopy iterations has all steps.
+    drafts: Vec<Solved>,
     schedule: Schedule<'run>,
     /// Trials that every reference is refined in; failures of evaluations are added.
     training: Vec<Trial>,
@@ -212,11 +213,11 @@ impl<'run> Refiner<'run> {
         }
         let spent = plan.iterations.iter().map(|iteration| Duration::from_secs_f64(iteration.record.wall_s)).sum();
         let (last, chosen) = (plan.reference(), plan.chosen_stage());
-        let Plan { variant, iterations, .. } = plan;
-        self.judge_first(variant.clone(), iterations.clone(), chosen, last)?;
+        let solved = Solved { chosen, ..Solved::new(Origin::Scene, plan.variant, plan.iterations) };
+        self.judge_first(solved.clone(), last)?;
         let until = self.schedule.own();
         if self.goes_on(until)
-            && let Some(candidate) = self.candidate(variant, iterations, true, until)
+            && let Some(candidate) = self.candidate(solved, until)
         {
             self.rounds.clear();
             self.refine_better(candidate, spent)?;
@@ -225,23 +226,16 @@ impl<'run> Refiner<'run> {
     }
 
     /// Evaluates a reference that was not refined, and keeps it.
-    fn judge_first(
-        &mut self,
-        variant: Variant,
-        iterations: Vec<PlanIteration>,
-        chosen: usize,
-        reference: Reference,
-    ) -> Result<(), PlannerError> {
+    fn judge_first(&mut self, solved: Solved, reference: Reference) -> Result<(), PlannerError> {
         let judgement = self.judge(&reference, self.schedule.end());
         let (rate, failing) = (judgement.rates.overall(), judgement.failing());
         if judgement.rates.rollouts() > 0 {
             self.session.tell(Event::Evaluated { rate });
         }
         self.before = judgement.rates.clone();
-        let round = Round { rate: Some(rate), ..Round::new(&variant, &iterations, chosen, &[]) };
+        let round = Round { rate: Some(rate), ..round(&solved, &[]) };
         let kept = Kept {
-            variant,
-            iterations,
+            solved,
             reference,
             rates: judgement.rates,
             reached: judgement.reached,
@@ -249,9 +243,7 @@ impl<'run> Refiner<'run> {
             unplayed: judgement.unplayed,
             failing,
             round: 1,
-            chosen,
             changes: 0,
-            is_scenes_own: true,
         };
         self.remember(kept.clone());
         self.keep_if_best(kept, &round)?;
@@ -261,19 +253,13 @@ impl<'run> Refiner<'run> {
 
     /// The candidate of a solved problem: of the homotopy iterations with all steps, the one whose reference passes most
     /// training trials; of equals the later, which is smoothed less. `None` without such iterations or time.
-    fn candidate(
-        &self,
-        variant: Variant,
-        iterations: Vec<PlanIteration>,
-        is_scenes_own: bool,
-        until: Deadline,
-    ) -> Option<Candidate<'run>> {
-        let fine = candidate::with_all_steps(&iterations, &variant.task);
+    fn candidate(&self, solved: Solved, until: Deadline) -> Option<Candidate<'run>> {
+        let fine = solved.with_all_steps();
         let references: Vec<Reference> =
-            fine.iter().map(|&index| candidate::reference(&iterations[index].trajectory)).collect();
+            fine.iter().map(|&index| candidate::reference(&solved.iterations[index].trajectory)).collect();
         let best = self.best_of(&references, until)?;
-        let index = fine[best.winner.index];
-        Some(self.candidate_of(best, variant, (iterations, index + 1), is_scenes_own))
+        let chosen = fine[best.winner.index] + 1;
+        Some(self.candidate_of(best, Solved { chosen, ..solved }))
     }
 
     /// Keeps a plan if it is better than the best so far; `round` goes on.
@@ -288,9 +274,10 @@ impl<'run> Refiner<'run> {
     fn keep(&mut self, kept: Kept, rounds: Vec<Round>) -> Result<(), PlannerError> {
         if let Some(folder) = self.session.folder {
             let are_kept = self.best.as_ref().is_some_and(|best| best.round == kept.round);
-            if !kept.is_scenes_own && !are_kept {
-                let motions: Vec<&Trajectory> = kept.iterations.iter().map(|iteration| &iteration.trajectory).collect();
-                folder.keep_refined(kept.round, &motions, &kept.variant.task)?;
+            if !kept.solved.origin.has_homotopy_of_scene() && !are_kept {
+                let motions: Vec<&Trajectory> =
+                    kept.solved.iterations.iter().map(|iteration| &iteration.trajectory).collect();
+                folder.keep_refined(kept.round, &motions, &kept.solved.variant.task)?;
             }
             self.checkpoint(&kept, rounds).save(folder)?;
         }
@@ -325,13 +312,19 @@ impl<'run> Refiner<'run> {
             unplayed: best.unplayed,
             push: self.judge_push(best),
             kept_round: best.round,
-            kept_stage: best.chosen,
+            kept_stage: best.solved.chosen,
             kept_changes: best.changes,
             rounds: self.rounds.clone(),
             loss: loss(self.problem, self.target, best),
             parameters: self.target.parameters.clone(),
         }
     }
+}
+
+/// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training trials.
+fn round(solved: &Solved, results: &[TrialResult]) -> Round {
+    let Solved { variant, iterations, chosen, .. } = solved;
+    Round::new(solved.planned(), variant, iterations, *chosen, results)
 }
 
 #[cfg(test)]
@@ -345,6 +338,13 @@ pub(crate) mod tests {
     /// The file of the corner scene.
     pub(crate) fn corner() -> std::path::PathBuf {
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml")
+    }
+
+    impl Refiner<'_> {
+        /// The scene as it is, of which nothing was solved.
+        pub(super) fn of_scene(&self) -> Solved {
+            Solved::new(Origin::Scene, Variant::of_scene(self.problem), Vec::new())
+        }
     }
 
     /// Hands over a refiner of the corner scene without friction, before its first plan. It has no patience.

@@ -11,13 +11,10 @@ use crate::Refiner;
 use crate::candidate::Kept;
 use crate::schedule::Deadline;
 
-/// Added to the name of a plan that was refined in the harder world.
-pub const WITH_MARGINS: &str = ", with margins";
-
 impl Refiner<'_> {
     /// Refines a robust plan for an arm in the harder world, in at most as much time as it has taken so far.
     pub(super) fn add_margins(&mut self) -> Result<(), PlannerError> {
-        let is_wanted = |best: &Kept| best.reached && !best.variant.name.ends_with(WITH_MARGINS);
+        let is_wanted = |best: &Kept| best.reached && !best.solved.marks.has_margins;
         let Some(robust) = self.best.clone().filter(is_wanted) else { return Ok(()) };
         if self.problem.arm().is_none() || !self.may_change() {
             return Ok(());
@@ -59,7 +56,7 @@ impl Refiner<'_> {
     /// Refines a plan that is robust in another world, until it is robust in this one or the time is over. The best, with its
     /// round; `None` if nothing is better than the plan as it is.
     fn refine_robust(&mut self, mut plan: Kept) -> Result<Option<(Kept, Round)>, PlannerError> {
-        plan.variant.name += WITH_MARGINS;
+        plan.solved.marks.has_margins = true;
         let until = self.schedule.end();
         let judgement = self.judge(&plan.reference, until);
         self.best = Some(Kept { round: 0, ..plan.judged(judgement) });
@@ -77,7 +74,7 @@ impl Refiner<'_> {
 mod tests {
     use std::time::Duration;
 
-    use plan::{RobustnessTarget, Variant};
+    use plan::RobustnessTarget;
     use simulation::{Reference, Success};
 
     use super::*;
@@ -90,7 +87,7 @@ mod tests {
         in_corner_for(RobustnessTarget { max_changes, time_limit, ..RobustnessTarget::default() }, |refiner| {
             let task = refiner.problem.task();
             let push = Reference::straight(&task.start, &task.goal, task.horizon);
-            refiner.judge_first(Variant::of_scene(refiner.problem), Vec::new(), 0, push).unwrap();
+            refiner.judge_first(refiner.of_scene(), push).unwrap();
             let robust = refiner.best.clone().unwrap();
             assert!(robust.reached, "{}", robust.rates.overall());
             let accurate = Evaluator::new(&refiner.problem.world(), &[0.0], Success { position, ..Success::default() });
@@ -103,9 +100,9 @@ mod tests {
     #[test]
     fn what_becomes_better_in_a_harder_world_and_stays_robust_is_kept() {
         let (kept, rounds) = kept_after(200, 1e-3);
-        assert!(kept.reached && kept.changes > 0 && kept.variant.name.ends_with(WITH_MARGINS), "{}", kept.variant.name);
+        assert!(kept.reached && kept.changes > 0 && kept.solved.marks.has_margins, "{}", kept.solved.planned());
         let round = &rounds[kept.round - 1];
-        assert_eq!((round.planned.as_str(), round.rate), (kept.variant.name.as_str(), Some(kept.rates.overall())));
+        assert_eq!((round.planned.as_str(), round.rate), (kept.solved.planned().as_str(), Some(kept.rates.overall())));
     }
 
     #[test]

@@ -1,14 +1,17 @@
 //! What is planned where the plan of the scene cannot be refined: problems whose plans may have more margin. Which of
 //! them helps differs from scene to scene.
 
+use std::fmt;
+
 use plan::Variant;
 use plan::parameters::PortfolioParameters;
+use serde::{Deserialize, Serialize};
 use simulation::{Reference, Rollout, Settings};
 use task::algebra::norm;
 use task::{CostWeights, GraspError, HomotopySettings};
 
 /// A way to change the problem, in scenarios, horizon, weights, smoothing or first guess.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Recipe {
     HalfTheTimeStep,
     StraightFirstGuess,
@@ -45,7 +48,7 @@ impl Recipe {
         failing: &[GraspError],
         parameters: &PortfolioParameters,
     ) -> Variant {
-        let mut variant = Variant { name: self.name().to_owned(), ..scene.clone() };
+        let mut variant = scene.clone();
         self.change(&mut variant, failing, parameters);
         variant.task.grasps = GraspError::distinct(variant.task.grasps);
         let task = &variant.task;
@@ -63,21 +66,6 @@ impl Recipe {
             Rollout::new(task, Settings::default()).trajectory(&reference, &grasps, variant.settings.tau)
         });
         variant
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::HalfTheTimeStep => "half the time step",
-            Self::StraightFirstGuess => "straight motion as first guess",
-            Self::FailingOffsetsFromRefinedPlan => "failing offsets as scenarios, from the refined plan",
-            Self::FailingOffsets => "failing offsets as scenarios",
-            Self::NoneAndHalfOffsets => "no offset and half offsets as scenarios",
-            Self::MoreOffset => "10 % more offset",
-            Self::TwiceTheTime => "twice the time",
-            Self::SlowMotion => "ten times the weight of velocities",
-            Self::HalfTheFirstSmoothing => "half the first smoothing",
-            Self::TwiceTheFirstSmoothing => "twice the first smoothing",
-        }
     }
 
     fn change(self, variant: &mut Variant, failing: &[GraspError], parameters: &PortfolioParameters) {
@@ -117,6 +105,23 @@ impl Recipe {
                 settings.iterations += 1;
             }
         }
+    }
+}
+
+impl fmt::Display for Recipe {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::HalfTheTimeStep => "half the time step",
+            Self::StraightFirstGuess => "straight motion as first guess",
+            Self::FailingOffsetsFromRefinedPlan => "failing offsets as scenarios, from the refined plan",
+            Self::FailingOffsets => "failing offsets as scenarios",
+            Self::NoneAndHalfOffsets => "no offset and half offsets as scenarios",
+            Self::MoreOffset => "10 % more offset",
+            Self::TwiceTheTime => "twice the time",
+            Self::SlowMotion => "ten times the weight of velocities",
+            Self::HalfTheFirstSmoothing => "half the first smoothing",
+            Self::TwiceTheFirstSmoothing => "twice the first smoothing",
+        })
     }
 }
 

@@ -6,6 +6,7 @@ use simulation::{Evaluator, Reference};
 use crate::Refiner;
 use crate::candidate::Kept;
 use crate::evaluation::{Drawn, Evaluation};
+use crate::origin::{Origin, Solved};
 
 impl Refiner<'_> {
     /// Refines the straight push from start to goal: on some scenes this is faster than the refinement of any plan. The
@@ -17,10 +18,10 @@ impl Refiner<'_> {
         if !self.goes_on(until) || !self.evaluator.bounds().allow(&reference) {
             return Ok(());
         }
-        let variant = Variant { name: "a straight push".to_owned(), ..Variant::of_scene(self.problem) };
+        let solved = Solved::new(Origin::Push, Variant::of_scene(self.problem), homotopy);
         let Some(best) = self.best_of(&[reference], until) else { return Ok(()) };
         self.change_seed();
-        let candidate = self.candidate_of(best, variant, (homotopy, 0), true);
+        let candidate = self.candidate_of(best, solved);
         self.refine(candidate, until, 0.0)
     }
 

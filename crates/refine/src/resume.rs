@@ -3,13 +3,14 @@
 use std::time::Duration;
 
 use plan::records::GraspRecord;
-use plan::{Event, IterationRecord, Plan, PlanIteration, PlannerError, Round, Unusable, Variant};
+use plan::{Event, IterationRecord, Plan, PlanIteration, PlannerError, Round, Unusable};
 use simulation::{Reference, Trial};
 use task::GraspError;
 
 use crate::Refiner;
 use crate::candidate::Kept;
 use crate::checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
+use crate::origin::Solved;
 use crate::schedule::Schedule;
 
 impl Refiner<'_> {
@@ -31,14 +32,14 @@ impl Refiner<'_> {
             before: self.before.clone(),
             training: self.training.iter().map(TrialRecord::from).collect(),
             best: BestRecord {
-                name: kept.variant.name.clone(),
-                scenarios: kept.variant.task.grasps.iter().map(GraspRecord::from).collect(),
-                planned_frictions: kept.variant.task.frictions.clone(),
-                steps: kept.variant.task.horizon.steps,
-                time_step_s: kept.variant.task.horizon.time_step,
-                homotopy_iterations: kept.variant.settings.iterations,
-                is_scenes_own: kept.is_scenes_own,
-                iterations: kept.iterations.iter().map(|iteration| iteration.record.clone()).collect(),
+                origin: kept.solved.origin,
+                marks: kept.solved.marks,
+                scenarios: kept.solved.variant.task.grasps.iter().map(GraspRecord::from).collect(),
+                planned_frictions: kept.solved.variant.task.frictions.clone(),
+                steps: kept.solved.variant.task.horizon.steps,
+                time_step_s: kept.solved.variant.task.horizon.time_step,
+                homotopy_iterations: kept.solved.variant.settings.iterations,
+                iterations: kept.solved.iterations.iter().map(|iteration| iteration.record.clone()).collect(),
                 reference: kept.reference.states(),
                 rates: kept.rates.clone(),
                 reached: kept.reached,
@@ -46,7 +47,7 @@ impl Refiner<'_> {
                 unplayed: kept.unplayed,
                 failing: kept.failing.iter().map(TrialRecord::from).collect(),
                 round: kept.round,
-                chosen_stage: kept.chosen,
+                chosen_stage: kept.solved.chosen,
                 changes: kept.changes,
             },
             rounds,
@@ -82,13 +83,13 @@ impl Refiner<'_> {
     /// Takes over what another run has left, unless its tables are damaged; `plan` is that of the scene itself.
     pub(super) fn restore(&mut self, checkpoint: RefinementCheckpoint, plan: &Plan) -> Option<Kept> {
         let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
-        let mut variant = Variant { name: best.name, ..plan.variant.clone() };
+        let mut variant = plan.variant.clone();
         variant.task.grasps = best.scenarios.iter().map(GraspError::from).collect();
         variant.task.frictions = best.planned_frictions;
         variant.task.horizon.steps = best.steps;
         variant.task.horizon.time_step = best.time_step_s;
         variant.settings.iterations = best.homotopy_iterations;
-        let iterations = match (best.is_scenes_own, self.session.folder) {
+        let iterations = match (best.origin.has_homotopy_of_scene(), self.session.folder) {
             (false, Some(folder)) => {
                 let read = |(number, record): (usize, IterationRecord)| {
                     let task = record.task(&variant.task);
@@ -111,17 +112,14 @@ impl Refiner<'_> {
         self.rounds = rounds;
         Some(Kept {
             reference: Reference::new(best.time_step_s, &best.reference),
-            variant,
-            iterations,
+            solved: Solved { origin: best.origin, marks: best.marks, variant, iterations, chosen: best.chosen_stage },
             rates: best.rates,
             reached: best.reached,
             evaluation: best.evaluation,
             unplayed: best.unplayed,
             failing: best.failing.iter().map(Trial::from).collect(),
             round: best.round,
-            chosen: best.chosen_stage,
             changes: best.changes,
-            is_scenes_own: best.is_scenes_own,
         })
     }
 }

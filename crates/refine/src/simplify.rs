@@ -8,12 +8,9 @@ use plan::{Event, PlannerError, Round};
 use simulation::Refinement;
 use task::StraightMotion;
 
-use crate::Refiner;
 use crate::candidate::Kept;
-use crate::ends::{WITH_STROKES, has_strokes};
-
-/// Added to the name of a plan that was simplified.
-const STRAIGHTENED: &str = ", straightened";
+use crate::ends::has_strokes;
+use crate::{Refiner, round};
 
 impl Refiner<'_> {
     /// Simplifies a robust plan for a free body. What comes of it is kept if it succeeds as often in a new evaluation.
@@ -49,21 +46,18 @@ impl Refiner<'_> {
         let stop = || self.schedule.is_over(until);
         let results = self.trainer.evaluate_all(&robust.reference, &self.training, &stop)?;
         let mut simpler = robust.clone();
-        let (task, reference) = (&simpler.variant.task, simpler.reference.clone());
+        let (task, reference) = (&simpler.solved.variant.task, simpler.reference.clone());
         let straight = StraightMotion::new(&task.start, &task.goal);
         let mut refinement =
             Refinement::new(self.trainer, reference, self.training.clone(), results.clone(), self.seed);
         let changes = refinement.simplify(&straight, task.horizon.steps, &stop);
         simpler.reference = refinement.reference().clone();
         simpler.changes += changes;
-        if !has_strokes(&simpler) {
-            simpler.variant.name = simpler.variant.name.replace(WITH_STROKES, "");
-        }
-        if !simpler.variant.name.ends_with(STRAIGHTENED) {
-            simpler.variant.name += STRAIGHTENED;
-        }
+        let has_strokes = has_strokes(&simpler);
+        let marks = &mut simpler.solved.marks;
+        (marks.has_strokes, marks.is_straightened) = (marks.has_strokes && has_strokes, true);
         let rollouts = results.len() + refinement.rollouts();
-        let round = Round::new(&simpler.variant, &simpler.iterations, simpler.chosen, &results);
+        let round = round(&simpler.solved, &results);
         (changes > 0).then_some((simpler, Round { rollouts, changes: robust.changes + changes, ..round }))
     }
 }
@@ -72,7 +66,6 @@ impl Refiner<'_> {
 mod tests {
     use std::time::Duration;
 
-    use plan::Variant;
     use simulation::Reference;
 
     use super::*;
@@ -110,7 +103,7 @@ mod tests {
             in_corner(Duration::from_secs(1000), |refiner| {
                 let reference = twisted(refiner, 0.3);
                 assert!(rotation(refiner, &reference) > 0.25);
-                refiner.judge_first(Variant::of_scene(refiner.problem), Vec::new(), 0, reference).unwrap();
+                refiner.judge_first(refiner.of_scene(), reference).unwrap();
                 let best = refiner.best.as_mut().unwrap();
                 assert!(best.reached, "{}", best.rates.overall());
                 best.changes = changes;
@@ -120,9 +113,9 @@ mod tests {
                 match changes {
                     0 => assert!(angle > 0.25 && rounds == 1, "what was planned stays as it is"),
                     _ => assert!(
-                        best.reached && angle < 0.16 && best.round == 2 && best.variant.name.ends_with(STRAIGHTENED),
+                        best.reached && angle < 0.16 && best.round == 2 && best.solved.marks.is_straightened,
                         "{angle} rad: {}",
-                        best.variant.name
+                        best.solved.planned()
                     ),
                 }
             });

@@ -23,7 +23,7 @@ impl<'run> Refiner<'run> {
         least: f64,
     ) -> Result<(), PlannerError> {
         let (begin, parameters) = (Instant::now(), self.target.parameters.training);
-        let Candidate { variant, iterations, mut refinement, mut round, is_scenes_own } = candidate;
+        let Candidate { solved, mut refinement, mut round } = candidate;
         self.session.tell(Event::Refining { planned: &round.planned });
         let chosen_with = round.rollouts;
         let (mut polished, mut vain) = (0, 0);
@@ -39,8 +39,7 @@ impl<'run> Refiner<'run> {
             let judgement = self.judge(refinement.reference(), self.schedule.end());
             let number = self.rounds.len() + 1;
             let kept = Kept {
-                variant: variant.clone(),
-                iterations: iterations.clone(),
+                solved: solved.clone(),
                 reference: refinement.reference().clone(),
                 failing: judgement.failing(),
                 rates: judgement.rates.clone(),
@@ -48,9 +47,7 @@ impl<'run> Refiner<'run> {
                 evaluation: judgement.evaluation,
                 unplayed: judgement.unplayed,
                 round: number,
-                chosen: round.chosen_stage,
                 changes: round.changes,
-                is_scenes_own,
             };
             self.remember(kept.clone());
             if judgement.rates.rollouts() == 0 {
@@ -136,7 +133,7 @@ impl<'run> Refiner<'run> {
 mod tests {
     use std::time::Duration;
 
-    use plan::{OffsetRegion, SuccessRate, SuccessRates, Variant};
+    use plan::{OffsetRegion, SuccessRate, SuccessRates};
 
     use super::*;
     use crate::tests::in_corner;
@@ -146,7 +143,7 @@ mod tests {
         in_corner(Duration::from_secs(1000), |refiner| {
             let task = refiner.problem.task();
             let straight = Reference::straight(&task.start, &task.goal, task.horizon);
-            refiner.judge_first(Variant::of_scene(refiner.problem), Vec::new(), 0, straight).unwrap();
+            refiner.judge_first(refiner.of_scene(), straight).unwrap();
             let (over, running) = (refiner.schedule.one_of(usize::MAX), refiner.schedule.end());
             let mut extends = |rate: f64, round: usize, vain: usize| {
                 let rollouts = 100;

@@ -7,6 +7,7 @@ use task::GraspError;
 
 use crate::Refiner;
 use crate::candidate::Candidate;
+use crate::origin::{Origin, Solved};
 use crate::portfolio::{PORTFOLIO, Recipe};
 use crate::schedule::Deadline;
 
@@ -57,14 +58,14 @@ impl<'run> Refiner<'run> {
             &failing,
             &self.target.parameters.portfolio,
         );
-        self.session.tell(Event::Variant { name: &variant.name, number, count });
+        self.session.tell(Event::Variant { name: &recipe.to_string(), number, count });
         let solving = self.schedule.solving(until);
         let run = HomotopyRun { threads: self.session.threads, ..HomotopyRun::new(&variant) };
         // What has finished until then may do.
         let iterations = run.finished(self.session, || self.schedule.is_over(solving))?;
         let status = iterations.last().map_or("no homotopy iteration in time", |last| &last.record.status);
         self.session.tell(Event::VariantSolved { status });
-        let candidate = self.candidate(variant, iterations, false, until);
+        let candidate = self.candidate(Solved::new(Origin::Variant(recipe), variant, iterations), until);
         if let Some(Candidate { round, .. }) = &candidate {
             let (failing, trials) = (round.training_failures, round.training_trials);
             self.session.tell(Event::VariantTried { failing, trials });
