@@ -209,7 +209,7 @@ impl Plan {
 
     /// The motion to track.
     pub fn reference(&self) -> Reference {
-        Reference::new(self.trajectory.time_step, &self.trajectory.reference)
+        Reference::from(&self.trajectory)
     }
 
     /// How it moves, and how hard it presses in its scenarios and in the rollouts that tested it.

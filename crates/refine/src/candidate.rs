@@ -2,7 +2,6 @@
 
 use plan::{Round, SuccessRates};
 use simulation::{Reference, Refinement, Trial};
-use task::Trajectory;
 
 use crate::evaluation::{Drawn, Judgement};
 use crate::origin::Solved;
@@ -46,9 +45,4 @@ impl Kept {
     pub fn is_better_than(&self, other: &Self) -> bool {
         (self.reached, self.rates.overall()) > (other.reached, other.rates.overall())
     }
-}
-
-/// The reference of a motion.
-pub fn reference(motion: &Trajectory) -> Reference {
-    Reference::new(motion.time_step, &motion.reference)
 }

@@ -3,7 +3,7 @@
 use plan::records::GraspRecord;
 use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
 use serde::{Deserialize, Serialize};
-use simulation::{Disturbance, Trial};
+use simulation::{Disturbance, FrictionIndex, Trial};
 use task::GraspError;
 
 use crate::Drawn;
@@ -110,7 +110,7 @@ impl From<&Trial> for TrialRecord {
     fn from(trial: &Trial) -> Self {
         let Trial { friction, grasp, disturbance } = *trial;
         Self {
-            friction,
+            friction: friction.0,
             grasp: GraspRecord::from(&grasp),
             inertia_error: disturbance.inertia,
             stiffness_error: disturbance.stiffness,
@@ -129,7 +129,7 @@ impl From<&TrialRecord> for Trial {
             joint_friction: 0.0,
             edge_radius: record.edge_radius_m,
         };
-        Self { friction: record.friction, grasp: GraspError::from(&record.grasp), disturbance }
+        Self { friction: FrictionIndex(record.friction), grasp: GraspError::from(&record.grasp), disturbance }
     }
 }
 

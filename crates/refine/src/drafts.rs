@@ -12,7 +12,7 @@ use simulation::Reference;
 use workers::Workers;
 
 use crate::Refiner;
-use crate::candidate::{self, Candidate};
+use crate::candidate::Candidate;
 use crate::draft::Draft;
 use crate::origin::{Origin, Solved};
 use crate::schedule::Deadline;
@@ -69,7 +69,7 @@ impl<'run> Refiner<'run> {
             let fine = solved.with_all_steps();
             let last = &fine[fine.len().saturating_sub(self.target.parameters.drafts.last)..];
             places.extend(last.iter().map(|&index| (draft, index)));
-            references.extend(last.iter().map(|&index| candidate::reference(&solved.iterations[index].trajectory)));
+            references.extend(last.iter().map(|&index| Reference::from(&solved.iterations[index].trajectory)));
         }
         let best = self.best_of(&references, self.schedule.end())?;
         let (draft, index) = places[best.winner.index];

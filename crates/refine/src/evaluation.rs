@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use plan::parameters::EvaluationParameters;
 use plan::{OffsetRegion, Problem, RobustnessTarget, SuccessRate, SuccessRates};
 use serde::{Deserialize, Serialize};
-use simulation::{Disturbance, Evaluator, Reference, Trial, TrialResult, offsets};
+use simulation::{Disturbance, Evaluator, FrictionIndex, Reference, Trial, TrialResult, offsets};
 use task::{AssemblyTask, Coverage, GraspError};
 
 /// Steps of height and of angle from one [axis](training_axis) to the next: powers of 1 / 1.3247, the root of x^3 = x + 1, which
@@ -143,7 +143,7 @@ impl Evaluation {
                 let trial = |(place, grasp)| {
                     let disturbance =
                         if group.planned { Disturbance::default() } else { range.disturbance(&mut random) };
-                    (!group.planned, place, groups.len(), Trial { friction: index, grasp, disturbance })
+                    (!group.planned, place, groups.len(), Trial { friction: FrictionIndex(index), grasp, disturbance })
                 };
                 placed.extend(errors.into_iter().enumerate().map(trial));
                 groups.push(group);
@@ -271,7 +271,8 @@ mod tests {
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
         let group = |planned| SuccessRate::unplayed(0.0, 0.01, OffsetRegion::Hull, planned);
-        let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
+        let trial =
+            Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
         let (groups, trials) = (vec![group(true), group(false)], vec![trial; numbers.len()]);
         Evaluation {

@@ -42,7 +42,7 @@ mod tests {
 
     use plan::{Choices, Event};
     use scene::Scene;
-    use simulation::{Disturbance, Settings, Trial};
+    use simulation::{Disturbance, FrictionIndex, Settings, Trial};
     use task::GraspError;
 
     use super::*;
@@ -61,7 +61,8 @@ mod tests {
         let mut below = task.goal;
         below[2] -= 3e-3;
         let pressing = Reference::straight(&task.start, &below, task.horizon);
-        let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
+        let trial =
+            Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
         let rollout = unlimited.rollout(Settings::default()).unwrap();
         let force = rollout.play(&pressing, trial.injection(), |_, _| {}).loads.contact_force;
         assert!(force > 0.05, "{force} N");

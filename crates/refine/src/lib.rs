@@ -256,7 +256,7 @@ impl<'run> Refiner<'run> {
     fn candidate(&self, solved: Solved, until: Deadline) -> Option<Candidate<'run>> {
         let fine = solved.with_all_steps();
         let references: Vec<Reference> =
-            fine.iter().map(|&index| candidate::reference(&solved.iterations[index].trajectory)).collect();
+            fine.iter().map(|&index| Reference::from(&solved.iterations[index].trajectory)).collect();
         let best = self.best_of(&references, until)?;
         let chosen = fine[best.winner.index] + 1;
         Some(self.candidate_of(best, Solved { chosen, ..solved }))

@@ -27,7 +27,7 @@ pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Kept) -> Option
         one.total_cmp(&other).then(many.cmp(&few))
     });
     let worst = worst?.clone();
-    let is_worst = |trial: &&Trial| target.frictions.get(trial.friction) == Some(&worst.friction);
+    let is_worst = |trial: &&Trial| target.frictions.get(trial.friction.0) == Some(&worst.friction);
     let failing: Vec<Trial> = best.failing.iter().filter(is_worst).copied().collect();
     let mut world = problem.world();
     world.horizon = best.reference.horizon();

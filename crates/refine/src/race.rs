@@ -46,7 +46,7 @@ pub fn race(
 #[cfg(test)]
 mod tests {
     use plan::{Choices, Problem};
-    use simulation::{Disturbance, Success};
+    use simulation::{Disturbance, FrictionIndex, Success};
     use task::{GraspError, at_rest};
 
     use super::*;
@@ -59,7 +59,9 @@ mod tests {
         let evaluator = Evaluator::new(&problem.world(), &[0.0], Success::default());
         let resting = Reference::new(0.1, &[at_rest(&task.start); 3]);
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
-        let trials = [Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() }; 30];
+        let trials =
+            [Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+                30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
         let winner = race(&evaluator, &references, (&trials, 6), &|| false).unwrap();
         assert_eq!((winner.index, winner.results.len()), (1, trials.len()));
