@@ -50,6 +50,7 @@ impl<'run> Session<'run> {
         self.end_of_work().is_some_and(|end| self.clock.elapsed() >= end)
     }
 
+    /// Tells the observer what has happened.
     pub fn tell(&self, event: Event) {
         self.observer.observe(&event);
     }

@@ -38,8 +38,7 @@ use std::time::Duration;
 
 use plan::ranges::require_threads;
 use plan::{
-    Event, Plan, PlanIteration, PlannerError, Problem, RobustnessReport, RobustnessTarget, Round, Session, Stop,
-    SuccessRates, Variant,
+    Event, Plan, PlannerError, Problem, RobustnessReport, RobustnessTarget, Round, Session, Stop, SuccessRates, Variant,
 };
 use simulation::{Evaluator, Reference, Strokes, Trial, TrialResult};
 use task::Trajectory;

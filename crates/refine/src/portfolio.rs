@@ -147,7 +147,7 @@ fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError], count: usi
         if length > 0.0 { length } else { 1.0 }
     };
     let (offset, turn) = (largest(|grasp| grasp.offset), largest(|grasp| grasp.turn));
-    let apart = |one: [f64; 3], other: [f64; 3]| norm(&std::array::from_fn(|axis| one[axis] - other[axis]));
+    let apart = |one: [f64; 3], other: [f64; 3]| norm(&[0, 1, 2].map(|axis| one[axis] - other[axis]));
     let distance = |one: &GraspError, other: &GraspError| {
         (apart(one.offset, other.offset) / offset).hypot(apart(one.turn, other.turn) / turn)
     };

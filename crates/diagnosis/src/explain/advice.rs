@@ -255,7 +255,7 @@ impl Case<'_> {
 }
 
 fn position_error(state: &[f64; STATE], goal: &[f64; POSE]) -> f64 {
-    norm(&std::array::from_fn(|axis| state[axis] - goal[axis]))
+    norm(&[0, 1, 2].map(|axis| state[axis] - goal[axis]))
 }
 
 /// Shortest edge of the smallest box along the axes that holds some parts (m).

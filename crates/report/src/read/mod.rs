@@ -9,7 +9,7 @@ mod simulation;
 
 use std::path::{Path, PathBuf};
 
-use plan::PlannerError;
+use ::plan::PlannerError;
 use store::{MANIFEST, RESULT, SUCCESS, require_moved};
 
 use crate::model::PageData;

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use plan::{PlannerError, Problem, homotopy};
+use plan::{Format, PlannerError, Problem, homotopy};
 use scene::Scene;
 
+use crate::Cell;
 use crate::batch::matrix::{Key, Matrix, Starts};
-use crate::{Cell, Format};
 
 /// More cells than anyone solves.
 const MOST_CELLS: usize = 100_000;
