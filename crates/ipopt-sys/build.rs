@@ -24,8 +24,7 @@ fn main() {
     println!("cargo::metadata=version={}", library.version);
     let folders_of_libraries = std::env::join_paths(&library.link_paths).expect("folders of libraries have no colon");
     println!("cargo::metadata=library_folders={}", folders_of_libraries.display());
-    let mumps = std::env::var_os("CARGO_FEATURE_MUMPS").map(|_| mumps(&folders));
-    bind(&interface, mumps.as_deref(), &folders);
+    bind(&interface, &folders);
 }
 
 /// Ends the build with what is missing and what to do.
@@ -58,19 +57,8 @@ fn refuse_other_numbers(interface: &Path) {
     }
 }
 
-/// Links the MUMPS that Ipopt uses and returns its header: COIN-OR's, or Debian's.
-fn mumps(folders: &[PathBuf]) -> PathBuf {
-    if let Some(header) = find(folders, "mumps/dmumps_c.h") {
-        println!("cargo::rustc-link-lib=coinmumps");
-        return header;
-    }
-    println!("cargo::rustc-link-lib=dmumps_seq");
-    let header = find(folders, "dmumps_c.h").or_else(|| find(&["/usr/include".into()], "dmumps_c.h"));
-    header.unwrap_or_else(|| fail("the header dmumps_c.h is missing: apt-get install libmumps-seq-dev"))
-}
-
-fn bind(interface: &Path, mumps: Option<&Path>, folders: &[PathBuf]) {
-    let mut builder = bindgen::Builder::default()
+fn bind(interface: &Path, folders: &[PathBuf]) {
+    let builder = bindgen::Builder::default()
         .header(interface.to_string_lossy())
         .clang_args(folders.iter().map(|folder| format!("-I{}", folder.display())))
         .allowlist_function("(Create|Free)IpoptProblem|AddIpopt(Str|Num|Int)Option|SetIntermediateCallback|IpoptSolve")
@@ -78,9 +66,6 @@ fn bind(interface: &Path, mumps: Option<&Path>, folders: &[PathBuf]) {
         .default_enum_style(bindgen::EnumVariation::ModuleConsts)
         .generate_comments(false)
         .layout_tests(false);
-    if let Some(mumps) = mumps {
-        builder = builder.header(mumps.to_string_lossy()).allowlist_function("dmumps_c");
-    }
     // Where there is no libclang, bindgen panics.
     let bindings = match catch_unwind(AssertUnwindSafe(|| builder.generate())) {
         Ok(Ok(bindings)) => bindings,

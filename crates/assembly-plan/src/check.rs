@@ -1,7 +1,7 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
 use planner::check::{Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports};
-use planner::{Problem, axis_name};
+use planner::{Problem, axis_name, warnings};
 
 use crate::arguments::CheckArguments;
 use crate::console::{print_json, say, tell};
@@ -22,7 +22,7 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, CommandError> {
     let tau = arguments.tau.unwrap_or(problem.homotopy().tau);
     let (is_refused, warnings) = match arguments.pose {
         Some(Pose(pose)) => {
-            let warnings = problem.warnings();
+            let warnings = warnings::of_problem(&problem);
             warnings.iter().for_each(|warning| tell!("warning: {warning}"));
             let reports = pair_reports(&problem, &pose, tau)?;
             if arguments.json {

@@ -1,8 +1,8 @@
 //! `new`: write a scene to begin with, and say what was found and chosen.
 
 use planner::files::write_new_scene;
-use planner::{Problem, Starter, StarterFit, axis_name, starter};
-use scene::{Axis, FilePair, StarterValues};
+use planner::{Problem, Starter, StarterFit, axis_name, starter, warnings};
+use scene_templates::{Axis, FilePair, StarterValues};
 
 use crate::arguments::NewArguments;
 use crate::console::{say, tell};
@@ -15,7 +15,7 @@ pub fn run(arguments: &NewArguments) -> Result<Exit, CommandError> {
     let file = arguments.file.display();
     say!("written to {file}");
     print_starter(&starter);
-    starter.problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
+    warnings::of_problem(&starter.problem).iter().for_each(|warning| tell!("warning: {warning}"));
     say!("next: assembly-plan check {file}");
     Ok(Exit::Done)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use planner::check::refusal;
 use planner::files::{PlanFolder, PlanResult};
-use planner::{Outcome, Plan, PlannerError, Problem, RunClock, Session, Stop, refine};
+use planner::{Keeper, Outcome, Plan, PlannerError, Problem, RunClock, Session, Stop, refine, warnings};
 
 use crate::arguments::SolveArguments;
 use crate::console::{say, tell};
@@ -25,9 +25,9 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
     if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&arguments.task.scene, reason).into());
     }
-    let target = arguments.target(problem.scene());
+    let target = arguments.target(problem.scene())?;
     target.validate()?;
-    problem.warnings().iter().for_each(|warning| tell!("warning: {warning}"));
+    warnings::of_problem(&problem).iter().for_each(|warning| tell!("warning: {warning}"));
     let progress = Progress::new(&arguments.progress)?.until(clock.deadline());
     let chosen = problem.chosen();
     if !chosen.is_empty() {
@@ -64,7 +64,7 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
     }
     let was_interrupted = session.is_interrupted();
     progress.end();
-    plan.own_warnings().iter().for_each(|warning| tell!("warning: {warning}"));
+    warnings::of_plan(&plan).iter().for_each(|warning| tell!("warning: {warning}"));
     let result: PlanResult = folder.finish(&plan)?;
     say!("{}", summary(&result));
     plan.can_go_on().then(|| say!("{}", going_on(arguments, &out)));

@@ -4,7 +4,8 @@ use std::ops::RangeInclusive;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use export::Target;
-use scene::{Axis, NORM_TOLERANCE};
+use scene::NORM_TOLERANCE;
+use scene_templates::Axis;
 use task::LinearSolver;
 
 /// A pose from the command line, its quaternion scaled to exact norm.

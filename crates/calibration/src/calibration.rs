@@ -1,7 +1,7 @@
 //! The search: fit, see what the logs tell, hold the rest, and fit again.
 
 use faer::Mat;
-use planner::{PlannerError, Problem};
+use plan::{PlannerError, Problem};
 use workers::Workers;
 
 use crate::deviation::COMPONENTS;

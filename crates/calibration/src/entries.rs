@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use nalgebra::Matrix6;
-use planner::files::{read_text, write_new_scene};
-use planner::{PlannerError, Problem};
+use plan::{PlannerError, Problem};
 use scene::{Robot, Scene, Source};
+use store::{read_text, write_new_scene};
 use task::Inertia;
 use toml_edit::{Array, DocumentMut, Item, Table, Value};
 

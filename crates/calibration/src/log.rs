@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use export::ImpedanceRecord;
 use nalgebra::Isometry3;
-use planner::PlannerError;
-use planner::files::{PLAYING, RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
+use plan::PlannerError;
+use plan::records::ImpedanceRecord;
 use scene::Scene;
 use serde::Deserialize;
 use simulation::isometry;
+use store::{PLAYING, RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
 use task::{STATE, pose_of};
 
 /// Longest time between two rows (s): between them, nobody knows what the robot did.

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use faer::Mat;
 use nalgebra::Matrix6;
-use planner::Problem;
+use plan::Problem;
 use simulation::{ArmModel, Rollout, Settings, isometry};
 use task::{AssemblyTask, GraspError, Inertia};
 use workers::Workers;

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use planner::Problem;
+use plan::Problem;
 use simulation::{ArmModel, Settings};
 
 use crate::run::Run;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use planner::Problem;
+use plan::Problem;
 use serde::Serialize;
 
 use crate::calibration::{Calibration, Covariance, Estimate, Misfit, RunResult};

@@ -1,7 +1,7 @@
 //! A log in the form in which rollouts play and are compared with it.
 
 use nalgebra::{Isometry3, Vector3};
-use planner::{Millimetres, PlannerError, Problem};
+use plan::{Millimetres, PlannerError, Problem};
 use simulation::{Reference, coordinates, interpolate, isometry};
 use task::{AssemblyTask, GraspError, Impedance, STATE};
 

@@ -1,13 +1,14 @@
 //! `plan.json`: what a player needs to know besides the trajectory.
 
-use nalgebra::{Matrix3, SMatrix};
-use planner::files::{CoverageRecord, StoredPlan};
-use planner::{ArmCourse, PlannerError, Problem};
+use nalgebra::SMatrix;
+use plan::records::ImpedanceRecord;
+use plan::{ArmCourse, PlannerError, Problem};
 use robot::{Joint, JointKind, JointVector};
 use scene::Robot;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use simulation::{Reference, coordinates, isometry};
-use task::{Impedance, Limits};
+use store::{CoverageRecord, StoredPlan};
+use task::Limits;
 
 use crate::expectation::{Expectation, PhaseGuards};
 use crate::frames::Frames;
@@ -81,19 +82,6 @@ pub struct Document {
     pub torque_step_nm_per_ms: Option<f64>,
     /// The arm, if the scene has one.
     pub arm: Option<ArmRecord>,
-}
-
-/// The controller of a plan.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ImpedanceRecord {
-    /// Along every axis (N/m).
-    pub translational_stiffness: f64,
-    /// About every axis (Nm/rad).
-    pub rotational_stiffness: f64,
-    /// Rows along the axes of the world (Ns/m).
-    pub translational_damping: [[f64; 3]; 3],
-    /// Rows along the axes of the part (Nms/rad).
-    pub rotational_damping: [[f64; 3]; 3],
 }
 
 /// An arm as a chain of joints.
@@ -217,29 +205,6 @@ fn warnings(plan: &StoredPlan, trial: &TrialRecord, anyway: bool, has_arm: bool)
         "the scene has no arm: poses are those of the part in the world, not of a tool in a robot's base".to_owned()
     });
     not_done.into_iter().chain(trial.low_rates()).chain(trial.excess()).chain(wanted).chain(no_arm).collect()
-}
-
-impl From<&Impedance> for ImpedanceRecord {
-    fn from(impedance: &Impedance) -> Self {
-        Self {
-            translational_stiffness: impedance.translational_stiffness,
-            rotational_stiffness: impedance.rotational_stiffness,
-            translational_damping: rows(&impedance.translational_damping),
-            rotational_damping: rows(&impedance.rotational_damping),
-        }
-    }
-}
-
-impl From<&ImpedanceRecord> for Impedance {
-    fn from(record: &ImpedanceRecord) -> Self {
-        let matrix = |rows: &[[f64; 3]; 3]| Matrix3::from_fn(|row, column| rows[row][column]);
-        Self {
-            translational_stiffness: record.translational_stiffness,
-            rotational_stiffness: record.rotational_stiffness,
-            translational_damping: matrix(&record.translational_damping),
-            rotational_damping: matrix(&record.rotational_damping),
-        }
-    }
 }
 
 impl ArmRecord {

@@ -1,10 +1,10 @@
 //! What a plan expects while it is executed, and when a player has to stop.
 
-use planner::PlannerError;
-use planner::files::trajectory::read_tables;
-use planner::files::{MotionTables, StoredPlan};
+use plan::PlannerError;
 use serde::Serialize;
 use simulation::isometry;
+use store::trajectory::read_tables;
+use store::{MotionTables, StoredPlan};
 use task::{GraspError, pose_of};
 
 use crate::frames::Frames;

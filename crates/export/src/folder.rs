@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use planner::PlannerError;
-use planner::files::{WorkFolder, hash, read_bytes, read_text, remove_file, write_file};
+use plan::{PlannerError, hash};
+use store::{WorkFolder, read_bytes, read_text, remove_file, write_file};
 
 /// Hashes of all files of an export, as `sha256sum --check` reads them. It is moved out first and in last: where it stands, the
 /// export is whole.

@@ -1,8 +1,8 @@
 //! Free air: where the part touches nothing, wherever it sits in the gripper.
 
 use nalgebra::{Isometry3, Vector3};
-use planner::Problem;
-use planner::carried::{CarriedWorld, Frames};
+use plan::Problem;
+use plan::carried::{CarriedWorld, Frames};
 use serde::Serialize;
 use simulation::{coordinates, isometry};
 use task::{AssemblyTask, POSE, STATE, pose_of};

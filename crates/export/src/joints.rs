@@ -1,7 +1,7 @@
 //! What the joints of an arm make of a motion: what their friction holds, and how torques step.
 
 use nalgebra::{Vector3, Vector6};
-use planner::ArmCourse;
+use plan::ArmCourse;
 use robot::JointVector;
 use scene::Robot;
 use task::{GraspError, Impedance, STATE};

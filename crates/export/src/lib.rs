@@ -35,7 +35,7 @@ mod urscript;
 mod wrench;
 mod write;
 
-pub use document::{ArmRecord, Document, ImpedanceRecord, JointRecord};
+pub use document::{ArmRecord, Document, JointRecord};
 pub use expectation::{Expectation, Guards, PhaseGuards};
 pub use folder::SUMS;
 pub use frames::{Frames, ToolGains, ToolState};

@@ -1,8 +1,8 @@
 //! The reference at the rate of a robot.
 
-use planner::PlannerError;
-use planner::files::{StateRow, to_csv};
+use plan::PlannerError;
 use simulation::coordinates;
+use store::{StateRow, to_csv};
 
 use crate::frames::{Frames, ToolState};
 use crate::smooth::SmoothReference;

@@ -1,9 +1,9 @@
 //! How good a plan is as it is exported: rollouts with hard contact of exactly this reference.
 
-use planner::files::StoredPlan;
-use planner::{PlannerError, Problem};
+use plan::{PlannerError, Problem};
 use serde::Serialize;
 use simulation::{Settings, offsets, wilson_interval};
+use store::StoredPlan;
 use task::GraspError;
 use workers::Workers;
 

@@ -1,9 +1,9 @@
 //! `wrench.csv`: what the controller is expected to do at the tool point.
 
-use planner::PlannerError;
-use planner::files::trajectory::{WrenchRow, read_tables};
-use planner::files::{StoredPlan, to_csv};
+use plan::PlannerError;
 use simulation::isometry;
+use store::trajectory::{WrenchRow, read_tables};
+use store::{StoredPlan, to_csv};
 use task::pose_of;
 
 use crate::frames::Frames;

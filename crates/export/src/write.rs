@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use planner::PlannerError;
-use planner::files::{RESULT, StoredPlan, hash, read_bytes, require_folder};
+use plan::{PlannerError, hash};
+use store::{RESULT, StoredPlan, read_bytes, require_folder};
 
 use crate::document::{Document, Exported};
 use crate::folder::{ExportFolder, SUMS};

@@ -2,9 +2,9 @@
 
 use export::{Frames, SmoothReference, resample, trajectory_csv};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use planner::files::{StateRow, read_csv, write_file};
 use proptest::prelude::*;
 use simulation::{Reference, coordinates};
+use store::{StateRow, read_csv, write_file};
 
 /// A robot whose tool is the part and whose base is the world.
 fn here() -> Frames {

@@ -68,8 +68,6 @@ mod error;
 mod handle;
 mod kkt_solver;
 mod linear_solver;
-#[cfg(feature = "mumps")]
-mod mumps;
 mod options;
 mod problem;
 mod slot;
@@ -82,8 +80,6 @@ pub use derivative_check::{DerivativeReport, Entry, Kind, check_derivatives};
 pub use error::SolveError;
 pub use kkt_solver::{AnalysisError, Factorisation, KktSolver, LinearSystemSolver};
 pub use linear_solver::{MUMPS, takes_own_solver};
-#[cfg(feature = "mumps")]
-pub use mumps::Mumps;
 pub use options::{OptionValue, Options};
 pub use problem::{Bounds, EvaluationError, Pattern, Problem};
 pub use solution::{Control, Iterate, Progress, Solution, Start, Timing};

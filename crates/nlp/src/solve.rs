@@ -22,14 +22,8 @@ static LINEAR_SOLVERS: RwLock<()> = RwLock::new(());
 
 /// Keeps apart solves that must not run simultaneously.
 enum Turn {
-    Shared {
-        _guard: RwLockReadGuard<'static, ()>,
-    },
-    Alone {
-        _guard: RwLockWriteGuard<'static, ()>,
-        #[cfg(feature = "mumps")]
-        _mumps: std::sync::MutexGuard<'static, ()>,
-    },
+    Shared { _guard: RwLockReadGuard<'static, ()> },
+    Alone { _guard: RwLockWriteGuard<'static, ()> },
 }
 
 /// Solves `problem` from `start`. `observer` sees every iteration and may stop the solve. Solves with a linear solver
@@ -120,11 +114,7 @@ impl<'solver> SolverInUse<'solver> {
     fn new(linear_solver: LinearSystemSolver<'solver>) -> Result<Self, SolveError> {
         match linear_solver {
             LinearSystemSolver::Named(name) => {
-                let turn = Turn::Alone {
-                    _guard: LINEAR_SOLVERS.write().unwrap_or_else(PoisonError::into_inner),
-                    #[cfg(feature = "mumps")]
-                    _mumps: crate::mumps::lock(),
-                };
+                let turn = Turn::Alone { _guard: LINEAR_SOLVERS.write().unwrap_or_else(PoisonError::into_inner) };
                 linear_solver::require(name)?;
                 Ok(Self { name: name.to_owned(), own: None, _turn: turn })
             }

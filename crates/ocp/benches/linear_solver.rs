@@ -9,7 +9,8 @@ use std::path::Path;
 
 use cpu_time::ThreadTime;
 use feral::{CscMatrix, FactorStatus};
-use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Mumps, Options, Start};
+use mumps_oracle::Mumps;
+use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Options, Start};
 use ocp::{Transcription, TranscriptionSolver};
 use task::{AssemblyTask, Complementarity, HessianKind};
 use workers::Workers;

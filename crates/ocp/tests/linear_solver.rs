@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use kkt::Fallbacks;
+use mumps_oracle::Mumps;
 use nalgebra::{Matrix6, Vector3, Vector6};
-use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Mumps, Options, SolveStatus, Start};
+use nlp::{AnalysisError, Control, Factorisation, KktSolver, LinearSystemSolver, Options, SolveStatus, Start};
 use ocp::{Transcription, TranscriptionSolver};
 use task::{AssemblyTask, Complementarity, HessianKind, Impedance, Inertia, Limits};
 use workers::Workers;

@@ -1,4 +1,5 @@
-//! Plans of robotic assembly motions: load, check, solve, simulate, refine, batches, and the files of all that.
+//! Plans of robotic assembly motions: load, check, solve, simulate, refine, batches, and the files of all that. The work is done in
+//! crates of their own, which this one puts under one name.
 //!
 //! Nothing here prints, reads arguments or handles signals: a [`Session`] says who watches a computation and how it is
 //! stopped, a [`PlannerError`] why something could not be done.
@@ -25,18 +26,13 @@
 //! # }
 //! ```
 //!
-//! | module | what it holds |
+//! | here | what it holds |
 //! |---|---|
-//! | [`Problem`] | one start and offset magnitude of a scene with its homotopy: the one gate for all input |
-//! | [`solve`], [`refine`](mod@refine) | from a problem to a [`Plan`], and to a robust one |
-//! | [`simulate`](mod@simulate) | rollouts of plans, success rates |
-//! | [`Execution`] | what a robot did, beside a rollout |
-//! | [`explain`] | why a plan is not done |
-//! | [`ArmCourse`] | how the joints of an arm move along a plan |
+//! | [`Problem`], [`solve()`], [`simulate`](mod@simulate) | the crate `plan`: a problem, its solution, rollouts of that |
+//! | [`check`](mod@check), [`explain`], [`warnings`] | `diagnosis`: why a scene or a plan does not work |
+//! | [`refine()`], [`test`] | `refine`: robust plans |
+//! | [`files`], [`batch`], [`Execution`] | `store`: every file that is written or read |
 //! | [`starter`](fn@starter) | a scene to begin with, from two files |
-//! | [`check`](mod@check) | what a scene says, without solving it |
-//! | [`batch`] | every start, offset magnitude and homotopy of some scenes |
-//! | [`files`] | every file that is written or read |
 //!
 //! The paper is *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order Derivatives*
 //! by Dietz et al., numbers as in the preprint:
@@ -46,62 +42,32 @@
 //! | homotopy, Sec. V-D | `Sec. ocp:homotopy` | [`solve()`] |
 //! | Fig. 12, success by modelled and injected offset | `Fig. realworldresults` | [`SuccessTable`] |
 
-mod arm_course;
-mod attempt;
-pub mod batch;
-pub mod carried;
-pub mod check;
-mod clearance;
-mod clock;
-mod engagement;
-mod error;
-mod event_record;
-mod executed;
-pub mod explain;
-pub mod files;
-mod homotopy_run;
-mod iteration;
-mod length;
-mod or_null;
-mod plan;
-mod play;
-mod problem;
-mod ranges;
-pub mod refine;
-mod robustness;
-mod session;
-pub mod simulate;
-mod solve;
 mod starter;
-mod success_rates;
-mod success_table;
-mod tolerance;
-mod variant;
-mod warnings;
 
-pub use arm_course::ArmCourse;
-pub use attempt::AttemptRecord;
-pub use clock::{Now, RunClock};
-pub use engagement::{Engagement, engagement};
-pub use error::{Fault, PlannerError, Unusable};
-pub use executed::{Ending, Execution};
-pub use explain::axis_name;
-pub use iteration::{Fallbacks, IterationRecord, PlanIteration, Split, StageSolverRecord};
-pub use length::Millimetres;
+/// Every file of a plan, a batch or a simulation.
+pub mod files {
+    pub use plan::records::{Extreme, GraspRecord, MotionRecord};
+    pub use plan::{Checkpoint, Format, hash};
+    pub use refine::{BestRecord, RefinementCheckpoint, TrialRecord};
+    pub use store::*;
+}
+
+pub use ::refine::{refine, refine_reference, test};
+pub use diagnosis::{check, explain, warnings};
 pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;
-pub use plan::{Cut, Outcome, Plan, PlanStatus, Stop};
-pub use problem::{Choices, Problem, homotopy};
-pub use refine::{RobustnessTarget, refine, refine_reference, test};
-pub use robustness::{PushReport, RobustnessReport, Round, TestReport};
-pub use session::{Event, Observer, Session};
-pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, Region, SimulationRequest, simulate};
-pub use solve::solve;
+pub use plan::directions::axis_name;
+pub use plan::records::AttemptRecord;
+pub use plan::{
+    ArmCourse, Choices, ChosenTolerance, Cut, Engagement, Event, Fallbacks, Fault, GraspErrors, IterationRecord,
+    Keeper, Millimetres, Motion, Now, Observer, OffsetRegion, OffsetSource, Outcome, Plan, PlanIteration, PlanStatus,
+    PlannerError, PlayedRollout, Problem, PushReport, Region, RobustParameters, RobustnessReport, RobustnessTarget,
+    Round, RunClock, Session, SimulationRequest, Split, StageSolverRecord, Stop, SuccessGroup, SuccessRate,
+    SuccessRates, SuccessTable, TestReport, Unusable, VERSION, Variant, carried, engagement, homotopy, interval,
+    max_force, rate, simulate, solve,
+};
 pub use starter::{Starter, StarterFit, require_plannable, starter};
-pub use success_rates::{OffsetRegion, SuccessRate, SuccessRates, interval, max_force, rate};
-pub use success_table::{SuccessGroup, SuccessTable};
-pub use tolerance::ChosenTolerance;
-pub use variant::Variant;
+pub use store::{Ending, Execution, batch};
 
 /// The examples of `docs/reference/library.md` compile.
 #[cfg(doctest)]

@@ -2,14 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use diagnosis::check::refusal;
 use nalgebra::Vector3;
-use scene::{Axis, FilePair, Scene, Source, StarterPoses, StarterValues, probe_scene, starter_scene};
+use plan::clearance::{Clearance, position};
+use plan::{Choices, PlannerError, Problem};
+use scene::{Scene, Source};
+use scene_templates::{Axis, FilePair, StarterPoses, StarterValues, probe_scene, starter_scene};
 use task::AssemblyTask;
-
-use crate::check::refusal;
-use crate::clearance::{Clearance, position};
-use crate::error::PlannerError;
-use crate::problem::{Choices, Problem};
 
 /// Height (m) of the goal above the place in the files, where parts touch; at most this share of the body's height.
 const LIFT: f64 = 2e-4;

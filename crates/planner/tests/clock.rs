@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 
 use planner::files::{PlanFolder, StoredPlan, read_result};
 use planner::{
-    Choices, Cut, Event, Outcome, Plan, PlanStatus, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop,
-    refine, solve, test,
+    Choices, Cut, Event, Keeper, Outcome, Plan, PlanStatus, PlannerError, Problem, RobustnessTarget, RunClock, Session,
+    Stop, refine, solve, test,
 };
 
 fn scene(name: &str) -> PathBuf {
@@ -34,6 +34,7 @@ fn solved_until(problem: &Problem, folder: Option<&PlanFolder>, last: Option<usi
         passed.fetch_add(200 * u64::from(is_last), Ordering::Relaxed);
     };
     let clock = RunClock::with(&now).limited(Some(LIMIT));
+    let folder = folder.map(|folder| folder as &dyn Keeper);
     solve(problem, &Session { folder, clock, threads: 1, ..Session::new(&observer, &stopped) })
 }
 

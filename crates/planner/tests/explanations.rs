@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use planner::explain::{DependencyRecord, FailureExplanation};
+use planner::explain::{DependencyRecord, FailureExplanation, explanation};
 use planner::{
     Choices, Event, GraspErrors, Motion, OffsetSource, Plan, PlanStatus, Problem, RobustnessTarget, Session,
     SimulationRequest, refine, simulate, solve,
@@ -64,8 +64,8 @@ fn plan_with(changes: &[(&str, &str)], added: &str) -> Plan {
 }
 
 #[track_caller]
-fn explanation(plan: &Plan) -> FailureExplanation {
-    plan.explanation().unwrap_or_else(|| panic!("{}", plan.status()))
+fn explained(plan: &Plan) -> FailureExplanation {
+    explanation(plan).unwrap_or_else(|| panic!("{}", plan.status()))
 }
 
 #[track_caller]
@@ -85,14 +85,14 @@ const SHELF: &str = "\n[[environment.part]]\nname = \"shelf\"\nbox = [0.6, 0.6, 
 fn a_plan_that_is_done_needs_no_explanation() {
     let plan = plan_with(&[], "");
     assert_eq!(plan.status(), PlanStatus::Planned);
-    assert_eq!(plan.explanation(), None);
+    assert_eq!(explanation(&plan), None);
 }
 
 #[test]
 fn a_shelf_in_the_way_is_named_as_what_holds_the_body() {
     let plan = plan_with(&[("position = [0.0, 0.0, 0.08]", "position = [0.0, 0.0, 0.17]")], SHELF);
     assert_eq!(plan.status(), PlanStatus::GoalMissed);
-    let explanation = explanation(&plan);
+    let explanation = explained(&plan);
     assert_eq!(explanation.scenarios.len(), 2, "both scenarios");
     for scenario in &explanation.scenarios {
         // The middle of the shelf is 69 mm above the goal.
@@ -110,7 +110,7 @@ fn a_shelf_in_the_way_is_named_as_what_holds_the_body() {
 #[test]
 fn a_goal_inside_of_a_part_is_named_with_its_depth() {
     let plan = plan_with(&[("position = [0.0, 0.0, 0.031]", "position = [0.0, 0.0, 0.01]")], "");
-    let explanation = explanation(&plan);
+    let explanation = explained(&plan);
     advises(&explanation, &["[goal]", "box/floor", "20.00 mm"]);
     says_nothing_of(&explanation, "[[start]]");
 }
@@ -120,7 +120,7 @@ fn a_horizon_that_is_too_short_is_named_and_the_advised_one_is_long_enough() {
     let limits = "\n[limits]\nforce = 1.0\n";
     let plan = plan_with(&[("steps = 10", "steps = 3")], limits);
     assert_eq!(plan.status(), PlanStatus::GoalMissed);
-    let explanation = explanation(&plan);
+    let explanation = explained(&plan);
     assert!(explanation.scenarios.iter().all(|scenario| scenario.end.from_s.is_none()), "they still come nearer");
     advises(&explanation, &["[limits]: force = 1 N is reached in 3 of 3 steps"]);
     let advice = explanation.advice.iter().find(|advice| advice.starts_with("[horizon]")).expect("advice of a horizon");
@@ -136,7 +136,7 @@ fn a_limit_that_does_not_let_the_start_come_out_of_a_part_contradicts_its_gap() 
     for (limit, value) in [("translational_acceleration", 0.5), ("translational_velocity", 0.1)] {
         let plan = plan_with(&[sunk], &format!("\n[limits]\n{limit} = {value}\n"));
         assert!(matches!(plan.status(), PlanStatus::NotConverged { .. }), "{}", plan.status());
-        let explanation = explanation(&plan);
+        let explanation = explained(&plan);
         let named = |dependency: &DependencyRecord, word: &str| {
             dependency.constraints.iter().any(|constraint| constraint.starts_with(word))
         };
@@ -156,7 +156,7 @@ fn two_parts_that_leave_no_room_contradict_each_other() {
     };
     let walls = part("left", -0.09) + &part("right", 0.09);
     let plan = plan_with(&[("position = [0.0, 0.0, 0.08]", "position = [0.0, 0.0, 0.25]")], &walls);
-    let explanation = explanation(&plan);
+    let explanation = explained(&plan);
     let contradiction = &explanation.dependencies[0];
     assert!(contradiction.contradict, "{contradiction}");
     for pair in ["box/left", "box/right"] {
@@ -168,7 +168,7 @@ fn two_parts_that_leave_no_room_contradict_each_other() {
 fn the_largest_violation_is_that_of_the_solver() {
     let sunk = ("position = [0.0, 0.0, 0.08]", "position = [0.0, 0.0, 0.0]");
     let plan = plan_with(&[sunk], "\n[limits]\ntranslational_acceleration = 0.5\n");
-    let residuals = explanation(&plan).residuals;
+    let residuals = explained(&plan).residuals;
     let [first, ..] = &residuals[..] else { panic!("no violation") };
     assert!((first.violation - plan.chosen().record.constraint_violation).abs() < 1e-9, "{first}");
     assert_eq!((first.kind.as_str(), first.pair.as_deref()), ("gap", Some("box/floor")));
@@ -179,7 +179,7 @@ fn the_largest_violation_is_that_of_the_solver() {
 
 #[test]
 fn an_iteration_limit_is_named() {
-    let explanation = explanation(&plan_with(&[("max_iter = 500", "max_iter = 2")], ""));
+    let explanation = explained(&plan_with(&[("max_iter = 500", "max_iter = 2")], ""));
     advises(&explanation, &["[ipopt]: max_iter", "after 2 iterations"]);
 }
 
@@ -193,7 +193,7 @@ fn a_plan_that_is_not_robust_names_the_friction_and_an_error_that_fails_in_simul
     let session = Session::new(&|_: &Event| {}, &stopped);
     let plan = refine(plan_of(&problem), &target, &session).unwrap();
     assert_eq!(plan.status(), PlanStatus::NotRobust);
-    assert_eq!(plan.explanation(), None, "a refined plan has its own");
+    assert_eq!(explanation(&plan), None, "a refined plan has its own");
     let report = plan.robustness.as_ref().unwrap();
     let loss = report.loss.as_ref().unwrap();
     let least = report.after.by_friction().map(planner::rate).fold(1.0, f64::min);

@@ -5,7 +5,9 @@ use std::time::Duration;
 
 use ::scene::{Scene, Source, parse_homotopy};
 use planner::files::PlanFolder;
-use planner::{Choices, GraspErrors, OffsetSource, PlannerError, Problem, Region, RobustnessTarget, SimulationRequest};
+use planner::{
+    Choices, GraspErrors, Keeper, OffsetSource, PlannerError, Problem, Region, RobustnessTarget, SimulationRequest,
+};
 use pyo3::FromPyObject;
 use task::LinearSolver;
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use planner::files::trajectory::read_tables;
 use planner::files::{MotionTables, PlanFolder, PlanResult, RESOLVED, STAGES, StoredPlan, read_text};
-use planner::{Motion as Played, PlannerError, Problem};
+use planner::{Keeper, Motion as Played, PlannerError, Problem};
 use pyo3::prelude::*;
 use simulation::Reference;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ::scene::{Part, Source};
 use planner::check::{explain, pair_reports, refusal};
-use planner::{PlannerError, RobustnessTarget, RunClock, Session, Stop, refine};
+use planner::{Keeper, PlannerError, RobustnessTarget, RunClock, Session, Stop, refine, warnings};
 use pyo3::prelude::*;
 use serde::Serialize;
 use serde_json::json;
@@ -121,16 +121,17 @@ fn solve(
         return Err(PlannerError::file(&read.file, reason));
     }
     let target = robust.map(|robust| robust.target(problem.scene())).transpose()?;
-    problem.warnings().into_iter().for_each(|warning| watch.warn(warning));
+    warnings::of_problem(&problem).into_iter().for_each(|warning| watch.warn(warning));
     let folder = options.claim(&inputs.iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>())?;
     let clock = clock.limited(target.as_ref().map(|target| target.time_limit));
-    let session = Session { folder: folder.as_ref(), clock, ..watch.session(options.jobs) };
+    let keeper = folder.as_ref().map(|folder| folder as &dyn Keeper);
+    let session = Session { folder: keeper, clock, ..watch.session(options.jobs) };
     let mut plan = planner::solve(&problem, &session)?;
     match &target {
         Some(target) => plan = refine(plan, target, &session)?,
         None => plan.tested = planner::test(&plan, &RobustnessTarget::of(&problem.scene().borne), &session)?,
     }
-    plan.own_warnings().into_iter().for_each(|warning| watch.warn(warning));
+    warnings::of_plan(&plan).into_iter().for_each(|warning| watch.warn(warning));
     // What is interrupted, is raised as such.
     let folder = folder.filter(|_| plan.stopped != Some(Stop::User));
     Plan::solved(plan, folder)

@@ -1,6 +1,6 @@
 //! From the data of a page to one HTML file that needs nothing else.
 
-use planner::PlannerError;
+use plan::PlannerError;
 
 use crate::model::PageData;
 

@@ -1,8 +1,8 @@
 //! What a page shows, as the JSON that is embedded in it. Lengths in m, angles in rad, forces in N, times in s; the
 //! page itself converts to what people read.
 
-use planner::files::{PlanResult, SimulationRecord, SuccessRow, Versions};
 use serde::Serialize;
+use store::{PlanResult, SimulationRecord, SuccessRow, Versions};
 
 /// The data of one page.
 #[derive(Debug, Clone, Serialize)]

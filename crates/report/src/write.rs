@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use planner::PlannerError;
-use planner::files::{read_text, require_folder, write_file};
+use plan::PlannerError;
+use store::{read_text, require_folder, write_file};
 
 use crate::figures::{BEGIN as FIGURE, figures};
 use crate::html::{BEGIN, PAGE, page};

@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
+use task::algebra::norm;
 use task::{Coverage, Horizon, Limits};
 
 use crate::error::SceneError;
 use crate::keys::key;
-use crate::pose::{norm, of_pose};
+use crate::pose::of_pose;
 use crate::scene::Scene;
 use crate::table::Table;
 

@@ -2,10 +2,11 @@
 
 use nalgebra::{Matrix3, Vector3};
 use task::Inertia;
+use task::algebra::norm;
 
 use crate::error::SceneError;
 use crate::part::GivenPart;
-use crate::pose::{norm, of_pose};
+use crate::pose::of_pose;
 
 /// Distance of the centre of mass from the origin, in sizes of the body, that counts as rounding.
 const CENTERED: f64 = 1e-6;

@@ -2,9 +2,10 @@
 
 use collision::{Pair, Polytope};
 use nalgebra::{Isometry3, Point3};
+use task::algebra::norm;
 
 use crate::boxes::corners_of;
-use crate::pose::{StartPose, between, norm, of_pose};
+use crate::pose::{StartPose, between, of_pose};
 
 /// Poses between a start and the goal that are looked at.
 const SAMPLES: usize = 9;

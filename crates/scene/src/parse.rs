@@ -1,6 +1,7 @@
 //! Reading scene files.
 
 use std::path::Path;
+use task::algebra::norm;
 
 use crate::carried::{CarriedShapes, gripper};
 use crate::chosen;
@@ -14,7 +15,7 @@ use crate::material::Material;
 use crate::motion_region::Motions;
 use crate::pairs::{Side, pairs};
 use crate::part::{GivenPart, given_parts};
-use crate::pose::{norm, pose};
+use crate::pose::pose;
 use crate::robot::{Robot, stiffness};
 use crate::scene::Scene;
 use crate::sections;

@@ -2,13 +2,14 @@
 
 use collision::Polytope;
 use nalgebra::Isometry3;
+use task::algebra::norm;
 use toml::Spanned;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::mesh::GivenMesh;
 use crate::model::link_shapes;
-use crate::pose::{isometry, norm, orientation};
+use crate::pose::{isometry, orientation};
 use crate::table::Table;
 
 /// A named convex part, placed in its parent's frame.

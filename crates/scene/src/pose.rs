@@ -1,6 +1,7 @@
 //! Positions, orientations and directions.
 
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
+use task::algebra::norm;
 use toml::Spanned;
 
 use crate::entry::Entry;
@@ -78,11 +79,6 @@ pub fn of_pose(pose: &[f64; 7]) -> Isometry3<f64> {
 pub fn between(from: &Isometry3<f64>, to: &Isometry3<f64>, share: f64) -> Isometry3<f64> {
     let rotation = from.rotation.try_slerp(&to.rotation, share, 1e-9).unwrap_or(to.rotation);
     Isometry3::from_parts(from.translation.vector.lerp(&to.translation.vector, share).into(), rotation)
-}
-
-/// Euclidean norm.
-pub fn norm(vector: &[f64]) -> f64 {
-    vector.iter().map(|component| component * component).sum::<f64>().sqrt()
 }
 
 fn is_unit(norm: f64) -> bool {

@@ -8,34 +8,56 @@ use crate::homotopy;
 use crate::part::Part;
 use crate::pose::StartPose;
 use crate::robot::Robot;
-use crate::scene::Scene;
+use crate::scene::{Borne, Scene};
 
 /// Text of a scene file that contains all defaults, the given start and offset magnitude (m), meshes as halfspaces, and
 /// the tables of the homotopy.
 pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotopy: &HomotopySettings) -> String {
-    let (homotopy, ipopt) = homotopy::tables(homotopy);
-    let mut body = table([("part", parts(&scene.body))]);
-    let mass = scene.inertia.mass();
-    if let Some(mass) = mass {
-        body.extend(table([("mass", mass.into()), ("inertia", rows(&scene.inertia.rotational()))]));
+    let mut document = world(scene, start);
+    merge(&mut document, settings(scene, offset_magnitude, homotopy));
+    merge(&mut document, requirements(scene));
+    text(&document)
+}
+
+/// What stands in the world, as text of tables of a scene file: shapes, start and goal.
+pub fn resolved_world(scene: &Scene, start: &StartPose) -> String {
+    text(&world(scene, start))
+}
+
+/// How a plan is made in that world, likewise: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy,
+/// what the joints and the controller of an arm do.
+pub fn resolved_settings(scene: &Scene, offset_magnitude: f64, homotopy: &HomotopySettings) -> String {
+    text(&settings(scene, offset_magnitude, homotopy))
+}
+
+fn text(document: &Table) -> String {
+    toml::to_string(document).expect("a table of plain values is valid TOML")
+}
+
+/// Adds the entries of a table to another, those of tables in both to each other.
+fn merge(document: &mut Table, other: Table) {
+    for (key, value) in other {
+        match (document.get_mut(&key), value) {
+            (Some(Value::Table(own)), Value::Table(value)) => merge(own, value),
+            (_, value) => drop(document.insert(key, value)),
+        }
     }
-    let pairs = scene
-        .pairs
-        .iter()
-        .map(|&(part, other)| vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into());
-    let mut contact = table([("pairs", Value::Array(pairs.collect()))]);
-    if scene.frictions != [0.0] {
-        contact.insert("friction".into(), numbers(&scene.frictions));
-    }
+}
+
+fn world(scene: &Scene, start: &StartPose) -> Table {
     let mut start_table = pose(&start.pose);
     start_table.insert("name".into(), start.name.clone().into());
-    let mut document = table([
-        ("title", scene.title.clone().into()),
-        ("body", body.into()),
+    table([
+        ("body", table([("part", parts(&scene.body))]).into()),
         ("environment", table([("part", parts(&scene.environment))]).into()),
-        ("contact", contact.into()),
         ("start", Value::Array(vec![start_table.into()])),
-        ("goal", goal(scene).into()),
+        ("goal", pose(&scene.goal).into()),
+    ])
+}
+
+fn settings(scene: &Scene, offset_magnitude: f64, homotopy: &HomotopySettings) -> Table {
+    let (homotopy, ipopt) = homotopy::tables(homotopy);
+    let mut settings = table([
         (
             "impedance",
             table([
@@ -46,7 +68,7 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
             ])
             .into(),
         ),
-        ("robustness", robustness(scene, offset_magnitude).into()),
+        ("robustness", grasp_errors(scene, offset_magnitude).into()),
         (
             "horizon",
             table([
@@ -66,48 +88,78 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
         ("homotopy", homotopy.into()),
         ("ipopt", ipopt.into()),
     ]);
-    let mut robot = scene.robot.as_ref().map_or(Table::new(), arm);
+    if scene.frictions != [0.0] {
+        settings.insert("contact".into(), table([("friction", numbers(&scene.frictions))]).into());
+    }
+    let mass = scene.inertia.mass();
+    if let Some(mass) = mass {
+        let body = table([("mass", mass.into()), ("inertia", rows(&scene.inertia.rotational()))]);
+        settings.insert("body".into(), body.into());
+    }
+    let mut robot = scene.robot.as_ref().map_or(Table::new(), joints);
     if mass.is_none() || scene.robot.is_some() {
         robot.insert("apparent_inertia".into(), rows(scene.inertia.matrix()));
     }
-    if !scene.gripper.is_empty() {
-        document.insert("gripper".into(), table([("part", parts(&scene.gripper))]).into());
-    }
     if !robot.is_empty() {
-        document.insert("robot".into(), robot.into());
+        settings.insert("robot".into(), robot.into());
     }
     if scene.limits != Limits::NONE {
-        document.insert("limits".into(), limits(&scene.limits).into());
+        settings.insert("limits".into(), limits(&scene.limits).into());
     }
-    toml::to_string(&document).expect("a table of plain values is valid TOML")
+    settings
 }
 
-/// The offsets that are planned for, and what a robust plan must bear.
-fn robustness(scene: &Scene, offset_magnitude: f64) -> Table {
-    let mut robustness = table([
-        ("offset_magnitude", offset_magnitude.into()),
-        ("friction", numbers(&scene.borne.frictions)),
-        ("turn", scene.borne.turn.into()),
-        ("inertia_error", scene.borne.inertia_error.into()),
-        ("stiffness_error", scene.borne.stiffness_error.into()),
-        ("delay", scene.borne.delay.into()),
+/// The rest: what is left out, what counts as success, what a robust plan must bear, and where the arm stands.
+fn requirements(scene: &Scene) -> Table {
+    let pairs = scene
+        .pairs
+        .iter()
+        .map(|&(part, other)| vec![scene.body[part].name.clone(), scene.environment[other].name.clone()].into());
+    let mut requirements = table([
+        ("title", scene.title.clone().into()),
+        ("contact", table([("pairs", Value::Array(pairs.collect()))]).into()),
+        ("goal", tolerances(scene).into()),
+        ("robustness", borne(&scene.borne).into()),
     ]);
+    if !scene.gripper.is_empty() {
+        requirements.insert("gripper".into(), table([("part", parts(&scene.gripper))]).into());
+    }
+    requirements.extend(scene.robot.as_ref().map(|robot| ("robot".to_owned(), arm(robot).into())));
+    requirements
+}
+
+/// The offsets and turns that are planned for.
+fn grasp_errors(scene: &Scene, offset_magnitude: f64) -> Table {
+    let mut errors = table([("offset_magnitude", offset_magnitude.into())]);
     match &scene.coverage {
         Coverage::Hull => {
             let directions = Value::Array(scene.offset_directions.iter().map(numbers).collect());
-            robustness.insert("offset_directions".into(), directions);
+            errors.insert("offset_directions".into(), directions);
         }
         // The directions follow from the axis.
         Coverage::Disc { axis } => {
-            robustness.extend(table([("coverage", "disc".into()), ("insertion_axis", numbers(axis))]));
+            errors.extend(table([("coverage", "disc".into()), ("insertion_axis", numbers(axis))]));
         }
-        Coverage::Ball => robustness.extend(table([("coverage", "ball".into())])),
+        Coverage::Ball => errors.extend(table([("coverage", "ball".into())])),
     }
     if scene.has_turned_scenarios() {
-        robustness.insert("turn_axes".into(), Value::Array(scene.turn_axes.iter().map(numbers).collect()));
+        let axes = Value::Array(scene.turn_axes.iter().map(numbers).collect());
+        errors.extend(table([("turn", scene.borne.turn.into()), ("turn_axes", axes)]));
     }
-    robustness.extend(scene.borne.edge_radius.map(|error| ("edge_radius".to_owned(), error.into())));
-    robustness
+    errors
+}
+
+/// What a robust plan must bear.
+fn borne(borne: &Borne) -> Table {
+    let mut table = table([
+        ("friction", numbers(&borne.frictions)),
+        ("turn", borne.turn.into()),
+        ("inertia_error", borne.inertia_error.into()),
+        ("stiffness_error", borne.stiffness_error.into()),
+        ("delay", borne.delay.into()),
+    ]);
+    table.extend(borne.edge_radius.map(|error| ("edge_radius".to_owned(), error.into())));
+    table
 }
 
 fn table<const N: usize>(entries: [(&str, Value); N]) -> Table {
@@ -148,15 +200,17 @@ fn arm(robot: &Robot) -> Table {
         ("base", pose(&robot.base).into()),
         ("configuration", numbers(robot.configuration.iter().take(joints))),
         ("rotor_inertia", numbers(&robot.rotor_inertia())),
-        ("joint_friction", numbers(&robot.joint_friction)),
-        ("control_period", robot.control_period.into()),
     ])
 }
 
-fn goal(scene: &Scene) -> Table {
-    let mut table = pose(&scene.goal);
+/// What acts on the joints of the arm besides the model of its file.
+fn joints(robot: &Robot) -> Table {
+    table([("joint_friction", numbers(&robot.joint_friction)), ("control_period", robot.control_period.into())])
+}
+
+fn tolerances(scene: &Scene) -> Table {
+    let mut table = table([("angle_tolerance", scene.angle_tolerance.into())]);
     table.extend(scene.position_tolerance.map(|tolerance| ("position_tolerance".to_owned(), tolerance.into())));
-    table.insert("angle_tolerance".into(), scene.angle_tolerance.into());
     table
 }
 

@@ -1,11 +1,11 @@
 //! Remarks on what looks like a mistake.
 
 use mesh::Repair;
+use task::algebra::norm;
 
 use crate::error::SceneError;
 use crate::mesh::MeshPart;
 use crate::part::{Extent, Part};
-use crate::pose::norm;
 use crate::robot;
 use crate::scene::Scene;
 use crate::table::Table;

@@ -16,11 +16,15 @@ use crate::rollout::{Outcome, Rollout, Stage};
 use crate::settings::Settings;
 use crate::success::Success;
 
+/// Index of a friction coefficient among those of an [`Evaluator`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FrictionIndex(pub usize);
+
 /// One rollout that a reference has to pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trial {
-    /// Index into the friction coefficients of the [`Evaluator`].
-    pub friction: usize,
+    /// Which friction there is.
+    pub friction: FrictionIndex,
     /// Injected grasp error.
     pub grasp: GraspError,
     /// How robot, controller and parts differ from what they are taken for.
@@ -183,7 +187,7 @@ impl Evaluator {
     /// # Panics
     /// When the evaluator has no friction coefficient of the trial's index.
     pub fn evaluate(&self, reference: &Reference, trial: &Trial) -> TrialResult {
-        self.result(&self.rollouts[trial.friction].play(reference, trial.injection(), |_, _| {}))
+        self.result(&self.rollouts[trial.friction.0].play(reference, trial.injection(), |_, _| {}))
     }
 
     /// What an outcome means for a trial.
@@ -243,7 +247,7 @@ impl Evaluator {
         let record = |(trial, known): (Trial, &Record<'evaluator>)| {
             let stages = known.stages.as_deref().unwrap_or_default();
             let injection = trial.injection();
-            let replayed = self.rollouts[trial.friction].replay(reference, &injection, (stages, same), &is_over)?;
+            let replayed = self.rollouts[trial.friction.0].replay(reference, &injection, (stages, same), &is_over)?;
             let (outcome, stages) = replayed;
             Some(Record { result: self.result(&outcome), stages: Some(stages) })
         };

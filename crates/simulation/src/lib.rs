@@ -11,7 +11,7 @@
 //!
 //! /// Number of successes in 100 rollouts with random offsets.
 //! fn successes(task: &task::AssemblyTask, plan: &task::Trajectory) -> Result<usize, SettingsError> {
-//!     let reference = Reference::new(plan.time_step, &plan.reference);
+//!     let reference = Reference::from(plan);
 //!     let settings = Settings { friction: 0.1, ..Settings::default() };
 //!     settings.validate_for(&reference)?;
 //!     let rollout = Rollout::new(task, settings);
@@ -102,10 +102,10 @@ mod success;
 mod timed_state;
 
 pub use arm_model::{ArmModel, ArmModelError};
-pub use bounds::Bounds;
+pub use bounds::{Bounds, LIMIT_SLACK};
 pub use bump::Bump;
 pub use disturbance::{Disturbance, Injection};
-pub use evaluator::{Evaluator, Trial, TrialResult};
+pub use evaluator::{Evaluator, FrictionIndex, Trial, TrialResult};
 pub use loads::Loads;
 pub use pressed::Pressed;
 pub use reference::{Knot, Reference, coordinates, interpolate, isometry};

@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 
 pub use task::pose::{interpolate, isometry};
-use task::{GraspError, Horizon, Limits, StraightMotion};
+use task::{GraspError, Horizon, Limits, StraightMotion, Trajectory};
 
 use crate::bump::Bump;
 
@@ -41,6 +41,12 @@ impl Knot {
     pub(crate) fn state(&self) -> [f64; 13] {
         let ([x, y, z, w, i, j, k], v, omega) = (coordinates(&self.pose), self.velocity, self.angular_velocity);
         [x, y, z, w, i, j, k, v.x, v.y, v.z, omega.x, omega.y, omega.z]
+    }
+}
+
+impl From<&Trajectory> for Reference {
+    fn from(motion: &Trajectory) -> Self {
+        Self::new(motion.time_step, &motion.reference)
     }
 }
 

@@ -15,6 +15,11 @@ impl<T> Number for T where
 {
 }
 
+/// Euclidean length of a vector.
+pub fn norm(vector: &[f64]) -> f64 {
+    vector.iter().map(|component| component * component).sum::<f64>().sqrt()
+}
+
 /// A square matrix times a vector.
 pub fn apply<T: Number, const N: usize>(matrix: &SMatrix<f64, N, N>, vector: &[T]) -> [T; N] {
     std::array::from_fn(|row| {

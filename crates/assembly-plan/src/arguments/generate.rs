@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Subcommand};
-use scene::{Peg, PegKey, PegSection};
+use scene_templates::{Peg, PegKey, PegSection};
 
 use crate::values::{self, not_negative, positive};
 

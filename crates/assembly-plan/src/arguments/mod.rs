@@ -10,7 +10,8 @@ use std::time::Duration;
 use clap::{Args, Parser, Subcommand};
 use export::Target;
 use planner::{Choices, GraspErrors, OffsetSource, PlannerError, Region, RobustnessTarget, SimulationRequest, files};
-use scene::{Axis, Scene};
+use scene::Scene;
+use scene_templates::Axis;
 use simulation::Settings;
 use task::LinearSolver;
 
@@ -137,6 +138,9 @@ pub struct RobustArguments {
     /// With --robust: try no more than this many changes in all
     #[arg(long, hide = true, value_name = "N", value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
     pub max_changes: Option<u32>,
+    /// With --robust: replace what steers the search, as `robust.parameters` of result.json has it, by what stands in a file (TOML)
+    #[arg(long, hide = true, value_name = "FILE", requires = "robust")]
+    pub robust_parameters: Option<PathBuf>,
     /// With --robust: Coulomb friction coefficients, such as 0,0.1 [default: the scene's]
     #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', value_parser = not_negative)]
     #[arg(allow_negative_numbers = true, requires = "robust")]
@@ -397,17 +401,22 @@ impl SolveArguments {
     }
 
     /// What the plan is tested for, and made robust for if that is wanted.
-    pub fn target(&self, scene: &Scene) -> RobustnessTarget {
+    ///
+    /// # Errors
+    /// When a file of parameters is wrong.
+    pub fn target(&self, scene: &Scene) -> Result<RobustnessTarget, PlannerError> {
         let arguments = &self.robust;
         let own = RobustnessTarget::of(&scene.borne);
-        RobustnessTarget {
+        let parameters = arguments.robust_parameters.as_deref().map(files::read_robust_parameters).transpose()?;
+        Ok(RobustnessTarget {
             wanted_rate: arguments.wanted_rate,
             frictions: arguments.friction.clone().unwrap_or(own.frictions),
             time_limit: self.time_limit().unwrap_or(own.time_limit),
             patience: arguments.patience as usize,
             max_changes: arguments.max_changes.map(|most| most as usize),
+            parameters: parameters.unwrap_or_default(),
             ..own
-        }
+        })
     }
 
     /// How long the program may run.

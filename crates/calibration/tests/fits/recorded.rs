@@ -3,7 +3,7 @@
 use std::fs;
 
 use calibration::{Calibration, CalibrationRecord, Entries, Estimate, Parameter};
-use planner::{Choices, Problem};
+use plan::{Choices, Problem};
 
 use crate::support::{Workshop, arm_scene, estimate, found, project};
 

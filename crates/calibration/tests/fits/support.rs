@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use calibration::{Calibration, Estimate, Log, Parameter, calibrate};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use planner::{Choices, Problem};
+use plan::{Choices, Problem};
 use simulation::{ArmModel, Reference, Rollout, Settings, coordinates, isometry};
 use task::{AssemblyTask, GraspError};
 use tempfile::TempDir;
@@ -118,7 +118,7 @@ impl Workshop {
         serde_json::json!({
             "format": 1, "scene": scene.title, "base": base, "grasp": grasp, "goal": scene.goal,
             "delta_m": scene.offset_magnitude, "dry_run_m": dry_run,
-            "impedance": export::ImpedanceRecord::from(&scene.impedance),
+            "impedance": plan::records::ImpedanceRecord::from(&scene.impedance),
         })
     }
 }

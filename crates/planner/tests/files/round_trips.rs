@@ -6,7 +6,8 @@ use planner::batch::{Manifest, Matrix, collect, expand};
 use planner::files::cells::{CellElement, CellRow};
 use planner::files::trajectory::{read_reference, read_trajectory, write_trajectory};
 use planner::files::{
-    Checkpoint, PlanResult, RolloutRow, SimulationRecord, StoredPlan, SuccessRow, read_csv, write_rollout_tables,
+    Checkpoint, Format, PlanResult, RolloutRow, SimulationRecord, StoredPlan, SuccessRow, read_csv,
+    write_rollout_tables,
 };
 use planner::{Event, Motion, Session, SimulationRequest, SuccessTable, simulate};
 
@@ -51,6 +52,7 @@ fn a_plan_fits_the_scene_that_it_writes() {
 #[test]
 fn a_checkpoint_is_read_back_exactly_and_only_for_its_own_problem() {
     let folder = tempfile::tempdir().unwrap();
+    let keeper = claim(&folder.path().join("out"));
     let iterate = nlp::Iterate {
         x: vec![0.1, 1.0 / 3.0, -0.0],
         constraint_multipliers: vec![1e-300],
@@ -59,11 +61,26 @@ fn a_checkpoint_is_read_back_exactly_and_only_for_its_own_problem() {
     };
     let records = plan().iterations.iter().map(|iteration| iteration.record.clone()).collect();
     let checkpoint = Checkpoint::new("identity", 0, records, &iterate);
-    checkpoint.save(folder.path()).unwrap();
-    let again = Checkpoint::load(folder.path(), "identity").unwrap().unwrap();
+    checkpoint.save(&keeper).unwrap();
+    let again = Checkpoint::load(&keeper, "identity").unwrap().unwrap();
     assert_eq!(again, checkpoint);
     assert_eq!(again.iterate(), iterate);
-    assert_eq!(Checkpoint::load(folder.path(), "another"), Err(planner::Unusable::OtherProblem));
+    assert_eq!(Checkpoint::load(&keeper, "another"), Err(planner::Unusable::OtherProblem));
+    let file = keeper.work().join("checkpoint.json");
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(&file, text.replace("{\"format\":1,", "{\"format\":9,")).unwrap();
+    assert_eq!(Checkpoint::load(&keeper, "identity"), Err(planner::Unusable::Newer));
+    std::fs::write(&file, text.replace("{\"format\":1,", "{")).unwrap();
+    assert_eq!(Checkpoint::load(&keeper, "identity"), Ok(Some(checkpoint)), "version 0.1 states no format");
+}
+
+#[test]
+fn files_of_a_newer_format_are_refused_and_older_ones_read() {
+    let result = serde_json::to_string(&PlanResult::new(plan(), [].into())).unwrap();
+    let read = |format: &str| serde_json::from_str::<PlanResult>(&result.replace("\"format\":1,", format));
+    assert_eq!(read("").unwrap().format, Format::default());
+    let problem = read("\"format\":9,").unwrap_err().to_string();
+    assert!(problem.contains("format 9 is that of a newer version") && problem.contains("up to 1"), "{problem}");
 }
 
 #[test]

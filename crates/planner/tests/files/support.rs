@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
 
 use planner::files::PlanFolder;
-use planner::{Choices, Event, Plan, Problem, Session};
+use planner::{Choices, Event, Keeper, Plan, Problem, Session};
 
 /// The smallest scene of the project.
 pub fn scene() -> PathBuf {
@@ -25,6 +25,7 @@ pub fn plan() -> &'static Plan {
 
 /// Solves a problem, with a folder for unfinished work.
 pub fn solve(delta: f64, folder: Option<&PlanFolder>, interrupted: &AtomicBool) -> Plan {
+    let folder = folder.map(|folder| folder as &dyn Keeper);
     let session = Session { folder, ..Session::new(&|_: &Event| {}, interrupted) };
     planner::solve(&problem(delta), &session).unwrap()
 }

@@ -1,6 +1,6 @@
 //! How the homotopy tightens.
 
-use planner::IterationRecord;
+use plan::IterationRecord;
 
 use super::chart::{Chart, Line};
 use super::svg::COLOURS;

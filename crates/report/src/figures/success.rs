@@ -1,6 +1,6 @@
 //! Success rates by motion, friction and injected magnitude.
 
-use planner::files::SuccessRow;
+use store::SuccessRow;
 
 use super::svg::{Anchor, Drawing};
 use crate::model::SimulationData;

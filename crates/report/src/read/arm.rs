@@ -1,9 +1,9 @@
 //! Joints of the scene's arm along a motion.
 
-use planner::files::{MotionTables, ScenarioTables};
-use planner::{ArmCourse, Problem};
+use plan::{ArmCourse, Problem};
 use robot::{FollowError, Joint, JointVector};
 use scene::Robot;
+use store::{MotionTables, ScenarioTables};
 use task::GraspError;
 
 use crate::model::{JointCourse, JointData};

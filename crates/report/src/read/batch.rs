@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use planner::PlannerError;
-use planner::batch::{Cell, CellState, Manifest};
-use planner::files::PlanResult;
+use plan::PlannerError;
+use store::PlanResult;
+use store::batch::{Cell, CellState, Manifest};
 
 use super::{simulation, title};
 use crate::html::PAGE;

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use planner::files::{ExecutedState, StoredPlan};
-use planner::{Ending, Execution, PlannerError, Problem, RobustnessTarget};
+use plan::{PlannerError, Problem, RobustnessTarget};
 use simulation::{Reference, Settings, coordinates, isometry};
+use store::{Ending, ExecutedState, Execution, StoredPlan};
 use task::{GraspError, POSE, STATE, ScenarioTrajectory, Trajectory, at_rest, pose_of};
 
 use super::motion::{HARD, Measures, World};

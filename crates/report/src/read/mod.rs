@@ -9,8 +9,8 @@ mod simulation;
 
 use std::path::{Path, PathBuf};
 
-use planner::PlannerError;
-use planner::files::{MANIFEST, RESULT, SUCCESS, require_moved};
+use ::plan::PlannerError;
+use store::{MANIFEST, RESULT, SUCCESS, require_moved};
 
 use crate::model::PageData;
 

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use collision::Solutions;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use planner::PlannerError;
-use planner::files::{MotionTables, ScenarioTables};
+use plan::PlannerError;
 use simulation::Success;
+use store::{MotionTables, ScenarioTables};
 use task::{Contact, ContactPair, Quality, ScenarioTrajectory, Trajectory, pose_of};
 
 use crate::model::{MotionData, ScenarioData, Source};

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use planner::explain::LossRecord;
-use planner::files::trajectory::read_tables;
-use planner::files::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
-use planner::{Millimetres, PlannerError, Problem, RobustnessTarget};
+use plan::records::LossRecord;
+use plan::{Format, Millimetres, PlannerError, Problem, RobustnessTarget, VERSION};
 use scene::{Borne, Part};
 use simulation::{Injection, Settings, Solid};
+use store::trajectory::read_tables;
+use store::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
 use task::GraspError;
 
 use super::motion::{HARD, Measures, World};
@@ -18,7 +18,7 @@ use crate::rounded::{LENGTH, rounded};
 /// Reads the plan of a folder and logs of its executions, and computes what they do not hold.
 ///
 /// # Errors
-/// When the plan is damaged, was written by another version or has no homotopy iterations, or its arm cannot be simulated;
+/// When the plan is damaged, is of an older format or has no homotopy iterations, or its arm cannot be simulated;
 /// when a log cannot be compared with it.
 pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     let plan = StoredPlan::open(folder)?;
@@ -54,11 +54,12 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     })
 }
 
-/// Refuses plans of other versions and plans without homotopy iterations.
+/// Refuses plans of older formats and plans without homotopy iterations.
 fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
-    let (written, own) = (&plan.result.versions.assembly_plan, env!("CARGO_PKG_VERSION"));
-    if written != own {
-        let problem = format!("was written by version {written} and this is {own}; solve again, or use that version");
+    if plan.result.format != Format::CURRENT {
+        let written = &plan.result.versions.assembly_plan;
+        let problem =
+            format!("was written by version {written} and this is {VERSION}; solve again, or use that version");
         return Err(PlannerError::file(&plan.folder, problem));
     }
     match plan.folder.join(STAGES).is_dir() && !plan.result.stages.is_empty() {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use planner::PlannerError;
-use planner::files::{SUCCESS, SimulationRecord, SuccessRow, read_csv};
+use plan::PlannerError;
+use store::{SUCCESS, SimulationRecord, SuccessRow, read_csv};
 
 use super::title;
 use crate::model::SimulationData;

@@ -9,7 +9,8 @@ use std::ops::RangeInclusive;
 
 use crate::range::Range;
 
-pub(crate) use declared::{COVERAGES, SCALES, UNITS};
+pub(crate) use declared::COVERAGES;
+pub use declared::{SCALES, UNITS};
 
 /// One key that a file may have.
 #[derive(Debug, Clone, PartialEq)]

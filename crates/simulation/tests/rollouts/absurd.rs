@@ -1,6 +1,8 @@
 //! Absurd input: nothing panics or hangs.
 
-use simulation::{Bump, Disturbance, Evaluator, Reference, Refinement, Rollout, Settings, Success, Trial, offsets};
+use simulation::{
+    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Success, Trial, offsets,
+};
 use task::{GraspError, Inertia};
 
 use crate::world::{at_rest, block, hole, task, through};
@@ -60,7 +62,8 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
             [GraspError { offset: [value; 3], turn: [0.0; 3] }, GraspError { offset: [0.0; 3], turn: [value; 3] }]
         {
             rollout.play(&short(), grasp, |_, _| {});
-            evaluator.evaluate(&short(), &Trial { friction: 1, grasp, disturbance: Disturbance::default() });
+            evaluator
+                .evaluate(&short(), &Trial { friction: FrictionIndex(1), grasp, disturbance: Disturbance::default() });
         }
         let mut absurd = world();
         absurd.inertia = Inertia::of_body(value, absurd.inertia.rotational());
@@ -83,7 +86,8 @@ fn a_reference_of_one_knot_can_be_simulated_and_refined() {
     assert_eq!(reference.bent(&bump), reference);
     assert_eq!(reference.at(usize::MAX, 0.5), reference.at(0, 0.0));
     let evaluator = Evaluator::new(&world(), &[0.0], Success::default());
-    let trials = vec![Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() }];
+    let trials =
+        vec![Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() }];
     let results = evaluator.evaluate_all(&reference, &trials, &|| false).unwrap();
     let mut refinement = Refinement::new(&evaluator, reference, trials, results, 1);
     refinement.improve(&|| false);

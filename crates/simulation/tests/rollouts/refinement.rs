@@ -4,7 +4,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
 use simulation::{
-    Bump, Disturbance, Evaluator, Reference, Refinement, Rollout, Settings, Strokes, Success, Trial, TrialResult,
+    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Strokes, Success, Trial,
+    TrialResult,
 };
 use task::{GraspError, Horizon, StraightMotion, pose_of};
 use workers::Workers;
@@ -27,7 +28,11 @@ fn trials() -> Vec<Trial> {
     let offsets = [[0.0; 3], [0.0005, 0.0, 0.0], [-0.0005, 0.0, 0.0]];
     (0..2)
         .flat_map(|friction| {
-            offsets.map(|offset| Trial { friction, grasp: offset.into(), disturbance: Disturbance::default() })
+            offsets.map(|offset| Trial {
+                friction: FrictionIndex(friction),
+                grasp: offset.into(),
+                disturbance: Disturbance::default(),
+            })
         })
         .collect()
 }
@@ -125,7 +130,7 @@ fn changes_that_break_a_limit_are_refused() {
 
 #[test]
 fn a_push_beyond_the_limit_is_no_success() {
-    let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
+    let trial = Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     const DEPTH: f64 = 1e-3;
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
     world.goal[2] = 0.04;
@@ -148,7 +153,7 @@ fn a_push_beyond_the_limit_is_no_success() {
 
 #[test]
 fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_if_it_reversed() {
-    let trial = Trial { friction: 0, grasp: GraspError::default(), disturbance: Disturbance::default() };
+    let trial = Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     let wall = block([0.02, WIDTH, 0.2], [-0.5 * WIDTH - 0.01, 0.0, 0.1]);
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor(), wall]);
     world.goal[2] = 0.04;

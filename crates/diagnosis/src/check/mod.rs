@@ -1,0 +1,214 @@
+//! What a scene says, and what is odd about it, without solving it.
+
+mod delay;
+mod oddities;
+pub(crate) mod overlaps;
+mod pairs;
+mod parts;
+pub(crate) mod refusal;
+mod way;
+
+use ocp::{Layout, blocks, standard_terms};
+use plan::play::along_insertion;
+use plan::ranges::require;
+use plan::{Engagement, PlannerError, Problem};
+use scene::Part;
+use serde::Serialize;
+use task::ContactPair;
+
+use crate::check::oddities::oddities;
+use crate::check::overlaps::overlaps;
+use crate::warnings;
+
+pub(crate) use oddities::{first_smoothing, rest, step};
+pub use overlaps::PoseOverlap;
+pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
+pub use plan::play::{AxisPlay, Play};
+pub use refusal::refusal;
+pub use way::Way;
+
+/// What plain solves of the shipped scenes took on two cores.
+const SECONDS_PER_CONSTRAINT: f64 = 4e-4;
+/// Their memory.
+const MEGABYTES: f64 = 15.0;
+const MEGABYTES_PER_CONSTRAINT: f64 = 9e-3;
+
+/// Distances of one pair at one pose.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PairReport {
+    /// Part of the body.
+    pub body: String,
+    /// Part of the environment.
+    pub environment: String,
+    /// `Phi_tau`.
+    pub smoothed_distance_m: f64,
+    /// Negative where the parts overlap.
+    pub exact_distance_m: f64,
+    /// `n_tau`.
+    pub normal: [f64; 7],
+}
+
+/// What there is to know of a problem before it is solved.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Explanation {
+    /// Title of the scene.
+    pub title: String,
+    /// Name of the start.
+    pub start: String,
+    /// Offset magnitude `delta-hat`.
+    pub delta_m: f64,
+    /// Convex parts of the body.
+    pub body: Vec<PartReport>,
+    /// Convex parts of the environment.
+    pub environment: Vec<PartReport>,
+    /// Meshes of both, and what became of them.
+    pub meshes: Vec<MeshReport>,
+    /// The tightest fit of a round part in a round hole, of meshes.
+    pub fit: Option<FitReport>,
+    /// Pairs that may touch.
+    pub pairs: usize,
+    /// Pairs that are left out because no motion from start to goal comes near to them.
+    pub far_pairs: Vec<String>,
+    /// Play at the goal and on the straight way back to the start.
+    pub insertion: Vec<Play>,
+    /// How far play lets the body rest from its goal in directions across the insertion that are guided; null where none
+    /// is, or something stops it on one side only.
+    pub farthest_rest_m: Option<f64>,
+    /// Pairs that overlap at the goal or at the start with an offset.
+    pub overlaps: Vec<PoseOverlap>,
+    /// Whether the body gets from start to goal in clearance.
+    pub way: Way,
+    /// Edges of the box around the body, in its frame.
+    pub body_edges_m: [f64; 3],
+    /// Edges of the box around the environment.
+    pub environment_edges_m: [f64; 3],
+    /// What guides the body at its goal, and how deep.
+    pub engagement: Engagement,
+    /// Largest final distance from the goal of a success.
+    pub position_tolerance_m: f64,
+    /// How deep exact shapes may overlap in a plan that is done.
+    pub max_overlap_m: f64,
+    /// Why no plan can be made; null where one may be found.
+    pub refusal: Option<String>,
+    /// How large the optimal control problem is.
+    pub size: SizeReport,
+    /// What is chosen because the scene does not say it.
+    pub chosen: Vec<String>,
+    /// What is odd.
+    pub warnings: Vec<String>,
+}
+
+/// A round part in a round hole.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FitReport {
+    /// Radius of the hole.
+    pub hole_radius_m: f64,
+    /// Difference of the radii.
+    pub gap_m: f64,
+    /// What facets take of it.
+    pub lost_m: f64,
+    /// What the mesh of the hole takes besides, at most: its flat sides lie inside of the hole.
+    pub mesh_lost_m: f64,
+}
+
+/// Size of an optimal control problem, and what solving it needs on a common processor: estimates.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SizeReport {
+    /// Its steps.
+    pub steps: usize,
+    /// Length of a step.
+    pub time_step_s: f64,
+    /// Its scenarios.
+    pub scenarios: usize,
+    /// Its variables.
+    pub variables: usize,
+    /// Its constraints.
+    pub constraints: usize,
+    /// Time of a plain solve.
+    pub seconds: f64,
+    /// Memory.
+    pub megabytes: f64,
+}
+
+/// Every pair's distances at a pose, smoothed by `tau`.
+///
+/// # Errors
+/// When `tau` is out of its range, or a distance cannot be computed.
+pub fn pair_reports(problem: &Problem, pose: &[f64; 7], tau: f64) -> Result<Vec<PairReport>, PlannerError> {
+    require((1e-9..=1.0).contains(&tau), "tau", tau, "must lie between 1e-9 and 1")?;
+    let report = |pair: &ContactPair| {
+        let distance = pair
+            .shapes
+            .distance(pose, tau)
+            .map_err(|source| PlannerError::Distance { pair: pair.to_string(), source })?;
+        Ok(PairReport {
+            body: pair.body.clone(),
+            environment: pair.environment.clone(),
+            smoothed_distance_m: distance.smoothed_distance,
+            exact_distance_m: pair.shapes.exact_distance(pose),
+            normal: distance.contact_normal,
+        })
+    };
+    problem.task().pairs.iter().map(report).collect()
+}
+
+/// Explains a problem. Comparing meshes with their convex parts takes some seconds for large ones.
+///
+/// # Errors
+/// When a distance at the start, smoothed by `tau`, cannot be computed.
+pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError> {
+    let (scene, task) = (problem.scene(), problem.task());
+    pair_reports(problem, &task.start, tau)?;
+    let reports = |parts: &[Part]| parts.iter().map(PartReport::from).collect();
+    let meshes = scene.body_meshes.iter().chain(&scene.environment_meshes);
+    let name = |&(part, other): &(usize, usize)| format!("{}/{}", scene.body[part].name, scene.environment[other].name);
+    let fit = scene.fit.zip(meshes.clone().map(|mesh| mesh.settings.facets).min());
+    let way = way::find(task);
+    let mut explanation = Explanation {
+        title: scene.title.clone(),
+        start: problem.start().name.clone(),
+        delta_m: problem.delta(),
+        body: reports(&scene.body),
+        environment: reports(&scene.environment),
+        meshes: meshes.map(MeshReport::from).collect(),
+        fit: fit.map(|(fit, facets)| FitReport {
+            hole_radius_m: fit.hole,
+            gap_m: fit.gap,
+            lost_m: fit.lost(facets),
+            mesh_lost_m: fit.mesh_error,
+        }),
+        pairs: task.pairs.len(),
+        far_pairs: scene.far_pairs.iter().map(name).collect(),
+        insertion: along_insertion(task),
+        farthest_rest_m: problem.engagement().rest_m,
+        overlaps: overlaps(task, scene.borne.turn),
+        way,
+        body_edges_m: parts::edges(&scene.body, &scene.body_meshes),
+        environment_edges_m: parts::edges(&scene.environment, &scene.environment_meshes),
+        engagement: problem.engagement().clone(),
+        position_tolerance_m: problem.success().position,
+        max_overlap_m: problem.max_overlap(),
+        refusal: refusal(problem).or_else(|| refusal::enclosed(&way)),
+        size: size(problem),
+        chosen: problem.chosen(),
+        warnings: warnings::of_problem(problem),
+    };
+    let oddities = oddities(problem, &explanation);
+    explanation.warnings.extend(oddities);
+    Ok(explanation)
+}
+
+fn size(problem: &Problem) -> SizeReport {
+    let (task, settings) = (problem.task(), problem.homotopy());
+    let layout = Layout::new(task, &blocks(&standard_terms(task, settings.complementarity)));
+    let constraints = layout.constraint_count();
+    SizeReport {
+        steps: layout.steps,
+        time_step_s: task.horizon.time_step,
+        scenarios: layout.scenarios,
+        variables: layout.variable_count(),
+        constraints,
+        seconds: SECONDS_PER_CONSTRAINT * constraints as f64,
+        megabytes: MEGABYTES + MEGABYTES_PER_CONSTRAINT * constraints as f64,
+    }
+}

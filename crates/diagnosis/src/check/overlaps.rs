@@ -1,0 +1,104 @@
+//! Where the body overlaps the environment before it moves.
+
+use plan::Problem;
+use serde::Serialize;
+use task::{AssemblyTask, GraspError};
+
+use crate::check::refusal::largest_fit;
+
+/// Overlap (m) that rounding of poses and meshes explains.
+const ROUNDING: f64 = 1e-4;
+
+/// A pair that overlaps at a pose of the scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PoseOverlap {
+    /// `goal`, or `start` with the number of an offset, from 1.
+    pub pose: String,
+    /// Body and environment part.
+    pub pair: String,
+    /// Exact distance, negative.
+    pub distance_m: f64,
+}
+
+/// Why no plan can begin: the body is inside of the environment at its start, with every planned grasp error. Nothing if
+/// it is not.
+pub fn start_inside(problem: &Problem) -> Option<String> {
+    let task = problem.task();
+    let depths = task.grasps.iter().map(|grasp| deepest(task, &grasp.actual(&task.start)));
+    let depths: Vec<(String, f64)> = depths.collect::<Option<_>>()?;
+    if depths.iter().any(|(_, depth)| *depth <= ROUNDING) {
+        return None;
+    }
+    let (number, (pair, depth)) = (1..).zip(&depths).max_by(|(_, one), (_, other)| one.1.total_cmp(&other.1))?;
+    let is_free = deepest(task, &task.start).is_none_or(|(_, depth)| depth <= ROUNDING);
+    let cure = if is_free {
+        "without an offset it is not: lower robustness.offset_magnitude, or move the start away from the environment"
+    } else {
+        "move the start to the side from which the body is put in (`--axis` of `new`), or exchange body and environment if \
+         they are confused"
+    };
+    Some(format!(
+        "[[start]] \"{}\": the body begins inside of the environment with every offset, {:.3} mm deep with offset {number} \
+         ({pair}); {cure}",
+        problem.start().name,
+        1e3 * depth,
+    ))
+}
+
+/// The pair that overlaps most at a pose, and how deep (m); negative where nothing overlaps.
+pub fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
+    let depths = task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
+    depths.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(pair, depth)| (pair.to_string(), depth))
+}
+
+/// Pairs that overlap at the goal and where the body really is at the start: with every offset, and also turned in the
+/// gripper (rad) about each axis of the body, both ways.
+pub fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
+    let mut poses = vec![("goal".to_owned(), task.goal)];
+    for (number, grasp) in (1..).zip(&task.grasps) {
+        let name = format!("start with offset {number}");
+        poses.push((name.clone(), grasp.actual(&task.start)));
+        for (axis, about) in ["x", "y", "z"].iter().enumerate().filter(|_| turn > 0.0) {
+            for (sign, angle) in [("+", turn), ("-", -turn)] {
+                let mut turned = GraspError::from(grasp.offset);
+                turned.turn[axis] = angle;
+                poses.push((format!("{name}, turned about {sign}{about}"), turned.actual(&task.start)));
+            }
+        }
+    }
+    let mut overlaps = Vec::new();
+    for (pose, at) in poses {
+        for pair in &task.pairs {
+            let distance_m = pair.shapes.exact_distance(&at);
+            if distance_m < 0.0 {
+                overlaps.push(PoseOverlap { pose: pose.clone(), pair: pair.to_string(), distance_m });
+            }
+        }
+    }
+    overlaps
+}
+
+/// The deepest overlap at the goal and the deepest at the start, and what to do about them.
+pub fn warnings(problem: &Problem) -> Vec<String> {
+    let overlaps = overlaps(problem.task(), problem.scene().borne.turn);
+    let (at_goal, at_start): (Vec<_>, Vec<_>) = overlaps.into_iter().partition(|overlap| overlap.pose == "goal");
+    let goal = if largest_overlap(&at_goal) > largest_fit(problem) {
+        "it cannot be reached: move [goal] out of the environment, or export both files in the assembled pose"
+    } else {
+        "where CAD is size on size, state the fit by `clearance` of a mesh"
+    };
+    let start = "move that start, or lower robustness.offset_magnitude";
+    let is_inside = start_inside(problem);
+    let at_start = if is_inside.is_some() { is_inside } else { warning(&at_start, start) };
+    warning(&at_goal, goal).into_iter().chain(at_start).collect()
+}
+
+fn largest_overlap(overlaps: &[PoseOverlap]) -> f64 {
+    overlaps.iter().map(|overlap| -overlap.distance_m).fold(0.0, f64::max)
+}
+
+fn warning(overlaps: &[PoseOverlap], cure: &str) -> Option<String> {
+    let worst = overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m))?;
+    let PoseOverlap { pose, pair, distance_m } = worst;
+    Some(format!("at the {pose} {pair} overlap by {:.3} mm, more than any other pair; {cure}", -1e3 * distance_m))
+}

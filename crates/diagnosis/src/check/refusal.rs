@@ -1,0 +1,95 @@
+//! Why no plan can be made of a scene, as far as that is certain.
+
+use nalgebra::Vector3;
+use plan::Problem;
+use task::AssemblyTask;
+
+use crate::check::overlaps::{deepest, start_inside};
+use crate::check::way::{self, Way};
+
+/// Overlap at the goal that a fit, rounding and facets explain: at least (m), and in sizes of the body.
+const FIT: f64 = 1e-4;
+const FIT_IN_SIZES: f64 = 2e-3;
+/// Distance from the goal within which something must be: in offsets, where something guides the body and where nothing does,
+/// and in sizes of the body.
+const REACH_IN_OFFSETS: f64 = 3.0;
+const UNGUIDED_REACH_IN_OFFSETS: f64 = 1.0;
+const REACH_IN_SIZES: f64 = 0.1;
+/// Angle (rad) between start and goal from which on a body may turn on its way in.
+const TURNED: f64 = 1e-3;
+
+/// Why no plan can be made: the body starts inside of the environment, its goal is inside of it, out of reach of it,
+/// enclosed by it, or too tight to be left. The message says which parts and how far, and what to do. Nothing where a plan may be found.
+pub fn refusal(problem: &Problem) -> Option<String> {
+    start_inside(problem).or_else(|| goal_inside(problem)).or_else(|| not_assembled(problem)).or_else(|| {
+        // With much smoothing and turns a plan may be found that the search does not know.
+        let (_, turn) = task::pose::errors(&problem.task().start, &problem.task().goal);
+        if turn > TURNED {
+            return None;
+        }
+        let way = way::find(problem.task());
+        enclosed(&way).or_else(|| press_fit(problem, &way))
+    })
+}
+
+/// The body overlaps the environment at its goal by more than any plan that is done may, and gets from there nowhere.
+fn press_fit(problem: &Problem, way: &Way) -> Option<String> {
+    let (pair, depth) = deepest(problem.task(), &problem.task().goal).filter(|_| matches!(way, Way::None { .. }))?;
+    (depth > problem.max_overlap()).then(|| {
+        format!(
+            "[goal]: {pair} overlap there by {:.3} mm, and no path in clearance leads away from it: parts need clearance; a press \
+             fit cannot be planned, and of parts that CAD draws as large as their holes, `clearance` of a mesh states the fit",
+            1e3 * depth
+        )
+    })
+}
+
+/// Largest overlap at the goal (m) that a fit explains.
+pub fn largest_fit(problem: &Problem) -> f64 {
+    FIT.max(FIT_IN_SIZES * problem.scene().body_size())
+}
+
+/// The goal lies in the environment, deeper than a fit explains.
+fn goal_inside(problem: &Problem) -> Option<String> {
+    let (pair, depth) = deepest(problem.task(), &problem.task().goal)?;
+    let most = largest_fit(problem);
+    (depth > most).then(|| {
+        format!(
+            "[goal]: {pair} overlap there by {:.3} mm, more than the {:.3} mm that a tight fit or rounding explains, so that \
+             the goal cannot be reached: move [goal] out of the environment, or export both files in the assembled pose",
+            1e3 * depth,
+            1e3 * most
+        )
+    })
+}
+
+/// Nothing is near the body at its goal.
+fn not_assembled(problem: &Problem) -> Option<String> {
+    let norm = |offset: [f64; 3]| Vector3::from(offset).norm();
+    let offset = problem.task().offsets().into_iter().map(norm).fold(0.0, f64::max);
+    let reach = match problem.engagement().depth_m {
+        Some(_) => (REACH_IN_OFFSETS * offset).max(REACH_IN_SIZES * problem.scene().body_size()),
+        None => UNGUIDED_REACH_IN_OFFSETS * offset,
+    };
+    let world = AssemblyTask { pairs: problem.scene().all_pairs(), ..problem.task().clone() };
+    let (pair, depth) = deepest(&world, &world.goal)?;
+    (-depth > reach).then(|| {
+        format!(
+            "[goal]: nothing is near the body there: the nearest parts, {pair}, are {:.1} mm apart, and no offset or play is \
+             larger than {:.1} mm; the parts are not assembled: export both files in one frame, in the assembled pose, or move \
+             [goal] there",
+            -1e3 * depth,
+            1e3 * reach
+        )
+    })
+}
+
+/// What keeps the body from leaving its goal, if a search has found that it cannot.
+pub fn enclosed(way: &Way) -> Option<String> {
+    let Way::Enclosed { farthest_m } = way else { return None };
+    Some(format!(
+        "the goal cannot be reached without turning: the environment encloses the body there, which gets no farther away than \
+         {:.2} mm; check the goal, the fit and the axis of insertion",
+        1e3 * farthest_m
+    ))
+}

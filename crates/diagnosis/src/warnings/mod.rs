@@ -1,0 +1,45 @@
+//! What is odd about a problem or a plan, in plain words with the setting that cures it.
+
+mod arm;
+mod carried;
+mod limits;
+mod motion;
+mod region;
+mod sizes;
+mod smoothing;
+pub(crate) mod tolerance;
+
+use nlp::{IPOPT_VERSION, takes_own_solver};
+use plan::{Plan, Problem};
+use task::LinearSolver;
+
+use crate::check::overlaps;
+
+/// What is odd about a problem before it is solved.
+pub fn of_problem(problem: &Problem) -> Vec<String> {
+    let mut warnings = problem.scene().warnings.clone();
+    warnings.extend(overlaps::warnings(problem));
+    warnings.extend(carried::warning(problem));
+    warnings.extend(tolerance::warnings(problem));
+    warnings.extend(sizes::warnings(problem));
+    if problem.homotopy().linear_solver == LinearSolver::Stage && !takes_own_solver() {
+        warnings.push(format!(
+            "this Ipopt {IPOPT_VERSION} exports no function to register linear_solver = \"stage\"; MUMPS is used, which \
+             is several times slower. Build with a shared library of Ipopt 3.11 or newer (docs/guide/install.md)"
+        ));
+    }
+    warnings
+}
+
+/// What is odd about a plan. A refined one does not lean on smoothing: its scenarios are rollouts with hard contact.
+pub fn of_plan(plan: &Plan) -> Vec<String> {
+    let mut warnings = limits::warnings(&plan.task.limits, &plan.trajectory.keeps());
+    // What time has cut leans on the smoothing of its last homotopy iteration, which time would have tightened.
+    if plan.robustness.is_none() && plan.stopped.is_none() && plan.chosen().record.converged {
+        warnings.extend(smoothing::warning(plan));
+    }
+    warnings.extend(motion::warnings(plan));
+    warnings.extend(region::warning(plan));
+    warnings.extend(arm::warnings(plan));
+    warnings
+}

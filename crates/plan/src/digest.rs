@@ -1,0 +1,8 @@
+//! What tells whether two things are the same.
+
+use sha2::{Digest, Sha256};
+
+/// Hash (SHA-256, hexadecimal) of some bytes.
+pub fn hash(content: &[u8]) -> String {
+    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,346 @@
+//! A planning problem after defaults and choices: the one gate that every command and the library go through.
+
+use std::path::{Path, PathBuf};
+
+use scene::{Borne, Scene, StartPose, TaskError, resolved, resolved_settings, resolved_world};
+use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
+use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
+
+use crate::digest::hash;
+use crate::engagement::{Engagement, engagement};
+use crate::error::PlannerError;
+use crate::ranges::require_turn;
+use crate::tolerance::ChosenTolerance;
+
+/// The version whose plans these are, bit for bit: it is raised with every change that moves a bit of a plan, so that
+/// unfinished work of other plans is not resumed.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What is chosen of a scene; the default is the scene's own.
+#[derive(Debug, Clone, Default)]
+pub struct Choices {
+    /// Name of the start pose; the scene's first where none is given.
+    pub start: Option<String>,
+    /// Offset magnitude `delta-hat` (m).
+    pub delta: Option<f64>,
+    /// Largest turn of the part in the gripper (rad).
+    pub turn: Option<f64>,
+    /// Homotopy file; the scene's own homotopy, else the built-in one where none is given.
+    pub homotopy: Option<PathBuf>,
+    /// Linear solver instead of the homotopy's.
+    pub linear_solver: Option<LinearSolver>,
+    /// Largest final distance from the goal of a success (m); the scene's where none is given.
+    pub position_tolerance: Option<f64>,
+    /// Largest final angle to the goal of a success (rad), likewise.
+    pub angle_tolerance: Option<f64>,
+}
+
+/// One start and one offset magnitude of a scene, with the homotopy that solves it. All of it is valid: whoever has a
+/// problem can solve it.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    scene: Scene,
+    start: StartPose,
+    delta: f64,
+    engagement: Engagement,
+    success: Success,
+    chosen_tolerance: Option<ChosenTolerance>,
+    edge_radius: f64,
+    task: AssemblyTask,
+    homotopy: HomotopySettings,
+    resolved: String,
+    identity: String,
+}
+
+impl Problem {
+    /// Reads a scene file and the files it names.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with a file or a choice, with its place.
+    pub fn load(file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
+        Self::choose(Scene::load(file)?, file, choices)
+    }
+
+    /// Of a scene that was read from `file`, which messages name.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with a choice.
+    pub fn choose(mut scene: Scene, file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
+        if let Some(turn) = choices.turn {
+            require_turn(turn)?;
+            scene.borne.turn = turn;
+        }
+        let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
+        scene.position_tolerance = choices.position_tolerance.or(scene.position_tolerance);
+        scene.angle_tolerance = choices.angle_tolerance.unwrap_or(scene.angle_tolerance);
+        let size = scene.body_size();
+        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy).map_err(|error| match error {
+            PlannerError::Task(source @ TaskError::OutOfReach { magnitude, .. }) if magnitude > size => {
+                let question =
+                    format!("an offset of {magnitude} m is larger than the body, {size:.3} m: is it in metres?");
+                PlannerError::file(file, format!("{source}; {question}"))
+            }
+            PlannerError::Task(source @ TaskError::OffsetMagnitude { .. }) => {
+                PlannerError::Choice { name: "delta", problem: source.to_string() }
+            }
+            PlannerError::Task(source) => PlannerError::file(file, source.to_string()),
+            other => other,
+        })
+    }
+
+    /// Of a scene, by default with its first start and its own offset magnitude (m). A position tolerance that the scene
+    /// does not state is chosen.
+    ///
+    /// # Errors
+    /// When the scene has no such start, the magnitude or a tolerance is not possible, or the installed Ipopt cannot run
+    /// these settings.
+    pub fn new(
+        mut scene: Scene,
+        start: Option<&str>,
+        delta: Option<f64>,
+        homotopy: HomotopySettings,
+    ) -> Result<Self, PlannerError> {
+        let start = scene.start(start)?.clone();
+        // The sum has no sign where it is zero: 0 and -0 are one problem.
+        let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
+        let task = scene.task(Some(&start.name), Some(delta))?;
+        ocp::check_settings(&homotopy)?;
+        let engagement = engagement(&task);
+        let chosen_tolerance =
+            scene.position_tolerance.is_none().then(|| ChosenTolerance::new(&scene, &task, &engagement));
+        let stated = scene.position_tolerance.or(chosen_tolerance.map(|chosen| chosen.position()));
+        let success = Success { position: stated.unwrap_or(f64::NAN), orientation: scene.angle_tolerance };
+        success.validate()?;
+        let edge_radius = *scene.borne.edge_radius.get_or_insert_with(|| edge_radius(&task));
+        // What counts as success and what refinement must bear do not change how the problem is solved, but for turns of
+        // scenarios.
+        let turn = if scene.has_turned_scenarios() { scene.borne.turn } else { 0.0 };
+        let borne = Borne { turn, ..Borne::default() };
+        let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, borne, ..scene.clone() };
+        let solved = resolved(&solved, &start, delta, &homotopy);
+        let identity = hash(format!("{VERSION}\n{solved}").as_bytes());
+        (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
+        let resolved = resolved(&scene, &start, delta, &homotopy);
+        Ok(Self {
+            scene,
+            start,
+            delta,
+            engagement,
+            success,
+            chosen_tolerance,
+            edge_radius,
+            task,
+            homotopy,
+            resolved,
+            identity,
+        })
+    }
+
+    /// Whether nothing but the linear solver was chosen of the homotopy.
+    pub fn has_default_homotopy(&self) -> bool {
+        let default = default_homotopy(&self.scene);
+        HomotopySettings { linear_solver: default.linear_solver, ..self.homotopy.clone() } == default
+    }
+
+    /// The same problem, solved in another way.
+    pub fn with_homotopy(&self, homotopy: HomotopySettings) -> Self {
+        let resolved = resolved(&self.scene, &self.start, self.delta, &homotopy);
+        Self { homotopy, resolved, ..self.clone() }
+    }
+
+    /// The same problem on twice as many steps of half the length.
+    pub fn with_half_the_time_step(&self) -> Self {
+        let mut problem = self.clone();
+        for horizon in [&mut problem.scene.horizon, &mut problem.task.horizon] {
+            *horizon = Horizon { steps: 2 * horizon.steps, time_step: 0.5 * horizon.time_step };
+        }
+        problem.resolved = resolved(&problem.scene, &problem.start, problem.delta, &problem.homotopy);
+        problem
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The start pose.
+    pub fn start(&self) -> &StartPose {
+        &self.start
+    }
+
+    /// Offset magnitude `delta-hat` (m).
+    pub fn delta(&self) -> f64 {
+        self.delta
+    }
+
+    /// What guides the body at its goal, and how deep.
+    pub fn engagement(&self) -> &Engagement {
+        &self.engagement
+    }
+
+    /// Why the position tolerance is what it is, where the scene does not state it.
+    pub fn chosen_tolerance(&self) -> Option<&ChosenTolerance> {
+        self.chosen_tolerance.as_ref()
+    }
+
+    /// What was chosen because the scene does not say it, each as `key = value`.
+    pub fn chosen(&self) -> Vec<String> {
+        let tolerance = self.chosen_tolerance.iter().map(ToString::to_string);
+        self.scene.chosen.iter().cloned().chain(tolerance).collect()
+    }
+
+    /// What counts as reaching the goal.
+    pub fn success(&self) -> Success {
+        self.success
+    }
+
+    /// How round edges may be (m).
+    pub fn edge_radius(&self) -> f64 {
+        self.edge_radius
+    }
+
+    /// How deep the exact shapes may overlap in a plan that is done (m): half of the clearance at the goal, and at least
+    /// what rounding explains.
+    pub fn max_overlap(&self) -> f64 {
+        OVERLAP.max(OVERLAP_IN_CLEARANCES * self.task.clearance(&self.task.goal))
+    }
+
+    /// What is planned.
+    pub fn task(&self) -> &AssemblyTask {
+        &self.task
+    }
+
+    /// The task as it is in reality, which does not know which pairs the plan leaves out.
+    pub fn world(&self) -> AssemblyTask {
+        AssemblyTask { pairs: self.scene.all_pairs(), ..self.task.clone() }
+    }
+
+    /// Rollouts in reality: of the arm that holds the body, if the scene has one.
+    ///
+    /// # Errors
+    /// When the arm does not reach the start.
+    pub fn rollout(&self, settings: Settings) -> Result<Rollout, PlannerError> {
+        self.rollout_in(&self.world(), settings)
+    }
+
+    /// Likewise in a world with another grid of time.
+    pub fn rollout_in(&self, world: &AssemblyTask, settings: Settings) -> Result<Rollout, PlannerError> {
+        let rollout = Rollout::new(world, settings);
+        match self.arm() {
+            Some(arm) => Ok(rollout.with_arm(&arm)?),
+            None => Ok(rollout),
+        }
+    }
+
+    /// The motion of every scenario of a world when a reference is played, as rollouts; distances are smoothed by `tau`.
+    pub fn motions(&self, world: &AssemblyTask, reference: &Reference, tau: f64) -> Result<Trajectory, PlannerError> {
+        let mut motions = Vec::with_capacity(world.frictions.len());
+        for &friction in &world.frictions {
+            let rollout = self.rollout_in(world, Settings { friction, ..Settings::default() })?;
+            motions.push(rollout.trajectory(reference, &world.grasps, tau));
+        }
+        let all = motions.into_iter().reduce(|mut all, next| {
+            all.scenarios.extend(next.scenarios);
+            all
+        });
+        all.ok_or(PlannerError::Internal("a plan without a friction"))
+    }
+
+    /// Evaluates references in reality, at some friction coefficients.
+    ///
+    /// # Errors
+    /// When the arm does not reach the start.
+    pub fn evaluator(&self, frictions: &[f64]) -> Result<Evaluator, PlannerError> {
+        let evaluator = Evaluator::new(&self.world(), frictions, self.success);
+        match self.arm() {
+            Some(arm) => Ok(evaluator.with_arm(&arm)?),
+            None => Ok(evaluator),
+        }
+    }
+
+    /// The arm that holds the body, if the scene has one.
+    pub fn arm(&self) -> Option<ArmModel> {
+        let robot = self.scene.robot.as_ref()?;
+        let joints = robot.arm.joints().len();
+        Some(ArmModel {
+            arm: robot.arm.clone(),
+            configuration: robot.configuration.iter().take(joints).copied().collect(),
+            joint_friction: robot.joint_friction.clone(),
+            control_period: robot.control_period,
+            delay: 0.0,
+        })
+    }
+
+    /// How it is solved.
+    pub fn homotopy(&self) -> &HomotopySettings {
+        &self.homotopy
+    }
+
+    /// `resolved.toml`: everything that the plan depends on, shapes included.
+    pub fn resolved(&self) -> &str {
+        &self.resolved
+    }
+
+    /// What makes two problems the same one: a hash (hexadecimal) of the `resolved.toml` of what was asked for and of
+    /// the program's version. Comments, file names, tolerances and what refinement must bear do not change it, a
+    /// mesh's content does.
+    pub fn identity(&self) -> &str {
+        &self.identity
+    }
+
+    /// Hash (hexadecimal) of what stands in the world: shapes, start and goal.
+    pub fn shapes_hash(&self) -> String {
+        hash(resolved_world(&self.scene, &self.start).as_bytes())
+    }
+
+    /// Hash (hexadecimal) of everything else: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy,
+    /// what the joints and the controller of an arm do.
+    pub fn settings_hash(&self) -> String {
+        hash(resolved_settings(&self.scene, self.delta, &self.homotopy).as_bytes())
+    }
+}
+
+/// Reach of the first smoothing in sizes of the body: beyond that, everything overlaps and nothing is learnt.
+const FIRST_REACH: f64 = 1.2;
+
+/// The built-in homotopy; for small parts and for many facets with less smoothing.
+fn default_homotopy(scene: &Scene) -> HomotopySettings {
+    let settings = scene::default_homotopy();
+    let rows = |&(part, other): &(usize, usize)| {
+        scene.body[part].shape.normals().len() + scene.environment[other].shape.normals().len()
+    };
+    let most = scene.pairs.iter().map(rows).max().unwrap_or(1);
+    let tau = settings.tau.min(FIRST_REACH * scene.body_size() / most as f64);
+    HomotopySettings { tau, ..settings }
+}
+
+/// Largest radius of edges that is chosen (m), also in clearances at the goal.
+const EDGE_RADIUS: f64 = 1e-4;
+const EDGE_RADIUS_IN_CLEARANCES: f64 = 0.5;
+
+/// The radius of edges that is chosen for a task: a plan must not depend on edges that just catch.
+fn edge_radius(task: &AssemblyTask) -> f64 {
+    let chosen = EDGE_RADIUS.min(EDGE_RADIUS_IN_CLEARANCES * task.clearance(&task.goal).max(0.0));
+    (1e6 * chosen).round() / 1e6
+}
+
+/// Overlap of exact shapes (m) that a plan may have: at least, and in clearances at the goal.
+const OVERLAP: f64 = 5e-5;
+const OVERLAP_IN_CLEARANCES: f64 = 0.5;
+
+/// The homotopy of a file, else of the scene, else the built-in one.
+///
+/// # Errors
+/// What is wrong with the file.
+pub fn homotopy(
+    scene: &Scene,
+    file: Option<&Path>,
+    linear_solver: Option<LinearSolver>,
+) -> Result<HomotopySettings, PlannerError> {
+    let mut homotopy = match file {
+        Some(file) => scene::load_homotopy(file)?,
+        None => scene.homotopy.clone().unwrap_or_else(|| default_homotopy(scene)),
+    };
+    homotopy.linear_solver = linear_solver.unwrap_or(homotopy.linear_solver);
+    Ok(homotopy)
+}

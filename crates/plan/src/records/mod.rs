@@ -1,0 +1,15 @@
+//! What files say of motions and errors: types with the units in the names of their fields.
+
+mod attempt;
+mod grasp;
+mod impedance;
+mod loss;
+mod motion;
+mod motion_end;
+
+pub use attempt::AttemptRecord;
+pub use grasp::GraspRecord;
+pub use impedance::ImpedanceRecord;
+pub use loss::LossRecord;
+pub use motion::{Extreme, MotionRecord};
+pub use motion_end::{HoldRecord, MotionEnd};

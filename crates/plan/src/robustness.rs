@@ -1,0 +1,157 @@
+//! How robust a refined plan is and how it became so: the section `robust` of `result.json`.
+
+use serde::{Deserialize, Serialize};
+use simulation::TrialResult;
+
+use crate::iteration::PlanIteration;
+use crate::parameters::RobustParameters;
+use crate::records::{GraspRecord, LossRecord};
+use crate::success_rates::SuccessRates;
+use crate::variant::Variant;
+
+/// What was wanted, what was done and what came of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RobustnessReport {
+    /// Wanted success rate at each friction.
+    pub wanted_rate: f64,
+    /// Whether it is reached at each friction, and every planned offset succeeds.
+    pub reached: bool,
+    /// Success rate of the plan without refinement, all rollouts together.
+    pub rate_before: f64,
+    /// Success rate of the refined plan.
+    pub rate_after: f64,
+    /// Wall time, that of the first solve included.
+    pub wall_s: f64,
+    /// Success rates of the plan without refinement.
+    pub before: SuccessRates,
+    /// Success rates of the refined plan.
+    pub after: SuccessRates,
+    /// Rollouts that its evaluation lacks because the time was over; 0 where it is decided.
+    #[serde(default)]
+    pub unplayed: usize,
+    /// How a straight push does in the same evaluation; nothing where there was no time to play it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub push: Option<PushReport>,
+    /// The round whose plan was kept, counted from 1.
+    pub kept_round: usize,
+    /// Homotopy iteration of that round whose reference was refined, counted from 1.
+    pub kept_stage: usize,
+    /// Changes of that reference.
+    pub kept_changes: usize,
+    /// All rounds.
+    pub rounds: Vec<Round>,
+    /// What steered the search; older plans do not say.
+    #[serde(default)]
+    pub parameters: RobustParameters,
+    /// What the refined plan loses most, where some rollouts fail.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss: Option<LossRecord>,
+}
+
+/// How the plan of the solver does in rollouts with hard contact: the section `tested` of `result.json`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TestReport {
+    /// Success rate that a robust plan would have to reach at each friction.
+    pub wanted_rate: f64,
+    /// Whether every planned offset succeeds and that rate is reached at each friction. Too few rollouts to call it robust.
+    pub reached: bool,
+    /// Success rates of the plan.
+    pub rates: SuccessRates,
+    /// How a straight push does in the same rollouts.
+    pub push: PushReport,
+    /// Wall time of the test.
+    pub wall_s: f64,
+}
+
+/// How an unplanned straight push from start to goal does in the evaluation of a plan, which ends for it as soon as it is
+/// decided.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PushReport {
+    /// Whether it reaches what is wanted of the plan.
+    pub reached: bool,
+    /// Its success rates.
+    pub rates: SuccessRates,
+}
+
+/// One planning problem, its solution and the refinement of that.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Round {
+    /// What was planned, in words.
+    pub planned: String,
+    /// Planned grasp errors.
+    pub scenarios: Vec<GraspRecord>,
+    /// Coulomb coefficients, each of which was planned with every grasp error.
+    pub frictions: Vec<f64>,
+    /// Steps of the horizon.
+    pub steps: usize,
+    /// Time step of the horizon.
+    pub time_step_s: f64,
+    /// How the last solve ended.
+    pub solve_status: String,
+    /// Wall time of all solves.
+    pub solve_s: f64,
+    /// Homotopy iteration whose reference passed most training trials, counted from 1; 0 without a homotopy.
+    pub chosen_stage: usize,
+    /// Training trials.
+    pub training_trials: usize,
+    /// Training trials that failed before refinement.
+    pub training_failures: usize,
+    /// Wall time of the refinement.
+    pub refinement_s: f64,
+    /// Changes of the reference that were kept.
+    pub changes: usize,
+    /// Failing trials of evaluations that became training trials.
+    pub added_trials: usize,
+    /// Rollouts in training trials.
+    pub rollouts: usize,
+    /// Success rate in the best evaluation; null without any.
+    pub rate: Option<f64>,
+}
+
+impl Round {
+    /// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training
+    /// trials.
+    pub fn new(
+        planned: String,
+        variant: &Variant,
+        iterations: &[PlanIteration],
+        chosen: usize,
+        results: &[TrialResult],
+    ) -> Self {
+        let records = || iterations.iter().map(|iteration| &iteration.record);
+        Self {
+            planned,
+            scenarios: variant.task.grasps.iter().map(GraspRecord::from).collect(),
+            frictions: variant.task.frictions.clone(),
+            steps: variant.task.horizon.steps,
+            time_step_s: variant.task.horizon.time_step,
+            solve_status: records().next_back().map_or_else(String::new, |record| record.status.clone()),
+            solve_s: records().map(|record| record.wall_s).sum(),
+            chosen_stage: chosen,
+            training_trials: results.len(),
+            training_failures: results.iter().filter(|result| !result.passed).count(),
+            refinement_s: 0.0,
+            changes: 0,
+            added_trials: 0,
+            rollouts: 0,
+            rate: None,
+        }
+    }
+}
+
+impl RobustnessReport {
+    /// Whether every planned offset succeeds and the wanted rate holds, at each friction.
+    pub fn is_reached(&self) -> bool {
+        self.reached
+    }
+
+    /// Whether every planned offset succeeds at every friction.
+    pub fn planned_offsets_succeed(&self) -> bool {
+        self.after.planned_succeed()
+    }
+
+    /// The round whose plan was kept.
+    pub fn kept(&self) -> Option<&Round> {
+        self.rounds.get(self.kept_round.checked_sub(1)?)
+    }
+}

@@ -1,0 +1,177 @@
+//! One plan of a problem: the homotopy, from where an earlier run has left it.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nlp::{Control, Iterate, Start};
+use ocp::Event as SolverEvent;
+
+use crate::attempt::{self, Change, is_better, leads_away};
+use crate::checkpoint::Checkpoint;
+use crate::error::{PlannerError, Unusable};
+use crate::homotopy_run::{Ended, HomotopyRun, Solved};
+use crate::iteration::{IterationRecord, PlanIteration};
+use crate::keeper::Keeper;
+use crate::plan::{Plan, PlanStatus, Stop};
+use crate::problem::Problem;
+use crate::ranges::require_threads;
+use crate::records::AttemptRecord;
+use crate::session::{Event, Session};
+use crate::variant::Variant;
+
+/// Plans a problem. Where the built-in homotopy misses the goal, others are tried, and the best plan is kept. With a
+/// folder in the session, finished homotopy iterations are kept there, and those of an earlier run of the same problem
+/// are not solved again.
+///
+/// # Errors
+/// When a linear solver or a file fails, or the session's time ends before the first homotopy iteration. A solve that does
+/// not converge, or has no time to, is a plan whose status says so.
+pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
+    require_threads(session.threads)?;
+    let changes = Change::all(problem);
+    let mut earlier = earlier_work(problem, changes, session)?;
+    // Attempts before the one that an earlier run has begun have missed the goal: they come last.
+    let first = earlier.as_ref().map_or(0, |earlier| earlier.attempt);
+    let order = (first..changes.len()).chain(0..first);
+    let mut best: Option<Plan> = None;
+    let mut attempts: BTreeMap<usize, AttemptRecord> = BTreeMap::new();
+    for (index, is_last) in order.enumerate().map(|(count, index)| (index, count + 1 == changes.len())) {
+        let attempt = Attempt { index, problem: changes[index].of(problem), gives_up: !is_last };
+        if let Some(position_error) = attempts.values().map(|record| record.position_error_m).reduce(f64::min) {
+            session.tell(Event::Attempt { planned: changes[index].name(), position_error });
+        }
+        let Some(plan) = attempt.solve(earlier.take(), session)? else { break };
+        attempts.insert(index, attempt::record(changes[index], &plan));
+        let is_interrupted = plan.stopped == Some(Stop::User);
+        let ends = plan.stopped.is_some() || plan.status() == PlanStatus::Planned || session.is_over();
+        if best.as_ref().is_none_or(|best| is_interrupted || is_better(&plan, best)) {
+            best = Some(plan);
+        }
+        if ends {
+            break;
+        }
+    }
+    let best = best.ok_or_else(|| out_of_time(problem))?;
+    let stopped = best.stopped.or(session.is_over().then_some(Stop::TimeLimit));
+    Ok(Plan { attempts: attempts.into_values().collect(), stopped, ..best })
+}
+
+fn out_of_time(problem: &Problem) -> PlannerError {
+    let task = problem.task();
+    PlannerError::OutOfTime { pairs: task.pairs.len(), scenarios: task.scenarios().len(), steps: task.horizon.steps }
+}
+
+/// A way to solve a problem.
+struct Attempt {
+    /// Among all changes of the problem.
+    index: usize,
+    problem: Problem,
+    /// Whether it ends as soon as it leads away from the goal.
+    gives_up: bool,
+}
+
+impl Attempt {
+    /// `None` where the session's time ends before the first homotopy iteration.
+    fn solve(&self, earlier: Option<Earlier>, session: &Session) -> Result<Option<Plan>, PlannerError> {
+        let variant = Variant::of_scene(&self.problem);
+        let most = variant.settings.most_iterations();
+        let (start, mut finished) = match earlier {
+            Some(Earlier { start, finished, .. }) => {
+                session.tell(Event::Resumed { done: finished.iterations.len(), most, refining: false });
+                (Some(Start::Warm(start)), finished)
+            }
+            None => (None, Finished::default()),
+        };
+        let is_lost = |iterations: &[PlanIteration]| self.gives_up && leads_away(&self.problem, iterations);
+        let mut stopped = None;
+        if !is_lost(&finished.iterations) {
+            let earlier = finished.iterations.clone();
+            let run = HomotopyRun { variant: &variant, threads: session.threads, earlier: &earlier, start };
+            let observe = |event: &SolverEvent| {
+                session.tell(Event::Iteration(*event));
+                if session.is_interrupted() { Control::Stop } else { Control::Continue }
+            };
+            let mut kept = Ok(());
+            let on_finished = |Solved { number, iteration, is_cut }: Solved| {
+                finished.iterations.push(iteration);
+                announce(session, number, most, &finished.iterations[number - 1]);
+                if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_cut) {
+                    kept = finished.keep(folder, self, &variant);
+                }
+                if is_lost(&finished.iterations) || kept.is_err() { Control::Stop } else { Control::Continue }
+            };
+            let ended = run.run(session, observe, on_finished)?;
+            kept?;
+            stopped = match ended {
+                Ended::OutOfTime => Some(Stop::TimeLimit),
+                Ended::Cut => Some(Stop::User),
+                Ended::ByItself => None,
+            };
+        }
+        let is_plan = !finished.iterations.is_empty();
+        Ok(is_plan.then(|| Plan::new(&self.problem, variant, finished.iterations, session.threads, stopped)))
+    }
+}
+
+/// What another run has finished of an attempt.
+struct Earlier {
+    attempt: usize,
+    finished: Finished,
+    start: Iterate,
+}
+
+fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Result<Option<Earlier>, PlannerError> {
+    let Some(folder) = session.folder else { return Ok(None) };
+    let discard = |reason: Unusable| {
+        session.tell(Event::Discarded { reason });
+        folder.discard().map(|_| None)
+    };
+    let checkpoint = match Checkpoint::load(folder, problem.identity()) {
+        Ok(Some(checkpoint)) => checkpoint,
+        Ok(None) => return Ok(None),
+        Err(reason) => return discard(reason),
+    };
+    let Some(change) = changes.get(checkpoint.attempt) else { return discard(Unusable::DamagedCheckpoint) };
+    let (changed, last) = (change.of(problem), checkpoint.iterations.last());
+    let (task, settings) = (changed.task().clone(), changed.homotopy());
+    if !last.is_some_and(|last| checkpoint.is_point_of(&last.task(&task), settings.complementarity)) {
+        return discard(Unusable::DamagedCheckpoint);
+    }
+    let read = |(number, record): (usize, &IterationRecord)| {
+        let trajectory = folder.iteration(number, &record.task(&task))?;
+        Ok::<_, PlannerError>(PlanIteration { record: record.clone(), trajectory, point: None })
+    };
+    let iterations: Result<Vec<PlanIteration>, _> = (1..).zip(&checkpoint.iterations).map(read).collect();
+    let Ok(mut iterations) = iterations else { return discard(Unusable::DamagedTables) };
+    let start = checkpoint.iterate();
+    if let Some(last) = iterations.last_mut() {
+        last.point = Some(Arc::new(start.clone()));
+    }
+    let finished = Finished { iterations, tables: checkpoint.tables };
+    Ok(Some(Earlier { attempt: checkpoint.attempt, start, finished }))
+}
+
+/// What is known of the finished homotopy iterations.
+#[derive(Default)]
+struct Finished {
+    iterations: Vec<PlanIteration>,
+    /// Hashes of their tables, by their paths in the folder.
+    tables: BTreeMap<String, String>,
+}
+
+impl Finished {
+    /// Keeps the tables of the last iteration, then the checkpoint from which the next one can start.
+    fn keep(&mut self, keeper: &dyn Keeper, attempt: &Attempt, variant: &Variant) -> Result<(), PlannerError> {
+        let Some(PlanIteration { trajectory, point: Some(point), .. }) = self.iterations.last() else { return Ok(()) };
+        self.tables.extend(keeper.keep_iteration(self.iterations.len(), trajectory, &variant.task)?);
+        let records = self.iterations.iter().map(|iteration| iteration.record.clone()).collect();
+        let mut checkpoint = Checkpoint::new(attempt.problem.identity(), attempt.index, records, point);
+        checkpoint.tables.clone_from(&self.tables);
+        checkpoint.save(keeper)
+    }
+}
+
+fn announce(session: &Session, number: usize, most: usize, iteration: &PlanIteration) {
+    let (position_error, _) = iteration.trajectory.worst_errors();
+    session.tell(Event::HomotopyIteration { number, most, record: &iteration.record, position_error });
+}

@@ -1,0 +1,87 @@
+//! What a robust plan must bear, and how much time may be spent on it.
+
+use std::time::Duration;
+
+use scene::Borne;
+
+use crate::error::PlannerError;
+use crate::parameters::RobustParameters;
+use crate::ranges::{require, require_frictions, require_turn};
+
+/// What a robust plan must bear, and how much time may be spent on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RobustnessTarget {
+    /// Success rate to reach at each friction, 0 to 1.
+    pub wanted_rate: f64,
+    /// Coulomb coefficients, each once.
+    pub frictions: Vec<f64>,
+    /// Largest turn of the part in the gripper besides its offset, about any axis (rad).
+    pub turn: f64,
+    /// Largest relative error of the inertia.
+    pub inertia_error: f64,
+    /// Largest relative error of the stiffness.
+    pub stiffness_error: f64,
+    /// Largest delay of an arm's controller (s).
+    pub delay: f64,
+    /// When to stop refining, the time of the first solve included.
+    pub time_limit: Duration,
+    /// Changes in a row without improvement after which a plan is evaluated anew.
+    pub patience: usize,
+    /// What steers the search.
+    pub parameters: RobustParameters,
+    /// Changes to try in the whole refinement, if they are limited: unlike a time, a count means the same on every machine.
+    pub max_changes: Option<usize>,
+}
+
+impl Default for RobustnessTarget {
+    fn default() -> Self {
+        Self::of(&Borne::default())
+    }
+}
+
+impl RobustnessTarget {
+    /// For what a scene says must be borne.
+    pub fn of(borne: &Borne) -> Self {
+        let Borne { frictions, turn, inertia_error, stiffness_error, delay, edge_radius: _ } = borne.clone();
+        Self {
+            wanted_rate: 0.99,
+            frictions,
+            turn,
+            inertia_error,
+            stiffness_error,
+            delay,
+            time_limit: Duration::from_secs(300),
+            patience: 150,
+            parameters: RobustParameters::default(),
+            max_changes: None,
+        }
+    }
+}
+
+impl RobustnessTarget {
+    /// Checks all values.
+    ///
+    /// # Errors
+    /// With the first that is out of its range.
+    pub fn validate(&self) -> Result<(), PlannerError> {
+        require(
+            0.0 <= self.wanted_rate && self.wanted_rate <= 1.0,
+            "wanted rate",
+            self.wanted_rate,
+            "must lie between 0 and 1",
+        )?;
+        require_frictions(&self.frictions)?;
+        require_turn(self.turn)?;
+        self.parameters.validate()
+    }
+
+    /// The largest friction.
+    pub fn largest_friction(&self) -> f64 {
+        self.frictions.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The smallest friction: that of the motions which the plan shows.
+    pub fn least_friction(&self) -> f64 {
+        self.frictions.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+}

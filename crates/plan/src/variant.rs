@@ -1,0 +1,29 @@
+//! A planning problem as it is really solved: the scene's own, or one that was changed to give more margin.
+
+use task::{AssemblyTask, HomotopySettings, Trajectory};
+
+use crate::problem::Problem;
+
+/// A task and settings to solve.
+#[derive(Debug, Clone)]
+pub struct Variant {
+    /// What is planned.
+    pub task: AssemblyTask,
+    /// How.
+    pub settings: HomotopySettings,
+    /// The motion at which the homotopy begins, instead of rest at the start pose.
+    pub near: Option<Trajectory>,
+}
+
+/// Part of the limit of contact forces that plans may use. They know the mean over a time step; a rollout, and a robot, may
+/// push harder for 10 ms.
+const FORCE_SHARE: f64 = 0.7;
+
+impl Variant {
+    /// The scene as it is, with a margin of contact forces.
+    pub fn of_scene(problem: &Problem) -> Self {
+        let mut task = problem.task().clone();
+        task.limits.contact_force *= FORCE_SHARE;
+        Self { task, settings: problem.homotopy().clone(), near: None }
+    }
+}

@@ -1,0 +1,155 @@
+//! What an unfinished refinement leaves behind so that another one can go on with its best plan.
+
+use plan::records::GraspRecord;
+use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
+use serde::{Deserialize, Serialize};
+use simulation::{Disturbance, FrictionIndex, Trial};
+use task::GraspError;
+
+use crate::Drawn;
+use crate::origin::{Marks, Origin};
+
+/// Name of the record.
+const REFINEMENT: &str = "refinement.json";
+
+/// The best plan so far of a refinement, and what it has learnt.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RefinementCheckpoint {
+    /// [`Problem::identity`](plan::Problem::identity) of the problem.
+    pub identity: String,
+    /// Coulomb coefficients that it must bear.
+    pub frictions: Vec<f64>,
+    /// Largest turn in the gripper that it must bear.
+    pub turn_rad: f64,
+    /// Largest relative error of the inertia that it must bear.
+    pub inertia_error: f64,
+    /// Largest relative error of the stiffness that it must bear.
+    pub stiffness_error: f64,
+    /// Largest delay of the controller that it must bear.
+    pub delay_s: f64,
+    /// Largest radius of edges that it must bear.
+    pub edge_radius_m: f64,
+    /// What steered the search.
+    pub parameters: RobustParameters,
+    /// Tolerances of success: distance (m) and angle (rad).
+    pub tolerance: [f64; 2],
+    /// Wall time so far.
+    pub elapsed_s: f64,
+    /// Evaluations so far: the next ones need other seeds.
+    pub evaluations: u64,
+    /// Success rates of the plan without refinement.
+    pub before: SuccessRates,
+    /// Trials to refine in.
+    pub training: Vec<TrialRecord>,
+    /// Rounds so far, the one under way included.
+    pub rounds: Vec<Round>,
+    /// The best plan.
+    pub best: BestRecord,
+}
+
+/// The best plan so far.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BestRecord {
+    /// Where it comes from.
+    pub origin: Origin,
+    /// What was done to it since.
+    pub marks: Marks,
+    /// Its planned grasp errors.
+    pub scenarios: Vec<GraspRecord>,
+    /// Coulomb coefficients of its scenarios.
+    pub planned_frictions: Vec<f64>,
+    /// Its horizon.
+    pub steps: usize,
+    /// Its horizon.
+    pub time_step_s: f64,
+    /// Number of its homotopy iterations, if all of them run.
+    pub homotopy_iterations: usize,
+    /// Its homotopy iterations.
+    pub iterations: Vec<IterationRecord>,
+    /// States (pose, twist) of its reference.
+    pub reference: Vec<[f64; 13]>,
+    /// Its success rates.
+    pub rates: SuccessRates,
+    /// Whether they are what was wanted, after a whole evaluation.
+    pub reached: bool,
+    /// The evaluation that they are of.
+    pub evaluation: Drawn,
+    /// Rollouts that this lacks.
+    pub unplayed: usize,
+    /// Trials that it fails.
+    pub failing: Vec<TrialRecord>,
+    /// Number of its round.
+    pub round: usize,
+    /// Homotopy iteration whose reference was refined.
+    pub chosen_stage: usize,
+    /// Changes of that reference.
+    pub changes: usize,
+}
+
+/// A trial.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TrialRecord {
+    /// Index into the frictions.
+    pub friction: usize,
+    /// Of the part in the gripper.
+    pub grasp: GraspRecord,
+    /// Relative error of the inertia.
+    pub inertia_error: f64,
+    /// Relative error of the stiffness.
+    pub stiffness_error: f64,
+    /// Delay of the controller.
+    pub delay_s: f64,
+    /// Radius of edges.
+    pub edge_radius_m: f64,
+}
+
+impl From<&Trial> for TrialRecord {
+    fn from(trial: &Trial) -> Self {
+        let Trial { friction, grasp, disturbance } = *trial;
+        Self {
+            friction: friction.0,
+            grasp: GraspRecord::from(&grasp),
+            inertia_error: disturbance.inertia,
+            stiffness_error: disturbance.stiffness,
+            delay_s: disturbance.delay,
+            edge_radius_m: disturbance.edge_radius,
+        }
+    }
+}
+
+impl From<&TrialRecord> for Trial {
+    fn from(record: &TrialRecord) -> Self {
+        let disturbance = Disturbance {
+            inertia: record.inertia_error,
+            stiffness: record.stiffness_error,
+            delay: record.delay_s,
+            joint_friction: 0.0,
+            edge_radius: record.edge_radius_m,
+        };
+        Self { friction: FrictionIndex(record.friction), grasp: GraspError::from(&record.grasp), disturbance }
+    }
+}
+
+impl RefinementCheckpoint {
+    /// The checkpoint that is kept: none where nothing is; `Err` with the reason where it was cut or changed, or is of another
+    /// problem.
+    pub fn load(keeper: &dyn Keeper, identity: &str) -> Result<Option<Self>, Unusable> {
+        let Some(text) = keeper.record(REFINEMENT) else { return Ok(None) };
+        let checkpoint: Self = unseal(&text, Unusable::DamagedRefinement)?;
+        match checkpoint.identity == identity {
+            true => Ok(Some(checkpoint)),
+            false => Err(Unusable::OtherProblem),
+        }
+    }
+
+    /// Keeps the checkpoint.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn save(&self, keeper: &dyn Keeper) -> Result<(), PlannerError> {
+        keeper.keep_record(REFINEMENT, &seal(self)?)
+    }
+}

@@ -1,0 +1,408 @@
+//! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
+
+use std::f64::consts::TAU;
+
+use fastrand::Rng;
+use nalgebra::Vector3;
+use plan::parameters::EvaluationParameters;
+use plan::{OffsetRegion, Problem, RobustnessTarget, SuccessRate, SuccessRates};
+use serde::{Deserialize, Serialize};
+use simulation::{Disturbance, Evaluator, FrictionIndex, Reference, Trial, TrialResult, offsets};
+use task::{AssemblyTask, Coverage, GraspError};
+
+/// Steps of height and of angle from one [axis](training_axis) to the next: powers of 1 / 1.3247, the root of x^3 = x + 1, which
+/// never repeat and leave no large gaps.
+const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
+
+/// Largest errors to be borne: of the grasp, offsets of up to `delta-hat` (m) and a turn (rad); of robot and controller, relative
+/// ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
+#[derive(Debug, Clone, Copy)]
+pub struct ErrorRange {
+    coverage: Coverage,
+    delta: f64,
+    turn: f64,
+    inertia: f64,
+    stiffness: f64,
+    delay: f64,
+    edge_radius: f64,
+    evaluation: EvaluationParameters,
+    disturbance_seed: u64,
+}
+
+impl ErrorRange {
+    /// What a plan of a problem must bear.
+    pub fn new(problem: &Problem, target: &RobustnessTarget) -> Self {
+        Self {
+            coverage: problem.scene().coverage,
+            delta: problem.delta(),
+            turn: target.turn,
+            inertia: target.inertia_error,
+            stiffness: target.stiffness_error,
+            delay: target.delay,
+            edge_radius: problem.edge_radius(),
+            evaluation: target.parameters.evaluation,
+            disturbance_seed: target.parameters.seeds.disturbance,
+        }
+    }
+
+    /// Turns as far as the part may be turned, about random axes (rotation vectors, rad). Smaller ones fail less often:
+    /// few trials say most at the limit.
+    fn turns(&self, count: usize, seed: u64) -> Vec<[f64; 3]> {
+        let largest =
+            |turn: [f64; 3]| Vector3::from(turn).try_normalize(0.0).map_or(turn, |axis| (axis * self.turn).into());
+        offsets::turns(self.turn, count, seed).into_iter().map(largest).collect()
+    }
+
+    /// Random offsets of the planned `offsets`' coverage, of `count` for each of the fractions, in groups that are counted
+    /// together.
+    fn groups(&self, offsets: &[[f64; 3]], count: usize, seed: u64) -> Vec<OffsetGroup> {
+        let Self { coverage, delta, evaluation: EvaluationParameters { fractions, .. }, .. } = self;
+        if *coverage == Coverage::Hull {
+            let of_fraction = |(seed, fraction): (u64, &f64)| {
+                let scaled: Vec<[f64; 3]> = offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
+                let offsets = offsets::covered(coverage, &scaled, fraction * delta, count, seed);
+                OffsetGroup { region: OffsetRegion::Hull, magnitude: fraction * delta, offsets }
+            };
+            return (seed..).zip(fractions).map(of_fraction).collect();
+        }
+        let mut rim = offsets::covered(coverage, offsets, *delta, fractions.len() * count, seed);
+        let inside = rim.split_off(offsets::rim_count(rim.len()));
+        let group = |(region, offsets)| OffsetGroup { region, magnitude: *delta, offsets };
+        [(OffsetRegion::Inside, inside), (OffsetRegion::Rim, rim)].map(group).into()
+    }
+
+    /// A robot, controller and edges within the range, all of them equally likely.
+    fn disturbance(&self, random: &mut Rng) -> Disturbance {
+        let mut relative = |largest: f64| largest * (2.0 * random.f64() - 1.0);
+        let (inertia, stiffness) = (relative(self.inertia), relative(self.stiffness));
+        let (delay, edge_radius) = (self.delay * random.f64(), self.edge_radius * random.f64());
+        Disturbance { inertia, stiffness, delay, joint_friction: 0.0, edge_radius }
+    }
+}
+
+/// Random offsets of one magnitude (m) and region.
+struct OffsetGroup {
+    region: OffsetRegion,
+    magnitude: f64,
+    offsets: Vec<[f64; 3]>,
+}
+
+/// What tells an evaluation of a problem from others.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Drawn {
+    /// Largest number of random offsets per friction and magnitude.
+    pub random: usize,
+    /// Their seed.
+    pub seed: u64,
+}
+
+/// Trials of a reference, in groups of one friction, magnitude and region.
+pub struct Evaluation {
+    drawn: Drawn,
+    parameters: EvaluationParameters,
+    groups: Vec<SuccessRate>,
+    /// The planned grasp errors first, then one of each group in turn: the first ones speak for all.
+    trials: Vec<Trial>,
+    /// Group of every trial.
+    group: Vec<usize>,
+}
+
+/// What an evaluation has shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judgement {
+    /// Of the trials that were played.
+    pub rates: SuccessRates,
+    /// Whether the whole evaluation was played, every planned grasp error succeeds, and the wanted rate holds at each friction.
+    pub reached: bool,
+    /// The evaluation.
+    pub evaluation: Drawn,
+    /// Rollouts that it lacks because it was stopped; 0 where it is decided.
+    pub unplayed: usize,
+    /// Trials that failed.
+    pub failures: Vec<(Trial, TrialResult)>,
+}
+
+impl Judgement {
+    /// The trials that failed.
+    pub fn failing(&self) -> Vec<Trial> {
+        self.failures.iter().map(|(trial, _)| *trial).collect()
+    }
+}
+
+impl Evaluation {
+    /// At most `count` random offsets per friction and fraction of delta-hat, each with a turn, errors of robot and
+    /// controller and round edges, and the planned grasp errors without other errors.
+    pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
+        let delta = range.delta;
+        let mut random = Rng::with_seed(seed + range.disturbance_seed);
+        let (mut groups, mut placed) = (Vec::new(), Vec::new());
+        for (index, &friction) in frictions.iter().enumerate() {
+            let mut add = |group: SuccessRate, errors: &mut dyn Iterator<Item = GraspError>| {
+                let errors = GraspError::distinct(errors);
+                let trial = |(place, grasp)| {
+                    let disturbance =
+                        if group.planned { Disturbance::default() } else { range.disturbance(&mut random) };
+                    (!group.planned, place, groups.len(), Trial { friction: FrictionIndex(index), grasp, disturbance })
+                };
+                placed.extend(errors.into_iter().enumerate().map(trial));
+                groups.push(group);
+            };
+            let group = |region, magnitude, planned| SuccessRate::unplayed(friction, magnitude, region, planned);
+            let random_groups = range.groups(&task.offsets(), count, seed);
+            for (seed, OffsetGroup { region, magnitude, offsets }) in (seed..).zip(random_groups) {
+                let spread = offsets::ball(range.evaluation.spread * delta, offsets.len(), seed);
+                let turns = range.turns(offsets.len(), seed);
+                let error = |((offset, spread), turn): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
+                    offset: std::array::from_fn(|axis| offset[axis] + spread[axis]),
+                    turn,
+                };
+                let errors = offsets.into_iter().zip(&spread).zip(turns).map(error);
+                add(group(region, magnitude, false), &mut { errors });
+            }
+            let region = if range.coverage == Coverage::Hull { OffsetRegion::Hull } else { OffsetRegion::Rim };
+            add(group(region, delta, true), &mut task.grasps.iter().copied());
+        }
+        placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
+        let (group, trials) = placed.into_iter().map(|(_, _, group, trial)| (group, trial)).unzip();
+        Self { drawn: Drawn { random: count, seed }, parameters: range.evaluation, groups, trials, group }
+    }
+
+    /// The trials, in the order in which they are played.
+    pub fn trials(&self) -> &[Trial] {
+        &self.trials
+    }
+
+    /// The trials to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
+    /// each about another [axis](training_axis). What bears these mostly bears smaller turns.
+    pub fn into_training(self, range: &ErrorRange) -> Vec<Trial> {
+        let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.turn));
+        let Self { groups, mut trials, group, .. } = self;
+        for (trial, group) in trials.iter_mut().zip(group) {
+            if !groups[group].planned {
+                trial.grasp.turn = turns.next().unwrap_or_default();
+            }
+        }
+        trials
+    }
+
+    /// Plays a reference in the trials until it is decided whether it succeeds at the wanted rate (0 to 1), and
+    /// enough failures are known; or until `stop` returns true.
+    pub fn judge(
+        &self,
+        evaluator: &Evaluator,
+        reference: &Reference,
+        wanted: f64,
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Judgement {
+        let (mut results, mut unplayed) = (Vec::new(), 0);
+        for batch in self.trials.chunks(self.parameters.batch) {
+            let Judgement { rates, failures, .. } = self.judgement(&results, wanted);
+            if failures.len() >= self.parameters.enough_failures && !self.can_satisfy(&rates.0, wanted) {
+                break;
+            }
+            let Some(new) = evaluator.evaluate_all(reference, batch, stop) else {
+                unplayed = self.trials.len() - results.len();
+                break;
+            };
+            results.extend(new);
+        }
+        Judgement { unplayed, ..self.judgement(&results, wanted) }
+    }
+
+    /// What the results of the first trials show.
+    pub fn judgement(&self, results: &[TrialResult], wanted: f64) -> Judgement {
+        let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
+        for ((result, trial), &group) in results.iter().zip(&self.trials).zip(&self.group) {
+            groups[group].count(result.passed, result.contact_force);
+            if !result.passed {
+                failures.push((*trial, *result));
+            }
+        }
+        let rates = SuccessRates(groups);
+        let reached = results.len() == self.trials.len() && rates.satisfy(wanted);
+        Judgement { reached, evaluation: self.drawn, unplayed: 0, rates, failures }
+    }
+
+    /// Whether the wanted rate could be reached if all trials to come succeeded.
+    fn can_satisfy(&self, groups: &[SuccessRate], wanted: f64) -> bool {
+        let mut hoped = groups.to_vec();
+        for (index, group) in hoped.iter_mut().enumerate() {
+            let all = self.group.iter().filter(|&&of| of == index).count();
+            group.successes += all - group.rollouts;
+            group.rollouts = all;
+        }
+        SuccessRates(hoped).satisfy(wanted)
+    }
+}
+
+/// Axis number `index` about which training turns the part: any few in a row point in all directions, as the trials of one
+/// friction should.
+fn training_axis(index: u32) -> [f64; 3] {
+    let [height, turns] = AXIS_STEPS.map(|step| (0.5 + step * f64::from(index)).fract());
+    let height = 1.0 - 2.0 * height;
+    let (sin, cos) = (TAU * turns).sin_cos();
+    let radius = (1.0 - height * height).sqrt();
+    [radius * cos, radius * sin, height]
+}
+
+#[cfg(test)]
+mod tests {
+    use plan::Choices;
+    use plan::parameters::Seeds;
+
+    use super::*;
+    use crate::tests::corner;
+
+    fn no_errors() -> ErrorRange {
+        ErrorRange {
+            coverage: Coverage::Hull,
+            delta: 0.0,
+            turn: 0.0,
+            inertia: 0.0,
+            stiffness: 0.0,
+            delay: 0.0,
+            edge_radius: 0.0,
+            evaluation: EvaluationParameters::default(),
+            disturbance_seed: Seeds::default().disturbance,
+        }
+    }
+
+    /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
+    fn evaluation(count: usize) -> Evaluation {
+        let group = |planned| SuccessRate::unplayed(0.0, 0.01, OffsetRegion::Hull, planned);
+        let trial =
+            Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+        let numbers = [vec![0; 2], vec![1; count]].concat();
+        let (groups, trials) = (vec![group(true), group(false)], vec![trial; numbers.len()]);
+        Evaluation {
+            drawn: Drawn::default(),
+            parameters: EvaluationParameters::default(),
+            groups,
+            trials,
+            group: numbers,
+        }
+    }
+
+    /// What is drawn of a range in a task with two frictions: groups, and offsets of each with how they are counted.
+    fn drawn(range: &ErrorRange, count: usize) -> Vec<(SuccessRate, Vec<Vector3<f64>>)> {
+        let problem = Problem::load(&corner(), &Choices::default()).unwrap();
+        let Evaluation { groups, trials, group, .. } = Evaluation::new(problem.task(), range, &[0.0, 0.3], count, 1);
+        let offsets_of = |index: usize| {
+            let of_group = trials.iter().zip(&group).filter(|(_, of)| **of == index);
+            of_group.map(|(trial, _)| Vector3::from(trial.grasp.offset)).collect()
+        };
+        (0..groups.len()).map(|index| (groups[index].clone(), offsets_of(index))).collect()
+    }
+
+    #[test]
+    fn a_disc_is_evaluated_inside_and_on_its_rim_with_as_many_offsets_as_a_hull() {
+        let axis = [0.0, 0.0, 1.0];
+        let range = ErrorRange { coverage: Coverage::Disc { axis }, delta: 0.01, ..no_errors() };
+        let groups = drawn(&range, 100);
+        let names: Vec<(f64, OffsetRegion, bool, usize)> = groups
+            .iter()
+            .map(|(group, offsets)| (group.friction, group.region, group.planned, offsets.len()))
+            .collect();
+        let of_friction = |friction: f64| {
+            let planned = (friction, OffsetRegion::Rim, true, 2);
+            [(friction, OffsetRegion::Inside, false, 250), (friction, OffsetRegion::Rim, false, 250), planned]
+        };
+        assert_eq!(names, [of_friction(0.0), of_friction(0.3)].concat());
+        for (group, offsets) in groups.iter().filter(|(group, _)| !group.planned) {
+            let across = |offset: &Vector3<f64>| offset.xy().norm();
+            let (least, most) = offsets
+                .iter()
+                .map(across)
+                .fold((f64::INFINITY, 0.0_f64), |(least, most), length| (least.min(length), most.max(length)));
+            assert!(most > 0.0098 && most <= 0.0105 + 1e-12, "{most}");
+            assert_eq!(least > 0.0094, group.region == OffsetRegion::Rim, "{least}");
+            assert!(offsets.iter().all(|offset| offset.z.abs() <= 0.0005 + 1e-12), "the spread");
+            assert_eq!(group.magnitude_m, 0.01);
+        }
+        let training = drawn(&range, 1);
+        let counts: Vec<usize> = training.iter().map(|(_, offsets)| offsets.len()).collect();
+        assert_eq!(counts, [2, 3, 2, 2, 3, 2]);
+    }
+
+    #[test]
+    fn offsets_in_a_hull_are_drawn_as_in_earlier_versions() {
+        // Plans of earlier versions are evaluated with the same offsets as then.
+        let range = ErrorRange { delta: 0.01, ..no_errors() };
+        let groups = drawn(&range, 100);
+        let magnitudes: Vec<f64> = groups.iter().map(|(group, _)| group.magnitude_m).collect();
+        assert_eq!(magnitudes[..6], [0.0, 0.0025, 0.005, 0.0075, 0.0095, 0.01]);
+        let sums = [
+            [-2.011_066_896e-4, -1.157_222_648e-3, -3.159_207_880e-4],
+            [0.257_816_654, 2.318_044_508e-3, 0.245_468_966],
+            [0.528_335_143, 6.519_431_348e-4, 0.470_115_280],
+            [0.719_052_698, -2.767_080_487e-4, 0.783_203_309],
+            [0.990_368_947, -2.615_411_064e-3, 0.913_341_318],
+            [0.02, 0.0, 0.02],
+        ];
+        for ((group, offsets), sum) in groups.iter().zip(sums.iter().cycle()) {
+            let difference = offsets.iter().sum::<Vector3<f64>>() - Vector3::from(*sum);
+            assert!(difference.norm() < 1e-9 && group.region == OffsetRegion::Hull, "{group:?}: {offsets:?}");
+        }
+    }
+
+    #[test]
+    fn training_turns_the_part_as_far_as_may_be_about_axes_in_all_directions() {
+        let range = ErrorRange { turn: 0.02, ..no_errors() };
+        let trials = evaluation(15).into_training(&range);
+        let turns: Vec<Vector3<f64>> = trials.iter().map(|trial| trial.grasp.turn.into()).collect();
+        let (planned, random) = turns.split_at(2);
+        assert_eq!(planned, [Vector3::zeros(); 2], "planned errors are as they are planned");
+        assert!(random.iter().all(|turn| (turn.norm() - 0.02).abs() < 1e-12));
+        // Any direction is near one of all of them, and not far from one of five in a row.
+        for direction in range.turns(500, 1).into_iter().map(Vector3::from) {
+            let nearest = |turns: &[Vector3<f64>]| {
+                turns.iter().map(|turn| turn.angle(&direction).to_degrees()).fold(f64::INFINITY, f64::min)
+            };
+            assert!(nearest(random) < 60.0, "{direction:?}");
+            assert!(random.chunks(5).all(|few| nearest(few) < 90.0), "{direction:?}");
+        }
+    }
+
+    #[test]
+    fn evaluations_turn_the_part_as_far_as_may_be() {
+        let range = ErrorRange { turn: 0.02, ..no_errors() };
+        assert!(range.turns(50, 3).iter().all(|turn| (Vector3::from(*turn).norm() - 0.02).abs() < 1e-12));
+        assert_eq!(no_errors().turns(1, 3), [[0.0; 3]]);
+    }
+
+    #[test]
+    fn errors_fill_their_range() {
+        let range = ErrorRange { inertia: 0.1, stiffness: 0.2, delay: 0.003, edge_radius: 1e-4, ..no_errors() };
+        let mut random = Rng::with_seed(1);
+        let drawn: Vec<Disturbance> = (0..200).map(|_| range.disturbance(&mut random)).collect();
+        let extremes = |of: fn(&Disturbance) -> f64| {
+            let values = drawn.iter().map(of);
+            (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
+        };
+        for (of, least, most) in [
+            (extremes(|drawn| drawn.inertia), -0.1, 0.1),
+            (extremes(|drawn| drawn.stiffness), -0.2, 0.2),
+            (extremes(|drawn| drawn.delay), 0.0, 0.003),
+            (extremes(|drawn| drawn.edge_radius), 0.0, 1e-4),
+        ] {
+            let margin = 0.05 * (most - least);
+            assert!(least <= of.0 && of.0 < least + margin && most - margin < of.1 && of.1 <= most, "{of:?}");
+        }
+    }
+
+    fn played(groups: &[SuccessRate], counts: [(usize, usize); 2]) -> Vec<SuccessRate> {
+        let count =
+            |(group, (rollouts, successes)): (&SuccessRate, _)| SuccessRate { rollouts, successes, ..group.clone() };
+        groups.iter().zip(counts).map(count).collect()
+    }
+
+    #[test]
+    fn an_evaluation_is_lost_when_what_is_left_cannot_save_it() {
+        let evaluation = evaluation(98);
+        let can = |counts| evaluation.can_satisfy(&played(&evaluation.groups, counts), 0.99);
+        assert!(can([(2, 2), (10, 9)]), "one of a hundred may fail");
+        assert!(!can([(2, 2), (10, 8)]), "two may not");
+        assert!(!can([(2, 1), (0, 0)]), "every planned offset has to succeed");
+    }
+}

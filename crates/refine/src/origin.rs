@@ -1,0 +1,113 @@
+//! Where plans on the way to a robust one come from, and what was done to them.
+
+use std::fmt;
+
+use plan::{PlanIteration, Variant};
+use serde::{Deserialize, Serialize};
+
+use crate::draft::Draft;
+use crate::portfolio::Recipe;
+
+/// Where a reference comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum Origin {
+    /// The scene as it is.
+    Scene,
+    /// A straight push, which solves nothing.
+    Push,
+    /// Whoever calls.
+    Given,
+    /// A problem of the portfolio.
+    Variant(Recipe),
+    /// A draft.
+    Draft(Draft),
+}
+
+/// What was done to a reference since.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Marks {
+    /// It ends with strokes.
+    pub has_strokes: bool,
+    /// It was refined again.
+    pub is_continued: bool,
+    /// What no trial needs was taken back.
+    pub is_straightened: bool,
+    /// It was refined in a harder world.
+    pub has_margins: bool,
+}
+
+/// A solved problem, and which of its homotopy iterations is refined.
+#[derive(Clone)]
+pub struct Solved {
+    pub origin: Origin,
+    pub marks: Marks,
+    pub variant: Variant,
+    /// Its homotopy; the scene's own for a reference that was not planned.
+    pub iterations: Vec<PlanIteration>,
+    /// Number of the homotopy iteration whose reference is refined, from 1; 0 for none of them.
+    pub chosen: usize,
+}
+
+impl Origin {
+    /// Whether its homotopy iterations are those of the scene itself, which are kept elsewhere.
+    pub fn has_homotopy_of_scene(&self) -> bool {
+        matches!(self, Self::Scene | Self::Push | Self::Given)
+    }
+}
+
+impl Solved {
+    /// What its homotopy has found, of which nothing is chosen yet.
+    pub fn new(origin: Origin, variant: Variant, iterations: Vec<PlanIteration>) -> Self {
+        Self { origin, marks: Marks::default(), variant, iterations, chosen: 0 }
+    }
+
+    /// In words.
+    pub fn planned(&self) -> String {
+        format!("{}{}", self.origin, self.marks)
+    }
+
+    /// Indices of the homotopy iterations that have all steps.
+    pub fn with_all_steps(&self) -> Vec<usize> {
+        let has_all = |&index: &usize| !self.iterations[index].record.is_coarse(&self.variant.task);
+        (0..self.iterations.len()).filter(has_all).collect()
+    }
+}
+
+impl fmt::Display for Origin {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Scene => formatter.write_str("the scene as it is"),
+            Self::Push => formatter.write_str("a straight push"),
+            Self::Given => formatter.write_str("a given reference"),
+            Self::Variant(recipe) => recipe.fmt(formatter),
+            Self::Draft(draft) => draft.fmt(formatter),
+        }
+    }
+}
+
+impl fmt::Display for Marks {
+    /// What follows the origin.
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let marks = [
+            (self.has_strokes, ", with strokes at the end"),
+            (self.is_continued, ", continued"),
+            (self.is_straightened, ", straightened"),
+            (self.has_margins, ", with margins"),
+        ];
+        marks.into_iter().filter(|(is_set, _)| *is_set).try_for_each(|(_, words)| formatter.write_str(words))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_tell_the_origin_and_what_was_done_since() {
+        let marks = Marks { has_strokes: true, is_continued: true, has_margins: true, ..Marks::default() };
+        let planned = format!("{}{marks}", Origin::Variant(Recipe::TwiceTheTime));
+        assert_eq!(planned, "twice the time, with strokes at the end, continued, with margins");
+        assert_eq!(format!("{}{}", Origin::Scene, Marks::default()), "the scene as it is");
+    }
+}

@@ -1,0 +1,115 @@
+//! Files that are written whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+
+use plan::PlannerError;
+
+/// Larger files (bytes) are none of ours.
+const LARGEST: u64 = 1 << 28;
+
+/// Writes a file under a temporary name and renames it, so that it is never half there. Its folder is made where it is
+/// missing.
+///
+/// # Errors
+/// When it cannot be written; what stood there before then still stands.
+pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;
+    // A device or a pipe that stands there is no file of ours; a link to nothing is replaced.
+    if fs::metadata(path).is_ok() {
+        input::require_regular(path).map_err(PlannerError::written(path))?;
+    }
+    let name = path.file_name().ok_or_else(|| PlannerError::file(path, "is not the name of a file"))?.to_string_lossy();
+    let partial = folder.join(format!(".{name}.partial"));
+    let mut file = claim(&partial).map_err(PlannerError::written(path))?;
+    let written = file.set_len(0).and_then(|()| file.write_all(content)).and_then(|()| file.sync_data());
+    written.and_then(|()| fs::rename(&partial, path)).map_err(|error| {
+        // Nothing is left of a file that cannot be written.
+        let _ = fs::remove_file(&partial);
+        PlannerError::written(path)(error)
+    })
+}
+
+/// Opens a file that only this process writes, until it is renamed or closed. What a process has left there that was killed is
+/// used again, so that nothing piles up.
+fn claim(partial: &Path) -> std::io::Result<File> {
+    loop {
+        let file = input::append(partial)?;
+        file.lock()?;
+        // Who waited for the lock holds a file that has its final name by now.
+        if is_at(&file, partial) {
+            return Ok(file);
+        }
+    }
+}
+
+/// Whether an open file is still the one at a path.
+#[cfg(unix)]
+pub(super) fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |metadata: fs::Metadata| (metadata.dev(), metadata.ino());
+    match (file.metadata(), fs::symlink_metadata(path)) {
+        (Ok(one), Ok(other)) => identity(one) == identity(other),
+        _ => false,
+    }
+}
+
+/// Whether an open file is still the one at a path.
+#[cfg(not(unix))]
+pub(super) fn is_at(_file: &File, path: &Path) -> bool {
+    path.exists()
+}
+
+/// Refuses the name of a folder on whose way a file stands, or a link that leads nowhere.
+///
+/// # Errors
+/// With the name of that file.
+pub fn require_folder(folder: &Path) -> Result<(), PlannerError> {
+    let stands = |place: &&Path| place.symlink_metadata().is_ok() && !place.is_dir();
+    let Some(place) = folder.ancestors().find(stands) else { return Ok(()) };
+    let what = match place.exists() {
+        true => "is a file",
+        false => "is a link to what does not exist",
+    };
+    Err(PlannerError::file(
+        folder,
+        match place == folder {
+            true => format!("{what}; name a folder"),
+            false => format!("{} {what}; name another folder", place.display()),
+        },
+    ))
+}
+
+/// Removes a file, if there is one.
+///
+/// # Errors
+/// When it cannot be removed.
+pub fn remove_file(path: &Path) -> Result<(), PlannerError> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(PlannerError::written(path)(error)),
+        _ => Ok(()),
+    }
+}
+
+/// A file of ours, or one that is said to be.
+///
+/// # Errors
+/// When it cannot be read, is another kind of file, or is larger than any of ours.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, PlannerError> {
+    input::read(path, LARGEST).map_err(PlannerError::read(path))
+}
+
+/// Text of such a file.
+///
+/// # Errors
+/// As [`read_bytes`], and when it is not UTF-8.
+pub fn read_text(path: &Path) -> Result<String, PlannerError> {
+    let bytes = read_bytes(path)?;
+    String::from_utf8(bytes).map_err(|error| {
+        let line =
+            1 + error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        PlannerError::line(path, line, "not UTF-8 text")
+    })
+}

@@ -1,0 +1,191 @@
+//! The tables of a simulation: `rollouts.csv`, `success.csv`, and lists of offsets.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use plan::simulate::PlayedRollout;
+use plan::{PlannerError, SuccessGroup, hash};
+use serde::{Deserialize, Serialize};
+use simulation::wilson_interval;
+
+use crate::atomic::{require_folder, write_file};
+use crate::simulation_record::{SIMULATION, SimulationRecord};
+use crate::table::{Value, has_header, read_csv, to_csv};
+use crate::work_folder::WorkFolder;
+
+/// Name of the table of every rollout.
+pub const ROLLOUTS: &str = "rollouts.csv";
+/// Name of the table of success rates.
+pub const SUCCESS: &str = "success.csv";
+
+/// A row of `rollouts.csv`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "named with their units")]
+pub struct RolloutRow {
+    /// Folder of the plan.
+    pub plan: String,
+    pub start: String,
+    pub delta_m: Value,
+    /// `plan`, `straight push`, or `stage` with the number of a homotopy iteration.
+    pub motion: String,
+    pub friction: Value,
+    pub magnitude_m: Value,
+    pub x_m: Value,
+    pub y_m: Value,
+    pub z_m: Value,
+    /// 1 or 0.
+    pub success: u8,
+    pub position_error_m: Value,
+    pub orientation_error_rad: Value,
+    pub max_penetration_m: Value,
+    pub max_force_n: Value,
+    pub turn_x_rad: Value,
+    pub turn_y_rad: Value,
+    pub turn_z_rad: Value,
+}
+
+impl RolloutRow {
+    /// Of a rollout of the plan in a folder.
+    pub fn new(plan: &Path, start: &str, rollout: &PlayedRollout) -> Self {
+        let [x_m, y_m, z_m] = rollout.grasp.offset.map(Value);
+        let [turn_x_rad, turn_y_rad, turn_z_rad] = rollout.grasp.turn.map(Value);
+        Self {
+            plan: plan.display().to_string(),
+            start: start.to_owned(),
+            delta_m: Value(rollout.delta),
+            motion: rollout.motion.to_string(),
+            friction: Value(rollout.friction),
+            magnitude_m: Value(rollout.magnitude),
+            x_m,
+            y_m,
+            z_m,
+            success: u8::from(rollout.success),
+            position_error_m: Value(rollout.outcome.position_error),
+            orientation_error_rad: Value(rollout.outcome.orientation_error),
+            max_penetration_m: Value(rollout.outcome.max_penetration),
+            max_force_n: Value(rollout.outcome.loads.contact_force),
+            turn_x_rad,
+            turn_y_rad,
+            turn_z_rad,
+        }
+    }
+}
+
+/// A row of `success.csv`: rollouts that differ by nothing but plan (of the same delta-hat) and grasp error.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "named with their units")]
+pub struct SuccessRow {
+    pub motion: String,
+    pub friction: Value,
+    pub delta_m: Value,
+    pub magnitude_m: Value,
+    pub rollouts: usize,
+    pub successes: usize,
+    pub rate: Value,
+    /// Wilson's interval of 95 %, here and below.
+    pub rate_low: Value,
+    pub rate_high: Value,
+    pub largest_position_error_m: Value,
+    pub largest_orientation_error_rad: Value,
+    pub max_penetration_m: Value,
+    pub max_force_n: Value,
+}
+
+impl From<&SuccessGroup> for SuccessRow {
+    fn from(group: &SuccessGroup) -> Self {
+        let [low, high] = wilson_interval(group.successes, group.rollouts);
+        Self {
+            motion: group.motion.to_string(),
+            friction: Value(group.friction),
+            delta_m: Value(group.delta),
+            magnitude_m: Value(group.magnitude),
+            rollouts: group.rollouts,
+            successes: group.successes,
+            rate: Value(group.successes as f64 / group.rollouts as f64),
+            rate_low: Value(low),
+            rate_high: Value(high),
+            largest_position_error_m: Value(group.position_error),
+            largest_orientation_error_rad: Value(group.orientation_error),
+            max_penetration_m: Value(group.max_penetration),
+            max_force_n: Value(group.max_force),
+        }
+    }
+}
+
+/// A row of a list of offsets (body frame).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "named with their units")]
+pub struct OffsetRow {
+    pub x_m: Value,
+    pub y_m: Value,
+    pub z_m: Value,
+}
+
+/// Offsets (m, body frame) of a list.
+///
+/// # Errors
+/// With the line that is wrong, or when there are none.
+pub fn read_offsets(file: &Path) -> Result<Vec<[f64; 3]>, PlannerError> {
+    /// More than anyone needs.
+    const MOST: usize = 1_000_000;
+    let rows: Vec<OffsetRow> = read_csv(file)?;
+    match rows.len() {
+        0 => Err(PlannerError::file(file, "no offsets: a row each below the header x_m,y_m,z_m")),
+        1..=MOST => Ok(rows.iter().map(|row| [row.x_m.0, row.y_m.0, row.z_m.0]).collect()),
+        count => Err(PlannerError::file(file, format!("{count} offsets, more than {MOST}"))),
+    }
+}
+
+/// Refuses a folder in which something else than older files of a simulation would be replaced.
+///
+/// # Errors
+/// With the file that would be.
+pub fn require_rollout_tables(folder: &Path) -> Result<(), PlannerError> {
+    require_folder(folder)?;
+    SimulationRecord::read_if_there(folder)?;
+    require_table::<RolloutRow>(&folder.join(ROLLOUTS))?;
+    require_table::<SuccessRow>(&folder.join(SUCCESS))
+}
+
+/// Whether a file is, or would be, one of the files of a simulation in a folder.
+pub fn is_rollout_table(file: &Path, folder: &Path) -> bool {
+    // A folder that is missing has no other name yet.
+    let place = |folder: &Path| folder.canonicalize().or_else(|_| std::path::absolute(folder)).ok();
+    let parent = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let has_name = file.file_name().and_then(OsStr::to_str).is_some_and(|name| is_table(name) || name == SIMULATION);
+    has_name && place(parent) == place(folder)
+}
+
+/// Writes the tables of a simulation and what they are of into a folder, in the place of older ones.
+///
+/// # Errors
+/// When something else stands there, another run is writing there, or they cannot be written.
+pub fn write_rollout_tables(
+    folder: &Path,
+    record: &SimulationRecord,
+    rollouts: &[RolloutRow],
+    successes: &[SuccessRow],
+) -> Result<(), PlannerError> {
+    // Two simulations do not mix their tables.
+    let _lock = WorkFolder::claim(folder)?;
+    require_rollout_tables(folder)?;
+    let tables = [(ROLLOUTS, to_csv(rollouts)?), (SUCCESS, to_csv(successes)?)];
+    let files = tables.iter().map(|(name, content)| ((*name).to_owned(), hash(content))).collect();
+    tables.iter().try_for_each(|(name, content)| write_file(&folder.join(name), content))?;
+    write_file(&folder.join(SIMULATION), &SimulationRecord { files, ..record.clone() }.to_json()?)
+}
+
+/// Whether a name is that of a table of a simulation.
+pub(super) fn is_table(name: &str) -> bool {
+    name == ROLLOUTS || name == SUCCESS
+}
+
+/// Refuses a file that is not an older table of these rows.
+fn require_table<T: Serialize + Default>(file: &Path) -> Result<(), PlannerError> {
+    let table = to_csv([T::default()])?;
+    let header = String::from_utf8_lossy(&table);
+    if file.symlink_metadata().is_err() || has_header(file, header.lines().next().unwrap_or_default()) {
+        return Ok(());
+    }
+    Err(PlannerError::file(file, "exists and is not an older table of this kind; choose another --out"))
+}
