@@ -8,8 +8,7 @@ use std::time::Duration;
 use planner::explain::explanation;
 use planner::files::{PlanResult, StateRow, read_csv, trajectory};
 use planner::{
-    Choices, Cut, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Stop, Variant, refine, refine_reference,
-    solve,
+    Choices, Cut, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Stop, refine, refine_reference, solve,
 };
 use simulation::{Reference, Success};
 use task::{STATE, TWIST};

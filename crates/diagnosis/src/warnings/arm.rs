@@ -1,6 +1,6 @@
 //! Whether an arm can move as a plan asks it to, and whether it or its gripper meets the environment then.
 
-use plan::carried::{CarriedWorld, Frames, Meeting};
+use plan::carried::{CarriedWorld, Frames};
 use plan::{ArmCourse, Plan};
 use scene::Robot;
 use simulation::isometry;

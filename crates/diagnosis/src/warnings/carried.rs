@@ -2,7 +2,7 @@
 
 use nalgebra::Isometry3;
 use plan::Problem;
-use plan::carried::{CarriedWorld, Frames, Meeting};
+use plan::carried::{CarriedWorld, Frames};
 use simulation::isometry;
 use task::pose::interpolate;
 
