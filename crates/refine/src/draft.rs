@@ -152,7 +152,8 @@ mod tests {
         of_scene.task.frictions = vec![0.0, 0.2];
         of_scene.task.grasps = [-0.02, 0.0, 0.02].map(|shift| GraspError::from([shift, 0.0, 0.0])).to_vec();
         let mut random = Rng::with_seed(1);
-        let variant = Draft::random(&mut random, 0.3, &DraftParameters::default()).variant(&of_scene);
+        let variant = Draft::random(&mut random, 0.3, &DraftParameters::default())
+            .variant(&of_scene, &DraftParameters::default());
         assert_eq!(variant.task.frictions, of_scene.task.frictions);
         assert_eq!(variant.task.grasps, of_scene.task.grasps);
     }
