@@ -76,8 +76,9 @@ mod tests {
     fn kept_in(time_limit: Duration) -> Kept {
         in_corner(time_limit, |refiner| {
             let task = refiner.problem.task();
+            let solved = Solved { chosen: 1, ..refiner.of_scene() };
             let lucky = |reference: Reference, changes: usize, successes: usize| Kept {
-                solved: Solved { chosen: 1, ..refiner.of_scene() },
+                solved: solved.clone(),
                 reference,
                 rates: SuccessRates(vec![SuccessRate {
                     rollouts: 2,
