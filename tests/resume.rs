@@ -199,7 +199,7 @@ fn a_refined_variant_goes_on_with_its_own_tables() {
     let mut running = dir.program(line).spawn();
     // The file is written after the tables of a variant.
     let file = format!("{UNFINISHED}/refinement.json");
-    let is_variant = || dir.exists(&file) && dir.json(&file)["record"]["best"]["is_scenes_own"] == false;
+    let is_variant = || dir.exists(&file) && dir.json(&file)["record"]["best"]["origin"].get("Variant").is_some();
     running.wait_until("a variant is the best plan", is_variant);
     running.signal("KILL");
     running.finish();

@@ -27,7 +27,7 @@ fn quietly<T>(run: impl FnOnce(&Session) -> T) -> T {
     run(&Session::new(&|_: &Event| {}, &AtomicBool::new(false)))
 }
 
-/// A plan of the corner scene that a variant with half the time step and two homotopy iterations has made.
+/// A plan of the corner scene with half the time step and two homotopy iterations.
 static FINE: LazyLock<Plan> = LazyLock::new(|| {
     let problem = corner(Success::default());
     let mut scene = problem.scene().clone();
@@ -155,7 +155,7 @@ fn lost_evaluations_end_early_and_whole_ones_decide() {
 fn a_refinement_is_given_up_after_three_evaluations_in_vain() {
     let plan = refined(1e-5, &RobustnessTarget { patience: 1, ..impatient() });
     let own = &plan.robustness.as_ref().unwrap().rounds[0];
-    assert_eq!((own.planned.as_str(), own.rate), ("half the time step", Some(0.0)));
+    assert_eq!((own.planned.as_str(), own.rate), ("the scene as it is", Some(0.0)));
     assert_eq!(own.added_trials, 4 * 24, "what failed in the first evaluation and in three that were not better");
 }
 

@@ -103,21 +103,25 @@ pub struct PlanResult {
     pub robust: Option<RobustnessReport>,
     /// Hash (SHA-256, hexadecimal) of every other file of the plan, by its path in the folder.
     pub files: BTreeMap<String, String>,
-    /// Hash of this text with nothing here.
-    #[serde(default)]
-    pub seal: String,
 }
+
+/// Key of the hash of a result, which only its text has.
+const SEAL: &str = "\"seal\":";
 
 /// Place of the hash in the text of a result, if it has one.
 fn place_of_seal(text: &str) -> Option<std::ops::Range<usize>> {
-    const KEY: &str = "\"seal\":";
-    let key = text.rfind(KEY)? + KEY.len();
+    let key = text.rfind(SEAL)? + SEAL.len();
     let start = key + text[key..].find('"')? + 1;
     Some(start..start + text[start..].find('"')?)
 }
 
-/// The text of a result with its own hash in its place.
+/// The text of a result with the hash of itself, without that hash.
 pub fn sealed(mut text: String) -> String {
+    if place_of_seal(&text).is_none() {
+        let object = text.trim_end();
+        let end = object.strip_suffix('}').unwrap_or(object).trim_end().len();
+        text.replace_range(end.., &format!(",\n  {SEAL} \"\"\n}}"));
+    }
     if let Some(place) = place_of_seal(&text) {
         text.replace_range(place.clone(), "");
         let seal = hash(text.as_bytes());
@@ -320,7 +324,6 @@ impl PlanResult {
             tested: plan.tested.clone(),
             robust: plan.robustness.clone(),
             files,
-            seal: String::new(),
         }
     }
 }
