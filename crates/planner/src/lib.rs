@@ -30,7 +30,7 @@
 //! |---|---|
 //! | [`Problem`], [`solve()`], [`simulate`](mod@simulate) | the crate `plan`: a problem, its solution, rollouts of that |
 //! | [`check`](mod@check), [`explain`], [`warnings`] | `diagnosis`: why a scene or a plan does not work |
-//! | [`refine()`], [`test`] | `refine`: robust plans |
+//! | [`refine()`], [`test()`] | `refine`: robust plans |
 //! | [`files`], [`batch`], [`Execution`] | `store`: every file that is written or read |
 //! | [`starter`](fn@starter) | a scene to begin with, from two files |
 //!
