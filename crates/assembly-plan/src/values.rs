@@ -4,15 +4,14 @@ use std::ops::RangeInclusive;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use export::Target;
-use scene::NORM_TOLERANCE;
 use scene_templates::Axis;
 use task::LinearSolver;
 
-/// A pose from the command line, its quaternion scaled to exact norm.
+/// A pose from the command line, its quaternion scaled to unit norm.
 #[derive(Debug, Clone, Copy)]
 pub struct Pose(pub [f64; 7]);
 
-/// A pose: position (m) and unit quaternion (w x y z).
+/// A pose: position (m) and quaternion (w x y z) of any norm but zero.
 pub fn pose(text: &str) -> Result<Pose, String> {
     const LARGEST: f64 = 1e6;
     let words = text.split([' ', ',']).filter(|word| !word.is_empty());
@@ -23,11 +22,8 @@ pub fn pose(text: &str) -> Result<Pose, String> {
         .try_into()
         .map_err(|values: Vec<f64>| format!("a pose has 7 numbers, x y z qw qx qy qz; got {}", values.len()))?;
     let norm = pose[3..].iter().map(|component| component * component).sum::<f64>().sqrt();
-    if !pose.iter().all(|value| value.abs() <= LARGEST) {
-        return Err("a pose has finite numbers: a position in metres and a quaternion".to_owned());
-    }
-    if !((norm - 1.0).abs() <= NORM_TOLERANCE) {
-        return Err(format!("a quaternion qw qx qy qz has norm 1, this one has norm {norm:.4}"));
+    if !(norm > 0.0 && pose.iter().all(|value| value.abs() <= LARGEST)) {
+        return Err("a pose needs finite numbers and a quaternion that is not zero".to_owned());
     }
     Ok(Pose(task::pose::normalised(&pose)))
 }

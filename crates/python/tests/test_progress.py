@@ -47,7 +47,7 @@ def interrupted(work: Callable[[events.Progress], object]) -> list[events.Event]
 
 
 def test_every_event_has_a_class_with_its_fields() -> None:
-    source = (ROOT / "crates/planner/src/event_record.rs").read_text()
+    source = (ROOT / "crates/plan/src/event_record.rs").read_text()
     records = re.findall(r'"(\w+)",\s*json!\(\{(.*?)\}\)', source, re.DOTALL)
     assert len(records) == len(events._CLASSES) == 13
     for name, fields in records:

@@ -51,7 +51,7 @@ pub use mesh::MeshPart;
 pub use model::points_of_link;
 pub use motion_region::MotionRegion;
 pub use part::Part;
-pub use pose::{NORM_TOLERANCE, StartPose};
+pub use pose::StartPose;
 pub use range::{Range, short};
 pub use resolved::{resolved, resolved_settings, resolved_world};
 pub use robot::Robot;

@@ -130,9 +130,12 @@ pub fn sealed(mut text: String) -> String {
     text
 }
 
-/// Whether a result is the text that was written.
-pub fn is_sealed(text: &str) -> bool {
-    place_of_seal(text).is_some() && sealed(text.to_owned()) == text
+/// Why a result is not the text that was written, if so.
+pub fn problem_of_seal(text: &str) -> Option<&'static str> {
+    if place_of_seal(text).is_none() {
+        return Some("has no seal: it was edited, or written by version 0.1; solve again");
+    }
+    (sealed(text.to_owned()) != text).then_some("was changed since the plan was written; restore it, or solve again")
 }
 
 /// Stiffness of the controller.

@@ -9,7 +9,7 @@ use simulation::Reference;
 use task::POSE;
 
 use crate::atomic::{read_bytes, read_text};
-use crate::result::{PlanResult, RESULT, is_sealed};
+use crate::result::{PlanResult, RESULT, problem_of_seal};
 use crate::trajectory::{REFERENCE, SCENARIOS, TABLES, read_ends, read_reference};
 use crate::work_folder::WorkFolder;
 
@@ -220,14 +220,14 @@ pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
     if let Some(name) = result.files.keys().find(|name| !is_plan_file(name)) {
         return Err(PlannerError::file(&file, format!("lists `{name}`, which is not a file of a plan")));
     }
-    let problem = if (result.done || result.planned) && !result.is_finite() {
-        "is called done, but has a null where a value should be; solve again"
-    } else if !is_sealed(&text) {
-        "was changed since the plan was written; restore it, or solve again"
-    } else {
-        return Ok(result);
+    let infinite = || {
+        let problem = "is called done, but has a null where a value should be; solve again";
+        ((result.done || result.planned) && !result.is_finite()).then_some(problem)
     };
-    Err(PlannerError::file(&file, problem))
+    match infinite().or_else(|| problem_of_seal(&text)) {
+        Some(problem) => Err(PlannerError::file(&file, problem)),
+        None => Ok(result),
+    }
 }
 
 /// Refuses a file where the folder of a plan belongs.
