@@ -19,7 +19,8 @@ pub fn refuse_crossings(surface: &Surface, scale: f64, tolerance: f64) -> Result
     let planes: Vec<Plane> = triangles.iter().map(plane).collect();
     let boxes: Vec<[Vector; 2]> = triangles.iter().map(bounds).collect();
     let tree = BoxTree::new(&boxes);
-    let pierced = |one: usize, by: usize| pierced(&triangles[one], &planes[one], &triangles[by], tolerance);
+    let inner = inner_sides(surface, &triangles, &planes, tolerance);
+    let pierced = |one: usize, by: usize| pierced(&triangles[one], &planes[one], inner[one], &triangles[by], tolerance);
     let crossing = |one: usize| {
         let is_near = |other: &[Vector; 2]| boxes_meet(&boxes[one], other, 0.0);
         tree.find_map(is_near, |other| {
@@ -49,8 +50,35 @@ fn fold(surface: &Surface, triangles: &[[Vector; 3]], tolerance: f64) -> Option<
     })
 }
 
-/// A point in which an edge of another triangle passes through a triangle in a plane.
-fn pierced(triangle: &[Vector; 3], plane: &Plane, by: &[Vector; 3], tolerance: f64) -> Option<Vector> {
+/// Which sides of each triangle lie within a flat face: what passes through such a side passes through the face.
+fn inner_sides(surface: &Surface, triangles: &[[Vector; 3]], planes: &[Plane], tolerance: f64) -> Vec<[bool; 3]> {
+    let mut inner = vec![[false; 3]; triangles.len()];
+    for ((from, to), sides) in edges(&surface.triangles) {
+        let [one, other] = sides[..] else { continue };
+        let [one, other] = [one.triangle, other.triangle];
+        let is_flat = triangles[other].iter().all(|corner| planes[one].height(corner).abs() <= tolerance);
+        if is_flat && planes[one].normal.dot(&planes[other].normal) > 0.0 {
+            for triangle in [one, other] {
+                let corners = surface.triangles[triangle];
+                let is_side = |at: usize| {
+                    let (start, end) = (corners[at], corners[(at + 1) % 3]);
+                    (start, end) == (from, to) || (start, end) == (to, from)
+                };
+                (0..3).filter(|&at| is_side(at)).for_each(|at| inner[triangle][at] = true);
+            }
+        }
+    }
+    inner
+}
+
+/// A point in which an edge of another triangle passes through a triangle in a plane, or through one of its inner sides.
+fn pierced(
+    triangle: &[Vector; 3],
+    plane: &Plane,
+    inner: [bool; 3],
+    by: &[Vector; 3],
+    tolerance: f64,
+) -> Option<Vector> {
     // Most neighbours are on one side of the plane, or touch it: they need no exact signs.
     let heights = by.map(|corner| plane.height(&corner));
     let passing = (0..3).map(|at| (at, (at + 1) % 3)).filter(|&(from, to)| {
@@ -59,26 +87,28 @@ fn pierced(triangle: &[Vector; 3], plane: &Plane, by: &[Vector; 3], tolerance: f
     });
     let mut points = passing.filter_map(|(from, to)| {
         let point = by[from] + (by[to] - by[from]) * (heights[from] / (heights[from] - heights[to]));
-        (is_crossed(&by[from], &by[to], triangle) && depth(&point, triangle, plane) > tolerance).then_some(point)
+        let is_inside = depth(&point, triangle, plane, inner) > tolerance;
+        (is_inside && is_crossed(&by[from], &by[to], triangle, inner)).then_some(point)
     });
     points.next()
 }
 
-/// Whether a line segment passes through a triangle, exactly.
-fn is_crossed(from: &Vector, to: &Vector, [a, b, c]: &[Vector; 3]) -> bool {
+/// Whether a line segment passes through a triangle or one of its inner sides, exactly.
+fn is_crossed(from: &Vector, to: &Vector, [a, b, c]: &[Vector; 3], inner: [bool; 3]) -> bool {
     let exact = |point: &Vector| Coord3D { x: point.x, y: point.y, z: point.z };
     let side = |a: &Vector, b: &Vector, c: &Vector, d: &Vector| orient3d(exact(a), exact(b), exact(c), exact(d));
     side(a, b, c, from) * side(a, b, c, to) < 0.0 && {
         let around = [(a, b), (b, c), (c, a)].map(|(start, end)| side(from, to, start, end));
-        around.iter().all(|side| *side > 0.0) || around.iter().all(|side| *side < 0.0)
+        let all = |sign: f64| around.iter().zip(inner).all(|(side, inner)| sign * side > 0.0 || inner && *side == 0.0);
+        all(1.0) || all(-1.0)
     }
 }
 
-/// How deep a point is between the sides of a triangle (m).
-fn depth(point: &Vector, triangle: &[Vector; 3], plane: &Plane) -> f64 {
+/// How deep a point is between the sides of a triangle (m) that are not inner ones.
+fn depth(point: &Vector, triangle: &[Vector; 3], plane: &Plane, inner: [bool; 3]) -> f64 {
     let from_side = |at: usize| {
         let along = (triangle[(at + 1) % 3] - triangle[at]).normalize();
         plane.normal.cross(&along).dot(&(point - triangle[at]))
     };
-    (0..3).map(from_side).fold(f64::INFINITY, f64::min)
+    (0..3).filter(|&at| !inner[at]).map(from_side).fold(f64::INFINITY, f64::min)
 }

@@ -33,7 +33,7 @@ pub struct Oriented {
 /// Turns shells whose outside is inside and drops those without volume.
 ///
 /// # Errors
-/// When nothing is enclosed, or an inner shell is oriented like the one around it.
+/// When nothing is enclosed, a shell is partly inside of another, or an inner shell is oriented like the one around it.
 pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<Oriented, MeshError> {
     let shells = surface.shells();
     let corners = |triangle: usize| surface.triangles[triangle].map(|corner| surface.vertices[corner]);
@@ -50,17 +50,21 @@ pub fn orient(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<Orien
             [mean(&corners) - step, mean(&corners) + step]
         };
         let points: Vec<[Vector; 2]> = shell.iter().take(WITNESSES).map(sides).collect();
-        let contains = |other: &usize| {
-            if *other == index || !boxes_meet(&boxes[index], &boxes[*other], 0.0) {
-                return false;
-            }
+        let mut depth = 0;
+        for other in (0..shells.len()).filter(|&other| other != index && boxes_meet(&boxes[index], &boxes[other], 0.0))
+        {
             let is_around = |point: &Vector| {
-                winding_number(point, shells[*other].iter().map(|&triangle| corners(triangle))).abs() > 0.5
+                winding_number(point, shells[other].iter().map(|&triangle| corners(triangle))).abs() > 0.5
             };
-            let mut both = points.iter().map(|sides| sides.each_ref().map(is_around));
-            both.find(|[behind, before]| behind == before).is_some_and(|[behind, _]| behind)
-        };
-        depths.push((0..shells.len()).filter(contains).count());
+            let both = points.iter().map(|sides| (sides, sides.each_ref().map(is_around)));
+            let telling = || both.clone().filter(|(_, [behind, before])| behind == before);
+            let inside = telling().find(|(_, [behind, _])| *behind);
+            if let (Some((sides, _)), true) = (inside, telling().any(|(_, [behind, _])| !behind)) {
+                return Err(MeshError::SelfIntersecting { place: (sides[0] / scale).into() });
+            }
+            depth += usize::from(inside.is_some());
+        }
+        depths.push(depth);
     }
     let volume = |shell: &Vec<usize>, bounds: &[Vector; 2]| {
         let center = 0.5 * (bounds[0] + bounds[1]);

@@ -130,6 +130,15 @@ fn crossing_bodies_are_refused_with_a_place_of_both() {
     assert!(inside(5.0, place[0]) && inside(4.0, place[1]) && inside(3.0, place[2]), "{place:?}");
 }
 
+/// Edges may run into the diagonal between two triangles of a face, and faces may lie in one plane.
+#[test]
+fn bodies_that_cross_at_special_places_are_refused() {
+    for place in [[5.0, 5.0, 5.0], [5.0, 5.0, 0.0], [5.0, 0.0, 0.0], [2.0, 8.0, 5.0], [9.0, 9.0, 9.0]] {
+        let error = refused(&cube(10.0).and(&cube(10.0).moved(place)));
+        assert!(matches!(error, MeshError::SelfIntersecting { .. }), "{place:?}: {error}");
+    }
+}
+
 #[test]
 fn folds_are_refused() {
     // A corner of the rim pulled through the wall of the hole below it.

@@ -123,7 +123,8 @@ fn try_all(content: &[u8], format: Format) -> bool {
     let [low, high] = solid.bounding_box();
     let largest: f64 = (0..3).map(|axis| high[axis] - low[axis]).product();
     let volume = solid.mass_properties().volume;
-    assert!(volume > 0.0 && volume <= largest * (1.0 + 1e-6), "{volume} in {largest}");
+    // Bodies that touch may overlap by as much as points of files are rounded.
+    assert!(volume > 0.0 && volume <= largest * (1.0 + 1e-4), "{volume} in {largest}");
     if let Ok(cover) = Cover::of(&solid, &CoverSettings { facets: 8, ..CoverSettings::default() }) {
         assert!(!cover.pieces().is_empty());
     }
