@@ -108,7 +108,7 @@ fn a_finished_batch_is_collected_and_not_solved_again() {
 }
 
 #[test]
-#[ignore = "slow"]
+#[ignore = "slow: scripts/test and CI run it"]
 fn a_killed_batch_is_completed_by_a_rerun() {
     let dir = folder();
     let line = "slow.toml --starts all --deltas 0.01,0.02 --jobs 2 --out";

@@ -58,7 +58,7 @@ fn flat_sides_of_a_hole_that_take_much_of_a_gap_are_warned_of() {
 }
 
 #[test]
-#[ignore = "slow"]
+#[ignore = "slow: scripts/test and CI run it"]
 fn a_pose_that_overlaps_is_one_line_whatever_the_number_of_pairs() {
     let dir = Dir::new();
     // A peg that is a little too large overlaps many pieces of the hole.
@@ -83,7 +83,7 @@ fn a_body_that_begins_inside_with_every_offset_is_refused() {
 }
 
 #[test]
-#[ignore = "slow"]
+#[ignore = "slow: scripts/test and CI run it"]
 fn a_body_that_begins_inside_with_some_offset_is_warned_of() {
     let dir = Dir::new();
     add_box(&dir, 0.025);

@@ -99,7 +99,7 @@ fn unfinished_work_is_used_only_when_asked() {
 }
 
 #[test]
-#[ignore = "slow"]
+#[ignore = "slow: scripts/test and CI run it"]
 fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
     let dir = folder();
     stop(&dir, "solve slow.toml --out out", "INT").code(130);

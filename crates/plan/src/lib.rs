@@ -6,7 +6,7 @@
 //! | [`solve()`] | from a problem to a [`Plan`] |
 //! | [`simulate`](mod@simulate) | rollouts of plans, success rates |
 //! | [`Session`], [`Keeper`] | who watches a computation, how it is stopped, where unfinished work is kept |
-//! | [`RobustnessTarget`], [`parameters`] | what robust plans must bear, and what steers the search for them |
+//! | [`RobustnessTarget`], [`parameters`] | what robust plans must tolerate, and the parameters of the search for them |
 //! | [`records`] | what files say of motions and errors |
 
 mod arm_course;

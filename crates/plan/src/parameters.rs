@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::PlannerError;
 use crate::ranges::require;
 
-/// All numbers that the search for a robust plan depends on, besides what the plan must bear.
+/// All numbers that the search for a robust plan depends on, besides what the plan must tolerate.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct RobustParameters {
@@ -23,7 +23,7 @@ pub struct RobustParameters {
     pub portfolio: PortfolioParameters,
     /// The many plans from which one for an arm is taken.
     pub drafts: DraftParameters,
-    /// What robust plans bear beyond what they must.
+    /// What robust plans tolerate beyond what they must.
     pub margins: MarginParameters,
     /// How robust plans are made simpler.
     pub simplification: SimplificationParameters,
@@ -175,7 +175,7 @@ impl Default for EvaluationParameters {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct NearParameters {
-    /// A refined reference leaves the box of plan and straight path by at most so many times the sum of delta-hat and tolerance.
+    /// A refined reference leaves the box of plan and straight path by at most this multiple of the sum of delta-hat and tolerance.
     pub margin: f64,
     /// It is at most so many times as fast as they are, where no limit says how fast it may be.
     pub haste: f64,

@@ -32,7 +32,7 @@ fn solved(problem: &Problem, folder: &Path, stop_after: Option<usize>) -> Plan {
 }
 
 #[test]
-#[ignore = "slow"]
+#[ignore = "slow: scripts/test and CI run it"]
 fn an_interrupted_attempt_goes_on_where_it_was() {
     let problem = clamp();
     let parent = tempfile::tempdir().unwrap();
