@@ -134,7 +134,7 @@ fn where_refinement_is_given_up_other_problems_are_solved() {
     assert_eq!(names[..3], ["the scene as it is", "a straight push", "half the time step"]);
     assert_eq!(names[12], "the scene as it is, continued");
     for round in rounds {
-        assert_eq!(round["training_failures"], round["training_trials"], "{round}");
+        assert_eq!(round["training_failures"], round["training_cases"], "{round}");
         assert_eq!(round["rate"], 0.0, "{round}");
     }
     let find = |name: &str| &rounds[names.iter().position(|other| *other == name).unwrap()];

@@ -35,16 +35,16 @@ impl Event<'_> {
             Self::Discarded { reason } => ("discarded", json!({ "reason": reason.to_string() })),
             Self::Evaluated { rate } => ("evaluated", json!({ "rate": rate })),
             Self::Refining { planned } => ("refining", json!({ "planned": planned })),
-            Self::Change { failing, trials, changes } => {
-                ("change", json!({ "failing": failing, "trials": trials, "changes": changes }))
+            Self::Change { failing, cases, changes } => {
+                ("change", json!({ "failing": failing, "cases": cases, "changes": changes }))
             }
             Self::Refined { rate } => ("refined", json!({ "rate": rate })),
             Self::Variant { name, number, count } => {
                 ("variant", json!({ "planned": name, "number": number, "count": count }))
             }
             Self::VariantSolved { status } => ("variant_solved", json!({ "status": status })),
-            Self::VariantTried { failing, trials } => {
-                ("variant_tried", json!({ "failing": failing, "trials": trials }))
+            Self::VariantTried { failing, cases } => {
+                ("variant_tried", json!({ "failing": failing, "cases": cases }))
             }
             Self::Rollouts { done, count } => ("rollouts", json!({ "done": done, "count": count })),
         }

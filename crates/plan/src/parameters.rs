@@ -113,13 +113,13 @@ pub struct TrainingParameters {
     /// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so that
     /// one is enough. More cost more rollouts than they save.
     pub random: usize,
-    /// Trials in which all of several references are played at first, where most of them differ much.
+    /// Test cases in which all of several references are played at first, where most of them differ much.
     pub first: usize,
-    /// Part of the limit of contact forces that training trials may use, less than evaluations may.
+    /// Part of the limit of contact forces that training cases may use, less than evaluations may.
     pub force_share: f64,
     /// Misses that shrink by less than this factor are no improvement: refinement could creep until the time is over.
     pub creeping: f64,
-    /// How often a robust plan is refined in the few trials that it fails.
+    /// How often a robust plan is refined in the few test cases that it fails.
     pub polishes: usize,
     /// Evaluations in a row without a better rate after which a refinement is given up.
     pub given_up: usize,
@@ -148,7 +148,7 @@ pub struct EvaluationParameters {
     /// Errors in every direction that random offsets have on top, as a fraction of delta-hat: what succeeds by a hair in one
     /// simulator does not in another, and planned offsets often lie in a plane.
     pub spread: f64,
-    /// Trials that are played before it is asked whether they are enough; independent of the number of threads, so that the
+    /// Test cases that are played before it is asked whether they are enough; independent of the number of threads, so that the
     /// results are, too.
     pub batch: usize,
     /// So many failures are enough to train on.
@@ -195,7 +195,7 @@ pub struct ComparisonParameters {
     pub latest: usize,
     /// Random grasp errors per friction and magnitude.
     pub random: usize,
-    /// Trials in which all of them are played at first.
+    /// Test cases in which all of them are played at first.
     pub first: usize,
 }
 
@@ -232,7 +232,7 @@ impl Default for PortfolioParameters {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct DraftParameters {
-    /// Fraction of the training trials in which the plan of the scene must fail.
+    /// Fraction of the training cases in which the plan of the scene must fail.
     pub lost: f64,
     /// Success rate in the first evaluation below which refinement mostly gets stuck.
     pub promising: f64,
@@ -295,9 +295,9 @@ impl Default for MarginParameters {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct SimplificationParameters {
-    /// Random grasp errors per friction and magnitude in which the simpler plan must succeed besides the training trials.
+    /// Random grasp errors per friction and magnitude in which the simpler plan must succeed besides the training cases.
     pub random: usize,
-    /// How often a plan that is too simple is made anew, with the trials that it fails.
+    /// How often a plan that is too simple is made anew, with the test cases that it fails.
     pub attempts: usize,
 }
 

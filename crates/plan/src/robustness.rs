@@ -1,7 +1,7 @@
 //! How robust a refined plan is and how it became so: the section `robust` of `result.json`.
 
 use serde::{Deserialize, Serialize};
-use simulation::TrialResult;
+use simulation::TestResult;
 
 use crate::iteration::PlanIteration;
 use crate::parameters::RobustParameters;
@@ -90,19 +90,21 @@ pub struct Round {
     pub solve_status: String,
     /// Wall time of all solves.
     pub solve_s: f64,
-    /// Homotopy iteration whose reference passed most training trials, counted from 1; 0 without a homotopy.
+    /// Homotopy iteration whose reference passed most training cases, counted from 1; 0 without a homotopy.
     pub chosen_stage: usize,
-    /// Training trials.
-    pub training_trials: usize,
-    /// Training trials that failed before refinement.
+    /// Training cases.
+    #[serde(alias = "training_trials")]
+    pub training_cases: usize,
+    /// Training cases that failed before refinement.
     pub training_failures: usize,
     /// Wall time of the refinement.
     pub refinement_s: f64,
     /// Changes of the reference that were kept.
     pub changes: usize,
-    /// Failing trials of evaluations that became training trials.
-    pub added_trials: usize,
-    /// Rollouts in training trials.
+    /// Failing test cases of evaluations that became training cases.
+    #[serde(alias = "added_trials")]
+    pub added_cases: usize,
+    /// Rollouts in training cases.
     pub rollouts: usize,
     /// Success rate in the best evaluation; null without any.
     pub rate: Option<f64>,
@@ -110,13 +112,13 @@ pub struct Round {
 
 impl Round {
     /// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training
-    /// trials.
+    /// test cases.
     pub fn new(
         planned: String,
         variant: &Variant,
         iterations: &[PlanIteration],
         chosen: usize,
-        results: &[TrialResult],
+        results: &[TestResult],
     ) -> Self {
         let records = || iterations.iter().map(|iteration| &iteration.record);
         Self {
@@ -128,11 +130,11 @@ impl Round {
             solve_status: records().next_back().map_or_else(String::new, |record| record.status.clone()),
             solve_s: records().map(|record| record.wall_s).sum(),
             chosen_stage: chosen,
-            training_trials: results.len(),
+            training_cases: results.len(),
             training_failures: results.iter().filter(|result| !result.passed).count(),
             refinement_s: 0.0,
             changes: 0,
-            added_trials: 0,
+            added_cases: 0,
             rollouts: 0,
             rate: None,
         }

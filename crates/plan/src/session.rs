@@ -120,7 +120,7 @@ pub enum Event<'event> {
         /// Training rollouts that still fail.
         failing: usize,
         /// How many there are.
-        trials: usize,
+        cases: usize,
         /// Changes kept so far.
         changes: usize,
     },
@@ -155,6 +155,6 @@ pub enum Event<'event> {
         /// Training rollouts that fail.
         failing: usize,
         /// How many there are.
-        trials: usize,
+        cases: usize,
     },
 }

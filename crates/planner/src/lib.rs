@@ -48,7 +48,7 @@ mod starter;
 pub mod files {
     pub use plan::records::{Extreme, GraspRecord, MotionRecord};
     pub use plan::{Checkpoint, Format, hash};
-    pub use refine::{BestRecord, RefinementCheckpoint, TrialRecord};
+    pub use refine::{BestRecord, RefinementCheckpoint, TestCaseRecord};
     pub use store::*;
 }
 

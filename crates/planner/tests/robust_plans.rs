@@ -156,7 +156,7 @@ fn a_refinement_is_given_up_after_three_evaluations_in_vain() {
     let plan = refined(1e-5, &RobustnessTarget { patience: 1, ..impatient() });
     let own = &plan.robustness.as_ref().unwrap().rounds[0];
     assert_eq!((own.planned.as_str(), own.rate), ("the scene as it is", Some(0.0)));
-    assert_eq!(own.added_trials, 4 * 24, "what failed in the first evaluation and in three that were not better");
+    assert_eq!(own.added_cases, 4 * 24, "what failed in the first evaluation and in three that were not better");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Plans on the way to a robust one.
 
 use plan::{Round, SuccessRates};
-use simulation::{Reference, Refinement, Trial};
+use simulation::{Reference, Refinement, TestCase};
 
 use crate::evaluation::{Drawn, Judgement};
 use crate::origin::Solved;
@@ -25,8 +25,8 @@ pub struct Kept {
     pub evaluation: Drawn,
     /// Rollouts that this lacks because the time was over; 0 where it is decided.
     pub unplayed: usize,
-    /// Trials that it fails.
-    pub failing: Vec<Trial>,
+    /// Test cases that it fails.
+    pub failing: Vec<TestCase>,
     /// Number of its round, from 1.
     pub round: usize,
     /// Changes of its reference.

@@ -3,7 +3,7 @@
 use plan::records::GraspRecord;
 use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
 use serde::{Deserialize, Serialize};
-use simulation::{Disturbance, FrictionIndex, Trial};
+use simulation::{Disturbance, FrictionIndex, TestCase};
 use task::GraspError;
 
 use crate::Drawn;
@@ -40,8 +40,8 @@ pub struct RefinementCheckpoint {
     pub evaluations: u64,
     /// Success rates of the plan without refinement.
     pub before: SuccessRates,
-    /// Trials to refine in.
-    pub training: Vec<TrialRecord>,
+    /// Test cases to refine in.
+    pub training: Vec<TestCaseRecord>,
     /// Rounds so far, the one under way included.
     pub rounds: Vec<Round>,
     /// The best plan.
@@ -78,8 +78,8 @@ pub struct BestRecord {
     pub evaluation: Drawn,
     /// Rollouts that this lacks.
     pub unplayed: usize,
-    /// Trials that it fails.
-    pub failing: Vec<TrialRecord>,
+    /// Test cases that it fails.
+    pub failing: Vec<TestCaseRecord>,
     /// Number of its round.
     pub round: usize,
     /// Homotopy iteration whose reference was refined.
@@ -88,10 +88,10 @@ pub struct BestRecord {
     pub changes: usize,
 }
 
-/// A trial.
+/// A test case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct TrialRecord {
+pub struct TestCaseRecord {
     /// Index into the frictions.
     pub friction: usize,
     /// Of the part in the gripper.
@@ -106,9 +106,9 @@ pub struct TrialRecord {
     pub edge_radius_m: f64,
 }
 
-impl From<&Trial> for TrialRecord {
-    fn from(trial: &Trial) -> Self {
-        let Trial { friction, grasp, disturbance } = *trial;
+impl From<&TestCase> for TestCaseRecord {
+    fn from(case: &TestCase) -> Self {
+        let TestCase { friction, grasp, disturbance } = *case;
         Self {
             friction: friction.0,
             grasp: GraspRecord::from(&grasp),
@@ -120,8 +120,8 @@ impl From<&Trial> for TrialRecord {
     }
 }
 
-impl From<&TrialRecord> for Trial {
-    fn from(record: &TrialRecord) -> Self {
+impl From<&TestCaseRecord> for TestCase {
+    fn from(record: &TestCaseRecord) -> Self {
         let disturbance = Disturbance {
             inertia: record.inertia_error,
             stiffness: record.stiffness_error,

@@ -1,6 +1,6 @@
-//! The last word: the latest references, compared in the same trials.
+//! The last word: the latest references, compared in the same test cases.
 //!
-//! An evaluation ends as soon as it is decided, mostly after few trials of its own. So its rate says whether a reference is
+//! An evaluation ends as soon as it is decided, mostly after few test cases of its own. So its rate says whether a reference is
 //! good enough, but hardly which of two is better.
 
 use plan::{Event, PlannerError};
@@ -33,7 +33,7 @@ impl Refiner<'_> {
         let references: Vec<Reference> = compared.iter().map(|kept| kept.reference.clone()).collect();
         let evaluation = self.new_evaluation(parameters.random);
         let stop = || self.schedule.is_over(self.schedule.limit());
-        let Some(winner) = race::race(self.evaluator, &references, (evaluation.trials(), parameters.first), &stop)
+        let Some(winner) = race::race(self.evaluator, &references, (evaluation.cases(), parameters.first), &stop)
         else {
             return Ok(());
         };
@@ -44,7 +44,7 @@ impl Refiner<'_> {
         self.keep(kept, self.rounds.clone())
     }
 
-    /// The winner after a whole evaluation: the few trials of the comparison decide against a reference, not for it. Where the
+    /// The winner after a whole evaluation: the few test cases of the comparison decide against a reference, not for it. Where the
     /// time ends before that is decided, with the evaluation that knows most.
     fn decided(&mut self, winner: Kept, few: Judgement) -> Kept {
         let whole = self.judge(&winner.reference, self.schedule.limit());
@@ -109,7 +109,7 @@ mod tests {
         assert_eq!(kept.changes, 2);
         assert!(
             kept.rates.rollouts() > ComparisonParameters::default().first,
-            "all trials of the evaluation: {}",
+            "all cases of the evaluation: {}",
             kept.rates.rollouts()
         );
         assert!(kept.rates.overall() > 0.5, "{}", kept.rates.overall());

@@ -1,7 +1,7 @@
 //! Many drafts instead of one plan.
 //!
 //! A rollout of an arm takes several times as long as one of a free body, so that refinement tries few changes, and it
-//! matters where it begins. How many trials plans pass before they are refined differs tenfold with weights and offsets,
+//! matters where it begins. How many test cases plans pass before they are refined differs tenfold with weights and offsets,
 //! and which of them are good differs from scene to scene: so several are made, each by one thread, and compared.
 
 use std::time::Duration;
@@ -18,7 +18,7 @@ use crate::origin::{Origin, Solved};
 use crate::schedule::Deadline;
 
 impl<'run> Refiner<'run> {
-    /// Refines the plan of the scene, which took `solving`, or the best of drafts where that fails in fewer trials.
+    /// Refines the plan of the scene, which took `solving`, or the best of drafts where that fails in fewer test cases.
     pub(super) fn refine_better(&mut self, own: Candidate<'run>, solving: Duration) -> Result<(), PlannerError> {
         let is_lost = own.refinement.failing_fraction() > self.target.parameters.drafts.lost;
         let until = self.schedule.drafts(solving).filter(|_| self.problem.arm().is_some() && is_lost);
@@ -75,8 +75,8 @@ impl<'run> Refiner<'run> {
         let (draft, index) = places[best.winner.index];
         let solved = Solved { chosen: index + 1, ..self.drafts.swap_remove(draft) };
         let candidate = self.candidate_of(best, solved);
-        let (failing, trials) = (candidate.round.training_failures, candidate.round.training_trials);
-        self.session.tell(Event::VariantTried { failing, trials });
+        let (failing, cases) = (candidate.round.training_failures, candidate.round.training_cases);
+        self.session.tell(Event::VariantTried { failing, cases });
         Some(candidate)
     }
 

@@ -9,7 +9,7 @@ use crate::race::{Winner, race};
 use crate::schedule::Deadline;
 use crate::{Refiner, round};
 
-/// The best of several references in the training trials.
+/// The best of several references in the training cases.
 pub struct Best {
     /// Its index is that of the reference.
     pub winner: Winner,
@@ -31,7 +31,7 @@ pub fn has_strokes(plan: &Kept) -> bool {
 }
 
 impl<'run> Refiner<'run> {
-    /// Races some references in the training trials, each as it is and, where that keeps the limits, with strokes at its end; of
+    /// Races some references in the training cases, each as it is and, where that keeps the limits, with strokes at its end; of
     /// equals it is the one without. `None` without references or time.
     pub(super) fn best_of(&self, references: &[Reference], until: Deadline) -> Option<Best> {
         let (mut places, mut ends) = (Vec::new(), Vec::new());

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use plan::parameters::EvaluationParameters;
 use plan::{OffsetRegion, Problem, RobustnessTarget, SuccessRate, SuccessRates};
 use serde::{Deserialize, Serialize};
-use simulation::{Disturbance, Evaluator, FrictionIndex, Reference, Trial, TrialResult, offsets};
+use simulation::{Disturbance, Evaluator, FrictionIndex, Reference, TestCase, TestResult, offsets};
 use task::{AssemblyTask, Coverage, GraspError};
 
 /// Steps of height and of angle from one [axis](training_axis) to the next: powers of 1 / 1.3247, the root of x^3 = x + 1, which
@@ -46,7 +46,7 @@ impl ErrorRange {
     }
 
     /// Turns as far as the part may be turned, about random axes (rotation vectors, rad). Smaller ones fail less often:
-    /// few trials say most at the limit.
+    /// few test cases say most at the limit.
     fn turns(&self, count: usize, seed: u64) -> Vec<[f64; 3]> {
         let largest =
             |turn: [f64; 3]| Vector3::from(turn).try_normalize(0.0).map_or(turn, |axis| (axis * self.turn).into());
@@ -97,21 +97,21 @@ pub struct Drawn {
     pub seed: u64,
 }
 
-/// Trials of a reference, in groups of one friction, magnitude and region.
+/// Test cases of a reference, in groups of one friction, magnitude and region.
 pub struct Evaluation {
     drawn: Drawn,
     parameters: EvaluationParameters,
     groups: Vec<SuccessRate>,
     /// The planned grasp errors first, then one of each group in turn: the first ones speak for all.
-    trials: Vec<Trial>,
-    /// Group of every trial.
+    cases: Vec<TestCase>,
+    /// Group of every test case.
     group: Vec<usize>,
 }
 
 /// What an evaluation has shown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
-    /// Of the trials that were played.
+    /// Of the test cases that were played.
     pub rates: SuccessRates,
     /// Whether the whole evaluation was played, every planned grasp error succeeds, and the wanted rate holds at each friction.
     pub reached: bool,
@@ -119,14 +119,14 @@ pub struct Judgement {
     pub evaluation: Drawn,
     /// Rollouts that it lacks because it was stopped; 0 where it is decided.
     pub unplayed: usize,
-    /// Trials that failed.
-    pub failures: Vec<(Trial, TrialResult)>,
+    /// Test cases that failed.
+    pub failures: Vec<(TestCase, TestResult)>,
 }
 
 impl Judgement {
-    /// The trials that failed.
-    pub fn failing(&self) -> Vec<Trial> {
-        self.failures.iter().map(|(trial, _)| *trial).collect()
+    /// The test cases that failed.
+    pub fn failing(&self) -> Vec<TestCase> {
+        self.failures.iter().map(|(case, _)| *case).collect()
     }
 }
 
@@ -140,12 +140,12 @@ impl Evaluation {
         for (index, &friction) in frictions.iter().enumerate() {
             let mut add = |group: SuccessRate, errors: &mut dyn Iterator<Item = GraspError>| {
                 let errors = GraspError::distinct(errors);
-                let trial = |(place, grasp)| {
+                let case = |(place, grasp)| {
                     let disturbance =
                         if group.planned { Disturbance::default() } else { range.disturbance(&mut random) };
-                    (!group.planned, place, groups.len(), Trial { friction: FrictionIndex(index), grasp, disturbance })
+                    (!group.planned, place, groups.len(), TestCase { friction: FrictionIndex(index), grasp, disturbance })
                 };
-                placed.extend(errors.into_iter().enumerate().map(trial));
+                placed.extend(errors.into_iter().enumerate().map(case));
                 groups.push(group);
             };
             let group = |region, magnitude, planned| SuccessRate::unplayed(friction, magnitude, region, planned);
@@ -164,29 +164,29 @@ impl Evaluation {
             add(group(region, delta, true), &mut task.grasps.iter().copied());
         }
         placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
-        let (group, trials) = placed.into_iter().map(|(_, _, group, trial)| (group, trial)).unzip();
-        Self { drawn: Drawn { random: count, seed }, parameters: range.evaluation, groups, trials, group }
+        let (group, cases) = placed.into_iter().map(|(_, _, group, case)| (group, case)).unzip();
+        Self { drawn: Drawn { random: count, seed }, parameters: range.evaluation, groups, cases, group }
     }
 
-    /// The trials, in the order in which they are played.
-    pub fn trials(&self) -> &[Trial] {
-        &self.trials
+    /// The test cases, in the order in which they are played.
+    pub fn cases(&self) -> &[TestCase] {
+        &self.cases
     }
 
-    /// The trials to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
+    /// The test cases to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
     /// each about another [axis](training_axis). What bears these mostly bears smaller turns.
-    pub fn into_training(self, range: &ErrorRange) -> Vec<Trial> {
+    pub fn into_training(self, range: &ErrorRange) -> Vec<TestCase> {
         let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.turn));
-        let Self { groups, mut trials, group, .. } = self;
-        for (trial, group) in trials.iter_mut().zip(group) {
+        let Self { groups, mut cases, group, .. } = self;
+        for (case, group) in cases.iter_mut().zip(group) {
             if !groups[group].planned {
-                trial.grasp.turn = turns.next().unwrap_or_default();
+                case.grasp.turn = turns.next().unwrap_or_default();
             }
         }
-        trials
+        cases
     }
 
-    /// Plays a reference in the trials until it is decided whether it succeeds at the wanted rate (0 to 1), and
+    /// Plays a reference in the test cases until it is decided whether it succeeds at the wanted rate (0 to 1), and
     /// enough failures are known; or until `stop` returns true.
     pub fn judge(
         &self,
@@ -196,13 +196,13 @@ impl Evaluation {
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Judgement {
         let (mut results, mut unplayed) = (Vec::new(), 0);
-        for batch in self.trials.chunks(self.parameters.batch) {
+        for batch in self.cases.chunks(self.parameters.batch) {
             let Judgement { rates, failures, .. } = self.judgement(&results, wanted);
             if failures.len() >= self.parameters.enough_failures && !self.can_satisfy(&rates.0, wanted) {
                 break;
             }
             let Some(new) = evaluator.evaluate_all(reference, batch, stop) else {
-                unplayed = self.trials.len() - results.len();
+                unplayed = self.cases.len() - results.len();
                 break;
             };
             results.extend(new);
@@ -210,21 +210,21 @@ impl Evaluation {
         Judgement { unplayed, ..self.judgement(&results, wanted) }
     }
 
-    /// What the results of the first trials show.
-    pub fn judgement(&self, results: &[TrialResult], wanted: f64) -> Judgement {
+    /// What the results of the first test cases show.
+    pub fn judgement(&self, results: &[TestResult], wanted: f64) -> Judgement {
         let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
-        for ((result, trial), &group) in results.iter().zip(&self.trials).zip(&self.group) {
+        for ((result, case), &group) in results.iter().zip(&self.cases).zip(&self.group) {
             groups[group].count(result.passed, result.contact_force);
             if !result.passed {
-                failures.push((*trial, *result));
+                failures.push((*case, *result));
             }
         }
         let rates = SuccessRates(groups);
-        let reached = results.len() == self.trials.len() && rates.satisfy(wanted);
+        let reached = results.len() == self.cases.len() && rates.satisfy(wanted);
         Judgement { reached, evaluation: self.drawn, unplayed: 0, rates, failures }
     }
 
-    /// Whether the wanted rate could be reached if all trials to come succeeded.
+    /// Whether the wanted rate could be reached if all test cases to come succeeded.
     fn can_satisfy(&self, groups: &[SuccessRate], wanted: f64) -> bool {
         let mut hoped = groups.to_vec();
         for (index, group) in hoped.iter_mut().enumerate() {
@@ -236,7 +236,7 @@ impl Evaluation {
     }
 }
 
-/// Axis number `index` about which training turns the part: any few in a row point in all directions, as the trials of one
+/// Axis number `index` about which training turns the part: any few in a row point in all directions, as the test cases of one
 /// friction should.
 fn training_axis(index: u32) -> [f64; 3] {
     let [height, turns] = AXIS_STEPS.map(|step| (0.5 + step * f64::from(index)).fract());
@@ -271,15 +271,15 @@ mod tests {
     /// An evaluation of one friction: two planned offsets, then `count` random ones of one magnitude.
     fn evaluation(count: usize) -> Evaluation {
         let group = |planned| SuccessRate::unplayed(0.0, 0.01, OffsetRegion::Hull, planned);
-        let trial =
-            Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+        let case =
+            TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
         let numbers = [vec![0; 2], vec![1; count]].concat();
-        let (groups, trials) = (vec![group(true), group(false)], vec![trial; numbers.len()]);
+        let (groups, cases) = (vec![group(true), group(false)], vec![case; numbers.len()]);
         Evaluation {
             drawn: Drawn::default(),
             parameters: EvaluationParameters::default(),
             groups,
-            trials,
+            cases,
             group: numbers,
         }
     }
@@ -287,10 +287,10 @@ mod tests {
     /// What is drawn of a range in a task with two frictions: groups, and offsets of each with how they are counted.
     fn drawn(range: &ErrorRange, count: usize) -> Vec<(SuccessRate, Vec<Vector3<f64>>)> {
         let problem = Problem::load(&corner(), &Choices::default()).unwrap();
-        let Evaluation { groups, trials, group, .. } = Evaluation::new(problem.task(), range, &[0.0, 0.3], count, 1);
+        let Evaluation { groups, cases, group, .. } = Evaluation::new(problem.task(), range, &[0.0, 0.3], count, 1);
         let offsets_of = |index: usize| {
-            let of_group = trials.iter().zip(&group).filter(|(_, of)| **of == index);
-            of_group.map(|(trial, _)| Vector3::from(trial.grasp.offset)).collect()
+            let of_group = cases.iter().zip(&group).filter(|(_, of)| **of == index);
+            of_group.map(|(case, _)| Vector3::from(case.grasp.offset)).collect()
         };
         (0..groups.len()).map(|index| (groups[index].clone(), offsets_of(index))).collect()
     }
@@ -349,8 +349,8 @@ mod tests {
     #[test]
     fn training_turns_the_part_as_far_as_may_be_about_axes_in_all_directions() {
         let range = ErrorRange { turn: 0.02, ..no_errors() };
-        let trials = evaluation(15).into_training(&range);
-        let turns: Vec<Vector3<f64>> = trials.iter().map(|trial| trial.grasp.turn.into()).collect();
+        let cases = evaluation(15).into_training(&range);
+        let turns: Vec<Vector3<f64>> = cases.iter().map(|case| case.grasp.turn.into()).collect();
         let (planned, random) = turns.split_at(2);
         assert_eq!(planned, [Vector3::zeros(); 2], "planned errors are as they are planned");
         assert!(random.iter().all(|turn| (turn.norm() - 0.02).abs() < 1e-12));

@@ -6,7 +6,7 @@ use plan::{PlannerError, Problem, RobustParameters, RobustnessTarget, Session};
 use simulation::{Evaluator, Reference};
 use workers::Workers;
 
-/// One for evaluations and one for training trials, with margins of contact forces and for references near one.
+/// One for evaluations and one for training cases, with margins of contact forces and for references near one.
 ///
 /// # Errors
 /// When an arm does not reach the start.
@@ -42,7 +42,7 @@ mod tests {
 
     use plan::{Choices, Event};
     use scene::Scene;
-    use simulation::{Disturbance, FrictionIndex, Settings, Trial};
+    use simulation::{Disturbance, FrictionIndex, Settings, TestCase};
     use task::GraspError;
 
     use super::*;
@@ -61,10 +61,10 @@ mod tests {
         let mut below = task.goal;
         below[2] -= 3e-3;
         let pressing = Reference::straight(&task.start, &below, task.horizon);
-        let trial =
-            Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+        let case =
+            TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
         let rollout = unlimited.rollout(Settings::default()).unwrap();
-        let force = rollout.play(&pressing, trial.injection(), |_, _| {}).loads.contact_force;
+        let force = rollout.play(&pressing, case.injection(), |_, _| {}).loads.contact_force;
         assert!(force > 0.05, "{force} N");
         let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
         let interrupted = AtomicBool::new(false);
@@ -72,7 +72,7 @@ mod tests {
         let passes = |share: f64| {
             let limited = with_limit(force / share);
             let evaluators = evaluators(&limited, &target, &pressing, &session).unwrap();
-            evaluators.map(|evaluator| evaluator.evaluate(&pressing, &trial).passed)
+            evaluators.map(|evaluator| evaluator.evaluate(&pressing, &case).passed)
         };
         let [evaluation, training] = [target.parameters.evaluation.force_share, target.parameters.training.force_share];
         assert_eq!(passes(training - 0.02), [true, true]);

@@ -1,14 +1,14 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken, with strokes at
-//! its end where these help. Random changes of this reference are kept when more trials pass ([`simulation::Refinement`]).
+//! Of a solved problem's homotopy iterations the one whose reference passes most training cases is taken, with strokes at
+//! its end where these help. Random changes of this reference are kept when more test cases pass ([`simulation::Refinement`]).
 //! Then an evaluation at grasp errors that were never trained on decides; what fails there is trained on next. When this
 //! does not help any more, a straight push is refined instead, which needs no plan; then other problems are solved, the
 //! promising first, and their plans are refined. The plan with the best evaluation is kept; where none is robust in the
-//! end, the latest are compared in the same trials. With an arm, the best of several drafts takes the place of a plan that
+//! end, the latest are compared in the same test cases. With an arm, the best of several drafts takes the place of a plan that
 //! fails too often, no push is refined, and a robust plan is refined with margins while there is time.
 //!
-//! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
+//! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few test cases,
 //! and every problem has its share of the time.
 
 mod again;
@@ -40,7 +40,7 @@ use plan::ranges::require_threads;
 use plan::{
     Event, Plan, PlannerError, Problem, RobustnessReport, RobustnessTarget, Round, Session, Stop, SuccessRates, Variant,
 };
-use simulation::{Evaluator, Reference, Strokes, Trial, TrialResult};
+use simulation::{Evaluator, Reference, Strokes, TestCase, TestResult};
 use task::Trajectory;
 
 use crate::candidate::{Candidate, Kept};
@@ -50,7 +50,7 @@ use crate::loss::loss;
 use crate::origin::{Origin, Solved};
 use crate::schedule::{Deadline, Schedule};
 
-pub use checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
+pub use checkpoint::{BestRecord, RefinementCheckpoint, TestCaseRecord};
 pub use evaluation::Drawn;
 pub use tested::test;
 
@@ -121,7 +121,7 @@ struct Refiner<'run> {
     /// What must be borne.
     range: ErrorRange,
     evaluator: &'run Evaluator,
-    /// Of training trials.
+    /// Of training cases.
     trainer: &'run Evaluator,
     session: &'run Session<'run>,
     /// Where dry friction may hold the body short of its goal.
@@ -129,8 +129,8 @@ struct Refiner<'run> {
     /// Drafts that were not refined; at least one of their homotopy iterations has all steps.
     drafts: Vec<Solved>,
     schedule: Schedule<'run>,
-    /// Trials that every reference is refined in; failures of evaluations are added.
-    training: Vec<Trial>,
+    /// Test cases that every reference is refined in; failures of evaluations are added.
+    training: Vec<TestCase>,
     evaluations: u64,
     /// Changes of references that were tried.
     tried: usize,
@@ -141,7 +141,7 @@ struct Refiner<'run> {
     best: Option<Kept>,
     /// The latest that were evaluated.
     latest: VecDeque<Kept>,
-    /// Smallest fraction of training trials that failed after a refinement.
+    /// Smallest fraction of training cases that failed after a refinement.
     least_failing: f64,
 }
 
@@ -251,7 +251,7 @@ impl<'run> Refiner<'run> {
     }
 
     /// The candidate of a solved problem: of the homotopy iterations with all steps, the one whose reference passes most
-    /// training trials; of equals the later, which is smoothed less. `None` without such iterations or time.
+    /// training cases; of equals the later, which is smoothed less. `None` without such iterations or time.
     fn candidate(&self, solved: Solved, until: Deadline) -> Option<Candidate<'run>> {
         let fine = solved.with_all_steps();
         let references: Vec<Reference> =
@@ -320,8 +320,8 @@ impl<'run> Refiner<'run> {
     }
 }
 
-/// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training trials.
-fn round(solved: &Solved, results: &[TrialResult]) -> Round {
+/// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training cases.
+fn round(solved: &Solved, results: &[TestResult]) -> Round {
     let Solved { variant, iterations, chosen, .. } = solved;
     Round::new(solved.planned(), variant, iterations, *chosen, results)
 }

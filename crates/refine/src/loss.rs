@@ -3,13 +3,13 @@
 use plan::directions::direction;
 use plan::records::{GraspRecord, LossRecord, MotionEnd};
 use plan::{Problem, RobustnessTarget, SuccessRate, interval, rate};
-use simulation::{Injection, LIMIT_SLACK, Settings, Trial};
+use simulation::{Injection, LIMIT_SLACK, Settings, TestCase};
 use task::algebra::norm;
 use task::{ScenarioTrajectory, Trajectory};
 
 use crate::Kept;
 
-/// Failing trials that are played again.
+/// Failing test cases that are played again.
 const PLAYED: usize = 8;
 /// Smoothing of the distances in rollouts, which say nothing here (N m).
 const TAU: f64 = 1e-6;
@@ -27,14 +27,14 @@ pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Kept) -> Option
         one.total_cmp(&other).then(many.cmp(&few))
     });
     let worst = worst?.clone();
-    let is_worst = |trial: &&Trial| target.frictions.get(trial.friction.0) == Some(&worst.friction);
-    let failing: Vec<Trial> = best.failing.iter().filter(is_worst).copied().collect();
+    let is_worst = |case: &&TestCase| target.frictions.get(case.friction.0) == Some(&worst.friction);
+    let failing: Vec<TestCase> = best.failing.iter().filter(is_worst).copied().collect();
     let mut world = problem.world();
     world.horizon = best.reference.horizon();
     let settings = Settings { friction: worst.friction, ..Settings::default() };
     // The arm has reached the start before.
     let rollout = problem.rollout_in(&world, settings).ok()?;
-    let injections: Vec<Injection> = failing.iter().take(PLAYED).map(Trial::injection).collect();
+    let injections: Vec<Injection> = failing.iter().take(PLAYED).map(TestCase::injection).collect();
     let Trajectory { scenarios, time_step, .. } = rollout.trajectory(&best.reference, &injections, TAU);
     let error = |motion: &ScenarioTrajectory| motion.quality.position_error;
     let shown = injections.iter().zip(&scenarios).max_by(|one, other| error(one.1).total_cmp(&error(other.1)));
@@ -58,12 +58,12 @@ pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Kept) -> Option
     })
 }
 
-fn common_direction(failing: &[Trial]) -> Option<String> {
+fn common_direction(failing: &[TestCase]) -> Option<String> {
     let mut mean = [0.0; 3];
-    for trial in failing {
-        let length = norm(&trial.grasp.offset);
+    for case in failing {
+        let length = norm(&case.grasp.offset);
         if length > 0.0 {
-            (0..3).for_each(|axis| mean[axis] += trial.grasp.offset[axis] / length / failing.len() as f64);
+            (0..3).for_each(|axis| mean[axis] += case.grasp.offset[axis] / length / failing.len() as f64);
         }
     }
     direction(&mean).filter(|_| norm(&mean) > COMMON)

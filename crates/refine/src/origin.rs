@@ -31,7 +31,7 @@ pub struct Marks {
     pub has_strokes: bool,
     /// It was refined again.
     pub is_continued: bool,
-    /// What no trial needs was taken back.
+    /// What no test case needs was taken back.
     pub is_straightened: bool,
     /// It was refined in a harder world.
     pub has_margins: bool,

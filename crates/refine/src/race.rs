@@ -1,42 +1,42 @@
 //! The best of several references, found with few rollouts.
 
-use simulation::{Evaluator, Reference, Trial, TrialResult};
+use simulation::{Evaluator, Reference, TestCase, TestResult};
 
 /// How the best reference did.
 pub struct Winner {
     /// Its index.
     pub index: usize,
-    /// Its results, in the order of the trials.
-    pub results: Vec<TrialResult>,
+    /// Its results, in the order of the test cases.
+    pub results: Vec<TestResult>,
     /// Rollouts that the race took.
     pub rollouts: usize,
 }
 
-/// The reference that passes most trials; of equals the one that misses the goal less in all, then the later one. `None`
-/// without references, or when `stop` returns true before the end. The first trials speak for all: after `first` of them half
+/// The reference that passes most test cases; of equals the one that misses the goal less in all, then the later one. `None`
+/// without references, or when `stop` returns true before the end. The first test cases speak for all: after `first` of them half
 /// of the references are dropped, and the others are played in twice as many (successive halving).
 pub fn race(
     evaluator: &Evaluator,
     references: &[Reference],
-    (trials, first): (&[Trial], usize),
+    (cases, first): (&[TestCase], usize),
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Winner> {
-    let mut running: Vec<(usize, Vec<TrialResult>)> = (0..references.len()).map(|index| (index, Vec::new())).collect();
+    let mut running: Vec<(usize, Vec<TestResult>)> = (0..references.len()).map(|index| (index, Vec::new())).collect();
     let (mut played, mut rollouts) = (0, 0);
-    while running.len() > 1 || played < trials.len() {
-        let wanted = if running.len() > 1 { (2 * played).max(first).min(trials.len()) } else { trials.len() };
+    while running.len() > 1 || played < cases.len() {
+        let wanted = if running.len() > 1 { (2 * played).max(first).min(cases.len()) } else { cases.len() };
         for (index, results) in &mut running {
-            results.extend(evaluator.evaluate_all(&references[*index], &trials[played..wanted], stop)?);
+            results.extend(evaluator.evaluate_all(&references[*index], &cases[played..wanted], stop)?);
             rollouts += wanted - played;
         }
         played = wanted;
-        let failures = |results: &[TrialResult]| results.iter().filter(|result| !result.passed).count();
-        let miss = |results: &[TrialResult]| results.iter().map(|result| result.miss).sum::<f64>();
+        let failures = |results: &[TestResult]| results.iter().filter(|result| !result.passed).count();
+        let miss = |results: &[TestResult]| results.iter().map(|result| result.miss).sum::<f64>();
         running.sort_by(|(index, one), (next, other)| {
             let fewer = failures(one).cmp(&failures(other));
             fewer.then(miss(one).total_cmp(&miss(other))).then(next.cmp(index))
         });
-        let kept = if played < trials.len() { running.len().div_ceil(2) } else { 1 };
+        let kept = if played < cases.len() { running.len().div_ceil(2) } else { 1 };
         running.truncate(kept);
     }
     let (index, results) = running.pop()?;
@@ -59,22 +59,22 @@ mod tests {
         let evaluator = Evaluator::new(&problem.world(), &[0.0], Success::default());
         let resting = Reference::new(0.1, &[at_rest(&task.start); 3]);
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
-        let trials =
-            [Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+        let cases =
+            [TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
                 30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
-        let winner = race(&evaluator, &references, (&trials, 6), &|| false).unwrap();
-        assert_eq!((winner.index, winner.results.len()), (1, trials.len()));
+        let winner = race(&evaluator, &references, (&cases, 6), &|| false).unwrap();
+        assert_eq!((winner.index, winner.results.len()), (1, cases.len()));
         assert!(winner.results.iter().all(|result| result.passed));
-        // Six trials of all four, six more of two, then the others of one.
+        // Six test cases of all four, six more of two, then the others of one.
         assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
         let equals = [push.clone(), push];
-        assert_eq!(race(&evaluator, &equals, (&trials, 6), &|| false).unwrap().index, 1, "of equals the later");
+        assert_eq!(race(&evaluator, &equals, (&cases, 6), &|| false).unwrap().index, 1, "of equals the later");
         // A push that ends halfway misses the goal by less than rest.
         let halfway = std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index]));
         let failing = [Reference::straight(&task.start, &halfway, task.horizon), references[0].clone()];
-        assert_eq!(race(&evaluator, &failing, (&trials, 6), &|| false).unwrap().index, 0, "of equals the nearer");
-        assert!(race(&evaluator, &references, (&trials, 6), &|| true).is_none(), "no time");
-        assert!(race(&evaluator, &[], (&trials, 6), &|| false).is_none(), "no references");
+        assert_eq!(race(&evaluator, &failing, (&cases, 6), &|| false).unwrap().index, 0, "of equals the nearer");
+        assert!(race(&evaluator, &references, (&cases, 6), &|| true).is_none(), "no time");
+        assert!(race(&evaluator, &[], (&cases, 6), &|| false).is_none(), "no references");
     }
 }

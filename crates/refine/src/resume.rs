@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use plan::records::GraspRecord;
 use plan::{Event, IterationRecord, Plan, PlanIteration, PlannerError, Round, Unusable};
-use simulation::{Reference, Trial};
+use simulation::{Reference, TestCase};
 use task::GraspError;
 
 use crate::Refiner;
 use crate::candidate::Kept;
-use crate::checkpoint::{BestRecord, RefinementCheckpoint, TrialRecord};
+use crate::checkpoint::{BestRecord, RefinementCheckpoint, TestCaseRecord};
 use crate::origin::Solved;
 use crate::schedule::Schedule;
 
@@ -30,7 +30,7 @@ impl Refiner<'_> {
             elapsed_s: self.schedule.total().as_secs_f64(),
             evaluations: self.evaluations,
             before: self.before.clone(),
-            training: self.training.iter().map(TrialRecord::from).collect(),
+            training: self.training.iter().map(TestCaseRecord::from).collect(),
             best: BestRecord {
                 origin: kept.solved.origin,
                 marks: kept.solved.marks,
@@ -45,7 +45,7 @@ impl Refiner<'_> {
                 reached: kept.reached,
                 evaluation: kept.evaluation,
                 unplayed: kept.unplayed,
-                failing: kept.failing.iter().map(TrialRecord::from).collect(),
+                failing: kept.failing.iter().map(TestCaseRecord::from).collect(),
                 round: kept.round,
                 chosen_stage: kept.solved.chosen,
                 changes: kept.changes,
@@ -108,7 +108,7 @@ impl Refiner<'_> {
         self.schedule = Schedule::new(self.session, self.target.time_limit, self.target.parameters.time).after(earlier);
         self.evaluations = evaluations;
         self.before = before;
-        self.training = training.iter().map(Trial::from).collect();
+        self.training = training.iter().map(TestCase::from).collect();
         self.rounds = rounds;
         Some(Kept {
             reference: Reference::new(best.time_step_s, &best.reference),
@@ -117,7 +117,7 @@ impl Refiner<'_> {
             reached: best.reached,
             evaluation: best.evaluation,
             unplayed: best.unplayed,
-            failing: best.failing.iter().map(Trial::from).collect(),
+            failing: best.failing.iter().map(TestCase::from).collect(),
             round: best.round,
             changes: best.changes,
         })

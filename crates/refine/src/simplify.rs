@@ -1,7 +1,7 @@
 //! Robust plans without what they do not need.
 //!
-//! Refinement keeps a change for the trials that pass because of it, whatever it does to the motion: reorientations and
-//! detours in free air, strokes that pull a seated part back. What no trial needs is taken back from a robust plan. One for
+//! Refinement keeps a change for the test cases that pass because of it, whatever it does to the motion: reorientations and
+//! detours in free air, strokes that pull a seated part back. What no test case needs is taken back from a robust plan. One for
 //! an arm is refined with margins instead.
 
 use plan::{Event, PlannerError, Round};
@@ -20,8 +20,8 @@ impl Refiner<'_> {
         if is_as_planned || self.problem.arm().is_some() || self.target.patience == 0 {
             return Ok(());
         }
-        let trials = self.new_evaluation(self.target.parameters.simplification.random).trials().to_vec();
-        self.training.extend(trials);
+        let cases = self.new_evaluation(self.target.parameters.simplification.random).cases().to_vec();
+        self.training.extend(cases);
         for _ in 0..self.target.parameters.simplification.attempts {
             let Some((simpler, round)) = self.simpler(&robust) else { return Ok(()) };
             let judgement = self.judge(&simpler.reference, self.schedule.end());
@@ -34,12 +34,12 @@ impl Refiner<'_> {
                 let (failing, round) = (judgement.failing(), self.rounds.len());
                 return self.keep(Kept { failing, rates: judgement.rates, round, ..simpler }, self.rounds.clone());
             }
-            self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
+            self.training.extend(judgement.failures.iter().map(|(case, _)| *case));
         }
         Ok(())
     }
 
-    /// A plan without what no training trial needs, and its round, still without a rate. `None` if there is no such thing, or no
+    /// A plan without what no training case needs, and its round, still without a rate. `None` if there is no such thing, or no
     /// time.
     fn simpler(&mut self, robust: &Kept) -> Option<(Kept, Round)> {
         let until = self.schedule.simplification();

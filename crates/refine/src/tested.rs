@@ -32,7 +32,7 @@ pub fn test(plan: &Plan, target: &RobustnessTarget, session: &Session) -> Result
         seeds.first + seeds.stride,
     );
     let stop = || session.is_interrupted() || session.is_over();
-    let Some(results) = evaluator.evaluate_all(&reference, evaluation.trials(), &stop) else { return Ok(None) };
+    let Some(results) = evaluator.evaluate_all(&reference, evaluation.cases(), &stop) else { return Ok(None) };
     let Some(push) = judge_push(problem, &evaluator, &evaluation, wanted, &stop) else { return Ok(None) };
     let judgement = evaluation.judgement(&results, wanted);
     let wall_s = session.clock.elapsed().saturating_sub(begin).as_secs_f64();

@@ -13,8 +13,8 @@ use crate::schedule::Deadline;
 impl<'run> Refiner<'run> {
     /// Refines a reference and evaluates it, until it is good enough, given up, all changes have been tried, or the time is
     /// over, which may be [extended](Self::extended). It is given up at once if a smaller fraction than `least` of the
-    /// trials of its first evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to
-    /// go back. What is robust, but fails in some trials, is refined in these a few times more: simulators differ, and so
+    /// test cases of its first evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to
+    /// go back. What is robust, but fails in some test cases, is refined in these a few times more: simulators differ, and so
     /// does reality.
     pub(super) fn refine(
         &mut self,
@@ -28,7 +28,7 @@ impl<'run> Refiner<'run> {
         let chosen_with = round.rollouts;
         let (mut polished, mut vain) = (0, 0);
         // What failed elsewhere since it became a candidate.
-        let new = self.training[refinement.trials().len()..].to_vec();
+        let new = self.training[refinement.cases().len()..].to_vec();
         let results = self.trainer.evaluate_all(refinement.reference(), &new, &|| self.schedule.is_over(until));
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
         loop {
@@ -65,8 +65,8 @@ impl<'run> Refiner<'run> {
             until = self.extended(until, number, vain);
             let is_last =
                 is_good || is_lost || vain == parameters.given_up || !self.may_change() || self.schedule.is_over(until);
-            round.added_trials += judgement.failures.len();
-            self.training.extend(judgement.failures.iter().map(|(trial, _)| *trial));
+            round.added_cases += judgement.failures.len();
+            self.training.extend(judgement.failures.iter().map(|(case, _)| *case));
             refinement.add(judgement.failures);
             if is_last {
                 break;
@@ -88,7 +88,7 @@ impl<'run> Refiner<'run> {
         }
     }
 
-    /// Improves until all training trials pass, it is stuck, all changes have been tried, or the time is over.
+    /// Improves until all training cases pass, it is stuck, all changes have been tried, or the time is over.
     pub(super) fn train(&mut self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) {
         let (mut vain, mut last) = (0, refinement.score());
         while refinement.score().0 > 0
@@ -104,7 +104,7 @@ impl<'run> Refiner<'run> {
             } else {
                 vain += 1;
             }
-            self.session.tell(Event::Change { failing, trials: refinement.trials().len(), changes: *changes });
+            self.session.tell(Event::Change { failing, cases: refinement.cases().len(), changes: *changes });
         }
     }
 

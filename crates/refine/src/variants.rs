@@ -13,7 +13,7 @@ use crate::schedule::Deadline;
 
 impl<'run> Refiner<'run> {
     /// Solves variants of the problem one after the other, each in its share of the time. One whose plan fails in fewer
-    /// training trials than the best so far is refined at once, the others when all are solved, the best first.
+    /// training cases than the best so far is refined at once, the others when all are solved, the best first.
     /// `solving` is the time that the scene's own problem took: no more are begun than can be solved in such a time.
     pub(super) fn refine_variants(&mut self, solving: Duration) -> Result<(), PlannerError> {
         let mut waiting: Vec<Candidate> = Vec::new();
@@ -51,7 +51,7 @@ impl<'run> Refiner<'run> {
         until: Deadline,
     ) -> Result<Option<Candidate<'run>>, PlannerError> {
         let Some(best) = &self.best else { return Ok(None) };
-        let failing: Vec<GraspError> = best.failing.iter().map(|trial| trial.grasp).collect();
+        let failing: Vec<GraspError> = best.failing.iter().map(|case| case.grasp).collect();
         let variant = recipe.variant(
             &Variant::of_scene(self.problem),
             &best.reference,
@@ -67,8 +67,8 @@ impl<'run> Refiner<'run> {
         self.session.tell(Event::VariantSolved { status });
         let candidate = self.candidate(Solved::new(Origin::Variant(recipe), variant, iterations), until);
         if let Some(Candidate { round, .. }) = &candidate {
-            let (failing, trials) = (round.training_failures, round.training_trials);
-            self.session.tell(Event::VariantTried { failing, trials });
+            let (failing, cases) = (round.training_failures, round.training_cases);
+            self.session.tell(Event::VariantTried { failing, cases });
         }
         Ok(candidate)
     }

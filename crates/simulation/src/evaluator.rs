@@ -22,7 +22,7 @@ pub struct FrictionIndex(pub usize);
 
 /// One rollout that a reference has to pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Trial {
+pub struct TestCase {
     /// Which friction there is.
     pub friction: FrictionIndex,
     /// Injected grasp error.
@@ -31,19 +31,19 @@ pub struct Trial {
     pub disturbance: Disturbance,
 }
 
-impl Trial {
+impl TestCase {
     /// All errors that it injects.
     pub fn injection(&self) -> Injection {
         Injection { grasp: self.grasp, disturbance: self.disturbance }
     }
 }
 
-/// How a reference does in a trial.
+/// How a reference does in a test case.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TrialResult {
+pub struct TestResult {
     /// Whether the rollout ends at the goal, and contact forces and the controller's wrench keep the task's limits.
     pub passed: bool,
-    /// How far the trial is from passing, 0 when passed: the final position error with the length of the unblocked shift, and
+    /// How far the test case is from passing, 0 when passed: the final position error with the length of the unblocked shift, and
     /// the orientation error, each as a multiple of its tolerance, plus the excess of forces and torques as fractions of their
     /// limits. At most 60.
     pub miss: f64,
@@ -60,7 +60,7 @@ pub struct TrialResult {
     pub too_far: Option<Pressed>,
 }
 
-impl TrialResult {
+impl TestResult {
     const PASSED: Self = Self {
         passed: true,
         miss: 0.0,
@@ -75,7 +75,7 @@ impl TrialResult {
 /// A result, and where rollouts of similar references can go on from.
 #[derive(Debug, Clone)]
 pub(crate) struct Record<'evaluator> {
-    pub result: TrialResult,
+    pub result: TestResult,
     /// Unknown when only the result is.
     stages: Option<Vec<Stage<'evaluator>>>,
 }
@@ -87,13 +87,13 @@ impl Record<'_> {
     }
 }
 
-impl From<TrialResult> for Record<'_> {
-    fn from(result: TrialResult) -> Self {
+impl From<TestResult> for Record<'_> {
+    fn from(result: TestResult) -> Self {
         Self { result, stages: None }
     }
 }
 
-/// Evaluates references in trials.
+/// Evaluates references in test cases.
 #[derive(Debug, Clone)]
 pub struct Evaluator {
     rollouts: Vec<Rollout>,
@@ -127,7 +127,7 @@ impl Evaluator {
         Self { bounds: self.bounds.near(references, margin, haste, radius), ..self }
     }
 
-    /// With threads that share the trials, which change nothing but the time it takes. By default it is one.
+    /// With threads that share the test cases, which change nothing but the time it takes. By default it is one.
     pub fn with_workers(self, workers: Workers) -> Self {
         Self { workers, ..self }
     }
@@ -182,25 +182,25 @@ impl Evaluator {
         &self.bounds
     }
 
-    /// Simulates one trial.
+    /// Simulates one test case.
     ///
     /// # Panics
-    /// When the evaluator has no friction coefficient of the trial's index.
-    pub fn evaluate(&self, reference: &Reference, trial: &Trial) -> TrialResult {
-        self.result(&self.rollouts[trial.friction.0].play(reference, trial.injection(), |_, _| {}))
+    /// When the evaluator has no friction coefficient of the test case's index.
+    pub fn evaluate(&self, reference: &Reference, case: &TestCase) -> TestResult {
+        self.result(&self.rollouts[case.friction.0].play(reference, case.injection(), |_, _| {}))
     }
 
-    /// What an outcome means for a trial.
-    fn result(&self, outcome: &Outcome) -> TrialResult {
+    /// What an outcome means for a test case.
+    fn result(&self, outcome: &Outcome) -> TestResult {
         let (excess, contact_force) = (outcome.loads.excess(&self.limits), outcome.loads.contact_force);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
-            return TrialResult { contact_force, ..TrialResult::PASSED };
+            return TestResult { contact_force, ..TestResult::PASSED };
         }
         let shift = outcome.position_error + outcome.unblocked.norm();
         let miss = shift / self.success.position + outcome.orientation_error / self.success.orientation + excess;
         let end = isometry(&outcome.pose);
         let surplus = 1.0 - self.limits.contact_force / contact_force;
-        TrialResult {
+        TestResult {
             passed: false,
             // The comparison is false for NaN, which becomes the largest miss.
             miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS },
@@ -212,31 +212,31 @@ impl Evaluator {
         }
     }
 
-    /// Simulates all trials; results are in the order of the trials. `None` when `stop` returned true
-    /// before the last trial began.
+    /// Simulates all test cases; results are in the order of the test cases. `None` when `stop` returned true
+    /// before the last test case began.
     ///
     /// # Panics
-    /// When the evaluator has no friction coefficient of a trial's index.
+    /// When the evaluator has no friction coefficient of a test case's index.
     pub fn evaluate_all(
         &self,
         reference: &Reference,
-        trials: &[Trial],
+        cases: &[TestCase],
         stop: &(dyn Fn() -> bool + Sync),
-    ) -> Option<Vec<TrialResult>> {
-        let evaluate = |trial: &Trial| (!stop()).then(|| self.evaluate(reference, trial));
-        self.workers.map(trials.iter(), evaluate).into_iter().collect()
+    ) -> Option<Vec<TestResult>> {
+        let evaluate = |case: &TestCase| (!stop()).then(|| self.evaluate(reference, case));
+        self.workers.map(cases.iter(), evaluate).into_iter().collect()
     }
 
-    /// As [`evaluate_all`](Self::evaluate_all), but every trial has a record with another reference that is the same on the
+    /// As [`evaluate_all`](Self::evaluate_all), but every test case has a record with another reference that is the same on the
     /// first `same` intervals. Only what follows is simulated; nothing else changes. `goes_on` gets the results in the order of
-    /// the trials; when it returns false, the result is `None`, too.
+    /// the test cases; when it returns false, the result is `None`, too.
     pub(crate) fn record_all<'evaluator, 'record>(
         &'evaluator self,
         reference: &Reference,
-        trials: impl Iterator<Item = (Trial, &'record Record<'evaluator>)>,
+        cases: impl Iterator<Item = (TestCase, &'record Record<'evaluator>)>,
         same: usize,
         stop: &(dyn Fn() -> bool + Sync),
-        mut goes_on: impl FnMut(&TrialResult) -> bool,
+        mut goes_on: impl FnMut(&TestResult) -> bool,
     ) -> Option<Vec<Record<'evaluator>>>
     where
         'evaluator: 'record,
@@ -244,15 +244,15 @@ impl Evaluator {
         // What a thread still plays when the result is known is of no use.
         let is_decided = AtomicBool::new(false);
         let is_over = || is_decided.load(Ordering::Relaxed) || stop();
-        let record = |(trial, known): (Trial, &Record<'evaluator>)| {
+        let record = |(case, known): (TestCase, &Record<'evaluator>)| {
             let stages = known.stages.as_deref().unwrap_or_default();
-            let injection = trial.injection();
-            let replayed = self.rollouts[trial.friction.0].replay(reference, &injection, (stages, same), &is_over)?;
+            let injection = case.injection();
+            let replayed = self.rollouts[case.friction.0].replay(reference, &injection, (stages, same), &is_over)?;
             let (outcome, stages) = replayed;
             Some(Record { result: self.result(&outcome), stages: Some(stages) })
         };
         let (mut records, mut is_whole) = (Vec::new(), true);
-        self.workers.in_order(trials, record, |new| match new {
+        self.workers.in_order(cases, record, |new| match new {
             Some(new) if goes_on(&new.result) => {
                 records.push(new);
                 ControlFlow::Continue(())

@@ -34,7 +34,7 @@
 //! | how do joints stick? | exactly: torques within the box of Coulomb, by projected Gauss-Seidel; `joint_friction` |
 //! | when does the controller act? | `sampled_controller` |
 //!
-//! An [`Evaluator`] simulates a reference in several [`Trial`]s. A [`Refinement`] changes the reference until it passes
+//! An [`Evaluator`] simulates a reference in several [`TestCase`]s. A [`Refinement`] changes the reference until it passes
 //! all of them. Changes begin at definite times, and the states of earlier rollouts are kept, so that only what follows is
 //! simulated; outcomes are the same to the last bit. [`Strokes`] past the goal and back end a reference where dry friction
 //! would hold the body short of it. An evaluator [`with_margins`](Evaluator::with_margins) has more friction, and its contact
@@ -105,7 +105,7 @@ pub use arm_model::{ArmModel, ArmModelError};
 pub use bounds::{Bounds, LIMIT_SLACK};
 pub use bump::Bump;
 pub use disturbance::{Disturbance, Injection};
-pub use evaluator::{Evaluator, FrictionIndex, Trial, TrialResult};
+pub use evaluator::{Evaluator, FrictionIndex, TestCase, TestResult};
 pub use loads::Loads;
 pub use pressed::Pressed;
 pub use reference::{Knot, Reference, coordinates, interpolate, isometry};

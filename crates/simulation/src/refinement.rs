@@ -1,5 +1,5 @@
-//! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more trials pass are
-//! kept. Some lead back from where a failing trial pushes too hard, some lead towards the goal that a failing trial
+//! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more test cases pass are
+//! kept. Some lead back from where a failing test case pushes too hard, some lead towards the goal that a failing test case
 //! misses, some resemble changes that have helped before.
 //!
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
@@ -13,7 +13,7 @@ use fastrand::Rng;
 
 use crate::bounds::Bounds;
 use crate::bump::Bump;
-use crate::evaluator::{Evaluator, Record, Trial, TrialResult};
+use crate::evaluator::{Evaluator, Record, TestCase, TestResult};
 use crate::reference::Reference;
 
 /// A reference that is being refined.
@@ -24,21 +24,21 @@ pub struct Refinement<'evaluator> {
     room: Option<f64>,
     random: Rng,
     reference: Reference,
-    trials: Vec<Trial>,
-    /// Of the reference, one of every trial.
+    cases: Vec<TestCase>,
+    /// Of the reference, one of every test case.
     records: Vec<Record<'evaluator>>,
-    /// How many changes each trial has decided against, which it had passed before.
+    /// How many changes each test case has decided against, which it had passed before.
     refusals: Vec<usize>,
     rollouts: usize,
     /// The last changes that helped.
     helped: Vec<Bump>,
 }
 
-/// A change is dropped if the sum of the misses of so many failing trials, which are played first, does not decrease.
+/// A change is dropped if the sum of the misses of so many failing test cases, which are played first, does not decrease.
 const FIRST: usize = 4;
-/// Fraction of changes that lead away from where a failing trial exceeds the limit of contact forces.
+/// Fraction of changes that lead away from where a failing test case exceeds the limit of contact forces.
 const RELIEVING: f64 = 0.3;
-/// Fraction of the others that lead towards what a failing trial lacks.
+/// Fraction of the others that lead towards what a failing test case lacks.
 const AIMED: f64 = 0.3;
 /// Final errors that are less than this multiple of the position tolerance are those of a body that is nearly there, and how
 /// many of its changes go too far and back.
@@ -57,24 +57,24 @@ const ROOM: f64 = 0.05;
 const REMEMBERED: usize = 6;
 
 impl<'evaluator> Refinement<'evaluator> {
-    /// Of a reference whose results in the trials are known, in the order of the trials.
+    /// Of a reference whose results in the test cases are known, in the order of the test cases.
     ///
     /// # Panics
-    /// When there are not as many results as trials.
+    /// When there are not as many results as test cases.
     pub fn new(
         evaluator: &'evaluator Evaluator,
         reference: Reference,
-        trials: Vec<Trial>,
-        results: Vec<TrialResult>,
+        cases: Vec<TestCase>,
+        results: Vec<TestResult>,
         seed: u64,
     ) -> Self {
-        assert_eq!(trials.len(), results.len(), "every trial has a result");
+        assert_eq!(cases.len(), results.len(), "every case has a result");
         let bounds = evaluator.bounds().including(&reference);
         let room = evaluator.room(&reference).map(|room| room.min(ROOM));
         let random = Rng::with_seed(seed);
         let records = results.into_iter().map(Record::from).collect();
-        let refusals = vec![0; trials.len()];
-        Self { evaluator, bounds, room, random, reference, trials, records, refusals, rollouts: 0, helped: Vec::new() }
+        let refusals = vec![0; cases.len()];
+        Self { evaluator, bounds, room, random, reference, cases, records, refusals, rollouts: 0, helped: Vec::new() }
     }
 
     /// The best reference so far.
@@ -82,9 +82,9 @@ impl<'evaluator> Refinement<'evaluator> {
         &self.reference
     }
 
-    /// All trials.
-    pub fn trials(&self) -> &[Trial] {
-        &self.trials
+    /// All test cases.
+    pub fn cases(&self) -> &[TestCase] {
+        &self.cases
     }
 
     /// Rollouts so far.
@@ -92,22 +92,22 @@ impl<'evaluator> Refinement<'evaluator> {
         self.rollouts
     }
 
-    /// Adds trials with the results of the best reference.
-    pub fn add(&mut self, trials: impl IntoIterator<Item = (Trial, TrialResult)>) {
-        for (trial, result) in trials {
-            self.trials.push(trial);
+    /// Adds test cases with the results of the best reference.
+    pub fn add(&mut self, cases: impl IntoIterator<Item = (TestCase, TestResult)>) {
+        for (case, result) in cases {
+            self.cases.push(case);
             self.records.push(result.into());
             self.refusals.push(0);
         }
     }
 
-    /// Fraction of the trials that fail.
+    /// Fraction of the test cases that fail.
     pub fn failing_fraction(&self) -> f64 {
-        self.score().0 as f64 / self.trials.len().max(1) as f64
+        self.score().0 as f64 / self.cases.len().max(1) as f64
     }
 
     /// Tries a random change, keeps it if it improves the [`score`](Self::score), and returns whether
-    /// it does. Failing trials are simulated first, then the passing ones, each in random order, and no further than it
+    /// it does. Failing test cases are simulated first, then the passing ones, each in random order, and no further than it
     /// takes to see that the change is no improvement. A change that leaves the bounds is dropped, and so is the current
     /// one when `stop` returns true.
     pub fn improve(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> bool {
@@ -121,29 +121,29 @@ impl<'evaluator> Refinement<'evaluator> {
         is_better
     }
 
-    /// Plays failing trials of which only results are known again, for records to go on from: they are played in every attempt.
+    /// Plays failing test cases of which only results are known again, for records to go on from: they are played in every attempt.
     fn record_failing(&mut self, stop: &(dyn Fn() -> bool + Sync)) {
         let is_unknown = |&index: &usize| !self.records[index].result.passed && !self.records[index].has_stages();
-        let unknown: Vec<usize> = (0..self.trials.len()).filter(is_unknown).collect();
+        let unknown: Vec<usize> = (0..self.cases.len()).filter(is_unknown).collect();
         let reference = self.reference.clone();
         if let Some(new) = self.play(&reference, &unknown, stop, |_| true) {
             unknown.into_iter().zip(new).for_each(|(index, new)| self.records[index] = new);
         }
     }
 
-    /// Plays some of the trials with a reference, as long as their results go on. `None` when they do not, or `stop` returned
+    /// Plays some of the test cases with a reference, as long as their results go on. `None` when they do not, or `stop` returned
     /// true.
     fn play(
         &mut self,
         reference: &Reference,
         indices: &[usize],
         stop: &(dyn Fn() -> bool + Sync),
-        mut goes_on: impl FnMut(&TrialResult) -> bool,
+        mut goes_on: impl FnMut(&TestResult) -> bool,
     ) -> Option<Vec<Record<'evaluator>>> {
-        let trials = indices.iter().map(|&index| (self.trials[index], &self.records[index]));
+        let cases = indices.iter().map(|&index| (self.cases[index], &self.records[index]));
         let same = self.reference.shared_intervals(reference);
         let mut rollouts = 0;
-        let new = self.evaluator.record_all(reference, trials, same, stop, |result| {
+        let new = self.evaluator.record_all(reference, cases, same, stop, |result| {
             rollouts += 1;
             goes_on(result)
         });
@@ -171,18 +171,18 @@ impl<'evaluator> Refinement<'evaluator> {
         self.room.is_none_or(|least| self.evaluator.room(reference).is_some_and(|room| room >= least))
     }
 
-    /// A random change, one away from where a failing trial pushes too hard, one towards what it lacks, or one that
+    /// A random change, one away from where a failing test case pushes too hard, one towards what it lacks, or one that
     /// resembles a change which has helped.
     fn random_change(&mut self) -> Bump {
         if self.evaluator.limits_contact_forces()
             && self.random.f64() < RELIEVING
-            && let Some(TrialResult { too_far: Some(too_far), .. }) = self.some_failing()
+            && let Some(TestResult { too_far: Some(too_far), .. }) = self.some_failing()
         {
             return Bump::relief(&mut self.random, &too_far);
         }
         let new = Bump::random(&mut self.random, self.evaluator.success());
         if self.random.f64() < AIMED
-            && let Some(TrialResult { missing_shift, unblocked_shift, missing_turn, .. }) = self.some_failing()
+            && let Some(TestResult { missing_shift, unblocked_shift, missing_turn, .. }) = self.some_failing()
         {
             // Dry friction holds a body short of the goal: going too far and back again takes it there.
             let is_near = missing_shift.norm() < NEAR * self.evaluator.success().position;
@@ -200,9 +200,9 @@ impl<'evaluator> Refinement<'evaluator> {
         helpful.varied(&new, &mut self.random)
     }
 
-    /// The result of any trial that fails.
-    fn some_failing(&mut self) -> Option<TrialResult> {
-        let failing: Vec<TrialResult> = self.results().filter(|result| !result.passed).copied().collect();
+    /// The result of any test case that fails.
+    fn some_failing(&mut self) -> Option<TestResult> {
+        let failing: Vec<TestResult> = self.results().filter(|result| !result.passed).copied().collect();
         (!failing.is_empty()).then(|| failing[self.random.usize(..failing.len())])
     }
 
@@ -215,7 +215,7 @@ impl<'evaluator> Refinement<'evaluator> {
         let (first, before) = (FIRST.min(failing.len()), (failing.len(), miss_of(&failing)));
         let miss_of_first = miss_of(&failing[..first]);
         let order = [failing, passing].concat();
-        // So far: trials, and those that fail with the sum of their misses. The more are played, the larger these become.
+        // So far: test cases, and those that fail with the sum of their misses. The more are played, the larger these become.
         let (mut played, mut now) = (0, (0, 0.0));
         let new = self.play(&reference, &order, stop, |result| {
             played += 1;
@@ -235,20 +235,20 @@ impl<'evaluator> Refinement<'evaluator> {
         true
     }
 
-    /// Indices of failing and of passing trials, in random order.
+    /// Indices of failing and of passing test cases, in random order.
     fn shuffled(&mut self) -> (Vec<usize>, Vec<usize>) {
         let (mut failing, mut passing): (Vec<usize>, Vec<usize>) =
-            (0..self.trials.len()).partition(|&index| !self.records[index].result.passed);
+            (0..self.cases.len()).partition(|&index| !self.records[index].result.passed);
         self.random.shuffle(&mut failing);
         self.random.shuffle(&mut passing);
         (failing, passing)
     }
 
-    fn results(&self) -> impl Iterator<Item = &TrialResult> + Clone {
+    fn results(&self) -> impl Iterator<Item = &TestResult> + Clone {
         self.records.iter().map(|record| &record.result)
     }
 
-    /// Number of failing trials and the sum of their misses. Fewer failing trials are better, then a smaller sum.
+    /// Number of failing test cases and the sum of their misses. Fewer failing test cases are better, then a smaller sum.
     pub fn score(&self) -> (usize, f64) {
         let failing = self.results().filter(|result| !result.passed);
         (failing.clone().count(), failing.map(|result| result.miss).sum())

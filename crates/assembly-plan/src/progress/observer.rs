@@ -25,10 +25,10 @@ impl Observer for Progress {
                 let details = [vec![detail], self.refinement.lines()].concat();
                 self.show("homotopy iterations", (*number - 1, *most), &details);
             }
-            Event::Change { failing, trials, changes } => {
+            Event::Change { failing, cases, changes } => {
                 let kept = if *changes == 1 { "change" } else { "changes" };
                 let details = [self.refinement.lines(), vec![format!("{changes} {kept} kept")]].concat();
-                self.show("training rollouts succeed", (trials - failing, *trials), &details);
+                self.show("training rollouts succeed", (cases - failing, *cases), &details);
             }
             Event::Rollouts { done, count } => self.show_with_end("rollouts", (*done, *count)),
             other => self.say(&line(other)),

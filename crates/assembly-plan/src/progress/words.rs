@@ -56,7 +56,7 @@ pub fn line(event: &Event) -> String {
             format!("planning variant {number} of {count}: {name}")
         }
         Event::VariantSolved { status } => format!("  {status}"),
-        Event::VariantTried { failing, trials } => format!("  {failing} of {trials} training rollouts fail"),
+        Event::VariantTried { failing, cases } => format!("  {failing} of {cases} training rollouts fail"),
         Event::Iteration(_) | Event::Change { .. } | Event::Rollouts { .. } => String::new(),
     }
 }

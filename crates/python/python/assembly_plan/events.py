@@ -94,10 +94,10 @@ class Refining:
 
 @dataclass(frozen=True)
 class Change:
-    """A change of the reference has been tried: `failing` of `trials` training rollouts fail, `changes` were kept."""
+    """A change of the reference has been tried: `failing` of `cases` training rollouts fail, `changes` were kept."""
 
     failing: int
-    trials: int
+    cases: int
     changes: int
 
 
@@ -126,10 +126,10 @@ class VariantSolved:
 
 @dataclass(frozen=True)
 class VariantTried:
-    """The plan of the variant has been played: `failing` of `trials` training rollouts fail."""
+    """The plan of the variant has been played: `failing` of `cases` training rollouts fail."""
 
     failing: int
-    trials: int
+    cases: int
 
 
 @dataclass(frozen=True)

@@ -66,7 +66,7 @@ function rounds({ rounds: all, kept_round: kept }) {
     class: index + 1 === kept ? "chosen" : "",
     cells: [
       `${index + 1}  ${round.planned}`,
-      `${round.training_failures} of ${round.training_trials}`,
+      `${round.training_failures} of ${round.training_cases}`,
       String(round.changes),
       String(round.rollouts),
       round.rate === null ? "–" : percent(round.rate),
@@ -75,7 +75,7 @@ function rounds({ rounds: all, kept_round: kept }) {
   }));
   const header = [
     explained("round", "one planning problem, its solution and the refinement of that"),
-    explained("failing trials at first", "training rollouts that failed before refinement"),
+    explained("failing cases at first", "training rollouts that failed before refinement"),
     explained("changes", "changes of the reference that made it better and were kept"),
     "rollouts",
     explained("rate", "success rate in the best evaluation"),

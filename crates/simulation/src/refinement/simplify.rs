@@ -1,7 +1,7 @@
 //! Simpler references that do as well.
 //!
 //! Random changes are kept for what they do to the end of a motion, however they bend it: turns and detours in free air cost
-//! them nothing, and strokes remain where other changes have made them needless. So what no trial needs is taken back at the
+//! them nothing, and strokes remain where other changes have made them needless. So what no test case needs is taken back at the
 //! end, from the whole reference first, then from shorter and shorter parts of it.
 
 use std::collections::VecDeque;
@@ -17,7 +17,7 @@ const SHARES: [f64; 2] = [1.0, 0.5];
 const SHORTEST: f64 = 0.125;
 
 impl Refinement<'_> {
-    /// Cuts off what follows after so many intervals, and pulls the reference toward a straight motion, each where every trial
+    /// Cuts off what follows after so many intervals, and pulls the reference toward a straight motion, each where every test case
     /// that passed still passes and no contact force of these exceeds the largest so far. Returns how many changes were
     /// kept. Those of which `stop` returns true in between are not.
     pub fn simplify(&mut self, straight: &StraightMotion, intervals: usize, stop: &(dyn Fn() -> bool + Sync)) -> usize {
@@ -40,7 +40,7 @@ impl Refinement<'_> {
         kept
     }
 
-    /// Takes over another reference if every trial that passed still passes, with no contact force beyond a limit (N).
+    /// Takes over another reference if every test case that passed still passes, with no contact force beyond a limit (N).
     fn does_no_harm(&mut self, reference: Reference, limit: f64, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         if reference == self.reference || !self.bounds.allow(&reference) || !self.has_room(&reference) {
             return false;

@@ -1,7 +1,7 @@
 //! Absurd input: nothing panics or hangs.
 
 use simulation::{
-    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Success, Trial, offsets,
+    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Success, TestCase, offsets,
 };
 use task::{GraspError, Inertia};
 
@@ -63,7 +63,7 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
         {
             rollout.play(&short(), grasp, |_, _| {});
             evaluator
-                .evaluate(&short(), &Trial { friction: FrictionIndex(1), grasp, disturbance: Disturbance::default() });
+                .evaluate(&short(), &TestCase { friction: FrictionIndex(1), grasp, disturbance: Disturbance::default() });
         }
         let mut absurd = world();
         absurd.inertia = Inertia::of_body(value, absurd.inertia.rotational());
@@ -86,10 +86,10 @@ fn a_reference_of_one_knot_can_be_simulated_and_refined() {
     assert_eq!(reference.bent(&bump), reference);
     assert_eq!(reference.at(usize::MAX, 0.5), reference.at(0, 0.0));
     let evaluator = Evaluator::new(&world(), &[0.0], Success::default());
-    let trials =
-        vec![Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() }];
-    let results = evaluator.evaluate_all(&reference, &trials, &|| false).unwrap();
-    let mut refinement = Refinement::new(&evaluator, reference, trials, results, 1);
+    let cases =
+        vec![TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() }];
+    let results = evaluator.evaluate_all(&reference, &cases, &|| false).unwrap();
+    let mut refinement = Refinement::new(&evaluator, reference, cases, results, 1);
     refinement.improve(&|| false);
     assert!(refinement.reference().start().iter().all(|component| component.is_finite()));
 }

@@ -9,7 +9,7 @@ use robot::{Arm, JointVector, RigidInertia};
 use serde_json::Value;
 use simulation::{
     ArmModel, Disturbance, Evaluator, FrictionIndex, Injection, Reference, Refinement, Rollout, Settings, Success,
-    TimedState, Trial,
+    TimedState, TestCase,
 };
 use task::{AssemblyTask, GraspError, Impedance, Inertia};
 use workers::Workers;
@@ -353,12 +353,12 @@ fn evaluations_trajectories_and_any_number_of_threads_see_the_same_arm() {
     }
     let success = Success::default();
     let evaluator = Evaluator::new(&record.task, &[0.3], success).with_arm(&record.model).unwrap();
-    let trial = |grasp: [f64; 3]| Trial {
+    let case = |grasp: [f64; 3]| TestCase {
         friction: FrictionIndex(0),
         grasp: grasp.into(),
         disturbance: Disturbance::default(),
     };
-    let results = evaluator.evaluate_all(&record.reference, &grasps.map(trial), &|| false).unwrap();
+    let results = evaluator.evaluate_all(&record.reference, &grasps.map(case), &|| false).unwrap();
     for (result, outcome) in results.iter().zip(&outcomes) {
         let shift = outcome.position_error + outcome.unblocked.norm();
         let miss = shift / success.position + outcome.orientation_error / success.orientation;
@@ -372,13 +372,13 @@ fn rollouts_of_an_arm_that_go_on_from_earlier_ones_are_like_whole_ones() {
     let mut task = record.task.clone();
     task.goal[0] += 0.03;
     let evaluator = Evaluator::new(&task, &[0.0, 0.3], Success::default()).with_arm(&record.model).unwrap();
-    let trials = [0, 1].map(|friction| Trial {
+    let cases = [0, 1].map(|friction| TestCase {
         friction: FrictionIndex(friction),
         grasp: record.grasp,
         disturbance: Disturbance::default(),
     });
-    let results = evaluator.evaluate_all(&record.reference, &trials, &|| false).unwrap();
-    let refinement = Refinement::new(&evaluator, record.reference, trials.to_vec(), results, 1);
+    let results = evaluator.evaluate_all(&record.reference, &cases, &|| false).unwrap();
+    let refinement = Refinement::new(&evaluator, record.reference, cases.to_vec(), results, 1);
     let improvements = assert_records_are_whole_rollouts(&evaluator, refinement, 40);
     assert!(improvements > 2, "{improvements}");
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use simulation::{ArmModel, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Success, Trial};
+use simulation::{ArmModel, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Success, TestCase};
 
 use crate::arms::{self, Record};
 
@@ -30,9 +30,9 @@ fn refinement_keeps_the_ranges_of_joints() {
         let mut task = held.task.clone();
         task.goal[0] += 0.03;
         let evaluator = Evaluator::new(&task, &[0.0], Success::default()).with_arm(&held.model).unwrap();
-        let trials = [Trial { friction: FrictionIndex(0), grasp: held.grasp, disturbance: Disturbance::default() }];
-        let results = evaluator.evaluate_all(&held.reference, &trials, &|| false).unwrap();
-        let mut refinement = Refinement::new(&evaluator, held.reference, trials.to_vec(), results, 1);
+        let cases = [TestCase { friction: FrictionIndex(0), grasp: held.grasp, disturbance: Disturbance::default() }];
+        let results = evaluator.evaluate_all(&held.reference, &cases, &|| false).unwrap();
+        let mut refinement = Refinement::new(&evaluator, held.reference, cases.to_vec(), results, 1);
         let improvements = (0..40).filter(|_| refinement.improve(&|| false)).count();
         assert!(improvements > 0);
         ends(&elbow(&record.model, refinement.reference()))

@@ -4,8 +4,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
 use simulation::{
-    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Strokes, Success, Trial,
-    TrialResult,
+    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Strokes, Success, TestCase,
+    TestResult,
 };
 use task::{GraspError, Horizon, StraightMotion, pose_of};
 use workers::Workers;
@@ -24,11 +24,11 @@ fn beside() -> Reference {
     through(&[[0.0015, 0.0, 0.06], [0.0015, 0.0, 0.0]], 1.0)
 }
 
-fn trials() -> Vec<Trial> {
+fn cases() -> Vec<TestCase> {
     let offsets = [[0.0; 3], [0.0005, 0.0, 0.0], [-0.0005, 0.0, 0.0]];
     (0..2)
         .flat_map(|friction| {
-            offsets.map(|offset| Trial {
+            offsets.map(|offset| TestCase {
                 friction: FrictionIndex(friction),
                 grasp: offset.into(),
                 disturbance: Disturbance::default(),
@@ -38,8 +38,8 @@ fn trials() -> Vec<Trial> {
 }
 
 fn refinement(evaluator: &Evaluator, seed: u64) -> Refinement<'_> {
-    let results = evaluator.evaluate_all(&beside(), &trials(), &|| false).unwrap();
-    Refinement::new(evaluator, beside(), trials(), results, seed)
+    let results = evaluator.evaluate_all(&beside(), &cases(), &|| false).unwrap();
+    Refinement::new(evaluator, beside(), cases(), results, seed)
 }
 
 #[test]
@@ -57,18 +57,18 @@ fn what_fails_is_refined_until_it_passes() {
         assert_eq!(improved, after.0 < before.0 || after.0 == before.0 && after.1 < before.1);
     }
     assert_eq!(refinement.score().0, 0);
-    let results = evaluator.evaluate_all(refinement.reference(), &trials(), &|| false).unwrap();
+    let results = evaluator.evaluate_all(refinement.reference(), &cases(), &|| false).unwrap();
     assert!(results.iter().all(|result| result.passed && result.miss == 0.0));
 }
 
-/// Changes a reference, and compares what is known of the trials with whole rollouts of what has become of it. Returns how many
+/// Changes a reference, and compares what is known of the test cases with whole rollouts of what has become of it. Returns how many
 /// changes were kept.
 pub fn assert_records_are_whole_rollouts(evaluator: &Evaluator, mut refinement: Refinement, changes: usize) -> usize {
     let mut improvements = 0;
     for _ in 0..changes {
         if refinement.improve(&|| false) {
             improvements += 1;
-            let results = evaluator.evaluate_all(refinement.reference(), refinement.trials(), &|| false).unwrap();
+            let results = evaluator.evaluate_all(refinement.reference(), refinement.cases(), &|| false).unwrap();
             let failing = results.iter().filter(|result| !result.passed);
             assert_eq!(refinement.score(), (failing.clone().count(), failing.map(|result| result.miss).sum()));
         }
@@ -130,7 +130,7 @@ fn changes_that_break_a_limit_are_refused() {
 
 #[test]
 fn a_push_beyond_the_limit_is_no_success() {
-    let trial = Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+    let case = TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     const DEPTH: f64 = 1e-3;
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
     world.goal[2] = 0.04;
@@ -138,7 +138,7 @@ fn a_push_beyond_the_limit_is_no_success() {
     let mut evaluate = |limit: f64, share: f64| {
         world.limits.contact_force = limit;
         let evaluator = Evaluator::new(&world, &[0.0], Success::default()).with_force_share(share);
-        evaluator.evaluate(&pressing, &trial)
+        evaluator.evaluate(&pressing, &case)
     };
     assert!(evaluate(f64::INFINITY, 1.0).passed && evaluate(f64::INFINITY, 0.1).passed);
     let force = STIFFNESS * DEPTH;
@@ -153,14 +153,14 @@ fn a_push_beyond_the_limit_is_no_success() {
 
 #[test]
 fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_if_it_reversed() {
-    let trial = Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+    let case = TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     let wall = block([0.02, WIDTH, 0.2], [-0.5 * WIDTH - 0.01, 0.0, 0.1]);
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor(), wall]);
     world.goal[2] = 0.04;
     let pressing = through(&[[0.0, 0.0, 0.06], [-0.04, 0.0, 0.06], [-0.04, 0.0, -0.06]], 2.0);
     const FRICTION: f64 = 0.2;
     let rollout = |friction: f64| Rollout::new(&world, Settings { friction, ..Settings::default() });
-    let force = |rollout: &Rollout| rollout.play(&pressing, trial.injection(), |_, _| {}).loads.contact_force;
+    let force = |rollout: &Rollout| rollout.play(&pressing, case.injection(), |_, _| {}).loads.contact_force;
     let plain = force(&rollout(FRICTION));
     let [reversed, harder] = [1.0, 1.5].map(|factor| force(&rollout(factor * FRICTION).with_reversed_friction()));
     // The wall holds the body with 2 N when it arrives at the floor.
@@ -170,7 +170,7 @@ fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_i
         world.limits.contact_force = limit;
         let evaluator = Evaluator::new(&world, &[FRICTION], Success::default());
         let evaluator = margin.map_or(evaluator.clone(), |factor| evaluator.with_margins(factor));
-        evaluator.evaluate(&pressing, &trial).passed
+        evaluator.evaluate(&pressing, &case).passed
     };
     let (low, high) = (0.5 * (plain + reversed), 0.5 * (reversed + harder));
     assert!(passes(low, None) && !passes(low, Some(1.0)));
@@ -200,8 +200,8 @@ fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
 #[test]
 fn contacts_leave_the_part_of_the_way_to_the_goal_along_them() {
     let evaluator = evaluator();
-    let trial = trials()[0];
-    let result = evaluator.evaluate(&beside(), &trial);
+    let case = cases()[0];
+    let result = evaluator.evaluate(&beside(), &case);
     let (missing, unblocked) = (result.missing_shift, result.unblocked_shift);
     assert!(missing.z < -0.03 && missing.x < -1e-3, "it rests on the rim: {missing}");
     assert!(
@@ -210,7 +210,7 @@ fn contacts_leave_the_part_of_the_way_to_the_goal_along_them() {
     );
     assert!(result.miss > 1.01 * missing.norm() / Success::default().position, "which is part of the miss");
     let hovering = through(&[[0.0015, 0.0, 0.06], [0.0015, 0.0, 0.06]], 1.0);
-    let result = evaluator.evaluate(&hovering, &trial);
+    let result = evaluator.evaluate(&hovering, &case);
     assert_eq!(result.unblocked_shift, result.missing_shift, "nothing blocks what touches nothing");
 }
 
@@ -243,13 +243,13 @@ fn bent_in_free_air() -> Reference {
     Reference::new(down().time_step(), &states)
 }
 
-/// A reference that passes all trials, simplified with the straight motion to another place.
+/// A reference that passes all test cases, simplified with the straight motion to another place.
 fn simplified(reference: Reference, goal: [f64; 3], intervals: usize) -> Reference {
     let evaluator = evaluator();
-    let results = |reference: &Reference| evaluator.evaluate_all(reference, &trials(), &|| false).unwrap();
+    let results = |reference: &Reference| evaluator.evaluate_all(reference, &cases(), &|| false).unwrap();
     let before = results(&reference);
     assert!(before.iter().all(|result| result.passed), "{before:?}");
-    let mut refinement = Refinement::new(&evaluator, reference, trials(), before.clone(), 1);
+    let mut refinement = Refinement::new(&evaluator, reference, cases(), before.clone(), 1);
     let straight = StraightMotion::new(&pose_of(&down().states()[0]), &pose_of(&at_rest(goal)));
     refinement.simplify(&straight, intervals, &|| false);
     let simpler = refinement.reference().clone();
@@ -259,7 +259,7 @@ fn simplified(reference: Reference, goal: [f64; 3], intervals: usize) -> Referen
     simpler
 }
 
-fn largest_force(results: &[TrialResult]) -> f64 {
+fn largest_force(results: &[TestResult]) -> f64 {
     results.iter().map(|result| result.contact_force).fold(0.0, f64::max)
 }
 
