@@ -3,7 +3,7 @@
 use fastrand::Rng;
 use nalgebra::Vector3;
 
-use crate::pressed::Pressed;
+use crate::overshoot::Overshoot;
 use crate::success::Success;
 
 /// Shifts and turns a reference around one time, or from one time on. The start of the reference does not change.
@@ -98,14 +98,14 @@ impl Bump {
     }
 
     /// A change that takes back about as much as a reference leads too far, at that time or a little earlier.
-    pub fn relief(random: &mut Rng, too_far: &Pressed) -> Self {
+    pub fn relief(random: &mut Rng, overshoot: &Overshoot) -> Self {
         let [least, most] = WIDTHS;
-        let center = too_far.fraction.min(1.0) - EARLIER * random.f64();
+        let center = overshoot.fraction.min(1.0) - EARLIER * random.f64();
         let width = least + (most - least) * random.f64() * random.f64();
         let size = (SPREAD * normal(random)).exp();
         let kind = random.usize(..3);
         let part = |vector: Vector3<f64>, wanted: bool| if wanted { vector * size } else { Vector3::zeros() };
-        let (shift, turn) = (part(too_far.shift, kind != 1), part(too_far.turn, kind != 0));
+        let (shift, turn) = (part(overshoot.shift, kind != 1), part(overshoot.turn, kind != 0));
         Self { center, width, lasting: false, shift, turn }
     }
 
@@ -140,13 +140,13 @@ mod tests {
     #[test]
     fn reliefs_lead_back_from_where_the_force_is_largest() {
         let mut random = Rng::with_seed(1);
-        let too_far =
-            Pressed { fraction: 0.6, shift: Vector3::new(0.0, 0.0, 0.004), turn: Vector3::new(0.03, 0.0, 0.0) };
+        let overshoot =
+            Overshoot { fraction: 0.6, shift: Vector3::new(0.0, 0.0, 0.004), turn: Vector3::new(0.03, 0.0, 0.0) };
         for _ in 0..100 {
-            let relief = Bump::relief(&mut random, &too_far);
-            let parts = [relief.shift.norm() / too_far.shift.norm(), relief.turn.norm() / too_far.turn.norm()];
+            let relief = Bump::relief(&mut random, &overshoot);
+            let parts = [relief.shift.norm() / overshoot.shift.norm(), relief.turn.norm() / overshoot.turn.norm()];
             assert!(parts.iter().any(|part| *part > 0.05) && parts.iter().all(|part| *part < 20.0), "{parts:?}");
-            for (change, wanted) in [(relief.shift, too_far.shift), (relief.turn, too_far.turn)] {
+            for (change, wanted) in [(relief.shift, overshoot.shift), (relief.turn, overshoot.turn)] {
                 assert!((change.dot(&wanted) - change.norm() * wanted.norm()).abs() < 1e-12, "the same direction");
             }
             assert!(relief.weight(0.575) > 0.7 && relief.weight(1.7) < 0.1, "around that time, and not for ever");

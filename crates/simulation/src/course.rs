@@ -6,7 +6,7 @@ use crate::body::Body;
 use crate::contact::ContactFinder;
 use crate::loads::LoadMeter;
 use crate::plant::Plant;
-use crate::pressed::Pressed;
+use crate::overshoot::Overshoot;
 use crate::reference::{Reference, coordinates};
 use crate::timed_state::TimedState;
 
@@ -27,7 +27,7 @@ pub struct Course<'rollout> {
     /// Deepest overlap of a pair (m) so far.
     pub max_penetration: f64,
     pub loads: LoadMeter,
-    pub pressed: Pressed,
+    pub overshoot: Overshoot,
     /// Normal impulse (Ns) of every pair in the last step, and since the last knot.
     pub step_impulses: Vec<f64>,
     pub impulses: Vec<f64>,
@@ -58,7 +58,7 @@ impl Course<'_> {
             let wrench = self.impedance.wrench(&tracked.state(), &TimedState::new(0.0, body).state(), &self.grasp);
             if self.loads.add(taken as f64 * time_step, step_impulses, &wrench) {
                 let fraction = (interval as f64 + part) / reference.intervals() as f64;
-                self.pressed = Pressed::new(fraction, &reference.at(interval, part).pose, &body.pose);
+                self.overshoot = Overshoot::new(fraction, &reference.at(interval, part).pose, &body.pose);
             }
             for moment in 1..=taken {
                 let time = (interval * substeps + done + moment) as f64 * time_step;

@@ -10,7 +10,7 @@ use workers::Workers;
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
-use crate::pressed::Pressed;
+use crate::overshoot::Overshoot;
 use crate::reference::{Reference, isometry};
 use crate::rollout::{Outcome, Rollout, Stage};
 use crate::settings::Settings;
@@ -57,7 +57,7 @@ pub struct TestResult {
     pub missing_turn: Vector3<f64>,
     /// What to take back of the reference where the contact force is largest, so that a spring would push with the
     /// limit; `None` when it keeps the limit.
-    pub too_far: Option<Pressed>,
+    pub overshoot: Option<Overshoot>,
 }
 
 impl TestResult {
@@ -68,7 +68,7 @@ impl TestResult {
         missing_shift: Vector3::new(0.0, 0.0, 0.0),
         unblocked_shift: Vector3::new(0.0, 0.0, 0.0),
         missing_turn: Vector3::new(0.0, 0.0, 0.0),
-        too_far: None,
+        overshoot: None,
     };
 }
 
@@ -208,7 +208,7 @@ impl Evaluator {
             missing_shift: outcome.missing,
             unblocked_shift: outcome.unblocked,
             missing_turn: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),
-            too_far: (surplus > 0.0).then(|| outcome.pressed.scaled(surplus)),
+            overshoot: (surplus > 0.0).then(|| outcome.overshoot.scaled(surplus)),
         }
     }
 

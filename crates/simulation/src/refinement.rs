@@ -176,9 +176,9 @@ impl<'evaluator> Refinement<'evaluator> {
     fn random_change(&mut self) -> Bump {
         if self.evaluator.limits_contact_forces()
             && self.random.f64() < RELIEVING
-            && let Some(TestResult { too_far: Some(too_far), .. }) = self.some_failing()
+            && let Some(TestResult { overshoot: Some(overshoot), .. }) = self.some_failing()
         {
-            return Bump::relief(&mut self.random, &too_far);
+            return Bump::relief(&mut self.random, &overshoot);
         }
         let new = Bump::random(&mut self.random, self.evaluator.success());
         if self.random.f64() < AIMED

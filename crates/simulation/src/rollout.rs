@@ -17,7 +17,7 @@ use crate::disturbance::Injection;
 use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
 use crate::plant::Plant;
-use crate::pressed::Pressed;
+use crate::overshoot::Overshoot;
 use crate::reference::{Reference, coordinates, isometry};
 use crate::settings::Settings;
 use crate::step_length::{STEADY, Steps};
@@ -62,7 +62,7 @@ pub struct Outcome {
     /// Largest contact force, and largest wrench of the controller.
     pub loads: Loads,
     /// Where the contact force is largest.
-    pub pressed: Pressed,
+    pub overshoot: Overshoot,
     /// The way from the final position to the goal (m, world frame).
     pub missing: Vector3<f64>,
     /// The part of this way that no contact blocks (m, world frame).
@@ -205,7 +205,7 @@ impl Rollout {
             steps: self.settings.divide(reference.time_step()),
             intervals: 0,
             loads: LoadMeter::new(pairs),
-            pressed: Pressed::NONE,
+            overshoot: Overshoot::NONE,
             step_impulses: vec![0.0; pairs],
             impulses: vec![0.0; pairs],
         })
@@ -228,8 +228,8 @@ impl Rollout {
                 break;
             }
         }
-        let Course { body, max_penetration, loads, pressed, finder, .. } = &course;
-        let outcome = self.outcome(&body.pose, *max_penetration, loads.largest(), *pressed);
+        let Course { body, max_penetration, loads, overshoot, finder, .. } = &course;
+        let outcome = self.outcome(&body.pose, *max_penetration, loads.largest(), *overshoot);
         Outcome { unblocked: finder.unblocked(&outcome.missing), diverged: !course.is_finite(), ..outcome }
     }
 
@@ -262,10 +262,10 @@ impl Rollout {
     /// What comes of a rollout that cannot be simulated.
     fn impossible(&self, reference: &Reference, injection: &Injection) -> Outcome {
         let pose = isometry(&injection.grasp.actual(&reference.start()));
-        Outcome { diverged: true, ..self.outcome(&pose, 0.0, LoadMeter::new(0).largest(), Pressed::NONE) }
+        Outcome { diverged: true, ..self.outcome(&pose, 0.0, LoadMeter::new(0).largest(), Overshoot::NONE) }
     }
 
-    fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, pressed: Pressed) -> Outcome {
+    fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, overshoot: Overshoot) -> Outcome {
         let missing = isometry(&self.task.goal).translation.vector - pose.translation.vector;
         let pose = coordinates(pose);
         let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
@@ -275,7 +275,7 @@ impl Rollout {
             orientation_error,
             max_penetration,
             loads,
-            pressed,
+            overshoot,
             missing,
             unblocked: Vector3::zeros(),
             diverged: false,

@@ -146,9 +146,9 @@ fn a_push_beyond_the_limit_is_no_success() {
     assert!(!evaluate(1.2 * force, 0.8).passed, "with a margin");
     let gentle = evaluate(0.5 * force, 1.0);
     assert!(!gentle.passed && (gentle.miss - 1.0).abs() < 0.01, "{gentle:?}");
-    let too_far = gentle.too_far.expect("the force is too large");
-    assert!((too_far.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{too_far:?}");
-    assert!(too_far.turn.norm() < 1e-6 && too_far.fraction > 0.9, "{too_far:?}");
+    let overshoot = gentle.overshoot.expect("the force is too large");
+    assert!((overshoot.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{overshoot:?}");
+    assert!(overshoot.turn.norm() < 1e-6 && overshoot.fraction > 0.9, "{overshoot:?}");
 }
 
 #[test]

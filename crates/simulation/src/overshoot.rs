@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Vector3};
 
 /// How far a reference leads beyond where the body can go, when the contact force is largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pressed {
+pub struct Overshoot {
     /// When, as a fraction of the duration of the reference; more than 1 while its end is held.
     pub fraction: f64,
     /// From the reference to the body (m, world frame).
@@ -13,7 +13,7 @@ pub struct Pressed {
     pub turn: Vector3<f64>,
 }
 
-impl Pressed {
+impl Overshoot {
     /// At the start, without a force.
     pub const NONE: Self =
         Self { fraction: 0.0, shift: Vector3::new(0.0, 0.0, 0.0), turn: Vector3::new(0.0, 0.0, 0.0) };
