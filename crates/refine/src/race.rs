@@ -31,10 +31,10 @@ pub fn race(
         }
         played = wanted;
         let failures = |results: &[TestResult]| results.iter().filter(|result| !result.passed).count();
-        let miss = |results: &[TestResult]| results.iter().map(|result| result.miss).sum::<f64>();
+        let violation = |results: &[TestResult]| results.iter().map(|result| result.violation).sum::<f64>();
         running.sort_by(|(index, one), (next, other)| {
             let fewer = failures(one).cmp(&failures(other));
-            fewer.then(miss(one).total_cmp(&miss(other))).then(next.cmp(index))
+            fewer.then(violation(one).total_cmp(&violation(other))).then(next.cmp(index))
         });
         let kept = if played < cases.len() { running.len().div_ceil(2) } else { 1 };
         running.truncate(kept);

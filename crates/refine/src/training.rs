@@ -98,9 +98,9 @@ impl<'run> Refiner<'run> {
         {
             self.tried += 1;
             *changes += usize::from(refinement.improve(&|| self.schedule.is_over(until)));
-            let (failing, miss) = refinement.score();
-            if failing < last.0 || miss < self.target.parameters.training.creeping * last.1 {
-                (vain, last) = (0, (failing, miss));
+            let (failing, violation) = refinement.score();
+            if failing < last.0 || violation < self.target.parameters.training.creeping * last.1 {
+                (vain, last) = (0, (failing, violation));
             } else {
                 vain += 1;
             }

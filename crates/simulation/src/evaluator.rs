@@ -46,15 +46,15 @@ pub struct TestResult {
     /// How far the test case is from passing, 0 when passed: the final position error with the length of the unblocked shift, and
     /// the orientation error, each as a multiple of its tolerance, plus the excess of forces and torques as fractions of their
     /// limits. At most 60.
-    pub miss: f64,
+    pub violation: f64,
     /// Largest contact force (N), the mean over 10 ms.
     pub contact_force: f64,
     /// From where the body ends to its goal (m, world frame); zero when passed.
-    pub missing_shift: Vector3<f64>,
+    pub remaining_shift: Vector3<f64>,
     /// The part of this shift that no contact blocks (m, world frame); zero when passed.
     pub unblocked_shift: Vector3<f64>,
     /// Rotation vector that turns the body from there to its goal (rad, body frame); zero when passed.
-    pub missing_turn: Vector3<f64>,
+    pub remaining_rotation: Vector3<f64>,
     /// What to take back of the reference where the contact force is largest, so that a spring would push with the
     /// limit; `None` when it keeps the limit.
     pub overshoot: Option<Overshoot>,
@@ -63,11 +63,11 @@ pub struct TestResult {
 impl TestResult {
     const PASSED: Self = Self {
         passed: true,
-        miss: 0.0,
+        violation: 0.0,
         contact_force: 0.0,
-        missing_shift: Vector3::new(0.0, 0.0, 0.0),
+        remaining_shift: Vector3::new(0.0, 0.0, 0.0),
         unblocked_shift: Vector3::new(0.0, 0.0, 0.0),
-        missing_turn: Vector3::new(0.0, 0.0, 0.0),
+        remaining_rotation: Vector3::new(0.0, 0.0, 0.0),
         overshoot: None,
     };
 }
@@ -109,8 +109,8 @@ pub struct Evaluator {
 const ARM_TIME_STEP: f64 = 2e-3;
 /// The acceleration (m/s^2) up to which these may be longer.
 const ARM_STEADY: f64 = 4.0;
-/// Larger misses count as this one: how far away a lost part comes to rest says nothing.
-const LARGEST_MISS: f64 = 60.0;
+/// Larger violations count as this one: how far away a lost part comes to rest says nothing.
+const LARGEST_VIOLATION: f64 = 60.0;
 
 impl Evaluator {
     /// For a task and several friction coefficients, with the default time step and settling time. Callers validate
@@ -197,17 +197,17 @@ impl Evaluator {
             return TestResult { contact_force, ..TestResult::PASSED };
         }
         let shift = outcome.position_error + outcome.unblocked.norm();
-        let miss = shift / self.success.position + outcome.orientation_error / self.success.orientation + excess;
+        let violation = shift / self.success.position + outcome.orientation_error / self.success.orientation + excess;
         let end = isometry(&outcome.pose);
         let surplus = 1.0 - self.limits.contact_force / contact_force;
         TestResult {
             passed: false,
-            // The comparison is false for NaN, which becomes the largest miss.
-            miss: if miss < LARGEST_MISS { miss } else { LARGEST_MISS },
+            // The comparison is false for NaN, which becomes the largest violation.
+            violation: if violation < LARGEST_VIOLATION { violation } else { LARGEST_VIOLATION },
             contact_force,
-            missing_shift: outcome.missing,
+            remaining_shift: outcome.remaining,
             unblocked_shift: outcome.unblocked,
-            missing_turn: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),
+            remaining_rotation: (end.rotation.inverse() * self.goal.rotation).scaled_axis(),
             overshoot: (surplus > 0.0).then(|| outcome.overshoot.scaled(surplus)),
         }
     }

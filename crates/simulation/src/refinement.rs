@@ -34,7 +34,7 @@ pub struct Refinement<'evaluator> {
     helped: Vec<Bump>,
 }
 
-/// A change is dropped if the sum of the misses of so many failing test cases, which are played first, does not decrease.
+/// A change is dropped if the sum of the violations of so many failing test cases, which are played first, does not decrease.
 const FIRST: usize = 4;
 /// Fraction of changes that lead away from where a failing test case exceeds the limit of contact forces.
 const RELIEVING: f64 = 0.3;
@@ -182,16 +182,16 @@ impl<'evaluator> Refinement<'evaluator> {
         }
         let new = Bump::random(&mut self.random, self.evaluator.success());
         if self.random.f64() < AIMED
-            && let Some(TestResult { missing_shift, unblocked_shift, missing_turn, .. }) = self.some_failing()
+            && let Some(TestResult { remaining_shift, unblocked_shift, remaining_rotation, .. }) = self.some_failing()
         {
             // Dry friction holds a body short of the goal: going too far and back again takes it there.
-            let is_near = missing_shift.norm() < NEAR * self.evaluator.success().position;
+            let is_near = remaining_shift.norm() < NEAR * self.evaluator.success().position;
             let goes_too_far = is_near && self.random.f64() < TOO_FAR;
             let new = if goes_too_far { Bump::late(&mut self.random, self.evaluator.success()) } else { new };
             // A body that contacts hold far from its goal is to slide on them.
             let slides = !is_near && self.random.f64() < SLIDING;
-            let missing_shift = if slides { unblocked_shift } else { missing_shift };
-            return new.aimed(&missing_shift, &missing_turn, &mut self.random);
+            let remaining_shift = if slides { unblocked_shift } else { remaining_shift };
+            return new.aimed(&remaining_shift, &remaining_rotation, &mut self.random);
         }
         if self.helped.is_empty() || self.random.f64() >= LEARNED {
             return new;
@@ -211,16 +211,16 @@ impl<'evaluator> Refinement<'evaluator> {
         let (failing, mut passing) = self.shuffled();
         // The order of these does not matter to what is found: a change must not lose any without a gain elsewhere.
         passing.sort_by_key(|&index| Reverse(self.refusals[index]));
-        let miss_of = |indices: &[usize]| indices.iter().map(|&index| self.records[index].result.miss).sum::<f64>();
-        let (first, before) = (FIRST.min(failing.len()), (failing.len(), miss_of(&failing)));
-        let miss_of_first = miss_of(&failing[..first]);
+        let violation_of = |indices: &[usize]| indices.iter().map(|&index| self.records[index].result.violation).sum::<f64>();
+        let (first, before) = (FIRST.min(failing.len()), (failing.len(), violation_of(&failing)));
+        let violation_of_first = violation_of(&failing[..first]);
         let order = [failing, passing].concat();
-        // So far: test cases, and those that fail with the sum of their misses. The more are played, the larger these become.
+        // So far: test cases, and those that fail with the sum of their violations. The more are played, the larger these become.
         let (mut played, mut now) = (0, (0, 0.0));
         let new = self.play(&reference, &order, stop, |result| {
             played += 1;
-            now = (now.0 + usize::from(!result.passed), now.1 + result.miss);
-            let is_useless = played <= first && now.1 >= miss_of_first;
+            now = (now.0 + usize::from(!result.passed), now.1 + result.violation);
+            let is_useless = played <= first && now.1 >= violation_of_first;
             let is_no_better = played >= before.0 && now >= before;
             !is_useless && !is_no_better
         });
@@ -248,9 +248,9 @@ impl<'evaluator> Refinement<'evaluator> {
         self.records.iter().map(|record| &record.result)
     }
 
-    /// Number of failing test cases and the sum of their misses. Fewer failing test cases are better, then a smaller sum.
+    /// Number of failing test cases and the sum of their violations. Fewer failing test cases are better, then a smaller sum.
     pub fn score(&self) -> (usize, f64) {
         let failing = self.results().filter(|result| !result.passed);
-        (failing.clone().count(), failing.map(|result| result.miss).sum())
+        (failing.clone().count(), failing.map(|result| result.violation).sum())
     }
 }

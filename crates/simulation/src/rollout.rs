@@ -64,7 +64,7 @@ pub struct Outcome {
     /// Where the contact force is largest.
     pub overshoot: Overshoot,
     /// The way from the final position to the goal (m, world frame).
-    pub missing: Vector3<f64>,
+    pub remaining: Vector3<f64>,
     /// The part of this way that no contact blocks (m, world frame).
     pub unblocked: Vector3<f64>,
     /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields then mean
@@ -230,7 +230,7 @@ impl Rollout {
         }
         let Course { body, max_penetration, loads, overshoot, finder, .. } = &course;
         let outcome = self.outcome(&body.pose, *max_penetration, loads.largest(), *overshoot);
-        Outcome { unblocked: finder.unblocked(&outcome.missing), diverged: !course.is_finite(), ..outcome }
+        Outcome { unblocked: finder.unblocked(&outcome.remaining), diverged: !course.is_finite(), ..outcome }
     }
 
     /// What moves from a pose of the body at rest; `None` if it cannot be simulated.
@@ -266,7 +266,7 @@ impl Rollout {
     }
 
     fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, overshoot: Overshoot) -> Outcome {
-        let missing = isometry(&self.task.goal).translation.vector - pose.translation.vector;
+        let remaining = isometry(&self.task.goal).translation.vector - pose.translation.vector;
         let pose = coordinates(pose);
         let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
         Outcome {
@@ -276,7 +276,7 @@ impl Rollout {
             max_penetration,
             loads,
             overshoot,
-            missing,
+            remaining,
             unblocked: Vector3::zeros(),
             diverged: false,
         }

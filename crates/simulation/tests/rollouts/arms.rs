@@ -361,8 +361,8 @@ fn evaluations_trajectories_and_any_number_of_threads_see_the_same_arm() {
     let results = evaluator.evaluate_all(&record.reference, &grasps.map(case), &|| false).unwrap();
     for (result, outcome) in results.iter().zip(&outcomes) {
         let shift = outcome.position_error + outcome.unblocked.norm();
-        let miss = shift / success.position + outcome.orientation_error / success.orientation;
-        assert_eq!(result.miss, if result.passed { 0.0 } else { miss.min(60.0) });
+        let violation = shift / success.position + outcome.orientation_error / success.orientation;
+        assert_eq!(result.violation, if result.passed { 0.0 } else { violation.min(60.0) });
     }
 }
 

@@ -58,7 +58,7 @@ fn what_fails_is_refined_until_it_passes() {
     }
     assert_eq!(refinement.score().0, 0);
     let results = evaluator.evaluate_all(refinement.reference(), &cases(), &|| false).unwrap();
-    assert!(results.iter().all(|result| result.passed && result.miss == 0.0));
+    assert!(results.iter().all(|result| result.passed && result.violation == 0.0));
 }
 
 /// Changes a reference, and compares what is known of the test cases with whole rollouts of what has become of it. Returns how many
@@ -70,7 +70,7 @@ pub fn assert_records_are_whole_rollouts(evaluator: &Evaluator, mut refinement: 
             improvements += 1;
             let results = evaluator.evaluate_all(refinement.reference(), refinement.cases(), &|| false).unwrap();
             let failing = results.iter().filter(|result| !result.passed);
-            assert_eq!(refinement.score(), (failing.clone().count(), failing.map(|result| result.miss).sum()));
+            assert_eq!(refinement.score(), (failing.clone().count(), failing.map(|result| result.violation).sum()));
         }
     }
     improvements
@@ -145,7 +145,7 @@ fn a_push_beyond_the_limit_is_no_success() {
     assert!(evaluate(1.2 * force, 1.0).passed);
     assert!(!evaluate(1.2 * force, 0.8).passed, "with a margin");
     let gentle = evaluate(0.5 * force, 1.0);
-    assert!(!gentle.passed && (gentle.miss - 1.0).abs() < 0.01, "{gentle:?}");
+    assert!(!gentle.passed && (gentle.violation - 1.0).abs() < 0.01, "{gentle:?}");
     let overshoot = gentle.overshoot.expect("the force is too large");
     assert!((overshoot.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{overshoot:?}");
     assert!(overshoot.turn.norm() < 1e-6 && overshoot.fraction > 0.9, "{overshoot:?}");
@@ -202,16 +202,16 @@ fn contacts_leave_the_part_of_the_way_to_the_goal_along_them() {
     let evaluator = evaluator();
     let case = cases()[0];
     let result = evaluator.evaluate(&beside(), &case);
-    let (missing, unblocked) = (result.missing_shift, result.unblocked_shift);
-    assert!(missing.z < -0.03 && missing.x < -1e-3, "it rests on the rim: {missing}");
+    let (remaining, unblocked) = (result.remaining_shift, result.unblocked_shift);
+    assert!(remaining.z < -0.03 && remaining.x < -1e-3, "it rests on the rim: {remaining}");
     assert!(
-        (unblocked - Vector3::new(missing.x, missing.y, 0.0)).norm() < 5e-4,
-        "of {missing} it may slide {unblocked}"
+        (unblocked - Vector3::new(remaining.x, remaining.y, 0.0)).norm() < 5e-4,
+        "of {remaining} it may slide {unblocked}"
     );
-    assert!(result.miss > 1.01 * missing.norm() / Success::default().position, "which is part of the miss");
+    assert!(result.violation > 1.01 * remaining.norm() / Success::default().position, "which is part of the violation");
     let hovering = through(&[[0.0015, 0.0, 0.06], [0.0015, 0.0, 0.06]], 1.0);
     let result = evaluator.evaluate(&hovering, &case);
-    assert_eq!(result.unblocked_shift, result.missing_shift, "nothing blocks what touches nothing");
+    assert_eq!(result.unblocked_shift, result.remaining_shift, "nothing blocks what touches nothing");
 }
 
 #[test]
