@@ -12,7 +12,7 @@ use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
 use crate::overshoot::Overshoot;
 use crate::reference::{Reference, isometry};
-use crate::rollout::{Outcome, Rollout, Stage};
+use crate::rollout::{Outcome, Rollout, Snapshot};
 use crate::settings::Settings;
 use crate::success::Success;
 
@@ -77,19 +77,19 @@ impl TestResult {
 pub(crate) struct Record<'evaluator> {
     pub result: TestResult,
     /// Unknown when only the result is.
-    stages: Option<Vec<Stage<'evaluator>>>,
+    snapshots: Option<Vec<Snapshot<'evaluator>>>,
 }
 
 impl Record<'_> {
     /// Whether more than the result is known.
-    pub fn has_stages(&self) -> bool {
-        self.stages.is_some()
+    pub fn has_snapshots(&self) -> bool {
+        self.snapshots.is_some()
     }
 }
 
 impl From<TestResult> for Record<'_> {
     fn from(result: TestResult) -> Self {
-        Self { result, stages: None }
+        Self { result, snapshots: None }
     }
 }
 
@@ -245,11 +245,11 @@ impl Evaluator {
         let is_decided = AtomicBool::new(false);
         let is_over = || is_decided.load(Ordering::Relaxed) || stop();
         let record = |(case, known): (TestCase, &Record<'evaluator>)| {
-            let stages = known.stages.as_deref().unwrap_or_default();
+            let snapshots = known.snapshots.as_deref().unwrap_or_default();
             let injection = case.injection();
-            let replayed = self.rollouts[case.friction.0].replay(reference, &injection, (stages, same), &is_over)?;
-            let (outcome, stages) = replayed;
-            Some(Record { result: self.result(&outcome), stages: Some(stages) })
+            let replayed = self.rollouts[case.friction.0].replay(reference, &injection, (snapshots, same), &is_over)?;
+            let (outcome, snapshots) = replayed;
+            Some(Record { result: self.result(&outcome), snapshots: Some(snapshots) })
         };
         let (mut records, mut is_whole) = (Vec::new(), true);
         self.workers.in_order(cases, record, |new| match new {

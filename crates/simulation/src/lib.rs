@@ -75,7 +75,7 @@ mod bump;
 mod candidates;
 mod contact;
 mod contact_solver;
-mod course;
+mod rollout_state;
 mod disturbance;
 mod dynamics;
 mod evaluator;

@@ -123,7 +123,7 @@ impl<'evaluator> Refinement<'evaluator> {
 
     /// Plays failing test cases of which only results are known again, for records to go on from: they are played in every attempt.
     fn record_failing(&mut self, stop: &(dyn Fn() -> bool + Sync)) {
-        let is_unknown = |&index: &usize| !self.records[index].result.passed && !self.records[index].has_stages();
+        let is_unknown = |&index: &usize| !self.records[index].result.passed && !self.records[index].has_snapshots();
         let unknown: Vec<usize> = (0..self.cases.len()).filter(is_unknown).collect();
         let reference = self.reference.clone();
         if let Some(new) = self.play(&reference, &unknown, stop, |_| true) {

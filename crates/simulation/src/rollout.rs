@@ -12,7 +12,7 @@ use crate::arm_model::{ArmModel, ArmModelError};
 use crate::body::Body;
 use crate::contact::{ContactFinder, Shapes};
 use crate::contact_solver::ContactSolver;
-use crate::course::Course;
+use crate::rollout_state::RolloutState;
 use crate::disturbance::Injection;
 use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
@@ -25,10 +25,10 @@ use crate::success::Success;
 use crate::timed_state::TimedState;
 
 /// A rollout under way, kept to go on from.
-pub(crate) type Stage<'rollout> = Arc<Course<'rollout>>;
+pub(crate) type Snapshot<'rollout> = Arc<RolloutState<'rollout>>;
 
-/// Largest number of stages of a rollout.
-const STAGES: usize = 10;
+/// Largest number of snapshots of a rollout.
+const SNAPSHOTS: usize = 10;
 
 /// A task that is ready to be simulated.
 #[derive(Debug, Clone)]
@@ -157,45 +157,45 @@ impl Rollout {
         mut observe: impl FnMut(&TimedState, &[f64]),
     ) -> Outcome {
         let injection = injection.into();
-        let Some(course) = self.begin(reference, &injection) else { return self.impossible(reference, &injection) };
-        self.finish(course, reference, &injection, &mut observe, |_| true)
+        let Some(state) = self.begin(reference, &injection) else { return self.impossible(reference, &injection) };
+        self.finish(state, reference, &injection, &mut observe, |_| true)
     }
 
-    /// As [`play`](Self::play), but goes on from the last of the `stages` of the rollout of another reference that is the same on
-    /// the first `same` intervals. Returns the outcome and stages of its own. `None` when `stop` returned true before an interval.
+    /// As [`play`](Self::play), but goes on from the last of the `snapshots` of the rollout of another reference that is the same on
+    /// the first `same` intervals. Returns the outcome and snapshots of its own. `None` when `stop` returned true before an interval.
     pub(crate) fn replay<'rollout>(
         &'rollout self,
         reference: &Reference,
         injection: &Injection,
-        (stages, same): (&[Stage<'rollout>], usize),
+        (snapshots, same): (&[Snapshot<'rollout>], usize),
         stop: &dyn Fn() -> bool,
-    ) -> Option<(Outcome, Vec<Stage<'rollout>>)> {
-        let mut stages: Vec<Stage> = stages.iter().filter(|stage| stage.intervals <= same).cloned().collect();
-        let course = match stages.last() {
-            Some(stage) => Some(Course::clone(stage)),
+    ) -> Option<(Outcome, Vec<Snapshot<'rollout>>)> {
+        let mut snapshots: Vec<Snapshot> = snapshots.iter().filter(|snapshot| snapshot.intervals <= same).cloned().collect();
+        let state = match snapshots.last() {
+            Some(snapshot) => Some(RolloutState::clone(snapshot)),
             None => self.begin(reference, injection),
         };
-        let Some(course) = course else { return Some((self.impossible(reference, injection), stages)) };
-        let (first, last) = (course.intervals, reference.intervals());
-        let apart = last.div_ceil(STAGES).max(1);
+        let Some(state) = state else { return Some((self.impossible(reference, injection), snapshots)) };
+        let (first, last) = (state.intervals, reference.intervals());
+        let apart = last.div_ceil(SNAPSHOTS).max(1);
         let mut is_whole = true;
-        let outcome = self.finish(course, reference, injection, &mut |_, _| {}, |course| {
-            if course.intervals > first && course.intervals < last && course.intervals % apart == 0 {
-                stages.push(Arc::new(course.clone()));
+        let outcome = self.finish(state, reference, injection, &mut |_, _| {}, |state| {
+            if state.intervals > first && state.intervals < last && state.intervals % apart == 0 {
+                snapshots.push(Arc::new(state.clone()));
             }
             is_whole = !stop();
             is_whole
         });
-        is_whole.then_some((outcome, stages))
+        is_whole.then_some((outcome, snapshots))
     }
 
     /// The rollout before its first step. `None` if it cannot be simulated.
-    fn begin(&self, reference: &Reference, injection: &Injection) -> Option<Course<'_>> {
+    fn begin(&self, reference: &Reference, injection: &Injection) -> Option<RolloutState<'_>> {
         let Injection { grasp, disturbance } = injection;
         let pose = isometry(&grasp.actual(&reference.start()));
         let mut finder = ContactFinder::new(&self.shapes, disturbance.edge_radius);
         let pairs = self.task.pairs.len();
-        Some(Course {
+        Some(RolloutState {
             plant: self.plant(reference, &pose, injection)?,
             body: Body { pose, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() },
             max_penetration: (-finder.find(&pose, 0.0)).max(0.0),
@@ -214,23 +214,23 @@ impl Rollout {
     /// The rest of a rollout, as long as `goes_on`, which gets it after every interval, returns true.
     fn finish<'rollout>(
         &'rollout self,
-        mut course: Course<'rollout>,
+        mut state: RolloutState<'rollout>,
         reference: &Reference,
         injection: &Injection,
         observe: &mut impl FnMut(&TimedState, &[f64]),
-        mut goes_on: impl FnMut(&Course<'rollout>) -> bool,
+        mut goes_on: impl FnMut(&RolloutState<'rollout>) -> bool,
     ) -> Outcome {
         let of_part = reference.of_part(&injection.grasp);
         let intervals = reference.intervals() + self.settings.settling_intervals(reference.time_step());
-        while course.intervals < intervals && course.is_finite() {
-            course.follow(reference, &of_part, observe);
-            if !goes_on(&course) {
+        while state.intervals < intervals && state.is_finite() {
+            state.follow(reference, &of_part, observe);
+            if !goes_on(&state) {
                 break;
             }
         }
-        let Course { body, max_penetration, loads, overshoot, finder, .. } = &course;
+        let RolloutState { body, max_penetration, loads, overshoot, finder, .. } = &state;
         let outcome = self.outcome(&body.pose, *max_penetration, loads.largest(), *overshoot);
-        Outcome { unblocked: finder.unblocked(&outcome.remaining), diverged: !course.is_finite(), ..outcome }
+        Outcome { unblocked: finder.unblocked(&outcome.remaining), diverged: !state.is_finite(), ..outcome }
     }
 
     /// What moves from a pose of the body at rest; `None` if it cannot be simulated.

@@ -13,7 +13,7 @@ use crate::timed_state::TimedState;
 /// A rollout after some intervals of its reference. What follows depends on nothing else but the rest of the reference: a
 /// rollout of another reference that has been the same so far goes on from a copy.
 #[derive(Debug, Clone)]
-pub struct Course<'rollout> {
+pub struct RolloutState<'rollout> {
     pub body: Body,
     pub plant: Plant<'rollout>,
     pub finder: ContactFinder<'rollout>,
@@ -33,7 +33,7 @@ pub struct Course<'rollout> {
     pub impulses: Vec<f64>,
 }
 
-impl Course<'_> {
+impl RolloutState<'_> {
     /// Follows a reference to its next knot, or rests at its end. It is given as what the robot tracks, and as what that means
     /// for the part ([`Reference::of_part`]).
     pub fn follow(
