@@ -176,7 +176,7 @@ impl Known<'_> {
 fn inertia_error(robot: &Robot, rotors: &[f64], heavier: &[f64]) -> Option<f64> {
     let inertia = |rotors: &[f64]| -> Option<Matrix6<f64>> {
         let arm = robot.arm.clone().with_rotor_inertia(rotors).ok()?;
-        arm.posture(&robot.configuration).apparent_inertia()
+        arm.at(&robot.configuration).apparent_inertia()
     };
     let (before, after) = (inertia(rotors)?.diagonal(), inertia(heavier)?.diagonal());
     Some(after.component_div(&before).add_scalar(-1.0).amax())

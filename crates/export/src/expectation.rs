@@ -22,7 +22,7 @@ const LEAST_ANGLE: f64 = 0.05;
 /// In free air the tool may be this far from its reference (m, rad), besides its lag and what joint friction holds.
 const FREE_DISTANCE: f64 = 0.005;
 const FREE_ANGLE: f64 = 0.02;
-/// More than joint friction may hold (m, rad): where it could, the arm is close to a singular posture.
+/// More than joint friction may hold (m, rad): where it could, the arm is close to a singular configuration.
 const MOST_HELD: Held = Held { distance: 0.01, angle: 0.06 };
 
 /// Largest values in all planned scenarios.

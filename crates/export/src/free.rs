@@ -16,7 +16,7 @@ const RESOLUTION: f64 = 0.002;
 const CLEARANCES: f64 = 0.01;
 /// What is free besides offset and turn of the part (m).
 const MARGIN: f64 = 0.005;
-/// Where joint friction can hold the tool further away than this (m, rad), the arm is too close to a singular posture.
+/// Where joint friction can hold the tool further away than this (m, rad), the arm is too close to a singular configuration.
 const LARGEST_HELD: Held = Held { distance: 0.01, angle: 0.06 };
 
 /// Where a dry run is in free air, and how far around the start there is room.

@@ -25,7 +25,7 @@ impl Held {
 
     /// At joint positions: the largest errors of the pose whose wrench the friction of all joints balances.
     pub fn at(robot: &Robot, impedance: &Impedance, configuration: &JointVector) -> Self {
-        let jacobian = robot.arm.posture(configuration).jacobian();
+        let jacobian = robot.arm.at(configuration).jacobian();
         let joints = robot.arm.joints().len();
         let Some(inverse) = (jacobian * jacobian.transpose()).try_inverse() else {
             return Self { distance: f64::INFINITY, angle: f64::INFINITY };
@@ -77,7 +77,7 @@ pub fn largest_torque_step(
         let slowed = impedance.rotational_damping * (to.angular_velocity - from.angular_velocity);
         let wrench = stacked(&(moved + braked), &(turned + slowed));
         let nearest = (knots.0.round() as usize).min(course.configurations.len() - 1);
-        robot.arm.posture(&course.configurations[nearest]).jacobian().tr_mul(&wrench).amax()
+        robot.arm.at(&course.configurations[nearest]).jacobian().tr_mul(&wrench).amax()
     };
     (0..count).map(largest).fold(0.0, f64::max)
 }

@@ -42,8 +42,8 @@ impl ArmCourse {
             let mut wrench = Vector6::from(*wrench);
             let torque = believed.rotation.inverse() * wrench.fixed_rows::<3>(3);
             wrench.fixed_rows_mut::<3>(3).copy_from(&torque);
-            let posture = robot.arm.posture(configuration);
-            posture.gravity(&GRAVITY) + posture.jacobian().tr_mul(&wrench)
+            let configured = robot.arm.at(configuration);
+            configured.gravity(&GRAVITY) + configured.jacobian().tr_mul(&wrench)
         };
         let torques = configurations.iter().zip(wrenches).map(torque).collect();
         Ok(Self { configurations, torques })

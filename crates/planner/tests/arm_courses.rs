@@ -66,7 +66,7 @@ fn an_arm_is_where_it_believes_the_body_to_be_and_its_torques_do_the_work_of_the
         let pose = robot.arm.pose(configuration);
         assert!((pose.translation.vector - believed.translation.vector).norm() < 1e-8, "knot {knot}");
         assert!(pose.rotation.angle_to(&believed.rotation) < 1e-7, "knot {knot}");
-        let moving = torque - robot.arm.posture(configuration).gravity(&Vector3::new(0.0, 0.0, -9.81));
+        let moving = torque - robot.arm.at(configuration).gravity(&Vector3::new(0.0, 0.0, -9.81));
         for joint in 0..joints {
             let mut speeds = JointVector::zeros();
             speeds[joint] = 1.0;

@@ -1,4 +1,4 @@
-//! What a rollout in joint space needs in each step: posture, mass matrix, bias and Jacobian, of an arm with six joints and
+//! What a rollout in joint space needs in each step: mass matrix, bias and Jacobian, of an arm with six joints and
 //! of one with seven.
 
 use std::hint::black_box;
@@ -15,12 +15,12 @@ fn dynamics(criterion: &mut Criterion) {
         let velocity = JointVector::from_fn(|joint, _| 0.5 - 0.1 * joint as f64);
         criterion.bench_function(&format!("mass matrix, bias and Jacobian of {name} joints"), |bencher| {
             bencher.iter(|| {
-                let posture = arm.posture(black_box(&configuration));
-                (posture.mass_matrix(), posture.bias(black_box(&velocity)), posture.jacobian())
+                let configured = arm.at(black_box(&configuration));
+                (configured.mass_matrix(), configured.bias(black_box(&velocity)), configured.jacobian())
             });
         });
         criterion.bench_function(&format!("apparent inertia of {name} joints"), |bencher| {
-            bencher.iter(|| arm.posture(black_box(&configuration)).apparent_inertia());
+            bencher.iter(|| arm.at(black_box(&configuration)).apparent_inertia());
         });
     }
 }

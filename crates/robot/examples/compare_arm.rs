@@ -20,7 +20,7 @@ fn main() {
         println!("largest difference of {quantity}: {difference:.1e}");
     }
     for state in &record.states {
-        let inertia = record.arm.posture(&state.position).apparent_inertia();
+        let inertia = record.arm.at(&state.position).apparent_inertia();
         match inertia.map(|inertia| [inertia.m11, inertia.m22, inertia.m33]) {
             Some([x, y, z]) => println!("apparent mass along x, y, z: {x:.3}, {y:.3}, {z:.3} kg"),
             None => println!("singular"),

@@ -134,7 +134,7 @@ impl Arm {
     /// The joint nearest to the tip that moves nothing that resists, while those behind it are free: the mass matrix of the
     /// links is not positive definite then. `None` where it is. Of the joint positions it depends in special ones only.
     fn joint_without_inertia(&self) -> Option<usize> {
-        let mut mass = self.posture(&JointVector::from_fn(|joint, _| 0.3 + 0.37 * joint as f64)).mass_matrix();
+        let mut mass = self.at(&JointVector::from_fn(|joint, _| 0.3 + 0.37 * joint as f64)).mass_matrix();
         let whole = mass.diagonal();
         for pivot in (0..self.joints.len()).rev() {
             let left = mass[(pivot, pivot)];

@@ -6,13 +6,13 @@
 use nalgebra::{Cholesky, Matrix6, Vector3, Vector6};
 
 use crate::joint::{JointMatrix, JointVector, MOST_JOINTS};
-use crate::posture::Posture;
+use crate::configured::ConfiguredArm;
 use crate::spatial::{Force, Motion, SpatialInertia};
 
 /// Part of a direction's mobility that no other direction shares, below which the arm counts as singular.
 const SINGULAR: f64 = 1e-12;
 
-impl Posture<'_> {
+impl ConfiguredArm<'_> {
     /// Joint-space inertia (kg m^2; kg, kg m for prismatic joints), rotors and payload included. Symmetric and positive
     /// definite; beyond the last joint it is the identity.
     ///

@@ -13,7 +13,7 @@ pub struct JointPath {
     pub configurations: Vec<JointVector>,
     /// Smallest distance of a joint to its limits (rad or m). `None` if no joint has limits.
     pub limit_distance: Option<JointExtreme>,
-    /// Smallest singular value of the Jacobian ([`crate::Posture::smallest_singular_value`]) and its time (s). `None`
+    /// Smallest singular value of the Jacobian ([`crate::ConfiguredArm::smallest_singular_value`]) and its time (s). `None`
     /// without poses.
     pub singular_value: Option<(f64, f64)>,
     /// Largest joint speed (rad/s or m/s) between two poses, with the time of the second one. `None` with less than two.
@@ -151,7 +151,7 @@ impl JointPath {
                 self.limit_distance = Some(JointExtreme { value, joint, time });
             }
         }
-        let value = arm.posture(configuration).smallest_singular_value();
+        let value = arm.at(configuration).smallest_singular_value();
         if self.singular_value.is_none_or(|(known, _)| value < known) {
             self.singular_value = Some((value, time));
         }

@@ -4,7 +4,7 @@ use nalgebra::{Cholesky, Isometry3, Matrix6, Vector6};
 
 use crate::arm::{Arm, ArmError};
 use crate::joint::{Jacobian, JointVector};
-use crate::posture::{CHARACTERISTIC_LENGTH, Posture};
+use crate::configured::{CHARACTERISTIC_LENGTH, ConfiguredArm};
 
 /// Why there are no joint positions for a pose.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -45,14 +45,14 @@ impl Arm {
         let mut configuration = *near;
         let mut steps = 0;
         loop {
-            let posture = self.posture(&configuration);
-            let error = displacement(&posture.pose(), pose);
+            let configured = self.at(&configuration);
+            let error = displacement(&configured.pose(), pose);
             let (distance, angle) = (error.fixed_rows::<3>(0).norm(), error.fixed_rows::<3>(3).norm());
             if distance < TOLERANCE && angle < TOLERANCE {
                 self.check_limits(&configuration).map_err(InverseError::Limit)?;
                 return Ok(configuration);
             }
-            let step = newton_step(&posture, &error).filter(|_| steps < STEPS);
+            let step = newton_step(&configured, &error).filter(|_| steps < STEPS);
             let step = step.ok_or(InverseError::NotReached { distance, angle })?;
             configuration += step;
             steps += 1;
@@ -68,8 +68,8 @@ fn displacement(from: &Isometry3<f64>, to: &Isometry3<f64>) -> Vector6<f64> {
 }
 
 /// `J' (J J' + damping)^-1 error`, the shortest of the damped least-squares steps.
-fn newton_step(posture: &Posture, error: &Vector6<f64>) -> Option<JointVector> {
-    let mut jacobian: Jacobian = posture.jacobian();
+fn newton_step(configured: &ConfiguredArm, error: &Vector6<f64>) -> Option<JointVector> {
+    let mut jacobian: Jacobian = configured.jacobian();
     let mut error = *error;
     jacobian.fixed_rows_mut::<3>(0).unscale_mut(CHARACTERISTIC_LENGTH);
     error.fixed_rows_mut::<3>(0).unscale_mut(CHARACTERISTIC_LENGTH);

@@ -378,7 +378,7 @@ proptest! {
         fs::write(&file, &text).unwrap();
         match Arm::read(&file, "tip") {
             Ok(arm) => {
-                let mass_matrix = arm.posture(&JointVector::from_element(0.3)).mass_matrix();
+                let mass_matrix = arm.at(&JointVector::from_element(0.3)).mass_matrix();
                 prop_assert!(mass_matrix.iter().all(|entry| entry.is_finite()));
             }
             Err(error) => prop_assert!(!error.message().is_empty()),

@@ -47,7 +47,7 @@ fn an_arm_follows_a_motion_on_one_branch() {
     });
     assert_eq!(path.limit_distance.unwrap().value, distances.fold(f64::INFINITY, f64::min));
     assert_eq!(arm.joints()[path.limit_distance.unwrap().joint].name, "elbow");
-    let values = path.configurations.iter().map(|configuration| arm.posture(configuration).smallest_singular_value());
+    let values = path.configurations.iter().map(|configuration| arm.at(configuration).smallest_singular_value());
     assert_eq!(path.singular_value.unwrap().0, values.fold(f64::INFINITY, f64::min));
 }
 

@@ -69,7 +69,7 @@ proptest! {
         let step = 1e-5;
         let [before, after] = [-step, step].map(|step| arm.pose(&(position + velocity * step)));
         let expected = twist(&before, &after, 2.0 * step);
-        let actual = arm.posture(&position).jacobian() * velocity;
+        let actual = arm.at(&position).jacobian() * velocity;
         prop_assert!((expected - actual).amax() < 1e-8, "{expected} {actual}");
     }
 
@@ -95,9 +95,9 @@ proptest! {
     fn the_rate_of_the_jacobian_agrees_with_differences(arm in any_arm(), places in places(), speeds in places()) {
         let (position, velocity) = (configuration(arm, places), numbers(arm, speeds));
         let step = 1e-5;
-        let [before, after] = [-step, step].map(|step| arm.posture(&(position + velocity * step)).jacobian() * velocity);
+        let [before, after] = [-step, step].map(|step| arm.at(&(position + velocity * step)).jacobian() * velocity);
         let expected = (after - before) / (2.0 * step);
-        let actual = arm.posture(&position).velocity_product(&velocity);
+        let actual = arm.at(&position).velocity_product(&velocity);
         prop_assert!((expected - actual).amax() < 1e-7, "{expected} {actual}");
     }
 
@@ -109,12 +109,12 @@ proptest! {
         accelerations in places(),
         wrench in prop::array::uniform6(-10.0..10.0f64),
     ) {
-        let posture = arm.posture(&configuration(arm, places));
+        let configured = arm.at(&configuration(arm, places));
         let (velocity, acceleration) = (numbers(arm, speeds), numbers(arm, accelerations));
         let (field, wrench) = (Vector3::new(0.0, 1.0, -9.7), Vector6::from(wrench));
-        let expected = posture.mass_matrix() * acceleration + posture.bias(&velocity) + posture.gravity(&field)
-            - posture.jacobian().transpose() * wrench;
-        let actual = posture.required_torque(&velocity, &acceleration, &field, &wrench);
+        let expected = configured.mass_matrix() * acceleration + configured.bias(&velocity) + configured.gravity(&field)
+            - configured.jacobian().transpose() * wrench;
+        let actual = configured.required_torque(&velocity, &acceleration, &field, &wrench);
         prop_assert!((expected - actual).amax() < 1e-9 * expected.amax().max(1.0), "{expected} {actual}");
     }
 
@@ -124,14 +124,14 @@ proptest! {
         places in places(),
         wrench in prop::array::uniform6(-10.0..10.0f64),
     ) {
-        let posture = arm.posture(&configuration(arm, places));
-        prop_assume!(posture.smallest_singular_value() > 0.02);
-        let inertia = posture.apparent_inertia().unwrap();
+        let configured = arm.at(&configuration(arm, places));
+        prop_assume!(configured.smallest_singular_value() > 0.02);
+        let inertia = configured.apparent_inertia().unwrap();
         prop_assert_eq!(inertia, inertia.transpose());
         prop_assert!(inertia.symmetric_eigenvalues().min() > 0.0);
         let wrench = Vector6::from(wrench);
-        let jacobian = posture.jacobian();
-        let acceleration = posture.mass_matrix().lu().solve(&(jacobian.transpose() * wrench)).unwrap();
+        let jacobian = configured.jacobian();
+        let acceleration = configured.mass_matrix().lu().solve(&(jacobian.transpose() * wrench)).unwrap();
         let difference = inertia * (jacobian * acceleration) - wrench;
         prop_assert!(difference.amax() < 1e-7 * wrench.amax(), "{difference}");
     }
@@ -139,7 +139,7 @@ proptest! {
     #[test]
     fn inverse_kinematics_leads_back_on_the_same_branch(places in places(), shifts in places()) {
         let position = configuration(&SIX, places);
-        prop_assume!(SIX.posture(&position).smallest_singular_value() > 0.1);
+        prop_assume!(SIX.at(&position).smallest_singular_value() > 0.1);
         let near = position + numbers(&SIX, shifts) * 0.1;
         let found = SIX.inverse_kinematics(&SIX.pose(&position), &near).unwrap();
         prop_assert!((found - position).amax() < 1e-7, "{position} {found}");
@@ -148,7 +148,7 @@ proptest! {
     #[test]
     fn a_redundant_arm_reaches_the_pose_near_where_it_was(places in places(), shifts in places()) {
         let position = configuration(&SEVEN, places.map(|place| 0.9 * place));
-        prop_assume!(SEVEN.posture(&position).smallest_singular_value() > 0.1);
+        prop_assume!(SEVEN.at(&position).smallest_singular_value() > 0.1);
         let near = position + numbers(&SEVEN, shifts) * 0.05;
         let found = SEVEN.inverse_kinematics(&SEVEN.pose(&position), &near).unwrap();
         let [expected, actual] = [position, found].map(|configuration| SEVEN.pose(&configuration));
@@ -163,12 +163,12 @@ proptest! {
 fn energies(arm: &Arm, mut position: JointVector, mut velocity: JointVector) -> Vec<f64> {
     const STEP: f64 = 1e-3;
     let acceleration = |position: &JointVector, velocity: &JointVector| {
-        let posture = arm.posture(position);
-        posture.mass_matrix().cholesky().unwrap().solve(&-posture.bias(velocity))
+        let configured = arm.at(position);
+        configured.mass_matrix().cholesky().unwrap().solve(&-configured.bias(velocity))
     };
     let mut energies = Vec::new();
     for _ in 0..500 {
-        energies.push(0.5 * velocity.dot(&(arm.posture(&position).mass_matrix() * velocity)));
+        energies.push(0.5 * velocity.dot(&(arm.at(&position).mass_matrix() * velocity)));
         let (v1, a1) = (velocity, acceleration(&position, &velocity));
         let v2 = velocity + a1 * (0.5 * STEP);
         let a2 = acceleration(&(position + v1 * (0.5 * STEP)), &v2);
@@ -199,7 +199,7 @@ fn a_wrist_with_two_axes_in_line_is_singular() {
     let at = |pitch: f64, yaw: f64| JointVector::from_column_slice(&[0.1, 0.0, 0.2, yaw, pitch - 0.2, 0.4, 0.0, 0.0]);
     for step in 0..50 {
         let yaw = 0.1 * f64::from(step);
-        let (free, in_line) = (GANTRY.posture(&at(0.3, yaw)), GANTRY.posture(&at(FRAC_PI_2, yaw)));
+        let (free, in_line) = (GANTRY.at(&at(0.3, yaw)), GANTRY.at(&at(FRAC_PI_2, yaw)));
         assert!(free.smallest_singular_value() > 0.1 && free.apparent_inertia().is_some());
         assert!(in_line.smallest_singular_value() < 1e-12);
         assert_eq!(in_line.apparent_inertia(), None);
@@ -209,10 +209,10 @@ fn a_wrist_with_two_axes_in_line_is_singular() {
 #[test]
 fn positions_that_are_no_numbers_are_a_failure_and_no_endless_loop() {
     let nowhere = JointVector::from_element(f64::NAN);
-    let posture = SIX.posture(&nowhere);
-    assert_eq!(posture.smallest_singular_value(), 0.0);
-    assert_eq!(posture.apparent_inertia(), None);
-    assert!(SIX.inverse_kinematics(&posture.pose(), &JointVector::zeros()).is_err());
+    let configured = SIX.at(&nowhere);
+    assert_eq!(configured.smallest_singular_value(), 0.0);
+    assert_eq!(configured.apparent_inertia(), None);
+    assert!(SIX.inverse_kinematics(&configured.pose(), &JointVector::zeros()).is_err());
     assert!(SIX.inverse_kinematics(&SIX.pose(&JointVector::zeros()), &nowhere).is_err());
 }
 
@@ -222,9 +222,9 @@ fn a_rotation_of_the_grasp_turns_the_apparent_inertia() {
     let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.3, -0.8, 0.5));
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/arms/six.urdf");
     let arm = Arm::read(&path, "tip").unwrap();
-    let one = arm.posture(&position).apparent_inertia().unwrap();
+    let one = arm.at(&position).apparent_inertia().unwrap();
     let turned = arm.clone().with_grasp(&Isometry3::from_parts(Vector3::zeros().into(), turn));
-    let other = turned.posture(&position).apparent_inertia().unwrap();
+    let other = turned.at(&position).apparent_inertia().unwrap();
     // Forces stay in the world frame, torques are in that of the part.
     let mut change = Matrix6::identity();
     change.fixed_view_mut::<3, 3>(3, 3).copy_from(Rotation3::from(turn).matrix());

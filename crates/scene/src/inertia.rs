@@ -27,9 +27,9 @@ pub fn inertia(
     match (table.find("apparent_inertia"), robot) {
         (Some(entry), _) => apparent(&entry),
         (None, Some(robot)) => {
-            let posture = robot.arm.posture(&robot.configuration);
+            let configured = robot.arm.at(&robot.configuration);
             let singular = || "the arm is singular at the goal: choose another configuration or base".to_owned();
-            let matrix = posture.apparent_inertia().ok_or_else(singular);
+            let matrix = configured.apparent_inertia().ok_or_else(singular);
             let configuration = table.require("configuration")?;
             matrix.map(Inertia::from_matrix).map_err(|message| configuration.refuse(message))
         }

@@ -6,14 +6,14 @@ use task::Impedance;
 
 use crate::arm_mobility::ArmMobility;
 use crate::arm_model::ArmModel;
-use crate::arm_posture::ArmPosture;
+use crate::arm_terms::ArmTerms;
 use crate::body::{Body, moved};
 use crate::contact::{Contact, ContactFinder};
 use crate::contact_solver::ContactSolver;
 use crate::disturbance::Disturbance;
 use crate::dynamics::LARGEST_OVERLAP;
 use crate::joint_friction::JointFriction;
-use crate::late_torques::{DOUBLINGS, doublings, inert, late};
+use crate::latency::{DOUBLINGS, doublings, effective_mass, late};
 use crate::metric::added_inertia;
 use crate::reference::Knot;
 use crate::sampled_controller::SampledController;
@@ -38,14 +38,14 @@ pub struct ArmStepper<'arm> {
     time_step: f64,
     impedance: Impedance,
     /// For how long torques wait on average (s), and what that makes of the impedance.
-    waiting: f64,
+    latency: f64,
     late: Impedance,
     /// Of a controller of players: the orientation for which the damping of rotations is set, and that damping (Nms/rad).
     set_for: Option<(UnitQuaternion<f64>, Matrix3<f64>)>,
     /// The believed part in the frame of the part.
     grasp: Isometry3<f64>,
     /// Factor of the mass matrix, and with it of all inertia.
-    heaviness: f64,
+    inertia_scale: f64,
     controller: SampledController,
     /// Whether the controller has its samples: it has none of longer steps.
     is_sampled: bool,
@@ -55,9 +55,9 @@ pub struct ArmStepper<'arm> {
     steps: usize,
     state: State,
     /// Of joint positions nearby.
-    posture: ArmPosture,
+    terms: ArmTerms,
     /// The mass matrix less what late damping takes from it.
-    inert: JointMatrix,
+    effective_mass: JointMatrix,
     /// In steps of two to the power of 1, 2, ... of the shortest ones; `None` until it is needed.
     longer: [Option<ArmMobility>; DOUBLINGS],
 }
@@ -73,14 +73,14 @@ struct State {
     body: Body,
 }
 
-/// Speed of a joint (rad/s or m/s): a posture serves until a joint has moved as far as it would with this speed in one step.
+/// Speed of a joint (rad/s or m/s): the terms of a configuration serve until a joint has moved as far as it would with this speed in one step.
 const SLOW: f64 = 1.0;
-/// Largest number of steps that a posture serves, so that it is exact at rest.
+/// Largest number of steps that the terms of a configuration serve, so that it is exact at rest.
 const SERVED: usize = 50;
 /// Largest number of times that contacts and joint friction follow each other in a step.
 const ROUNDS: usize = 20;
 /// In the first of these, joint friction takes the contacts that push for ones that go on to.
-const HOPEFUL: usize = 5;
+const STAYING: usize = 5;
 /// Smaller differences of torques (Nm or N) are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
@@ -97,31 +97,31 @@ impl<'arm> ArmStepper<'arm> {
     ) -> Option<Self> {
         let arm = &model.arm;
         let configuration = arm.inverse_kinematics(&(body * grasp), near).ok()?;
-        let heaviness = 1.0 + disturbance.inertia;
+        let inertia_scale = 1.0 + disturbance.inertia;
         let torques = model.joint_friction.iter().map(|torque| torque * (1.0 + disturbance.joint_friction));
         let velocity = JointVector::zeros();
-        let posture = ArmPosture::new(arm, (&configuration, &velocity), &grasp, heaviness)?;
+        let terms = ArmTerms::new(arm, (&configuration, &velocity), &grasp, inertia_scale)?;
         let delay = model.delay + disturbance.delay;
-        let waiting = delay + 0.5 * model.control_period;
+        let latency = delay + 0.5 * model.control_period;
         let Steps { time_step, most, .. } = *steps;
-        let doublings = doublings(&posture, &impedance, waiting, time_step).min(most.ilog2() as usize);
+        let doublings = doublings(&terms, &impedance, latency, time_step).min(most.ilog2() as usize);
         let body = Body { pose: *body, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
         Some(Self {
             arm,
             time_step,
-            late: late(&impedance, waiting),
-            waiting,
+            late: late(&impedance, latency),
+            latency,
             set_for: None,
             grasp,
-            heaviness,
+            inertia_scale,
             controller: SampledController::new(model.control_period, delay),
             is_sampled: true,
             solver,
             length: StepLength::new(steps, doublings),
             steps: 0,
             state: State { configuration, velocity, friction: JointFriction::new(torques), body },
-            inert: inert(&posture, &impedance, waiting),
-            posture,
+            effective_mass: effective_mass(&terms, &impedance, latency),
+            terms,
             impedance,
             longer: [const { None }; DOUBLINGS],
         })
@@ -135,13 +135,13 @@ impl<'arm> ArmStepper<'arm> {
         self
     }
 
-    /// Damping that does not turn with the part, as the part sees it in its posture.
+    /// Damping that does not turn with the part, in the frame of the part.
     fn turn_damping(&mut self) {
         let Some((orientation, damping)) = &self.set_for else { return };
-        let turn = (self.posture.pose.rotation.inverse() * orientation).to_rotation_matrix();
+        let turn = (self.terms.pose.rotation.inverse() * orientation).to_rotation_matrix();
         self.impedance.rotational_damping = turn * damping * turn.inverse();
-        self.late = late(&self.impedance, self.waiting);
-        self.inert = inert(&self.posture, &self.impedance, self.waiting);
+        self.late = late(&self.impedance, self.latency);
+        self.effective_mass = effective_mass(&self.terms, &self.impedance, self.latency);
     }
 
     /// Share of Coriolis and centrifugal forces that the controller balances.
@@ -166,7 +166,7 @@ impl<'arm> ArmStepper<'arm> {
             if doublings == 0 {
                 self.advance(state, &target(done as f64), finder)
             } else {
-                let middle = done as f64 + 0.5 * f64::from(1_u32 << doublings) - self.waiting / self.time_step;
+                let middle = done as f64 + 0.5 * f64::from(1_u32 << doublings) - self.latency / self.time_step;
                 self.advance_far(state, doublings, &target(middle.max(0.0)), finder)
             }
         });
@@ -174,7 +174,7 @@ impl<'arm> ArmStepper<'arm> {
         self.steps += taken;
         (self.state, self.length) = (state, length);
         self.solver.add_impulses(impulses);
-        self.renew_posture(taken);
+        self.renew_terms(taken);
         *body = self.state.body;
         (taken, overlap)
     }
@@ -182,19 +182,19 @@ impl<'arm> ArmStepper<'arm> {
     /// The shortest step. Returns the overlap (m) before, and how much the velocity (m/s) of any point has changed.
     fn advance(&mut self, state: &mut State, target: &Knot, finder: &mut ContactFinder) -> (f64, f64) {
         let balance = self.balance();
-        let Self { posture, impedance, .. } = self;
+        let Self { terms, impedance, .. } = self;
         let (time, time_step) = ((self.steps) as f64 * self.time_step, self.time_step);
         let command = || {
-            let wanted = posture.torque(impedance, &state.believed(&self.grasp), &state.velocity, target)
-                + posture.bias * balance;
-            within_limits(self.arm, posture, wanted)
+            let wanted = terms.torque(impedance, &state.believed(&self.grasp), &state.velocity, target)
+                + terms.bias * balance;
+            within_limits(self.arm, terms, wanted)
         };
         if !self.is_sampled {
             self.controller.restart(time, command());
         }
         let torque = self.controller.torque(time, time_step, command);
-        let mobility = &posture.mobility;
-        let acceleration = mobility.inverse * (torque - posture.bias * self.heaviness);
+        let mobility = &terms.mobility;
+        let acceleration = mobility.inverse * (torque - terms.bias * self.inertia_scale);
         let free = state.velocity + acceleration * time_step;
         // Contacts and friction only dissipate: with or without them, no point of the body moves further than this.
         let norm = free.dot(&(mobility.mass * free)).max(0.0).sqrt();
@@ -203,7 +203,7 @@ impl<'arm> ArmStepper<'arm> {
         let overlap = state.part_from(mobility, &mut self.solver, finder, reach);
         let velocity = resolve(mobility, &mut self.solver, state, &free, &finder.contacts, time_step);
         state.velocity = velocity;
-        state.follow(posture, &velocity, time_step);
+        state.follow(terms, &velocity, time_step);
         (overlap, state.body.change(&before, finder.radius()))
     }
 
@@ -219,25 +219,25 @@ impl<'arm> ArmStepper<'arm> {
         let time_step = self.time_step * f64::from(1_u32 << doublings);
         let half = 0.5 * time_step;
         let balance = self.balance();
-        let Self { posture, impedance, .. } = self;
+        let Self { terms, impedance, .. } = self;
         let longer = &mut self.longer[doublings - 1];
         if longer.is_none() {
-            let mass = self.inert + posture.of_joints(&added_inertia(half, &self.late));
-            *longer = ArmMobility::new(mass, &posture.jacobian);
+            let mass = self.effective_mass + terms.of_joints(&added_inertia(half, &self.late));
+            *longer = ArmMobility::new(mass, &terms.jacobian);
         }
         let Some(mobility) = longer else { return TOO_LONG };
         let (believed, still) = (state.believed(&self.grasp), JointVector::zeros());
-        let wanted = posture.torque(impedance, &believed, &state.velocity, target) + posture.bias * balance;
-        if (within_limits(self.arm, posture, wanted) - wanted).amax() > ROUNDING {
+        let wanted = terms.torque(impedance, &believed, &state.velocity, target) + terms.bias * balance;
+        if (within_limits(self.arm, terms, wanted) - wanted).amax() > ROUNDING {
             return TOO_LONG;
         }
         // The torques of damping and of what positions change by are in the mass matrix.
-        let torque = posture.torque(impedance, &believed, &still, target) + posture.bias * (balance - self.heaviness);
-        let carried: JointMatrix = self.inert * 2.0 - mobility.mass;
+        let torque = terms.torque(impedance, &believed, &still, target) + terms.bias * (balance - self.inertia_scale);
+        let carried: JointMatrix = self.effective_mass * 2.0 - mobility.mass;
         let free = mobility.inverse * (carried * state.velocity + torque * time_step);
         let (before, radius) = (state.body, finder.radius());
         let reach = time_step * (before.fastest(radius) + self.length.largest_change());
-        let overlap = state.part_from(&posture.mobility, &mut self.solver, finder, reach);
+        let overlap = state.part_from(&terms.mobility, &mut self.solver, finder, reach);
         let start = state.body.pose;
         if !finder.contacts.is_empty() {
             // Contacts slide and turn meanwhile: forces are those of the middle of the step.
@@ -248,7 +248,7 @@ impl<'arm> ArmStepper<'arm> {
         let mean = (state.velocity + velocity) * 0.5;
         state.body.pose = start;
         state.velocity = velocity;
-        state.follow(posture, &mean, time_step);
+        state.follow(terms, &mean, time_step);
         let change = state.body.change(&before, radius);
         if change <= self.length.largest_change() && -finder.find(&state.body.pose, reach) > LARGEST_OVERLAP {
             return TOO_LONG;
@@ -256,20 +256,20 @@ impl<'arm> ArmStepper<'arm> {
         (overlap, change)
     }
 
-    /// Renews what depends on the posture, if the arm has moved too far from it in the last steps.
-    fn renew_posture(&mut self, taken: usize) {
+    /// Renews what depends on the configuration, if the arm has moved too far from it in the last steps.
+    fn renew_terms(&mut self, taken: usize) {
         let State { configuration, velocity, body, .. } = &mut self.state;
         let is_old = self.steps / SERVED != (self.steps - taken) / SERVED;
-        let is_near = (*configuration - self.posture.configuration).amax() < SLOW * self.time_step;
+        let is_near = (*configuration - self.terms.configuration).amax() < SLOW * self.time_step;
         if is_near && !is_old {
             return;
         }
-        match ArmPosture::new(self.arm, (configuration, velocity), &self.grasp, self.heaviness) {
-            Some(posture) => {
-                body.pose = posture.pose;
-                body.set_twist(&(posture.jacobian * *velocity));
-                self.inert = inert(&posture, &self.impedance, self.waiting);
-                self.posture = posture;
+        match ArmTerms::new(self.arm, (configuration, velocity), &self.grasp, self.inertia_scale) {
+            Some(terms) => {
+                body.pose = terms.pose;
+                body.set_twist(&(terms.jacobian * *velocity));
+                self.effective_mass = effective_mass(&terms, &self.impedance, self.latency);
+                self.terms = terms;
                 self.turn_damping();
                 self.longer.fill(None);
             }
@@ -302,12 +302,12 @@ impl State {
     }
 
     /// Moves joints and part for a time (s) with mean joint speeds (rad/s or m/s).
-    fn follow(&mut self, posture: &ArmPosture, mean: &JointVector, time_step: f64) {
+    fn follow(&mut self, terms: &ArmTerms, mean: &JointVector, time_step: f64) {
         self.configuration += mean * time_step;
-        self.body.set_twist(&(posture.jacobian * mean));
+        self.body.set_twist(&(terms.jacobian * mean));
         let Body { pose, velocity, angular_velocity } = self.body;
         self.body.pose = moved(&pose, &(velocity * time_step), &(angular_velocity * time_step));
-        self.body.set_twist(&(posture.jacobian * self.velocity));
+        self.body.set_twist(&(terms.jacobian * self.velocity));
     }
 }
 
@@ -342,7 +342,7 @@ fn resolve(
             return velocity;
         }
         // Contacts that push go on to hold, mostly; where they do not, blocks follow each other.
-        let held = if round <= HOPEFUL { solver.held() } else { &[] };
+        let held = if round <= STAYING { solver.held() } else { &[] };
         if !friction.brake(&mobility.held(held), &mut velocity, time_step) {
             return velocity;
         }
@@ -351,8 +351,8 @@ fn resolve(
 }
 
 /// What of the commanded torques (Nm or N) the joints can give while they also carry the arm, without what carries it.
-fn within_limits(arm: &Arm, posture: &ArmPosture, torque: JointVector) -> JointVector {
-    let (mut given, weight) = (torque, &posture.weight);
+fn within_limits(arm: &Arm, terms: &ArmTerms, torque: JointVector) -> JointVector {
+    let (mut given, weight) = (torque, &terms.weight);
     for (index, joint) in arm.joints().iter().enumerate() {
         given[index] = (torque[index] + weight[index]).clamp(-joint.effort, joint.effort) - weight[index];
     }
@@ -372,16 +372,16 @@ mod tests {
         let mut configuration = JointVector::zeros();
         [0.1, 0.7, 0.9, -0.3, 0.5, 0.2].iter().enumerate().for_each(|(joint, angle)| configuration[joint] = *angle);
         let still = JointVector::zeros();
-        let posture = ArmPosture::new(&arm, (&configuration, &still), &Isometry3::identity(), 1.0).unwrap();
-        let weight = posture.weight;
+        let terms = ArmTerms::new(&arm, (&configuration, &still), &Isometry3::identity(), 1.0).unwrap();
+        let weight = terms.weight;
         assert!(weight.amax() > 1.0, "it is heavy: {weight}");
         for wanted in [1e4, -1e4] {
-            let given = within_limits(&arm, &posture, JointVector::repeat(wanted)) + weight;
+            let given = within_limits(&arm, &terms, JointVector::repeat(wanted)) + weight;
             for (index, joint) in arm.joints().iter().enumerate() {
                 assert!((given[index] - joint.effort * wanted.signum()).abs() < 1e-9, "{}", joint.name);
             }
         }
         let small = JointVector::repeat(0.1);
-        assert!((within_limits(&arm, &posture, small) - small).amax() < 1e-12);
+        assert!((within_limits(&arm, &terms, small) - small).amax() < 1e-12);
     }
 }

@@ -91,7 +91,7 @@ impl ArmModel {
             let reached = self.arm.inverse_kinematics(&pose, &near);
             reached.map_err(|error| ArmModelError::Pose { percent: 100 * part / PARTS, error })
         })?;
-        self.arm.posture(&start).apparent_inertia().map(|_| start).ok_or(ArmModelError::Singular)
+        self.arm.at(&start).apparent_inertia().map(|_| start).ok_or(ArmModelError::Singular)
     }
 
     /// How far the joints stay from the ends of their ranges (rad or m) along a reference, which is followed from its end,

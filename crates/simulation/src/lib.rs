@@ -29,7 +29,7 @@
 //!
 //! | question | answer |
 //! |---|---|
-//! | how does the arm move? | semi-implicit Euler in joint space, and the midpoint rule in longer steps, with the mass matrix of a posture nearby; `arm_dynamics`, `step_length` |
+//! | how does the arm move? | semi-implicit Euler in joint space, and the midpoint rule in longer steps, with the mass matrix of a configuration nearby; `arm_dynamics`, `step_length` |
 //! | what do contacts see? | the part as a free body with the inertia `(J M^-1 J')^-1`: the same solver; `contact_solver` |
 //! | how do joints stick? | exactly: torques within the box of Coulomb, by projected Gauss-Seidel; `joint_friction` |
 //! | when does the controller act? | `sampled_controller` |
@@ -67,7 +67,7 @@ mod arc;
 mod arm_dynamics;
 mod arm_mobility;
 mod arm_model;
-mod arm_posture;
+mod arm_terms;
 mod axis;
 mod body;
 mod bounds;
@@ -80,7 +80,7 @@ mod disturbance;
 mod dynamics;
 mod evaluator;
 mod joint_friction;
-mod late_torques;
+mod latency;
 mod least_distance;
 mod loads;
 mod metric;

@@ -56,7 +56,7 @@ class FrankaRobot:
         x, y, z, w = np.array(state.O_T_EE.quaternion).flatten()
         tool = Pose(np.array(state.O_T_EE.translation).flatten(), rotations.matrix(np.array([w, x, y, z])))
         positions, speeds = np.array(state.q).flatten(), np.array(state.dq).flatten()
-        twist = self.plan.arm.posture(positions)[1] @ speeds
+        twist = self.plan.arm.pose_and_jacobian(positions)[1] @ speeds
         wrench = np.array(state.O_F_ext_hat_K).flatten()
         return Measurement(self.time, positions, speeds, ToolState(tool, twist[:3], twist[3:]), wrench[:3], wrench[3:])
 

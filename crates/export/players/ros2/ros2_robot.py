@@ -86,7 +86,7 @@ class Ros2Robot:
         positions, speeds, twist = np.zeros(0), np.zeros(0), np.zeros(6)
         if self.plan.arm is not None:
             positions, speeds = np.split(heard.joints.values, 2)
-            expected, jacobian = self.plan.arm.posture(positions)
+            expected, jacobian = self.plan.arm.pose_and_jacobian(positions)
             twist = jacobian @ speeds
             pose_of_joints = expected if np.isfinite(positions).all() else None
         else:

@@ -54,9 +54,9 @@ class Arm:
 
     def forward(self, positions: np.ndarray) -> Pose:
         """Pose of the tool."""
-        return self.posture(positions)[0]
+        return self.pose_and_jacobian(positions)[0]
 
-    def posture(self, positions: np.ndarray) -> tuple[Pose, np.ndarray]:
+    def pose_and_jacobian(self, positions: np.ndarray) -> tuple[Pose, np.ndarray]:
         """Pose of the tool, and its Jacobian (6 x joints): velocity of the tool point and angular velocity, along the axes of
         the base, per speed of each joint."""
         if self.last is None or self.last[0] != positions.tobytes():

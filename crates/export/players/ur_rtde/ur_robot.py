@@ -70,7 +70,7 @@ class Connection:
         self.require_running()
         receive = self.receive
         positions, speeds = np.array(receive.getActualQ()), np.array(receive.getActualQd())
-        expected, self.jacobian = self.arm.posture(positions)
+        expected, self.jacobian = self.arm.pose_and_jacobian(positions)
         tool = self.in_root(receive.getActualTCPPose(), expected)
         twist = self.jacobian @ speeds
         wrench = np.array(receive.getActualTCPForce())

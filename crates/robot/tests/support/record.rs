@@ -94,17 +94,17 @@ impl State {
     }
 
     fn differences(&self, arm: &Arm, field: &Vector3<f64>) -> Vec<(&'static str, f64)> {
-        let posture = arm.posture(&self.position);
-        let pose = posture.pose();
-        let velocity_product = posture.velocity_product(&self.velocity);
+        let configured = arm.at(&self.position);
+        let pose = configured.pose();
+        let velocity_product = configured.velocity_product(&self.velocity);
         vec![
             ("position", largest(&self.part.translation.vector, &pose.translation.vector)),
             ("orientation", self.part.rotation.angle_to(&pose.rotation)),
-            ("jacobian", largest(&self.jacobian, &posture.jacobian())),
+            ("jacobian", largest(&self.jacobian, &configured.jacobian())),
             ("velocity product", largest(&self.velocity_product.into(), &velocity_product)),
-            ("mass matrix", largest(&self.mass_matrix, &posture.mass_matrix())),
-            ("bias", largest(&self.bias, &posture.bias(&self.velocity))),
-            ("gravity", largest(&self.gravity, &posture.gravity(field))),
+            ("mass matrix", largest(&self.mass_matrix, &configured.mass_matrix())),
+            ("bias", largest(&self.bias, &configured.bias(&self.velocity))),
+            ("gravity", largest(&self.gravity, &configured.gravity(field))),
         ]
     }
 }

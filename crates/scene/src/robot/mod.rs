@@ -49,7 +49,7 @@ pub struct Robot {
     pub joint_friction: Vec<f64>,
     /// Time between two commands of the controller (s).
     pub control_period: f64,
-    /// How close the arm comes to its limits and to singular postures on the straight ways between goal and starts.
+    /// How close the arm comes to its limits and to singular configurations on the straight ways between goal and starts.
     pub ways: Vec<JointPath>,
 }
 
@@ -101,7 +101,7 @@ impl Robot {
         };
         let ways = starts.iter().map(way).collect::<Result<_, _>>()?;
         let joint_friction = per_joint(table, "joint_friction", count)?;
-        let friction_wrench = FrictionWrench::new(&arm.posture(&configuration).jacobian(), &joint_friction);
+        let friction_wrench = FrictionWrench::new(&arm.at(&configuration).jacobian(), &joint_friction);
         let (tip, control_period) = (tip.text()?.to_owned(), table.number("control_period")?);
         let urdf = path.canonicalize().unwrap_or(path);
         Ok(Some(Self {
@@ -123,7 +123,7 @@ impl Robot {
     /// with the redundant joints at rest that a pseudoinverse leaves; both need the joints equally. `None` where no joint
     /// has a limit, or the arm is singular.
     pub fn velocities(&self) -> Option<[f64; 2]> {
-        let jacobian = self.arm.posture(&self.configuration).jacobian();
+        let jacobian = self.arm.at(&self.configuration).jacobian();
         let normal: Matrix6<f64> = jacobian * jacobian.transpose();
         let joint_speeds = jacobian.transpose() * normal.try_inverse()?;
         let needed = |joint: usize, axes: Range<usize>| axes.map(|axis| joint_speeds[(joint, axis)].abs()).sum::<f64>();

@@ -19,7 +19,7 @@ const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 /// Stiffer controllers (N/m, Nm/rad) than robots have.
 const STIFFEST: [f64; 2] = [1e4, 1e3];
 
-/// Remarks on the arm's file, on joint positions far from those given, on limits and singular postures on the straight paths
+/// Remarks on the arm's file, on joint positions far from those given, on limits and singular configurations on the straight paths
 /// between goal and starts, on gains, and on keys that the arm replaces.
 pub fn warnings(scene: &Table, robot: Option<&Robot>, gains: &Impedance) -> Result<Vec<String>, SceneError> {
     let (table, body) = (scene.table("robot")?, scene.require_table("body")?);
@@ -65,7 +65,7 @@ fn far_from_given(robot: &Robot) -> Option<String> {
 
 /// The joint that is the least able to hold the arm against gravity at the goal.
 fn too_heavy(robot: &Robot) -> Option<String> {
-    let torques = robot.arm.posture(&robot.configuration).gravity(&GRAVITY);
+    let torques = robot.arm.at(&robot.configuration).gravity(&GRAVITY);
     let loads = robot.arm.joints().iter().zip(torques.iter().map(|torque| torque.abs()));
     let (joint, torque) = loads.max_by(|(one, a), (other, b)| (a / one.effort).total_cmp(&(b / other.effort)))?;
     let holds = torque <= joint.effort;
@@ -108,7 +108,7 @@ fn near_singular(robot: &Robot) -> Option<String> {
     let (smallest, _) = values.min_by(|(a, _), (b, _)| a.total_cmp(b))?;
     (smallest < NEAR_SINGULAR).then(|| {
         format!(
-            "between start and goal, the arm comes near a singular posture (smallest singular value {smallest:.3}): choose \
+            "between start and goal, the arm comes near a singular configured (smallest singular value {smallest:.3}): choose \
              another configuration or base"
         )
     })

@@ -72,8 +72,8 @@ fn with_arm(arm: &str, lines: &str) -> Result<Scene, SceneError> {
 fn an_arm_gives_the_body_its_inertia_and_its_controller_a_stiffness() {
     let scene = with_arm(&arm(), "").unwrap();
     let robot = scene.robot.as_ref().unwrap();
-    let posture = robot.arm.posture(&robot.configuration);
-    assert_eq!(scene.inertia.matrix(), &posture.apparent_inertia().unwrap());
+    let configured = robot.arm.at(&robot.configuration);
+    assert_eq!(scene.inertia.matrix(), &configured.apparent_inertia().unwrap());
     let similar = 50.0 * scene.inertia.mean_mass();
     assert!((scene.impedance.translational_stiffness / similar - 1.0).abs() < 1e-9);
     let stiff = with_arm(&arm(), "joint_friction = 0.5").unwrap();
@@ -94,7 +94,7 @@ fn an_arm_gives_the_body_its_inertia_and_its_controller_a_stiffness() {
         "{:?}",
         scene.chosen
     );
-    let joints = posture.jacobian().fixed_columns::<6>(0).try_inverse().unwrap();
+    let joints = configured.jacobian().fixed_columns::<6>(0).try_inverse().unwrap();
     let (v, w) = (limits.translational_velocity, limits.rotational_velocity);
     for signs in 0..64u32 {
         let sign = |axis: usize| if signs >> axis & 1 == 0 { 1.0 } else { -1.0 };

@@ -200,7 +200,7 @@ fn short_motions_are_those_of_a_body_with_the_apparent_inertia() {
     let mut record = Record::read("free");
     record.model.control_period = 1e-4;
     record.task.pairs.clear();
-    let apparent = record.model.arm.posture(&record.start()).apparent_inertia().unwrap();
+    let apparent = record.model.arm.at(&record.start()).apparent_inertia().unwrap();
     let task = AssemblyTask { inertia: Inertia::from_matrix(apparent), ..record.task.clone() };
     for shift in [Vector3::x(), Vector3::y(), Vector3::z()] {
         let (arm, reference) = record.jump(shift * 1e-3, 0.4);
@@ -237,7 +237,7 @@ proptest! {
         for state in states(&rollout, &reference, [0.0; 3]) {
             let pose = isometry(&state.pose);
             near = record.model.arm.inverse_kinematics(&pose, &near).unwrap();
-            let inertia = record.model.arm.posture(&near).apparent_inertia().unwrap();
+            let inertia = record.model.arm.at(&near).apparent_inertia().unwrap();
             let [v, w] = [state.velocity, state.angular_velocity];
             let twist = Vector6::new(v[0], v[1], v[2], w[0], w[1], w[2]);
             let lag = (pose.translation.vector - target.translation.vector).norm_squared();
@@ -258,7 +258,7 @@ proptest! {
         let mut record = Record::read("joint_friction");
         let friction = [3.0, 2.5, 2.0, 1.0, 0.8, 0.6];
         record.model.joint_friction = friction.to_vec();
-        let jacobian = record.model.arm.posture(&record.start()).jacobian();
+        let jacobian = record.model.arm.at(&record.start()).jacobian();
         let stiffness = record.task.impedance.translational_stiffness;
         let torque = jacobian.fixed_rows::<3>(0).tr_mul(&(direction * stiffness));
         let largest = (0..6).map(|joint| friction[joint] / torque[joint].abs()).fold(f64::INFINITY, f64::min);
@@ -290,7 +290,7 @@ fn an_arm_with_joint_friction_comes_to_rest_within_its_deadband() {
         &task::at_rest(&states[6000].pose),
         &GraspError::default().pose(),
     );
-    let torque = record.model.arm.posture(&configuration).jacobian().tr_mul(&Vector6::from(wrench));
+    let torque = record.model.arm.at(&configuration).jacobian().tr_mul(&Vector6::from(wrench));
     assert!(torque.amax() < 2.0 * (1.0 + 1e-4), "{torque}");
     assert!((last.translation.vector - target.translation.vector).norm() > 1e-3, "friction leaves an error");
 }

@@ -10,7 +10,7 @@ use crate::reference::{Knot, coordinates};
 
 /// An arm at joint positions whose part sits where it really does.
 #[derive(Debug, Clone)]
-pub struct ArmPosture {
+pub struct ArmTerms {
     /// Joint positions (rad or m).
     pub configuration: JointVector,
     /// Of the part.
@@ -31,18 +31,18 @@ pub struct ArmPosture {
 /// Acceleration by gravity (m/s^2, world frame).
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 
-impl ArmPosture {
+impl ArmTerms {
     /// At joint positions `configuration` (rad or m) and speeds `velocity` (rad/s or m/s). With `grasp`, the believed part in
-    /// the frame of the part, and the mass matrix times `heaviness`. `None` where the arm is singular or a number is none.
+    /// the frame of the part, and the mass matrix times `inertia_scale`. `None` where the arm is singular or a number is none.
     pub fn new(
         arm: &Arm,
         (configuration, velocity): (&JointVector, &JointVector),
         grasp: &Isometry3<f64>,
-        heaviness: f64,
+        inertia_scale: f64,
     ) -> Option<Self> {
-        let posture = arm.posture(configuration);
-        let pose = posture.pose() * grasp.inverse();
-        let mut tracked = posture.jacobian();
+        let configured = arm.at(configuration);
+        let pose = configured.pose() * grasp.inverse();
+        let mut tracked = configured.jacobian();
         let angular = grasp.rotation.to_rotation_matrix() * tracked.fixed_rows::<3>(3);
         tracked.fixed_rows_mut::<3>(3).copy_from(&angular);
         // The part's origin is not where it is believed: it moves as the part turns.
@@ -53,8 +53,8 @@ impl ArmPosture {
             let shift = turning.column(joint).cross(&lever);
             jacobian.fixed_view_mut::<3, 1>(0, joint).zip_apply(&shift, |velocity, shift| *velocity += shift);
         }
-        let mobility = ArmMobility::new(posture.mass_matrix() * heaviness, &jacobian)?;
-        let (bias, weight) = (posture.bias(velocity), posture.gravity(&GRAVITY));
+        let mobility = ArmMobility::new(configured.mass_matrix() * inertia_scale, &jacobian)?;
+        let (bias, weight) = (configured.bias(velocity), configured.gravity(&GRAVITY));
         Some(Self { configuration: *configuration, pose, bias, weight, tracked, jacobian, mobility })
     }
 

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Matrix6};
 use robot::{JointMatrix, JointVector};
 use task::Impedance;
 
-use crate::arm_posture::ArmPosture;
+use crate::arm_terms::ArmTerms;
 
 /// The longest step takes the place of at most two to this power.
 pub const DOUBLINGS: usize = 4;
@@ -17,8 +17,8 @@ const PROMPT: f64 = 0.5;
 
 /// The fastest rate (1/s) at which damping stops a motion of the arm: the largest eigenvalue of `M^-1 J' D J`, by power
 /// iteration.
-fn fastest_rate(posture: &ArmPosture, impedance: &Impedance) -> f64 {
-    let braking = posture.mobility.inverse * posture.of_joints(&damping(impedance));
+fn fastest_rate(terms: &ArmTerms, impedance: &Impedance) -> f64 {
+    let braking = terms.mobility.inverse * terms.of_joints(&damping(impedance));
     let mut motion = JointVector::repeat(1.0);
     for _ in 0..ITERATIONS {
         motion = (braking * motion).normalize();
@@ -35,13 +35,13 @@ fn damping(impedance: &Impedance) -> Matrix6<f64> {
 }
 
 /// The mass matrix with damping that comes late (s), to first order.
-pub fn inert(posture: &ArmPosture, impedance: &Impedance, waiting: f64) -> JointMatrix {
-    posture.mobility.mass - posture.of_joints(&damping(impedance)) * waiting
+pub fn effective_mass(terms: &ArmTerms, impedance: &Impedance, latency: f64) -> JointMatrix {
+    terms.mobility.mass - terms.of_joints(&damping(impedance)) * latency
 }
 
 /// The impedance of torques that come late (s), to first order.
-pub fn late(impedance: &Impedance, waiting: f64) -> Impedance {
-    let less = |damping: Matrix3<f64>, stiffness: f64| damping - Matrix3::from_diagonal_element(stiffness * waiting);
+pub fn late(impedance: &Impedance, latency: f64) -> Impedance {
+    let less = |damping: Matrix3<f64>, stiffness: f64| damping - Matrix3::from_diagonal_element(stiffness * latency);
     Impedance {
         translational_damping: less(impedance.translational_damping, impedance.translational_stiffness),
         rotational_damping: less(impedance.rotational_damping, impedance.rotational_stiffness),
@@ -50,14 +50,14 @@ pub fn late(impedance: &Impedance, waiting: f64) -> Impedance {
 }
 
 /// Largest number of doublings of the shortest step (s) of an arm whose torques come late (s).
-pub fn doublings(posture: &ArmPosture, impedance: &Impedance, waiting: f64, time_step: f64) -> usize {
-    doublings_at(fastest_rate(posture, impedance), waiting, time_step)
+pub fn doublings(terms: &ArmTerms, impedance: &Impedance, latency: f64, time_step: f64) -> usize {
+    doublings_at(fastest_rate(terms, impedance), latency, time_step)
 }
 
 /// The same for an arm that answers at a rate (1/s).
-fn doublings_at(rate: f64, waiting: f64, time_step: f64) -> usize {
+fn doublings_at(rate: f64, latency: f64, time_step: f64) -> usize {
     let is_allowed = |doublings: &usize| rate * time_step * f64::from(1_u32 << doublings) <= FOLLOWING;
-    if rate * waiting <= PROMPT { (1..=DOUBLINGS).take_while(is_allowed).count() } else { 0 }
+    if rate * latency <= PROMPT { (1..=DOUBLINGS).take_while(is_allowed).count() } else { 0 }
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use crate::spatial::{Motion, SpatialInertia};
 
 /// An arm at given joint positions: what depends on these is computed once, without allocations.
 #[derive(Debug, Clone)]
-pub struct Posture<'arm> {
+pub struct ConfiguredArm<'arm> {
     pub(crate) arm: &'arm Arm,
     /// Velocity of each link per speed of its joint; zero beyond the last joint.
     pub(crate) axes: [Motion; MOST_JOINTS],
@@ -26,17 +26,17 @@ const ITERATIONS: usize = 1000;
 
 impl Arm {
     /// The arm at joint positions (rad or m), which may be beyond limits.
-    pub fn posture(&self, configuration: &JointVector) -> Posture<'_> {
-        Posture::new(self, configuration)
+    pub fn at(&self, configuration: &JointVector) -> ConfiguredArm<'_> {
+        ConfiguredArm::new(self, configuration)
     }
 
     /// Pose of the part in the world frame.
     pub fn pose(&self, configuration: &JointVector) -> Isometry3<f64> {
-        self.posture(configuration).pose()
+        self.at(configuration).pose()
     }
 }
 
-impl<'arm> Posture<'arm> {
+impl<'arm> ConfiguredArm<'arm> {
     fn new(arm: &'arm Arm, configuration: &JointVector) -> Self {
         let mut axes = [Motion::zero(); MOST_JOINTS];
         let mut inertias = [SpatialInertia::zero(); MOST_JOINTS];
