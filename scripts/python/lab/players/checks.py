@@ -47,7 +47,7 @@ def kinematics_are_those_of_the_urdf_file() -> str:
         for _ in range(20):
             simulated.data.qpos[:] = plan.arm.start + random.uniform(-0.5, 0.5, len(plan.arm.start))
             position, rotation, jacobian = simulated.tool()
-            tool, own = plan.arm.posture(simulated.data.qpos)
+            tool, own = plan.arm.pose_and_jacobian(simulated.data.qpos)
             if max(tool.errors(Pose(position, rotation))) > 1e-6 or np.abs(own - jacobian).max() > 1e-6:
                 return f"{name}: {tool.errors(Pose(position, rotation))}"
     return ""
