@@ -102,15 +102,15 @@ fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
 #[test]
 fn where_friction_holds_the_body_the_reference_goes_past_the_goal_and_back() {
     let dir = Dir::new();
-    dir.run("solve corner.toml --friction 0,0.3 --robust --report --out out").code(0).says("with strokes at the end");
+    dir.run("solve corner.toml --friction 0,0.3 --robust --report --out out").code(0).says("with a final oscillation");
     let result = dir.result("out");
     let kept = number(&result["robust"], "kept_round") as usize - 1;
     let planned = result["robust"]["rounds"][kept]["planned"].as_str().unwrap();
-    assert!(planned.starts_with("the scene as it is, with strokes at the end"), "{planned}");
+    assert!(planned.starts_with("the scene as it is, with a final oscillation"), "{planned}");
     let rows_of = |file: &str| dir.table(file).numbers_from("time_s");
     let (rows, planned_rows) = (rows_of("out/reference.csv"), rows_of("out/stages/1/reference.csv"));
     let planned_until = planned_rows[planned_rows.len() - 1][0];
-    assert!(rows[rows.len() - 1][0] > planned_until + 1.0, "strokes follow the plan");
+    assert!(rows[rows.len() - 1][0] > planned_until + 1.0, "an oscillation follows the plan");
     // They lead along the way from the start, which is longest along x.
     let x: Vec<f64> = rows.iter().filter(|row| row[0] >= planned_until).map(|row| row[1]).collect();
     let turns = x.windows(3).filter(|three| (three[1] - three[0]) * (three[2] - three[1]) < 0.0).count();

@@ -1,6 +1,6 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of a solved problem's homotopy iterations the one whose reference passes most training cases is taken, with strokes at
+//! Of a solved problem's homotopy iterations the one whose reference passes most training cases is taken, with an oscillation at
 //! its end where these help. Random changes of this reference are kept when more test cases pass ([`simulation::Refinement`]).
 //! Then an evaluation at grasp errors that were never trained on decides; what fails there is trained on next. When this
 //! does not help any more, a straight push is refined instead, which needs no plan; then other problems are solved, the
@@ -40,7 +40,7 @@ use plan::ranges::require_threads;
 use plan::{
     Event, Plan, PlannerError, Problem, RobustnessReport, RobustnessTarget, Round, Session, Stop, SuccessRates, Variant,
 };
-use simulation::{Evaluator, Reference, Strokes, TestCase, TestResult};
+use simulation::{Evaluator, Reference, FinalOscillation, TestCase, TestResult};
 use task::Trajectory;
 
 use crate::candidate::{Candidate, Kept};
@@ -125,7 +125,7 @@ struct Refiner<'run> {
     trainer: &'run Evaluator,
     session: &'run Session<'run>,
     /// Where dry friction may hold the body short of its goal.
-    strokes: Option<Strokes>,
+    oscillation: Option<FinalOscillation>,
     /// Drafts that were not refined; at least one of their homotopy iterations has all steps.
     drafts: Vec<Solved>,
     schedule: Schedule<'run>,
@@ -162,7 +162,7 @@ impl<'run> Refiner<'run> {
             evaluator,
             trainer,
             session,
-            strokes: ends::strokes(problem, target),
+            oscillation: ends::final_oscillation(problem, target),
             drafts: Vec::new(),
             schedule: Schedule::new(session, target.time_limit, target.parameters.time),
             training,

@@ -27,8 +27,8 @@ pub enum Origin {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Marks {
-    /// It ends with strokes.
-    pub has_strokes: bool,
+    /// It ends with an oscillation.
+    pub has_oscillation: bool,
     /// It was refined again.
     pub is_continued: bool,
     /// What no test case needs was taken back.
@@ -90,7 +90,7 @@ impl fmt::Display for Marks {
     /// What follows the origin.
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let marks = [
-            (self.has_strokes, ", with strokes at the end"),
+            (self.has_oscillation, ", with a final oscillation"),
             (self.is_continued, ", continued"),
             (self.is_straightened, ", straightened"),
             (self.has_margins, ", with margins"),
@@ -105,9 +105,9 @@ mod tests {
 
     #[test]
     fn words_tell_the_origin_and_what_was_done_since() {
-        let marks = Marks { has_strokes: true, is_continued: true, has_margins: true, ..Marks::default() };
+        let marks = Marks { has_oscillation: true, is_continued: true, has_margins: true, ..Marks::default() };
         let planned = format!("{}{marks}", Origin::Variant(Recipe::TwiceTheTime));
-        assert_eq!(planned, "twice the time, with strokes at the end, continued, with margins");
+        assert_eq!(planned, "twice the time, with a final oscillation, continued, with margins");
         assert_eq!(format!("{}{}", Origin::Scene, Marks::default()), "the scene as it is");
     }
 }

@@ -9,14 +9,14 @@ use simulation::Refinement;
 use task::StraightMotion;
 
 use crate::candidate::Kept;
-use crate::ends::has_strokes;
+use crate::ends::has_oscillation;
 use crate::{Refiner, round};
 
 impl Refiner<'_> {
     /// Simplifies a robust plan for a free body. What comes of it is kept if it succeeds as often in a new evaluation.
     pub(super) fn simplify(&mut self) -> Result<(), PlannerError> {
         let Some(robust) = self.best.clone().filter(|best| best.reached) else { return Ok(()) };
-        let is_as_planned = robust.changes == 0 && !has_strokes(&robust);
+        let is_as_planned = robust.changes == 0 && !has_oscillation(&robust);
         if is_as_planned || self.problem.arm().is_some() || self.target.patience == 0 {
             return Ok(());
         }
@@ -53,9 +53,9 @@ impl Refiner<'_> {
         let changes = refinement.simplify(&straight, task.horizon.steps, &stop);
         simpler.reference = refinement.reference().clone();
         simpler.changes += changes;
-        let has_strokes = has_strokes(&simpler);
+        let has_oscillation = has_oscillation(&simpler);
         let marks = &mut simpler.solved.marks;
-        (marks.has_strokes, marks.is_straightened) = (marks.has_strokes && has_strokes, true);
+        (marks.has_oscillation, marks.is_straightened) = (marks.has_oscillation && has_oscillation, true);
         let rollouts = results.len() + refinement.rollouts();
         let round = round(&simpler.solved, &results);
         (changes > 0).then_some((simpler, Round { rollouts, changes: robust.changes + changes, ..round }))

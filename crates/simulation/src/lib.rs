@@ -36,7 +36,7 @@
 //!
 //! An [`Evaluator`] simulates a reference in several [`TestCase`]s. A [`Refinement`] changes the reference until it passes
 //! all of them. Changes begin at definite times, and the states of earlier rollouts are kept, so that only what follows is
-//! simulated; outcomes are the same to the last bit. [`Strokes`] past the goal and back end a reference where dry friction
+//! simulated; outcomes are the same to the last bit. [`FinalOscillation`] past the goal and back end a reference where dry friction
 //! would hold the body short of it. An evaluator [`with_margins`](Evaluator::with_margins) has more friction, and its contact
 //! forces count friction of other contacts as if it reversed ([`Rollout::with_reversed_friction`]).
 //!
@@ -97,7 +97,7 @@ mod settings;
 mod settings_error;
 mod solid;
 mod step_length;
-mod strokes;
+mod final_oscillation;
 mod success;
 mod timed_state;
 
@@ -114,6 +114,6 @@ pub use rollout::{Outcome, Rollout};
 pub use settings::Settings;
 pub use settings_error::SettingsError;
 pub use solid::{Edge, Facet, Solid};
-pub use strokes::Strokes;
+pub use final_oscillation::FinalOscillation;
 pub use success::{Success, wilson_interval};
 pub use timed_state::TimedState;

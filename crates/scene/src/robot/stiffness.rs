@@ -15,7 +15,7 @@ pub struct Stiffness {
     pub rotational: f64,
 }
 
-/// Error (m, rad) at which joint friction is wanted to hold the arm at most. Strokes at the end of a reference overcome the
+/// Error (m, rad) at which joint friction is wanted to hold the arm at most. The final oscillation of a reference overcomes the
 /// first; a stiffer arm pushes harder.
 const DEADBAND: f64 = 4e-3;
 const ANGULAR_DEADBAND: f64 = 0.04;

@@ -1,7 +1,7 @@
 //! Simpler references that do as well.
 //!
 //! Random changes are kept for what they do to the end of a motion, however they bend it: turns and detours in free air cost
-//! them nothing, and strokes remain where other changes have made them needless. So what no test case needs is taken back at the
+//! them nothing, and oscillations remain where other changes have made them needless. So what no test case needs is taken back at the
 //! end, from the whole reference first, then from shorter and shorter parts of it.
 
 use std::collections::VecDeque;

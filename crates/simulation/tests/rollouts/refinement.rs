@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
 use simulation::{
-    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Strokes, Success, TestCase,
+    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, FinalOscillation, Success, TestCase,
     TestResult,
 };
 use task::{GraspError, Horizon, StraightMotion, pose_of};
@@ -288,10 +288,10 @@ fn bends_that_are_needed_stay() {
 }
 
 #[test]
-fn strokes_that_no_trial_needs_are_cut_off() {
+fn oscillations_that_no_case_needs_are_cut_off() {
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
     world.start[2] = 0.12;
-    let strokes = Strokes::new(&world, &Success::default(), 0.04).unwrap();
-    let simpler = simplified(down().with_strokes(&strokes), [0.0; 3], down().intervals());
+    let oscillation = FinalOscillation::new(&world, &Success::default(), 0.04).unwrap();
+    let simpler = simplified(down().with_oscillation(&oscillation), [0.0; 3], down().intervals());
     assert_eq!(simpler.intervals(), down().intervals());
 }

@@ -1,6 +1,6 @@
-//! Strokes at the end of references.
+//! FinalOscillation at the end of references.
 
-use simulation::{Reference, Rollout, Settings, Strokes, Success};
+use simulation::{Reference, Rollout, Settings, FinalOscillation, Success};
 use task::{AssemblyTask, Limits};
 use workers::Workers;
 
@@ -22,16 +22,16 @@ fn error(world: &AssemblyTask, reference: &Reference, friction: f64) -> f64 {
 }
 
 #[test]
-fn a_block_that_walls_hold_back_reaches_its_goal_with_strokes() {
+fn a_block_that_walls_hold_back_reaches_its_goal_with_an_oscillation() {
     let world = insertion();
     // It is pressed against a wall and pushed down.
     let push = through(&[[0.0, 0.0, 0.03], [0.015, 0.0, 0.03], [0.015, 0.0, 0.0]], 1.0);
-    let reference = push.with_strokes(&Strokes::new(&world, &Success::default(), f64::INFINITY).unwrap());
+    let reference = push.with_oscillation(&FinalOscillation::new(&world, &Success::default(), f64::INFINITY).unwrap());
     let tolerance = Success::default().position;
     for friction in [0.0, 0.1, 0.3, 0.6] {
-        let (plain, with_strokes) = (error(&world, &push, friction), error(&world, &reference, friction));
-        assert!(with_strokes < tolerance, "friction {friction}: {with_strokes} m");
-        assert_eq!(plain < tolerance, friction < 0.2, "friction {friction}: {plain} m without strokes");
+        let (plain, with_oscillation) = (error(&world, &push, friction), error(&world, &reference, friction));
+        assert!(with_oscillation < tolerance, "friction {friction}: {with_oscillation} m");
+        assert_eq!(plain < tolerance, friction < 0.2, "friction {friction}: {plain} m without an oscillation");
     }
 }
 
@@ -39,8 +39,8 @@ fn a_block_that_walls_hold_back_reaches_its_goal_with_strokes() {
 fn strokes_keep_the_limits() {
     let mut world = insertion();
     let kept_with = |world: &AssemblyTask| {
-        let strokes = Strokes::new(world, &Success::default(), f64::INFINITY).unwrap();
-        let reference = Reference::new(0.04, &[at_rest([0.0; 3])]).with_strokes(&strokes);
+        let oscillation = FinalOscillation::new(world, &Success::default(), f64::INFINITY).unwrap();
+        let reference = Reference::new(0.04, &[at_rest([0.0; 3])]).with_oscillation(&oscillation);
         (reference.limits_kept(), reference.intervals())
     };
     let (free, shortest) = kept_with(&world);
@@ -59,5 +59,5 @@ fn strokes_keep_the_limits() {
 fn without_a_way_from_start_to_goal_there_are_none() {
     let mut world = insertion();
     world.start = world.goal;
-    assert_eq!(Strokes::new(&world, &Success::default(), f64::INFINITY), None);
+    assert_eq!(FinalOscillation::new(&world, &Success::default(), f64::INFINITY), None);
 }

@@ -1,4 +1,4 @@
-//! Strokes at the end of a reference.
+//! The decaying oscillation at the end of a reference, against dry friction.
 //!
 //! Dry friction holds a body anywhere in a band around where the reference ends. So the reference goes past the goal and
 //! back beyond it, each time less far, and friction leaves the body near the middle, as alternating fields that fade
@@ -12,7 +12,7 @@ use crate::success::Success;
 
 /// How a reference goes past the goal and back, on the line from start to goal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Strokes {
+pub struct FinalOscillation {
     goal: Vector3<f64>,
     direction: Unit<Vector3<f64>>,
     /// How much less far than the one before each stroke goes (m).
@@ -33,7 +33,7 @@ const RESPONSES: f64 = 4.0;
 /// Largest velocity and acceleration of a smooth stroke of one metre in one second.
 const PEAKS: [f64; 2] = [1.5, 6.0];
 
-impl Strokes {
+impl FinalOscillation {
     /// For a task, where a body that ends within the tolerance succeeds, and the environment guides it up to some depth (m)
     /// from the goal, infinite where nothing does. They stay within half of that, and keep the limits of translational velocity
     /// and acceleration. `None` where start and goal are at the same place, the depth is zero, or a number is none.
@@ -74,12 +74,12 @@ impl Strokes {
 }
 
 impl Reference {
-    /// The reference, followed by strokes: its last orientation and its last position beside the line of the strokes stay.
-    pub fn with_strokes(&self, strokes: &Strokes) -> Self {
+    /// The reference, followed by an oscillation: its last orientation and its last position beside its line stay.
+    pub fn with_oscillation(&self, oscillation: &FinalOscillation) -> Self {
         let last = self.at(self.intervals(), 0.0).pose;
         let shifted =
             |shift: Vector3<f64>| Isometry3::from_parts((last.translation.vector + shift).into(), last.rotation);
-        self.continued(strokes.shifts(&last.translation.vector, self.time_step()).map(shifted))
+        self.continued(oscillation.shifts(&last.translation.vector, self.time_step()).map(shifted))
     }
 }
 
@@ -93,9 +93,9 @@ mod tests {
     const GOAL: [f64; 7] = [0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
     /// Of 12, 9.6, 7.2, 4.8 and 2.4 mm along x.
-    fn strokes() -> Strokes {
+    fn oscillation() -> FinalOscillation {
         let goal = Vector3::new(GOAL[0], GOAL[1], GOAL[2]);
-        Strokes { goal, direction: Vector3::x_axis(), decrease: 2.4e-3, duration: 0.3 }
+        FinalOscillation { goal, direction: Vector3::x_axis(), decrease: 2.4e-3, duration: 0.3 }
     }
 
     fn push() -> Reference {
@@ -112,10 +112,10 @@ mod tests {
 
     #[test]
     fn a_body_ends_near_the_goal_whatever_holds_it() {
-        let (plain, reference) = (push(), push().with_strokes(&strokes()));
+        let (plain, reference) = (push(), push().with_oscillation(&oscillation()));
         for band in (0..=13).map(|millimetres| 1e-3 * f64::from(millimetres)) {
             assert!((end_in_band(&reference, band) - GOAL[0]).abs() < 1.21e-3, "{band} m");
-            assert!((end_in_band(&plain, band) - GOAL[0] + band).abs() < 1e-12, "short of it without strokes");
+            assert!((end_in_band(&plain, band) - GOAL[0] + band).abs() < 1e-12, "short of it without an oscillation");
         }
     }
 
@@ -126,7 +126,7 @@ mod tests {
         let last = states.len() - 1;
         (states[last][0], states[last][1]) = (GOAL[0] - 5e-3, 1e-3);
         let plain = Reference::new(0.02, &states);
-        let reference = plain.with_strokes(&strokes());
+        let reference = plain.with_oscillation(&oscillation());
         assert_eq!(reference.intervals(), 20 + 6 * 15);
         assert_eq!(plain.shared_intervals(&reference), 20);
         let states = reference.states();
@@ -168,20 +168,20 @@ mod tests {
     fn they_never_pull_a_body_out_of_what_guides_it() {
         for depth in [1e-4, 1.8e-3, 7.5e-3, 0.02, f64::INFINITY] {
             for position in [5e-4, 3e-3, 0.01] {
-                let strokes =
-                    Strokes::new(&insertion(Limits::NONE), &Success { position, ..Success::default() }, depth);
-                let reference = push().with_strokes(&strokes.unwrap());
+                let oscillation =
+                    FinalOscillation::new(&insertion(Limits::NONE), &Success { position, ..Success::default() }, depth);
+                let reference = push().with_oscillation(&oscillation.unwrap());
                 let lowest = reference.positions().skip(20).map(|[x, ..]| x - GOAL[0]).fold(0.0, f64::min);
                 let expected = -(0.5 * depth).min(3.2 * position);
                 assert!((lowest - expected).abs() < 1e-12, "{lowest} of {expected} m");
             }
         }
-        assert_eq!(Strokes::new(&insertion(Limits::NONE), &Success::default(), 0.0), None);
+        assert_eq!(FinalOscillation::new(&insertion(Limits::NONE), &Success::default(), 0.0), None);
     }
 
     #[test]
     fn they_start_from_rest_as_well() {
         let rest = Reference::new(0.02, &[at_rest(&GOAL)]);
-        assert_eq!(rest.with_strokes(&strokes()).intervals(), 90);
+        assert_eq!(rest.with_oscillation(&oscillation()).intervals(), 90);
     }
 }
