@@ -13,7 +13,7 @@ use criterion::{Criterion, SamplingMode, Throughput, criterion_group, criterion_
 use nalgebra::Vector3;
 use robot::Arm;
 use scene::Scene;
-use simulation::{ArmModel, Bump, Reference, Rollout, Settings, Success, offsets};
+use simulation::{ArmModel, Perturbation, Reference, Rollout, Settings, Success, offsets};
 use task::{AssemblyTask, ContactPair};
 use workers::Workers;
 
@@ -61,9 +61,9 @@ fn round_peg() -> AssemblyTask {
 /// A straight push, and one that shifts by 3 mm and tilts by 0.05 rad for a while.
 fn references(task: &AssemblyTask) -> [(&'static str, Reference); 2] {
     let straight = Reference::straight(&task.start, &task.goal, task.horizon);
-    let mut bump = Bump::random(&mut fastrand::Rng::with_seed(3), &Success::default());
-    (bump.shift, bump.turn) = (Vector3::x() * 3e-3, Vector3::y() * 0.05);
-    let tilted = straight.bent(&bump);
+    let mut perturbation = Perturbation::random(&mut fastrand::Rng::with_seed(3), &Success::default());
+    (perturbation.shift, perturbation.rotation) = (Vector3::x() * 3e-3, Vector3::y() * 0.05);
+    let tilted = straight.perturbed(&perturbation);
     [("straight", straight), ("tilted", tilted)]
 }
 

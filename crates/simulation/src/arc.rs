@@ -35,9 +35,9 @@ impl Arc {
     }
 
     /// Whether two arcs may cross after one of them has turned by at most `turn` (rad) about any axis.
-    pub fn may_cross(&self, other: &Self, turn: f64) -> bool {
+    pub fn may_cross(&self, other: &Self, rotation: f64) -> bool {
         // Every product below changes by no more than the turn, as no pole is longer than one.
-        let opposite = |one: f64, other: f64| one.min(other) <= turn && one.max(other) >= -turn;
+        let opposite = |one: f64, other: f64| one.min(other) <= rotation && one.max(other) >= -rotation;
         let [a, b] = other.ends.map(|end| end.dot(&self.pole));
         if !opposite(a, b) {
             return false;

@@ -131,15 +131,15 @@ impl<'arm> ArmStepper<'arm> {
     /// orientation of the part, and damping of rotations (Nms/rad) along its axes there.
     pub fn with_damping_set_for(mut self, set: Option<(UnitQuaternion<f64>, Matrix3<f64>)>) -> Self {
         self.set_for = set;
-        self.turn_damping();
+        self.rotate_damping();
         self
     }
 
     /// Damping that does not turn with the part, in the frame of the part.
-    fn turn_damping(&mut self) {
+    fn rotate_damping(&mut self) {
         let Some((orientation, damping)) = &self.set_for else { return };
-        let turn = (self.terms.pose.rotation.inverse() * orientation).to_rotation_matrix();
-        self.impedance.rotational_damping = turn * damping * turn.inverse();
+        let rotation = (self.terms.pose.rotation.inverse() * orientation).to_rotation_matrix();
+        self.impedance.rotational_damping = rotation * damping * rotation.inverse();
         self.late = late(&self.impedance, self.latency);
         self.effective_mass = effective_mass(&self.terms, &self.impedance, self.latency);
     }
@@ -270,7 +270,7 @@ impl<'arm> ArmStepper<'arm> {
                 body.set_twist(&(terms.jacobian * *velocity));
                 self.effective_mass = effective_mass(&terms, &self.impedance, self.latency);
                 self.terms = terms;
-                self.turn_damping();
+                self.rotate_damping();
                 self.longer.fill(None);
             }
             None => body.velocity = Vector3::repeat(f64::NAN),

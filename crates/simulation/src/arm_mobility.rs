@@ -39,8 +39,8 @@ impl ArmMobility {
     /// How the joints move (rad or m) when the part is moved from one pose to another nearby by impulses on it.
     pub fn correction(&self, from: &Isometry3<f64>, to: &Isometry3<f64>) -> JointVector {
         let shift = to.translation.vector - from.translation.vector;
-        let turn = (from.rotation.inverse() * to.rotation).scaled_axis();
-        self.change(&self.metric.scale_velocity(&shift, &turn))
+        let rotation = (from.rotation.inverse() * to.rotation).scaled_axis();
+        self.change(&self.metric.scale_velocity(&shift, &rotation))
     }
 
     /// The inverse while contacts hold the scaled velocity of the part in some directions, which are orthonormal.

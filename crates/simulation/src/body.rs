@@ -47,8 +47,8 @@ impl Body {
 }
 
 /// A pose shifted in the world frame and turned in the body frame.
-pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, turn: &Vector3<f64>) -> Isometry3<f64> {
-    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*turn);
+pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, rotation: &Vector3<f64>) -> Isometry3<f64> {
+    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*rotation);
     rotation.renormalize_fast();
     Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
 }

@@ -145,13 +145,13 @@ mod tests {
         assert!(bounds.allow(&Reference::new(1.0, &turning)), "corners 0.5 m away are as fast as the body may be");
         turning[1][12] = 0.41;
         assert!(!bounds.allow(&Reference::new(1.0, &turning)), "turns too fast");
-        let mut turned = along(&[0.0, 0.1, 0.2]).states();
+        let mut rotated = along(&[0.0, 0.1, 0.2]).states();
         // The farthest corner may be shifted by 0.05 m as well.
         for (angle, allowed) in [(0.099_f64, true), (0.101, false)] {
-            turned[1][3..7].copy_from_slice(&[(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0]);
-            assert_eq!(bounds.allow(&Reference::new(1.0, &turned)), allowed, "turned by {angle} rad");
+            rotated[1][3..7].copy_from_slice(&[(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0]);
+            assert_eq!(bounds.allow(&Reference::new(1.0, &rotated)), allowed, "rotated by {angle} rad");
         }
-        assert!(bounds.including(&Reference::new(1.0, &turned)).allow(&Reference::new(1.0, &turned)));
+        assert!(bounds.including(&Reference::new(1.0, &rotated)).allow(&Reference::new(1.0, &rotated)));
         assert!(bounds.including(&wide).allow(&wide));
         let limited = Limits { translational_velocity: 0.15, ..Limits::NONE };
         assert!(

@@ -62,8 +62,8 @@ const STEPS: f64 = 16.0;
 
 impl Candidates {
     /// Takes note of a motion of the body: a shift (m) and a turn (rad).
-    pub fn moved(&mut self, shift: f64, turn: f64) {
-        self.left -= shift + self.lever * turn;
+    pub fn moved(&mut self, shift: f64, rotation: f64) {
+        self.left -= shift + self.lever * rotation;
     }
 
     /// The best axis of all facets, for a body whose origin is at `position`. A step moves the body by about `reach`
@@ -129,7 +129,7 @@ impl Candidates {
     /// Finds the pairs of edges that can become better than the best facet, whose separation is `facet` (m). Of each part a
     /// vertex is given that is near to the other one.
     fn find_edges(&mut self, body: &Solid, environment: &[StillEdge], near: &[Vector3<f64>; 2], facet: f64) {
-        let turn = self.skin / self.lever + ROUNDING;
+        let rotation = self.skin / self.lever + ROUNDING;
         // Components along an arc are bounded by those along its ends only if they are negative.
         let least = (facet - 2.0 * self.skin - ROUNDING).min(0.0);
         // A separation along a common normal is, of a gap between any two vertices, at most the component along a normal of
@@ -150,7 +150,7 @@ impl Candidates {
             }
             for &opposite in &opposites {
                 let still = &environment[opposite];
-                if arc.may_cross(&still.reversed, turn)
+                if arc.may_cross(&still.reversed, rotation)
                     && !is_still_below(still, &end)
                     && !is_body_below(&arc, &(still.segment[0] - end))
                 {

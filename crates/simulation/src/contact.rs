@@ -124,7 +124,7 @@ impl<'shapes> ContactFinder<'shapes> {
         }
         let position = &pose.translation.vector;
         let shift = (position - self.last.translation.vector).norm();
-        let turn = largest_turn(&pose.rotation, &self.last.rotation);
+        let rotation = largest_rotation(&pose.rotation, &self.last.rotation);
         (self.last, self.reach) = (*pose, reach);
         self.contacts.clear();
         self.bodies.iter_mut().for_each(|body| body.is_current = false);
@@ -132,8 +132,8 @@ impl<'shapes> ContactFinder<'shapes> {
         let mut smallest = f64::INFINITY;
         for (index, PairShapes { body, radius, .. }) in shapes.pairs.iter().enumerate() {
             let pair = &mut self.pairs[index];
-            pair.clearance -= shift + radius * turn;
-            pair.candidates.moved(shift, turn);
+            pair.clearance -= shift + radius * rotation;
+            pair.candidates.moved(shift, rotation);
             if pair.clearance > reach {
                 continue;
             }
@@ -211,7 +211,7 @@ const SLIDES: usize = 3;
 
 /// Upper bound on how far a turn from one orientation to the other moves a point at a distance of one; it is close for
 /// small turns.
-fn largest_turn(one: &UnitQuaternion<f64>, other: &UnitQuaternion<f64>) -> f64 {
+fn largest_rotation(one: &UnitQuaternion<f64>, other: &UnitQuaternion<f64>) -> f64 {
     let (one, other) = (one.as_vector(), other.as_vector());
     2.0 * (one - other).norm_squared().min((one + other).norm_squared()).sqrt()
 }

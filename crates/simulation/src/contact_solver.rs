@@ -69,8 +69,8 @@ impl ContactSolver {
                 self.cones.push(Cone { normal: placed.along(point, normal), tangents: None, bound: -gap });
             }
             let correction = self.corrector.solve(&Vector6::zeros(), &self.cones);
-            let (shift, turn) = metric.unscale(&correction);
-            *pose = moved(pose, &shift, &turn);
+            let (shift, rotation) = metric.unscale(&correction);
+            *pose = moved(pose, &shift, &rotation);
             overlap = -finder.find(pose, reach);
         }
         before.max(0.0)

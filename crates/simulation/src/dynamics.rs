@@ -145,8 +145,8 @@ impl Stepper {
         let Length { time_step, weight, metric, carried } = &self.lengths[length];
         // Eq. impedancewrench at the believed pose: k_t (rho_r - rho_c) + D_t nu_r and 2 k_r eta eps + D_r omega_r. The
         // body's own damping is in the effective inertia.
-        let turned = offset + body.angular_velocity.cross(offset) * ((1.0 - weight) * time_step);
-        let tracked = body.pose.translation.vector + body.pose.rotation * turned;
+        let rotated = offset + body.angular_velocity.cross(offset) * ((1.0 - weight) * time_step);
+        let tracked = body.pose.translation.vector + body.pose.rotation * rotated;
         let force = (target.pose.translation.vector - tracked) * impedance.translational_stiffness;
         let error = body.pose.rotation.inverse() * target.pose.rotation;
         let torque = error.imag() * (2.0 * impedance.rotational_stiffness * error.w);

@@ -71,7 +71,7 @@ mod arm_terms;
 mod axis;
 mod body;
 mod bounds;
-mod bump;
+mod perturbation;
 mod candidates;
 mod contact;
 mod contact_solver;
@@ -103,7 +103,7 @@ mod timed_state;
 
 pub use arm_model::{ArmModel, ArmModelError};
 pub use bounds::{Bounds, LIMIT_SLACK};
-pub use bump::Bump;
+pub use perturbation::Perturbation;
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, FrictionIndex, TestCase, TestResult};
 pub use loads::Loads;

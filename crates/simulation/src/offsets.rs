@@ -97,10 +97,10 @@ pub fn ball(radius: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
 }
 
 /// Random turns (rotation vectors, rad) beside the random offsets of the same seed, uniform in a ball of the largest one.
-pub fn turns(largest: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
+pub fn rotations(largest: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
     /// Distance between the seeds of turns and of offsets, which must not depend on each other.
-    const TURN_SEED: u64 = 50;
-    ball(largest, count, seed.wrapping_add(TURN_SEED))
+    const ROTATION_SEED: u64 = 50;
+    ball(largest, count, seed.wrapping_add(ROTATION_SEED))
 }
 
 /// A point uniform in the unit disc or ball that orthonormal vectors span, but for its centre, which has no direction.
@@ -254,12 +254,12 @@ mod tests {
     /// Turns as the points of a ball, which do not follow the offsets of the same seed.
     #[test]
     fn turns_and_offsets_of_one_seed_are_independent() {
-        let (offsets, turned) = (ball(1.0, 2000, 7), turns(1.0, 2000, 7));
+        let (offsets, rotated) = (ball(1.0, 2000, 7), rotations(1.0, 2000, 7));
         let products =
-            offsets.iter().zip(&turned).map(|(offset, turn)| Vector3::from(*offset).dot(&Vector3::from(*turn)));
+            offsets.iter().zip(&rotated).map(|(offset, rotation)| Vector3::from(*offset).dot(&Vector3::from(*rotation)));
         let mean = products.sum::<f64>() / 2000.0;
         assert!(mean.abs() < 0.05, "{mean}");
-        assert_eq!(turns(0.0, 3, u64::MAX), [[0.0; 3]; 3]);
+        assert_eq!(rotations(0.0, 3, u64::MAX), [[0.0; 3]; 3]);
     }
 
     #[test]

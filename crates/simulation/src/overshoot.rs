@@ -10,25 +10,25 @@ pub struct Overshoot {
     /// From the reference to the body (m, world frame).
     pub shift: Vector3<f64>,
     /// Rotation vector that turns the reference to the body (rad, body frame).
-    pub turn: Vector3<f64>,
+    pub rotation: Vector3<f64>,
 }
 
 impl Overshoot {
     /// At the start, without a force.
     pub const NONE: Self =
-        Self { fraction: 0.0, shift: Vector3::new(0.0, 0.0, 0.0), turn: Vector3::new(0.0, 0.0, 0.0) };
+        Self { fraction: 0.0, shift: Vector3::new(0.0, 0.0, 0.0), rotation: Vector3::new(0.0, 0.0, 0.0) };
 
     /// At a fraction of the duration, from the poses of reference and body.
     pub fn new(fraction: f64, reference: &Isometry3<f64>, body: &Isometry3<f64>) -> Self {
         Self {
             fraction,
             shift: body.translation.vector - reference.translation.vector,
-            turn: (reference.rotation.inverse() * body.rotation).scaled_axis(),
+            rotation: (reference.rotation.inverse() * body.rotation).scaled_axis(),
         }
     }
 
     /// A part of the way back: with a spring, it takes away that part of the force.
     pub fn scaled(&self, part: f64) -> Self {
-        Self { fraction: self.fraction, shift: self.shift * part, turn: self.turn * part }
+        Self { fraction: self.fraction, shift: self.shift * part, rotation: self.rotation * part }
     }
 }

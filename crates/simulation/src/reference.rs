@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 pub use task::pose::{interpolate, isometry};
 use task::{GraspError, Horizon, Limits, StraightMotion, Trajectory};
 
-use crate::bump::Bump;
+use crate::perturbation::Perturbation;
 
 /// A reference motion given at equidistant knots. Between the knots, positions are interpolated linearly and
 /// orientations by slerp; on the interval `[k, k + 1]` the twist of knot `k + 1` holds.
@@ -67,8 +67,8 @@ impl Reference {
         let (start, goal) = (isometry(start), isometry(goal));
         let duration = horizon.steps as f64 * horizon.time_step;
         let velocity = (goal.translation.vector - start.translation.vector) / duration;
-        let turn = start.rotation.rotation_to(&goal.rotation).scaled_axis();
-        let angular_velocity = start.rotation.inverse() * turn / duration;
+        let rotation = start.rotation.rotation_to(&goal.rotation).scaled_axis();
+        let angular_velocity = start.rotation.inverse() * rotation / duration;
         let knot = |step: usize| {
             let fraction = step as f64 / horizon.steps as f64;
             Knot { pose: interpolate(&start, &goal, fraction), velocity, angular_velocity }
@@ -76,14 +76,14 @@ impl Reference {
         Self { time_step: horizon.time_step, knots: (0..=horizon.steps).map(knot).collect() }
     }
 
-    /// The reference changed by a bump, with the twists that lead from knot to knot. Knots before the bump stay as they are.
-    pub fn bent(&self, bump: &Bump) -> Self {
+    /// The reference changed by a perturbation, with the twists that lead from knot to knot. Knots before the perturbation stay as they are.
+    pub fn perturbed(&self, perturbation: &Perturbation) -> Self {
         let mut knots = self.knots.clone();
-        let weight = |index: usize| bump.weight(index as f64 / self.intervals().max(1) as f64);
+        let weight = |index: usize| perturbation.weight(index as f64 / self.intervals().max(1) as f64);
         let first = (0..knots.len()).find(|&index| weight(index) > 0.0).unwrap_or(knots.len());
         for (index, knot) in knots.iter_mut().enumerate().skip(first) {
-            knot.pose.translation.vector += bump.shift * weight(index);
-            knot.pose.rotation *= UnitQuaternion::from_scaled_axis(bump.turn * weight(index));
+            knot.pose.translation.vector += perturbation.shift * weight(index);
+            knot.pose.rotation *= UnitQuaternion::from_scaled_axis(perturbation.rotation * weight(index));
         }
         Self { time_step: self.time_step, knots }.with_twists_from(first)
     }
@@ -121,8 +121,8 @@ impl Reference {
         for index in first.max(1)..self.knots.len() {
             let (from, to) = (self.knots[index - 1].pose, self.knots[index].pose);
             self.knots[index].velocity = (to.translation.vector - from.translation.vector) / self.time_step;
-            let turn = from.rotation.rotation_to(&to.rotation).scaled_axis();
-            self.knots[index].angular_velocity = from.rotation.inverse() * turn / self.time_step;
+            let rotation = from.rotation.rotation_to(&to.rotation).scaled_axis();
+            self.knots[index].angular_velocity = from.rotation.inverse() * rotation / self.time_step;
         }
         self
     }
@@ -130,13 +130,13 @@ impl Reference {
     /// What a part in the gripper is to do while the robot follows the reference: the same motion, described with the frame
     /// of the part.
     pub fn of_part(&self, grasp: &GraspError) -> Self {
-        let turn = grasp.rotation();
-        let turned = |knot: &Knot| Knot {
-            pose: Isometry3::from_parts(knot.pose.translation, knot.pose.rotation * turn.inverse()),
-            angular_velocity: turn * knot.angular_velocity,
+        let rotation = grasp.rotation();
+        let rotated = |knot: &Knot| Knot {
+            pose: Isometry3::from_parts(knot.pose.translation, knot.pose.rotation * rotation.inverse()),
+            angular_velocity: rotation * knot.angular_velocity,
             ..*knot
         };
-        Self { time_step: self.time_step, knots: self.knots.iter().map(turned).collect() }
+        Self { time_step: self.time_step, knots: self.knots.iter().map(rotated).collect() }
     }
 
     /// On how many of the first intervals another reference is the same.
@@ -220,6 +220,6 @@ fn inside(fraction: f64, [from, to]: [f64; 2]) -> f64 {
 
 /// A pose as position and quaternion w x y z.
 pub fn coordinates(pose: &Isometry3<f64>) -> [f64; 7] {
-    let (position, turned) = (pose.translation.vector, pose.rotation);
-    [position.x, position.y, position.z, turned.w, turned.i, turned.j, turned.k]
+    let (position, rotated) = (pose.translation.vector, pose.rotation);
+    [position.x, position.y, position.z, rotated.w, rotated.i, rotated.j, rotated.k]
 }

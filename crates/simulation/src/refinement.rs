@@ -1,9 +1,9 @@
-//! Refinement of a reference by rollouts: random smooth changes are tried, and those that let more test cases pass are
+//! Refinement of a reference by rollouts: random smooth perturbations are tried, and those that let more test cases pass are
 //! kept. Some lead back from where a failing test case pushes too hard, some lead towards the goal that a failing test case
 //! misses, some resemble changes that have helped before.
 //!
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
-//! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a change is useless.
+//! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a perturbation is useless.
 
 mod simplify;
 
@@ -12,7 +12,7 @@ use std::cmp::Reverse;
 use fastrand::Rng;
 
 use crate::bounds::Bounds;
-use crate::bump::Bump;
+use crate::perturbation::Perturbation;
 use crate::evaluator::{Evaluator, Record, TestCase, TestResult};
 use crate::reference::Reference;
 
@@ -27,33 +27,33 @@ pub struct Refinement<'evaluator> {
     cases: Vec<TestCase>,
     /// Of the reference, one of every test case.
     records: Vec<Record<'evaluator>>,
-    /// How many changes each test case has decided against, which it had passed before.
+    /// How many perturbations each test case has decided against, which it had passed before.
     refusals: Vec<usize>,
     rollouts: usize,
-    /// The last changes that helped.
-    helped: Vec<Bump>,
+    /// The last perturbations that helped.
+    helped: Vec<Perturbation>,
 }
 
-/// A change is dropped if the sum of the violations of so many failing test cases, which are played first, does not decrease.
+/// A perturbation is dropped if the sum of the violations of so many failing test cases, which are played first, does not decrease.
 const FIRST: usize = 4;
-/// Fraction of changes that lead away from where a failing test case exceeds the limit of contact forces.
+/// Fraction of perturbations that lead away from where a failing test case exceeds the limit of contact forces.
 const RELIEVING: f64 = 0.3;
 /// Fraction of the others that lead towards what a failing test case lacks.
 const AIMED: f64 = 0.3;
 /// Final errors that are less than this multiple of the position tolerance are those of a body that is nearly there, and how
-/// many of its changes go too far and back.
+/// many of its perturbations go too far and back.
 const NEAR: f64 = 4.0;
 const TOO_FAR: f64 = 0.5;
-/// How many of the other changes lead along the contacts of bodies that are far from their goal.
+/// How many of the other perturbations lead along the contacts of bodies that are far from their goal.
 const SLIDING: f64 = 0.5;
 /// Fraction of the others that resemble earlier ones.
 const LEARNED: f64 = 0.5;
-/// Changes that are looked at until one keeps the bounds, and how often each is halved.
+/// Perturbations that are looked at until one keeps the bounds, and how often each is halved.
 const PROPOSALS: usize = 20;
 const HALVINGS: usize = 3;
-/// Changes leave that much of the range of the joints (rad or m) beside the reference: the arm differs from it by its errors.
+/// Perturbations leave that much of the range of the joints (rad or m) beside the reference: the arm differs from it by its errors.
 const ROOM: f64 = 0.05;
-/// Number of helpful changes that are remembered.
+/// Number of helpful perturbations that are remembered.
 const REMEMBERED: usize = 6;
 
 impl<'evaluator> Refinement<'evaluator> {
@@ -106,16 +106,16 @@ impl<'evaluator> Refinement<'evaluator> {
         self.score().0 as f64 / self.cases.len().max(1) as f64
     }
 
-    /// Tries a random change, keeps it if it improves the [`score`](Self::score), and returns whether
+    /// Tries a random perturbation, keeps it if it improves the [`score`](Self::score), and returns whether
     /// it does. Failing test cases are simulated first, then the passing ones, each in random order, and no further than it
-    /// takes to see that the change is no improvement. A change that leaves the bounds is dropped, and so is the current
+    /// takes to see that the perturbation is no improvement. A perturbation that leaves the bounds is dropped, and so is the current
     /// one when `stop` returns true.
     pub fn improve(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         self.record_failing(stop);
-        let Some((change, reference)) = self.propose() else { return false };
+        let Some((perturbation, reference)) = self.propose() else { return false };
         let is_better = self.attempt(reference, stop);
         if is_better {
-            self.helped.push(change);
+            self.helped.push(perturbation);
             self.helped.drain(..self.helped.len().saturating_sub(REMEMBERED));
         }
         is_better
@@ -151,16 +151,16 @@ impl<'evaluator> Refinement<'evaluator> {
         new
     }
 
-    /// A change that keeps the bounds, and what it makes of the reference; halved until it does. `None` where none was found.
-    fn propose(&mut self) -> Option<(Bump, Reference)> {
+    /// A perturbation that keeps the bounds, and what it makes of the reference; halved until it does. `None` where none was found.
+    fn propose(&mut self) -> Option<(Perturbation, Reference)> {
         for _ in 0..PROPOSALS {
-            let mut change = self.random_change();
+            let mut perturbation = self.random_perturbation();
             for _ in 0..=HALVINGS {
-                let reference = self.reference.bent(&change);
+                let reference = self.reference.perturbed(&perturbation);
                 if self.bounds.allow(&reference) && self.has_room(&reference) {
-                    return Some((change, reference));
+                    return Some((perturbation, reference));
                 }
-                change = change.scaled(0.5);
+                perturbation = perturbation.scaled(0.5);
             }
         }
         None
@@ -171,23 +171,23 @@ impl<'evaluator> Refinement<'evaluator> {
         self.room.is_none_or(|least| self.evaluator.room(reference).is_some_and(|room| room >= least))
     }
 
-    /// A random change, one away from where a failing test case pushes too hard, one towards what it lacks, or one that
-    /// resembles a change which has helped.
-    fn random_change(&mut self) -> Bump {
+    /// A random perturbation, one away from where a failing test case pushes too hard, one towards what it lacks, or one that
+    /// resembles a perturbation which has helped.
+    fn random_perturbation(&mut self) -> Perturbation {
         if self.evaluator.limits_contact_forces()
             && self.random.f64() < RELIEVING
             && let Some(TestResult { overshoot: Some(overshoot), .. }) = self.some_failing()
         {
-            return Bump::relief(&mut self.random, &overshoot);
+            return Perturbation::relief(&mut self.random, &overshoot);
         }
-        let new = Bump::random(&mut self.random, self.evaluator.success());
+        let new = Perturbation::random(&mut self.random, self.evaluator.success());
         if self.random.f64() < AIMED
             && let Some(TestResult { remaining_shift, unblocked_shift, remaining_rotation, .. }) = self.some_failing()
         {
             // Dry friction holds a body short of the goal: going too far and back again takes it there.
             let is_near = remaining_shift.norm() < NEAR * self.evaluator.success().position;
             let goes_too_far = is_near && self.random.f64() < TOO_FAR;
-            let new = if goes_too_far { Bump::late(&mut self.random, self.evaluator.success()) } else { new };
+            let new = if goes_too_far { Perturbation::late(&mut self.random, self.evaluator.success()) } else { new };
             // A body that contacts hold far from its goal is to slide on them.
             let slides = !is_near && self.random.f64() < SLIDING;
             let remaining_shift = if slides { unblocked_shift } else { remaining_shift };
@@ -209,7 +209,7 @@ impl<'evaluator> Refinement<'evaluator> {
     /// Takes over a reference if it is better than the best so far.
     fn attempt(&mut self, reference: Reference, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         let (failing, mut passing) = self.shuffled();
-        // The order of these does not matter to what is found: a change must not lose any without a gain elsewhere.
+        // The order of these does not matter to what is found: a perturbation must not lose any without a gain elsewhere.
         passing.sort_by_key(|&index| Reverse(self.refusals[index]));
         let violation_of = |indices: &[usize]| indices.iter().map(|&index| self.records[index].result.violation).sum::<f64>();
         let (first, before) = (FIRST.min(failing.len()), (failing.len(), violation_of(&failing)));

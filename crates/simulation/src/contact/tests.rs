@@ -88,8 +88,8 @@ fn shape() -> impl Strategy<Value = Polytope> {
 
 /// Upright, so that faces and edges are parallel, nearly so, or anyhow.
 fn orientation() -> impl Strategy<Value = UnitQuaternion<f64>> {
-    let turn = prop_oneof![Just(0.0), -1e-6..1e-6_f64, -1e-3..1e-3_f64, -2.0..2.0_f64];
-    proptest::array::uniform3(turn).prop_map(|turn| UnitQuaternion::from_scaled_axis(turn.into()))
+    let rotation = prop_oneof![Just(0.0), -1e-6..1e-6_f64, -1e-3..1e-3_f64, -2.0..2.0_f64];
+    proptest::array::uniform3(rotation).prop_map(|rotation| UnitQuaternion::from_scaled_axis(rotation.into()))
 }
 
 /// Gap of the first pose (m) along a direction: touching, apart, or deep overlap.
@@ -183,10 +183,10 @@ proptest! {
 fn a_turn_moves_points_no_further_than_its_bound() {
     for angle in [0.0, 1e-9, 1e-3, 0.5, 2.0, 3.1] {
         for sign in [1.0, -1.0] {
-            let turn = UnitQuaternion::from_scaled_axis(Vector3::z() * angle);
-            let turned = UnitQuaternion::new_unchecked(turn.into_inner() * sign);
-            let moved = (Rotation3::from(turn) * Vector3::x() - Vector3::x()).norm();
-            let bound = largest_turn(&UnitQuaternion::identity(), &turned);
+            let rotation = UnitQuaternion::from_scaled_axis(Vector3::z() * angle);
+            let rotated = UnitQuaternion::new_unchecked(rotation.into_inner() * sign);
+            let moved = (Rotation3::from(rotation) * Vector3::x() - Vector3::x()).norm();
+            let bound = largest_rotation(&UnitQuaternion::identity(), &rotated);
             assert!(bound >= moved - 1e-15 && bound <= angle + 1e-15, "{angle}: {bound} and {moved}");
         }
     }

@@ -1,7 +1,7 @@
 //! Simpler references that do as well.
 //!
-//! Random changes are kept for what they do to the end of a motion, however they bend it: turns and detours in free air cost
-//! them nothing, and oscillations remain where other changes have made them needless. So what no test case needs is taken back at the
+//! Random perturbations are kept for what they do to the end of a motion, however they bend it: turns and detours in free air cost
+//! them nothing, and oscillations remain where other perturbations have made them needless. So what no test case needs is taken back at the
 //! end, from the whole reference first, then from shorter and shorter parts of it.
 
 use std::collections::VecDeque;
@@ -18,7 +18,7 @@ const SHORTEST: f64 = 0.125;
 
 impl Refinement<'_> {
     /// Cuts off what follows after so many intervals, and pulls the reference toward a straight motion, each where every test case
-    /// that passed still passes and no contact force of these exceeds the largest so far. Returns how many changes were
+    /// that passed still passes and no contact force of these exceeds the largest so far. Returns how many perturbations were
     /// kept. Those of which `stop` returns true in between are not.
     pub fn simplify(&mut self, straight: &StraightMotion, intervals: usize, stop: &(dyn Fn() -> bool + Sync)) -> usize {
         let passed = self.results().filter(|result| result.passed);

@@ -1,7 +1,7 @@
 //! Absurd input: nothing panics or hangs.
 
 use simulation::{
-    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Success, TestCase, offsets,
+    Perturbation, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Success, TestCase, offsets,
 };
 use task::{GraspError, Inertia};
 
@@ -59,7 +59,7 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
             evaluator.bounds().clone().near(&[&reference], value, value, value).allow(&reference);
         }
         for grasp in
-            [GraspError { offset: [value; 3], turn: [0.0; 3] }, GraspError { offset: [0.0; 3], turn: [value; 3] }]
+            [GraspError { offset: [value; 3], rotation: [0.0; 3] }, GraspError { offset: [0.0; 3], rotation: [value; 3] }]
         {
             rollout.play(&short(), grasp, |_, _| {});
             evaluator
@@ -82,8 +82,8 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
 #[test]
 fn a_reference_of_one_knot_can_be_simulated_and_refined() {
     let reference = Reference::new(0.04, &[at_rest([0.0; 3])]);
-    let bump = Bump::random(&mut fastrand::Rng::with_seed(1), &Success::default());
-    assert_eq!(reference.bent(&bump), reference);
+    let perturbation = Perturbation::random(&mut fastrand::Rng::with_seed(1), &Success::default());
+    assert_eq!(reference.perturbed(&perturbation), reference);
     assert_eq!(reference.at(usize::MAX, 0.5), reference.at(0, 0.0));
     let evaluator = Evaluator::new(&world(), &[0.0], Success::default());
     let cases =

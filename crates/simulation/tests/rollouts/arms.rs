@@ -60,7 +60,7 @@ impl Record {
         Self {
             model: model(content, urdf),
             task,
-            grasp: GraspError { offset: array(&content["offset"]), turn: array(&content["turn"]) },
+            grasp: GraspError { offset: array(&content["offset"]), rotation: array(&content["turn"]) },
             friction: content["friction"].as_f64().unwrap(),
             reference: Reference::new(content["knot_interval"].as_f64().unwrap(), &states),
             poses: poses.collect(),
@@ -138,8 +138,8 @@ pub fn pose_of(state: &[f64; 13]) -> [f64; 7] {
 }
 
 pub fn isometry([x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
-    let turn = UnitQuaternion::new_normalize(Quaternion::new(*w, *i, *j, *k));
-    Isometry3::from_parts(Vector3::new(*x, *y, *z).into(), turn)
+    let rotation = UnitQuaternion::new_normalize(Quaternion::new(*w, *i, *j, *k));
+    Isometry3::from_parts(Vector3::new(*x, *y, *z).into(), rotation)
 }
 
 /// Of MuJoCo in the records (s).

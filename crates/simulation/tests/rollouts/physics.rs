@@ -18,14 +18,14 @@ fn critically_damped(frequency: f64, time: f64) -> f64 {
 /// (rad).
 fn deviations_in_free_motion(time_step: f64) -> (f64, f64) {
     const JUMP: f64 = 0.02;
-    const TURN: f64 = 1e-3;
+    const ROTATION: f64 = 1e-3;
     let rollout = Rollout::new(&task(&block([0.1; 3], [0.0; 3]), &[]), Settings { time_step, ..Settings::default() });
     let mut target = at_rest([JUMP, 0.0, 0.0]);
-    (target[3], target[5]) = ((0.5 * TURN).cos(), (0.5 * TURN).sin());
+    (target[3], target[5]) = ((0.5 * ROTATION).cos(), (0.5 * ROTATION).sin());
     let mut largest = (0.0_f64, 0.0_f64);
     for state in states(&rollout, &Reference::new(time_step, &[at_rest([0.0; 3]), target])) {
         let position = JUMP * (1.0 - critically_damped((STIFFNESS / MASS).sqrt(), state.time));
-        let angle = TURN * (1.0 - critically_damped((ROTATIONAL_STIFFNESS / INERTIA).sqrt(), state.time));
+        let angle = ROTATION * (1.0 - critically_damped((ROTATIONAL_STIFFNESS / INERTIA).sqrt(), state.time));
         largest.0 = largest.0.max((state.pose[0] - position).abs());
         largest.1 = largest.1.max((2.0 * state.pose[5].asin() - angle).abs());
     }
@@ -94,8 +94,8 @@ fn long_steps_are_no_less_accurate_than_short_ones() {
 
 /// Damping that is different along every axis, and along none of the world's or the body's.
 fn anisotropic(least: f64, most: f64) -> Matrix3<f64> {
-    let turn = UnitQuaternion::from_euler_angles(0.4, -0.9, 1.3).to_rotation_matrix();
-    let damping = turn * Matrix3::from_diagonal(&Vector3::new(least, 0.5 * (least + most), most)) * turn.inverse();
+    let rotation = UnitQuaternion::from_euler_angles(0.4, -0.9, 1.3).to_rotation_matrix();
+    let damping = rotation * Matrix3::from_diagonal(&Vector3::new(least, 0.5 * (least + most), most)) * rotation.inverse();
     0.5 * (damping + damping.transpose())
 }
 
@@ -124,8 +124,8 @@ fn advanced(task: &AssemblyTask, target: &[f64; 13], body: FreeBody, at: FreeBod
 fn deviations_from_the_impedance_law(task: &AssemblyTask, time_step: f64) -> (f64, f64) {
     const FINER: usize = 20;
     let mut target = at_rest([0.02, -0.01, 0.03]);
-    let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.1, 0.2, -0.15));
-    target[3..7].copy_from_slice(&[turn.w, turn.i, turn.j, turn.k]);
+    let rotation = UnitQuaternion::from_scaled_axis(Vector3::new(0.1, 0.2, -0.15));
+    target[3..7].copy_from_slice(&[rotation.w, rotation.i, rotation.j, rotation.k]);
     let rollout = Rollout::new(task, Settings { time_step, ..Settings::default() });
     let step = time_step / FINER as f64;
     let mut body: FreeBody = (Vector3::zeros(), Vector3::zeros(), UnitQuaternion::identity(), Vector3::zeros());
@@ -164,8 +164,8 @@ fn an_offset_displaces_the_body_and_the_controller_never_learns_of_it() {
 /// A turned part in the gripper is a body whose shape is turned the other way.
 #[test]
 fn a_turned_grasp_is_a_turned_shape() {
-    let turn = [0.006, -0.004, 0.03];
-    let rotation = UnitQuaternion::from_scaled_axis(Vector3::from(turn));
+    let rotation = [0.006, -0.004, 0.03];
+    let rotation = UnitQuaternion::from_scaled_axis(Vector3::from(rotation));
     let [w, i, j, k] = {
         let back = rotation.inverse();
         [back.w, back.i, back.j, back.k]
@@ -181,7 +181,7 @@ fn a_turned_grasp_is_a_turned_shape() {
             assert!(outcome.loads.contact_force > 0.1, "it touches: {outcome:?}");
             poses
         };
-        let held = play(&peg, GraspError { offset: [0.0; 3], turn });
+        let held = play(&peg, GraspError { offset: [0.0; 3], rotation });
         let shaped = play(&peg.placed([0.0; 3], [w, i, j, k]), GraspError::default());
         for (held, shaped) in held.iter().zip(&shaped) {
             let orientation =

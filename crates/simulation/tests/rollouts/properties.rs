@@ -70,7 +70,7 @@ proptest! {
     /// gripper and the damping differs from axis to axis.
     #[test]
     fn a_free_body_is_accelerated_by_the_planned_wrench(
-        (offset, turn) in (vector(0.02), vector(0.5)),
+        (offset, rotation) in (vector(0.02), vector(0.5)),
         (start, end) in ((vector::<3>(0.1), orientation()), (vector::<3>(0.1), orientation())),
         (twist, factor) in (vector::<6>(1.0), vector::<9>(1.0)),
     ) {
@@ -84,7 +84,7 @@ proptest! {
             [x, y, z, w, i, j, k, a, b, c, p, q, r]
         };
         let reference = Reference::new(STEPS as f64 * TIME_STEP, &[knot(start), knot(end)]);
-        let grasp = GraspError { offset, turn };
+        let grasp = GraspError { offset, rotation };
         let settings = Settings { time_step: TIME_STEP, settling_time: 0.0, friction: 0.0 };
         let mut states: Vec<TimedState> = Vec::new();
         Rollout::new(&task, settings).play(&reference, grasp, |state, _| states.push(*state));

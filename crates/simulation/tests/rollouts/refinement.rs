@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
 use simulation::{
-    Bump, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, FinalOscillation, Success, TestCase,
+    Perturbation, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, FinalOscillation, Success, TestCase,
     TestResult,
 };
 use task::{GraspError, Horizon, StraightMotion, pose_of};
@@ -92,11 +92,11 @@ fn references_share_the_intervals_before_a_change() {
     assert_eq!(reference.shared_intervals(&through(&[[0.0; 3]; 2], 2.0)), 0);
     let (mut random, success) = (fastrand::Rng::with_seed(7), Success::default());
     for _ in 0..50 {
-        let bump = Bump::random(&mut random, &success);
-        let changed = (0..=last).position(|knot| bump.weight(knot as f64 / last as f64) > 0.0);
-        assert_eq!(reference.shared_intervals(&reference.bent(&bump)), changed.map_or(last, |first| first - 1));
-        let late = Bump::late(&mut random, &success);
-        assert!(2 * reference.shared_intervals(&reference.bent(&late)) >= last, "{late:?}");
+        let perturbation = Perturbation::random(&mut random, &success);
+        let changed = (0..=last).position(|knot| perturbation.weight(knot as f64 / last as f64) > 0.0);
+        assert_eq!(reference.shared_intervals(&reference.perturbed(&perturbation)), changed.map_or(last, |first| first - 1));
+        let late = Perturbation::late(&mut random, &success);
+        assert!(2 * reference.shared_intervals(&reference.perturbed(&late)) >= last, "{late:?}");
     }
 }
 
@@ -124,8 +124,8 @@ fn changes_that_break_a_limit_are_refused() {
         refinement.improve(&|| false);
     });
     assert!(limited.bounds().allow(refinement.reference()));
-    let bent = |seed| beside().bent(&Bump::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
-    assert!((0..20).any(|seed| !limited.bounds().allow(&bent(seed))), "there is something to be refused");
+    let bent = |seed| beside().perturbed(&Perturbation::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
+    assert!((0..20).any(|seed| !limited.bounds().allow(&perturbed(seed))), "there is something to be refused");
 }
 
 #[test]
@@ -148,7 +148,7 @@ fn a_push_beyond_the_limit_is_no_success() {
     assert!(!gentle.passed && (gentle.violation - 1.0).abs() < 0.01, "{gentle:?}");
     let overshoot = gentle.overshoot.expect("the force is too large");
     assert!((overshoot.shift - Vector3::new(0.0, 0.0, 0.5 * DEPTH)).norm() < 0.02 * DEPTH, "{overshoot:?}");
-    assert!(overshoot.turn.norm() < 1e-6 && overshoot.fraction > 0.9, "{overshoot:?}");
+    assert!(overshoot.rotation.norm() < 1e-6 && overshoot.fraction > 0.9, "{overshoot:?}");
 }
 
 #[test]
@@ -183,8 +183,8 @@ fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
     let straight = Reference::straight(&pose(0.06), &pose(0.0), horizon);
     let mut random = fastrand::Rng::with_seed(5);
     for _ in 0..50 {
-        let bump = Bump::random(&mut random, &Success::default());
-        let bent = straight.bent(&bump);
+        let perturbation = Perturbation::random(&mut random, &Success::default());
+        let bent = straight.perturbed(&perturbation);
         assert_eq!(bent.start(), straight.start());
         for pair in bent.states().windows(2) {
             let (from, to) = (&pair[0], &pair[1]);

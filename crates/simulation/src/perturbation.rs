@@ -1,4 +1,4 @@
-//! Smooth random changes of a reference motion.
+//! Smooth random perturbations of a reference motion.
 
 use fastrand::Rng;
 use nalgebra::Vector3;
@@ -8,45 +8,45 @@ use crate::success::Success;
 
 /// Shifts and turns a reference around one time, or from one time on. The start of the reference does not change.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bump {
-    /// Time of the change, as a fraction of the duration.
+pub struct Perturbation {
+    /// Time of the perturbation, as a fraction of the duration.
     center: f64,
-    /// Width of the change in time, as a fraction of the duration.
+    /// Width of the perturbation in time, as a fraction of the duration.
     width: f64,
-    /// Whether the change lasts until the end.
+    /// Whether the perturbation lasts until the end.
     lasting: bool,
     /// Largest shift (m, world frame).
     pub shift: Vector3<f64>,
     /// Largest rotation vector (rad, body frame).
-    pub turn: Vector3<f64>,
+    pub rotation: Vector3<f64>,
 }
 
 /// Smallest and largest width, as fractions of the duration.
 const WIDTHS: [f64; 2] = [0.04, 0.34];
-/// Part of the duration in which late changes lie.
+/// Part of the duration in which late perturbations lie.
 const LATE: f64 = 0.25;
-/// Fraction of changes that last.
+/// Fraction of perturbations that last.
 const LASTING: f64 = 0.2;
 /// Standard deviation of the logarithm of the size.
 const SPREAD: f64 = 0.8;
 /// Typical turn as a multiple of the orientation tolerance. It is small because turns act through levers.
-const TURN: f64 = 0.3;
+const ROTATION: f64 = 0.3;
 /// How much earlier than the largest force its relief may be, as a fraction of the duration.
 const EARLIER: f64 = 0.05;
-/// Width of the interval of time, as a fraction of the duration, in which varied changes lie.
+/// Width of the interval of time, as a fraction of the duration, in which varied perturbations lie.
 const LATER: f64 = 0.1;
-/// Fraction of another change that is added to a varied one.
+/// Fraction of another perturbation that is added to a varied one.
 const MIXED: f64 = 0.3;
-/// How far aimed changes go astray, as a multiple of the way ahead: up to 30 degrees.
+/// How far aimed perturbations go astray, as a multiple of the way ahead: up to 30 degrees.
 const ASTRAY: f64 = 0.5;
-/// Multiples of the width at which a passing change begins and ends before and after its center, and a lasting one is
+/// Multiples of the width at which a passing perturbation begins and ends before and after its center, and a lasting one is
 /// none or whole.
 const PASSING_ENDS: f64 = 2.5;
 const LASTING_ENDS: f64 = 1.0;
-/// Fraction of the duration over which a change fades in, so that the start does not change.
+/// Fraction of the duration over which a perturbation fades in, so that the start does not change.
 const FADE: f64 = 0.05;
 
-impl Bump {
+impl Perturbation {
     /// A random shift, turn or both, of about the size of the tolerances of success.
     pub fn random(random: &mut Rng, success: &Success) -> Self {
         let [least, most] = WIDTHS;
@@ -59,8 +59,8 @@ impl Bump {
             if wanted { direction * size } else { Vector3::zeros() }
         };
         let shift = vector(success.position, kind != 1);
-        let turn = vector(TURN * success.orientation, kind != 0);
-        Self { center, width, lasting, shift, turn }
+        let rotation = vector(ROTATION * success.orientation, kind != 0);
+        Self { center, width, lasting, shift, rotation }
     }
 
     /// A random shift or turn that comes and goes shortly before the end.
@@ -70,21 +70,21 @@ impl Bump {
         Self { center, width, lasting: false, ..Self::random(random, success) }
     }
 
-    /// A change like this one: at about the same time and in about the same direction, of another size; `other` is added
+    /// A perturbation like this one: at about the same time and in about the same direction, of another size; `other` is added
     /// in part.
     pub fn varied(&self, other: &Self, random: &mut Rng) -> Self {
         let size = (SPREAD * normal(random)).exp();
         Self {
             center: self.center + LATER * (random.f64() - 0.5),
             shift: self.shift * size + other.shift * MIXED,
-            turn: self.turn * size + other.turn * MIXED,
+            rotation: self.rotation * size + other.rotation * MIXED,
             ..*self
         }
     }
 
-    /// A change like this one in time, towards a shift (m, world frame) and a turn (rad, body frame) that a body lacks; its
+    /// A perturbation like this one in time, towards a shift (m, world frame) and a turn (rad, body frame) that a body lacks; its
     /// size is between that of this one and twice of what is lacked.
-    pub fn aimed(&self, shift: &Vector3<f64>, turn: &Vector3<f64>, random: &mut Rng) -> Self {
+    pub fn aimed(&self, shift: &Vector3<f64>, rotation: &Vector3<f64>, random: &mut Rng) -> Self {
         let exponent = random.f64();
         let aim = |change: &Vector3<f64>, lacked: &Vector3<f64>| {
             let (size, most) = (change.norm(), 2.0 * lacked.norm());
@@ -94,10 +94,10 @@ impl Bump {
             let direction = (lacked.normalize() + change * (ASTRAY / size)).normalize();
             direction * size * (most / size).max(1.0).powf(exponent)
         };
-        Self { shift: aim(&self.shift, shift), turn: aim(&self.turn, turn), ..*self }
+        Self { shift: aim(&self.shift, shift), rotation: aim(&self.rotation, rotation), ..*self }
     }
 
-    /// A change that takes back about as much as a reference leads too far, at that time or a little earlier.
+    /// A perturbation that takes back about as much as a reference leads too far, at that time or a little earlier.
     pub fn relief(random: &mut Rng, overshoot: &Overshoot) -> Self {
         let [least, most] = WIDTHS;
         let center = overshoot.fraction.min(1.0) - EARLIER * random.f64();
@@ -105,16 +105,16 @@ impl Bump {
         let size = (SPREAD * normal(random)).exp();
         let kind = random.usize(..3);
         let part = |vector: Vector3<f64>, wanted: bool| if wanted { vector * size } else { Vector3::zeros() };
-        let (shift, turn) = (part(overshoot.shift, kind != 1), part(overshoot.turn, kind != 0));
-        Self { center, width, lasting: false, shift, turn }
+        let (shift, rotation) = (part(overshoot.shift, kind != 1), part(overshoot.rotation, kind != 0));
+        Self { center, width, lasting: false, shift, rotation }
     }
 
-    /// The same change, smaller or larger.
+    /// The same perturbation, smaller or larger.
     pub fn scaled(&self, factor: f64) -> Self {
-        Self { shift: self.shift * factor, turn: self.turn * factor, ..*self }
+        Self { shift: self.shift * factor, rotation: self.rotation * factor, ..*self }
     }
 
-    /// Fraction of the change that applies at a fraction of the duration.
+    /// Fraction of the perturbation that applies at a fraction of the duration.
     pub fn weight(&self, fraction: f64) -> f64 {
         let distance = (fraction - self.center) / self.width;
         let shape = if self.lasting {
@@ -141,12 +141,12 @@ mod tests {
     fn reliefs_lead_back_from_where_the_force_is_largest() {
         let mut random = Rng::with_seed(1);
         let overshoot =
-            Overshoot { fraction: 0.6, shift: Vector3::new(0.0, 0.0, 0.004), turn: Vector3::new(0.03, 0.0, 0.0) };
+            Overshoot { fraction: 0.6, shift: Vector3::new(0.0, 0.0, 0.004), rotation: Vector3::new(0.03, 0.0, 0.0) };
         for _ in 0..100 {
-            let relief = Bump::relief(&mut random, &overshoot);
-            let parts = [relief.shift.norm() / overshoot.shift.norm(), relief.turn.norm() / overshoot.turn.norm()];
+            let relief = Perturbation::relief(&mut random, &overshoot);
+            let parts = [relief.shift.norm() / overshoot.shift.norm(), relief.rotation.norm() / overshoot.rotation.norm()];
             assert!(parts.iter().any(|part| *part > 0.05) && parts.iter().all(|part| *part < 20.0), "{parts:?}");
-            for (change, wanted) in [(relief.shift, overshoot.shift), (relief.turn, overshoot.turn)] {
+            for (change, wanted) in [(relief.shift, overshoot.shift), (relief.rotation, overshoot.rotation)] {
                 assert!((change.dot(&wanted) - change.norm() * wanted.norm()).abs() < 1e-12, "the same direction");
             }
             assert!(relief.weight(0.575) > 0.7 && relief.weight(1.7) < 0.1, "around that time, and not for ever");
@@ -156,15 +156,15 @@ mod tests {
     #[test]
     fn aimed_changes_lead_where_a_body_lacks_something() {
         let mut random = Rng::with_seed(1);
-        let (shift, turn) = (Vector3::new(0.0, 0.0, -0.03), Vector3::new(0.2, 0.0, 0.0));
+        let (shift, rotation) = (Vector3::new(0.0, 0.0, -0.03), Vector3::new(0.2, 0.0, 0.0));
         let mut is_larger = 0;
         for _ in 0..100 {
-            let any = Bump::random(&mut random, &Success::default());
-            let aimed = any.aimed(&shift, &turn, &mut random);
+            let any = Perturbation::random(&mut random, &Success::default());
+            let aimed = any.aimed(&shift, &rotation, &mut random);
             assert_eq!(aimed.weight(0.7), any.weight(0.7));
-            for (any, aimed, lacked) in [(any.shift, aimed.shift, shift), (any.turn, aimed.turn, turn)] {
+            for (any, aimed, lacked) in [(any.shift, aimed.shift, shift), (any.rotation, aimed.rotation, rotation)] {
                 if any.norm() == 0.0 {
-                    assert_eq!(aimed, any, "a change without shift or turn remains one");
+                    assert_eq!(aimed, any, "a change without shift or rotation remains one");
                     continue;
                 }
                 assert!(aimed.angle(&lacked) < 0.53, "30 degrees at most");
@@ -174,7 +174,7 @@ mod tests {
             }
         }
         assert!(is_larger > 30, "{is_larger}");
-        let any = Bump::random(&mut random, &Success::default());
+        let any = Perturbation::random(&mut random, &Success::default());
         assert_eq!(any.aimed(&Vector3::zeros(), &Vector3::zeros(), &mut random), any, "nothing is lacked");
     }
 }
