@@ -39,7 +39,7 @@ fn a_plan_that_is_done_explains_nothing() {
 #[test]
 fn what_a_plan_loses_that_is_not_robust_is_printed_and_written() {
     let dir = Dir::new();
-    let run = dir.run("solve corner.toml --robust --patience 0 --friction 0.2 --position-tolerance 1e-4 --out out");
+    let run = dir.run("solve corner.toml --robust --stall-limit 0 --friction 0.2 --position-tolerance 1e-4 --out out");
     run.code(1).says("most is lost at friction 0.2, where 0.0 % succeed").says("with the offset");
     let loss = &dir.result("out")["robust"]["loss"];
     assert_eq!((number(loss, "rate"), number(loss, "worst.successes")), (0.0, 0.0));

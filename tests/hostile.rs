@@ -146,7 +146,7 @@ fn numbers_of_flags_have_ranges() {
         ("simulate plan --random 18446744073709551615", "must be a whole number between 1 and 1000000"),
         ("simulate plan --random 0", "must be a whole number between 1"),
         ("simulate plan --random 1 --seed 18446744073709551616", "must be a whole number between 0 and"),
-        ("solve scene.toml --robust --patience 18446744073709551616", "must be a whole number between 0 and"),
+        ("solve scene.toml --robust --stall-limit 18446744073709551616", "must be a whole number between 0 and"),
         ("batch submit plan --slurm --count 0", "must be a whole number between 1 and"),
         ("generate random --out p.toml --prisms 1e9", "must be a whole number between 0 and"),
     ] {

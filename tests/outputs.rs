@@ -37,7 +37,7 @@ fn an_older_plan_survives_a_solve_that_is_refused() {
         ("solve corner.toml --iterations 3 --out out", "--iterations"),
         ("solve corner.toml --start 9 --out out", "there is no start `9`"),
         ("solve corner.toml --delta -1 --out out", "offset magnitude"),
-        ("solve corner.toml --robust --wanted-rate 2 --out out", "--wanted-rate"),
+        ("solve corner.toml --robust --target-rate 2 --out out", "--target-rate"),
         ("solve corner.toml --robust --friction 0,0 --out out", "friction = 0: is given twice"),
         ("solve gone.toml --out out", "gone.toml"),
     ] {

@@ -140,7 +140,7 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
 /// A refinement that never ends by itself: nothing ends a hundredth of a millimetre from the goal.
 /// The time limit is one that no machine reaches.
 const HOPELESS: &str =
-    "solve corner.toml --robust --time-limit 100000 --friction 0 --position-tolerance 1e-5 --patience 3 --out out";
+    "solve corner.toml --robust --time-limit 100000 --friction 0 --position-tolerance 1e-5 --stall-limit 3 --out out";
 
 #[test]
 fn a_refinement_goes_on_where_it_stopped() {
@@ -156,7 +156,7 @@ fn a_refinement_goes_on_where_it_stopped() {
             assert!(run.has("interrupted while refining, at a success rate of "), "{run:?}");
             assert!(run.has("the same command with --resume resumes it"), "{run:?}");
         }
-        let again = format!("{HOPELESS} --resume --max-changes 0");
+        let again = format!("{HOPELESS} --resume --max-perturbations 0");
         dir.run(&again)
             .code(1)
             .says("resuming after homotopy iteration 5 of at most 5 of an earlier run")
@@ -174,8 +174,10 @@ fn a_refinement_for_another_target_is_not_used() {
     running.signal("KILL");
     running.finish();
     dir.copy(UNFINISHED, "kept");
-    let end = "--resume --max-changes 0";
-    for (from, to) in [("--friction 0", "--friction 0.2"), ("1e-5", "1e-4"), ("--robust", "--robust --turn 0.01")] {
+    let end = "--resume --max-perturbations 0";
+    for (from, to) in
+        [("--friction 0", "--friction 0.2"), ("1e-5", "1e-4"), ("--robust", "--robust --rotation-error 0.01")]
+    {
         dir.run(&format!("{} {end}", HOPELESS.replace(from, to)))
             .says("resuming after homotopy iteration 5 of at most 5 of an earlier run")
             .says("not used: it was refined for other frictions, turns or tolerances")
@@ -195,7 +197,7 @@ fn a_refinement_for_another_target_is_not_used() {
 #[test]
 fn a_refined_variant_goes_on_with_its_own_tables() {
     let dir = Dir::new();
-    let line = "solve corner.toml --delta 0.03 --robust --time-limit 100000 --friction 0.5 --wanted-rate 1 --patience 1 --position-tolerance 8e-4 --out out";
+    let line = "solve corner.toml --delta 0.03 --robust --time-limit 100000 --friction 0.5 --target-rate 1 --stall-limit 1 --position-tolerance 8e-4 --out out";
     let mut running = dir.program(line).spawn();
     // The file is written after the tables of a variant.
     let file = format!("{UNFINISHED}/refinement.json");
@@ -205,7 +207,7 @@ fn a_refined_variant_goes_on_with_its_own_tables() {
     running.finish();
     dir.copy(UNFINISHED, "kept");
     let best = dir.json(&file)["record"]["best"].clone();
-    let again = format!("{line} --resume --max-changes 0");
+    let again = format!("{line} --resume --max-perturbations 0");
     dir.run(&again).code(1).says("resuming the refinement of an earlier run");
     let result = dir.result("out");
     assert_eq!(result["time_step_s"], best["time_step_s"]);

@@ -38,7 +38,7 @@ fn evaluations_and_simulations_of_a_disc_agree() {
     let dir = Dir::new();
     dir.add_variant("disc.toml", &[DISC]);
     let tolerance = "--position-tolerance 0.0009";
-    let solve = format!("solve disc.toml --friction 0 --robust --patience 0 --wanted-rate 0 {tolerance} --out out");
+    let solve = format!("solve disc.toml --friction 0 --robust --stall-limit 0 --target-rate 0 {tolerance} --out out");
     dir.run(&solve).says("offsets covered: up to 20.0 mm in any direction across the insertion").says("rim, 20.0 mm,");
     let result = dir.result("out");
     assert_eq!((&result["coverage"]["kind"], &result["coverage"]["radius_m"]), (&"disc".into(), &0.02.into()));
@@ -76,7 +76,7 @@ fn without_time_for_a_plan_there_is_none_and_work_is_kept() {
 #[test]
 fn a_plan_that_is_not_robust_is_written_and_the_exit_code_says_so() {
     let dir = Dir::new();
-    dir.run(&format!("{SOLVE} --patience 0 --wanted-rate 1")).code(1);
+    dir.run(&format!("{SOLVE} --stall-limit 0 --target-rate 1")).code(1);
     let result = dir.result("out");
     assert_eq!(result["status"], "the wanted success rate is not reached");
     assert_eq!((&result["robust"]["reached"], &result["done"]), (&false.into(), &false.into()));
@@ -86,7 +86,7 @@ fn a_plan_that_is_not_robust_is_written_and_the_exit_code_says_so() {
 #[test]
 fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
     let dir = Dir::new();
-    dir.run(&format!("{SOLVE} --patience 0 --wanted-rate 0.01"))
+    dir.run(&format!("{SOLVE} --stall-limit 0 --target-rate 0.01"))
         .code(1)
         .says("not every planned offset reaches the goal");
     let result = dir.result("out");
@@ -126,7 +126,7 @@ fn where_refinement_is_given_up_other_problems_are_solved() {
     let dir = Dir::new();
     // Nothing ends a hundredth of a millimetre from the goal, so that a straight push and all problems are tried, and then
     // the best once more.
-    dir.run(&format!("{SOLVE} --position-tolerance 1e-5 --patience 3")).code(1).says("success in rollouts");
+    dir.run(&format!("{SOLVE} --position-tolerance 1e-5 --stall-limit 3")).code(1).says("success in rollouts");
     let result = dir.result("out");
     let rounds = list(&result["robust"], "rounds");
     let names: Vec<&str> = rounds.iter().map(|round| round["planned"].as_str().unwrap()).collect();
@@ -150,7 +150,7 @@ fn ctrl_c_among_the_variants_keeps_an_older_plan() {
     let dir = Dir::new();
     dir.run("solve corner.toml --out out").code(0);
     let older = dir.snapshot("out");
-    let mut running = dir.program(&format!("{SOLVE} --position-tolerance 1e-5 --patience 3")).spawn();
+    let mut running = dir.program(&format!("{SOLVE} --position-tolerance 1e-5 --stall-limit 3")).spawn();
     // Whoever stops reading must not stop the program.
     running.read_until("planning variant");
     running.signal("INT");

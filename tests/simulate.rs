@@ -61,12 +61,12 @@ fn offsets_come_from_a_grid_a_ball_or_a_list() {
 fn the_part_may_be_turned_in_the_gripper() {
     let dir = plans();
     // Without offset, only turned: every rollout is another one.
-    dir.run("simulate corner.toml plans/0.02 --random 5 --magnitude 0 --turn 0.02").code(0);
+    dir.run("simulate corner.toml plans/0.02 --random 5 --magnitude 0 --rotation-error 0.02").code(0);
     let rows = dir.table("plans/0.02/rollouts.csv").rows;
     assert_eq!(rows.len(), 2 * 5);
     for row in &rows {
-        let turn = norm(&row[14..]);
-        assert!(turn > 0.0 && turn <= 0.02, "{row:?}");
+        let rotation = norm(&row[14..]);
+        assert!(rotation > 0.0 && rotation <= 0.02, "{row:?}");
     }
     let errors: Vec<&str> = rows.iter().filter(|row| row[3] == "plan").map(|row| row[11].as_str()).collect();
     assert!(errors.windows(2).all(|pair| pair[0] != pair[1]), "{errors:?}");

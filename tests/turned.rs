@@ -5,17 +5,17 @@ use crate::support::{Dir, list, number};
 /// The corner scene with a turn about another axis in each of its scenarios.
 fn folder() -> Dir {
     let dir = Dir::new();
-    dir.add_variant("turned.toml", &[("[robustness]", TURNED)]);
+    dir.add_variant("turned.toml", &[("[robustness]", ROTATED)]);
     dir
 }
 
-const TURNED: &str = "[robustness]\nturn = 0.04\nturn_axes = [[0, 1, 0], [0, 0, -1]]";
+const ROTATED: &str = "[robustness]\nrotation_error = 0.04\nrotation_axes = [[0, 1, 0], [0, 0, -1]]";
 
 /// Turns (rad) of the scenarios of a plan.
 fn turns(dir: &Dir, folder: &str) -> Vec<Vec<f64>> {
     let scenarios = dir.result(folder);
-    let turn = |scenario| list(scenario, "turn_rad").iter().map(|component| component.as_f64().unwrap()).collect();
-    list(&scenarios, "scenarios").iter().map(turn).collect()
+    let rotation = |scenario| list(scenario, "turn_rad").iter().map(|component| component.as_f64().unwrap()).collect();
+    list(&scenarios, "scenarios").iter().map(rotation).collect()
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn turns_that_no_scenario_has_do_not_make_it_another_problem() {
 #[test]
 fn the_flag_turns_scenarios_and_evaluations_alike() {
     let dir = folder();
-    dir.run("solve turned.toml --robust --friction 0 --turn 0.02 --patience 0 --out out");
+    dir.run("solve turned.toml --robust --friction 0 --rotation-error 0.02 --stall-limit 0 --out out");
     assert_eq!(turns(&dir, "out"), [[0.0, 0.02, 0.0], [0.0, 0.0, -0.02]]);
     let rounds = dir.result("out")["robust"]["rounds"].clone();
     assert_eq!(rounds[0]["scenarios"][0]["turn_rad"][1], 0.02);

@@ -44,7 +44,7 @@ fn every_key_of_a_result_is_documented_and_no_other() {
     fs::write(&contradicting, contradiction(&fs::read_to_string(&scene).unwrap())).unwrap();
     let mut real = BTreeSet::new();
     // A plan that was tested, one that was evaluated and loses some rollouts, and one that does not converge have all keys.
-    let lossy = ["--robust", "--patience", "0", "--friction", "1", "--position-tolerance", "0.0005"];
+    let lossy = ["--robust", "--stall-limit", "0", "--friction", "1", "--position-tolerance", "0.0005"];
     for (scene, flags) in [(&scene, &[][..]), (&scene, &lossy[..]), (&contradicting, &[])] {
         run(folder.path(), &[&["solve", scene.to_str().unwrap(), "--out", "out"], flags].concat());
         let result = fs::read_to_string(folder.path().join("out/result.json")).unwrap();

@@ -126,7 +126,7 @@ fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(Stored
     let choices = Choices {
         start: Some(plan.result.start.clone()),
         delta: Some(plan.result.delta_m),
-        turn: Some(plan.result.turn_rad),
+        rotation_error: Some(plan.result.turn_rad),
         position_tolerance: arguments.tolerance.position_tolerance,
         angle_tolerance: arguments.tolerance.angle_tolerance,
         ..Choices::default()

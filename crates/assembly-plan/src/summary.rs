@@ -96,7 +96,7 @@ fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
         report.before.rollouts(),
         100.0 * report.rate_after,
         report.after.rollouts(),
-        100.0 * report.wanted_rate,
+        100.0 * report.target_rate,
         report.wall_s,
         changes(report, planned)
     )];

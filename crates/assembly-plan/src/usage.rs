@@ -7,7 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, Error, FromArgMatches};
 
 use crate::arguments::{Arguments, command_line};
-use crate::console::{lose, lost};
+use crate::console::{lose, lost, tell};
 use crate::exit::Exit;
 
 /// Names that people try, and flags that they may mean, the likeliest first.
@@ -20,7 +20,7 @@ const MEANT: &[(&str, &[&str])] = &[
     ("magnitudes", &["magnitude"]),
     ("frictions", &["friction"]),
     ("mu", &["friction"]),
-    ("rotation", &["turn"]),
+    ("rotation", &["rotation-error"]),
     ("threads", &["jobs"]),
     ("output", &["out"]),
     ("target", &["to"]),
@@ -29,18 +29,31 @@ const MEANT: &[(&str, &[&str])] = &[
     ("timeout", &["time-limit"]),
     ("solver", &["linear-solver"]),
     ("overwrite", &["force"]),
-    ("success-rate", &["wanted-rate"]),
+    ("success-rate", &["target-rate"]),
 ];
 
 /// The arguments, of which the first is the program's name. Ends the process after help, a version or a mistake, with the
 /// exit code 2 after a mistake, and 3 where nobody gets what was asked for.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Arguments {
     let mut command = command_line();
-    let words: Vec<OsString> = arguments.into_iter().collect();
+    let words = present(arguments.into_iter().collect());
     command
         .try_get_matches_from_mut(&words)
         .and_then(|matches| Arguments::from_arg_matches(&matches))
         .unwrap_or_else(|error| exit_with(&advised(error, subcommand(&command, &words))))
+}
+
+/// Arguments with the present names of flags. Warns of the former ones.
+fn present(words: Vec<OsString>) -> Vec<OsString> {
+    let end = words.iter().position(|word| word == "--").unwrap_or(words.len());
+    let present = |(index, word): (usize, OsString)| {
+        let Some(text) = word.to_str().filter(|_| index < end) else { return word };
+        let (flag, value) = text.find('=').map_or((text, ""), |place| text.split_at(place));
+        let Some(renamed) = input::FLAGS.iter().find(|renamed| renamed.old == flag) else { return word };
+        tell!("warning: {}", renamed.warning());
+        format!("{}{value}", renamed.new).into()
+    };
+    words.into_iter().enumerate().map(present).collect()
 }
 
 fn exit_with(error: &Error) -> ! {

@@ -8,6 +8,6 @@ pub const COMPONENTS: usize = 6;
 /// The position (m) and the rotation vector (rad) of one pose seen from another.
 pub fn deviation(pose: &Isometry3<f64>, from: &Isometry3<f64>) -> [f64; COMPONENTS] {
     let shift = pose.translation.vector - from.translation.vector;
-    let turn = (from.rotation.inverse() * pose.rotation).scaled_axis();
-    [shift.x, shift.y, shift.z, turn.x, turn.y, turn.z]
+    let rotation = (from.rotation.inverse() * pose.rotation).scaled_axis();
+    [shift.x, shift.y, shift.z, rotation.x, rotation.y, rotation.z]
 }

@@ -97,7 +97,7 @@ impl<'work> Comparison<'work> {
                 }
                 Parameter::Friction => played.friction = value,
                 Parameter::Offset { run, axis } if run == index => played.grasp.offset[axis] = value,
-                Parameter::Turn { run, axis } if run == index => played.grasp.turn[axis] = value,
+                Parameter::Turn { run, axis } if run == index => played.grasp.rotation[axis] = value,
                 Parameter::Offset { .. } | Parameter::Turn { .. } => {}
             }
         }

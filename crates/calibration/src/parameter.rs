@@ -121,11 +121,11 @@ impl Quantity {
             let parameter = Parameter::Offset { run, axis };
             Self::new(parameter, grasp.offset[axis], 2e-3, -0.1..=0.1, 1e-3)
         };
-        let turn = |axis: usize| {
+        let rotation = |axis: usize| {
             let parameter = Parameter::Turn { run, axis };
-            Self::new(parameter, grasp.turn[axis], 0.02, -1.0..=1.0, 0.01)
+            Self::new(parameter, grasp.rotation[axis], 0.02, -1.0..=1.0, 0.01)
         };
-        (0..3).map(offset).chain((0..3).map(turn)).collect::<Vec<_>>().into_iter()
+        (0..3).map(offset).chain((0..3).map(rotation)).collect::<Vec<_>>().into_iter()
     }
 }
 

@@ -38,8 +38,8 @@ impl FreeAir {
     pub fn new(problem: &Problem, states: &[[f64; STATE]], time_step: f64, grasp: &Isometry3<f64>) -> Self {
         let world = problem.world();
         let radius_m = farthest_point(&world, &grasp.inverse());
-        let turn = problem.scene().borne.turn * farthest_point(&world, &Isometry3::identity());
-        let margin_m = problem.delta() + turn + MARGIN;
+        let rotation = problem.scene().borne.rotation_error * farthest_point(&world, &Isometry3::identity());
+        let margin_m = problem.delta() + rotation + MARGIN;
         let poses: Vec<[f64; POSE]> = states.iter().map(pose_of).collect();
         let Some(out) = way_out(&poses, grasp) else {
             let clearance = world.clearance(&poses[0]) - margin_m;

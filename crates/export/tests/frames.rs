@@ -8,8 +8,8 @@ use task::Impedance;
 
 /// Poses within a metre, of any orientation.
 fn pose() -> impl Strategy<Value = Isometry3<f64>> {
-    (vector(1.0), vector(3.0)).prop_map(|(position, turn)| {
-        Isometry3::from_parts(Translation3::from(position), UnitQuaternion::from_scaled_axis(turn))
+    (vector(1.0), vector(3.0)).prop_map(|(position, rotation)| {
+        Isometry3::from_parts(Translation3::from(position), UnitQuaternion::from_scaled_axis(rotation))
     })
 }
 
@@ -31,8 +31,8 @@ fn knot() -> impl Strategy<Value = Knot> {
 
 /// Where a part is after a short time.
 fn moved(knot: &Knot, time: f64) -> Isometry3<f64> {
-    let turn = UnitQuaternion::from_scaled_axis(knot.angular_velocity * time);
-    Isometry3::from_parts((knot.pose.translation.vector + knot.velocity * time).into(), knot.pose.rotation * turn)
+    let rotation = UnitQuaternion::from_scaled_axis(knot.angular_velocity * time);
+    Isometry3::from_parts((knot.pose.translation.vector + knot.velocity * time).into(), knot.pose.rotation * rotation)
 }
 
 fn stacked(linear: Vector3<f64>, angular: Vector3<f64>) -> Vector6<f64> {
@@ -140,8 +140,9 @@ proptest! {
 /// A tool whose origin is that of the part has the plan's own stiffness.
 #[test]
 fn a_turned_grasp_leaves_the_stiffness() {
-    let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.3, 2.0, -1.0));
-    let frames = Frames { base: Isometry3::identity(), grasp: Isometry3::from_parts(Translation3::identity(), turn) };
+    let rotation = UnitQuaternion::from_scaled_axis(Vector3::new(0.3, 2.0, -1.0));
+    let frames =
+        Frames { base: Isometry3::identity(), grasp: Isometry3::from_parts(Translation3::identity(), rotation) };
     let impedance = Impedance {
         translational_stiffness: 400.0,
         rotational_stiffness: 20.0,

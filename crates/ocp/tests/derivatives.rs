@@ -65,7 +65,7 @@ fn turned_scenarios() {
     for (scene, steps, pairs) in [("corner", 3, 2), ("clamp1", 2, 3)] {
         let mut task = task(scene, steps, pairs);
         for (index, grasp) in task.grasps.iter_mut().enumerate() {
-            *grasp = GraspError { turn: std::array::from_fn(|axis| 0.5 * noise(3 * index + axis)), ..*grasp };
+            *grasp = GraspError { rotation: std::array::from_fn(|axis| 0.5 * noise(3 * index + axis)), ..*grasp };
         }
         task.impedance.rotational_damping = Matrix3::new(1.2, 0.3, -0.2, 0.3, 0.9, 0.1, -0.2, 0.1, 1.5);
         check(&task);

@@ -43,9 +43,7 @@ impl Event<'_> {
                 ("variant", json!({ "planned": name, "number": number, "count": count }))
             }
             Self::VariantSolved { status } => ("variant_solved", json!({ "status": status })),
-            Self::VariantTried { failing, cases } => {
-                ("variant_tried", json!({ "failing": failing, "cases": cases }))
-            }
+            Self::VariantTried { failing, cases } => ("variant_tried", json!({ "failing": failing, "cases": cases })),
             Self::Rollouts { done, count } => ("rollouts", json!({ "done": done, "count": count })),
         }
     }

@@ -9,7 +9,7 @@ use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
 use crate::digest::hash;
 use crate::engagement::{Engagement, engagement};
 use crate::error::PlannerError;
-use crate::ranges::require_turn;
+use crate::ranges::require_rotation_error;
 use crate::tolerance::ChosenTolerance;
 
 /// The version whose plans these are, bit for bit: it is raised with every change that moves a bit of a plan, so that
@@ -24,7 +24,7 @@ pub struct Choices {
     /// Offset magnitude `delta-hat` (m).
     pub delta: Option<f64>,
     /// Largest turn of the part in the gripper (rad).
-    pub turn: Option<f64>,
+    pub rotation_error: Option<f64>,
     /// Homotopy file; the scene's own homotopy, else the built-in one where none is given.
     pub homotopy: Option<PathBuf>,
     /// Linear solver instead of the homotopy's.
@@ -66,9 +66,9 @@ impl Problem {
     /// # Errors
     /// The first thing that is wrong with a choice.
     pub fn choose(mut scene: Scene, file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
-        if let Some(turn) = choices.turn {
-            require_turn(turn)?;
-            scene.borne.turn = turn;
+        if let Some(rotation_error) = choices.rotation_error {
+            require_rotation_error(rotation_error)?;
+            scene.borne.rotation_error = rotation_error;
         }
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
         scene.position_tolerance = choices.position_tolerance.or(scene.position_tolerance);
@@ -114,8 +114,8 @@ impl Problem {
         let edge_radius = *scene.borne.edge_radius.get_or_insert_with(|| edge_radius(&task));
         // What counts as success and what refinement must bear do not change how the problem is solved, but for turns of
         // scenarios.
-        let turn = if scene.has_turned_scenarios() { scene.borne.turn } else { 0.0 };
-        let borne = Borne { turn, ..Borne::default() };
+        let rotation_error = if scene.has_rotated_scenarios() { scene.borne.rotation_error } else { 0.0 };
+        let borne = Borne { rotation_error, ..Borne::default() };
         let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, borne, ..scene.clone() };
         let solved = resolved(&solved, &start, delta, &homotopy);
         let identity = hash(format!("{VERSION}\n{solved}").as_bytes());

@@ -25,8 +25,8 @@ pub fn require_frictions(frictions: &[f64]) -> Result<(), PlannerError> {
 }
 
 /// Checks a turn of the part in the gripper.
-pub fn require_turn(turn: f64) -> Result<(), PlannerError> {
-    require((0.0..=1.57).contains(&turn), "turn", turn, "must lie between 0 and 1.57 rad")
+pub fn require_rotation_error(rotation_error: f64) -> Result<(), PlannerError> {
+    require((0.0..=1.57).contains(&rotation_error), "rotation_error", rotation_error, "must lie between 0 and 1.57 rad")
 }
 
 /// Checks a number of threads.

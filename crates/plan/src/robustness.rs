@@ -13,7 +13,8 @@ use crate::variant::Variant;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RobustnessReport {
     /// Wanted success rate at each friction.
-    pub wanted_rate: f64,
+    #[serde(alias = "wanted_rate")]
+    pub target_rate: f64,
     /// Whether it is reached at each friction, and every planned offset succeeds.
     pub reached: bool,
     /// Success rate of the plan without refinement, all rollouts together.
@@ -52,7 +53,8 @@ pub struct RobustnessReport {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TestReport {
     /// Success rate that a robust plan would have to reach at each friction.
-    pub wanted_rate: f64,
+    #[serde(alias = "wanted_rate")]
+    pub target_rate: f64,
     /// Whether every planned offset succeeds and that rate is reached at each friction. Too few rollouts to call it robust.
     pub reached: bool,
     /// Success rates of the plan.

@@ -9,7 +9,7 @@ use workers::Workers;
 
 use crate::error::PlannerError;
 use crate::problem::Problem;
-use crate::ranges::{require, require_frictions, require_threads, require_turn};
+use crate::ranges::{require, require_frictions, require_rotation_error, require_threads};
 use crate::session::{Event, Session};
 
 /// What is played.
@@ -80,7 +80,7 @@ pub struct GraspErrors {
     /// Magnitudes (m) to which the planned offsets are scaled; the problem's own where there are none.
     pub magnitudes: Vec<f64>,
     /// The part is also turned in the gripper at random, by up to this angle (rad) about any axis.
-    pub turn: f64,
+    pub rotation_error: f64,
     /// Seed of random offsets and turns.
     pub seed: u64,
 }
@@ -106,7 +106,7 @@ impl GraspErrors {
 
 impl Default for GraspErrors {
     fn default() -> Self {
-        Self { offsets: OffsetSource::Planned, magnitudes: Vec::new(), turn: 0.0, seed: 1 }
+        Self { offsets: OffsetSource::Planned, magnitudes: Vec::new(), rotation_error: 0.0, seed: 1 }
     }
 }
 
@@ -165,7 +165,7 @@ impl SimulationRequest {
     /// With the first that is out of its range.
     pub fn validate(&self) -> Result<(), PlannerError> {
         require_frictions(&self.frictions)?;
-        require_turn(self.errors.turn)?;
+        require_rotation_error(self.errors.rotation_error)?;
         self.frictions.iter().try_for_each(|&friction| self.settings(friction).validate())?;
         for (index, magnitude) in self.errors.magnitudes.iter().enumerate() {
             let in_range = (0.0..=LARGEST_MAGNITUDE).contains(magnitude);
@@ -271,7 +271,7 @@ fn injections(problem: &Problem, errors: &GraspErrors) -> Result<Vec<Injection>,
         let grasps = problem.scene().grasps(magnitude)?;
         let planned: Vec<[f64; 3]> = grasps.iter().map(|grasp| grasp.offset).collect();
         let offsets = match &errors.offsets {
-            OffsetSource::Planned if errors.turn == 0.0 => {
+            OffsetSource::Planned if errors.rotation_error == 0.0 => {
                 return Ok(Injection { magnitude, errors: GraspError::distinct(grasps) });
             }
             OffsetSource::Random(count, region) => {
@@ -296,8 +296,8 @@ fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, Planner
 
 /// Every offset with a turn of its own.
 fn with_turns(offsets: &[[f64; 3]], errors: &GraspErrors) -> Vec<GraspError> {
-    let turns = offsets::turns(errors.turn, offsets.len(), errors.seed);
-    GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, turn)| GraspError { offset, turn }))
+    let turns = offsets::rotations(errors.rotation_error, offsets.len(), errors.seed);
+    GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, rotation)| GraspError { offset, rotation }))
 }
 
 /// Successes that press with more than the task's limit of contact forces, which no robust plan may.

@@ -6,17 +6,17 @@ use scene::Borne;
 
 use crate::error::PlannerError;
 use crate::parameters::RobustParameters;
-use crate::ranges::{require, require_frictions, require_turn};
+use crate::ranges::{require, require_frictions, require_rotation_error};
 
 /// What a robust plan must bear, and how much time may be spent on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobustnessTarget {
     /// Success rate to reach at each friction, 0 to 1.
-    pub wanted_rate: f64,
+    pub target_rate: f64,
     /// Coulomb coefficients, each once.
     pub frictions: Vec<f64>,
     /// Largest turn of the part in the gripper besides its offset, about any axis (rad).
-    pub turn: f64,
+    pub rotation_error: f64,
     /// Largest relative error of the inertia.
     pub inertia_error: f64,
     /// Largest relative error of the stiffness.
@@ -26,11 +26,11 @@ pub struct RobustnessTarget {
     /// When to stop refining, the time of the first solve included.
     pub time_limit: Duration,
     /// Changes in a row without improvement after which a plan is evaluated anew.
-    pub patience: usize,
+    pub stall_limit: usize,
     /// What steers the search.
     pub parameters: RobustParameters,
     /// Changes to try in the whole refinement, if they are limited: unlike a time, a count means the same on every machine.
-    pub max_changes: Option<usize>,
+    pub max_perturbations: Option<usize>,
 }
 
 impl Default for RobustnessTarget {
@@ -42,18 +42,18 @@ impl Default for RobustnessTarget {
 impl RobustnessTarget {
     /// For what a scene says must be borne.
     pub fn of(borne: &Borne) -> Self {
-        let Borne { frictions, turn, inertia_error, stiffness_error, delay, edge_radius: _ } = borne.clone();
+        let Borne { frictions, rotation_error, inertia_error, stiffness_error, delay, edge_radius: _ } = borne.clone();
         Self {
-            wanted_rate: 0.99,
+            target_rate: 0.99,
             frictions,
-            turn,
+            rotation_error,
             inertia_error,
             stiffness_error,
             delay,
             time_limit: Duration::from_secs(300),
-            patience: 150,
+            stall_limit: 150,
             parameters: RobustParameters::default(),
-            max_changes: None,
+            max_perturbations: None,
         }
     }
 }
@@ -65,13 +65,13 @@ impl RobustnessTarget {
     /// With the first that is out of its range.
     pub fn validate(&self) -> Result<(), PlannerError> {
         require(
-            0.0 <= self.wanted_rate && self.wanted_rate <= 1.0,
+            0.0 <= self.target_rate && self.target_rate <= 1.0,
             "wanted rate",
-            self.wanted_rate,
+            self.target_rate,
             "must lie between 0 and 1",
         )?;
         require_frictions(&self.frictions)?;
-        require_turn(self.turn)?;
+        require_rotation_error(self.rotation_error)?;
         self.parameters.validate()
     }
 

@@ -65,7 +65,7 @@ fn played(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -
         offsets: OffsetSource::Random(OFFSETS, Region::Hull),
         magnitudes: FRACTIONS.map(|fraction| fraction * delta).to_vec(),
         seed: SEED,
-        turn: 0.0,
+        rotation_error: 0.0,
     };
     let motions = [(Motion::Plan, reference.clone())];
     let mut rollouts = Vec::new();

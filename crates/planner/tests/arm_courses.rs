@@ -46,7 +46,7 @@ fn power(
     let [before, after] = [-step, step].map(|step| robot.arm.pose(&(configuration + speeds * step)));
     // The force acts where the body is believed to be, the torque in the frame of the body.
     let velocity = (after.translation.vector - before.translation.vector) / (2.0 * step);
-    let [from, to] = [before, after].map(|pose: Isometry3<f64>| pose.rotation * grasp.rotation().inverse());
+    let [from, to] = [before, after].map(|pose: Isometry3<f64>| pose.rotation * grasp.quaternion().inverse());
     let turning = (from.inverse() * to).scaled_axis() / (2.0 * step);
     let twist = Vector6::new(velocity.x, velocity.y, velocity.z, turning.x, turning.y, turning.z);
     twist.dot(&Vector6::from(*wrench))
@@ -56,7 +56,7 @@ fn power(
 fn an_arm_is_where_it_believes_the_body_to_be_and_its_torques_do_the_work_of_the_wrench() {
     let problem = problem();
     let robot = problem.scene().robot.as_ref().unwrap();
-    let grasp = GraspError { offset: [0.01, -0.02, 0.005], turn: [0.2, -0.1, 0.3] };
+    let grasp = GraspError { offset: [0.01, -0.02, 0.005], rotation: [0.2, -0.1, 0.3] };
     let states = states(&problem, &grasp);
     let wrench = [3.0, -2.0, 5.0, 0.4, -0.3, 0.2];
     let course = ArmCourse::new(robot, TIME_STEP, &grasp, &states, &[wrench; KNOTS - 1]).unwrap();

@@ -26,7 +26,8 @@ fn the_best_draft_is_refined_where_the_plan_of_an_arm_fails() {
     let plan = solve(&problem, &session).unwrap();
     // Ended by the count of changes: in so much time, all drafts are made on any machine.
     let time_limit = Duration::from_secs(10_000);
-    let target = RobustnessTarget { patience: 1, max_changes: Some(20), time_limit, ..RobustnessTarget::default() };
+    let target =
+        RobustnessTarget { stall_limit: 1, max_perturbations: Some(20), time_limit, ..RobustnessTarget::default() };
     let plan = refine(plan, &target, &session).unwrap();
     let report = plan.robustness.unwrap();
     let planned: Vec<&str> = report.rounds.iter().map(|round| round.planned.as_str()).collect();

@@ -98,7 +98,7 @@ fn evaluated_in(plan: Plan, seconds: u64) -> Plan {
     let now = || begin + Duration::from_secs(passed.fetch_add(1, Ordering::Relaxed));
     let session = Session { clock: RunClock::with(&now), threads: 1, ..Session::new(&|_: &Event| {}, &stopped) };
     let time_limit = Duration::from_secs(seconds);
-    let target = RobustnessTarget { frictions: vec![0.0], patience: 0, time_limit, ..RobustnessTarget::default() };
+    let target = RobustnessTarget { frictions: vec![0.0], stall_limit: 0, time_limit, ..RobustnessTarget::default() };
     refine(plan, &target, &session).unwrap()
 }
 

@@ -188,7 +188,7 @@ fn a_plan_that_is_not_robust_names_the_friction_and_an_error_that_fails_in_simul
     let choices = Choices { position_tolerance: Some(1.05e-3), ..Choices::default() };
     let sideways = ("offset_directions = [[0, 0, 0], [0, 0, 1]]", "offset_directions = [[0, 0, 0], [1, 0, 0]]");
     let problem = problem_with(&[sideways], "", &choices);
-    let target = RobustnessTarget { frictions: vec![0.0, 0.5], patience: 0, ..RobustnessTarget::default() };
+    let target = RobustnessTarget { frictions: vec![0.0, 0.5], stall_limit: 0, ..RobustnessTarget::default() };
     let stopped = AtomicBool::new(false);
     let session = Session::new(&|_: &Event| {}, &stopped);
     let plan = refine(plan_of(&problem), &target, &session).unwrap();

@@ -48,7 +48,7 @@ fn refined(position: f64, target: &RobustnessTarget) -> Plan {
 
 /// Nothing is changed.
 fn impatient() -> RobustnessTarget {
-    RobustnessTarget { frictions: vec![0.0], patience: 0, ..RobustnessTarget::default() }
+    RobustnessTarget { frictions: vec![0.0], stall_limit: 0, ..RobustnessTarget::default() }
 }
 
 fn result(plan: &Plan) -> PlanResult {
@@ -119,11 +119,11 @@ fn a_variant_of_two_homotopy_iterations_counts_as_converged() {
 
 #[test]
 fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
-    let target = RobustnessTarget { wanted_rate: 0.0, ..impatient() };
+    let target = RobustnessTarget { target_rate: 0.0, ..impatient() };
     // Some of the planned offsets, or all of them, end farther away than this.
     let plan = refined(1e-4, &target);
     let report = plan.robustness.as_ref().unwrap();
-    assert!(report.rate_after >= target.wanted_rate && !report.planned_offsets_succeed());
+    assert!(report.rate_after >= target.target_rate && !report.planned_offsets_succeed());
     assert_eq!(plan.status(), PlanStatus::NotRobust);
     assert!(!result(&plan).done && !result(&plan).goal_reached);
 }
@@ -153,7 +153,7 @@ fn lost_evaluations_end_early_and_whole_ones_decide() {
 
 #[test]
 fn a_refinement_is_given_up_after_three_evaluations_in_vain() {
-    let plan = refined(1e-5, &RobustnessTarget { patience: 1, ..impatient() });
+    let plan = refined(1e-5, &RobustnessTarget { stall_limit: 1, ..impatient() });
     let own = &plan.robustness.as_ref().unwrap().rounds[0];
     assert_eq!((own.planned.as_str(), own.rate), ("the scene as it is", Some(0.0)));
     assert_eq!(own.added_cases, 4 * 24, "what failed in the first evaluation and in three that were not better");
@@ -166,7 +166,7 @@ fn a_count_of_changes_ends_a_refinement() {
     let count = |event: &Event| {
         tried.fetch_add(usize::from(matches!(event, Event::Change { .. })), Ordering::Relaxed);
     };
-    let target = RobustnessTarget { frictions: vec![0.0], max_changes: Some(7), ..RobustnessTarget::default() };
+    let target = RobustnessTarget { frictions: vec![0.0], max_perturbations: Some(7), ..RobustnessTarget::default() };
     let plan = refine(plan, &target, &Session::new(&count, &AtomicBool::new(false))).unwrap();
     assert_eq!(plan.status(), PlanStatus::NotRobust);
     assert_eq!(tried.into_inner(), 7, "no round begins after that");
@@ -189,7 +189,7 @@ fn any_reference_can_be_refined_without_a_plan() {
 #[test]
 fn status_and_success_never_contradict_each_other() {
     let plans = [1e-5, 5e-4, 2e-3, 1e-2, 0.1].into_iter().flat_map(|position| {
-        let rates = [0.0, 0.5, 1.0].map(|wanted_rate| RobustnessTarget { wanted_rate, ..impatient() });
+        let rates = [0.0, 0.5, 1.0].map(|target_rate| RobustnessTarget { target_rate, ..impatient() });
         let robust = rates.map(|target| refined(position, &target));
         let success = Success { position, ..Success::default() };
         let plain = Plan { problem: corner(success), ..FINE.clone() };

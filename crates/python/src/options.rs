@@ -20,7 +20,7 @@ const DICTIONARY: &str = "homotopy";
 pub struct ChoiceOptions {
     start: Option<String>,
     delta: Option<f64>,
-    turn: Option<f64>,
+    rotation_error: Option<f64>,
     pub homotopy: Option<PathBuf>,
     /// As a TOML file would have it, in JSON.
     homotopy_json: Option<String>,
@@ -44,7 +44,7 @@ impl ChoiceOptions {
             linear_solver: self.linear_solver.as_deref().map(linear_solver).transpose()?,
             start: self.start,
             delta: self.delta,
-            turn: self.turn,
+            rotation_error: self.rotation_error,
             homotopy: self.homotopy,
             position_tolerance: self.position_tolerance,
             angle_tolerance: self.angle_tolerance,
@@ -86,9 +86,9 @@ impl SolveOptions {
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct RobustOptions {
-    wanted_rate: f64,
+    target_rate: f64,
     time_limit: f64,
-    patience: u32,
+    stall_limit: u32,
     friction: Option<Vec<f64>>,
 }
 
@@ -106,10 +106,10 @@ impl RobustOptions {
         }
         let own = RobustnessTarget::of(&scene.borne);
         let target = RobustnessTarget {
-            wanted_rate: self.wanted_rate,
+            target_rate: self.target_rate,
             frictions: self.friction.unwrap_or(own.frictions),
             time_limit: Duration::from_secs_f64(self.time_limit),
-            patience: self.patience as usize,
+            stall_limit: self.stall_limit as usize,
             ..own
         };
         target.validate()?;
@@ -128,7 +128,7 @@ pub struct PlayOptions {
     seed: u64,
     grid: Option<usize>,
     offsets: Option<Vec<[f64; 3]>>,
-    turn: f64,
+    rotation_error: f64,
     magnitude: Vec<f64>,
     friction: Vec<f64>,
     settling_time: f64,
@@ -170,7 +170,12 @@ impl PlayOptions {
         if self.offsets.is_some() && !self.magnitude.is_empty() {
             return Err(wrong("magnitude", "does not scale offsets that are given; leave one of the two out"));
         }
-        let errors = GraspErrors { offsets, magnitudes: self.magnitude.clone(), turn: self.turn, seed: self.seed };
+        let errors = GraspErrors {
+            offsets,
+            magnitudes: self.magnitude.clone(),
+            rotation_error: self.rotation_error,
+            seed: self.seed,
+        };
         let request = SimulationRequest {
             errors,
             frictions: self.friction.clone(),

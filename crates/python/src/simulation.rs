@@ -80,7 +80,7 @@ fn problem(scene: &Scene, file: &Path, plan: &PlayedPlan, options: &PlayOptions)
     let choices = Choices {
         start: Some(plan.result.start.clone()),
         delta: Some(plan.result.delta_m),
-        turn: Some(plan.result.turn_rad),
+        rotation_error: Some(plan.result.turn_rad),
         position_tolerance: options.position_tolerance,
         angle_tolerance: options.angle_tolerance,
         ..Choices::default()

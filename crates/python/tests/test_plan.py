@@ -108,9 +108,9 @@ def test_a_folder_is_written_only_whole(scene: Scene, plan: Plan, tmp_path: Path
 
 
 def test_a_robust_plan_succeeds_with_hard_contacts(scene: Scene) -> None:
-    plan = scene.solve_robust(friction=[0.0, 0.2], wanted_rate=0.95, time_limit=3600)
+    plan = scene.solve_robust(friction=[0.0, 0.2], target_rate=0.95, time_limit=3600)
     robust = plan.result["robust"]
-    assert plan.done and robust["wanted_rate"] == 0.95
+    assert plan.done and robust["target_rate"] == 0.95
     assert {group["friction"] for group in robust["after"]} == {0.0, 0.2}
     assert scene.simulate(plan, friction=[0.2]).rate() == 1.0
 

@@ -11,11 +11,11 @@ from conftest import CORNER, PEG, command
 
 def test_rollouts_are_those_of_the_command(scene: Scene, plan: Plan, tmp_path: Path) -> None:
     plan.save(tmp_path / "plan")
-    options = ["--random", 7, "--seed", 3, "--magnitude", "0.005,0.01", "--friction", "0,0.3", "--turn", 0.02]
+    options = ["--random", 7, "--seed", 3, "--magnitude", "0.005,0.01", "--friction", "0,0.3", "--rotation-error", 0.02]
     run = command("simulate", CORNER, tmp_path / "plan", *options, "--out", tmp_path / "command")
     assert run.returncode == 0
     played = scene.simulate(
-        Plan.load(tmp_path / "plan"), random=7, seed=3, magnitude=[0.005, 0.01], friction=[0.0, 0.3], turn=0.02
+        Plan.load(tmp_path / "plan"), random=7, seed=3, magnitude=[0.005, 0.01], friction=[0.0, 0.3], rotation_error=0.02
     )
     played.save(tmp_path / "python")
     for table in ("rollouts.csv", "success.csv"):

@@ -37,7 +37,7 @@ impl Refiner<'_> {
         else {
             return Ok(());
         };
-        let judgement = evaluation.judgement(&winner.results, self.target.wanted_rate);
+        let judgement = evaluation.judgement(&winner.results, self.target.target_rate);
         let winner = compared.swap_remove(winner.index);
         self.session.tell(Event::Refined { rate: judgement.rates.overall() });
         let kept = if judgement.reached { self.decided(winner, judgement) } else { winner.judged(judgement) };

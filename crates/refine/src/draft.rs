@@ -101,9 +101,9 @@ fn turn_offsets(grasps: &mut [GraspError], angle: f64) {
     let around: Vector3<f64> = (0..grasps.len()).map(|index| offset(index).cross(&offset(index + 1))).sum();
     let longest = (0..grasps.len()).map(|index| offset(index).norm_squared()).fold(0.0, f64::max);
     let Some(axis) = Unit::try_new(around, PARALLEL * longest) else { return };
-    let turn = Rotation3::from_axis_angle(&axis, angle);
+    let rotation = Rotation3::from_axis_angle(&axis, angle);
     for grasp in grasps {
-        grasp.offset = (turn * Vector3::from(grasp.offset)).into();
+        grasp.offset = (rotation * Vector3::from(grasp.offset)).into();
     }
 }
 

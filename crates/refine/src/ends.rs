@@ -1,7 +1,7 @@
 //! How references end: as they were planned, or with a final oscillation.
 
 use plan::{Problem, RobustnessTarget, Round};
-use simulation::{Reference, Refinement, FinalOscillation};
+use simulation::{FinalOscillation, Reference, Refinement};
 
 use crate::candidate::{Candidate, Kept};
 use crate::origin::Solved;

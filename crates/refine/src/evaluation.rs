@@ -20,7 +20,7 @@ const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 pub struct ErrorRange {
     coverage: Coverage,
     delta: f64,
-    turn: f64,
+    rotation_error: f64,
     inertia: f64,
     stiffness: f64,
     delay: f64,
@@ -35,7 +35,7 @@ impl ErrorRange {
         Self {
             coverage: problem.scene().coverage,
             delta: problem.delta(),
-            turn: target.turn,
+            rotation_error: target.rotation_error,
             inertia: target.inertia_error,
             stiffness: target.stiffness_error,
             delay: target.delay,
@@ -48,9 +48,10 @@ impl ErrorRange {
     /// Turns as far as the part may be turned, about random axes (rotation vectors, rad). Smaller ones fail less often:
     /// few test cases say most at the limit.
     fn turns(&self, count: usize, seed: u64) -> Vec<[f64; 3]> {
-        let largest =
-            |turn: [f64; 3]| Vector3::from(turn).try_normalize(0.0).map_or(turn, |axis| (axis * self.turn).into());
-        offsets::turns(self.turn, count, seed).into_iter().map(largest).collect()
+        let largest = |rotation: [f64; 3]| {
+            Vector3::from(rotation).try_normalize(0.0).map_or(rotation, |axis| (axis * self.rotation_error).into())
+        };
+        offsets::rotations(self.rotation_error, count, seed).into_iter().map(largest).collect()
     }
 
     /// Random offsets of the planned `offsets`' coverage, of `count` for each of the fractions, in groups that are counted
@@ -143,7 +144,12 @@ impl Evaluation {
                 let case = |(place, grasp)| {
                     let disturbance =
                         if group.planned { Disturbance::default() } else { range.disturbance(&mut random) };
-                    (!group.planned, place, groups.len(), TestCase { friction: FrictionIndex(index), grasp, disturbance })
+                    (
+                        !group.planned,
+                        place,
+                        groups.len(),
+                        TestCase { friction: FrictionIndex(index), grasp, disturbance },
+                    )
                 };
                 placed.extend(errors.into_iter().enumerate().map(case));
                 groups.push(group);
@@ -153,9 +159,9 @@ impl Evaluation {
             for (seed, OffsetGroup { region, magnitude, offsets }) in (seed..).zip(random_groups) {
                 let spread = offsets::ball(range.evaluation.spread * delta, offsets.len(), seed);
                 let turns = range.turns(offsets.len(), seed);
-                let error = |((offset, spread), turn): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
+                let error = |((offset, spread), rotation): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
                     offset: std::array::from_fn(|axis| offset[axis] + spread[axis]),
-                    turn,
+                    rotation,
                 };
                 let errors = offsets.into_iter().zip(&spread).zip(turns).map(error);
                 add(group(region, magnitude, false), &mut { errors });
@@ -176,11 +182,11 @@ impl Evaluation {
     /// The test cases to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
     /// each about another [axis](training_axis). What bears these mostly bears smaller turns.
     pub fn into_training(self, range: &ErrorRange) -> Vec<TestCase> {
-        let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.turn));
+        let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.rotation_error));
         let Self { groups, mut cases, group, .. } = self;
         for (case, group) in cases.iter_mut().zip(group) {
             if !groups[group].planned {
-                case.grasp.turn = turns.next().unwrap_or_default();
+                case.grasp.rotation = turns.next().unwrap_or_default();
             }
         }
         cases
@@ -258,7 +264,7 @@ mod tests {
         ErrorRange {
             coverage: Coverage::Hull,
             delta: 0.0,
-            turn: 0.0,
+            rotation_error: 0.0,
             inertia: 0.0,
             stiffness: 0.0,
             delay: 0.0,
@@ -348,16 +354,16 @@ mod tests {
 
     #[test]
     fn training_turns_the_part_as_far_as_may_be_about_axes_in_all_directions() {
-        let range = ErrorRange { turn: 0.02, ..no_errors() };
+        let range = ErrorRange { rotation_error: 0.02, ..no_errors() };
         let cases = evaluation(15).into_training(&range);
-        let turns: Vec<Vector3<f64>> = cases.iter().map(|case| case.grasp.turn.into()).collect();
+        let turns: Vec<Vector3<f64>> = cases.iter().map(|case| case.grasp.rotation.into()).collect();
         let (planned, random) = turns.split_at(2);
         assert_eq!(planned, [Vector3::zeros(); 2], "planned errors are as they are planned");
-        assert!(random.iter().all(|turn| (turn.norm() - 0.02).abs() < 1e-12));
+        assert!(random.iter().all(|rotation| (rotation.norm() - 0.02).abs() < 1e-12));
         // Any direction is near one of all of them, and not far from one of five in a row.
         for direction in range.turns(500, 1).into_iter().map(Vector3::from) {
             let nearest = |turns: &[Vector3<f64>]| {
-                turns.iter().map(|turn| turn.angle(&direction).to_degrees()).fold(f64::INFINITY, f64::min)
+                turns.iter().map(|rotation| rotation.angle(&direction).to_degrees()).fold(f64::INFINITY, f64::min)
             };
             assert!(nearest(random) < 60.0, "{direction:?}");
             assert!(random.chunks(5).all(|few| nearest(few) < 90.0), "{direction:?}");
@@ -366,8 +372,8 @@ mod tests {
 
     #[test]
     fn evaluations_turn_the_part_as_far_as_may_be() {
-        let range = ErrorRange { turn: 0.02, ..no_errors() };
-        assert!(range.turns(50, 3).iter().all(|turn| (Vector3::from(*turn).norm() - 0.02).abs() < 1e-12));
+        let range = ErrorRange { rotation_error: 0.02, ..no_errors() };
+        assert!(range.turns(50, 3).iter().all(|rotation| (Vector3::from(*rotation).norm() - 0.02).abs() < 1e-12));
         assert_eq!(no_errors().turns(1, 3), [[0.0; 3]]);
     }
 

@@ -40,7 +40,7 @@ use plan::ranges::require_threads;
 use plan::{
     Event, Plan, PlannerError, Problem, RobustnessReport, RobustnessTarget, Round, Session, Stop, SuccessRates, Variant,
 };
-use simulation::{Evaluator, Reference, FinalOscillation, TestCase, TestResult};
+use simulation::{Evaluator, FinalOscillation, Reference, TestCase, TestResult};
 use task::Trajectory;
 
 use crate::candidate::{Candidate, Kept};
@@ -292,7 +292,7 @@ impl<'run> Refiner<'run> {
 
     /// Whether changes are wanted, and not all of them have been tried.
     fn may_change(&self) -> bool {
-        self.target.patience > 0 && self.target.max_changes.is_none_or(|most| self.tried < most)
+        self.target.stall_limit > 0 && self.target.max_perturbations.is_none_or(|most| self.tried < most)
     }
 
     fn take_best(&mut self) -> Result<Kept, PlannerError> {
@@ -301,7 +301,7 @@ impl<'run> Refiner<'run> {
 
     fn report(&self, best: &Kept) -> RobustnessReport {
         RobustnessReport {
-            wanted_rate: self.target.wanted_rate,
+            target_rate: self.target.target_rate,
             reached: best.reached,
             rate_before: self.before.overall(),
             rate_after: best.rates.overall(),
@@ -346,9 +346,9 @@ pub(crate) mod tests {
         }
     }
 
-    /// Hands over a refiner of the corner scene without friction, before its first plan. It has no patience.
+    /// Hands over a refiner of the corner scene without friction, before its first plan. It has no stall_limit.
     pub(super) fn in_corner<T>(time_limit: Duration, work: impl FnOnce(&mut Refiner) -> T) -> T {
-        in_corner_for(RobustnessTarget { time_limit, patience: 1, ..RobustnessTarget::default() }, work)
+        in_corner_for(RobustnessTarget { time_limit, stall_limit: 1, ..RobustnessTarget::default() }, work)
     }
 
     /// Hands over a refiner of the corner scene without friction, before its first plan.

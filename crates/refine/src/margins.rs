@@ -19,8 +19,8 @@ impl Refiner<'_> {
         if self.problem.arm().is_none() || !self.may_change() {
             return Ok(());
         }
-        let worlds = [self.evaluator, self.trainer]
-            .map(|world| world.clone().with_margins(self.target.parameters.margins.friction));
+        let worlds =
+            [self.evaluator, self.trainer].map(|world| world.clone().hardened(self.target.parameters.margins.friction));
         self.refine_in(&worlds, robust, self.schedule.margins())
     }
 
@@ -82,9 +82,9 @@ mod tests {
 
     /// A push of the corner scene, which is robust there, after so many changes in a world where it has to end within a
     /// distance (m) of the goal: what is kept, and its rounds.
-    fn kept_after(max_changes: usize, position: f64) -> (Kept, Vec<Round>) {
-        let (max_changes, time_limit) = (Some(max_changes), Duration::from_secs(100_000));
-        in_corner_for(RobustnessTarget { max_changes, time_limit, ..RobustnessTarget::default() }, |refiner| {
+    fn kept_after(max_perturbations: usize, position: f64) -> (Kept, Vec<Round>) {
+        let (max_perturbations, time_limit) = (Some(max_perturbations), Duration::from_secs(100_000));
+        in_corner_for(RobustnessTarget { max_perturbations, time_limit, ..RobustnessTarget::default() }, |refiner| {
             let task = refiner.problem.task();
             let push = Reference::straight(&task.start, &task.goal, task.horizon);
             refiner.judge_first(refiner.of_scene(), push).unwrap();

@@ -146,10 +146,10 @@ fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError], count: usi
         let length = grasps.iter().chain(failing).map(|grasp| norm(&part(grasp))).fold(0.0, f64::max);
         if length > 0.0 { length } else { 1.0 }
     };
-    let (offset, turn) = (largest(|grasp| grasp.offset), largest(|grasp| grasp.turn));
+    let (offset, rotation) = (largest(|grasp| grasp.offset), largest(|grasp| grasp.rotation));
     let apart = |one: [f64; 3], other: [f64; 3]| norm(&[0, 1, 2].map(|axis| one[axis] - other[axis]));
     let distance = |one: &GraspError, other: &GraspError| {
-        (apart(one.offset, other.offset) / offset).hypot(apart(one.turn, other.turn) / turn)
+        (apart(one.offset, other.offset) / offset).hypot(apart(one.rotation, other.rotation) / rotation)
     };
     for _ in 0..count {
         let nearest =
@@ -167,7 +167,7 @@ mod tests {
     fn failures_that_are_turned_are_far_from_scenarios_that_are_not() {
         let planned = GraspError::from([0.01, 0.0, 0.0]);
         let near = GraspError::from([0.008, 0.0, 0.0]);
-        let turned = GraspError { turn: [0.0, 0.02, 0.0], ..planned };
+        let turned = GraspError { rotation: [0.0, 0.02, 0.0], ..planned };
         let mut grasps = vec![planned];
         add_failures(&mut grasps, &[near, turned], 3);
         assert_eq!(grasps[..3], [planned, turned, near]);

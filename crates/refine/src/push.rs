@@ -30,7 +30,7 @@ impl Refiner<'_> {
         let Drawn { random, seed } = plan.evaluation;
         let evaluation = Evaluation::new(self.problem.task(), &self.range, &self.target.frictions, random, seed);
         let stop = || self.schedule.is_over(self.schedule.limit());
-        judge_push(self.problem, self.evaluator, &evaluation, self.target.wanted_rate, &stop)
+        judge_push(self.problem, self.evaluator, &evaluation, self.target.target_rate, &stop)
     }
 }
 

@@ -59,9 +59,11 @@ mod tests {
         let evaluator = Evaluator::new(&problem.world(), &[0.0], Success::default());
         let resting = Reference::new(0.1, &[at_rest(&task.start); 3]);
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
-        let cases =
-            [TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
-                30];
+        let cases = [TestCase {
+            friction: FrictionIndex(0),
+            grasp: GraspError::default(),
+            disturbance: Disturbance::default(),
+        }; 30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
         let winner = race(&evaluator, &references, (&cases, 6), &|| false).unwrap();
         assert_eq!((winner.index, winner.results.len()), (1, cases.len()));

@@ -20,7 +20,7 @@ impl Refiner<'_> {
         RefinementCheckpoint {
             identity: self.problem.identity().to_owned(),
             frictions: self.target.frictions.clone(),
-            turn_rad: self.target.turn,
+            turn_rad: self.target.rotation_error,
             inertia_error: self.target.inertia_error,
             stiffness_error: self.target.stiffness_error,
             delay_s: self.target.delay,
@@ -62,7 +62,7 @@ impl Refiner<'_> {
             Ok(None) => return Ok(None),
             Ok(Some(checkpoint)) => {
                 let same = checkpoint.frictions == self.target.frictions
-                    && checkpoint.turn_rad == self.target.turn
+                    && checkpoint.turn_rad == self.target.rotation_error
                     && checkpoint.inertia_error == self.target.inertia_error
                     && checkpoint.stiffness_error == self.target.stiffness_error
                     && checkpoint.delay_s == self.target.delay

@@ -17,7 +17,7 @@ impl Refiner<'_> {
     pub(super) fn simplify(&mut self) -> Result<(), PlannerError> {
         let Some(robust) = self.best.clone().filter(|best| best.reached) else { return Ok(()) };
         let is_as_planned = robust.changes == 0 && !has_oscillation(&robust);
-        if is_as_planned || self.problem.arm().is_some() || self.target.patience == 0 {
+        if is_as_planned || self.problem.arm().is_some() || self.target.stall_limit == 0 {
             return Ok(());
         }
         let cases = self.new_evaluation(self.target.parameters.simplification.random).cases().to_vec();

@@ -92,7 +92,7 @@ impl<'run> Refiner<'run> {
     pub(super) fn train(&mut self, refinement: &mut Refinement, changes: &mut usize, until: Deadline) {
         let (mut vain, mut last) = (0, refinement.score());
         while refinement.score().0 > 0
-            && vain < self.target.patience
+            && vain < self.target.stall_limit
             && self.may_change()
             && !self.schedule.is_over(until)
         {
@@ -112,7 +112,7 @@ impl<'run> Refiner<'run> {
     pub(super) fn judge(&mut self, reference: &Reference, until: Deadline) -> Judgement {
         let evaluation = self.new_evaluation(self.target.parameters.evaluation.random);
         let stop = || self.schedule.is_over(until);
-        evaluation.judge(self.evaluator, reference, self.target.wanted_rate, &stop)
+        evaluation.judge(self.evaluator, reference, self.target.target_rate, &stop)
     }
 
     /// Where the random numbers of the latest evaluation begin.

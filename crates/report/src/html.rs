@@ -69,7 +69,7 @@ mod tests {
             errors: None,
             effort: None,
             rate: None,
-            turn: None,
+            rotation_error: None,
             versions: None,
         };
         PageData::Batch(BatchData { title: title.to_owned(), cells: vec![cell], simulation: None })

@@ -131,7 +131,7 @@ pub struct ScenarioData {
     /// Where it sits in the gripper: offset (m, body frame).
     pub offset: [f64; 3],
     /// Its turn in the gripper (rad, rotation vector).
-    pub turn: [f64; 3],
+    pub rotation: [f64; 3],
     /// How robot and controller differ from what they are taken for, in words.
     pub disturbances: Vec<String>,
     /// Final distance (m) from the goal and angle (rad) to it.
@@ -223,7 +223,7 @@ pub struct CellData {
     /// Success rate of a robust plan.
     pub rate: Option<f64>,
     /// Largest turn of the part in the gripper that was asked for (rad).
-    pub turn: Option<f64>,
+    pub rotation_error: Option<f64>,
     /// Versions of the programs that planned it.
     pub versions: Option<Versions>,
 }

@@ -5,8 +5,8 @@
 
 use nalgebra::{Cholesky, Matrix6, Vector3, Vector6};
 
-use crate::joint::{JointMatrix, JointVector, MOST_JOINTS};
 use crate::configured::ConfiguredArm;
+use crate::joint::{JointMatrix, JointVector, MOST_JOINTS};
 use crate::spatial::{Force, Motion, SpatialInertia};
 
 /// Part of a direction's mobility that no other direction shares, below which the arm counts as singular.

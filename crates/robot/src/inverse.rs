@@ -3,8 +3,8 @@
 use nalgebra::{Cholesky, Isometry3, Matrix6, Vector6};
 
 use crate::arm::{Arm, ArmError};
-use crate::joint::{Jacobian, JointVector};
 use crate::configured::{CHARACTERISTIC_LENGTH, ConfiguredArm};
+use crate::joint::{Jacobian, JointVector};
 
 /// Why there are no joint positions for a pose.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -18,6 +18,7 @@
 
 mod arm;
 mod chain;
+mod configured;
 mod dynamics;
 mod error;
 mod follow;
@@ -25,15 +26,14 @@ pub mod gains;
 mod inertia;
 mod inverse;
 mod joint;
-mod configured;
 mod spatial;
 mod urdf;
 
 pub use arm::{Arm, ArmError};
 pub use chain::MovedLink;
+pub use configured::{CHARACTERISTIC_LENGTH, ConfiguredArm};
 pub use error::RobotError;
 pub use follow::{FollowError, FollowReason, JointExtreme, JointPath};
 pub use inertia::{InertiaError, RigidInertia};
 pub use inverse::InverseError;
 pub use joint::{Jacobian, Joint, JointKind, JointMatrix, JointVector, MOST_JOINTS};
-pub use configured::{CHARACTERISTIC_LENGTH, ConfiguredArm};

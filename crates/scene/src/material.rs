@@ -33,11 +33,11 @@ impl Material {
             let (properties, placement) = (mesh.solid.mass_properties(), part.placement());
             let own = density * properties.volume;
             let center = placement.transform_point(&properties.center.into()).coords;
-            let turn = placement.rotation.to_rotation_matrix();
+            let rotation = placement.rotation.to_rotation_matrix();
             let rows = Matrix3::from_fn(|row, column| properties.inertia[row][column]);
             mass += own;
             moment += own * center;
-            rotational += density * (turn * rows * turn.inverse())
+            rotational += density * (rotation * rows * rotation.inverse())
                 + own * (Matrix3::identity() * center.norm_squared() - center * center.transpose());
         }
         Ok(Some(Self { mass, center: moment / mass, rotational }))
@@ -49,8 +49,8 @@ impl Material {
         let mut matrix = *Inertia::of_body(self.mass, self.rotational).matrix();
         let size = parts.iter().flat_map(GivenPart::points).map(|point| norm(&point)).fold(0.0, f64::max);
         if self.center.norm() > CENTERED * size {
-            let turn = of_pose(goal).rotation.to_rotation_matrix();
-            let coupling = turn.matrix() * self.center.cross_matrix() * -self.mass;
+            let rotation = of_pose(goal).rotation.to_rotation_matrix();
+            let coupling = rotation.matrix() * self.center.cross_matrix() * -self.mass;
             matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&coupling);
             matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&coupling.transpose());
         }

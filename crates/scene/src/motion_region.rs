@@ -10,7 +10,7 @@ use crate::pose::{StartPose, between, of_pose};
 /// Poses between a start and the goal that are looked at.
 const SAMPLES: usize = 9;
 /// Turn (rad) of the body away from these poses, further than in the gripper.
-const TURN: f64 = 0.1;
+const ROTATION: f64 = 0.1;
 /// Offsets by which the body may move away from these poses.
 const OFFSETS: f64 = 1.0;
 /// Further distance, in sizes of the body.
@@ -35,13 +35,18 @@ pub struct MotionRegion {
 pub struct Motions {
     poses: Vec<Isometry3<f64>>,
     margin: f64,
-    turn: f64,
+    rotation_error: f64,
     surroundings: f64,
 }
 
 impl Motions {
     /// Of a body with points at these coordinates (m), with offsets of a magnitude (m), turned by so much (rad) in the gripper.
-    pub fn new(starts: &[StartPose], goal: &[f64; 7], (magnitude, turn): (f64, f64), body: &[[f64; 3]]) -> Self {
+    pub fn new(
+        starts: &[StartPose],
+        goal: &[f64; 7],
+        (magnitude, rotation_error): (f64, f64),
+        body: &[[f64; 3]],
+    ) -> Self {
         let goal = of_pose(goal);
         let poses = starts.iter().flat_map(|start| {
             let start = of_pose(&start.pose);
@@ -51,7 +56,7 @@ impl Motions {
         Self {
             poses: poses.collect(),
             margin: OFFSETS * magnitude + MARGIN * size,
-            turn: TURN + turn,
+            rotation_error: ROTATION + rotation_error,
             surroundings: SURROUNDINGS * size,
         }
     }
@@ -86,7 +91,7 @@ impl Motions {
     /// Boxes in which points of the body are near a pose.
     fn reaches<'a>(&'a self, pose: &'a Isometry3<f64>, points: &'a [[f64; 3]]) -> impl Iterator<Item = Extent> + 'a {
         points.iter().map(move |point| {
-            let reach = self.margin + self.turn * norm(point);
+            let reach = self.margin + self.rotation_error * norm(point);
             let place = pose.transform_point(&Point3::from(*point));
             [-1.0, 1.0].map(|sign| std::array::from_fn(|axis| place[axis] + sign * reach))
         })
@@ -112,7 +117,7 @@ mod tests {
             motions.region(&[vec![tip]]).extent[1][0]
         };
         let exact = reach((0.0, 0.0));
-        assert!((exact - (MARGIN + TURN + SURROUNDINGS) * 0.2).abs() < 1e-12, "{exact}");
+        assert!((exact - (MARGIN + ROTATION + SURROUNDINGS) * 0.2).abs() < 1e-12, "{exact}");
         assert!((reach((0.01, 0.0)) - exact - 0.01).abs() < 1e-12);
         assert!((reach((0.0, 0.05)) - exact - 0.05 * 0.2).abs() < 1e-12);
     }

@@ -62,14 +62,14 @@ impl Scene {
         let offset_magnitude = robustness.number("offset_magnitude")?;
         let coverage = sections::coverage(&robustness, (&starts[0], &goal))?;
         let offset_directions = sections::offset_directions(&robustness, &coverage)?;
-        let turn_axes = sections::turn_axes(&robustness, &offset_directions)?;
+        let rotation_axes = sections::rotation_axes(&robustness, &offset_directions)?;
         let material = Material::of(&body)?;
         let robot = Robot::read(&table.table("robot")?, material.as_ref(), (&starts, &goal))?;
         let gripper = gripper(table)?;
         let inertia = inertia(table, robot.as_ref(), (material.as_ref(), &body), &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let borne = sections::borne(&robustness)?;
-        let motions = Motions::new(&starts, &goal, (offset_magnitude, borne.turn), &points);
+        let motions = Motions::new(&starts, &goal, (offset_magnitude, borne.rotation_error), &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
             shapes(&body, &environment, &motions, &goal)?;
         let (pairs, far_pairs) = pairs(
@@ -107,7 +107,7 @@ impl Scene {
             offset_magnitude,
             coverage,
             offset_directions,
-            turn_axes,
+            rotation_axes,
             inertia,
             borne,
             carried: CarriedShapes::new(robot.as_ref(), &gripper),

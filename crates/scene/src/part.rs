@@ -86,12 +86,12 @@ fn of_link<'text>(
 ) -> Result<Vec<GivenPart<'text>>, SceneError> {
     let given = |(mesh, pose): (GivenMesh<'text>, Isometry3<f64>)| {
         let placement = frame * pose;
-        let turn = placement.rotation.quaternion();
+        let rotation = placement.rotation.quaternion();
         GivenPart {
             name: name.to_owned(),
             shape: Shape::Mesh(mesh),
             position: placement.translation.vector.into(),
-            orientation: [turn.w, turn.i, turn.j, turn.k],
+            orientation: [rotation.w, rotation.i, rotation.j, rotation.k],
         }
     };
     Ok(link_shapes(table, name)?.into_iter().map(given).collect())

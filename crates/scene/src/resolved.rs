@@ -142,9 +142,9 @@ fn grasp_errors(scene: &Scene, offset_magnitude: f64) -> Table {
         }
         Coverage::Ball => errors.extend(table([("coverage", "ball".into())])),
     }
-    if scene.has_turned_scenarios() {
-        let axes = Value::Array(scene.turn_axes.iter().map(numbers).collect());
-        errors.extend(table([("turn", scene.borne.turn.into()), ("turn_axes", axes)]));
+    if scene.has_rotated_scenarios() {
+        let axes = Value::Array(scene.rotation_axes.iter().map(numbers).collect());
+        errors.extend(table([("rotation_error", scene.borne.rotation_error.into()), ("rotation_axes", axes)]));
     }
     errors
 }
@@ -153,7 +153,7 @@ fn grasp_errors(scene: &Scene, offset_magnitude: f64) -> Table {
 fn borne(borne: &Borne) -> Table {
     let mut table = table([
         ("friction", numbers(&borne.frictions)),
-        ("turn", borne.turn.into()),
+        ("rotation_error", borne.rotation_error.into()),
         ("inertia_error", borne.inertia_error.into()),
         ("stiffness_error", borne.stiffness_error.into()),
         ("delay", borne.delay.into()),

@@ -24,7 +24,7 @@ pub struct Borne {
     /// Coulomb coefficients of contacts, at least one.
     pub frictions: Vec<f64>,
     /// Turn of the body in the gripper, about any axis (rad).
-    pub turn: f64,
+    pub rotation_error: f64,
     /// Error of the inertia.
     pub inertia_error: f64,
     /// Error of the stiffness.
@@ -39,7 +39,7 @@ impl Default for Borne {
     fn default() -> Self {
         Self {
             frictions: vec![0.0, 0.1, 0.3],
-            turn: 0.0,
+            rotation_error: 0.0,
             inertia_error: 0.0,
             stiffness_error: 0.0,
             delay: 0.0,
@@ -92,7 +92,7 @@ pub struct Scene {
     /// Directions of the planned offsets; zero is the nominal scenario.
     pub offset_directions: Vec<[f64; 3]>,
     /// Axes of the turns of the same scenarios; zero is no turn.
-    pub turn_axes: Vec<[f64; 3]>,
+    pub rotation_axes: Vec<[f64; 3]>,
     /// What a robust plan must bear besides offsets.
     pub borne: Borne,
     /// Time grid.
@@ -148,11 +148,11 @@ impl Scene {
 
     pub(crate) fn grasps_of(&self, magnitude: f64) -> Vec<GraspError> {
         let scaled = |direction: &[f64; 3], length: f64| direction.map(|component| length * component);
-        let grasp = |(offset, turn): (&[f64; 3], &[f64; 3])| GraspError {
+        let grasp = |(offset, rotation): (&[f64; 3], &[f64; 3])| GraspError {
             offset: scaled(offset, magnitude),
-            turn: scaled(turn, self.borne.turn),
+            rotation: scaled(rotation, self.borne.rotation_error),
         };
-        let grasps = self.offset_directions.iter().zip(&self.turn_axes).map(grasp);
+        let grasps = self.offset_directions.iter().zip(&self.rotation_axes).map(grasp);
         match self.coverage {
             // As the scene gives them.
             Coverage::Hull => grasps.collect(),
@@ -162,8 +162,8 @@ impl Scene {
     }
 
     /// Whether any scenario is turned in the gripper.
-    pub fn has_turned_scenarios(&self) -> bool {
-        self.borne.turn > 0.0 && self.turn_axes.iter().any(|direction| *direction != [0.0; 3])
+    pub fn has_rotated_scenarios(&self) -> bool {
+        self.borne.rotation_error > 0.0 && self.rotation_axes.iter().any(|direction| *direction != [0.0; 3])
     }
 
     /// The start of a given name, or the first.

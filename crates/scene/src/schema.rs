@@ -51,7 +51,7 @@ fn table(path: &str, declared: &[Key]) -> Value {
             { "required": ["offset_directions", "coverage"] },
             { "required": ["offset_directions", "insertion_axis"] },
             { "required": ["insertion_axis", "coverage"], "properties": { "coverage": { "const": "ball" } } },
-            { "required": ["turn_axes"], "not": { "required": ["offset_directions"] } },
+            { "required": ["rotation_axes"], "not": { "required": ["offset_directions"] } },
         ] })
         }
         "ipopt" => schema["maxProperties"] = ipopt::MOST_ENTRIES.into(),

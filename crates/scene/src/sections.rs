@@ -72,7 +72,7 @@ pub fn borne(robustness: &Table) -> Result<Borne, SceneError> {
     };
     Ok(Borne {
         frictions,
-        turn: robustness.number("turn")?,
+        rotation_error: robustness.number("rotation_error")?,
         inertia_error: robustness.number("inertia_error")?,
         stiffness_error: robustness.number("stiffness_error")?,
         delay: robustness.number("delay")?,
@@ -126,8 +126,8 @@ pub fn offset_directions(robustness: &Table, coverage: &Coverage) -> Result<Vec<
 }
 
 /// Axes of the turns, one for each of the offset directions: those of the scene, or no turns.
-pub fn turn_axes(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
-    let Some(entry) = robustness.find("turn_axes") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
+pub fn rotation_axes(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
+    let Some(entry) = robustness.find("rotation_axes") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
     if robustness.find("offset_directions").is_none() {
         return Err(entry.refuse(format!(
             "{} without robustness.offset_directions: give a direction for each of the axes",
@@ -138,7 +138,7 @@ pub fn turn_axes(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<V
     match turns.len() {
         count if count == wanted => Ok(turns),
         count => Err(entry.refuse(format!(
-            "robustness.turn_axes has {count} axes: give one for each of the {wanted} offset_directions"
+            "robustness.rotation_axes has {count} axes: give one for each of the {wanted} offset_directions"
         ))),
     }
 }

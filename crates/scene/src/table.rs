@@ -38,11 +38,18 @@ pub fn read<T>(
 }
 
 impl<'text> Table<'text> {
-    /// Refuses unknown keys, the first one in the file.
+    /// Refuses unknown keys, the first one in the file, and keys under their former and present names at once.
     fn checked(self) -> Result<Self, SceneError> {
+        for (old, new) in self.renamed() {
+            if let (Some(old), Some(_)) = (self.written(old), self.written(new)) {
+                return Err(
+                    old.refuse_name(format!("this is the former name of `{new}`, which is given too: delete it"))
+                );
+            }
+        }
         let valid: Vec<&str> = self.declared.iter().map(|key| key.name).collect();
         let names = self.entries.into_iter().flat_map(DeTable::keys);
-        let unknown = names.filter(|name| !valid.contains(&name.get_ref().as_ref()));
+        let unknown = names.filter(|name| !valid.contains(&self.present(name.get_ref())));
         match unknown.min_by_key(|name| name.span().start) {
             None => Ok(self),
             Some(name) => {
@@ -57,17 +64,34 @@ impl<'text> Table<'text> {
         }
     }
 
+    /// Former and present names of the table's keys.
+    fn renamed(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let own = |name: &'static str| name.strip_prefix(self.path.as_str())?.strip_prefix('.');
+        input::KEYS.iter().filter_map(move |renamed| Some((own(renamed.old)?, own(renamed.new)?)))
+    }
+
+    /// The present name of a key.
+    fn present<'name>(&self, name: &'name str) -> &'name str {
+        self.renamed().find(|(old, _)| *old == name).map_or(name, |(_, new)| new)
+    }
+
     fn key(&self, name: &str) -> &'static Key {
         let found = self.declared.iter().find(|key| key.name == name);
         found.unwrap_or_else(|| panic!("`{name}` of `{}` is declared", self.path))
     }
 
     fn entry(&self, (name, value): (&Spanned<DeString>, &'text Value<'text>)) -> Entry<'text> {
-        Entry::new(self.source, self.key(name.get_ref()), &self.path, (name, value))
+        Entry::new(self.source, self.key(self.present(name.get_ref())), &self.path, (name, value))
     }
 
-    /// The value of a key, if it is given.
+    /// The value of a key, if it is given, under its former name too.
     pub fn find(&self, name: &str) -> Option<Entry<'text>> {
+        let former = self.renamed().find(|(_, new)| *new == name);
+        self.written(name).or_else(|| self.written(former?.0))
+    }
+
+    /// The value of a key that is written by just this name.
+    pub fn written(&self, name: &str) -> Option<Entry<'text>> {
         self.entries?.get_key_value(name).map(|entry| self.entry(entry))
     }
 

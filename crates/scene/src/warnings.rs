@@ -18,7 +18,7 @@ const FAR_IN_SIZES: f64 = 10.0;
 
 /// All remarks, each with file, line and column.
 pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> {
-    let mut warnings = Vec::new();
+    let mut warnings = former_names(table)?;
     for (name, parts) in [("body", &scene.body), ("environment", &scene.environment)] {
         sizes(&table.require_table(name)?, parts, &mut warnings)?;
     }
@@ -60,6 +60,18 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
         scene.carried.unread.iter().map(|unread| format!("{unread}; whether it meets the environment is not checked")),
     );
     warnings.extend(robot::warnings(table, scene.robot.as_ref(), &scene.impedance)?);
+    Ok(warnings)
+}
+
+/// Remarks on keys under their former names.
+fn former_names(table: &Table) -> Result<Vec<String>, SceneError> {
+    let mut warnings = Vec::new();
+    for renamed in input::KEYS {
+        if let Some((parent, old)) = renamed.old.split_once('.') {
+            let written = table.table(parent)?.written(old);
+            warnings.extend(written.map(|entry| entry.refuse_name(renamed.warning()).headline()));
+        }
+    }
     Ok(warnings)
 }
 

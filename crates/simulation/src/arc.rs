@@ -34,9 +34,9 @@ impl Arc {
         c * d < 0.0 && a * d > 0.0
     }
 
-    /// Whether two arcs may cross after one of them has turned by at most `turn` (rad) about any axis.
+    /// Whether two arcs may cross after a rotation of one of them by at most `rotation` (rad) about any axis.
     pub fn may_cross(&self, other: &Self, rotation: f64) -> bool {
-        // Every product below changes by no more than the turn, as no pole is longer than one.
+        // Every product below changes by at most the rotation, as no pole is longer than one.
         let opposite = |one: f64, other: f64| one.min(other) <= rotation && one.max(other) >= -rotation;
         let [a, b] = other.ends.map(|end| end.dot(&self.pole));
         if !opposite(a, b) {

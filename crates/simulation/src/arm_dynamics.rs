@@ -11,7 +11,7 @@ use crate::body::{Body, moved};
 use crate::contact::{Contact, ContactFinder};
 use crate::contact_solver::ContactSolver;
 use crate::disturbance::Disturbance;
-use crate::dynamics::LARGEST_OVERLAP;
+use crate::dynamics::LARGEST_PENETRATION;
 use crate::joint_friction::JointFriction;
 use crate::latency::{DOUBLINGS, doublings, effective_mass, late};
 use crate::metric::added_inertia;
@@ -20,49 +20,50 @@ use crate::sampled_controller::SampledController;
 use crate::step_length::{StepLength, Steps};
 
 /// Steps of an arm, semi-implicit Euler in joint space: `M (v+ - v) = h (torques - bias) + friction + J' contacts` with
-/// joint speeds `v` and impulses of joint friction and contacts, then positions move with `v+`. As torques hold between
-/// samples, the controller is explicit and may be unstable, as it would be on the arm.
+/// joint speeds `v` and impulses of joint friction and contacts; then positions move with `v+`. Torques hold between
+/// samples, so the controller is explicit and may be unstable, as it would be on the arm.
 ///
-/// Longer steps ([`StepLength`]) follow the midpoint rule, with the contacts of a predicted middle pose. They are implicit in
-/// stiffness and damping. That torques come late by `w`, half of a control period and the delay, they know to first order,
-/// and are taken only where this is enough: with `x(t - w) = x - w v` and `v(t - w) = v - w a`, the damping `D` becomes
-/// `D - w K` and the mass matrix `M - w J' D J`.
+/// Longer steps ([`StepLength`]) follow the midpoint rule, with the contacts of a predicted middle pose. They are
+/// implicit in stiffness and damping. They model the torque latency `w` (half a control period plus the delay) to first
+/// order, and are used only where that is accurate enough: with `x(t - w) = x - w v` and `v(t - w) = v - w a`, the
+/// damping `D` becomes `D - w K` and the mass matrix `M - w J' D J`.
 ///
-/// Contacts see the velocity of the part only. Among all joint speeds with the same velocity of the part, the nearest in
-/// kinetic energy are those that an impulse on the part gives; so contacts are resolved as those of a free body with the
-/// apparent inertia. Impulses of contacts and joint friction follow each other until they agree: both minimise the same
+/// Contacts see only the velocity of the part. Among all joint speeds that give the part the same velocity, the nearest
+/// in kinetic energy are those that an impulse on the part gives, so contacts are resolved as those of a free body with
+/// the apparent inertia. Contacts and joint friction are resolved alternately until they agree: both minimise the same
 /// convex function, one block after the other.
 #[derive(Debug, Clone)]
 pub struct ArmStepper<'arm> {
     arm: &'arm Arm,
     time_step: f64,
     impedance: Impedance,
-    /// For how long torques wait on average (s), and what that makes of the impedance.
+    /// Mean time from a measurement to its torques (s), and the impedance with it to first order.
     latency: f64,
     late: Impedance,
-    /// Of a controller of players: the orientation for which the damping of rotations is set, and that damping (Nms/rad).
+    /// Where a player's controller sets the gains: the orientation of the part for which it sets the damping of
+    /// rotations, and that damping (Nms/rad).
     set_for: Option<(UnitQuaternion<f64>, Matrix3<f64>)>,
     /// The believed part in the frame of the part.
     grasp: Isometry3<f64>,
     /// Factor of the mass matrix, and with it of all inertia.
     inertia_scale: f64,
     controller: SampledController,
-    /// Whether the controller has its samples: it has none of longer steps.
+    /// Whether the controller has samples; longer steps have none.
     is_sampled: bool,
     solver: ContactSolver,
     length: StepLength,
     /// The shortest steps so far.
     steps: usize,
     state: State,
-    /// Of joint positions nearby.
+    /// Terms of the equations of motion at a nearby configuration.
     terms: ArmTerms,
-    /// The mass matrix less what late damping takes from it.
+    /// The mass matrix minus what the latency of damping takes from it.
     effective_mass: JointMatrix,
-    /// In steps of two to the power of 1, 2, ... of the shortest ones; `None` until it is needed.
+    /// Mobility for steps of two to the power of 1, 2, ... of the shortest ones; `None` until it is needed.
     longer: [Option<ArmMobility>; DOUBLINGS],
 }
 
-/// What moves.
+/// The state of arm and part.
 #[derive(Debug, Clone)]
 struct State {
     /// Joint positions (rad or m).
@@ -73,20 +74,21 @@ struct State {
     body: Body,
 }
 
-/// Speed of a joint (rad/s or m/s): the terms of a configuration serve until a joint has moved as far as it would with this speed in one step.
+/// Speed of a joint (rad/s or m/s): terms are computed again once a joint has moved as far as it would with this speed
+/// in one step.
 const SLOW: f64 = 1.0;
-/// Largest number of steps that the terms of a configuration serve, so that it is exact at rest.
+/// Largest number of steps between two computations of the terms, so that they are exact at rest.
 const SERVED: usize = 50;
-/// Largest number of times that contacts and joint friction follow each other in a step.
+/// Largest number of rounds of contacts and joint friction in a step.
 const ROUNDS: usize = 20;
-/// In the first of these, joint friction takes the contacts that push for ones that go on to.
+/// During the first rounds, joint friction assumes that active contacts stay active.
 const STAYING: usize = 5;
 /// Smaller differences of torques (Nm or N) are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
 impl<'arm> ArmStepper<'arm> {
-    /// At rest: `body` is where the part really is, `grasp` the believed part in its frame, and `near` names the branch.
-    /// `None` if the arm does not reach that pose, or a number is none.
+    /// At rest: `body` is where the part really is, `grasp` the believed part in its frame, and `near` names the IK
+    /// branch. `None` if the arm does not reach that pose, or a value is not finite.
     pub fn new(
         model: &'arm ArmModel,
         near: &JointVector,
@@ -127,15 +129,15 @@ impl<'arm> ArmStepper<'arm> {
         })
     }
 
-    /// With a controller of players ([`Rollout::with_gains_set_for`](crate::Rollout::with_gains_set_for)), if there is one: an
-    /// orientation of the part, and damping of rotations (Nms/rad) along its axes there.
+    /// With the controller of a player ([`Rollout::with_gains_set_for`](crate::Rollout::with_gains_set_for)), if there
+    /// is one: an orientation of the part, and damping of rotations (Nms/rad) along its axes there.
     pub fn with_damping_set_for(mut self, set: Option<(UnitQuaternion<f64>, Matrix3<f64>)>) -> Self {
         self.set_for = set;
         self.rotate_damping();
         self
     }
 
-    /// Damping that does not turn with the part, in the frame of the part.
+    /// Damping with axes that are fixed in the world, in the present frame of the part.
     fn rotate_damping(&mut self) {
         let Some((orientation, damping)) = &self.set_for else { return };
         let rotation = (self.terms.pose.rotation.inverse() * orientation).to_rotation_matrix();
@@ -149,10 +151,10 @@ impl<'arm> ArmStepper<'arm> {
         if self.set_for.is_some() { 0.0 } else { 1.0 }
     }
 
-    /// Moves the body by one step, when `done` of the `count` shortest steps of an interval have been taken. `target` is the
-    /// reference after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
-    /// shortest steps it takes the place of, and the overlap that the previous step has left. Where the arm is singular, the
-    /// velocity of the body is no number any more.
+    /// Moves the body by one step, after `done` of the `count` shortest steps of an interval. `target` is the reference
+    /// after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
+    /// shortest steps this one replaces, and the penetration that the previous step has left. Where the arm is
+    /// singular, the velocity of the body becomes NaN.
     pub fn step(
         &mut self,
         body: &mut Body,
@@ -162,7 +164,7 @@ impl<'arm> ArmStepper<'arm> {
         impulses: &mut [f64],
     ) -> (usize, f64) {
         let (mut state, mut length) = (self.state.clone(), self.length);
-        let (taken, overlap) = length.step(&mut state, (done, count), |state, doublings| {
+        let (taken, penetration) = length.step(&mut state, (done, count), |state, doublings| {
             if doublings == 0 {
                 self.advance(state, &target(done as f64), finder)
             } else {
@@ -176,17 +178,17 @@ impl<'arm> ArmStepper<'arm> {
         self.solver.add_impulses(impulses);
         self.renew_terms(taken);
         *body = self.state.body;
-        (taken, overlap)
+        (taken, penetration)
     }
 
-    /// The shortest step. Returns the overlap (m) before, and how much the velocity (m/s) of any point has changed.
+    /// The shortest step. Returns the penetration (m) before it, and the largest change of velocity (m/s) of any point.
     fn advance(&mut self, state: &mut State, target: &Knot, finder: &mut ContactFinder) -> (f64, f64) {
         let balance = self.balance();
         let Self { terms, impedance, .. } = self;
         let (time, time_step) = ((self.steps) as f64 * self.time_step, self.time_step);
         let command = || {
-            let wanted = terms.torque(impedance, &state.believed(&self.grasp), &state.velocity, target)
-                + terms.bias * balance;
+            let wanted =
+                terms.torque(impedance, &state.believed(&self.grasp), &state.velocity, target) + terms.bias * balance;
             within_limits(self.arm, terms, wanted)
         };
         if !self.is_sampled {
@@ -200,14 +202,14 @@ impl<'arm> ArmStepper<'arm> {
         let norm = free.dot(&(mobility.mass * free)).max(0.0).sqrt();
         let reach = time_step * mobility.metric.fastest(norm, finder.radius());
         let before = state.body;
-        let overlap = state.part_from(mobility, &mut self.solver, finder, reach);
+        let penetration = state.part_from(mobility, &mut self.solver, finder, reach);
         let velocity = resolve(mobility, &mut self.solver, state, &free, &finder.contacts, time_step);
         state.velocity = velocity;
         state.follow(terms, &velocity, time_step);
-        (overlap, state.body.change(&before, finder.radius()))
+        (penetration, state.body.change(&before, finder.radius()))
     }
 
-    /// A longer step, likewise; the change is infinite if the step should be shorter.
+    /// A longer step, with the same results; the change is infinite if the step should be shorter.
     fn advance_far(
         &mut self,
         state: &mut State,
@@ -231,16 +233,16 @@ impl<'arm> ArmStepper<'arm> {
         if (within_limits(self.arm, terms, wanted) - wanted).amax() > ROUNDING {
             return TOO_LONG;
         }
-        // The torques of damping and of what positions change by are in the mass matrix.
+        // The mass matrix contains the torques of damping and of the change of positions.
         let torque = terms.torque(impedance, &believed, &still, target) + terms.bias * (balance - self.inertia_scale);
         let carried: JointMatrix = self.effective_mass * 2.0 - mobility.mass;
         let free = mobility.inverse * (carried * state.velocity + torque * time_step);
         let (before, radius) = (state.body, finder.radius());
         let reach = time_step * (before.fastest(radius) + self.length.largest_change());
-        let overlap = state.part_from(&terms.mobility, &mut self.solver, finder, reach);
+        let penetration = state.part_from(&terms.mobility, &mut self.solver, finder, reach);
         let start = state.body.pose;
         if !finder.contacts.is_empty() {
-            // Contacts slide and turn meanwhile: forces are those of the middle of the step.
+            // Contacts slide and rotate within the step: forces are those of its middle.
             state.body.pose = moved(&start, &(before.velocity * half), &(before.angular_velocity * half));
             finder.find(&state.body.pose, reach);
         }
@@ -250,13 +252,13 @@ impl<'arm> ArmStepper<'arm> {
         state.velocity = velocity;
         state.follow(terms, &mean, time_step);
         let change = state.body.change(&before, radius);
-        if change <= self.length.largest_change() && -finder.find(&state.body.pose, reach) > LARGEST_OVERLAP {
+        if change <= self.length.largest_change() && -finder.find(&state.body.pose, reach) > LARGEST_PENETRATION {
             return TOO_LONG;
         }
-        (overlap, change)
+        (penetration, change)
     }
 
-    /// Renews what depends on the configuration, if the arm has moved too far from it in the last steps.
+    /// Computes the terms again if the arm has moved too far from their configuration in the last steps.
     fn renew_terms(&mut self, taken: usize) {
         let State { configuration, velocity, body, .. } = &mut self.state;
         let is_old = self.steps / SERVED != (self.steps - taken) / SERVED;
@@ -279,13 +281,15 @@ impl<'arm> ArmStepper<'arm> {
 }
 
 impl State {
-    /// Where the controller believes the part's origin, with the rotation of the part: those of reference and impedance are its.
+    /// Where the controller believes the part's origin, with the rotation of the part; it is what reference and
+    /// impedance refer to.
     fn believed(&self, grasp: &Isometry3<f64>) -> Isometry3<f64> {
         let Isometry3 { rotation, translation } = self.body.pose;
         Isometry3::from_parts((translation.vector + rotation * grasp.translation.vector).into(), rotation)
     }
 
-    /// Finds the contacts within `reach` (m), and moves the part and the joints out of an overlap. Returns the overlap (m).
+    /// Finds the contacts within `reach` (m), and moves part and joints out of a penetration. Returns the penetration
+    /// (m).
     fn part_from(
         &mut self,
         mobility: &ArmMobility,
@@ -294,11 +298,11 @@ impl State {
         reach: f64,
     ) -> f64 {
         let before = self.body.pose;
-        let overlap = solver.correct(&mobility.metric, &mut self.body.pose, finder, reach);
-        if overlap > 0.0 {
+        let penetration = solver.correct(&mobility.metric, &mut self.body.pose, finder, reach);
+        if penetration > 0.0 {
             self.configuration += mobility.correction(&before, &self.body.pose);
         }
-        overlap
+        penetration
     }
 
     /// Moves joints and part for a time (s) with mean joint speeds (rad/s or m/s).
@@ -311,7 +315,7 @@ impl State {
     }
 }
 
-/// Joint speeds after a step (s) of the state from those without contacts and joint friction.
+/// Joint speeds after a step (s) of the state, from those without contacts and joint friction.
 fn resolve(
     mobility: &ArmMobility,
     solver: &mut ContactSolver,
@@ -341,7 +345,7 @@ fn resolve(
         if round == ROUNDS || friction.is_zero() {
             return velocity;
         }
-        // Contacts that push go on to hold, mostly; where they do not, blocks follow each other.
+        // Active contacts mostly stay active; where they do not, the blocks alternate.
         let held = if round <= STAYING { solver.held() } else { &[] };
         if !friction.brake(&mobility.held(held), &mut velocity, time_step) {
             return velocity;
@@ -350,7 +354,8 @@ fn resolve(
     }
 }
 
-/// What of the commanded torques (Nm or N) the joints can give while they also carry the arm, without what carries it.
+/// The part of the commanded torques (Nm or N) that the joints can give while they also support the arm's weight,
+/// without the torques of the weight.
 fn within_limits(arm: &Arm, terms: &ArmTerms, torque: JointVector) -> JointVector {
     let (mut given, weight) = (torque, &terms.weight);
     for (index, joint) in arm.joints().iter().enumerate() {
@@ -374,7 +379,7 @@ mod tests {
         let still = JointVector::zeros();
         let terms = ArmTerms::new(&arm, (&configuration, &still), &Isometry3::identity(), 1.0).unwrap();
         let weight = terms.weight;
-        assert!(weight.amax() > 1.0, "it is heavy: {weight}");
+        assert!(weight.amax() > 1.0, "the weight loads the joint: {weight}");
         for wanted in [1e4, -1e4] {
             let given = within_limits(&arm, &terms, JointVector::repeat(wanted)) + weight;
             for (index, joint) in arm.joints().iter().enumerate() {

@@ -22,7 +22,7 @@ pub struct ArmMobility {
 }
 
 impl ArmMobility {
-    /// `None` where the arm is singular or a number is none.
+    /// `None` where the arm is singular or a value is not finite.
     pub fn new(mass: JointMatrix, jacobian: &Jacobian) -> Option<Self> {
         let inverse = Cholesky::new(mass)?.inverse();
         let answer = inverse * jacobian.transpose();
@@ -46,7 +46,8 @@ impl ArmMobility {
     /// The inverse while contacts hold the scaled velocity of the part in some directions, which are orthonormal.
     pub fn held(&self, directions: &[Vector6]) -> JointMatrix {
         directions.iter().fold(self.inverse, |inverse, direction| {
-            // A direction's change of the joint speeds is also its component of the velocity that a joint's impulse gives.
+            // The change of joint speeds along a direction is also the component of velocity that an impulse of a joint
+            // gives along it.
             let change = self.change(direction);
             inverse - change * change.transpose()
         })

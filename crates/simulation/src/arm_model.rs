@@ -8,16 +8,16 @@ use task::AssemblyTask;
 use crate::reference::{Reference, interpolate, isometry};
 use crate::settings_error::{SettingsError, check};
 
-/// An arm under an impedance controller that knows its kinematics and dynamics. The controller reads positions and speeds
-/// of the joints every period and, after the delay, commands the torques `J' w + bias`, which hold until the next ones
-/// come: `w` is the wrench of the impedance law at the pose where the part is believed, `bias` are Coriolis and
-/// centrifugal torques. It compensates gravity, which is left out here but for its share of the largest torques. Limits of
+/// An arm under an impedance controller that knows its kinematics and dynamics. The controller reads positions and
+/// speeds of the joints every period and, after the delay, commands the torques `J' w + bias`, which hold until the
+/// next ones arrive: `w` is the wrench of the impedance law at the believed pose of the part, `bias` are Coriolis and
+/// centrifugal torques. It compensates gravity, so the model has gravity only in the largest torques. Limits of
 /// positions and speeds are not enforced.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArmModel {
     /// With base, grasp, payload and rotor inertia; the grasp is the one that the robot believes.
     pub arm: Arm,
-    /// Joint positions near the goal (rad or m), one per joint: they name the branch.
+    /// Joint positions near the goal (rad or m), one per joint: they name the IK branch.
     pub configuration: Vec<f64>,
     /// Dry friction of each joint that the controller leaves (Nm, N for a prismatic joint), 0 to 1e4.
     pub joint_friction: Vec<f64>,
@@ -30,10 +30,10 @@ pub struct ArmModel {
 /// Why rollouts of an arm are not possible.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ArmModelError {
-    /// A configuration that the arm does not have.
+    /// A configuration that is not one of the arm.
     #[error("configuration: {0}")]
     Configuration(ArmError),
-    /// Not one friction torque per joint.
+    /// The number of friction torques is not the number of joints.
     #[error("joint_friction has {given} numbers, and the arm {joints} joints: give one per joint")]
     FrictionCount {
         /// How many were given.
@@ -44,22 +44,22 @@ pub enum ArmModelError {
     /// A number out of its range.
     #[error(transparent)]
     Range(#[from] SettingsError),
-    /// A pose on the way from the goal to the start that the arm does not reach.
+    /// A pose on the path from the goal to the start that the arm does not reach.
     #[error("{percent} % of the straight path from the goal to the start: {error}")]
     Pose {
-        /// Where on the way; 0 is the goal.
+        /// Place on the path; 0 is the goal.
         percent: usize,
         /// What fails.
         error: InverseError,
     },
     /// At the start the part cannot move in every direction.
     #[error(
-        "the arm is singular at the start: it cannot move the part in every direction; begin with another configuration"
+        "the arm is singular at the start: it cannot move the part in every direction; choose another configuration"
     )]
     Singular,
 }
 
-/// Parts of the way from goal to start, each short enough to stay on one branch.
+/// Parts of the path from goal to start, each short enough to stay on one IK branch.
 const PARTS: usize = 20;
 
 impl ArmModel {
@@ -70,10 +70,10 @@ impl ArmModel {
     /// Allowed delays (s).
     pub const DELAYS: RangeInclusive<f64> = 0.0..=0.1;
 
-    /// Joint positions (rad or m) at the start of a task, followed from those at the goal along the straight way.
+    /// Joint positions (rad or m) at the start of a task, followed from those at the goal along the straight path.
     ///
-    /// # Errors
-    /// When a number is out of its range, or the arm does not reach a pose of that way or is singular at the start.
+    /// # Errors When a number is out of its range, or the arm does not reach a pose of that path or is singular at the
+    /// start.
     pub fn start(&self, task: &AssemblyTask) -> Result<JointVector, ArmModelError> {
         let configuration = self.arm.configuration(&self.configuration).map_err(ArmModelError::Configuration)?;
         let (given, joints) = (self.joint_friction.len(), self.arm.joints().len());
@@ -94,8 +94,9 @@ impl ArmModel {
         self.arm.at(&start).apparent_inertia().map(|_| start).ok_or(ArmModelError::Singular)
     }
 
-    /// How far the joints stay from the ends of their ranges (rad or m) along a reference, which is followed from its end,
-    /// where the configuration names the branch. `None` if a pose is beyond them or out of reach, or a joint is too slow.
+    /// Smallest distance of the joints from the ends of their ranges (rad or m) along a reference, followed from its
+    /// end, where the configuration names the IK branch. `None` if a pose is outside the ranges or out of reach, or a
+    /// joint is too slow.
     pub(crate) fn room(&self, reference: &Reference) -> Option<f64> {
         let near = self.arm.configuration(&self.configuration).ok()?;
         let count = reference.intervals();

@@ -1,4 +1,4 @@
-//! What steps need of an arm at its joint positions.
+//! Terms of an arm's equations of motion.
 
 use nalgebra::{Isometry3, Matrix6, Vector3};
 use robot::{Arm, Jacobian, JointMatrix, JointVector, MOST_JOINTS};
@@ -8,7 +8,7 @@ use crate::arm_mobility::ArmMobility;
 use crate::least_distance::Vector6;
 use crate::reference::{Knot, coordinates};
 
-/// An arm at joint positions whose part sits where it really does.
+/// The terms of the equations of motion at joint positions, for a part in its real place in the gripper.
 #[derive(Debug, Clone)]
 pub struct ArmTerms {
     /// Joint positions (rad or m).
@@ -17,7 +17,7 @@ pub struct ArmTerms {
     pub pose: Isometry3<f64>,
     /// Torques (Nm or N) of Coriolis and centrifugal forces.
     pub bias: JointVector,
-    /// Torques (Nm or N) that carry the arm.
+    /// Torques (Nm or N) that support the arm's weight.
     pub weight: JointVector,
     /// Velocity of the point where the controller believes the part's origin (world frame), and the angular velocity in the
     /// part's frame, per speed of each joint.
@@ -32,8 +32,9 @@ pub struct ArmTerms {
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 
 impl ArmTerms {
-    /// At joint positions `configuration` (rad or m) and speeds `velocity` (rad/s or m/s). With `grasp`, the believed part in
-    /// the frame of the part, and the mass matrix times `inertia_scale`. `None` where the arm is singular or a number is none.
+    /// At joint positions `configuration` (rad or m) and speeds `velocity` (rad/s or m/s). `grasp` is the believed part
+    /// in the frame of the part; the mass matrix is multiplied by `inertia_scale`. `None` where the arm is singular or
+    /// a value is not finite.
     pub fn new(
         arm: &Arm,
         (configuration, velocity): (&JointVector, &JointVector),
@@ -45,7 +46,7 @@ impl ArmTerms {
         let mut tracked = configured.jacobian();
         let angular = grasp.rotation.to_rotation_matrix() * tracked.fixed_rows::<3>(3);
         tracked.fixed_rows_mut::<3>(3).copy_from(&angular);
-        // The part's origin is not where it is believed: it moves as the part turns.
+        // The part's origin is not where it is believed: it moves as the part rotates.
         let lever = -(pose.rotation * grasp.translation.vector);
         let mut jacobian = tracked;
         let turning = pose.rotation.to_rotation_matrix() * angular;
@@ -74,7 +75,7 @@ impl ArmTerms {
         self.tracked.tr_mul(&Vector6::from(wrench))
     }
 
-    /// What an inertia, a damping or a stiffness of the believed part is for the joints.
+    /// An inertia, damping or stiffness of the believed part in joint space.
     pub fn of_joints(&self, matrix: &Matrix6<f64>) -> JointMatrix {
         self.tracked.tr_mul(&(matrix * self.tracked))
     }

@@ -1,4 +1,4 @@
-//! The best separating axis of two convex parts: the direction of the widest gap, or of the smallest overlap.
+//! The best separating axis of two convex parts: the direction of the widest gap, or of the smallest penetration.
 //!
 //! Two polytopes are disjoint if and only if a separating plane is parallel to a facet of one of them or to an edge of
 //! each. The zero level of the separation is that of the growth distance (Eq. sdfopt), found without smoothing and
@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 /// The best separating direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axis {
-    /// Width of the gap along the normal (m), negative where the parts overlap.
+    /// Width of the gap along the normal (m), negative where the parts penetrate.
     pub separation: f64,
     /// Unit vector from the environment to the body.
     pub normal: Vector3<f64>,
@@ -29,6 +29,6 @@ pub enum Feature {
     Edges(usize, usize),
 }
 
-/// By how much (m) the separation of another feature must exceed that of a facet of the environment. It keeps rounding
-/// from replacing the facet of a flat contact, and thereby from changing the number of contact points.
+/// How much (m) larger than that of a facet of the environment the separation of another feature must be to replace it.
+/// Without this, rounding could replace the facet of a flat contact and change the number of contact points.
 pub const PREFERENCE: f64 = 1e-6;

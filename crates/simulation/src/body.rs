@@ -30,7 +30,7 @@ impl Body {
         velocity.norm() + radius * angular.norm()
     }
 
-    /// Pose and twist at a fraction of the way to those of `next`, which differ little.
+    /// Pose and twist at a fraction of the step to those of `next`, which differ little.
     pub fn towards(&self, next: &Self, fraction: f64) -> Self {
         if fraction == 1.0 {
             return *next;
@@ -46,7 +46,7 @@ impl Body {
     }
 }
 
-/// A pose shifted in the world frame and turned in the body frame.
+/// A pose shifted in the world frame and rotated in the body frame.
 pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, rotation: &Vector3<f64>) -> Isometry3<f64> {
     let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*rotation);
     rotation.renormalize_fast();

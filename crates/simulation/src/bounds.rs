@@ -1,4 +1,4 @@
-//! How a reference may move.
+//! Bounds on the motion of a reference.
 
 use nalgebra::UnitQuaternion;
 use task::Limits;
@@ -11,8 +11,8 @@ pub const LIMIT_SLACK: f64 = 1e-3;
 /// Rounding of a scalar product of unit quaternions.
 const ROUNDING: f64 = 1e-12;
 
-/// Limits of velocity and acceleration that a reference keeps, and motions that it stays near to: success alone would also
-/// be reached by throwing the part.
+/// Limits of velocity and acceleration that a reference keeps, and motions that it stays near. Without the latter,
+/// refinement could succeed by throwing the part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds {
     limits: Limits,
@@ -39,16 +39,15 @@ impl Bounds {
         Self { limits, near: None }
     }
 
-    /// Also near some references: no further than `margin` (m) outside of the box of their positions, and no faster than
-    /// `haste` times the fastest of them. A body that reaches `radius` (m) from its origin may be rotated away from all of
-    /// their orientations by so much that its farthest corner is shifted by the margin, and rotate so fast that this is as fast
-    /// as the body may be.
+    /// Also near some references: at most `margin` (m) outside the box of their positions, and at most `haste` times as
+    /// fast as the fastest of them. For a body that reaches `radius` (m) from its origin, rotations away from all of
+    /// their orientations may shift the farthest corner by at most the margin, and move it at most as fast.
     pub fn near(self, references: &[&Reference], margin: f64, haste: f64, radius: f64) -> Self {
         let all = references.iter().map(|reference| Near::of(reference)).reduce(|one, other| one.with(&other));
         Self { near: all.map(|near| near.widened(margin, haste, radius)), ..self }
     }
 
-    /// With room for another reference, as it is: where refinement begins must be allowed.
+    /// With room for another reference as it is: the one that refinement starts from must be allowed.
     pub fn including(&self, reference: &Reference) -> Self {
         Self { near: self.near.as_ref().map(|near| near.with(&Near::of(reference))), ..*self }
     }
@@ -144,7 +143,7 @@ mod tests {
         turning[1][12] = 0.39;
         assert!(bounds.allow(&Reference::new(1.0, &turning)), "corners 0.5 m away are as fast as the body may be");
         turning[1][12] = 0.41;
-        assert!(!bounds.allow(&Reference::new(1.0, &turning)), "turns too fast");
+        assert!(!bounds.allow(&Reference::new(1.0, &turning)), "rotates too fast");
         let mut rotated = along(&[0.0, 0.1, 0.2]).states();
         // The farthest corner may be shifted by 0.05 m as well.
         for (angle, allowed) in [(0.099_f64, true), (0.101, false)] {

@@ -1,9 +1,9 @@
-//! The few features of a pair that can define its best axis as long as the body moves little.
+//! The few features of a pair that can define its best axis while the body moves little.
 //!
 //! Most facets and edges of two parts are far from touching, and remain so for a while. When the body moves by no more
 //! than a skin, no separation changes by more than that: a feature that is worse than the best one by twice the skin
-//! cannot become the best. These are left out; what the others give is exactly what all would give. The vertex that is nearest
-//! to a facet is found by descending along edges from where it was last.
+//! cannot become the best. These are left out; the others give exactly the same result. The vertex that is nearest to a
+//! facet is found by descending along edges from its last place.
 
 use nalgebra::Vector3;
 
@@ -16,8 +16,7 @@ use crate::solid::{Edge, Solid};
 pub struct Candidates {
     environment_facets: Facets,
     body_facets: Facets,
-    /// Edges of the body and of the environment, found when facets alone do not show how far the parts are from each
-    /// other.
+    /// Edges of the body and of the environment, found when facets alone do not show the distance of the parts.
     edges: Vec<(usize, usize)>,
     edges_are_found: bool,
     /// The last edges that were better than the best facet.
@@ -56,12 +55,12 @@ struct Facets {
 
 /// Rounding errors of separations are smaller (m), and so are those of products on the Gauss map.
 const ROUNDING: f64 = 1e-9;
-/// Number of steps for which the candidates last at least, if nothing but the reach of a step limits them. More of them
-/// are found less often, and are more.
+/// Smallest number of steps for which the candidates last, if only the reach of a step limits them. More candidates are
+/// found less often, and are more to examine.
 const STEPS: f64 = 16.0;
 
 impl Candidates {
-    /// Takes note of a motion of the body: a shift (m) and a turn (rad).
+    /// Records a motion of the body: a shift (m) and a rotation (rad).
     pub fn moved(&mut self, shift: f64, rotation: f64) {
         self.left -= shift + self.lever * rotation;
     }
@@ -132,9 +131,9 @@ impl Candidates {
         let rotation = self.skin / self.lever + ROUNDING;
         // Components along an arc are bounded by those along its ends only if they are negative.
         let least = (facet - 2.0 * self.skin - ROUNDING).min(0.0);
-        // A separation along a common normal is, of a gap between any two vertices, at most the component along a normal of
-        // either arc. The arc of the body turns with it: components of the gap, which is no longer than two levers, change by
-        // two more skins.
+        // A separation along a common normal is at most the component of a gap between any two vertices along a normal
+        // of either arc. The arc of the body rotates with it: components of the gap, which is no longer than two
+        // levers, change by two more skins.
         let (is_still_below, is_body_below) = (
             |still: &StillEdge, end: &Vector3<f64>| still.reversed.is_below(&(still.segment[0] - end), least),
             |arc: &Arc, gap: &Vector3<f64>| arc.is_below(gap, least - 2.0 * self.skin),

@@ -18,7 +18,7 @@ pub struct Contact {
     pub point: Vector3<f64>,
     /// Unit vector from the environment to the body (world frame).
     pub normal: Vector3<f64>,
-    /// Width of the gap (m), negative where the parts overlap.
+    /// Width of the gap (m), negative where the parts penetrate.
     pub gap: f64,
 }
 
@@ -67,7 +67,7 @@ impl Shapes {
 #[derive(Debug, Clone)]
 pub struct ContactFinder<'shapes> {
     shapes: &'shapes Shapes,
-    /// How round edges are (m).
+    /// Radius of edges (m).
     edge_radius: f64,
     bodies: Vec<PlacedBody>,
     pairs: Vec<Pair>,
@@ -145,7 +145,7 @@ impl<'shapes> ContactFinder<'shapes> {
             let before = self.contacts.len();
             let separation = self.examine(index, position, reach);
             self.pairs[index].clearance = separation;
-            // Without a contact, round edges overlap.
+            // Without a contact, rounded edges would penetrate.
             if separation >= 0.0 || self.contacts.len() > before {
                 smallest = smallest.min(separation);
             }
@@ -154,10 +154,10 @@ impl<'shapes> ContactFinder<'shapes> {
         smallest
     }
 
-    /// The part of a way (m, world frame) that no contact at the last pose blocks.
+    /// The part of a shift (m, world frame) that no contact at the last pose blocks.
     pub fn unblocked(&self, way: &Vector3<f64>) -> Vector3<f64> {
         let slide = |way: Vector3<f64>, contact: &Contact| way - contact.normal * contact.normal.dot(&way).min(0.0);
-        // What one contact leaves, another may block.
+        // What one contact allows, another may block.
         (0..SLIDES).fold(*way, |way, _| self.contacts.iter().fold(way, slide))
     }
 
@@ -198,7 +198,7 @@ impl<'shapes> ContactFinder<'shapes> {
         let near = patch.points.iter().filter(|(_, gap)| *gap <= reach);
         contacts.extend(near.map(|&(point, gap)| Contact { pair: index, point, normal: axis.normal, gap }));
         if contacts.len() == before && axis.separation < 0.0 {
-            // The touching features overlap without facing each other: the deepest vertex is the contact.
+            // The touching features penetrate without facing each other: the deepest vertex is the contact.
             let deepest = body.vertices[body.lowest(&axis.normal).0];
             contacts.push(Contact { pair: index, point: deepest, normal: axis.normal, gap: axis.separation });
         }
@@ -206,11 +206,11 @@ impl<'shapes> ContactFinder<'shapes> {
     }
 }
 
-/// How often all contacts are asked what they leave of a way.
+/// Number of passes over all contacts that project a shift.
 const SLIDES: usize = 3;
 
-/// Upper bound on how far a turn from one orientation to the other moves a point at a distance of one; it is close for
-/// small turns.
+/// Upper bound on the distance by which a rotation from one orientation to the other moves a point at a distance of
+/// one; it is tight for small rotations.
 fn largest_rotation(one: &UnitQuaternion<f64>, other: &UnitQuaternion<f64>) -> f64 {
     let (one, other) = (one.as_vector(), other.as_vector());
     2.0 * (one - other).norm_squared().min((one + other).norm_squared()).sqrt()

@@ -1,4 +1,4 @@
-//! What contacts do to the velocity of the body, and how overlaps are removed.
+//! The velocity of the body under contacts, and the removal of penetrations.
 
 use nalgebra::{Isometry3, Vector3};
 
@@ -12,29 +12,29 @@ use crate::metric::Metric;
 pub struct ContactSolver {
     /// Coulomb's coefficient.
     pub friction: f64,
-    /// Whether impulses count friction as if it reversed.
+    /// Whether impulses count friction as if it were reversed.
     reverses_friction: bool,
     solver: LeastDistance,
-    /// For overlaps.
+    /// For penetrations.
     corrector: LeastDistance,
     cones: Vec<Cone>,
     /// Pair of every cone.
     pairs: Vec<usize>,
     /// The velocity (m/s) with which every gap closes within the step, negative.
     closing: Vec<f64>,
-    /// The slowest velocity (m/s) that leaves an overlap.
-    overlapping: f64,
+    /// The slowest velocity (m/s) that leaves a penetration.
+    penetrating: f64,
 }
 
-/// Smaller overlaps (m), as integration leaves them, are not corrected.
-const OVERLAP: f64 = 1e-7;
+/// Smaller penetrations (m), as integration leaves them, are not corrected.
+const PENETRATION: f64 = 1e-7;
 /// Largest number of corrections per step, each with new contacts.
 const CORRECTIONS: usize = 8;
 
 impl ContactSolver {
-    /// For a friction coefficient. If friction is to reverse, impulses are the largest of contacts that yield a little: parts
-    /// that an impact has pressed together move apart again, and friction of other contacts then adds what it has taken off
-    /// the impact.
+    /// For a friction coefficient. With reversed friction, impulses are upper estimates for compliant contacts: parts
+    /// that an impact has pressed together separate again, and friction of other contacts then adds what it has taken
+    /// off the impact.
     pub fn new(friction: f64, reverses_friction: bool) -> Self {
         Self {
             friction,
@@ -44,12 +44,12 @@ impl ContactSolver {
             cones: Vec::new(),
             pairs: Vec::new(),
             closing: Vec::new(),
-            overlapping: 0.0,
+            penetrating: 0.0,
         }
     }
 
-    /// Finds the contacts within `reach` (m). Where linearised gaps have left an overlap, moves the body out of it by
-    /// the shortest way. Returns the overlap before (m).
+    /// Finds the contacts within `reach` (m). Where linearised gaps have left a penetration, moves the body out of it
+    /// along the shortest path. Returns the penetration before (m).
     pub fn correct(
         &mut self,
         metric: &Metric,
@@ -58,9 +58,9 @@ impl ContactSolver {
         reach: f64,
     ) -> f64 {
         let before = -finder.find(pose, reach);
-        let mut overlap = before;
+        let mut penetration = before;
         for _ in 0..CORRECTIONS {
-            if overlap <= OVERLAP {
+            if penetration <= PENETRATION {
                 break;
             }
             let placed = metric.placed(pose);
@@ -71,22 +71,22 @@ impl ContactSolver {
             let correction = self.corrector.solve(&Vector6::zeros(), &self.cones);
             let (shift, rotation) = metric.unscale(&correction);
             *pose = moved(pose, &shift, &rotation);
-            overlap = -finder.find(pose, reach);
+            penetration = -finder.find(pose, reach);
         }
         before.max(0.0)
     }
 
-    /// Takes over the contacts of a step of `time_step` seconds of a body, which has its velocity before: a velocity is
+    /// Sets up the contacts of a step of `time_step` seconds, for a body with its velocity before. A velocity is
     /// allowed if `gap + time_step normal' v >= 0` at every contact. With friction it is Anitescu's convex problem: a
-    /// contact force lies in a polyhedral friction cone, which is built around the direction in which the `free` velocity
-    /// slides, and `v` is reduced by the coefficient times what the speed of sliding grows by in the step. Reduced by the
-    /// whole speed, as in Anitescu's problem, a body that slides would hover.
+    /// contact force lies in a polyhedral friction cone, which is built around the direction in which the `free`
+    /// velocity slides, and `v` is reduced by the coefficient times the increase of the sliding speed in the step.
+    /// Reduced by the whole speed, as in Anitescu's problem, a sliding body would hover.
     pub fn set(&mut self, metric: &Metric, body: &Body, time_step: f64, free: &Vector6, contacts: &[Contact]) {
         let pose = &body.pose;
         self.cones.clear();
         self.pairs.clear();
         self.closing.clear();
-        self.overlapping = OVERLAP / time_step;
+        self.penetrating = PENETRATION / time_step;
         if contacts.is_empty() {
             return;
         }
@@ -110,7 +110,7 @@ impl ContactSolver {
         }
     }
 
-    /// For a step without contacts: nothing pushes.
+    /// For a step without active contacts.
     pub fn release(&mut self) {
         self.solver.active.clear();
     }
@@ -121,7 +121,7 @@ impl ContactSolver {
         self.resolve_by(LeastDistance::solve, free)
     }
 
-    /// The same, from the contacts that pushed when a velocity was last resolved.
+    /// The same, warm-started from the contacts that were active last.
     pub fn resolve_next(&mut self, free: &Vector6) -> Vector6 {
         self.resolve_by(LeastDistance::solve_next, free)
     }
@@ -139,13 +139,13 @@ impl ContactSolver {
         }
     }
 
-    /// Where sliding becomes so much slower that the parts would overlap, as at impacts, takes the speed after the step
-    /// for the one before. Returns whether there is such a contact.
+    /// Where sliding slows down so much that the parts would penetrate, as at impacts, replaces the speed before the
+    /// step by the one after it. Returns whether there is such a contact.
     fn slow_down(&mut self, velocity: &Vector6) -> bool {
         let mut some = false;
         for (cone, &closing) in self.cones.iter_mut().zip(&self.closing) {
             let Some(tangents) = &cone.tangents else { continue };
-            if cone.normal.dot(velocity) < closing - self.overlapping {
+            if cone.normal.dot(velocity) < closing - self.penetrating {
                 let [first, second] = tangents.map(|tangent| tangent.dot(velocity));
                 cone.bound = cone.bound.max(closing - first.hypot(second));
                 some = true;
@@ -154,8 +154,8 @@ impl ContactSolver {
         some
     }
 
-    /// Adds the normal impulse (Ns) of every pair that pushes, when the velocity was last resolved; with friction reversed,
-    /// that of a pair grows by what its contact that gains most gains.
+    /// Adds the normal impulse (Ns) of every active pair of the last resolved velocity; with reversed friction, the
+    /// impulse of a pair grows by the largest gain of its contacts.
     pub fn add_impulses(&self, impulses: &mut [f64]) {
         let active = &self.solver.active;
         for (position, one) in active.iter().enumerate() {
@@ -169,7 +169,7 @@ impl ContactSolver {
         }
     }
 
-    /// By how much the normal impulse (Ns) of a contact grows when friction of other pairs reverses; negative if it becomes
+    /// Growth of the normal impulse (Ns) of a contact when friction of other pairs reverses; negative if it becomes
     /// smaller.
     fn reversal(&self, contact: &Active) -> f64 {
         let (pair, normal) = (self.pairs[contact.cone], &self.cones[contact.cone].normal);
@@ -178,13 +178,12 @@ impl ContactSolver {
         2.0 * slowing / normal.norm_squared()
     }
 
-    /// Orthonormal directions in which the contacts that push let the scaled velocity not change, when it was last
-    /// resolved.
+    /// Orthonormal directions in which active contacts fix the scaled velocity that was last resolved.
     pub fn held(&self) -> &[Vector6] {
         self.solver.active_basis()
     }
 
-    /// Whether contacts push, when the velocity was last resolved.
+    /// Whether contacts were active when a velocity was last resolved.
     pub fn pushes(&self) -> bool {
         !self.solver.active.is_empty()
     }
@@ -205,8 +204,8 @@ mod tests {
 
     use super::*;
 
-    /// Impulses (Ns) of floor and wall on a ball of 1 kg that arrives in their corner with a velocity (m/s, away from them),
-    /// and its velocity afterwards.
+    /// Impulses (Ns) of floor and wall on a ball of 1 kg that arrives in their corner with a velocity (m/s, away from
+    /// them), and its velocity afterwards.
     fn impulses(reverses_friction: bool, before: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let metric = Metric::of_inertia(&Matrix6::identity()).unwrap();
         let velocity = Vector3::new(before[1], 0.0, before[0]);
@@ -227,12 +226,12 @@ mod tests {
         let (plain, after) = impulses(false, before);
         let (reversed, _) = impulses(true, before);
         for contact in 0..2 {
-            // What an impulse lacks of the change of momentum, friction of the other contact has.
+            // The rest of the change of momentum is friction of the other contact.
             let friction = after[contact] - before[contact] - plain[contact];
             assert!(friction > 0.01, "{plain:?}");
             assert!((reversed[contact] - (plain[contact] + 2.0 * friction)).abs() < 1e-9, "{plain:?} {reversed:?}");
         }
         let alone = [-1.0, 0.0];
-        assert_eq!(impulses(true, alone), impulses(false, alone), "no other contact pushes");
+        assert_eq!(impulses(true, alone), impulses(false, alone), "no other contact is active");
     }
 }

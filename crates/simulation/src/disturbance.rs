@@ -1,4 +1,4 @@
-//! What differs from the plan besides the grasp, and both together.
+//! Differences from the plan besides the grasp, and both together.
 
 use std::ops::RangeInclusive;
 
@@ -6,7 +6,7 @@ use task::{GraspError, Impedance, Inertia};
 
 use crate::settings_error::{SettingsError, check};
 
-/// How robot, controller and parts differ from what they are taken for. The default is that they do not.
+/// How robot, controller and parts differ from their models. By default they do not.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Disturbance {
     /// Relative error of the inertia of the body or, with an arm, of its mass matrix; -0.9 to 10. Gravity stays compensated.
@@ -17,7 +17,7 @@ pub struct Disturbance {
     pub delay: f64,
     /// Relative error of the joint friction of the arm's model, -1 to 10. A free body has none.
     pub joint_friction: f64,
-    /// How round edges are (m), 0 to 0.01: where faces overlap by less, they slip past each other.
+    /// Radius of edges (m), 0 to 0.01: faces that overlap by less slip past each other.
     pub edge_radius: f64,
 }
 

@@ -27,7 +27,7 @@ pub struct Stepper {
     solver: ContactSolver,
 }
 
-/// What depends on the length of a step.
+/// Terms that depend on the length of a step.
 #[derive(Debug, Clone)]
 struct Length {
     /// In seconds.
@@ -37,20 +37,20 @@ struct Length {
     weight: f64,
     /// For the weighted part of the step.
     metric: Metric,
-    /// Multiplies the velocity before the step: `M / w - (1 / w - 1) (M + w h D + w^2 h^2 K)` with the weight `w` makes
-    /// of the weighted part of a step the whole of it.
+    /// Multiplies the velocity before the step: `M / w - (1 / w - 1) (M + w h D + w^2 h^2 K)` with the weight `w`
+    /// scales the weighted part of a step to the whole.
     carried: Matrix6<f64>,
 }
 
-/// A longer step leaves no larger overlap (m).
-pub const LARGEST_OVERLAP: f64 = 1e-6;
-/// The longest step takes the place of at most two to this power.
+/// Largest penetration (m) that a longer step may leave.
+pub const LARGEST_PENETRATION: f64 = 1e-6;
+/// The longest step replaces at most two to this power of the shortest ones.
 const DOUBLINGS: u32 = 6;
 /// Longer steps are at most this part of the shortest time in which the free body answers.
 const SMOOTH: f64 = 0.5;
 
 impl Stepper {
-    /// For an offset of which the controller does not know (m, body frame), and a solver of contacts; `None` unless the
+    /// For an offset that the controller does not know (m, body frame), and a contact solver; `None` unless the
     /// effective inertia is positive definite and finite.
     pub fn new(
         shortest: &Steps,
@@ -83,9 +83,9 @@ impl Stepper {
         })
     }
 
-    /// Moves the body by one step, when `done` of the `count` shortest steps of an interval have been taken. `target` is
-    /// the reference after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many
-    /// of the shortest steps it takes the place of, and the overlap (m) that the previous step has left.
+    /// Moves the body by one step, after `done` of the `count` shortest steps of an interval. `target` is the reference
+    /// after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
+    /// shortest steps this one replaces, and the penetration (m) that the previous step has left.
     pub fn step(
         &mut self,
         body: &mut Body,
@@ -95,17 +95,17 @@ impl Stepper {
         impulses: &mut [f64],
     ) -> (usize, f64) {
         let mut steps = self.steps;
-        let (taken, overlap) = steps.step(body, (done, count), |body, length| {
+        let (taken, penetration) = steps.step(body, (done, count), |body, length| {
             let weight = self.lengths[length].weight;
             self.advance(body, length, &target(done as f64 + weight * f64::from(1_u32 << length)), finder)
         });
         self.steps = steps;
         self.solver.add_impulses(impulses);
-        (taken, overlap)
+        (taken, penetration)
     }
 
-    /// Moves the body by a step of some length. Returns the overlap (m) before, and how much the velocity (m/s) of any
-    /// point has changed; infinite if a longer step would leave an overlap or slide with friction.
+    /// Moves the body by a step of some length. Returns the penetration (m) before it, and the largest change of
+    /// velocity (m/s) of any point; infinite if a longer step would leave a penetration or slide with friction.
     fn advance(&mut self, body: &mut Body, length: usize, target: &Knot, finder: &mut ContactFinder) -> (f64, f64) {
         let before = *body;
         let free = self.free_velocity(body, length, target);
@@ -117,10 +117,10 @@ impl Stepper {
         } else {
             time_step * (body.fastest(radius) + self.steps.largest_change())
         };
-        let overlap = self.solver.correct(&self.lengths[0].metric, &mut body.pose, finder, reach);
+        let penetration = self.solver.correct(&self.lengths[0].metric, &mut body.pose, finder, reach);
         let start = body.pose;
         if length > 0 && !finder.contacts.is_empty() {
-            // Contacts slide and turn meanwhile: forces are those of the middle of the step.
+            // Contacts slide and rotate within the step: forces are those of its middle.
             let half = 0.5 * time_step;
             body.pose = moved(&start, &(body.velocity * half), &(body.angular_velocity * half));
             finder.find(&body.pose, reach);
@@ -133,10 +133,10 @@ impl Stepper {
         body.pose = moved(&start, &shift, &mean(&before.angular_velocity, &body.angular_velocity));
         let mut change = body.change(&before, radius);
         let is_long = length > 0 && change <= self.steps.largest_change();
-        if is_long && -finder.find(&body.pose, reach) > LARGEST_OVERLAP {
+        if is_long && -finder.find(&body.pose, reach) > LARGEST_PENETRATION {
             change = f64::INFINITY;
         }
-        (overlap, change)
+        (penetration, change)
     }
 
     /// The scaled velocity that the body would have without contacts.
@@ -184,7 +184,7 @@ mod tests {
     const TIME_STEP: f64 = 1e-3;
     const COUNT: usize = 64;
 
-    /// The lengths of the steps of an interval, for a body of 1 kg that is `lag` (m) behind a reference at rest.
+    /// The lengths of the steps of an interval, for a body of 1 kg with a tracking error (m) and a reference at rest.
     fn lengths(lag: f64, stiffness: f64) -> Vec<usize> {
         let inertia = Inertia::of_body(1.0, Matrix3::identity());
         let impedance = Impedance::critically_damped(stiffness, stiffness, &inertia);

@@ -27,7 +27,7 @@ pub struct TestCase {
     pub friction: FrictionIndex,
     /// Injected grasp error.
     pub grasp: GraspError,
-    /// How robot, controller and parts differ from what they are taken for.
+    /// How robot, controller and parts differ from their models.
     pub disturbance: Disturbance,
 }
 
@@ -38,25 +38,25 @@ impl TestCase {
     }
 }
 
-/// How a reference does in a test case.
+/// The result of a reference in a test case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TestResult {
     /// Whether the rollout ends at the goal, and contact forces and the controller's wrench keep the task's limits.
     pub passed: bool,
-    /// How far the test case is from passing, 0 when passed: the final position error with the length of the unblocked shift, and
-    /// the orientation error, each as a multiple of its tolerance, plus the excess of forces and torques as fractions of their
-    /// limits. At most 60.
+    /// Distance from passing, 0 when passed: the final position error with the length of the unblocked shift, and the
+    /// orientation error, each as a multiple of its tolerance, plus the excess of forces and torques as fractions of
+    /// their limits. At most 60.
     pub violation: f64,
     /// Largest contact force (N), the mean over 10 ms.
     pub contact_force: f64,
-    /// From where the body ends to its goal (m, world frame); zero when passed.
+    /// From the end of the body to its goal (m, world frame); zero when passed.
     pub remaining_shift: Vector3<f64>,
     /// The part of this shift that no contact blocks (m, world frame); zero when passed.
     pub unblocked_shift: Vector3<f64>,
-    /// Rotation vector that turns the body from there to its goal (rad, body frame); zero when passed.
+    /// Rotation vector from the end of the body to its goal (rad, body frame); zero when passed.
     pub remaining_rotation: Vector3<f64>,
-    /// What to take back of the reference where the contact force is largest, so that a spring would push with the
-    /// limit; `None` when it keeps the limit.
+    /// The part of the reference to take back where the contact force is largest, so that a spring would push with the
+    /// limit; `None` within the limit.
     pub overshoot: Option<Overshoot>,
 }
 
@@ -72,16 +72,16 @@ impl TestResult {
     };
 }
 
-/// A result, and where rollouts of similar references can go on from.
+/// A result, and snapshots from which rollouts of similar references continue.
 #[derive(Debug, Clone)]
 pub(crate) struct Record<'evaluator> {
     pub result: TestResult,
-    /// Unknown when only the result is.
+    /// Unknown where only the result is known.
     snapshots: Option<Vec<Snapshot<'evaluator>>>,
 }
 
 impl Record<'_> {
-    /// Whether more than the result is known.
+    /// Whether there are snapshots.
     pub fn has_snapshots(&self) -> bool {
         self.snapshots.is_some()
     }
@@ -104,12 +104,12 @@ pub struct Evaluator {
     workers: Workers,
 }
 
-/// Steps of an arm's rollouts (s). They halve the time; of 720 rollouts of `peg1` with a UR5e, 4 end otherwise than with
-/// steps of 1 ms, as many one way as the other.
+/// Steps of an arm's rollouts (s). They halve the time; of 720 rollouts of `peg1` with a UR5e, 4 end differently than
+/// with steps of 1 ms, as many in one direction as in the other.
 const ARM_TIME_STEP: f64 = 2e-3;
 /// The acceleration (m/s^2) up to which these may be longer.
 const ARM_STEADY: f64 = 4.0;
-/// Larger violations count as this one: how far away a lost part comes to rest says nothing.
+/// Cap of the violation: where a lost part comes to rest does not matter.
 const LARGEST_VIOLATION: f64 = 60.0;
 
 impl Evaluator {
@@ -127,22 +127,22 @@ impl Evaluator {
         Self { bounds: self.bounds.near(references, margin, haste, radius), ..self }
     }
 
-    /// With threads that share the test cases, which change nothing but the time it takes. By default it is one.
+    /// With threads that share the test cases; they do not affect results. The default is one.
     pub fn with_workers(self, workers: Workers) -> Self {
         Self { workers, ..self }
     }
 
-    /// With a limit of contact forces that is a part of the task's.
+    /// With a limit of contact forces that is a share of the task's.
     pub fn with_force_share(mut self, share: f64) -> Self {
         self.limits.contact_force *= share;
         self
     }
 
-    /// In a harder world: frictions are so many times as large, and contact forces count friction of other contacts as if it
-    /// reversed ([`Rollout::with_reversed_friction`]).
-    pub fn with_margins(self, friction: f64) -> Self {
+    /// In a hardened environment: friction coefficients times a factor, and contact forces that count friction of other
+    /// contacts as reversed ([`Rollout::with_reversed_friction`]).
+    pub fn hardened(self, friction_factor: f64) -> Self {
         let rollouts = self.rollouts.into_iter().map(|mut rollout| {
-            rollout.settings.friction *= friction;
+            rollout.settings.friction *= friction_factor;
             rollout.with_reversed_friction()
         });
         Self { rollouts: rollouts.collect(), ..self }
@@ -150,8 +150,7 @@ impl Evaluator {
 
     /// With an arm that holds the body. Steps are longer then: 2 ms, or a control period if that is shorter.
     ///
-    /// # Errors
-    /// As [`Rollout::with_arm`].
+    /// # Errors As [`Rollout::with_arm`].
     pub fn with_arm(self, model: &ArmModel) -> Result<Self, ArmModelError> {
         let rollouts = self.rollouts.into_iter().map(|mut rollout| {
             rollout.settings.time_step = ARM_TIME_STEP;
@@ -170,14 +169,14 @@ impl Evaluator {
         self.limits.contact_force.is_finite()
     }
 
-    /// How far the joints of an arm stay from the ends of their ranges (rad or m) along a reference; infinite without an arm. `None`
-    /// if it cannot follow.
+    /// Smallest distance of an arm's joints from the ends of their ranges (rad or m) along a reference; infinite
+    /// without an arm. `None` if the arm cannot follow it.
     pub(crate) fn room(&self, reference: &Reference) -> Option<f64> {
         let arm = self.rollouts.first().and_then(|rollout| rollout.arm.as_ref());
         arm.map_or(Some(f64::INFINITY), |(model, _)| model.room(reference))
     }
 
-    /// How references may move: within the task's limits, if nothing else was said.
+    /// Bounds on the motion of references; by default the task's limits alone.
     pub fn bounds(&self) -> &Bounds {
         &self.bounds
     }
@@ -190,7 +189,7 @@ impl Evaluator {
         self.result(&self.rollouts[case.friction.0].play(reference, case.injection(), |_, _| {}))
     }
 
-    /// What an outcome means for a test case.
+    /// Turns the outcome of a rollout into a result.
     fn result(&self, outcome: &Outcome) -> TestResult {
         let (excess, contact_force) = (outcome.loads.excess(&self.limits), outcome.loads.contact_force);
         if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
@@ -212,11 +211,10 @@ impl Evaluator {
         }
     }
 
-    /// Simulates all test cases; results are in the order of the test cases. `None` when `stop` returned true
-    /// before the last test case began.
+    /// Simulates all test cases. Results have the order of the test cases; `None` when `stop` returned true before the
+    /// last of them began.
     ///
-    /// # Panics
-    /// When the evaluator has no friction coefficient of a test case's index.
+    /// # Panics When the evaluator has no friction coefficient of a test case's index.
     pub fn evaluate_all(
         &self,
         reference: &Reference,
@@ -227,21 +225,21 @@ impl Evaluator {
         self.workers.map(cases.iter(), evaluate).into_iter().collect()
     }
 
-    /// As [`evaluate_all`](Self::evaluate_all), but every test case has a record with another reference that is the same on the
-    /// first `same` intervals. Only what follows is simulated; nothing else changes. `goes_on` gets the results in the order of
-    /// the test cases; when it returns false, the result is `None`, too.
+    /// As [`evaluate_all`](Self::evaluate_all), but every test case has a record of another reference that is the same
+    /// on the first `same` intervals, and only the rest is simulated; results are the same. `keep_going` gets the
+    /// results in the order of the test cases; when it returns false, `None` is returned.
     pub(crate) fn record_all<'evaluator, 'record>(
         &'evaluator self,
         reference: &Reference,
         cases: impl Iterator<Item = (TestCase, &'record Record<'evaluator>)>,
         same: usize,
         stop: &(dyn Fn() -> bool + Sync),
-        mut goes_on: impl FnMut(&TestResult) -> bool,
+        mut keep_going: impl FnMut(&TestResult) -> bool,
     ) -> Option<Vec<Record<'evaluator>>>
     where
         'evaluator: 'record,
     {
-        // What a thread still plays when the result is known is of no use.
+        // Once the result is known, threads need not finish their rollouts.
         let is_decided = AtomicBool::new(false);
         let is_over = || is_decided.load(Ordering::Relaxed) || stop();
         let record = |(case, known): (TestCase, &Record<'evaluator>)| {
@@ -253,7 +251,7 @@ impl Evaluator {
         };
         let (mut records, mut is_whole) = (Vec::new(), true);
         self.workers.in_order(cases, record, |new| match new {
-            Some(new) if goes_on(&new.result) => {
+            Some(new) if keep_going(&new.result) => {
                 records.push(new);
                 ControlFlow::Continue(())
             }

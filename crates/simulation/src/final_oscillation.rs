@@ -1,8 +1,8 @@
 //! The decaying oscillation at the end of a reference, against dry friction.
 //!
-//! Dry friction holds a body anywhere in a band around where the reference ends. So the reference goes past the goal and
-//! back beyond it, each time less far, and friction leaves the body near the middle, as alternating fields that fade
-//! demagnetise a magnet. No coefficient need be known.
+//! Dry friction holds a body anywhere in a band around the end of the reference. The reference therefore passes the
+//! goal back and forth with decreasing amplitude, and friction leaves the body near the middle, as a decaying
+//! alternating field demagnetises a magnet. It needs no friction coefficient.
 
 use nalgebra::{Isometry3, Unit, Vector3};
 use task::AssemblyTask;
@@ -10,33 +10,34 @@ use task::AssemblyTask;
 use crate::reference::Reference;
 use crate::success::Success;
 
-/// How a reference goes past the goal and back, on the line from start to goal.
+/// An oscillation about the goal on the line from start to goal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FinalOscillation {
     goal: Vector3<f64>,
     direction: Unit<Vector3<f64>>,
-    /// How much less far than the one before each stroke goes (m).
+    /// By how much the amplitude of each stroke is smaller than that of the one before (m).
     decrease: f64,
     /// Duration of each stroke (s).
     duration: f64,
 }
 
-/// Number of strokes that go past the goal, every other one along the direction, as the first; one more ends at the goal.
+/// Number of strokes beyond the goal, alternately along the direction, as the first, and against it; one more ends at
+/// the goal.
 const COUNT: usize = 5;
-/// Part of the position tolerance by which each stroke goes less far. A body in any band that the first stroke overcomes ends
-/// within half of that from the goal.
+/// Decrease of the amplitude from stroke to stroke, as a part of the position tolerance. A body in any band that the
+/// first stroke overcomes ends within half of that from the goal.
 const DECREASE: f64 = 0.8;
-/// Part of the depth to which the parts engage by which strokes pull the body back at most: they must not take it out.
+/// Largest stroke back as a part of the engagement depth: strokes must not take the body out.
 const DEPTH: f64 = 0.5;
-/// A stroke takes this multiple of `sqrt(mass / stiffness)`, in which the body follows.
+/// Duration of a stroke as a multiple of `sqrt(mass / stiffness)`, the time in which the body follows.
 const RESPONSES: f64 = 4.0;
 /// Largest velocity and acceleration of a smooth stroke of one metre in one second.
 const PEAKS: [f64; 2] = [1.5, 6.0];
 
 impl FinalOscillation {
-    /// For a task, where a body that ends within the tolerance succeeds, and the environment guides it up to some depth (m)
-    /// from the goal, infinite where nothing does. They stay within half of that, and keep the limits of translational velocity
-    /// and acceleration. `None` where start and goal are at the same place, the depth is zero, or a number is none.
+    /// For a task and tolerances of success, where the environment guides the body up to some depth (m) from the goal,
+    /// infinite where nothing does. Strokes stay within half of that, and keep the limits of translational velocity and
+    /// acceleration. `None` where start and goal are at the same place, the depth is zero, or a value is not finite.
     pub fn new(task: &AssemblyTask, success: &Success, depth: f64) -> Option<Self> {
         let position = |pose: &[f64; 7]| Vector3::new(pose[0], pose[1], pose[2]);
         let goal = position(&task.goal);
@@ -74,7 +75,7 @@ impl FinalOscillation {
 }
 
 impl Reference {
-    /// The reference, followed by an oscillation: its last orientation and its last position beside its line stay.
+    /// The reference, followed by an oscillation: its last orientation and its last position across the line stay.
     pub fn with_oscillation(&self, oscillation: &FinalOscillation) -> Self {
         let last = self.at(self.intervals(), 0.0).pose;
         let shifted =
@@ -104,7 +105,7 @@ mod tests {
         Reference::straight(&start, &GOAL, Horizon { steps: 20, time_step: 0.02 })
     }
 
-    /// Where a body ends that is held anywhere within a band (m) around a reference on the x axis.
+    /// Where a body ends that friction holds anywhere within a band (m) around a reference on the x axis.
     fn end_in_band(reference: &Reference, band: f64) -> f64 {
         let follow = |body: f64, position: [f64; 3]| body.clamp(position[0] - band, position[0] + band);
         reference.positions().fold(0.0, follow)

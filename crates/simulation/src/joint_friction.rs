@@ -19,7 +19,7 @@ pub struct JointFriction {
 const TOLERANCE: f64 = 1e-4;
 /// Mobility (1/(kg m^2) or 1/kg) of a joint that contacts hold.
 const HELD: f64 = 1e-9;
-/// Largest number of sweeps in a step. What is missing then is small, and the next step goes on from there.
+/// Largest number of sweeps in a step. The rest is small, and the next step continues from there.
 const SWEEPS: usize = 50;
 
 impl JointFriction {
@@ -41,8 +41,8 @@ impl JointFriction {
         self.torques * time_step
     }
 
-    /// Changes the impulses in a step (s) so that they suit the joint speeds `velocity` (rad/s or m/s), which contain those so
-    /// far, and the speeds with them. `mobility` is the inverse of the mass matrix, or what contacts leave of it. Returns
+    /// Updates the impulses in a step (s) for the joint speeds `velocity` (rad/s or m/s), which contain those so far,
+    /// and the speeds with them. `mobility` is the inverse of the mass matrix, or what contacts leave of it. Returns
     /// whether they had to change.
     pub fn brake(&mut self, mobility: &JointMatrix, velocity: &mut JointVector, time_step: f64) -> bool {
         // What stops a joint per speed; nothing stops one that is held.
@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     proptest! {
-        /// Coulomb's law: a joint that moves is braked by all of its friction, one with less friction than that rests.
+        /// Coulomb's law: a moving joint is braked by all of its friction, a resting one by less.
         #[test]
         fn impulses_are_those_of_coulomb(
             entries in proptest::collection::vec(-1.0..1.0_f64, MOST_JOINTS * MOST_JOINTS),

@@ -95,7 +95,7 @@ impl LeastDistance {
         self.descend(*target, cones)
     }
 
-    /// The same, but starts at the facets that were active last, of cones in the same order. That is faster where cones and
+    /// The same, warm-started with the facets that were active last, of cones in the same order: faster where cones and
     /// target differ little from the last ones.
     pub fn solve_next(&mut self, target: &Vector6, cones: &[Cone]) -> Vector6 {
         self.excluded.clear();

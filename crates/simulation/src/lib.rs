@@ -20,32 +20,31 @@
 //! }
 //! ```
 //!
-//! With an [`ArmModel`] ([`Rollout::with_arm`]), rollouts are those of the whole arm in joint space: its mass matrix,
-//! Coriolis torques, dry friction of the joints, and a controller that samples, is late and holds its torques. The part
-//! may sit elsewhere in the gripper than the arm believes, and a [`Disturbance`] makes arm, controller and
-//! edges differ from their model. Joints give no more torque than they can. Left out are gravity, which the arm compensates, limits of
-//! positions and speeds, and elasticity. A
-//! redundant arm has no torques for its other motions: only joint friction brakes them.
+//! With an [`ArmModel`] ([`Rollout::with_arm`]), rollouts simulate the whole arm in joint space: its mass matrix, Coriolis
+//! torques, dry friction of the joints, torque limits, and a controller with samples and a delay. The part may sit elsewhere
+//! in the gripper than the robot believes, and a [`Disturbance`] makes arm, controller and edges differ from their models.
+//! The model leaves out gravity, which the arm compensates, limits of positions and speeds, and elasticity. The null space
+//! of a redundant arm has no control torques: only joint friction brakes motions in it.
 //!
 //! | question | answer |
 //! |---|---|
-//! | how does the arm move? | semi-implicit Euler in joint space, and the midpoint rule in longer steps, with the mass matrix of a configuration nearby; `arm_dynamics`, `step_length` |
+//! | how does the arm move? | semi-implicit Euler in joint space, and the midpoint rule in longer steps, with the mass matrix of a nearby configuration; `arm_dynamics`, `step_length` |
 //! | what do contacts see? | the part as a free body with the inertia `(J M^-1 J')^-1`: the same solver; `contact_solver` |
-//! | how do joints stick? | exactly: torques within the box of Coulomb, by projected Gauss-Seidel; `joint_friction` |
+//! | how do joints stick? | exactly: torques within their Coulomb bounds, by projected Gauss-Seidel; `joint_friction` |
 //! | when does the controller act? | `sampled_controller` |
 //!
-//! An [`Evaluator`] simulates a reference in several [`TestCase`]s. A [`Refinement`] changes the reference until it passes
-//! all of them. Changes begin at definite times, and the states of earlier rollouts are kept, so that only what follows is
-//! simulated; outcomes are the same to the last bit. [`FinalOscillation`] past the goal and back end a reference where dry friction
-//! would hold the body short of it. An evaluator [`with_margins`](Evaluator::with_margins) has more friction, and its contact
-//! forces count friction of other contacts as if it reversed ([`Rollout::with_reversed_friction`]).
+//! An [`Evaluator`] simulates a reference in several [`TestCase`]s. A [`Refinement`] perturbs the reference until it passes
+//! all of them. It keeps snapshots of earlier rollouts, and simulates only what follows a perturbation; outcomes are the
+//! same to the last bit. A [`FinalOscillation`] ends a reference where dry friction would hold the body short of the goal.
+//! A [`hardened`](Evaluator::hardened) evaluator has more friction, and its contact forces count friction of other contacts
+//! as reversed ([`Rollout::with_reversed_friction`]).
 //!
-//! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so that errors of the
-//! planner's physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its
-//! points. Edges are sharp, unless a [`Disturbance`] gives them a radius: then faces that overlap by less do not touch,
-//! as if corners of that size were cut off; facets that are narrower count as edges. The velocity after a step is exactly the one nearest in kinetic energy that avoids overlap. The method is of
-//! first order in the time step; steps are longer where the velocity changes little, and then of second order. Results
-//! are deterministic and do not depend on the number of threads.
+//! Contacts are neither smoothed nor relaxed, and the planner's collision kernel is not used, so errors of the planner's
+//! physics show here. Contact points come from the facets and edges that touch; a flat contact has all of its points. Edges
+//! are sharp unless a [`Disturbance`] gives them a radius: then faces that overlap by less do not touch, as if corners of
+//! that size were cut off, and narrower facets count as edges. The velocity after a step is exactly the nearest one in
+//! kinetic energy that avoids penetration. The method is of first order in the time step; where the velocity changes little,
+//! steps are longer and of second order. Results are deterministic and do not depend on the number of threads.
 //!
 //! Settings, tolerances and numbers of offsets have ranges: callers check them with [`Settings::validate_for`],
 //! [`Success::validate`] and [`offsets::validate_count`]. A rollout with settings out of range is not computed and
@@ -57,7 +56,7 @@
 //! | paper | label | here |
 //! |---|---|---|
 //! | Eq. (17), Moreau's time stepping | `Eq. ts` | [`Rollout::play`], `dynamics::Stepper::step`, `arm_dynamics::ArmStepper::step` |
-//! | Eq. (17c), contacts without overlap | `Eq. ts3` | `contact_solver::ContactSolver::resolve` |
+//! | Eq. (17c), contacts without penetration | `Eq. ts3` | `contact_solver::ContactSolver::resolve` |
 //! | Eq. (18), impedance law | `Eq. impedancewrench` | `dynamics::Stepper::free_velocity` |
 //! | zero level of Eq. (1), signed distance | `Eq. sdfopt` | `contact::ContactFinder::find` |
 //! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`task::GraspError::actual`] |
@@ -71,14 +70,13 @@ mod arm_terms;
 mod axis;
 mod body;
 mod bounds;
-mod perturbation;
 mod candidates;
 mod contact;
 mod contact_solver;
-mod rollout_state;
 mod disturbance;
 mod dynamics;
 mod evaluator;
+mod final_oscillation;
 mod joint_friction;
 mod latency;
 mod least_distance;
@@ -86,34 +84,35 @@ mod loads;
 mod metric;
 mod motion;
 pub mod offsets;
-mod patch;
-mod plant;
 mod overshoot;
+mod patch;
+mod perturbation;
+mod plant;
 mod reference;
 mod refinement;
 mod rollout;
+mod rollout_state;
 mod sampled_controller;
 mod settings;
 mod settings_error;
 mod solid;
 mod step_length;
-mod final_oscillation;
 mod success;
 mod timed_state;
 
 pub use arm_model::{ArmModel, ArmModelError};
 pub use bounds::{Bounds, LIMIT_SLACK};
-pub use perturbation::Perturbation;
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, FrictionIndex, TestCase, TestResult};
+pub use final_oscillation::FinalOscillation;
 pub use loads::Loads;
 pub use overshoot::Overshoot;
+pub use perturbation::Perturbation;
 pub use reference::{Knot, Reference, coordinates, interpolate, isometry};
 pub use refinement::Refinement;
 pub use rollout::{Outcome, Rollout};
 pub use settings::Settings;
 pub use settings_error::SettingsError;
 pub use solid::{Edge, Facet, Solid};
-pub use final_oscillation::FinalOscillation;
 pub use success::{Success, wilson_interval};
 pub use timed_state::TimedState;

@@ -1,4 +1,4 @@
-//! What a motion asks of the parts and of the controller.
+//! Forces of a motion on parts and controller.
 
 use std::collections::VecDeque;
 
@@ -19,7 +19,7 @@ pub struct Loads {
 }
 
 impl Loads {
-    /// By how much limits are exceeded: the sum of the three excesses, each as a fraction of its limit.
+    /// Excess over the limits: the sum of the three excesses, each as a fraction of its limit.
     pub fn excess(&self, limits: &Limits) -> f64 {
         let Self { contact_force, force, torque } = self;
         let pairs = [(contact_force, limits.contact_force), (force, limits.force), (torque, limits.torque)];
@@ -38,7 +38,7 @@ pub struct LoadMeter {
     elapsed: f64,
     /// Sum of their impulses (Ns), for every pair.
     impulses: Vec<f64>,
-    /// Lists of steps that were forgotten, to be filled again.
+    /// Lists of dropped steps, to be reused.
     spare: Vec<Vec<(usize, f64)>>,
 }
 
@@ -49,8 +49,8 @@ impl LoadMeter {
         Self { largest, steps: VecDeque::new(), elapsed: 0.0, impulses: vec![0.0; pairs], spare: Vec::new() }
     }
 
-    /// Takes over a step: its duration (s), the normal impulse (Ns) of every pair, whose force is constant meanwhile, and
-    /// the controller's wrench after it. Returns whether the contact force is larger than ever before.
+    /// Adds a step: its duration (s), the normal impulse (Ns) of every pair, whose force is constant within the step,
+    /// and the controller's wrench after it. Returns whether the contact force is larger than ever before.
     pub fn add(&mut self, duration: f64, impulses: &[f64], wrench: &[f64; 6]) -> bool {
         let mut pushing = self.spare.pop().unwrap_or_default();
         pushing.extend(impulses.iter().copied().enumerate().filter(|(_, impulse)| *impulse != 0.0));
@@ -82,8 +82,8 @@ impl LoadMeter {
         self.spare.push(pushing);
     }
 
-    /// Largest mean force (N) over the last 10 ms of the pairs that push now: of others, it has been larger. Before the
-    /// motion there were no forces.
+    /// Largest mean force (N) over the last 10 ms of the pairs that push now: that of other pairs was larger before.
+    /// Before the motion there were no forces.
     fn mean(&self) -> f64 {
         let (Some((duration, first)), Some((_, last))) = (self.steps.front(), self.steps.back()) else { return 0.0 };
         let before = (self.elapsed - FORCE_WINDOW).max(0.0) / duration;

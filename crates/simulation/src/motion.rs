@@ -1,4 +1,4 @@
-//! Rollouts as trajectories of the planner, so that both are written and read alike.
+//! Rollouts as trajectories of the planner, so that both have one format.
 
 use task::{AssemblyTask, Limits, Quality, ScenarioTrajectory, Trajectory};
 

@@ -1,6 +1,6 @@
 //! Offsets to inject (m, body frame).
 //!
-//! Numbers of offsets are at most [`MAX_COUNT`]: callers refuse larger ones with [`validate_count`].
+//! At most [`MAX_COUNT`] offsets are allowed: callers refuse larger numbers with [`validate_count`].
 
 use collision::Polytope;
 use fastrand::Rng;
@@ -21,8 +21,8 @@ pub fn validate_count(field: &'static str, count: f64) -> Result<(), SettingsErr
 }
 
 /// All convex combinations of the planned offsets with weights that are multiples of `1 / divisions`, each offset once:
-/// a grid in their hull with the planned offsets as its corners. There is at least one division; no planned offsets
-/// have no grid. Go ahead only if [`grid_size`] is valid.
+/// a grid in their hull with the planned offsets as its corners. At least one division is used; without planned offsets
+/// the grid is empty. Check [`grid_size`] first.
 pub fn grid(planned: &[[f64; 3]], divisions: usize) -> Vec<[f64; 3]> {
     let divisions = divisions.max(1);
     let mut found = Vec::new();
@@ -40,7 +40,7 @@ pub fn grid_size(planned: usize, divisions: usize) -> f64 {
     (1..=fewer.min(1024)).map(|index| (more as f64 + index as f64) / index as f64).product()
 }
 
-/// Calls `visit` with every way to distribute `total` over `count` entries, as the entries (index, share) that are not
+/// Calls `visit` with every distribution of `total` over `count` entries, as the entries (index, share) that are not
 /// zero: from all for the first entry to all for the last.
 fn for_each_composition(count: usize, total: usize, mut visit: impl FnMut(&[(usize, usize)])) {
     let Some(last) = count.checked_sub(1) else { return };
@@ -69,9 +69,9 @@ pub fn hull(planned: &[[f64; 3]], count: usize, seed: u64) -> Vec<[f64; 3]> {
     (0..count).map(|_| combination()).collect()
 }
 
-/// Random offsets of those that are covered up to a magnitude (m): of a hull convex combinations of the planned ones, as
-/// [`hull`] has them. Of a disc or a ball, the first [`rim_count`] are as long as the magnitude, in directions that are
-/// all equally likely, because long ones fail first; the others are uniform inside.
+/// Random covered offsets of up to a magnitude (m): for a hull, convex combinations of the planned ones, as [`hull`]
+/// returns them. For a disc or a ball, the first [`rim_count`] have the full magnitude, in directions that are all
+/// equally likely, because long ones fail first; the others are uniform inside.
 pub fn covered(coverage: &Coverage, planned: &[[f64; 3]], magnitude: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
     if *coverage == Coverage::Hull {
         return hull(planned, count, seed);
@@ -85,7 +85,7 @@ pub fn covered(coverage: &Coverage, planned: &[[f64; 3]], magnitude: f64, count:
     (0..count).map(&mut offset).collect()
 }
 
-/// How many of a number of random offsets of a disc or a ball are as long as the magnitude: half of them, rounded up.
+/// How many of some random offsets of a disc or a ball have the full magnitude: half of them, rounded up.
 pub fn rim_count(count: usize) -> usize {
     count.div_ceil(2)
 }
@@ -96,9 +96,9 @@ pub fn ball(radius: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
     (0..count).map(|_| plain(round_point(&span, &mut random) * radius)).collect()
 }
 
-/// Random turns (rotation vectors, rad) beside the random offsets of the same seed, uniform in a ball of the largest one.
+/// Random rotation errors (rotation vectors, rad) for the random offsets of the same seed, uniform in a ball.
 pub fn rotations(largest: f64, count: usize, seed: u64) -> Vec<[f64; 3]> {
-    /// Distance between the seeds of turns and of offsets, which must not depend on each other.
+    /// Distance between the seeds of rotations and of offsets, which must be independent.
     const ROTATION_SEED: u64 = 50;
     ball(largest, count, seed.wrapping_add(ROTATION_SEED))
 }
@@ -119,8 +119,8 @@ fn plain(offset: Vector3<f64>) -> [f64; 3] {
     offset.map(|component| component + 0.0).into()
 }
 
-/// Length (m) up to which offsets in every direction that the planned ones span lie in the hull of these; zero where no
-/// offset does not lie inside of it.
+/// Length (m) up to which offsets in every direction that the planned ones span lie in their hull; zero where no offset
+/// lies inside it.
 pub fn worst_direction(planned: &[[f64; 3]]) -> f64 {
     let planned: Vec<Vector3<f64>> = planned.iter().copied().map(Vector3::from).collect();
     let longest = planned.iter().map(Vector3::norm).fold(0.0, f64::max);
@@ -251,12 +251,14 @@ mod tests {
         assert_eq!(covered(&Coverage::Ball, &[], 0.0, 2, 3), [[0.0; 3]; 2]);
     }
 
-    /// Turns as the points of a ball, which do not follow the offsets of the same seed.
+    /// Rotations as the points of a ball, which do not follow the offsets of the same seed.
     #[test]
     fn turns_and_offsets_of_one_seed_are_independent() {
         let (offsets, rotated) = (ball(1.0, 2000, 7), rotations(1.0, 2000, 7));
-        let products =
-            offsets.iter().zip(&rotated).map(|(offset, rotation)| Vector3::from(*offset).dot(&Vector3::from(*rotation)));
+        let products = offsets
+            .iter()
+            .zip(&rotated)
+            .map(|(offset, rotation)| Vector3::from(*offset).dot(&Vector3::from(*rotation)));
         let mean = products.sum::<f64>() / 2000.0;
         assert!(mean.abs() < 0.05, "{mean}");
         assert_eq!(rotations(0.0, 3, u64::MAX), [[0.0; 3]; 3]);

@@ -2,14 +2,14 @@
 
 use nalgebra::{Isometry3, Vector3};
 
-/// How far a reference leads beyond where the body can go, when the contact force is largest.
+/// Distance from the reference, which leads into a contact, to the body, at the time of the largest contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Overshoot {
-    /// When, as a fraction of the duration of the reference; more than 1 while its end is held.
+    /// Time as a fraction of the duration of the reference; more than 1 while its end is held.
     pub fraction: f64,
     /// From the reference to the body (m, world frame).
     pub shift: Vector3<f64>,
-    /// Rotation vector that turns the reference to the body (rad, body frame).
+    /// Rotation vector from the reference to the body (rad, body frame).
     pub rotation: Vector3<f64>,
 }
 
@@ -27,7 +27,7 @@ impl Overshoot {
         }
     }
 
-    /// A part of the way back: with a spring, it takes away that part of the force.
+    /// A part of the overshoot: with a spring, it takes away that part of the force.
     pub fn scaled(&self, part: f64) -> Self {
         Self { fraction: self.fraction, shift: self.shift * part, rotation: self.rotation * part }
     }

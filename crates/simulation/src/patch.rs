@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::solid::Solid;
 
-/// Shorter sides (m) are corners.
+/// Sides shorter than this (m) are corners.
 const SHORTEST_SIDE: f64 = 1e-9;
 
 /// The points of a contact with their gaps (m).

@@ -6,12 +6,12 @@ use nalgebra::Vector3;
 use crate::overshoot::Overshoot;
 use crate::success::Success;
 
-/// Shifts and turns a reference around one time, or from one time on. The start of the reference does not change.
+/// Shifts and rotates a reference around one time, or from one time on. The start of the reference does not change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Perturbation {
     /// Time of the perturbation, as a fraction of the duration.
     center: f64,
-    /// Width of the perturbation in time, as a fraction of the duration.
+    /// Width in time, as a fraction of the duration.
     width: f64,
     /// Whether the perturbation lasts until the end.
     lasting: bool,
@@ -23,31 +23,31 @@ pub struct Perturbation {
 
 /// Smallest and largest width, as fractions of the duration.
 const WIDTHS: [f64; 2] = [0.04, 0.34];
-/// Part of the duration in which late perturbations lie.
+/// Last part of the duration, in which late perturbations lie.
 const LATE: f64 = 0.25;
 /// Fraction of perturbations that last.
 const LASTING: f64 = 0.2;
 /// Standard deviation of the logarithm of the size.
 const SPREAD: f64 = 0.8;
-/// Typical turn as a multiple of the orientation tolerance. It is small because turns act through levers.
+/// Typical rotation as a multiple of the orientation tolerance. It is small because rotations act through levers.
 const ROTATION: f64 = 0.3;
-/// How much earlier than the largest force its relief may be, as a fraction of the duration.
+/// Longest time by which a relief precedes the largest force, as a fraction of the duration.
 const EARLIER: f64 = 0.05;
 /// Width of the interval of time, as a fraction of the duration, in which varied perturbations lie.
 const LATER: f64 = 0.1;
 /// Fraction of another perturbation that is added to a varied one.
 const MIXED: f64 = 0.3;
-/// How far aimed perturbations go astray, as a multiple of the way ahead: up to 30 degrees.
+/// Sideways error of aimed perturbations, as a multiple of the distance ahead: up to 30 degrees.
 const ASTRAY: f64 = 0.5;
-/// Multiples of the width at which a passing perturbation begins and ends before and after its center, and a lasting one is
-/// none or whole.
+/// Multiples of the width before and after the center at which a passing perturbation begins and ends, and at which a
+/// lasting one begins and is complete.
 const PASSING_ENDS: f64 = 2.5;
 const LASTING_ENDS: f64 = 1.0;
 /// Fraction of the duration over which a perturbation fades in, so that the start does not change.
 const FADE: f64 = 0.05;
 
 impl Perturbation {
-    /// A random shift, turn or both, of about the size of the tolerances of success.
+    /// A random shift, rotation or both, of about the size of the tolerances of success.
     pub fn random(random: &mut Rng, success: &Success) -> Self {
         let [least, most] = WIDTHS;
         let (center, width) = (1.1 * random.f64(), least + (most - least) * random.f64() * random.f64());
@@ -63,15 +63,14 @@ impl Perturbation {
         Self { center, width, lasting, shift, rotation }
     }
 
-    /// A random shift or turn that comes and goes shortly before the end.
+    /// A random shift or rotation that comes and goes shortly before the end.
     pub fn late(random: &mut Rng, success: &Success) -> Self {
         let [least, _] = WIDTHS;
         let (center, width) = (1.0 - LATE * random.f64(), least * (1.0 + random.f64()));
         Self { center, width, lasting: false, ..Self::random(random, success) }
     }
 
-    /// A perturbation like this one: at about the same time and in about the same direction, of another size; `other` is added
-    /// in part.
+    /// A perturbation at about the same time and in about the same direction, of another size, plus a part of `other`.
     pub fn varied(&self, other: &Self, random: &mut Rng) -> Self {
         let size = (SPREAD * normal(random)).exp();
         Self {
@@ -82,8 +81,8 @@ impl Perturbation {
         }
     }
 
-    /// A perturbation like this one in time, towards a shift (m, world frame) and a turn (rad, body frame) that a body lacks; its
-    /// size is between that of this one and twice of what is lacked.
+    /// A perturbation with the same course in time, towards a shift (m, world frame) and a rotation (rad, body frame)
+    /// that a body lacks. Its size is between its own and twice the lack.
     pub fn aimed(&self, shift: &Vector3<f64>, rotation: &Vector3<f64>, random: &mut Rng) -> Self {
         let exponent = random.f64();
         let aim = |change: &Vector3<f64>, lacked: &Vector3<f64>| {
@@ -97,7 +96,7 @@ impl Perturbation {
         Self { shift: aim(&self.shift, shift), rotation: aim(&self.rotation, rotation), ..*self }
     }
 
-    /// A perturbation that takes back about as much as a reference leads too far, at that time or a little earlier.
+    /// A perturbation that takes back about the overshoot, at its time or a little earlier.
     pub fn relief(random: &mut Rng, overshoot: &Overshoot) -> Self {
         let [least, most] = WIDTHS;
         let center = overshoot.fraction.min(1.0) - EARLIER * random.f64();
@@ -109,7 +108,7 @@ impl Perturbation {
         Self { center, width, lasting: false, shift, rotation }
     }
 
-    /// The same perturbation, smaller or larger.
+    /// The same perturbation times a factor.
     pub fn scaled(&self, factor: f64) -> Self {
         Self { shift: self.shift * factor, rotation: self.rotation * factor, ..*self }
     }
@@ -121,7 +120,7 @@ impl Perturbation {
             let part = (0.5 + 0.5 * distance / LASTING_ENDS).clamp(0.0, 1.0);
             part * part * (3.0 - 2.0 * part)
         } else {
-            // Nearly a normal distribution, but with ends: what was before need not be simulated again.
+            // Nearly a normal distribution, but of bounded support: what was before need not be simulated again.
             (1.0 - (distance / PASSING_ENDS).powi(2)).max(0.0).powi(3)
         };
         (fraction / FADE).min(1.0) * shape
@@ -144,12 +143,13 @@ mod tests {
             Overshoot { fraction: 0.6, shift: Vector3::new(0.0, 0.0, 0.004), rotation: Vector3::new(0.03, 0.0, 0.0) };
         for _ in 0..100 {
             let relief = Perturbation::relief(&mut random, &overshoot);
-            let parts = [relief.shift.norm() / overshoot.shift.norm(), relief.rotation.norm() / overshoot.rotation.norm()];
+            let parts =
+                [relief.shift.norm() / overshoot.shift.norm(), relief.rotation.norm() / overshoot.rotation.norm()];
             assert!(parts.iter().any(|part| *part > 0.05) && parts.iter().all(|part| *part < 20.0), "{parts:?}");
             for (change, wanted) in [(relief.shift, overshoot.shift), (relief.rotation, overshoot.rotation)] {
                 assert!((change.dot(&wanted) - change.norm() * wanted.norm()).abs() < 1e-12, "the same direction");
             }
-            assert!(relief.weight(0.575) > 0.7 && relief.weight(1.7) < 0.1, "around that time, and not for ever");
+            assert!(relief.weight(0.575) > 0.7 && relief.weight(1.7) < 0.1, "around that time, and only for a while");
         }
     }
 
@@ -164,7 +164,7 @@ mod tests {
             assert_eq!(aimed.weight(0.7), any.weight(0.7));
             for (any, aimed, lacked) in [(any.shift, aimed.shift, shift), (any.rotation, aimed.rotation, rotation)] {
                 if any.norm() == 0.0 {
-                    assert_eq!(aimed, any, "a change without shift or rotation remains one");
+                    assert_eq!(aimed, any, "a perturbation without shift or rotation remains one");
                     continue;
                 }
                 assert!(aimed.angle(&lacked) < 0.53, "30 degrees at most");
@@ -175,6 +175,6 @@ mod tests {
         }
         assert!(is_larger > 30, "{is_larger}");
         let any = Perturbation::random(&mut random, &Success::default());
-        assert_eq!(any.aimed(&Vector3::zeros(), &Vector3::zeros(), &mut random), any, "nothing is lacked");
+        assert_eq!(any.aimed(&Vector3::zeros(), &Vector3::zeros(), &mut random), any, "nothing is lacking");
     }
 }

@@ -1,4 +1,4 @@
-//! What moves in a rollout.
+//! The simulated plant.
 
 use crate::arm_dynamics::ArmStepper;
 use crate::body::Body;

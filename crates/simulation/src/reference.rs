@@ -61,8 +61,8 @@ impl Reference {
         Self { time_step, knots: states.iter().map(Knot::new).collect() }
     }
 
-    /// The motion without a plan: straight from start to goal, turning about one axis, at constant velocity. The
-    /// horizon has at least one step.
+    /// The straight motion from start to goal, rotating about one axis, at constant velocity. The horizon has at least
+    /// one step.
     pub fn straight(start: &[f64; 7], goal: &[f64; 7], horizon: Horizon) -> Self {
         let (start, goal) = (isometry(start), isometry(goal));
         let duration = horizon.steps as f64 * horizon.time_step;
@@ -76,7 +76,8 @@ impl Reference {
         Self { time_step: horizon.time_step, knots: (0..=horizon.steps).map(knot).collect() }
     }
 
-    /// The reference changed by a perturbation, with the twists that lead from knot to knot. Knots before the perturbation stay as they are.
+    /// The reference with a perturbation, and with the twists that lead from knot to knot. Knots before the
+    /// perturbation stay as they are.
     pub fn perturbed(&self, perturbation: &Perturbation) -> Self {
         let mut knots = self.knots.clone();
         let weight = |index: usize| perturbation.weight(index as f64 / self.intervals().max(1) as f64);
@@ -88,8 +89,8 @@ impl Reference {
         Self { time_step: self.time_step, knots }.with_twists_from(first)
     }
 
-    /// The reference with what it departs from a straight motion taken back by a share (0 to 1) between two fractions of its
-    /// duration, and by less near these, but for start and end.
+    /// The reference with a share (0 to 1) of its departure from a straight motion taken back between two fractions of
+    /// its duration. The share fades towards these fractions, but not towards start and end.
     pub fn straightened(&self, straight: &StraightMotion, part: [f64; 2], share: f64) -> Self {
         let mut knots = self.knots.clone();
         let mut first = knots.len();
@@ -103,7 +104,7 @@ impl Reference {
         Self { time_step: self.time_step, knots }.with_twists_from(first)
     }
 
-    /// The first intervals, no more than so many.
+    /// The first intervals, at most `intervals`.
     pub fn cut(&self, intervals: usize) -> Self {
         Self { time_step: self.time_step, knots: self.knots.iter().copied().take(intervals + 1).collect() }
     }
@@ -127,10 +128,9 @@ impl Reference {
         self
     }
 
-    /// What a part in the gripper is to do while the robot follows the reference: the same motion, described with the frame
-    /// of the part.
+    /// The motion of the part while the robot follows the reference: the same motion in the frame of the part.
     pub fn of_part(&self, grasp: &GraspError) -> Self {
-        let rotation = grasp.rotation();
+        let rotation = grasp.quaternion();
         let rotated = |knot: &Knot| Knot {
             pose: Isometry3::from_parts(knot.pose.translation, knot.pose.rotation * rotation.inverse()),
             angular_velocity: rotation * knot.angular_velocity,
@@ -139,7 +139,7 @@ impl Reference {
         Self { time_step: self.time_step, knots: self.knots.iter().map(rotated).collect() }
     }
 
-    /// On how many of the first intervals another reference is the same.
+    /// Number of first intervals on which another reference is the same.
     pub fn shared_intervals(&self, other: &Self) -> usize {
         let knots = || self.knots.iter().zip(&other.knots);
         match knots().position(|(one, other)| one != other) {
@@ -205,7 +205,7 @@ impl Reference {
 /// Fraction of a part of a reference over which a change fades in and out.
 const FADE: f64 = 0.3;
 
-/// How much of a change of a part applies at a fraction of the duration: it fades out towards the ends of the part, but not
+/// Weight of a change of a part at a fraction of the duration: it fades out towards the ends of the part, but not
 /// towards those of the reference.
 fn inside(fraction: f64, [from, to]: [f64; 2]) -> f64 {
     let fade = FADE * (to - from);

@@ -1,6 +1,6 @@
-//! Refinement of a reference by rollouts: random smooth perturbations are tried, and those that let more test cases pass are
-//! kept. Some lead back from where a failing test case pushes too hard, some lead towards the goal that a failing test case
-//! misses, some resemble changes that have helped before.
+//! Refinement of a reference by rollouts: random smooth perturbations are tried, and those with which more test cases
+//! pass are kept. Some lead back from where a failing test case pushes too hard, some lead towards its goal, some
+//! resemble perturbations that have helped before.
 //!
 //! A contact that holds in the planner's smoothed and relaxed physics may slip when it is hard, and the derivatives of
 //! the planner do not show it. A rollout takes milliseconds, and a few rollouts tell whether a perturbation is useless.
@@ -12,55 +12,55 @@ use std::cmp::Reverse;
 use fastrand::Rng;
 
 use crate::bounds::Bounds;
-use crate::perturbation::Perturbation;
 use crate::evaluator::{Evaluator, Record, TestCase, TestResult};
+use crate::perturbation::Perturbation;
 use crate::reference::Reference;
 
 /// A reference that is being refined.
 pub struct Refinement<'evaluator> {
     evaluator: &'evaluator Evaluator,
     bounds: Bounds,
-    /// What changes must leave of the range of an arm's joints (rad or m); `None` if the first reference leaves none.
+    /// Range of an arm's joints (rad or m) that perturbations must leave; `None` if the first reference leaves none.
     room: Option<f64>,
     random: Rng,
     reference: Reference,
     cases: Vec<TestCase>,
-    /// Of the reference, one of every test case.
+    /// Records of the reference, one per test case.
     records: Vec<Record<'evaluator>>,
-    /// How many perturbations each test case has decided against, which it had passed before.
+    /// Number of perturbations that each test case has rejected after it had passed before.
     refusals: Vec<usize>,
     rollouts: usize,
     /// The last perturbations that helped.
     helped: Vec<Perturbation>,
 }
 
-/// A perturbation is dropped if the sum of the violations of so many failing test cases, which are played first, does not decrease.
+/// Number of failing test cases that are played first. A perturbation is dropped if the sum of their violations does
+/// not decrease.
 const FIRST: usize = 4;
 /// Fraction of perturbations that lead away from where a failing test case exceeds the limit of contact forces.
 const RELIEVING: f64 = 0.3;
-/// Fraction of the others that lead towards what a failing test case lacks.
+/// Fraction of the others that lead towards the goal of a failing test case.
 const AIMED: f64 = 0.3;
-/// Final errors that are less than this multiple of the position tolerance are those of a body that is nearly there, and how
-/// many of its perturbations go too far and back.
+/// A body is nearly at its goal within this multiple of the position tolerance; fraction of its perturbations that go
+/// beyond the goal and back.
 const NEAR: f64 = 4.0;
 const TOO_FAR: f64 = 0.5;
-/// How many of the other perturbations lead along the contacts of bodies that are far from their goal.
+/// Fraction of the other perturbations that lead along the contacts of bodies far from their goal.
 const SLIDING: f64 = 0.5;
 /// Fraction of the others that resemble earlier ones.
 const LEARNED: f64 = 0.5;
-/// Perturbations that are looked at until one keeps the bounds, and how often each is halved.
+/// Proposals per perturbation until one keeps the bounds, and halvings of each.
 const PROPOSALS: usize = 20;
 const HALVINGS: usize = 3;
-/// Perturbations leave that much of the range of the joints (rad or m) beside the reference: the arm differs from it by its errors.
+/// Range of the joints (rad or m) that perturbations leave beside the reference: the arm departs from it by its errors.
 const ROOM: f64 = 0.05;
 /// Number of helpful perturbations that are remembered.
 const REMEMBERED: usize = 6;
 
 impl<'evaluator> Refinement<'evaluator> {
-    /// Of a reference whose results in the test cases are known, in the order of the test cases.
+    /// Starts from a reference whose results in the test cases are known, in the order of the test cases.
     ///
-    /// # Panics
-    /// When there are not as many results as test cases.
+    /// # Panics When there are not as many results as test cases.
     pub fn new(
         evaluator: &'evaluator Evaluator,
         reference: Reference,
@@ -106,10 +106,10 @@ impl<'evaluator> Refinement<'evaluator> {
         self.score().0 as f64 / self.cases.len().max(1) as f64
     }
 
-    /// Tries a random perturbation, keeps it if it improves the [`score`](Self::score), and returns whether
-    /// it does. Failing test cases are simulated first, then the passing ones, each in random order, and no further than it
-    /// takes to see that the perturbation is no improvement. A perturbation that leaves the bounds is dropped, and so is the current
-    /// one when `stop` returns true.
+    /// Tries a random perturbation, keeps it if it improves the [`score`](Self::score), and returns whether it does.
+    /// Failing test cases are simulated first, then the passing ones, each in random order, until it is clear that the
+    /// perturbation is no improvement. A perturbation that leaves the bounds is dropped, and so is the current one when
+    /// `stop` returns true.
     pub fn improve(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         self.record_failing(stop);
         let Some((perturbation, reference)) = self.propose() else { return false };
@@ -121,7 +121,7 @@ impl<'evaluator> Refinement<'evaluator> {
         is_better
     }
 
-    /// Plays failing test cases of which only results are known again, for records to go on from: they are played in every attempt.
+    /// Plays failing test cases of which only results are known again, for snapshots: every attempt plays them.
     fn record_failing(&mut self, stop: &(dyn Fn() -> bool + Sync)) {
         let is_unknown = |&index: &usize| !self.records[index].result.passed && !self.records[index].has_snapshots();
         let unknown: Vec<usize> = (0..self.cases.len()).filter(is_unknown).collect();
@@ -131,27 +131,27 @@ impl<'evaluator> Refinement<'evaluator> {
         }
     }
 
-    /// Plays some of the test cases with a reference, as long as their results go on. `None` when they do not, or `stop` returned
-    /// true.
+    /// Plays some of the test cases with a reference while `keep_going` returns true for their results. `None` when it
+    /// does not, or `stop` returned true.
     fn play(
         &mut self,
         reference: &Reference,
         indices: &[usize],
         stop: &(dyn Fn() -> bool + Sync),
-        mut goes_on: impl FnMut(&TestResult) -> bool,
+        mut keep_going: impl FnMut(&TestResult) -> bool,
     ) -> Option<Vec<Record<'evaluator>>> {
         let cases = indices.iter().map(|&index| (self.cases[index], &self.records[index]));
         let same = self.reference.shared_intervals(reference);
         let mut rollouts = 0;
         let new = self.evaluator.record_all(reference, cases, same, stop, |result| {
             rollouts += 1;
-            goes_on(result)
+            keep_going(result)
         });
         self.rollouts += rollouts;
         new
     }
 
-    /// A perturbation that keeps the bounds, and what it makes of the reference; halved until it does. `None` where none was found.
+    /// A perturbation, halved until it keeps the bounds, and the perturbed reference. `None` where none was found.
     fn propose(&mut self) -> Option<(Perturbation, Reference)> {
         for _ in 0..PROPOSALS {
             let mut perturbation = self.random_perturbation();
@@ -166,13 +166,13 @@ impl<'evaluator> Refinement<'evaluator> {
         None
     }
 
-    /// Whether an arm can follow a reference as well as the first one, or nearly so.
+    /// Whether an arm can follow a reference nearly as well as the first one.
     fn has_room(&self, reference: &Reference) -> bool {
         self.room.is_none_or(|least| self.evaluator.room(reference).is_some_and(|room| room >= least))
     }
 
-    /// A random perturbation, one away from where a failing test case pushes too hard, one towards what it lacks, or one that
-    /// resembles a perturbation which has helped.
+    /// A random perturbation, one away from where a failing test case pushes too hard, one towards its goal, or one
+    /// that resembles a perturbation which has helped.
     fn random_perturbation(&mut self) -> Perturbation {
         if self.evaluator.limits_contact_forces()
             && self.random.f64() < RELIEVING
@@ -184,11 +184,11 @@ impl<'evaluator> Refinement<'evaluator> {
         if self.random.f64() < AIMED
             && let Some(TestResult { remaining_shift, unblocked_shift, remaining_rotation, .. }) = self.some_failing()
         {
-            // Dry friction holds a body short of the goal: going too far and back again takes it there.
+            // Dry friction holds a body short of the goal: going beyond it and back again takes the body there.
             let is_near = remaining_shift.norm() < NEAR * self.evaluator.success().position;
             let goes_too_far = is_near && self.random.f64() < TOO_FAR;
             let new = if goes_too_far { Perturbation::late(&mut self.random, self.evaluator.success()) } else { new };
-            // A body that contacts hold far from its goal is to slide on them.
+            // A body that contacts hold far from its goal should slide on them.
             let slides = !is_near && self.random.f64() < SLIDING;
             let remaining_shift = if slides { unblocked_shift } else { remaining_shift };
             return new.aimed(&remaining_shift, &remaining_rotation, &mut self.random);
@@ -206,16 +206,17 @@ impl<'evaluator> Refinement<'evaluator> {
         (!failing.is_empty()).then(|| failing[self.random.usize(..failing.len())])
     }
 
-    /// Takes over a reference if it is better than the best so far.
+    /// Accepts a reference if it is better than the best so far.
     fn attempt(&mut self, reference: Reference, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         let (failing, mut passing) = self.shuffled();
-        // The order of these does not matter to what is found: a perturbation must not lose any without a gain elsewhere.
+        // The order does not affect the result: a perturbation must not lose any of these without a gain elsewhere.
         passing.sort_by_key(|&index| Reverse(self.refusals[index]));
-        let violation_of = |indices: &[usize]| indices.iter().map(|&index| self.records[index].result.violation).sum::<f64>();
+        let violation_of =
+            |indices: &[usize]| indices.iter().map(|&index| self.records[index].result.violation).sum::<f64>();
         let (first, before) = (FIRST.min(failing.len()), (failing.len(), violation_of(&failing)));
         let violation_of_first = violation_of(&failing[..first]);
         let order = [failing, passing].concat();
-        // So far: test cases, and those that fail with the sum of their violations. The more are played, the larger these become.
+        // Test cases so far, and failing ones with the sum of their violations. Both grow with the number played.
         let (mut played, mut now) = (0, (0, 0.0));
         let new = self.play(&reference, &order, stop, |result| {
             played += 1;
@@ -248,7 +249,8 @@ impl<'evaluator> Refinement<'evaluator> {
         self.records.iter().map(|record| &record.result)
     }
 
-    /// Number of failing test cases and the sum of their violations. Fewer failing test cases are better, then a smaller sum.
+    /// Number of failing test cases and the sum of their violations. Fewer failing test cases are better, then a
+    /// smaller sum.
     pub fn score(&self) -> (usize, f64) {
         let failing = self.results().filter(|result| !result.passed);
         (failing.clone().count(), failing.map(|result| result.violation).sum())

@@ -12,19 +12,19 @@ use crate::arm_model::{ArmModel, ArmModelError};
 use crate::body::Body;
 use crate::contact::{ContactFinder, Shapes};
 use crate::contact_solver::ContactSolver;
-use crate::rollout_state::RolloutState;
 use crate::disturbance::Injection;
 use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
-use crate::plant::Plant;
 use crate::overshoot::Overshoot;
+use crate::plant::Plant;
 use crate::reference::{Reference, coordinates, isometry};
+use crate::rollout_state::RolloutState;
 use crate::settings::Settings;
 use crate::step_length::{STEADY, Steps};
 use crate::success::Success;
 use crate::timed_state::TimedState;
 
-/// A rollout under way, kept to go on from.
+/// The state of a rollout, kept to continue from.
 pub(crate) type Snapshot<'rollout> = Arc<RolloutState<'rollout>>;
 
 /// Largest number of snapshots of a rollout.
@@ -40,9 +40,9 @@ pub struct Rollout {
     has_even_steps: bool,
     /// The acceleration (m/s^2) up to which steps may be longer.
     steady: f64,
-    /// Whether contact forces count friction as if it reversed.
+    /// Whether contact forces count friction as reversed.
     reverses_friction: bool,
-    /// The orientation of the part for which the gains are set, where the arm is controlled as players of exports do it.
+    /// The orientation of the part for which the gains are set, where the arm is controlled as by players.
     set_for: Option<UnitQuaternion<f64>>,
     /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
     pub(crate) arm: Option<(ArmModel, JointVector)>,
@@ -57,18 +57,18 @@ pub struct Outcome {
     pub position_error: f64,
     /// Angle between the final orientation and the goal (rad).
     pub orientation_error: f64,
-    /// Deepest overlap of a pair (m) after any time step, or at the start.
+    /// Deepest penetration of a pair (m) after any time step, or at the start.
     pub max_penetration: f64,
     /// Largest contact force, and largest wrench of the controller.
     pub loads: Loads,
     /// Where the contact force is largest.
     pub overshoot: Overshoot,
-    /// The way from the final position to the goal (m, world frame).
+    /// From the final position to the goal (m, world frame).
     pub remaining: Vector3<f64>,
-    /// The part of this way that no contact blocks (m, world frame).
+    /// The part of this that no contact blocks (m, world frame).
     pub unblocked: Vector3<f64>,
-    /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields then mean
-    /// nothing.
+    /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields are then
+    /// meaningless.
     pub diverged: bool,
 }
 
@@ -95,12 +95,11 @@ impl Rollout {
         }
     }
 
-    /// With an arm that holds the body. The inertia is that of the arm then, not that of the task; the time step becomes
-    /// the largest divisor of the control period that is not longer than that of the settings.
+    /// With an arm that holds the body. The arm then determines the inertia; the time step becomes the largest divisor
+    /// of the control period that is not longer than that of the settings.
     ///
-    /// # Errors
-    /// When a number of the settings or of the model is out of its range, or the arm does not reach goal, start and the straight way between
-    /// them on one branch.
+    /// # Errors When a number of the settings or of the model is out of its range, or the arm does not reach goal,
+    /// start and the straight path between them on one IK branch.
     pub fn with_arm(mut self, model: &ArmModel) -> Result<Self, ArmModelError> {
         self.settings.validate()?;
         let start = model.start(&self.task)?;
@@ -109,31 +108,31 @@ impl Rollout {
         Ok(self)
     }
 
-    /// With longer steps that change the velocity of no point by more than this acceleration (m/s^2) does in the shortest step; by
-    /// default it is 1.
+    /// With longer steps that change the velocity of no point by more than this acceleration (m/s^2) does in the
+    /// shortest step; the default is 1.
     pub fn with_steady(self, acceleration: f64) -> Self {
         Self { steady: acceleration, ..self }
     }
 
-    /// With contact forces that count friction of other contacts as if it reversed: the largest forces of contacts that yield
-    /// a little. Motions stay the same.
+    /// Reports contact forces with the friction of all other contacts reversed, an upper estimate for compliant
+    /// contacts. Motions do not change.
     pub fn with_reversed_friction(self) -> Self {
         Self { reverses_friction: true, ..self }
     }
 
-    /// With steps that are all of the same length, so that motions depend smoothly on the parameters of task and arm.
+    /// With steps of equal length, so that motions depend smoothly on the parameters of task and arm.
     pub fn with_even_steps(self) -> Self {
         Self { has_even_steps: true, ..self }
     }
 
-    /// With an arm that is controlled as players of exports do it. Its gains are set once, for the part at this orientation: their
-    /// axes do not turn with the part. Nobody balances Coriolis and centrifugal torques.
+    /// With an arm that is controlled as by players. Its gains are set once, for the part at this orientation: their
+    /// axes do not rotate with the part. Coriolis and centrifugal torques are not balanced.
     pub fn with_gains_set_for(self, orientation: UnitQuaternion<f64>) -> Self {
         Self { set_for: Some(orientation), ..self }
     }
 
-    /// One rollout of a reference per injection, grasp error or offset (m, body frame). Outcomes are in
-    /// the order of these and do not depend on the number of threads.
+    /// One rollout of a reference per injection, grasp error or offset (m, body frame). Outcomes have their order and
+    /// do not depend on the number of threads.
     pub fn simulate<G: Copy + Into<Injection> + Sync>(
         &self,
         reference: &Reference,
@@ -143,13 +142,15 @@ impl Rollout {
         workers.map(injections.iter(), |&injection| self.play(reference, injection, |_, _| {}))
     }
 
-    /// One rollout of a reference with an injection, grasp error or offset (m, body frame). The body starts at rest where it really
-    /// is when the robot believes it to be at the reference's start; at its end the reference is held for the settling
-    /// time. `observe` gets the state after every time step, and the normal impulse (Ns) of every pair since the last
-    /// knot. Within time steps that are taken as one, states are interpolated, and impulses are those at its end.
+    /// One rollout of a reference with an injection, grasp error or offset (m, body frame). The body starts at rest
+    /// where it really is when the robot believes it to be at the reference's start; at its end the reference is held
+    /// for the settling time. `observe` gets the state after every time step, and the normal impulse (Ns) of every pair
+    /// since the last knot. Within time steps that are taken as one, states are interpolated, and impulses are those at
+    /// its end.
     ///
-    /// A reference that [`Settings::validate_for`] refuses, a disturbance out of its range, an inertia that is not positive
-    /// definite, or a start that the arm does not reach cannot be simulated: the outcome has diverged at its start.
+    /// A reference that [`Settings::validate_for`] refuses, a disturbance out of its range, an inertia that is not
+    /// positive definite, or a start that the arm does not reach cannot be simulated: the outcome has diverged at its
+    /// start.
     pub fn play(
         &self,
         reference: &Reference,
@@ -161,8 +162,9 @@ impl Rollout {
         self.finish(state, reference, &injection, &mut observe, |_| true)
     }
 
-    /// As [`play`](Self::play), but goes on from the last of the `snapshots` of the rollout of another reference that is the same on
-    /// the first `same` intervals. Returns the outcome and snapshots of its own. `None` when `stop` returned true before an interval.
+    /// As [`play`](Self::play), but continues from the last applicable one of the `snapshots` of another reference's
+    /// rollout that is the same on the first `same` intervals. Returns the outcome and new snapshots. `None` when
+    /// `stop` returned true before an interval.
     pub(crate) fn replay<'rollout>(
         &'rollout self,
         reference: &Reference,
@@ -170,7 +172,8 @@ impl Rollout {
         (snapshots, same): (&[Snapshot<'rollout>], usize),
         stop: &dyn Fn() -> bool,
     ) -> Option<(Outcome, Vec<Snapshot<'rollout>>)> {
-        let mut snapshots: Vec<Snapshot> = snapshots.iter().filter(|snapshot| snapshot.intervals <= same).cloned().collect();
+        let mut snapshots: Vec<Snapshot> =
+            snapshots.iter().filter(|snapshot| snapshot.intervals <= same).cloned().collect();
         let state = match snapshots.last() {
             Some(snapshot) => Some(RolloutState::clone(snapshot)),
             None => self.begin(reference, injection),
@@ -211,20 +214,20 @@ impl Rollout {
         })
     }
 
-    /// The rest of a rollout, as long as `goes_on`, which gets it after every interval, returns true.
+    /// Runs a rollout to its end. `keep_going` is called after every interval; returning false stops it.
     fn finish<'rollout>(
         &'rollout self,
         mut state: RolloutState<'rollout>,
         reference: &Reference,
         injection: &Injection,
         observe: &mut impl FnMut(&TimedState, &[f64]),
-        mut goes_on: impl FnMut(&RolloutState<'rollout>) -> bool,
+        mut keep_going: impl FnMut(&RolloutState<'rollout>) -> bool,
     ) -> Outcome {
         let of_part = reference.of_part(&injection.grasp);
         let intervals = reference.intervals() + self.settings.settling_intervals(reference.time_step());
         while state.intervals < intervals && state.is_finite() {
             state.follow(reference, &of_part, observe);
-            if !goes_on(&state) {
+            if !keep_going(&state) {
                 break;
             }
         }
@@ -233,7 +236,7 @@ impl Rollout {
         Outcome { unblocked: finder.unblocked(&outcome.remaining), diverged: !state.is_finite(), ..outcome }
     }
 
-    /// What moves from a pose of the body at rest; `None` if it cannot be simulated.
+    /// The plant with the body at rest at a pose; `None` if it cannot be simulated.
     fn plant(&self, reference: &Reference, start: &Isometry3<f64>, injection: &Injection) -> Option<Plant<'_>> {
         let Injection { grasp, disturbance } = injection;
         self.settings.validate_for(reference).ok().and(disturbance.validate().ok())?;
@@ -259,7 +262,7 @@ impl Rollout {
         }
     }
 
-    /// What comes of a rollout that cannot be simulated.
+    /// The outcome of a rollout that cannot be simulated.
     fn impossible(&self, reference: &Reference, injection: &Injection) -> Outcome {
         let pose = isometry(&injection.grasp.actual(&reference.start()));
         Outcome { diverged: true, ..self.outcome(&pose, 0.0, LoadMeter::new(0).largest(), Overshoot::NONE) }

@@ -1,30 +1,30 @@
-//! A rollout under way.
+//! The state of a rollout.
 
 use task::Impedance;
 
 use crate::body::Body;
 use crate::contact::ContactFinder;
 use crate::loads::LoadMeter;
-use crate::plant::Plant;
 use crate::overshoot::Overshoot;
+use crate::plant::Plant;
 use crate::reference::{Reference, coordinates};
 use crate::timed_state::TimedState;
 
-/// A rollout after some intervals of its reference. What follows depends on nothing else but the rest of the reference: a
-/// rollout of another reference that has been the same so far goes on from a copy.
+/// The state of a rollout after some intervals of its reference. The rest depends on nothing but this and the rest of
+/// the reference, so a rollout of another reference with the same beginning continues from a copy.
 #[derive(Debug, Clone)]
 pub struct RolloutState<'rollout> {
     pub body: Body,
     pub plant: Plant<'rollout>,
     pub finder: ContactFinder<'rollout>,
-    /// Of the controller, and the pose of the believed part in the frame of the part.
+    /// The controller's impedance, and the pose of the believed part in the frame of the part.
     pub impedance: Impedance,
     pub grasp: [f64; 7],
-    /// Length of the shortest steps (s), and how many there are in an interval.
+    /// Length of the shortest steps (s), and their number in an interval.
     pub steps: (f64, usize),
     /// Intervals so far.
     pub intervals: usize,
-    /// Deepest overlap of a pair (m) so far.
+    /// Deepest penetration of a pair (m) so far.
     pub max_penetration: f64,
     pub loads: LoadMeter,
     pub overshoot: Overshoot,
@@ -34,8 +34,8 @@ pub struct RolloutState<'rollout> {
 }
 
 impl RolloutState<'_> {
-    /// Follows a reference to its next knot, or rests at its end. It is given as what the robot tracks, and as what that means
-    /// for the part ([`Reference::of_part`]).
+    /// Follows a reference to its next knot, or rests at its end. The reference is given as the robot tracks it
+    /// (`believed`) and as the part should move ([`Reference::of_part`]).
     pub fn follow(
         &mut self,
         believed: &Reference,
@@ -50,8 +50,8 @@ impl RolloutState<'_> {
             let target = |count: f64| reference.at(interval, count / substeps as f64);
             let before = *body;
             step_impulses.fill(0.0);
-            let (taken, overlap) = self.plant.step(body, (done, substeps), target, finder, step_impulses);
-            self.max_penetration = self.max_penetration.max(overlap);
+            let (taken, penetration) = self.plant.step(body, (done, substeps), target, finder, step_impulses);
+            self.max_penetration = self.max_penetration.max(penetration);
             self.impulses.iter_mut().zip(&*step_impulses).for_each(|(sum, impulse)| *sum += impulse);
             let part = (done + taken) as f64 / substeps as f64;
             let tracked = believed.at(interval, part);
@@ -70,7 +70,7 @@ impl RolloutState<'_> {
         self.intervals += 1;
     }
 
-    /// Whether the state is one.
+    /// Whether the state is finite.
     pub fn is_finite(&self) -> bool {
         let Body { pose, velocity, angular_velocity } = &self.body;
         let pose = coordinates(pose);

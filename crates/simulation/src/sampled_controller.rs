@@ -1,4 +1,4 @@
-//! Torques that a controller commands at its samples, and that hold until the next ones come.
+//! Torques that a controller commands at its samples, each held until the next arrive.
 
 use std::collections::VecDeque;
 
@@ -12,7 +12,7 @@ pub struct SampledController {
     /// From a sample to its torques (s).
     delay: f64,
     samples: usize,
-    /// When torques come (s), and those that have not come yet.
+    /// Times (s) at which torques take effect, and those that are still delayed.
     commands: VecDeque<(f64, JointVector)>,
     torque: JointVector,
 }
@@ -21,15 +21,15 @@ pub struct SampledController {
 const ROUNDING: f64 = 1e-9;
 
 impl SampledController {
-    /// The first sample is at time zero; until its torques come, there are none.
+    /// The first sample is at time zero; there are no torques before its own take effect.
     pub fn new(period: f64, delay: f64) -> Self {
         let waiting = (delay / period) as usize + 2;
         let commands = VecDeque::with_capacity(waiting);
         Self { period, delay, samples: 0, commands, torque: JointVector::zeros() }
     }
 
-    /// Mean torques (Nm or N) over a step from a time (s) on, of a length (s); times do not decrease. Calls `command` if a
-    /// sample is due.
+    /// Mean torques (Nm or N) over a step that begins at a time (s) and has a length (s); times do not decrease. Calls
+    /// `command` if a sample is due.
     pub fn torque(&mut self, time: f64, length: f64, command: impl FnOnce() -> JointVector) -> JointVector {
         if self.samples as f64 * self.period <= time + ROUNDING {
             self.samples += 1;
@@ -38,7 +38,7 @@ impl SampledController {
         while self.commands.front().is_some_and(|(from, _)| *from <= time + ROUNDING) {
             self.next();
         }
-        // Torques that come within the step act for the rest of it.
+        // Torques that arrive within the step act for the rest of it.
         let mut mean = self.torque;
         while let Some((from, torque)) = self.commands.front()
             && *from < time + length - ROUNDING
@@ -49,14 +49,14 @@ impl SampledController {
         mean
     }
 
-    /// Goes on at a time (s) with torques (Nm or N) that have held for the delay.
+    /// Continues at a time (s) with torques (Nm or N) that have held for the delay.
     pub fn restart(&mut self, time: f64, torque: JointVector) {
         self.samples = (time / self.period - ROUNDING).ceil() as usize;
         self.commands.clear();
         self.torque = torque;
     }
 
-    /// The oldest torques that wait become those that hold.
+    /// The oldest delayed torques take effect.
     fn next(&mut self) {
         self.torque = self.commands.pop_front().map_or(self.torque, |(_, torque)| torque);
     }
@@ -66,7 +66,7 @@ impl SampledController {
 mod tests {
     use super::*;
 
-    /// The time (ms) of the sample that counts in each step of 1 ms, as a mean; -1000 before the first one has come.
+    /// The mean sample time (ms) of the torques in each step of 1 ms; -1000 before the first ones.
     fn samples(period: f64, delay: f64) -> Vec<f64> {
         let mut controller = SampledController::new(period, delay);
         let time = |step: usize| 1e-3 * step as f64;

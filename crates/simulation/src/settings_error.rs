@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-/// A value that a rollout cannot be computed with.
+/// A value with which a rollout cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{field} = {}: must lie in {}", quantity(plain(*value), unit), quantity(interval(range), unit))]
 pub struct SettingsError {

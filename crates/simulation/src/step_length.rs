@@ -1,33 +1,33 @@
-//! How many of the shortest steps are taken as one.
+//! How many of the shortest steps are merged into one.
 
-/// The length of steps. Where the velocity changes little, a step takes the place of 2, 4, 8, ... of the shortest ones.
-/// Impacts change it much: they fall into the shortest steps.
+/// The length of steps. Where the velocity changes little, a step replaces 2, 4, 8, ... of the shortest ones. Impacts
+/// change it much: they fall into the shortest steps.
 #[derive(Debug, Clone, Copy)]
 pub struct StepLength {
-    /// The longest step to try takes the place of two to this power.
+    /// The longest step to try replaces two to this power.
     longest: usize,
-    /// Bound of that.
+    /// Upper bound of `longest`.
     bound: usize,
     /// Largest change of velocity (m/s) in a longer step.
     largest_change: f64,
 }
 
-/// The shortest steps of a rollout, and which of them may be taken as one.
+/// The shortest steps of a rollout, and which of them may be merged.
 #[derive(Debug, Clone, Copy)]
 pub struct Steps {
     /// Of the shortest steps (s).
     pub time_step: f64,
-    /// So many of them are taken as one at most.
+    /// Largest number that is merged into one.
     pub most: usize,
     /// A longer step changes the velocity of no point by more than this acceleration (m/s^2) does in the shortest step.
     pub steady: f64,
 }
 
-/// The acceleration (m/s^2) up to which steps may be longer, unless something else is said.
+/// The default acceleration (m/s^2) up to which steps may be longer.
 pub const STEADY: f64 = 1.0;
 
 impl StepLength {
-    /// For steps of which at most two to the power of `bound` are taken as one.
+    /// For steps that replace at most two to the power of `bound` of the shortest ones.
     pub fn new(steps: &Steps, bound: usize) -> Self {
         Self { longest: 0, bound, largest_change: steps.steady * steps.time_step }
     }
@@ -37,9 +37,9 @@ impl StepLength {
         self.largest_change
     }
 
-    /// Takes a step, when `done` of the `count` shortest steps of an interval have been taken. `advance` moves a copy of the
-    /// state by two to some power of them, and returns the overlap (m) that the previous step has left, and how much the
-    /// velocity (m/s) of any point has changed. Returns how many steps were taken, and the overlap.
+    /// Takes a step, after `done` of the `count` shortest steps of an interval. `advance` moves a copy of the state by
+    /// two to some power of them, and returns the penetration (m) that the previous step has left, and the largest
+    /// change of velocity (m/s) of any point. Returns how many steps were taken, and the penetration.
     pub fn step<S: Clone>(
         &mut self,
         state: &mut S,
@@ -50,13 +50,13 @@ impl StepLength {
         let mut doublings = self.longest.min(done.trailing_zeros().min((count - done).ilog2()) as usize);
         loop {
             let mut next = state.clone();
-            let (overlap, mut change) = advance(&mut next, doublings);
+            let (penetration, mut change) = advance(&mut next, doublings);
             if doublings == 0 || change <= most {
                 if 2.0 * change <= most {
                     self.longest = self.longest.max(doublings + 1).min(self.bound);
                 }
                 *state = next;
-                return (1 << doublings, overlap);
+                return (1 << doublings, penetration);
             }
             // Half of the step changes half as much.
             doublings -= 1;

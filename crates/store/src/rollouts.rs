@@ -48,7 +48,7 @@ impl RolloutRow {
     /// Of a rollout of the plan in a folder.
     pub fn new(plan: &Path, start: &str, rollout: &PlayedRollout) -> Self {
         let [x_m, y_m, z_m] = rollout.grasp.offset.map(Value);
-        let [turn_x_rad, turn_y_rad, turn_z_rad] = rollout.grasp.turn.map(Value);
+        let [turn_x_rad, turn_y_rad, turn_z_rad] = rollout.grasp.rotation.map(Value);
         Self {
             plan: plan.display().to_string(),
             start: start.to_owned(),

@@ -46,7 +46,7 @@ impl SimulationRecord {
             scene: problem.scene().title.clone(),
             plans,
             seed: errors.seed,
-            turn_rad: errors.turn,
+            turn_rad: errors.rotation_error,
             position_tolerance_m: problem.success().position,
             angle_tolerance_rad: problem.success().orientation,
             assembly_plan: VERSION.to_owned(),

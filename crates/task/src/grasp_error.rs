@@ -11,18 +11,18 @@ use crate::state::POSE;
 
 /// Where the part really sits in the gripper, relative to where the robot believes it to be: the perturbation `q^` of
 /// `P_q(q, q^)` (Sec. ocp:ocp). The robot believes a part at the pose `(rho, xi)` to be at
-/// `(rho + R(xi) offset, xi (x) turn)`.
+/// `(rho + R(xi) offset, xi (x) rotation)`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GraspError {
     /// Position of the believed part (m, body frame).
     pub offset: [f64; 3],
     /// Rotation vector (rad, body frame) from the part's orientation to the believed one.
-    pub turn: [f64; 3],
+    pub rotation: [f64; 3],
 }
 
 impl From<[f64; 3]> for GraspError {
     fn from(offset: [f64; 3]) -> Self {
-        Self { offset, turn: [0.0; 3] }
+        Self { offset, rotation: [0.0; 3] }
     }
 }
 
@@ -32,18 +32,18 @@ const SAME: f64 = 1e-9;
 impl GraspError {
     /// The believed part in the frame of the part.
     pub fn believed(&self) -> Isometry3<f64> {
-        Isometry3::from_parts(Vector3::from(self.offset).into(), self.rotation())
+        Isometry3::from_parts(Vector3::from(self.offset).into(), self.quaternion())
     }
 
     /// From the believed part in the frame of the part.
     pub fn of_believed(believed: &Isometry3<f64>) -> Self {
-        Self { offset: believed.translation.vector.into(), turn: believed.rotation.scaled_axis().into() }
+        Self { offset: believed.translation.vector.into(), rotation: believed.rotation.scaled_axis().into() }
     }
 
     /// The same as position (m) and unit quaternion (w x y z).
     pub fn pose(&self) -> [f64; POSE] {
-        let ([x, y, z], turn) = (self.offset, self.rotation());
-        [x, y, z, turn.w, turn.i, turn.j, turn.k]
+        let ([x, y, z], quaternion) = (self.offset, self.quaternion());
+        [x, y, z, quaternion.w, quaternion.i, quaternion.j, quaternion.k]
     }
 
     /// The inverse perturbation `P_q^-1(q, q^)` (Sec. ocp:ocp): the pose of the part (position m, quaternion w x y z) when
@@ -58,7 +58,7 @@ impl GraspError {
     /// A fraction of the offset and of the turn.
     pub fn scaled(&self, factor: f64) -> Self {
         let scaled = |vector: [f64; 3]| vector.map(|component| factor * component);
-        Self { offset: scaled(self.offset), turn: scaled(self.turn) }
+        Self { offset: scaled(self.offset), rotation: scaled(self.rotation) }
     }
 
     /// The grasp errors without repetitions, in their order: rollouts are deterministic, and simulating one twice says
@@ -85,7 +85,7 @@ impl GraspError {
 
     fn is_same(&self, other: &Self) -> bool {
         let distance = |one: [f64; 3], other: [f64; 3]| (Vector3::from(one) - Vector3::from(other)).norm();
-        distance(self.offset, other.offset) < SAME && distance(self.turn, other.turn) < SAME
+        distance(self.offset, other.offset) < SAME && distance(self.rotation, other.rotation) < SAME
     }
 
     /// Place along a direction in which regular patterns do not coincide, in cells so wide that the places of grasp
@@ -94,20 +94,20 @@ impl GraspError {
         /// Square roots of the first primes, scaled to unit length.
         const DIRECTION: [f64; 6] = [0.22086305, 0.27050089, 0.34921515, 0.41319690, 0.51797040, 0.56309254];
         const WIDTH: f64 = 2.0 * SAME;
-        let terms = self.offset.iter().chain(&self.turn).zip(DIRECTION);
+        let terms = self.offset.iter().chain(&self.rotation).zip(DIRECTION);
         let place: f64 = terms.map(|(component, weight)| component * weight).sum();
         // Without negative zeros, whose bits differ.
         (place / WIDTH).floor() + 0.0
     }
 
     /// From the orientation of the part to the believed one.
-    pub fn rotation(&self) -> UnitQuaternion<f64> {
-        UnitQuaternion::from_scaled_axis(Vector3::from(self.turn))
+    pub fn quaternion(&self) -> UnitQuaternion<f64> {
+        UnitQuaternion::from_scaled_axis(Vector3::from(self.rotation))
     }
 
     /// The impedance law in the part's body frame.
     pub fn impedance(&self, impedance: &Impedance) -> Impedance {
-        let rotation = self.rotation().to_rotation_matrix();
+        let rotation = self.quaternion().to_rotation_matrix();
         let rotational_damping = rotation * impedance.rotational_damping * rotation.inverse();
         Impedance { rotational_damping, ..impedance.clone() }
     }
@@ -123,7 +123,7 @@ mod tests {
         let mut random = fastrand::Rng::with_seed(1);
         for _ in 0..100 {
             let mut vector = |size: f64| std::array::from_fn(|_| size * (2.0 * random.f64() - 1.0));
-            let grasp = GraspError { offset: vector(0.02), turn: vector(1.0) };
+            let grasp = GraspError { offset: vector(0.02), rotation: vector(1.0) };
             let [x, y, z] = vector(0.1);
             let orientation = UnitQuaternion::from_scaled_axis(Vector3::from(vector(2.0)));
             let start = [x, y, z, orientation.w, orientation.i, orientation.j, orientation.k];
@@ -151,10 +151,10 @@ mod tests {
         let mut step = |size: f64| std::array::from_fn(|_| size * (random.f64() - 0.5));
         let mut grasps = Vec::new();
         for _ in 0..300 {
-            let (offset, turn) = (step(0.02), step(0.1));
+            let (offset, rotation) = (step(0.02), step(0.1));
             for size in [0.0, 1e-10, 1e-9, 2e-9] {
                 let moved = |from: [f64; 3], by: [f64; 3]| std::array::from_fn(|axis| from[axis] + by[axis]);
-                grasps.push(GraspError { offset: moved(offset, step(size)), turn: moved(turn, step(size)) });
+                grasps.push(GraspError { offset: moved(offset, step(size)), rotation: moved(rotation, step(size)) });
             }
         }
         let mut expected: Vec<GraspError> = Vec::new();

@@ -49,7 +49,7 @@ impl Impedance {
     /// `P_q(q, grasp)` (7 numbers: [`crate::GraspError::pose`]), and damps it in the frame that it believes to be that of the
     /// body. Quaternions may have any norm; the conjugate is used as the inverse.
     pub fn wrench<T: Number>(&self, reference: &[T], state: &[T], grasp: &[T]) -> [T; TWIST] {
-        let (offset, turn) = grasp.split_at(3);
+        let (offset, quaternion) = grasp.split_at(3);
         let orientation = rotation(&state[3..POSE]);
         let velocity: [T; 3] = std::array::from_fn(|axis| reference[POSE + axis] - state[POSE + axis]);
         let braking = apply(&self.translational_damping, &velocity);
@@ -57,16 +57,16 @@ impl Impedance {
             let tracked = state[axis] + dot(&orientation[axis], offset);
             (reference[axis] - tracked) * self.translational_stiffness + braking[axis]
         });
-        // Seen from the body, the error of the orientation is xi^-1 (x) xi_r (x) turn^-1.
-        let wanted = product(&reference[3..POSE], &conjugate(turn));
+        // Seen from the body, the error of the orientation is xi^-1 (x) xi_r (x) xi^^-1.
+        let wanted = product(&reference[3..POSE], &conjugate(quaternion));
         let [scalar, vector @ ..] = product(&conjugate(&state[3..POSE]), &wanted);
-        let turn = rotation(turn);
-        let column = |axis: usize| [turn[0][axis], turn[1][axis], turn[2][axis]];
+        let rotation = rotation(quaternion);
+        let column = |axis: usize| [rotation[0][axis], rotation[1][axis], rotation[2][axis]];
         let angular_velocity: [T; 3] =
             std::array::from_fn(|axis| reference[POSE + 3 + axis] - dot(&column(axis), &state[POSE + 3..]));
         let braking = apply(&self.rotational_damping, &angular_velocity);
         let torque: [T; 3] = std::array::from_fn(|axis| {
-            scalar * vector[axis] * (2.0 * self.rotational_stiffness) + dot(&turn[axis], &braking)
+            scalar * vector[axis] * (2.0 * self.rotational_stiffness) + dot(&rotation[axis], &braking)
         });
         [force[0], force[1], force[2], torque[0], torque[1], torque[2]]
     }

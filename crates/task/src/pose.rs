@@ -32,8 +32,8 @@ pub fn isometry([x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
 pub fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) -> Isometry3<f64> {
     let position = from.translation.vector.lerp(&to.translation.vector, fraction);
     // The scaled axis is that of the shorter way, also where the signs of the quaternions differ.
-    let turn = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;
-    Isometry3::from_parts(position.into(), from.rotation * UnitQuaternion::from_scaled_axis(turn))
+    let rotation = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;
+    Isometry3::from_parts(position.into(), from.rotation * UnitQuaternion::from_scaled_axis(rotation))
 }
 
 fn unit_quaternion([w, x, y, z]: &[f64; 4]) -> UnitQuaternion<f64> {

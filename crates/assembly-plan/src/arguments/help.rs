@@ -39,7 +39,7 @@ const GROUPS: &[(&str, &[&str])] = &[
     ),
     ("Offsets", &["offset", "random", "hull", "disc", "ball", "seed", "grid", "offsets", "magnitude", "coverage"]),
     ("Success", &["position_tolerance", "angle_tolerance", "contact_force", "strict"]),
-    ("Robustness", &["robust", "wanted_rate", "time_limit", "patience", "friction", "turn"]),
+    ("Robustness", &["robust", "target_rate", "time_limit", "stall_limit", "friction", "rotation_error"]),
     ("Simulation", &["stages", "settling_time", "time_step", "executed"]),
     ("Robot", &["to", "rate", "anyway", "per_joint"]),
     ("Distances", &["pose", "tau"]),

@@ -128,16 +128,16 @@ pub struct RobustArguments {
     pub robust: bool,
     /// With --robust: success rate to reach at each friction, from 0 to 1
     #[arg(long, value_name = "RATE", default_value_t = 0.99, value_parser = fraction, requires = "robust")]
-    pub wanted_rate: f64,
+    pub target_rate: f64,
     /// End after this time (s), everything included, with the best plan so far [default: 300 with --robust]
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub time_limit: Option<f64>,
     /// With --robust: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
-    pub patience: u32,
+    pub stall_limit: u32,
     /// With --robust: try no more than this many changes in all
     #[arg(long, hide = true, value_name = "N", value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
-    pub max_changes: Option<u32>,
+    pub max_perturbations: Option<u32>,
     /// With --robust: replace what steers the search, as `robust.parameters` of result.json has it, by what stands in a file (TOML)
     #[arg(long, hide = true, value_name = "FILE", requires = "robust")]
     pub robust_parameters: Option<PathBuf>,
@@ -149,7 +149,7 @@ pub struct RobustArguments {
     /// scene's]
     #[arg(long, value_name = "RAD", value_parser = not_negative, requires = "robust")]
     #[arg(allow_negative_numbers = true)]
-    pub turn: Option<f64>,
+    pub rotation_error: Option<f64>,
 }
 
 /// How plans are played. At most one of --random, --grid and --offsets chooses the offsets.
@@ -178,7 +178,7 @@ pub struct SimulateArguments {
     pub offsets: Option<PathBuf>,
     /// Also rotate the part in the gripper at random, by up to this angle about any axis (rad)
     #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = not_negative, allow_negative_numbers = true)]
-    pub turn: f64,
+    pub rotation_error: f64,
     /// Magnitudes (m) to which the planned offsets are scaled, such as 0.005,0.01 [default: delta-hat of every plan]
     #[arg(long, value_name = "M,M,...", value_delimiter = ',', value_parser = not_negative)]
     #[arg(allow_negative_numbers = true)]
@@ -391,7 +391,7 @@ impl SolveArguments {
     /// What is chosen of the scene.
     pub fn choices(&self) -> Choices {
         Choices {
-            turn: self.robust.turn,
+            rotation_error: self.robust.rotation_error,
             homotopy: self.homotopy.clone(),
             linear_solver: self.linear_solver,
             position_tolerance: self.tolerance.position_tolerance,
@@ -409,11 +409,11 @@ impl SolveArguments {
         let own = RobustnessTarget::of(&scene.borne);
         let parameters = arguments.robust_parameters.as_deref().map(files::read_robust_parameters).transpose()?;
         Ok(RobustnessTarget {
-            wanted_rate: arguments.wanted_rate,
+            target_rate: arguments.target_rate,
             frictions: arguments.friction.clone().unwrap_or(own.frictions),
             time_limit: self.time_limit().unwrap_or(own.time_limit),
-            patience: arguments.patience as usize,
-            max_changes: arguments.max_changes.map(|most| most as usize),
+            stall_limit: arguments.stall_limit as usize,
+            max_perturbations: arguments.max_perturbations.map(|most| most as usize),
             parameters: parameters.unwrap_or_default(),
             ..own
         })
@@ -445,7 +445,12 @@ impl SimulateArguments {
             (_, _, Some(file)) => OffsetSource::Listed(files::read_offsets(file)?),
             (None, None, None) => OffsetSource::Planned,
         };
-        let errors = GraspErrors { offsets, magnitudes: self.magnitude.clone(), turn: self.turn, seed: self.seed };
+        let errors = GraspErrors {
+            offsets,
+            magnitudes: self.magnitude.clone(),
+            rotation_error: self.rotation_error,
+            seed: self.seed,
+        };
         let request = SimulationRequest {
             errors,
             frictions: self.friction.clone(),

@@ -95,10 +95,10 @@ impl Workshop {
             let time = knot as f64 * reference.time_step();
             // The sum of twelve uniform values has variance 1.
             let mut noise = || truth.noise * ((0..12).map(|_| random.f64()).sum::<f64>() - 6.0);
-            let (shift, turn) = (Vector3::from_fn(|_, _| noise()), Vector3::from_fn(|_, _| noise()));
+            let (shift, rotation) = (Vector3::from_fn(|_, _| noise()), Vector3::from_fn(|_, _| noise()));
             let noisy = Isometry3::from_parts(
                 (pose.translation.vector + shift).into(),
-                pose.rotation * UnitQuaternion::from_scaled_axis(turn),
+                pose.rotation * UnitQuaternion::from_scaled_axis(rotation),
             );
             let phase = if knot + 2 == states.len() { "resting" } else { "playing" };
             let numbers =

@@ -55,7 +55,7 @@ fn friction_and_grasp_are_found_where_the_part_slides() {
     let goal = isometry(&workshop.problem.scene().goal);
     let mut truth = workshop.truth();
     truth.friction = 0.22;
-    truth.grasp = GraspError { offset: [0.004, 0.0, 0.006], turn: [0.0; 3] };
+    truth.grasp = GraspError { offset: [0.004, 0.0, 0.006], rotation: [0.0; 3] };
     // Presses on the floor while it slides to the wall, and a little beyond.
     let pose = |shift: Vector3<f64>| Isometry3::translation(shift.x, shift.y, shift.z) * goal;
     let ways = [

@@ -53,15 +53,15 @@ pub fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
 
 /// Pairs that overlap at the goal and where the body really is at the start: with every offset, and also turned in the
 /// gripper (rad) about each axis of the body, both ways.
-pub fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
+pub fn overlaps(task: &AssemblyTask, rotation_error: f64) -> Vec<PoseOverlap> {
     let mut poses = vec![("goal".to_owned(), task.goal)];
     for (number, grasp) in (1..).zip(&task.grasps) {
         let name = format!("start with offset {number}");
         poses.push((name.clone(), grasp.actual(&task.start)));
-        for (axis, about) in ["x", "y", "z"].iter().enumerate().filter(|_| turn > 0.0) {
-            for (sign, angle) in [("+", turn), ("-", -turn)] {
+        for (axis, about) in ["x", "y", "z"].iter().enumerate().filter(|_| rotation_error > 0.0) {
+            for (sign, angle) in [("+", rotation_error), ("-", -rotation_error)] {
                 let mut turned = GraspError::from(grasp.offset);
-                turned.turn[axis] = angle;
+                turned.rotation[axis] = angle;
                 poses.push((format!("{name}, turned about {sign}{about}"), turned.actual(&task.start)));
             }
         }
@@ -80,7 +80,7 @@ pub fn overlaps(task: &AssemblyTask, turn: f64) -> Vec<PoseOverlap> {
 
 /// The deepest overlap at the goal and the deepest at the start, and what to do about them.
 pub fn warnings(problem: &Problem) -> Vec<String> {
-    let overlaps = overlaps(problem.task(), problem.scene().borne.turn);
+    let overlaps = overlaps(problem.task(), problem.scene().borne.rotation_error);
     let (at_goal, at_start): (Vec<_>, Vec<_>) = overlaps.into_iter().partition(|overlap| overlap.pose == "goal");
     let goal = if largest_overlap(&at_goal) > largest_fit(problem) {
         "it cannot be reached: move [goal] out of the environment, or export both files in the assembled pose"

@@ -23,8 +23,8 @@ const TURNED: f64 = 1e-3;
 pub fn refusal(problem: &Problem) -> Option<String> {
     start_inside(problem).or_else(|| goal_inside(problem)).or_else(|| not_assembled(problem)).or_else(|| {
         // With much smoothing and turns a plan may be found that the search does not know.
-        let (_, turn) = task::pose::errors(&problem.task().start, &problem.task().goal);
-        if turn > TURNED {
+        let (_, rotation) = task::pose::errors(&problem.task().start, &problem.task().goal);
+        if rotation > TURNED {
             return None;
         }
         let way = way::find(problem.task());

@@ -66,7 +66,7 @@ fn record(task: &AssemblyTask, residual: &Residual) -> ResidualRecord {
         axis: axis.map(str::to_owned),
         scenario: scenario.map(|index| index + 1),
         offset_m: grasp.map(|grasp| grasp.offset),
-        turn_rad: grasp.map(|grasp| grasp.turn),
+        turn_rad: grasp.map(|grasp| grasp.rotation),
         time_s: member.stage as f64 * task.horizon.time_step,
         pair: member.pair.map(|pair| task.pairs[pair].to_string()),
     }

@@ -183,15 +183,15 @@ fn a_pair_adds_coulombs_wrench_at_its_touching_point_and_brakes() {
         let force = x[layout.variable(CONTACT_FORCE, stage, owner)];
         let mut contact = [[0.0; 10]];
         task.pairs[0].shapes.contacts(&[pose], tau, &mut Solutions::default(), &mut contact).unwrap();
-        let turn = UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
+        let rotation = UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
         let lever = Vector3::from_column_slice(&contact[0][7..]) - Vector3::from_column_slice(&pose[..3]);
         let normal = Vector3::from_column_slice(&contact[0][1..4]);
-        let velocity = twist.fixed_rows::<3>(0) + (turn * twist.fixed_rows::<3>(3)).cross(&lever);
+        let velocity = twist.fixed_rows::<3>(0) + (rotation * twist.fixed_rows::<3>(3)).cross(&lever);
         let sliding = velocity - normal.normalize() * normal.normalize().dot(&velocity);
         let creep = (33.0 * tau).hypot(1e-3);
         let expected = -sliding * (FRICTION * force * normal.norm() / sliding.norm().hypot(creep));
         let change = task.inertia.matrix() * (without[stage - 1] - with[stage - 1]) / STEP;
-        let torque = turn.inverse() * lever.cross(&expected);
+        let torque = rotation.inverse() * lever.cross(&expected);
         assert!((change.fixed_rows::<3>(0) - expected).norm() < 1e-10, "stage {stage}: {change} {expected}");
         assert!((change.fixed_rows::<3>(3) - torque).norm() < 1e-10, "stage {stage}: {change} {torque}");
         assert!(change.dot(&twist) * force < 0.0, "friction drives at stage {stage}");

@@ -19,13 +19,13 @@ pub struct GraspRecord {
 
 impl From<&GraspError> for GraspRecord {
     fn from(grasp: &GraspError) -> Self {
-        Self { offset_m: grasp.offset, turn_rad: grasp.turn }
+        Self { offset_m: grasp.offset, turn_rad: grasp.rotation }
     }
 }
 
 impl From<&GraspRecord> for GraspError {
     fn from(record: &GraspRecord) -> Self {
-        Self { offset: record.offset_m, turn: record.turn_rad }
+        Self { offset: record.offset_m, rotation: record.turn_rad }
     }
 }
 

@@ -9,7 +9,7 @@ class ChoiceOptions(TypedDict):
 
     start: str | None
     delta: float | None
-    turn: float | None
+    rotation_error: float | None
     homotopy: str | os.PathLike[str] | None
     homotopy_json: str | None
     linear_solver: str | None
@@ -28,9 +28,9 @@ class SolveOptions(TypedDict):
 class RobustOptions(TypedDict):
     """How a plan is made robust."""
 
-    wanted_rate: float
+    target_rate: float
     time_limit: float
-    patience: int
+    stall_limit: int
     friction: list[float] | None
 
 
@@ -44,7 +44,7 @@ class PlayOptions(TypedDict):
     seed: int
     grid: int | None
     offsets: list[list[float]] | None
-    turn: float
+    rotation_error: float
     magnitude: list[float]
     friction: list[float]
     settling_time: float

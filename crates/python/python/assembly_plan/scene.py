@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assembly_plan import _planner
+from assembly_plan._renamed import renamed
 from assembly_plan._types import ChoiceOptions, PlayOptions, RobustOptions, SolveOptions
 from assembly_plan.errors import SceneError
 from assembly_plan.events import Progress, _listener
@@ -183,6 +184,7 @@ class Scene:
         options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
         return Plan(self._native.solve(choices, options, None, _listener(progress)))
 
+    @renamed(turn="rotation_error", wanted_rate="target_rate", patience="stall_limit")
     def solve_robust(
         self,
         *,
@@ -192,26 +194,27 @@ class Scene:
         linear_solver: str | None = None,
         position_tolerance: float | None = None,
         angle_tolerance: float | None = None,
-        wanted_rate: float = 0.99,
+        target_rate: float = 0.99,
         time_limit: float = 300.0,
-        patience: int = 150,
+        stall_limit: int = 150,
         friction: Iterable[float] | None = None,
-        turn: float | None = None,
+        rotation_error: float | None = None,
         jobs: int | None = None,
         out: StrPath | None = None,
         resume: bool = False,
         progress: Progress | None = None,
     ) -> Plan:
-        """Plan one motion, and change it until it succeeds with hard contacts at offsets that were not planned for.
+        """Plan one motion, and refine it until it succeeds with hard contacts at offsets that were not planned for.
 
         As the command ``solve --robust``:
 
-        - `wanted_rate`: success rate to reach at each friction, from 0 to 1.
+        - `target_rate`: success rate to reach at each friction, from 0 to 1.
         - `time_limit`: end with the best plan so far after this time (s), everything included.
-        - `patience`: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it.
+        - `stall_limit`: evaluate a plan again after this many perturbations in a row without improvement; 0 only
+          evaluates it.
         - `friction`: Coulomb friction coefficients; by default the scene's.
-        - `turn`: the part may also be turned in the gripper by up to this angle, about any axis (rad); by default the
-          scene's.
+        - `rotation_error`: the part may also be rotated in the gripper by up to this angle, about any axis (rad); by
+          default the scene's.
 
         `out` and `resume` are those of `solve`.
         """
@@ -222,17 +225,18 @@ class Scene:
             linear_solver=linear_solver,
             position_tolerance=position_tolerance,
             angle_tolerance=angle_tolerance,
-            turn=turn,
+            rotation_error=rotation_error,
         )
         options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
         robust: RobustOptions = {
-            "wanted_rate": wanted_rate,
+            "target_rate": target_rate,
             "time_limit": time_limit,
-            "patience": patience,
+            "stall_limit": stall_limit,
             "friction": None if friction is None else [float(coefficient) for coefficient in friction],
         }
         return Plan(self._native.solve(choices, options, robust, _listener(progress)))
 
+    @renamed(turn="rotation_error")
     def simulate(
         self,
         plan: Plan,
@@ -244,7 +248,7 @@ class Scene:
         seed: int = 1,
         grid: int | None = None,
         offsets: ArrayLike | None = None,
-        turn: float = 0.0,
+        rotation_error: float = 0.0,
         magnitude: Iterable[float] = (),
         friction: Iterable[float] = (0.0,),
         stages: bool = False,
@@ -264,7 +268,7 @@ class Scene:
           or a ball lie on its rim. `seed` is that of random numbers.
         - `grid`: play a grid in the hull of the planned offsets, so many intervals along each of its edges.
         - `offsets`: play these (m, body frame), shape (K, 3).
-        - `turn`: also turn the part in the gripper at random, by up to this angle about any axis (rad).
+        - `rotation_error`: also rotate the part in the gripper at random, by up to this angle about any axis (rad).
         - `magnitude`: magnitudes (m) to which the planned offsets are scaled; by default that of the plan.
         - `friction`: Coulomb friction coefficients.
         - `stages`: also play the reference of every homotopy iteration.
@@ -279,7 +283,7 @@ class Scene:
             "seed": seed,
             "grid": grid,
             "offsets": None if offsets is None else _offsets(offsets),
-            "turn": turn,
+            "rotation_error": rotation_error,
             "magnitude": [float(value) for value in magnitude],
             "friction": [float(value) for value in friction],
             "settling_time": settling_time,
@@ -303,14 +307,14 @@ def _choices(
     linear_solver: str | None = None,
     position_tolerance: float | None = None,
     angle_tolerance: float | None = None,
-    turn: float | None = None,
+    rotation_error: float | None = None,
 ) -> ChoiceOptions:
     """What is chosen of a scene, as the native module takes it."""
     file, content = (homotopy, None) if isinstance(homotopy, str | os.PathLike) else (None, homotopy)
     return {
         "start": start,
         "delta": delta,
-        "turn": turn,
+        "rotation_error": rotation_error,
         "homotopy": file,
         "homotopy_json": None if content is None else _json(content),
         "linear_solver": linear_solver,

@@ -18,7 +18,7 @@ function offsets({ magnitude_m: length, region, planned }) {
 export function robustness(robust, weakest, reached) {
   const lead =
     `${percent(robust.rate_after)} of rollouts with hard contact succeed, ${percent(robust.rate_before)} before refinement; ` +
-    `${percent(robust.wanted_rate)} were wanted at each friction.`;
+    `${percent(robust.target_rate)} were wanted at each friction.`;
   return card(
     "Robustness",
     element("p", { class: "lead" }, reached ? lead : `${lead} Not every planned offset reaches the goal.`),
@@ -31,7 +31,7 @@ export function robustness(robust, weakest, reached) {
 }
 
 /** How often a plan succeeds that was not refined. */
-export function test({ rates, wanted_rate: wanted }) {
+export function test({ rates, target_rate: wanted }) {
   return card(
     "Test with hard contact",
     element("p", {}, `A robust plan reaches ${percent(wanted)} at each friction, in many more rollouts than these. ${LEGEND}`),

@@ -42,7 +42,7 @@ fn of_cell(cell: &Cell, state: &CellState) -> CellData {
         errors: result.map(largest_errors),
         effort: result.map(|result| (result.iterations, result.wall_s)),
         rate: result.and_then(|result| result.robust.as_ref()).map(|robust| robust.rate_after),
-        turn: result.map(|result| result.turn_rad),
+        rotation_error: result.map(|result| result.turn_rad),
         versions: result.map(|result| result.versions.clone()),
     }
 }

@@ -63,7 +63,7 @@ fn motion(
     let beside = motion.scenarios[1].clone();
     let robot = &mut motion.scenarios[0];
     // A robot need not begin exactly at its reference, and does not feel where parts touch.
-    (robot.offset, robot.turn) = (beside.offset, beside.turn);
+    (robot.offset, robot.rotation) = (beside.offset, beside.rotation);
     robot.success = execution.ending == Ending::AtGoal;
     robot.forces.clear();
     robot.max_force = f64::NAN;
@@ -110,7 +110,7 @@ fn actual(grasp: &GraspError, believed: &[f64; STATE]) -> [f64; STATE] {
     let spin = believed.rotation * Vector3::new(wx, wy, wz);
     let lever = isometry(&pose).translation.vector - believed.translation.vector;
     let velocity = Vector3::new(vx, vy, vz) + spin.cross(&lever);
-    let spin = grasp.rotation() * Vector3::new(wx, wy, wz);
+    let spin = grasp.quaternion() * Vector3::new(wx, wy, wz);
     let mut state = [0.0; STATE];
     state[..POSE].copy_from_slice(&coordinates(&isometry(&pose)));
     state[POSE..POSE + 3].copy_from_slice(velocity.as_slice());
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn the_part_moves_with_the_gripper() {
-        let grasp = GraspError { offset: [0.0, 0.1, 0.0], turn: [0.0; 3] };
+        let grasp = GraspError { offset: [0.0, 0.1, 0.0], rotation: [0.0; 3] };
         let mut believed = at_rest(&[1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0]);
         believed[12] = 0.5;
         let actual = actual(&grasp, &believed);

@@ -125,7 +125,7 @@ impl World {
     }
 
     fn scenario(&self, scenario: &ScenarioTables, measures: Measures, shown: &Shown) -> ScenarioData {
-        let (offset, turn) = grasp_error(&shown.believed, &pose_of(&scenario.states[0]));
+        let (offset, rotation) = grasp_error(&shown.believed, &pose_of(&scenario.states[0]));
         let smallest =
             |contacts: &Vec<Contact>| contacts.iter().map(|contact| contact.distance).fold(f64::NAN, f64::min);
         let distances = scenario.contacts.iter().map(smallest);
@@ -142,7 +142,7 @@ impl World {
         let contacts = scenario.contacts.iter().zip(&scenario.states[1..]).take(steps);
         ScenarioData {
             offset: all(offset, LENGTH),
-            turn: all(turn, ANGLE),
+            rotation: all(rotation, ANGLE),
             disturbances: Vec::new(),
             errors: all(measures.errors, LENGTH),
             success: self.success.reached(measures.errors[0], measures.errors[1]),
@@ -190,8 +190,8 @@ fn grasp_error(believed: &[f64; 7], actual: &[f64; 7]) -> ([f64; 3], [f64; 3]) {
     let rotation = |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
     let shift = Vector3::from_fn(|axis, _| believed[axis] - actual[axis]);
     let offset = rotation(actual).inverse() * shift;
-    let turn = (rotation(actual).inverse() * rotation(believed)).scaled_axis();
-    (offset.into(), turn.into())
+    let rotation = (rotation(actual).inverse() * rotation(believed)).scaled_axis();
+    (offset.into(), rotation.into())
 }
 
 #[cfg(test)]
@@ -204,12 +204,12 @@ mod tests {
     fn grasp_errors_are_read_from_where_the_body_starts() {
         let mut state = [0.0; 13];
         state[..7].copy_from_slice(&[0.1, 0.2, 0.3, 0.6, 0.0, 0.8, 0.0]);
-        let grasp = GraspError { offset: [0.01, -0.02, 0.03], turn: [0.1, 0.05, -0.2] };
+        let grasp = GraspError { offset: [0.01, -0.02, 0.03], rotation: [0.1, 0.05, -0.2] };
         let start = grasp.actual(&pose_of(&state));
-        let (offset, turn) = grasp_error(&pose_of(&state), &start);
+        let (offset, rotation) = grasp_error(&pose_of(&state), &start);
         for axis in 0..3 {
             assert!((offset[axis] - grasp.offset[axis]).abs() < 1e-12, "{offset:?}");
-            assert!((turn[axis] - grasp.turn[axis]).abs() < 1e-12, "{turn:?}");
+            assert!((rotation[axis] - grasp.rotation[axis]).abs() < 1e-12, "{rotation:?}");
         }
     }
 }

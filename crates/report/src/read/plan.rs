@@ -149,7 +149,11 @@ fn part(part: &Part) -> PartData {
 fn errors(borne: &Borne) -> ErrorsData {
     let percent = |error: f64| format!("\u{b1}{:.0} %", 100.0 * error);
     let all = [
-        ("turns in the gripper", borne.turn, format!("of up to {:.1}\u{b0}", borne.turn.to_degrees())),
+        (
+            "turns in the gripper",
+            borne.rotation_error,
+            format!("of up to {:.1}\u{b0}", borne.rotation_error.to_degrees()),
+        ),
         ("errors of the inertia", borne.inertia_error, format!("of {}", percent(borne.inertia_error))),
         ("errors of the stiffness", borne.stiffness_error, format!("of {}", percent(borne.stiffness_error))),
         ("delays of the controller", borne.delay, format!("of up to {:.1} ms", 1e3 * borne.delay)),

@@ -92,7 +92,7 @@ fn wrong_scenes_are_refused() {
         (DIRECTIONS, "offset_directions = [[0, 0, 1]]\ncoverage = \"disc\""),
         (DIRECTIONS, "offset_directions = [[0, 0, 1]]\ninsertion_axis = [0, 0, 1]"),
         (DIRECTIONS, "coverage = \"ball\"\ninsertion_axis = [0, 0, 1]"),
-        (DIRECTIONS, "turn_axes = [[0, 0, 1]]"),
+        (DIRECTIONS, "rotation_axes = [[0, 0, 1]]"),
         // Values out of range.
         ("steps = 10", "steps = 0"),
         ("time_step = 0.04", "time_step = 11"),

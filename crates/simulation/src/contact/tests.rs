@@ -86,18 +86,18 @@ fn shape() -> impl Strategy<Value = Polytope> {
     ]
 }
 
-/// Upright, so that faces and edges are parallel, nearly so, or anyhow.
+/// Upright, so that faces and edges are parallel, nearly so, or in any orientation.
 fn orientation() -> impl Strategy<Value = UnitQuaternion<f64>> {
     let rotation = prop_oneof![Just(0.0), -1e-6..1e-6_f64, -1e-3..1e-3_f64, -2.0..2.0_f64];
     proptest::array::uniform3(rotation).prop_map(|rotation| UnitQuaternion::from_scaled_axis(rotation.into()))
 }
 
-/// Gap of the first pose (m) along a direction: touching, apart, or deep overlap.
+/// Gap of the first pose (m) along a direction: touching, apart, or deep penetration.
 fn gap() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.0), -1e-6..1e-6_f64, -1e-3..2e-3_f64, -0.2..0.02_f64]
 }
 
-/// Shift and turn of every step, as multiples of the reach; a body may also slide or rest.
+/// Shift and rotation of every step, as multiples of the reach; a body may also slide or rest.
 fn motion() -> impl Strategy<Value = Vec<[f64; 6]>> {
     let step = prop_oneof![
         Just([0.0; 6]),
@@ -205,7 +205,7 @@ fn contacts_block_the_parts_of_a_way_that_lead_into_them() {
     };
     normals(&mut finder, &[Vector3::z(), Vector3::z(), -Vector3::y()]);
     assert_eq!(finder.unblocked(&way), Vector3::new(3.0, -1.0, 0.0), "along a floor and away from a wall");
-    // In a narrow groove, what leads out of one wall leads into the other.
+    // In a narrow groove, the normal of one wall leads into the other.
     let wall = |side: f64| Vector3::new(0.8 * side, 0.0, 0.6);
     normals(&mut finder, &[wall(1.0), wall(-1.0), Vector3::z()]);
     let left = finder.unblocked(&Vector3::new(1.0, 2.0, -1.0));

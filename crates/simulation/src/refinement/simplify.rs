@@ -1,8 +1,9 @@
-//! Simpler references that do as well.
+//! Simpler references that succeed as often.
 //!
-//! Random perturbations are kept for what they do to the end of a motion, however they bend it: turns and detours in free air cost
-//! them nothing, and oscillations remain where other perturbations have made them needless. So what no test case needs is taken back at the
-//! end, from the whole reference first, then from shorter and shorter parts of it.
+//! Refinement keeps a random perturbation for the end of the motion, however it bends the rest: rotations and detours
+//! in free air cost nothing, and oscillations remain after other perturbations have made them unnecessary. What no test
+//! case needs is therefore taken back at the end, from the whole reference first, then from shorter and shorter parts
+//! of it.
 
 use std::collections::VecDeque;
 
@@ -11,15 +12,15 @@ use task::StraightMotion;
 use crate::reference::Reference;
 use crate::refinement::Refinement;
 
-/// Shares of the departure from the straight motion that are taken back, until one does no harm.
+/// Shares of the departure from the straight motion that are taken back, until one is harmless.
 const SHARES: [f64; 2] = [1.0, 0.5];
 /// The shortest part of a reference that is straightened on its own, as a fraction of its duration.
 const SHORTEST: f64 = 0.125;
 
 impl Refinement<'_> {
-    /// Cuts off what follows after so many intervals, and pulls the reference toward a straight motion, each where every test case
-    /// that passed still passes and no contact force of these exceeds the largest so far. Returns how many perturbations were
-    /// kept. Those of which `stop` returns true in between are not.
+    /// Drops all intervals after the first `intervals`, and pulls the reference toward a straight motion, each as far
+    /// as every test case that passed still passes and no contact force of these exceeds the largest so far. Returns
+    /// how many of these simplifications were kept. One during which `stop` returns true is not.
     pub fn simplify(&mut self, straight: &StraightMotion, intervals: usize, stop: &(dyn Fn() -> bool + Sync)) -> usize {
         let passed = self.results().filter(|result| result.passed);
         let largest_force = passed.map(|result| result.contact_force).fold(0.0, f64::max);
@@ -40,7 +41,7 @@ impl Refinement<'_> {
         kept
     }
 
-    /// Takes over another reference if every test case that passed still passes, with no contact force beyond a limit (N).
+    /// Accepts another reference if every test case that passed still passes, with no contact force beyond a limit (N).
     fn does_no_harm(&mut self, reference: Reference, limit: f64, stop: &(dyn Fn() -> bool + Sync)) -> bool {
         if reference == self.reference || !self.bounds.allow(&reference) || !self.has_room(&reference) {
             return false;

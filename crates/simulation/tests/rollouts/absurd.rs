@@ -1,7 +1,8 @@
 //! Absurd input: nothing panics or hangs.
 
 use simulation::{
-    Perturbation, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, Success, TestCase, offsets,
+    Disturbance, Evaluator, FrictionIndex, Perturbation, Reference, Refinement, Rollout, Settings, Success, TestCase,
+    offsets,
 };
 use task::{GraspError, Inertia};
 
@@ -58,12 +59,15 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
             rollout.trajectory(&reference, &[[0.0; 3]], value);
             evaluator.bounds().clone().near(&[&reference], value, value, value).allow(&reference);
         }
-        for grasp in
-            [GraspError { offset: [value; 3], rotation: [0.0; 3] }, GraspError { offset: [0.0; 3], rotation: [value; 3] }]
-        {
+        for grasp in [
+            GraspError { offset: [value; 3], rotation: [0.0; 3] },
+            GraspError { offset: [0.0; 3], rotation: [value; 3] },
+        ] {
             rollout.play(&short(), grasp, |_, _| {});
-            evaluator
-                .evaluate(&short(), &TestCase { friction: FrictionIndex(1), grasp, disturbance: Disturbance::default() });
+            evaluator.evaluate(
+                &short(),
+                &TestCase { friction: FrictionIndex(1), grasp, disturbance: Disturbance::default() },
+            );
         }
         let mut absurd = world();
         absurd.inertia = Inertia::of_body(value, absurd.inertia.rotational());
@@ -86,8 +90,11 @@ fn a_reference_of_one_knot_can_be_simulated_and_refined() {
     assert_eq!(reference.perturbed(&perturbation), reference);
     assert_eq!(reference.at(usize::MAX, 0.5), reference.at(0, 0.0));
     let evaluator = Evaluator::new(&world(), &[0.0], Success::default());
-    let cases =
-        vec![TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() }];
+    let cases = vec![TestCase {
+        friction: FrictionIndex(0),
+        grasp: GraspError::default(),
+        disturbance: Disturbance::default(),
+    }];
     let results = evaluator.evaluate_all(&reference, &cases, &|| false).unwrap();
     let mut refinement = Refinement::new(&evaluator, reference, cases, results, 1);
     refinement.improve(&|| false);

@@ -9,7 +9,7 @@ use robot::{Arm, JointVector, RigidInertia};
 use serde_json::Value;
 use simulation::{
     ArmModel, Disturbance, Evaluator, FrictionIndex, Injection, Reference, Refinement, Rollout, Settings, Success,
-    TimedState, TestCase,
+    TestCase, TimedState,
 };
 use task::{AssemblyTask, GraspError, Impedance, Inertia};
 use workers::Workers;

@@ -95,7 +95,8 @@ fn long_steps_are_no_less_accurate_than_short_ones() {
 /// Damping that is different along every axis, and along none of the world's or the body's.
 fn anisotropic(least: f64, most: f64) -> Matrix3<f64> {
     let rotation = UnitQuaternion::from_euler_angles(0.4, -0.9, 1.3).to_rotation_matrix();
-    let damping = rotation * Matrix3::from_diagonal(&Vector3::new(least, 0.5 * (least + most), most)) * rotation.inverse();
+    let damping =
+        rotation * Matrix3::from_diagonal(&Vector3::new(least, 0.5 * (least + most), most)) * rotation.inverse();
     0.5 * (damping + damping.transpose())
 }
 
@@ -161,13 +162,13 @@ fn an_offset_displaces_the_body_and_the_controller_never_learns_of_it() {
     assert!((outcome.position_error - 0.005).abs() < 2e-4 && outcome.orientation_error < 1e-12);
 }
 
-/// A turned part in the gripper is a body whose shape is turned the other way.
+/// A rotated part in the gripper is a body whose shape is rotated the other way.
 #[test]
-fn a_turned_grasp_is_a_turned_shape() {
+fn a_rotated_grasp_is_a_rotated_shape() {
     let rotation = [0.006, -0.004, 0.03];
-    let rotation = UnitQuaternion::from_scaled_axis(Vector3::from(rotation));
+    let quaternion = UnitQuaternion::from_scaled_axis(Vector3::from(rotation));
     let [w, i, j, k] = {
-        let back = rotation.inverse();
+        let back = quaternion.inverse();
         [back.w, back.i, back.j, back.k]
     };
     let peg = block([0.04, 0.04, 0.08], [0.0; 3]);
@@ -188,7 +189,7 @@ fn a_turned_grasp_is_a_turned_shape() {
                 |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
             let moved = (0..3).map(|axis| (held[axis] - shaped[axis]).abs()).fold(0.0, f64::max);
             assert!(moved < 1e-8, "{moved}");
-            assert!((orientation(held) * rotation).angle_to(&orientation(shaped)) < 1e-6);
+            assert!((orientation(held) * quaternion).angle_to(&orientation(shaped)) < 1e-6);
         }
     }
 }

@@ -4,8 +4,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::Vector3;
 use simulation::{
-    Perturbation, Disturbance, Evaluator, FrictionIndex, Reference, Refinement, Rollout, Settings, FinalOscillation, Success, TestCase,
-    TestResult,
+    Disturbance, Evaluator, FinalOscillation, FrictionIndex, Perturbation, Reference, Refinement, Rollout, Settings,
+    Success, TestCase, TestResult,
 };
 use task::{GraspError, Horizon, StraightMotion, pose_of};
 use workers::Workers;
@@ -94,7 +94,10 @@ fn references_share_the_intervals_before_a_change() {
     for _ in 0..50 {
         let perturbation = Perturbation::random(&mut random, &success);
         let changed = (0..=last).position(|knot| perturbation.weight(knot as f64 / last as f64) > 0.0);
-        assert_eq!(reference.shared_intervals(&reference.perturbed(&perturbation)), changed.map_or(last, |first| first - 1));
+        assert_eq!(
+            reference.shared_intervals(&reference.perturbed(&perturbation)),
+            changed.map_or(last, |first| first - 1)
+        );
         let late = Perturbation::late(&mut random, &success);
         assert!(2 * reference.shared_intervals(&reference.perturbed(&late)) >= last, "{late:?}");
     }
@@ -124,13 +127,15 @@ fn changes_that_break_a_limit_are_refused() {
         refinement.improve(&|| false);
     });
     assert!(limited.bounds().allow(refinement.reference()));
-    let bent = |seed| beside().perturbed(&Perturbation::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
+    let perturbed =
+        |seed| beside().perturbed(&Perturbation::random(&mut fastrand::Rng::with_seed(seed), &Success::default()));
     assert!((0..20).any(|seed| !limited.bounds().allow(&perturbed(seed))), "there is something to be refused");
 }
 
 #[test]
 fn a_push_beyond_the_limit_is_no_success() {
-    let case = TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+    let case =
+        TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     const DEPTH: f64 = 1e-3;
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
     world.goal[2] = 0.04;
@@ -153,7 +158,8 @@ fn a_push_beyond_the_limit_is_no_success() {
 
 #[test]
 fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_if_it_reversed() {
-    let case = TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
+    let case =
+        TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     let wall = block([0.02, WIDTH, 0.2], [-0.5 * WIDTH - 0.01, 0.0, 0.1]);
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor(), wall]);
     world.goal[2] = 0.04;
@@ -169,7 +175,7 @@ fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_i
     let mut passes = |limit: f64, margin: Option<f64>| {
         world.limits.contact_force = limit;
         let evaluator = Evaluator::new(&world, &[FRICTION], Success::default());
-        let evaluator = margin.map_or(evaluator.clone(), |factor| evaluator.with_margins(factor));
+        let evaluator = margin.map_or(evaluator.clone(), |factor| evaluator.hardened(factor));
         evaluator.evaluate(&pressing, &case).passed
     };
     let (low, high) = (0.5 * (plain + reversed), 0.5 * (reversed + harder));

@@ -1,6 +1,6 @@
 //! FinalOscillation at the end of references.
 
-use simulation::{Reference, Rollout, Settings, FinalOscillation, Success};
+use simulation::{FinalOscillation, Reference, Rollout, Settings, Success};
 use task::{AssemblyTask, Limits};
 use workers::Workers;
 

@@ -19,7 +19,7 @@ Exit codes: 0 done, 1 the self-test failed, 2 wrong input or usage, 3 anything e
 Examples:
   scripts/lab validate out/peg1-1 --position-tolerance 0.005 --friction 0,0.1,0.3
   scripts/lab validate out/clamp1-* --magnitude 0mm,2mm,4mm,5mm --jobs 2 --csv clamp1.csv
-  scripts/lab validate out/peg1-1 --arm --turn 0.02
+  scripts/lab validate out/peg1-1 --arm --rotation-error 0.02
   scripts/lab validate out/peg1-1 --arm --robot examples/arms/six.toml --gain-factor 8.5"""
 
 

@@ -190,7 +190,7 @@ def plan(
         offsets=np.array([scenario["offset_m"] for scenario in result["scenarios"]]),
         coverage=resolved["robustness"].get("coverage", "hull"),
         insertion_axis=insertion_axis(resolved),
-        turn=resolved["robustness"].get("turn", 0.0),
+        turn=resolved["robustness"].get("rotation_error", 0.0),
         reference=reference,
     )
 

@@ -33,7 +33,7 @@ def scene_of(pair: dict, folder: pathlib.Path) -> dict:
         "environment": {"part": [{"name": "socket"} | part(pair["environment"], folder)]},
         "start": [{"name": "1"} | pose(pair["start"])],
         "goal": pose(pair["goal"]),
-        "robustness": {"offset_magnitude": pair["offset"], "turn": pair.get("turn", 0.0)},
+        "robustness": {"offset_magnitude": pair["offset"], "rotation_error": pair.get("rotation_error", 0.0)},
     }
 
 

@@ -74,7 +74,7 @@ def part_row(pair: dict, out: pathlib.Path) -> list[str]:
     impedance = resolved["impedance"]
     return [
         shown_name(pair),
-        f"{1e3 * robustness['offset_magnitude']:g} mm, {robustness.get('turn', 0.0):g} rad",
+        f"{1e3 * robustness['offset_magnitude']:g} mm, {robustness.get('rotation_error', 0.0):g} rad",
         str(check["pairs"]),
         f"{most[0]} + {most[1]}",
         f"{1e3 * fit['gap_m']:.3f} mm, {100 * fit['lost_m'] / fit['gap_m']:.1f} %" if fit else "-",

@@ -18,7 +18,7 @@ PLANS = (
     ("clamp1", "seven"),
     ("peg1", "seven"),
 )
-FLAGS = ["--robust", "--turn", "0.01", "--friction", "0,0.1", "--time-limit", "300"]
+FLAGS = ["--robust", "--rotation-error", "0.01", "--friction", "0,0.1", "--time-limit", "300"]
 # Of `urscript`, everything that a player reads is kept.
 KEPT = ("plan.json", "trajectory.csv", "plan.script")
 

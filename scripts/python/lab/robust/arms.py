@@ -19,7 +19,7 @@ TURN = "0.02"
 TIME_LIMIT = "60"
 
 PAGE = """\
-Starts of the scenes, planned by `solve --robust --friction {frictions} --turn {turn} --time-limit {limit}` for an arm
+Starts of the scenes, planned by `solve --robust --friction {frictions} --rotation-error {turn} --time-limit {limit}` for an arm
 with a contact force of at most 60 N (`[limits]`), with gains that the program chose for it, and then played in MuJoCo
 by the whole arm: rotor inertia, gravity, joint friction, torques held for a control period. Each plan is played with
 {count} random offsets in the hull of the planned ones at each of 0, 50 and 95 % of delta-hat, the part turned in the
@@ -64,8 +64,8 @@ def make_one(arguments: argparse.Namespace, arm: pathlib.Path, case: Case) -> No
         arguments,
         case,
         scene,
-        ["--friction", frictions, "--turn", TURN, "--time-limit", TIME_LIMIT],
-        ["--friction", frictions, "--turn", TURN, *to_play],
+        ["--friction", frictions, "--rotation-error", TURN, "--time-limit", TIME_LIMIT],
+        ["--friction", frictions, "--rotation-error", TURN, *to_play],
     )
 
 

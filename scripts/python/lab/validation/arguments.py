@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "the hull, disc or ball; or those of a CSV file with the header x_m,y_m,z_m",
     )
     add(
-        "--turn",
+        "--rotation-error",
         type=not_negative,
         metavar="RAD",
         help="the part is also rotated in the gripper, at random, by up to this [default: the plan's, else 0]",
