@@ -183,3 +183,20 @@ fn a_plan_is_simulated_in_its_own_scene() {
     };
     assert!(table("plan", "own") == table("corner.toml plan", "named"));
 }
+
+#[test]
+fn former_names_of_flags_are_read_with_a_warning() {
+    let dir = Dir::new();
+    for (line, old, new) in [
+        ("solve x.toml --robust --turn=0.1", "--turn", "--rotation-error"),
+        ("solve x.toml --robust --wanted-rate 0.9", "--wanted-rate", "--target-rate"),
+        ("solve x.toml --robust --patience 3", "--patience", "--stall-limit"),
+        ("solve x.toml --robust --max-changes 3", "--max-changes", "--max-perturbations"),
+        ("simulate x.toml x --turn 0.1", "--turn", "--rotation-error"),
+    ] {
+        let expected = format!("`{old}` is now `{new}`");
+        dir.run(line).code(2).says(&expected).says("x.toml: the scene cannot be read: there is no such file");
+        dir.run(&line.replace(old, new)).code(2).keeps_silent_about("is now");
+    }
+    dir.run("batch submit x --slurm -- --turn=1").code(2).keeps_silent_about("is now");
+}

@@ -28,7 +28,7 @@ fn turned_scenarios_reach_the_goal() {
     for scenario in list(&result, "scenarios") {
         assert!(number(scenario, "orientation_error_rad") < 0.02, "contact has turned it back: {scenario}");
     }
-    // The first scenario begins turned by 0.04 rad about y, against the turn of the believed part.
+    // The first scenario begins rotated by 0.04 rad about y, against the rotation of the believed part.
     let begin = |folder: &str| -> Vec<f64> {
         let row = &dir.table(format!("{folder}/scenarios.csv")).rows[0];
         row[5..9].iter().map(|component| component.parse().unwrap()).collect()
@@ -40,7 +40,7 @@ fn turned_scenarios_reach_the_goal() {
 }
 
 #[test]
-fn a_plan_with_turned_scenarios_is_written_so_that_it_can_be_repeated_and_played() {
+fn a_plan_with_rotated_scenarios_is_written_so_that_it_can_be_repeated_and_played() {
     let dir = folder();
     dir.run("solve turned.toml --out out").code(0);
     dir.run("solve out/resolved.toml --out again").code(0);
@@ -58,20 +58,20 @@ fn a_plan_with_turned_scenarios_is_written_so_that_it_can_be_repeated_and_played
 }
 
 #[test]
-fn turns_that_no_scenario_has_do_not_make_it_another_problem() {
+fn rotation_errors_that_no_scenario_has_do_not_make_it_another_problem() {
     let dir = folder();
-    dir.add_variant("borne.toml", &[("[robustness]", "[robustness]\nturn = 0.04")]);
+    dir.add_variant("rotation.toml", &[("[robustness]", "[robustness]\nrotation_error = 0.04")]);
     let problem = |scene: &str| {
         dir.run(&format!("solve {scene}.toml --out {scene}"));
         dir.result(scene)["made_from"]["problem"].clone()
     };
-    let [corner, borne, turned] = ["corner", "borne", "turned"].map(problem);
-    assert_eq!(corner, borne);
+    let [corner, rotation, turned] = ["corner", "rotation", "turned"].map(problem);
+    assert_eq!(corner, rotation);
     assert_ne!(corner, turned);
 }
 
 #[test]
-fn the_flag_turns_scenarios_and_evaluations_alike() {
+fn the_flag_rotates_scenarios_and_evaluations_alike() {
     let dir = folder();
     dir.run("solve turned.toml --robust --friction 0 --rotation-error 0.02 --stall-limit 0 --out out");
     assert_eq!(turns(&dir, "out"), [[0.0, 0.02, 0.0], [0.0, 0.0, -0.02]]);

@@ -28,7 +28,7 @@ pub struct Entry {
 #[derive(Debug, Clone)]
 pub struct Entries(Vec<Entry>);
 
-/// So many standard errors are to be borne.
+/// So many standard errors are to be tolerated.
 const BORNE: f64 = 2.0;
 /// Largest relative error that a scene can have.
 const LARGEST_ERROR: f64 = 0.9;
@@ -45,7 +45,7 @@ impl Entries {
             None => entries.add_body(&known, problem),
         }
         if let Some(estimate) = known.estimate(Parameter::Stiffness) {
-            // What the player does not correct is to be borne.
+            // What the player does not correct is to be tolerated.
             let left = if estimate.is_off() { 0.0 } else { (estimate.value - 1.0).abs() };
             let error = left + BORNE * estimate.standard_error.unwrap_or_default();
             entries.add("robustness", "stiffness_error", rounded_up(error, 0.01).min(LARGEST_ERROR).into());

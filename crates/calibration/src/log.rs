@@ -97,7 +97,7 @@ pub struct Log {
     pub in_free_air: bool,
     /// Why it ends before its plan does, if it does: then it only has rows in free air.
     pub stopped: Option<String>,
-    /// Offset magnitude that the plan bears (m).
+    /// Offset magnitude that the plan covers (m).
     pub delta: f64,
 }
 

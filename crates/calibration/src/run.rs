@@ -91,7 +91,7 @@ fn grasp_at_end(log: &Log, problem: &Problem) -> Result<GraspError, PlannerError
     if length > most {
         let problem = format!(
             "the part did not end at its goal, or sat {} mm beside where it was believed, more than the {} mm that the \
-             plan bears: leave this log out",
+             plan covers: leave this log out",
             Millimetres(length),
             Millimetres(most)
         );

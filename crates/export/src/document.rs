@@ -176,7 +176,7 @@ impl Document {
             warnings: warnings(plan, &trial, anyway, robot.is_some()),
             delta_m: problem.delta(),
             coverage: CoverageRecord::from(problem),
-            turn_rad: scene.borne.rotation_error,
+            turn_rad: scene.robustness.rotation_error,
             rate_hz: rate,
             frame: if robot.is_some() { "robot base" } else { "world" },
             base: coordinates(&frames.base),

@@ -38,7 +38,7 @@ impl FreeAir {
     pub fn new(problem: &Problem, states: &[[f64; STATE]], time_step: f64, grasp: &Isometry3<f64>) -> Self {
         let world = problem.world();
         let radius_m = farthest_point(&world, &grasp.inverse());
-        let rotation = problem.scene().borne.rotation_error * farthest_point(&world, &Isometry3::identity());
+        let rotation = problem.scene().robustness.rotation_error * farthest_point(&world, &Isometry3::identity());
         let margin_m = problem.delta() + rotation + MARGIN;
         let poses: Vec<[f64; POSE]> = states.iter().map(pose_of).collect();
         let Some(out) = way_out(&poses, grasp) else {

@@ -70,7 +70,7 @@ impl TrialRecord {
             let largest = outcomes.iter().map(|outcome| outcome.loads.contact_force).fold(0.0, f64::max);
             contact_force_n = contact_force_n.max(largest);
             let successes = outcomes.iter().filter(|outcome| outcome.reaches_goal(&success)).count();
-            let (magnitude_m, turn_rad) = (problem.delta(), problem.scene().borne.rotation_error);
+            let (magnitude_m, turn_rad) = (problem.delta(), problem.scene().robustness.rotation_error);
             let interval = wilson_interval(successes, outcomes.len());
             rates.push(RateRecord { friction, magnitude_m, turn_rad, rollouts: outcomes.len(), successes, interval });
         }
@@ -99,7 +99,7 @@ impl TrialRecord {
 fn frictions(plan: &StoredPlan, problem: &Problem) -> Vec<f64> {
     let refined = plan.result.robust.iter().flat_map(|robust| robust.after.by_friction());
     let refined: Vec<f64> = refined.filter_map(|groups| groups.first()).map(|group| group.friction).collect();
-    if refined.is_empty() { problem.scene().borne.frictions.clone() } else { refined }
+    if refined.is_empty() { problem.scene().robustness.frictions.clone() } else { refined }
 }
 
 /// The planned grasp errors, and random offsets in their hull with random turns.
@@ -107,7 +107,7 @@ fn grasps(plan: &StoredPlan, problem: &Problem) -> Vec<GraspError> {
     let planned: Vec<GraspError> = plan.result.scenarios.iter().map(|scenario| (&scenario.grasp).into()).collect();
     let offsets: Vec<[f64; 3]> = problem.task().grasps.iter().map(|grasp| grasp.offset).collect();
     let random = offsets::hull(&offsets, RANDOM, SEED);
-    let turns = offsets::ball(problem.scene().borne.rotation_error, RANDOM, SEED);
+    let turns = offsets::ball(problem.scene().robustness.rotation_error, RANDOM, SEED);
     let random = random.into_iter().zip(turns).map(|(offset, rotation)| GraspError { offset, rotation });
     GraspError::distinct(planned.into_iter().chain(random))
 }

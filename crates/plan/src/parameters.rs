@@ -252,7 +252,7 @@ pub struct DraftParameters {
     pub compliant_rotational: [f64; 2],
     /// Fraction of drafts with friction.
     pub with_friction: f64,
-    /// Their coefficient, as a fraction of the largest that must be borne: more costs more, and is no better.
+    /// Their coefficient, as a fraction of the largest that must be tolerated: more costs more, and is no better.
     pub friction: f64,
     /// Fraction of drafts that take half as long again.
     pub slower: f64,
@@ -277,7 +277,7 @@ impl Default for DraftParameters {
     }
 }
 
-/// What robust plans for arms bear beyond what they must.
+/// What robust plans for arms tolerate beyond what they must.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct MarginParameters {

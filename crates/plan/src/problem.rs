@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use scene::{Borne, Scene, StartPose, TaskError, resolved, resolved_settings, resolved_world};
+use scene::{RobustnessSpec, Scene, StartPose, TaskError, resolved, resolved_settings, resolved_world};
 use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
 
@@ -68,7 +68,7 @@ impl Problem {
     pub fn choose(mut scene: Scene, file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
         if let Some(rotation_error) = choices.rotation_error {
             require_rotation_error(rotation_error)?;
-            scene.borne.rotation_error = rotation_error;
+            scene.robustness.rotation_error = rotation_error;
         }
         let homotopy = homotopy(&scene, choices.homotopy.as_deref(), choices.linear_solver)?;
         scene.position_tolerance = choices.position_tolerance.or(scene.position_tolerance);
@@ -111,12 +111,12 @@ impl Problem {
         let stated = scene.position_tolerance.or(chosen_tolerance.map(|chosen| chosen.position()));
         let success = Success { position: stated.unwrap_or(f64::NAN), orientation: scene.angle_tolerance };
         success.validate()?;
-        let edge_radius = *scene.borne.edge_radius.get_or_insert_with(|| edge_radius(&task));
-        // What counts as success and what refinement must bear do not change how the problem is solved, but for turns of
+        let edge_radius = *scene.robustness.edge_radius.get_or_insert_with(|| edge_radius(&task));
+        // What counts as success and what refinement must tolerate do not change how the problem is solved, but for turns of
         // scenarios.
-        let rotation_error = if scene.has_rotated_scenarios() { scene.borne.rotation_error } else { 0.0 };
-        let borne = Borne { rotation_error, ..Borne::default() };
-        let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, borne, ..scene.clone() };
+        let rotation_error = if scene.has_rotated_scenarios() { scene.robustness.rotation_error } else { 0.0 };
+        let spec = RobustnessSpec { rotation_error, ..RobustnessSpec::default() };
+        let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, robustness: spec, ..scene.clone() };
         let solved = resolved(&solved, &start, delta, &homotopy);
         let identity = hash(format!("{VERSION}\n{solved}").as_bytes());
         (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
@@ -282,7 +282,7 @@ impl Problem {
     }
 
     /// What makes two problems the same one: a hash (hexadecimal) of the `resolved.toml` of what was asked for and of
-    /// the program's version. Comments, file names, tolerances and what refinement must bear do not change it, a
+    /// the program's version. Comments, file names, tolerances and what refinement must tolerate do not change it, a
     /// mesh's content does.
     pub fn identity(&self) -> &str {
         &self.identity

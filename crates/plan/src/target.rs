@@ -1,14 +1,14 @@
-//! What a robust plan must bear, and how much time may be spent on it.
+//! What a robust plan must tolerate, and how much time may be spent on it.
 
 use std::time::Duration;
 
-use scene::Borne;
+use scene::RobustnessSpec;
 
 use crate::error::PlannerError;
 use crate::parameters::RobustParameters;
 use crate::ranges::{require, require_frictions, require_rotation_error};
 
-/// What a robust plan must bear, and how much time may be spent on it.
+/// What a robust plan must tolerate, and how much time may be spent on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobustnessTarget {
     /// Success rate to reach at each friction, 0 to 1.
@@ -35,14 +35,14 @@ pub struct RobustnessTarget {
 
 impl Default for RobustnessTarget {
     fn default() -> Self {
-        Self::of(&Borne::default())
+        Self::of(&RobustnessSpec::default())
     }
 }
 
 impl RobustnessTarget {
-    /// For what a scene says must be borne.
-    pub fn of(borne: &Borne) -> Self {
-        let Borne { frictions, rotation_error, inertia_error, stiffness_error, delay, edge_radius: _ } = borne.clone();
+    /// For what a scene says must be tolerated.
+    pub fn of(spec: &RobustnessSpec) -> Self {
+        let RobustnessSpec { frictions, rotation_error, inertia_error, stiffness_error, delay, edge_radius: _ } = spec.clone();
         Self {
             target_rate: 0.99,
             frictions,

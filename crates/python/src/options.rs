@@ -93,7 +93,7 @@ pub struct RobustOptions {
 }
 
 impl RobustOptions {
-    /// What a robust plan of a scene must bear, and until when it is sought.
+    /// What a robust plan of a scene must tolerate, and until when it is sought.
     ///
     /// # Errors
     /// When a value is out of its range.
@@ -104,7 +104,7 @@ impl RobustOptions {
             let rule = "must lie between 0 and 10000000 s";
             return Err(PlannerError::value("time_limit", self.time_limit, rule));
         }
-        let own = RobustnessTarget::of(&scene.borne);
+        let own = RobustnessTarget::of(&scene.robustness);
         let target = RobustnessTarget {
             target_rate: self.target_rate,
             frictions: self.friction.unwrap_or(own.frictions),

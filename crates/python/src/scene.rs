@@ -129,7 +129,7 @@ fn solve(
     let mut plan = planner::solve(&problem, &session)?;
     match &target {
         Some(target) => plan = refine(plan, target, &session)?,
-        None => plan.tested = planner::test(&plan, &RobustnessTarget::of(&problem.scene().borne), &session)?,
+        None => plan.tested = planner::test(&plan, &RobustnessTarget::of(&problem.scene().robustness), &session)?,
     }
     warnings::of_plan(&plan).into_iter().for_each(|warning| watch.warn(warning));
     // What is interrupted, is raised as such.

@@ -18,17 +18,17 @@ const REFINEMENT: &str = "refinement.json";
 pub struct RefinementCheckpoint {
     /// [`Problem::identity`](plan::Problem::identity) of the problem.
     pub identity: String,
-    /// Coulomb coefficients that it must bear.
+    /// Coulomb coefficients that it must tolerate.
     pub frictions: Vec<f64>,
-    /// Largest turn in the gripper that it must bear.
+    /// Largest turn in the gripper that it must tolerate.
     pub turn_rad: f64,
-    /// Largest relative error of the inertia that it must bear.
+    /// Largest relative error of the inertia that it must tolerate.
     pub inertia_error: f64,
-    /// Largest relative error of the stiffness that it must bear.
+    /// Largest relative error of the stiffness that it must tolerate.
     pub stiffness_error: f64,
-    /// Largest delay of the controller that it must bear.
+    /// Largest delay of the controller that it must tolerate.
     pub delay_s: f64,
-    /// Largest radius of edges that it must bear.
+    /// Largest radius of edges that it must tolerate.
     pub edge_radius_m: f64,
     /// What steered the search.
     pub parameters: RobustParameters,

@@ -39,7 +39,7 @@ pub struct Factors {
 const PARALLEL: f64 = 1e-9;
 
 impl Draft {
-    /// Any. `friction` is the largest that must be borne.
+    /// Any. `friction` is the largest that must be tolerated.
     pub fn random(random: &mut Rng, friction: f64, parameters: &DraftParameters) -> Self {
         let mut power = |[least, most]: [f64; 2]| 10_f64.powf(least + (most - least) * random.f64());
         let mut factors =

@@ -14,7 +14,7 @@ use task::{AssemblyTask, Coverage, GraspError};
 /// never repeat and leave no large gaps.
 const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 
-/// Largest errors to be borne: of the grasp, offsets of up to `delta-hat` (m) and a turn (rad); of robot and controller, relative
+/// Largest errors to be tolerated: of the grasp, offsets of up to `delta-hat` (m) and a turn (rad); of robot and controller, relative
 /// ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
 #[derive(Debug, Clone, Copy)]
 pub struct ErrorRange {
@@ -30,7 +30,7 @@ pub struct ErrorRange {
 }
 
 impl ErrorRange {
-    /// What a plan of a problem must bear.
+    /// What a plan of a problem must tolerate.
     pub fn new(problem: &Problem, target: &RobustnessTarget) -> Self {
         Self {
             coverage: problem.scene().coverage,
@@ -180,7 +180,7 @@ impl Evaluation {
     }
 
     /// The test cases to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
-    /// each about another [axis](training_axis). What bears these mostly bears smaller turns.
+    /// each about another [axis](training_axis). A reference robust to these is usually robust to smaller ones.
     pub fn into_training(self, range: &ErrorRange) -> Vec<TestCase> {
         let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.rotation_error));
         let Self { groups, mut cases, group, .. } = self;

@@ -75,7 +75,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     // Reality is the problem's; only the grid of time is the reference's.
     world.horizon = best.reference.horizon();
     let tau = best.solved.iterations[best.solved.iterations.len() - 1].record.tau;
-    // One friction in the plan is not what is shown: the least that is borne is.
+    // One friction in the plan is not what is shown: the least that is tolerated is.
     let mut shown = world.clone();
     if let [friction] = &mut shown.frictions[..] {
         *friction = target.least_friction();
@@ -118,7 +118,7 @@ pub fn refine_reference(
 struct Refiner<'run> {
     problem: &'run Problem,
     target: &'run RobustnessTarget,
-    /// What must be borne.
+    /// What must be tolerated.
     range: ErrorRange,
     evaluator: &'run Evaluator,
     /// Of training cases.

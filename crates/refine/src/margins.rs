@@ -1,4 +1,4 @@
-//! Robust plans that bear more than they must.
+//! Robust plans that tolerate more than they must.
 //!
 //! Simulators differ, and reality differs from them: what succeeds by a hair in one fails in another. So a robust plan for
 //! an arm is refined in a harder world while there is time: with more friction, the largest turns only, and contact forces of

@@ -55,7 +55,7 @@ pub use pose::StartPose;
 pub use range::{Range, short};
 pub use resolved::{resolved, resolved_settings, resolved_world};
 pub use robot::Robot;
-pub use scene::{Borne, Scene};
+pub use scene::{RobustnessSpec, Scene};
 pub use schema::{homotopy_schema, scene_schema};
 pub use task_error::TaskError;
 pub use warnings::USUAL_SIZES;

@@ -68,8 +68,8 @@ impl Scene {
         let gripper = gripper(table)?;
         let inertia = inertia(table, robot.as_ref(), (material.as_ref(), &body), &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
-        let borne = sections::borne(&robustness)?;
-        let motions = Motions::new(&starts, &goal, (offset_magnitude, borne.rotation_error), &points);
+        let spec = sections::robustness_spec(&robustness)?;
+        let motions = Motions::new(&starts, &goal, (offset_magnitude, spec.rotation_error), &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
             shapes(&body, &environment, &motions, &goal)?;
         let (pairs, far_pairs) = pairs(
@@ -109,7 +109,7 @@ impl Scene {
             offset_directions,
             rotation_axes,
             inertia,
-            borne,
+            robustness: spec,
             carried: CarriedShapes::new(robot.as_ref(), &gripper),
             gripper,
             robot,

@@ -8,7 +8,7 @@ use crate::homotopy;
 use crate::part::Part;
 use crate::pose::StartPose;
 use crate::robot::Robot;
-use crate::scene::{Borne, Scene};
+use crate::scene::{RobustnessSpec, Scene};
 
 /// Text of a scene file that contains all defaults, the given start and offset magnitude (m), meshes as halfspaces, and
 /// the tables of the homotopy.
@@ -109,7 +109,7 @@ fn settings(scene: &Scene, offset_magnitude: f64, homotopy: &HomotopySettings) -
     settings
 }
 
-/// The rest: what is left out, what counts as success, what a robust plan must bear, and where the arm stands.
+/// The rest: what is left out, what counts as success, what a robust plan must tolerate, and where the arm stands.
 fn requirements(scene: &Scene) -> Table {
     let pairs = scene
         .pairs
@@ -119,7 +119,7 @@ fn requirements(scene: &Scene) -> Table {
         ("title", scene.title.clone().into()),
         ("contact", table([("pairs", Value::Array(pairs.collect()))]).into()),
         ("goal", tolerances(scene).into()),
-        ("robustness", borne(&scene.borne).into()),
+        ("robustness", robustness_spec(&scene.robustness).into()),
     ]);
     if !scene.gripper.is_empty() {
         requirements.insert("gripper".into(), table([("part", parts(&scene.gripper))]).into());
@@ -144,21 +144,21 @@ fn grasp_errors(scene: &Scene, offset_magnitude: f64) -> Table {
     }
     if scene.has_rotated_scenarios() {
         let axes = Value::Array(scene.rotation_axes.iter().map(numbers).collect());
-        errors.extend(table([("rotation_error", scene.borne.rotation_error.into()), ("rotation_axes", axes)]));
+        errors.extend(table([("rotation_error", scene.robustness.rotation_error.into()), ("rotation_axes", axes)]));
     }
     errors
 }
 
-/// What a robust plan must bear.
-fn borne(borne: &Borne) -> Table {
+/// What a robust plan must tolerate.
+fn robustness_spec(spec: &RobustnessSpec) -> Table {
     let mut table = table([
-        ("friction", numbers(&borne.frictions)),
-        ("rotation_error", borne.rotation_error.into()),
-        ("inertia_error", borne.inertia_error.into()),
-        ("stiffness_error", borne.stiffness_error.into()),
-        ("delay", borne.delay.into()),
+        ("friction", numbers(&spec.frictions)),
+        ("rotation_error", spec.rotation_error.into()),
+        ("inertia_error", spec.inertia_error.into()),
+        ("stiffness_error", spec.stiffness_error.into()),
+        ("delay", spec.delay.into()),
     ]);
-    table.extend(borne.edge_radius.map(|error| ("edge_radius".to_owned(), error.into())));
+    table.extend(spec.edge_radius.map(|error| ("edge_radius".to_owned(), error.into())));
     table
 }
 

@@ -18,9 +18,9 @@ use crate::robot::Robot;
 use crate::task_error::TaskError;
 use crate::words::nearest;
 
-/// What a robust plan must bear besides offsets. Errors are relative, in both directions.
+/// What a robust plan must tolerate besides offsets. Errors are relative, in both directions.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Borne {
+pub struct RobustnessSpec {
     /// Coulomb coefficients of contacts, at least one.
     pub frictions: Vec<f64>,
     /// Turn of the body in the gripper, about any axis (rad).
@@ -35,7 +35,7 @@ pub struct Borne {
     pub edge_radius: Option<f64>,
 }
 
-impl Default for Borne {
+impl Default for RobustnessSpec {
     fn default() -> Self {
         Self {
             frictions: vec![0.0, 0.1, 0.3],
@@ -93,8 +93,8 @@ pub struct Scene {
     pub offset_directions: Vec<[f64; 3]>,
     /// Axes of the turns of the same scenarios; zero is no turn.
     pub rotation_axes: Vec<[f64; 3]>,
-    /// What a robust plan must bear besides offsets.
-    pub borne: Borne,
+    /// What a robust plan must tolerate besides offsets.
+    pub robustness: RobustnessSpec,
     /// Time grid.
     pub horizon: Horizon,
     /// Weights.
@@ -150,7 +150,7 @@ impl Scene {
         let scaled = |direction: &[f64; 3], length: f64| direction.map(|component| length * component);
         let grasp = |(offset, rotation): (&[f64; 3], &[f64; 3])| GraspError {
             offset: scaled(offset, magnitude),
-            rotation: scaled(rotation, self.borne.rotation_error),
+            rotation: scaled(rotation, self.robustness.rotation_error),
         };
         let grasps = self.offset_directions.iter().zip(&self.rotation_axes).map(grasp);
         match self.coverage {
@@ -163,7 +163,7 @@ impl Scene {
 
     /// Whether any scenario is turned in the gripper.
     pub fn has_rotated_scenarios(&self) -> bool {
-        self.borne.rotation_error > 0.0 && self.rotation_axes.iter().any(|direction| *direction != [0.0; 3])
+        self.robustness.rotation_error > 0.0 && self.rotation_axes.iter().any(|direction| *direction != [0.0; 3])
     }
 
     /// The start of a given name, or the first.

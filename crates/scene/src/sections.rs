@@ -8,7 +8,7 @@ use crate::inertia::symmetric;
 use crate::keys::COVERAGES;
 use crate::pose::{StartPose, direction, directions, pose};
 use crate::robot::Stiffness;
-use crate::scene::Borne;
+use crate::scene::RobustnessSpec;
 use crate::table::Table;
 
 /// Distance (m) and angle (rad) below which a start is the goal.
@@ -64,13 +64,13 @@ pub fn frictions(scene: &Table) -> Result<Vec<f64>, SceneError> {
     }
 }
 
-/// What a robust plan must bear besides offsets.
-pub fn borne(robustness: &Table) -> Result<Borne, SceneError> {
+/// What a robust plan must tolerate besides offsets.
+pub fn robustness_spec(robustness: &Table) -> Result<RobustnessSpec, SceneError> {
     let frictions = match robustness.find("friction") {
         Some(entry) => entry.numbers()?,
-        None => Borne::default().frictions,
+        None => RobustnessSpec::default().frictions,
     };
-    Ok(Borne {
+    Ok(RobustnessSpec {
         frictions,
         rotation_error: robustness.number("rotation_error")?,
         inertia_error: robustness.number("inertia_error")?,

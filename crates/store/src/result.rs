@@ -299,7 +299,7 @@ impl PlanResult {
             start: plan.problem.start().name.clone(),
             delta_m: plan.problem.delta(),
             coverage: CoverageRecord::from(&plan.problem),
-            turn_rad: plan.problem.scene().borne.rotation_error,
+            turn_rad: plan.problem.scene().robustness.rotation_error,
             made_from: MadeFrom::from(&plan.problem),
             linear_solver: chosen.linear_solver.clone(),
             linear_solver_fallbacks: records().map(IterationRecord::fallbacks).sum(),

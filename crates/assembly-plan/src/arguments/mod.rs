@@ -406,7 +406,7 @@ impl SolveArguments {
     /// When a file of parameters is wrong.
     pub fn target(&self, scene: &Scene) -> Result<RobustnessTarget, PlannerError> {
         let arguments = &self.robust;
-        let own = RobustnessTarget::of(&scene.borne);
+        let own = RobustnessTarget::of(&scene.robustness);
         let parameters = arguments.robust_parameters.as_deref().map(files::read_robust_parameters).transpose()?;
         Ok(RobustnessTarget {
             target_rate: arguments.target_rate,

@@ -32,7 +32,7 @@ fn the_arm_of_mujoco_is_found_from_its_logs() {
     let entries = Entries::new(&calibration, &workshop.problem);
     entries.write(&workshop.path("scene.toml"), &copy, false).unwrap();
     let scene = Problem::load(&copy, &Choices::default()).unwrap().scene().clone();
-    assert!(scene.borne.delay >= 0.004 && scene.borne.frictions.iter().any(|friction| *friction >= 0.25));
+    assert!(scene.robustness.delay >= 0.004 && scene.robustness.frictions.iter().any(|friction| *friction >= 0.25));
     assert!((scene.robot.unwrap().joint_friction[0] - 0.8).abs() < 0.1);
 }
 

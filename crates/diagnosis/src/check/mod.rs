@@ -181,7 +181,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         far_pairs: scene.far_pairs.iter().map(name).collect(),
         insertion: along_insertion(task),
         farthest_rest_m: problem.engagement().rest_m,
-        overlaps: overlaps(task, scene.borne.rotation_error),
+        overlaps: overlaps(task, scene.robustness.rotation_error),
         way,
         body_edges_m: parts::edges(&scene.body, &scene.body_meshes),
         environment_edges_m: parts::edges(&scene.environment, &scene.environment_meshes),

@@ -80,7 +80,7 @@ pub fn overlaps(task: &AssemblyTask, rotation_error: f64) -> Vec<PoseOverlap> {
 
 /// The deepest overlap at the goal and the deepest at the start, and what to do about them.
 pub fn warnings(problem: &Problem) -> Vec<String> {
-    let overlaps = overlaps(problem.task(), problem.scene().borne.rotation_error);
+    let overlaps = overlaps(problem.task(), problem.scene().robustness.rotation_error);
     let (at_goal, at_start): (Vec<_>, Vec<_>) = overlaps.into_iter().partition(|overlap| overlap.pose == "goal");
     let goal = if largest_overlap(&at_goal) > largest_fit(problem) {
         "it cannot be reached: move [goal] out of the environment, or export both files in the assembled pose"

@@ -106,7 +106,7 @@ fn a_block_that_slides_steadily_lags_until_the_spring_bears_friction() {
 
 #[test]
 fn a_block_sticks_but_for_creeping() {
-    // A spring force of two thirds of what friction bears.
+    // A spring force of two thirds of what friction holds.
     let (task, length) = (block(), 2.0 / 3.0 * FRICTION * DEPTH);
     let deviations = deviations(&task, length);
     assert!(deviations[ITERATIONS - 1] < 2e-3 && deviations[ITERATIONS - 1] < 0.5 * deviations[0], "{deviations:?}");

@@ -45,7 +45,7 @@ fn motion(
     problem: &Problem,
     world: &World,
 ) -> Result<MotionData, PlannerError> {
-    let frictions = RobustnessTarget::of(&problem.scene().borne).frictions;
+    let frictions = RobustnessTarget::of(&problem.scene().robustness).frictions;
     let settings: Vec<Settings> =
         frictions.into_iter().map(|friction| Settings { friction, ..Settings::default() }).collect();
     let execution = Execution::read(log, problem, plan, &settings)?;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use plan::records::LossRecord;
 use plan::{Format, Millimetres, PlannerError, Problem, RobustnessTarget, VERSION};
-use scene::{Borne, Part};
+use scene::{RobustnessSpec, Part};
 use simulation::{Injection, Settings, Solid};
 use store::trajectory::read_tables;
 use store::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
@@ -45,7 +45,7 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
         pairs: world.names(),
         joints: arm::joints(&problem),
         engagement_depth: problem.engagement().depth_m.map(|depth| rounded(depth, LENGTH)),
-        errors: errors(&problem.scene().borne),
+        errors: errors(&problem.scene().robustness),
         motions,
         notes: result.warnings.iter().cloned().chain(why_not_done(&result)).collect(),
         weakest: loss(&result).map_or_else(Vec::new, |loss| loss.sentences().into()),
@@ -133,7 +133,7 @@ fn rollouts(plan: &StoredPlan, problem: &Problem, world: &World) -> Result<Vec<M
         }
         Ok(motion)
     };
-    RobustnessTarget::of(&problem.scene().borne).frictions.into_iter().map(at_friction).collect()
+    RobustnessTarget::of(&problem.scene().robustness).frictions.into_iter().map(at_friction).collect()
 }
 
 fn part(part: &Part) -> PartData {
@@ -146,17 +146,17 @@ fn part(part: &Part) -> PartData {
 }
 
 /// What rollouts vary besides offsets, as the scene asks for it.
-fn errors(borne: &Borne) -> ErrorsData {
+fn errors(spec: &RobustnessSpec) -> ErrorsData {
     let percent = |error: f64| format!("\u{b1}{:.0} %", 100.0 * error);
     let all = [
         (
             "turns in the gripper",
-            borne.rotation_error,
-            format!("of up to {:.1}\u{b0}", borne.rotation_error.to_degrees()),
+            spec.rotation_error,
+            format!("of up to {:.1}\u{b0}", spec.rotation_error.to_degrees()),
         ),
-        ("errors of the inertia", borne.inertia_error, format!("of {}", percent(borne.inertia_error))),
-        ("errors of the stiffness", borne.stiffness_error, format!("of {}", percent(borne.stiffness_error))),
-        ("delays of the controller", borne.delay, format!("of up to {:.1} ms", 1e3 * borne.delay)),
+        ("errors of the inertia", spec.inertia_error, format!("of {}", percent(spec.inertia_error))),
+        ("errors of the stiffness", spec.stiffness_error, format!("of {}", percent(spec.stiffness_error))),
+        ("delays of the controller", spec.delay, format!("of up to {:.1} ms", 1e3 * spec.delay)),
     ];
     let (varied, left_out): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, size, _)| *size > 0.0);
     ErrorsData {

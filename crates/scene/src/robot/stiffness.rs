@@ -20,7 +20,7 @@ pub struct Stiffness {
 const DEADBAND: f64 = 4e-3;
 const ANGULAR_DEADBAND: f64 = 0.04;
 /// Part of the offset magnitude that the deadband may be where the contact force or the controller allows no less; the angle
-/// in proportion. A plan that bears larger offsets also bears a larger deadband.
+/// in proportion. A plan that tolerates larger offsets also tolerates a larger deadband.
 const DEADBAND_OF_OFFSETS: f64 = 0.3;
 /// Largest contact force (N) where the scene has no limit.
 const LARGEST_FORCE: f64 = 60.0;

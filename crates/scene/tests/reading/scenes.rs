@@ -5,7 +5,7 @@ use std::path::Path;
 use scene::{Scene, SceneError, Source, default_homotopy, load_homotopy, resolved};
 use task::{Coverage, Limits, Scenario};
 
-use crate::support::{SCENE, folder, parse, replaced};
+use crate::support::{SCENE, assert_place, folder, parse, replaced};
 
 /// The error of the scene after a replacement, with its line of text.
 fn error(from: &str, to: &str) -> (SceneError, String) {
@@ -249,4 +249,25 @@ fn meshes_are_read_in_their_unit() {
     let scene = parse().unwrap();
     assert_eq!(scene.environment[0].shape.normals().len(), 6);
     assert!((scene.environment[0].shape.size() - 0.02).abs() < 1e-9);
+}
+
+#[test]
+fn former_names_of_keys_are_read_with_a_warning() {
+    let directions = "offset_directions = [[0.6, -0.8, 0], [0, 0, 0]]";
+    let scene = |error: &str, axes: &str| {
+        replaced(directions, &format!("{directions}\n{error} = 0.02\n{axes} = [[0, 0, 1], [0, 0, 0]]"))
+    };
+    let present = parse(&scene("rotation_error", "rotation_axes")).unwrap();
+    let former = parse(&scene("turn", "turn_axes")).unwrap();
+    assert!(present.warnings.is_empty() && present.robustness.rotation_error == 0.02);
+    assert_eq!(former.warnings.len(), 2, "{:?}", former.warnings);
+    for (line, warning) in former.warnings.iter().enumerate() {
+        assert!(warning.starts_with(&format!("test.toml:{}:1: `robustness.turn", 25 + line)), "{warning}");
+        assert!(warning.contains("is now `robustness.rotation_"), "{warning}");
+    }
+    assert_eq!((&former.robustness, &former.rotation_axes), (&present.robustness, &present.rotation_axes));
+    let error = parse(&replaced(directions, "turn = 0.02\nrotation_error = 0.02")).unwrap_err();
+    assert_place(&error, "the former name of `rotation_error`", (24, 1));
+    let error = parse(&replaced(directions, "turn = -1")).unwrap_err();
+    assert_place(&error, "robustness.rotation_error", (24, 8));
 }
