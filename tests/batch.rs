@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::support::{Dir, Run, Running, TestCommand};
 
-/// A folder with the corner scene, with a scene of so many steps that a homotopy iteration takes a moment, and with a
+/// A folder with the corner scene, with a scene of so many steps that a homotopy step takes a moment, and with a
 /// homotopy that ends too early.
 fn folder() -> Dir {
     let dir = Dir::new();
@@ -116,7 +116,7 @@ fn a_killed_batch_is_completed_by_a_rerun() {
     batch(&dir, "expand slow.toml --starts all --deltas 0.01,0.02 --out killed", 0);
     let mut run = begin(&dir, &format!("{line} killed"));
     let third = checkpoint(&cells(&dir, "killed")[2]);
-    run.wait_until("a homotopy iteration of the third cell", || third.exists());
+    run.wait_until("a homotopy step of the third cell", || third.exists());
     run.signal("KILL");
     assert_eq!(run.finish().code, None);
     let before = finished(&dir, "killed");
@@ -136,7 +136,7 @@ fn a_terminated_batch_goes_on_with_the_homotopy_iteration_it_had_reached() {
     batch(&dir, "expand slow.toml --starts 1,2 --out runs", 0);
     let cell = cells(&dir, "runs")[0].clone();
     let mut run = begin(&dir, "run runs --jobs 1");
-    run.wait_until("a homotopy iteration of the first cell", || checkpoint(&cell).exists());
+    run.wait_until("a homotopy step of the first cell", || checkpoint(&cell).exists());
     batch(&dir, "status runs", 0).says("1 running");
     run.signal("TERM");
     run.finish().code(130).says("interrupted with 2 cells to do");
@@ -145,7 +145,7 @@ fn a_terminated_batch_goes_on_with_the_homotopy_iteration_it_had_reached() {
 
     batch(&dir, "run runs --jobs 1", 0);
     let log = dir.read(cell.join("log.txt"));
-    assert!(log.contains("resuming after homotopy iteration"), "{log}");
+    assert!(log.contains("resuming after homotopy step"), "{log}");
 }
 
 #[test]
@@ -166,7 +166,7 @@ fn failing_cells_are_named_and_stop_no_other() {
     let line = "corner.toml --starts 1,2 --homotopies hasty.toml,homotopy.toml --out runs";
     batch(&dir, line, 1)
         .says("2/4 cells planned, 2 failed")
-        .says("failed: cell 0 (corner, start 1, delta 0.02, hasty): homotopy iteration 5: iteration limit reached")
+        .says("failed: cell 0 (corner, start 1, delta 0.02, hasty): homotopy step 5: iteration limit reached")
         .says("failed: cell 2 (corner, start 2, delta 0.02, hasty)");
     batch(&dir, line, 1).says("nothing to do: all 4 cells are finished, 2 planned, 2 failed").says("failed: cell 2");
 

@@ -28,13 +28,13 @@ fn a_gripper_that_meets_a_wall_is_told_before_and_after_solving() {
     let dir = Dir::new();
     // The box is 0.1 m long and 1 mm away from the wall at the goal, the jaw 0.16 m long.
     dir.write("wide.toml", dir.read("corner.toml") + &jaw(0.1));
-    let words = "part `jaw` of the gripper overlaps `wall` by 20.0 mm";
+    let words = "part `jaw` of the gripper penetrates `wall` by 20.0 mm";
     dir.run("check wide.toml").code(0).says(words);
     dir.run("check wide.toml --strict").code(1).says(words);
-    dir.run("solve wide.toml --out wide").code(0).says(words).says("part `jaw` of the gripper overlaps `wall` by");
+    dir.run("solve wide.toml --out wide").code(0).says(words).says("part `jaw` of the gripper penetrates `wall` by");
     let warnings = dir.result("wide")["warnings"].to_string();
     assert!(
-        warnings.contains("part `jaw` of the gripper overlaps `wall`") && warnings.contains("of scenario"),
+        warnings.contains("part `jaw` of the gripper penetrates `wall`") && warnings.contains("of scenario"),
         "{warnings}"
     );
     // The file that repeats a run has the gripper, too.
@@ -49,7 +49,7 @@ fn a_link_that_meets_the_floor_is_told() {
     let dir = Dir::new();
     let shape = |edge: f64| format!("<geometry><box size=\"0.02 0.02 {edge}\"/></geometry>");
     dir.write("long.toml", corner(&dir) + "\n" + &arm(&dir, &shape(0.4)));
-    dir.run("check long.toml").code(0).says("link `tool` of the arm overlaps `floor` by");
+    dir.run("check long.toml").code(0).says("link `tool` of the arm penetrates `floor` by");
     dir.write("short.toml", corner(&dir) + "\n" + &arm(&dir, &shape(0.02)));
     dir.run("check short.toml").code(0).keeps_silent_about("link `tool`");
     let lost = "<geometry><mesh filename=\"lost.stl\"/></geometry>";

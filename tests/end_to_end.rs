@@ -11,9 +11,9 @@ const STATE: &str = "px_m,py_m,pz_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy
 fn a_plan_is_written_with_all_its_files() {
     let dir = Dir::new();
     let run = dir.run("solve corner.toml --out out").code(0).says("corner: planned, not tested");
-    let progress = run.stderr.lines().filter(|line| line.starts_with("homotopy iteration ")).count();
-    assert_eq!(progress, 5, "one line per homotopy iteration off a terminal");
-    assert!(run.stderr.contains("homotopy iteration 1 of at most 5 (tau "), "{}", run.stderr);
+    let progress = run.stderr.lines().filter(|line| line.starts_with("homotopy step ")).count();
+    assert_eq!(progress, 5, "one line per homotopy step off a terminal");
+    assert!(run.stderr.contains("homotopy step 1 of at most 5 (tau "), "{}", run.stderr);
 
     let folders = (1..=5).map(|number| format!("out/stages/{number}")).chain(["out".to_owned()]);
     for folder in folders {
@@ -205,7 +205,7 @@ fn where_the_default_misses_the_goal_another_homotopy_is_tried() {
     let result = dir.result("out");
     let attempts = list(&result, "attempts");
     assert_eq!(attempts.len(), 2);
-    assert!(attempts[0]["status"].as_str().unwrap().starts_with("given up after homotopy iteration 3"), "{attempts:?}");
+    assert!(attempts[0]["status"].as_str().unwrap().starts_with("given up after homotopy step 3"), "{attempts:?}");
     assert!(
         number(&attempts[0], "position_error_m") > 3e-3 && attempts[1]["status"] == "planned, not tested",
         "{attempts:?}"
@@ -222,7 +222,7 @@ fn a_plan_that_does_not_converge_is_written_and_exits_with_1() {
     dir.add_homotopy("hasty.toml", "iterations = 1", "max_iter = 3");
     dir.run("solve corner.toml --homotopy hasty.toml --out out").code(1);
     let result = dir.result("out");
-    assert_eq!(result["status"], "homotopy iteration 1: iteration limit reached");
+    assert_eq!(result["status"], "homotopy step 1: iteration limit reached");
     assert_eq!((&result["converged"], &result["done"]), (&false.into(), &false.into()));
     assert!(dir.exists("out/reference.csv"));
 }
@@ -288,7 +288,10 @@ fn check_measures_play_and_looks_for_a_way() {
         "deep.toml",
         dir.read("corner.toml").replace("position = [0.051, 0.0, 0.031]", "position = [0.051, 0.0, 0.02]"),
     );
-    dir.run("check deep.toml").code(1).says("overlap at the goal: box/floor").says("no path in clearance was found");
+    dir.run("check deep.toml")
+        .code(1)
+        .says("penetration at the goal: box/floor")
+        .says("no path in clearance was found");
 }
 
 #[test]

@@ -61,14 +61,17 @@ fn flat_sides_of_a_hole_that_take_much_of_a_gap_are_warned_of() {
 #[ignore = "slow: scripts/test and CI run it"]
 fn a_pose_that_overlaps_is_one_line_whatever_the_number_of_pairs() {
     let dir = Dir::new();
-    // A peg that is a little too large overlaps many pieces of the hole.
+    // A peg that is a little too large penetrates many pieces of the hole.
     add_round_fit(&dir, &round::cylinders(4.17, 20.0, &[[0.0, 0.0]]), 0.001);
     let run = dir.run("check fit.toml").code(1).says("(--json lists them)").says("a round part is 0.070 mm larger");
-    assert_eq!(count(&run, "overlap at the goal"), 1, "{}", run.stdout);
+    assert_eq!(count(&run, "penetration at the goal"), 1, "{}", run.stdout);
     let report: serde_json::Value = serde_json::from_str(&dir.run("check fit.toml --json").code(1).stdout).unwrap();
-    let overlaps = list(&report, "overlaps");
-    assert!(overlaps.len() > 1 && overlaps.iter().all(|overlap| overlap["pose"] == "goal"), "{overlaps:?}");
-    run.says(&format!("less in {} more", overlaps.len() - 1));
+    let penetrations = list(&report, "overlaps");
+    assert!(
+        penetrations.len() > 1 && penetrations.iter().all(|penetration| penetration["pose"] == "goal"),
+        "{penetrations:?}"
+    );
+    run.says(&format!("less in {} more", penetrations.len() - 1));
 }
 
 #[test]
@@ -87,7 +90,7 @@ fn a_body_that_begins_inside_with_every_offset_is_refused() {
 fn a_body_that_begins_inside_with_some_offset_is_warned_of() {
     let dir = Dir::new();
     add_box(&dir, 0.025);
-    let words = "warning: at the start with offset 1 box/floor overlap by 15.000 mm, more than any other pair; move that \
+    let words = "warning: at the start with offset 1 box/floor penetrate by 15.000 mm, more than any other pair; move that \
                  start, or lower robustness.offset_magnitude";
     dir.run("check box.toml").code(0).says(words).keeps_silent_about("with every offset");
     let run = dir.run("solve box.toml --out out").says(words);

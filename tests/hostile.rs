@@ -117,7 +117,7 @@ fn a_link_that_leads_nowhere_is_no_folder_and_stays() {
         ] {
             let run =
                 dir.run(&format!("{line} {link}")).code(2).says("is a link to what does not exist; name a folder");
-            run.keeps_silent_about("homotopy iteration");
+            run.keeps_silent_about("homotopy step");
             dir.run(&format!("{line} {link}/below")).code(2).says("is a link to what does not exist; name another");
         }
         assert!(fs::symlink_metadata(dir.path(link)).unwrap().is_symlink());

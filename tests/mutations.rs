@@ -186,7 +186,7 @@ fn check(folder: &Path) -> Result<(), PlannerError> {
         let explanation = explain(&problem, problem.homotopy().tau)?;
         require_finite("clearance", explanation.insertion.iter().map(|play| play.clearance_m));
         require_finite("rest", explanation.farthest_rest_m);
-        require_finite("overlap", explanation.overlaps.iter().map(|overlap| overlap.distance_m));
+        require_finite("overlap", explanation.penetrations.iter().map(|overlap| overlap.distance_m));
         for pair in pair_reports(&problem, &problem.task().start, problem.homotopy().tau)? {
             require_finite("distances", [pair.smoothed_distance_m, pair.exact_distance_m]);
             require_finite("normal", pair.normal);
@@ -209,7 +209,7 @@ fn play(folder: &Path) -> Result<(), PlannerError> {
         let choices = Choices { start: Some(start), delta: Some(delta_m), ..Choices::default() };
         let problem = Problem::load(&folder.join("scene.toml"), &choices)?;
         plan.require_made_for(&problem)?;
-        let mut motions: Vec<_> = (1..).map(Motion::HomotopyIteration).zip(plan.iteration_references()?).collect();
+        let mut motions: Vec<_> = (1..).map(Motion::HomotopyStep).zip(plan.iteration_references()?).collect();
         motions.push((Motion::Plan, plan.reference()?));
         let never = AtomicBool::new(false);
         let played = simulate(&problem, &motions, &request, &Session::new(&|_: &planner::Event| {}, &never))?;

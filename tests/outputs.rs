@@ -139,7 +139,7 @@ fn a_folder_that_cannot_be_made_is_said_before_anything_is_solved() {
     dir.run("solve corner.toml --out /proc/out")
         .code(3)
         .says("/proc/out: cannot be written")
-        .keeps_silent_about("homotopy iteration");
+        .keeps_silent_about("homotopy step");
     refused(&dir, "solve corner.toml --out corner.toml/out", "corner.toml/out: corner.toml is a file; name another");
     assert!(dir.snapshot("") == before);
 }

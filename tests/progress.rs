@@ -24,7 +24,7 @@ fn a_log_has_every_event_and_grows() {
     dir.run("solve corner.toml --robust --out plan --log log.jsonl").code(0);
     let solved = events(&dir, "log.jsonl");
     let result = dir.json("plan/result.json");
-    assert_eq!(count(&solved, "homotopy_iteration"), result["stages"].as_array().unwrap().len());
+    assert_eq!(count(&solved, "homotopy_step"), result["stages"].as_array().unwrap().len());
     // Iterations are counted from 0, and that is one more.
     let iterations = result["iterations"].as_u64().unwrap() as usize + result["stages"].as_array().unwrap().len();
     assert!(count(&solved, "solver_iteration") >= iterations, "{} of {iterations}", count(&solved, "solver_iteration"));
@@ -44,12 +44,12 @@ fn a_log_has_every_event_and_grows() {
 fn users_choose_how_much_is_said() {
     let dir = Dir::new();
     let usual = dir.run("solve corner.toml --out usual").code(0).stderr;
-    assert!(usual.contains("homotopy iteration 1 of at most"), "{usual}");
+    assert!(usual.contains("homotopy step 1 of at most"), "{usual}");
     assert!(!usual.contains("inf_pr") && !usual.contains('\x1b'), "{usual}");
     let verbose = dir.run("solve corner.toml --out verbose --verbose").code(0).stderr;
     assert!(verbose.contains("iter        objective   inf_pr   inf_du"), "{verbose}");
     let quiet = dir.run("solve corner.toml --out quiet --quiet").code(0).stderr;
-    assert!(!quiet.contains("homotopy iteration"), "{quiet}");
+    assert!(!quiet.contains("homotopy step"), "{quiet}");
     dir.run("solve corner.toml --quiet --verbose").code(2).says("cannot be used with");
     dir.run("solve corner.toml --out other --log no/such/log")
         .code(2)

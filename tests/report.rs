@@ -28,7 +28,7 @@ fn the_page_of_a_plan_holds_its_motions() {
         let largest = list(scenario, "forces").iter().map(|force| force.as_f64().unwrap()).fold(0.0, f64::max);
         assert!(number(scenario, "max_force") >= largest - 2e-3, "the mean over 10 ms is not below that over a step");
     }
-    // Homotopy iterations would be most of the page.
+    // Homotopy steps would be most of the page.
     for iteration in &motions[4..] {
         assert!(list(iteration, "scenarios").iter().all(|scenario| list(scenario, "wrenches").is_empty()));
     }

@@ -9,14 +9,14 @@ use crate::support::{Dir, Run, Running, list, sealed};
 /// The folder of unfinished work beside `out`.
 const UNFINISHED: &str = ".out.unfinished";
 
-/// A folder with the corner scene, with so many steps that each of its homotopy iterations takes a moment.
+/// A folder with the corner scene, with so many steps that each of its homotopy steps takes a moment.
 fn folder() -> Dir {
     let dir = Dir::new();
     dir.add_variant("slow.toml", &[("steps = 20\ntime_step = 0.08", "steps = 30\ntime_step = 0.053")]);
     dir
 }
 
-/// Begins a solve and sends it a signal when the first homotopy iteration is finished.
+/// Begins a solve and sends it a signal when the first homotopy step is finished.
 fn stop(dir: &Dir, line: &str, signal: &str) -> Run {
     let mut running = dir.program(line).spawn();
     running.wait_until("a checkpoint", || dir.exists(format!("{UNFINISHED}/checkpoint.json")));
@@ -40,13 +40,13 @@ fn a_resumed_plan_is_the_uninterrupted_one() {
         assert!(!dir.exists("out"), "{signal}: looks finished");
         assert!(dir.exists(format!("{UNFINISHED}/stages/1/reference.csv")));
         if code.is_some() {
-            assert!(run.has("interrupted in homotopy iteration ") && run.has("the same command resumes it"));
+            assert!(run.has("interrupted in homotopy step ") && run.has("the same command resumes it"));
         }
 
         dir.run("solve slow.toml --out out --resume")
             .code(0)
-            .says("resuming after homotopy iteration ")
-            .keeps_silent_about("homotopy iteration 1 of at most 5 (tau");
+            .says("resuming after homotopy step ")
+            .keeps_silent_about("homotopy step 1 of at most 5 (tau");
         assert!(!dir.exists(UNFINISHED));
         assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
         for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv", "resolved.toml"] {
@@ -64,7 +64,7 @@ fn a_coarse_homotopy_iteration_is_gone_on_with_on_all_steps() {
     dir.add_homotopy("homotopy.toml", "iterations = 3\nfurther_iterations = 1\ncoarse_iterations = 1", "tol = 1e-2");
     dir.run("solve slow.toml --out whole").code(0);
     stop(&dir, "solve slow.toml --out out", "TERM");
-    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy iteration ");
+    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy step ");
     assert_eq!(iterations(&dir, "out"), iterations(&dir, "whole"));
     for file in ["reference.csv", "scenarios.csv", "contacts.csv", "stages/1/reference.csv"] {
         assert!(dir.bytes(format!("out/{file}")) == dir.bytes(format!("whole/{file}")), "{file}");
@@ -76,10 +76,10 @@ fn a_solve_that_is_interrupted_at_once_leaves_nothing_in_its_folder() {
     let dir = Dir::new();
     dir.add_scene("peg2");
     let mut running = dir.program("solve peg2.toml --out out --verbose").spawn();
-    // The head of the solver's table: the first homotopy iteration has begun.
+    // The head of the solver's table: the first homotopy step has begun.
     running.read_until("inf_pr");
     running.signal("INT");
-    running.finish().code(130).says("interrupted in homotopy iteration 1; the same command with --resume resumes it");
+    running.finish().code(130).says("interrupted in homotopy step 1; the same command with --resume resumes it");
     assert!(!dir.exists("out"));
 }
 
@@ -88,13 +88,13 @@ fn unfinished_work_is_used_only_when_asked() {
     let dir = folder();
     stop(&dir, "solve slow.toml --out out", "INT").code(130).says("the same command with --resume resumes it");
     dir.copy(UNFINISHED, "kept");
-    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy iteration");
+    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy step");
 
     dir.copy("kept", UNFINISHED);
     dir.run("solve slow.toml --out out")
         .code(0)
         .keeps_silent_about("resuming")
-        .says("homotopy iteration 1 of at most 5 (tau");
+        .says("homotopy step 1 of at most 5 (tau");
     assert!(!dir.exists(UNFINISHED));
 }
 
@@ -110,7 +110,7 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
             .code(0)
             .says(&format!("the unfinished work of an earlier run is not used: {reason}"))
             .keeps_silent_about("resuming")
-            .says("homotopy iteration 1 of at most 5 (tau");
+            .says("homotopy step 1 of at most 5 (tau");
         assert!(!dir.exists(UNFINISHED));
         dir.copy("kept", UNFINISHED);
     };
@@ -134,7 +134,7 @@ fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
     changed(&|record| drop(record["x"].as_array_mut().unwrap().pop()));
     changed(&|record| record["constraint_multipliers"].as_array_mut().unwrap().push(json!(0.0)));
     changed(&|record| record["iterations"] = json!([]));
-    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy iteration");
+    dir.run("solve slow.toml --out out --resume").code(0).says("resuming after homotopy step");
 }
 
 /// A refinement that never ends by itself: nothing ends a hundredth of a millimetre from the goal.
@@ -159,7 +159,7 @@ fn a_refinement_goes_on_where_it_stopped() {
         let again = format!("{HOPELESS} --resume --max-perturbations 0");
         dir.run(&again)
             .code(1)
-            .says("resuming after homotopy iteration 5 of at most 5 of an earlier run")
+            .says("resuming after homotopy step 5 of at most 5 of an earlier run")
             .says("resuming the refinement of an earlier run");
         assert_eq!(dir.result("out")["status"], "the wanted success rate is not reached");
         assert!(!dir.exists(UNFINISHED));
@@ -179,7 +179,7 @@ fn a_refinement_for_another_target_is_not_used() {
         [("--friction 0", "--friction 0.2"), ("1e-5", "1e-4"), ("--robust", "--robust --rotation-error 0.01")]
     {
         dir.run(&format!("{} {end}", HOPELESS.replace(from, to)))
-            .says("resuming after homotopy iteration 5 of at most 5 of an earlier run")
+            .says("resuming after homotopy step 5 of at most 5 of an earlier run")
             .says("not used: it was refined for other frictions, turns or tolerances")
             .keeps_silent_about("resuming the refinement");
         dir.copy("kept", UNFINISHED);

@@ -33,7 +33,7 @@ fn plans_are_played_counted_and_compared() {
     assert!(success.header.starts_with("motion,friction,delta_m,magnitude_m,rollouts,successes,rate,rate_low,"));
     assert_eq!(success.rows.len(), 2);
 
-    // All plans of a folder: modelled by injected magnitude, for every homotopy iteration and friction.
+    // All plans of a folder: modelled by injected magnitude, for every homotopy step and friction.
     let line = "simulate corner.toml plans --stages --random 3 --magnitude 0,0.01 --friction 0,0.3 --out out";
     dir.run(line).code(0).says("success in %");
     let motions = 5 + 1 + 1;

@@ -115,14 +115,14 @@ fn a_goal_inside_of_the_wall_is_refused() {
     let text = dir.read("s.toml");
     let (before, goal) = text.split_once("[goal]\nposition = [0.0,").unwrap();
     dir.write("moved.toml", format!("{before}[goal]\nposition = [0.003,{goal}"));
-    dir.run("check moved.toml").code(1).says("overlap there by 2.8").says("cannot be reached");
-    dir.run("solve moved.toml --out out").code(2).says("overlap there by 2.8").says("in the assembled pose");
+    dir.run("check moved.toml").code(1).says("penetrate there by 2.8").says("cannot be reached");
+    dir.run("solve moved.toml --out out").code(2).says("penetrate there by 2.8").says("in the assembled pose");
     // A press fit of a few hundredths is a matter of the fit.
     dir.write("plug.obj", obj(&block([5.23, 5.23], -8.0, 8.0), here));
     dir.run("check s.toml").code(0).says("state the fit by `clearance`");
     // One of more is a press fit.
     dir.write("plug.obj", obj(&block([5.26, 5.26], -8.0, 8.0), here));
-    dir.run("check s.toml").code(1).says("overlap there by 0.060 mm, and no path in clearance leads away from it");
+    dir.run("check s.toml").code(1).says("penetrate there by 0.060 mm, and no path in clearance leads away from it");
     dir.run("solve s.toml --out out").code(2).says("a press fit cannot be planned");
 }
 
@@ -227,7 +227,7 @@ fn the_start_is_outside_however_deep_the_body_sits() {
     dir.write("socket.obj", obj(&socket([5.3, 5.3], 14.0), here));
     dir.run(&format!("new s.toml {FILES}")).code(0);
     let run = dir.run("check s.toml").code(0);
-    run.keeps_silent_about("overlap at the start").says("the straight motion from start to goal touches nothing");
+    run.keeps_silent_about("penetration at the start").says("the straight motion from start to goal touches nothing");
     let explanation: serde_json::Value = serde_json::from_str(&dir.run("check s.toml --json").code(0).stdout).unwrap();
     let last = explanation["insertion"].as_array().unwrap().last().unwrap();
     assert!(

@@ -50,7 +50,7 @@ fn every_key_of_a_result_is_documented_and_no_other() {
         let result = fs::read_to_string(folder.path().join("out/result.json")).unwrap();
         key_paths(&serde_json::from_str(&result).unwrap(), "", &mut real);
     }
-    // Nothing overlaps in rollouts, and so this is null.
+    // Nothing penetrates in rollouts, and so this is null.
     real.extend(["time_s", "step", "pair"].map(|key| format!("scenarios[].max_penetration_at.{key}")));
 
     let mut documented = BTreeSet::new();

@@ -1,6 +1,6 @@
 //! `check`: what a scene says, and what is wrong with it, without solving it.
 
-use planner::check::{Explanation, MeshReport, PairReport, PoseOverlap, RoundSurface, Way, explain, pair_reports};
+use planner::check::{Explanation, MeshReport, PairReport, PosePenetration, RoundSurface, Way, explain, pair_reports};
 use planner::{Problem, axis_name, warnings};
 
 use crate::arguments::CheckArguments;
@@ -66,7 +66,7 @@ fn print_explanation(problem: &Problem, explanation: &Explanation, is_verbose: b
     }
     print_meshes(explanation, is_verbose);
     print_insertion(explanation);
-    explanation.overlaps.chunk_by(|one, other| one.pose == other.pose).for_each(print_overlaps);
+    explanation.penetrations.chunk_by(|one, other| one.pose == other.pose).for_each(print_penetrations);
     print_success(problem, explanation);
     print_size(problem, explanation);
     if !explanation.chosen.is_empty() {
@@ -177,7 +177,7 @@ fn print_meshes(explanation: &Explanation, is_verbose: bool) {
 fn print_success(problem: &Problem, explanation: &Explanation) {
     let success = problem.success();
     say!(
-        "\nsuccess: to end within {:.3} mm and {} rad of the goal, with exact shapes that overlap by at most {:.3} mm",
+        "\nsuccess: to end within {:.3} mm and {} rad of the goal, with exact shapes that penetrate by at most {:.3} mm",
         1e3 * success.position,
         success.orientation,
         1e3 * explanation.max_overlap_m
@@ -188,7 +188,7 @@ fn print_success(problem: &Problem, explanation: &Explanation) {
 fn print_size(problem: &Problem, explanation: &Explanation) {
     let size = explanation.size;
     say!(
-        "problem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy iterations; about \
+        "problem: {} steps of {} s, {} scenarios, {} variables, {} constraints; {} to {} homotopy steps; about \
          {:.0} s on an idle machine and {:.0} MB for the first plan",
         size.steps,
         size.time_step_s,
@@ -202,15 +202,15 @@ fn print_size(problem: &Problem, explanation: &Explanation) {
     );
 }
 
-/// The deepest of the overlaps at a pose.
-fn print_overlaps(overlaps: &[PoseOverlap]) {
-    let deepest = overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m));
-    let Some(PoseOverlap { pose, pair, distance_m }) = deepest else { return };
-    let others = match overlaps.len() - 1 {
+/// The deepest of the penetrations at a pose.
+fn print_penetrations(penetrations: &[PosePenetration]) {
+    let deepest = penetrations.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m));
+    let Some(PosePenetration { pose, pair, distance_m }) = deepest else { return };
+    let others = match penetrations.len() - 1 {
         0 => String::new(),
         count => format!(", less in {count} more (--json lists them)"),
     };
-    say!("overlap at the {pose}: {pair} by {:.3} mm{others}", -1e3 * distance_m);
+    say!("penetration at the {pose}: {pair} by {:.3} mm{others}", -1e3 * distance_m);
 }
 
 fn left_out(explanation: &Explanation) -> String {

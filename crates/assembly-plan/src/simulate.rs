@@ -8,7 +8,7 @@ use planner::files::{
     RESOLVED, RolloutRow, SimulationRecord, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
     require_rollout_tables, to_csv, write_file, write_rollout_tables,
 };
-use planner::simulate::{force_warning, overlap_warning};
+use planner::simulate::{force_warning, penetration_warning};
 use planner::{
     Choices, Ending, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable,
     simulate,
@@ -61,7 +61,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let seconds = begin.elapsed().as_secs_f64();
     let limit = played.iter().map(|(_, problem)| problem.task().limits.contact_force).fold(f64::INFINITY, f64::min);
     let force_warning = force_warning(&rollouts, limit);
-    overlap_warning(&rollouts).iter().chain(&force_warning).for_each(|warning| tell!("warning: {warning}"));
+    penetration_warning(&rollouts).iter().chain(&force_warning).for_each(|warning| tell!("warning: {warning}"));
     let table = SuccessTable::new(&rollouts);
     let successes: Vec<SuccessRow> = table.groups().iter().map(SuccessRow::from).collect();
     if let Some((_, problem)) = played.first() {
@@ -75,7 +75,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     if let Some((_, problem)) = played.first() {
         say!(
             "{}: {}; success is to end within {:.2} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, \
-             overlap and force are the largest of all rollouts\n\n{table}",
+             penetration and force are the largest of all rollouts\n\n{table}",
             problem.scene().title,
             request.errors.offsets_in_words(problem),
             1e3 * problem.success().position,
@@ -158,7 +158,7 @@ fn magnitudes(played: &[(StoredPlan, Problem)]) -> Vec<f64> {
 fn motions(arguments: &SimulateArguments, plan: &StoredPlan) -> Result<Vec<(Motion, Reference)>, PlannerError> {
     let mut motions = Vec::new();
     if arguments.stages {
-        motions.extend((1..).map(Motion::HomotopyIteration).zip(plan.iteration_references()?));
+        motions.extend((1..).map(Motion::HomotopyStep).zip(plan.iteration_references()?));
     }
     motions.push((Motion::Plan, plan.reference()?));
     Ok(motions)

@@ -92,7 +92,7 @@ fn tell_interrupted(arguments: &SolveArguments, plan: &Plan) {
             "interrupted while refining, at a success rate of {:.1} %; {again} resumes it",
             100.0 * report.rate_after
         ),
-        None => tell!("interrupted in homotopy iteration {}; {again} resumes it", plan.iterations.len()),
+        None => tell!("interrupted in homotopy step {}; {again} resumes it", plan.iterations.len()),
     }
 }
 

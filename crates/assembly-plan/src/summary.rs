@@ -33,7 +33,7 @@ pub fn summary(result: &PlanResult) -> String {
     }
     for (number, scenario) in (1..).zip(&result.scenarios) {
         lines.push(format!(
-            "  scenario {number} ({}): ends {:.2} mm and {:.4} rad from the goal, overlaps at most {:.2} mm, presses with at \
+            "  scenario {number} ({}): ends {:.2} mm and {:.4} rad from the goal, penetrates at most {:.2} mm, presses with at \
              most {:.1} N",
             scenario.grasp,
             1e3 * scenario.position_error_m,
@@ -43,8 +43,8 @@ pub fn summary(result: &PlanResult) -> String {
         ));
     }
     let deepest = result.scenarios.iter().map(|scenario| scenario.max_penetration_m).fold(0.0, f64::max);
-    let [deepest, most] = [deepest, result.max_overlap_m].map(|overlap| 1e3 * overlap);
-    lines.push(format!("  exact shapes overlap by at most {deepest:.3} mm, of {most:.3} mm that are allowed"));
+    let [deepest, most] = [deepest, result.max_overlap_m].map(|penetration| 1e3 * penetration);
+    lines.push(format!("  exact shapes penetrate by at most {deepest:.3} mm, of {most:.3} mm that are allowed"));
     lines.push(format!("  offsets covered: {}", result.coverage));
     lines.push(format!(
         "  execute with {:.0} N/m and {:.1} Nm/rad, and the damping of resolved.toml",
@@ -156,7 +156,7 @@ fn changes(report: &RobustnessReport, planned: usize) -> String {
     let reference = match (report.kept_changes, report.kept_stage) {
         (0, 0) => "the straight push, unchanged".to_owned(),
         (0, stage) if stage == planned => "the plan was left as it was".to_owned(),
-        (0, stage) => format!("the reference of homotopy iteration {stage}, unchanged"),
+        (0, stage) => format!("the reference of homotopy step {stage}, unchanged"),
         (1, _) => "1 change of the reference".to_owned(),
         (changes, _) => format!("{changes} changes of the reference"),
     };

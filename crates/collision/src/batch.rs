@@ -52,7 +52,7 @@ impl Instructions {
 }
 
 /// What to compute at every pose, and where to store it. The contact information `W` has 7 components `(Phi, Q' n)`, or
-/// 10, of which the last are the touching point `p` (m, world frame).
+/// 10, of which the last are the contact point `p` (m, world frame).
 pub enum Request<'output, const COMPONENTS: usize = CONTACT> {
     /// `Phi` and the contact normal `n` in R^7.
     Normals(&'output mut [[f64; 1 + POSE]]),

@@ -26,7 +26,7 @@ pub struct First<S: Simd> {
     pub distance: [Lane<S>; DIRECTIONS],
     /// `V''`, symmetric.
     pub curvature: DirectionMatrix<S>,
-    /// `z' = -M^-1 B_zu`: of the touching point and of the growth.
+    /// `z' = -M^-1 B_zu`: of the contact point and of the growth.
     pub solution: [[Lane<S>; DIRECTIONS]; 4],
     force: Vector<S>,
     lever: Vector<S>,
@@ -43,7 +43,7 @@ pub struct Seed<S: Simd> {
     pub distance: Lane<S>,
     /// Of the normal `V'`.
     pub normal: [Lane<S>; DIRECTIONS],
-    /// Of the touching point, where it is part of the contact information.
+    /// Of the contact point, where it is part of the contact information.
     pub point: Option<Vector<S>>,
 }
 

@@ -19,7 +19,7 @@ const RELATIVE_TOLERANCE: f64 = 1e-7;
 /// below a triangle of the hull and each of them at most three; the rest is for rounding.
 const NEAR: f64 = 4.0;
 
-/// Of more things than this, not every triple is compared.
+/// Above this number, not every triple is compared.
 const MOST_COMPARED: usize = 128;
 
 /// Length that counts as rounding for a set of points (m).
@@ -98,7 +98,7 @@ pub fn extreme_points(points: &[Vector3<f64>], facets: &[Triangle], tolerance: f
         spans_space(&touching.map(|facet| facet.plane.normal).collect::<Vec<_>>())
     };
     let mut extreme: Vec<bool> = points.iter().map(is_extreme).collect();
-    // Where facets are almost parallel, as those of a flat cone, their normals do not tell which points are corners.
+    // Where facets are almost parallel, as those of a flat cone, their normals do not show which points are corners.
     for facet in facets {
         let vertices = points.iter().zip(&extreme).filter(|(point, extreme)| **extreme && touches(facet, point));
         if vertices.count() < 3 {

@@ -15,7 +15,7 @@ const ITERATIONS: usize = 60;
 const CORRECTION_LIMIT: f64 = 2.0;
 /// Smallest slack of the cold start, up to a term with `tau`, as a fraction of the mean excess over the smallest slack.
 const START_MARGIN: f64 = 0.2;
-/// Smallest and largest fraction of the way to the boundary of the feasible set that a step may take.
+/// Smallest and largest fraction of the distance to the boundary of the feasible set that a step may take.
 const BOUNDARY_FRACTIONS: [f64; 2] = [0.9, 0.995];
 /// That fraction is 1 minus this multiple of `tau` over the mean product `dual slack`: the closer the iterate is to its
 /// target, the further its steps stay away from the boundary.

@@ -8,7 +8,7 @@
 //!
 //! Derivatives are those of the contact information `W(q) = (Phi_tau, Q' n_tau)` in R^7, as a function of the raw pose
 //! through its normalised quaternion. The dynamics need just this, and it does not depend on how a rotation matrix is
-//! extended to quaternions that are not of unit norm. Friction also needs the touching point `p`, where the grown parts
+//! extended to quaternions that are not of unit norm. Friction also needs the contact point `p`, where the grown parts
 //! meet: then `W(q) = (Phi_tau, Q' n_tau, p)` in R^10. For faces that touch, it is an analytic centre of the patch.
 //!
 //! The paper is *Robust Rigid Body Assembly via Contact-Implicit Optimal Control with Exact Second-Order Derivatives*

@@ -101,7 +101,7 @@ impl Pair {
     }
 
     /// Contact information `W(q) = (Phi_tau(q~), Q(q~)' n_tau(q~))` in R^7 at many poses: distance (m), then the normal
-    /// as force in the world frame and torque in the body frame. With ten components, the touching point (m, world
+    /// as force in the world frame and torque in the body frame. With ten components, the contact point (m, world
     /// frame) follows, where the grown or shrunk parts meet.
     ///
     /// # Errors
@@ -131,7 +131,7 @@ impl Pair {
         self.evaluate(Instructions::best(), poses, tau, solutions, Request::Jacobians(values, jacobians)).map(drop)
     }
 
-    /// `<s, D2W>` (symmetric) at many poses, with one seed `s` per pose, in R^7, or in R^10 with the touching point.
+    /// `<s, D2W>` (symmetric) at many poses, with one seed `s` per pose, in R^7, or in R^10 with the contact point.
     ///
     /// # Errors
     /// When a problem cannot be solved; results are then incomplete.

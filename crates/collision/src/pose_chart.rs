@@ -1,5 +1,5 @@
 //! The chart of poses by raw coordinates. It takes derivatives along `u = (translation, rotation vector)` in the
-//! contact frame to the contact information `W(q) = (Phi, Q' n)`, or `(Phi, Q' n, p)` with the touching point, at the
+//! contact frame to the contact information `W(q) = (Phi, Q' n)`, or `(Phi, Q' n, p)` with the contact point, at the
 //! normalised pose and its derivatives by raw coordinates.
 
 use pulp::Simd;
@@ -11,10 +11,10 @@ use crate::lane::{Lane, Vector, array, column, cross, dot, rotate};
 pub const POSE: usize = 7;
 /// Number of components of the contact information `(Phi, Q' n)`.
 pub const CONTACT: usize = 7;
-/// Number of components of the contact information with the touching point, `(Phi, Q' n, p)`.
+/// Number of components of the contact information with the contact point, `(Phi, Q' n, p)`.
 pub const CONTACT_AND_POINT: usize = CONTACT + 3;
 
-/// The first `COMPONENTS` components of the contact information, from distance, normal and touching point in the
+/// The first `COMPONENTS` components of the contact information, from distance, normal and contact point in the
 /// coordinates of the result.
 #[inline(always)]
 pub fn contact_information<S: Simd, const COMPONENTS: usize>(
@@ -181,7 +181,7 @@ impl<S: Simd> Map<S> {
         });
         let half: [[Lane<S>; POSE]; DIRECTIONS] = array!(|row| self.to_pose(&along[row]));
         let columns: [[Lane<S>; POSE]; POSE] = array!(|column| { self.to_pose(&array!(|row| half[row][column])) });
-        // Second derivative of the rotation vector: the longer the quaternion, the less a change of it turns.
+        // Second derivative of the rotation vector: the longer the quaternion, the less a change of it rotates.
         let turned = self.turned(&gradient);
         let mut hessian = columns;
         for row in 0..4 {
@@ -241,7 +241,7 @@ impl<S: Simd> Map<S> {
     }
 }
 
-/// Derivative of the touching point along a direction, in the contact frame.
+/// Derivative of the contact point along a direction, in the contact frame.
 #[inline(always)]
 fn point_derivative<S: Simd>(first: &First<S>, direction: usize) -> Vector<S> {
     array!(|axis| first.solution[axis][direction])

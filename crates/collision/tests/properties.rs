@@ -135,7 +135,7 @@ proptest! {
     }
 
     #[test]
-    fn touching_points_change_no_bit_of_the_rest(a in points(), b in points(), pose in pose(), seed in prop::array::uniform7(-1.0..1.0f64)) {
+    fn contact_points_change_no_bit_of_the_rest(a in points(), b in points(), pose in pose(), seed in prop::array::uniform7(-1.0..1.0f64)) {
         let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
         let (pair, tau, mut solutions) = (Pair::new(a, b), 1e-4, Solutions::default());
         let (mut values, mut jacobians, mut hessians) = ([[0.0; 7]], [[[0.0; 7]; 7]], [[[0.0; 7]; 7]]);
@@ -152,7 +152,7 @@ proptest! {
 
     /// The growth that the smoothed distance stands for is enough for both parts to contain the point.
     #[test]
-    fn grown_parts_contain_the_touching_point(a in points(), b in points(), pose in pose(), exponent in 2.0..8.0f64) {
+    fn grown_parts_contain_the_contact_point(a in points(), b in points(), pose in pose(), exponent in 2.0..8.0f64) {
         let (Some(a), Some(b)) = (solid(&a), solid(&b)) else { return Ok(()) };
         let pair = Pair::new(a, b);
         let mut values = [[0.0; 10]];

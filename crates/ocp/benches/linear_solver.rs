@@ -90,7 +90,7 @@ fn task(scene: &str) -> AssemblyTask {
     scene.task(None, None).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Systems of the first homotopy iteration, spread evenly over it.
+/// Systems of the first homotopy step, spread evenly over it.
 fn capture(transcription: &mut Transcription) -> Systems {
     let solver = TranscriptionSolver::new(transcription.layout(), Workers::default());
     let mut capture = Capture { solver, values: Vec::new(), systems: Systems::default() };

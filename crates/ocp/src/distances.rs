@@ -39,7 +39,7 @@ enum Evaluated {
     Jacobians,
 }
 
-/// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose, with the touching point `p` where a term asks for it:
+/// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose, with the contact point `p` where a term asks for it:
 /// `W = (Phi_tau, n~_tau, p)`. Poses are those before each step: pose
 /// `index = (stage - 1) n_s + scenario` belongs to the step that leads to `stage`. Point `pair * poses + index` of
 /// [`Points::Pairs`](crate::Points::Pairs) has the contact information of this pair at this pose.
@@ -126,7 +126,7 @@ impl Distances {
         self.curvature_slots[point] = pose.map(|row| pose.map(|column| hessian.symmetric_slot(row, column)));
     }
 
-    /// Makes a component of `W` available. Touching points are computed only where a term asks for one.
+    /// Makes a component of `W` available. Contact points are computed only where a term asks for one.
     pub fn require(&mut self, component: usize) {
         if component >= self.components {
             self.components = CONTACT_AND_POINT;

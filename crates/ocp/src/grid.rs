@@ -1,9 +1,9 @@
-//! Coarse and fine grids of time: the first homotopy iterations are solved with fewer steps, and their primal-dual point
-//! is carried over to all steps.
+//! Coarse and fine time grids: the first homotopy steps are solved with fewer time steps, and their primal-dual point
+//! is transferred to all time steps.
 //!
-//! Of a stage, poses and velocities are values at its time, and the multipliers of their dynamics are costates: all of
-//! these are interpolated. Contact forces and the multipliers of all other constraints and bounds belong to the step that
-//! leads to the stage. A force is held for the whole step; a multiplier is shared out among the fine steps.
+//! Poses and velocities are nodal values and the multipliers of their dynamics are costates; both are interpolated.
+//! Contact forces and the multipliers of all other constraints and bounds belong to the time step that ends at a knot:
+//! a force is held for the whole step, a multiplier is divided among the fine steps.
 
 use kkt::{Class, Label, Owner};
 use nlp::Iterate;
@@ -40,8 +40,8 @@ fn heavier(weights: &CostWeights, ratio: f64) -> CostWeights {
     }
 }
 
-/// A primal-dual point of one transcription on the grid of another one of the same task.
-pub fn carried_over(point: &Iterate, from: &Transcription, to: &Transcription) -> Iterate {
+/// Transfers a primal-dual point of one transcription to the grid of another one of the same task.
+pub fn transferred(point: &Iterate, from: &Transcription, to: &Transcription) -> Iterate {
     let (coarse, fine) = (from.layout(), to.layout());
     let share = coarse.steps as f64 / fine.steps as f64;
     let (variables, multipliers) = (fine.variable_labels(), fine.multiplier_labels());
@@ -81,13 +81,13 @@ pub fn carried_over(point: &Iterate, from: &Transcription, to: &Transcription) -
     }
 }
 
-/// How a value is carried over.
+/// How a value is transferred.
 enum Rule {
     /// Linearly between the ends of the coarse step.
     Interpolate,
     /// The same in all fine steps of the coarse step.
     Hold,
-    /// Shared out among the fine steps of the coarse step.
+    /// Divided among the fine steps of the coarse step.
     Share,
 }
 
@@ -105,7 +105,7 @@ fn of_multiplier(class: Class) -> Rule {
     }
 }
 
-/// The variables of the first stage with the states before the first step.
+/// The variables of the first knot with the states before the first step.
 fn initial_stage(transcription: &Transcription, mut variables: Vec<f64>) -> Vec<f64> {
     let layout: &Layout = transcription.layout();
     for (stage, owner) in layout.stages_of(Owners::All).take_while(|&(stage, _)| stage == 1) {
@@ -162,7 +162,7 @@ mod tests {
         let constraint_multipliers = vec![61.0; from.layout().constraint_count()];
         let bounds = vec![61.0; x.len()];
         let point = Iterate { x, constraint_multipliers, lower_multipliers: bounds.clone(), upper_multipliers: bounds };
-        let carried = carried_over(&point, &from, &to);
+        let carried = transferred(&point, &from, &to);
         for (value, expected) in carried.x.iter().zip(filled(&to)) {
             assert!((value - expected).abs() < 1e-12, "{value} {expected}");
         }

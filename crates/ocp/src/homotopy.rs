@@ -1,22 +1,22 @@
-//! The homotopy (Sec. ocp:homotopy): solve with strong smoothing, reduce it, solve again from the last solution. Beyond
-//! the paper's number of homotopy iterations it goes on until contact is hard.
+//! The homotopy (Sec. ocp:homotopy): solve with strong smoothing, reduce it, solve again from the last solution. After
+//! the paper's number of homotopy steps it continues until contact is hard.
 //!
-//! A *homotopy iteration* is one solve with one smoothing; an *iteration* is one of Ipopt's.
+//! A *homotopy step* is one solve with one smoothing; an *iteration* is one of Ipopt's.
 
 use nlp::{Control, Progress, SolveError, SolveStatus, Start};
-use task::{AssemblyTask, HomotopySettings, LinearSolver, Overlap, Smoothing, Trajectory};
+use task::{AssemblyTask, HomotopySettings, LinearSolver, Penetration, Smoothing, Trajectory};
 use workers::Workers;
 
-use crate::grid::{carried_over, coarsened};
-use crate::homotopy_iteration::{HomotopyIteration, IterationSolver, options};
+use crate::grid::{coarsened, transferred};
+use crate::homotopy_step::{HomotopyStep, IterationSolver, options};
 use crate::transcription::Transcription;
 
 /// Report to the observer of a homotopy at every iteration.
 #[derive(Debug, Clone, Copy)]
 pub struct Event<'event> {
-    /// Number of the homotopy iteration, from 1.
+    /// Number of the homotopy step, from 1.
     pub number: usize,
-    /// Largest number of homotopy iterations.
+    /// Largest number of homotopy steps.
     pub most: usize,
     /// Its smoothing.
     pub smoothing: Smoothing,
@@ -24,7 +24,7 @@ pub struct Event<'event> {
     pub progress: &'event Progress,
 }
 
-/// What came of a homotopy iteration, as far as it decides whether another one follows.
+/// The end of a homotopy step, as far as it decides whether another one follows.
 #[derive(Debug, Clone, Copy)]
 pub struct IterationEnd<'motion> {
     /// Whether it found a solution.
@@ -35,17 +35,17 @@ pub struct IterationEnd<'motion> {
     pub motion: &'motion Trajectory,
 }
 
-impl<'motion> From<&'motion HomotopyIteration> for IterationEnd<'motion> {
-    fn from(iteration: &'motion HomotopyIteration) -> Self {
+impl<'motion> From<&'motion HomotopyStep> for IterationEnd<'motion> {
+    fn from(iteration: &'motion HomotopyStep) -> Self {
         Self { converged: iteration.status.is_success(), tau: iteration.smoothing.tau, motion: &iteration.trajectory }
     }
 }
 
-/// A homotopy that is run iteration by iteration.
+/// A homotopy that is run step by step.
 pub struct Homotopy {
     /// On the grid of the task.
     fine: Transcription,
-    /// On a coarser one, for the first homotopy iterations.
+    /// On a coarser one, for the first homotopy steps.
     coarse: Option<Transcription>,
     settings: HomotopySettings,
 }
@@ -58,14 +58,14 @@ impl Homotopy {
         Self { fine: transcribe(task), coarse: coarse.as_ref().map(transcribe), settings }
     }
 
-    /// Runs with some threads, which change nothing but the time it takes. By default it is one.
+    /// Runs with some threads; they do not affect results. The default is one.
     pub fn with_threads(self, threads: usize) -> Self {
         let workers = Workers::new(threads);
         let coarse = self.coarse.map(|coarse| coarse.with_workers(workers.clone()));
         Self { fine: self.fine.with_workers(workers), coarse, ..self }
     }
 
-    /// The transcribed problem of a homotopy iteration, counted from 1.
+    /// The transcribed problem of a homotopy step, counted from 1.
     pub fn transcription(&self, number: usize) -> &Transcription {
         match &self.coarse {
             Some(coarse) if number <= self.settings.coarse_iterations() => coarse,
@@ -73,7 +73,7 @@ impl Homotopy {
         }
     }
 
-    /// Runs all homotopy iterations, each from the final primal-dual point of the one before, whether that converged or
+    /// Runs all homotopy steps, each from the final primal-dual point of the one before, whether that converged or
     /// not. An interrupted one is the last, and one after which `finished` stops.
     ///
     /// # Errors
@@ -81,12 +81,12 @@ impl Homotopy {
     pub fn run(
         &mut self,
         observe: impl FnMut(Event) -> Control,
-        finished: impl FnMut(usize, &HomotopyIteration) -> Control,
-    ) -> Result<Vec<HomotopyIteration>, SolveError> {
+        finished: impl FnMut(usize, &HomotopyStep) -> Control,
+    ) -> Result<Vec<HomotopyStep>, SolveError> {
         self.run_from(&[], Start::Cold(self.transcription(1).initial_guess()), observe, finished)
     }
 
-    /// Runs the homotopy iterations after `earlier` ones, which another run has completed with `start` as the final
+    /// Runs the homotopy steps after `earlier` ones, which another run has completed with `start` as the final
     /// point.
     ///
     /// # Errors
@@ -96,13 +96,13 @@ impl Homotopy {
         earlier: &[IterationEnd],
         mut start: Start,
         mut observe: impl FnMut(Event) -> Control,
-        mut finished: impl FnMut(usize, &HomotopyIteration) -> Control,
-    ) -> Result<Vec<HomotopyIteration>, SolveError> {
-        let mut iterations: Vec<HomotopyIteration> = Vec::new();
+        mut finished: impl FnMut(usize, &HomotopyStep) -> Control,
+    ) -> Result<Vec<HomotopyStep>, SolveError> {
+        let mut iterations: Vec<HomotopyStep> = Vec::new();
         for (index, smoothing) in self.settings.schedule().enumerate().skip(earlier.len()) {
             let ends: Vec<IterationEnd> =
                 earlier.iter().copied().chain(iterations.iter().map(IterationEnd::from)).collect();
-            if !self.goes_on(&ends) {
+            if !self.continues(&ends) {
                 break;
             }
             let mut observer = |progress: &Progress| {
@@ -113,7 +113,7 @@ impl Homotopy {
                 Some(coarse) if index < coarse_iterations => coarse,
                 coarse => {
                     if let (Some(coarse), Start::Warm(point), true) = (coarse, &start, index == coarse_iterations) {
-                        start = Start::Warm(carried_over(point, coarse, &self.fine));
+                        start = Start::Warm(transferred(point, coarse, &self.fine));
                     }
                     &mut self.fine
                 }
@@ -132,15 +132,14 @@ impl Homotopy {
         Ok(iterations)
     }
 
-    /// Whether another homotopy iteration follows these: fewer than wanted have run, or less smoothing makes contact
-    /// harder.
-    fn goes_on(&self, ends: &[IterationEnd]) -> bool {
+    /// Whether another homotopy step follows: fewer than requested have run, or less smoothing makes contact harder.
+    fn continues(&self, ends: &[IterationEnd]) -> bool {
         if ends.len() < self.settings.iterations {
             return true;
         }
         let before = ends.len().checked_sub(2).map(|index| ends[index].motion);
         let last = ends[ends.len() - 1];
-        last.converged && Overlap::of(self.fine.task(), last.motion, last.tau, before) == Overlap::Soft
+        last.converged && Penetration::of(self.fine.task(), last.motion, last.tau, before) == Penetration::Soft
     }
 }
 

@@ -14,7 +14,7 @@ use crate::point::{Point, Points};
 
 /// Number of components of the contact information `W = (Phi_tau, n~_tau)`.
 pub const CONTACT: usize = 1 + TWIST;
-/// Number of components of the contact information with the touching point, `W = (Phi_tau, n~_tau, p)`.
+/// Number of components of the contact information with the contact point, `W = (Phi_tau, n~_tau, p)`.
 pub const CONTACT_AND_POINT: usize = CONTACT + 3;
 
 /// Sizes of a transcription and the indices of its variables and constraints.
@@ -56,7 +56,7 @@ struct PlacedBlock {
     per_pair: bool,
 }
 
-/// What a variable or a constraint row is: one of the numbers of a block.
+/// The meaning of a variable or constraint row: one of the numbers of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Member {
     /// Name of the block.
@@ -155,12 +155,12 @@ impl Layout {
         self.labels(&self.rows)
     }
 
-    /// What all variables are.
+    /// The meaning of all variables.
     pub fn variable_members(&self) -> Vec<Member> {
         self.members(&self.variables)
     }
 
-    /// What all constraint rows are.
+    /// The meaning of all constraint rows.
     pub fn row_members(&self) -> Vec<Member> {
         self.members(&self.rows)
     }

@@ -1,7 +1,7 @@
 //! Robust contact-implicit optimal control: one reference trajectory for many offsets.
 //!
 //! A [`task::AssemblyTask`] is transcribed into a sparse nonlinear program ([`Transcription`]), whose smoothing a
-//! [`Homotopy`] reduces from one homotopy iteration to the next; each ends in a [`task::Trajectory`].
+//! [`Homotopy`] reduces from one homotopy step to the next; each ends in a [`task::Trajectory`].
 //!
 //! # Terms
 //!
@@ -39,21 +39,21 @@
 //! Limits of velocities, accelerations, forces and wrenches ([`task::Limits`]) are an addition.
 
 mod block;
+mod candidate_pairs;
 mod cost;
-mod crawl;
 mod distances;
 mod function;
 mod grid;
 mod homotopy;
-mod homotopy_iteration;
+mod homotopy_step;
 mod layout;
 mod least_squares;
 mod motion;
-mod near_pairs;
 mod pattern;
 mod point;
 mod residuals;
 mod stage_solver;
+mod stagnation;
 mod term;
 mod term_function;
 mod terms;
@@ -63,7 +63,7 @@ pub use block::{Block, Blocks, Owners, POSE_VARIABLES, TWIST_VARIABLES};
 pub use distances::MissingDistance;
 pub use grid::coarsened;
 pub use homotopy::{Event, Homotopy, IterationEnd, check_settings};
-pub use homotopy_iteration::{HomotopyIteration, IterationTiming};
+pub use homotopy_step::{HomotopyStep, IterationTiming};
 pub use layout::{CONTACT, CONTACT_AND_POINT, Layout, Member};
 pub use point::{Point, Points};
 pub use residuals::{Activity, ConstraintIndex, Residual};

@@ -14,7 +14,7 @@ const RELATIVELY_ACTIVE: f64 = 1e-2;
 /// A constraint row, or a bounded variable, at a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Residual {
-    /// What it is.
+    /// Its meaning.
     pub member: Member,
     /// Where it is in the nonlinear program.
     pub index: ConstraintIndex,
@@ -75,7 +75,7 @@ impl Residual {
         }
     }
 
-    /// With values that are so many times as large.
+    /// With values times a factor.
     fn times(self, unit: f64) -> Self {
         let Self { value, lower, upper, multiplier, .. } = self;
         Self { value: value * unit, lower: lower * unit, upper: upper * unit, multiplier: multiplier / unit, ..self }
@@ -148,7 +148,7 @@ impl Transcription {
         Ok(indices.iter().map(gradient).collect())
     }
 
-    /// What a row or variable is a multiple of, in the units of the scene.
+    /// The unit of a row or variable, in the units of the scene.
     fn unit(&self, member: &Member) -> f64 {
         match member.block {
             CONTACT_FORCE | PRODUCT => self.task().impedance.force_unit(),

@@ -40,7 +40,7 @@ pub trait StepTerm: Send + Sync {
     fn row(&self, output: usize, point: &Point, layout: &Layout) -> usize;
 }
 
-/// What some terms declare, in their order.
+/// The blocks that some terms declare, in their order.
 pub fn blocks(terms: &[Box<dyn StepTerm>]) -> Blocks {
     Blocks {
         variables: terms.iter().flat_map(|term| term.variables()).collect(),

@@ -18,7 +18,7 @@ use crate::terms::{initial_states, standard_terms};
 /// Contact force in the initial guess (in the unit of force), and the value of all variables that are not states.
 pub const INITIAL_CONTACT_FORCE: f64 = 1e-3;
 
-/// Layout, tapes and patterns of a task, built once. The smoothing is set before each homotopy iteration.
+/// Layout, tapes and patterns of a task, built once. The smoothing is set before each homotopy step.
 pub struct Transcription {
     task: AssemblyTask,
     hessian_kind: HessianKind,
@@ -66,7 +66,7 @@ impl Transcription {
         }
     }
 
-    /// Evaluates with some threads, which change nothing but the time it takes. By default it is one.
+    /// Evaluates with some threads; they do not affect results. The default is one.
     pub fn with_workers(mut self, workers: Workers) -> Self {
         self.distances.set_workers(workers.clone());
         self.workers = workers;

@@ -1,9 +1,9 @@
-//! Homotopy iterations without the pairs that stay far apart.
+//! Homotopy steps without the pairs that stay far apart.
 
 use std::path::Path;
 
 use nlp::{Control, Iterate, Start};
-use ocp::{Homotopy, HomotopyIteration};
+use ocp::{Homotopy, HomotopyStep};
 use task::{AssemblyTask, ContactPair, HomotopySettings};
 
 /// Index of the pair that [`with_a_far_pair`] adds.
@@ -28,7 +28,7 @@ fn with_a_far_pair() -> AssemblyTask {
 
 const UNTURNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
-fn solve(task: &AssemblyTask, settings: HomotopySettings, start: Option<Start>) -> HomotopyIteration {
+fn solve(task: &AssemblyTask, settings: HomotopySettings, start: Option<Start>) -> HomotopyStep {
     let mut homotopy = Homotopy::new(task, settings);
     let start = start.unwrap_or_else(|| Start::Cold(homotopy.transcription(1).initial_guess()));
     let iterations = homotopy.run_from(&[], start, |_| Control::Continue, |_, _| Control::Continue).unwrap();

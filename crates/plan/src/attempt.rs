@@ -64,7 +64,7 @@ pub fn record(change: Change, plan: &Plan) -> AttemptRecord {
         planned: change.name().to_owned(),
         status: match is_given_up(plan) {
             true => {
-                format!("given up after homotopy iteration {}, which led away from the goal", plan.iterations.len())
+                format!("given up after homotopy step {}, which led away from the goal", plan.iterations.len())
             }
             false => plan.status().to_string(),
         },

@@ -10,7 +10,7 @@ use simulation::coordinates;
 
 use crate::clearance::bounds;
 
-/// Overlap (m) that is rounding.
+/// Penetration (m) that is rounding.
 const ROUNDING: f64 = 1e-6;
 
 /// What an arm carries besides the body, and the environment: convex shapes, exact distances.
@@ -57,7 +57,7 @@ impl Frames {
     }
 }
 
-/// A carried shape and a part of the environment that overlap.
+/// A carried shape and a part of the environment that penetrate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Meeting {
     /// What is carried, in words.
@@ -74,7 +74,7 @@ impl fmt::Display for Meeting {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Self { carried, part, depth, .. } = self;
         if depth.is_finite() {
-            write!(f, "{carried} overlaps `{part}` by {:.1} mm", 1e3 * depth)
+            write!(f, "{carried} penetrates `{part}` by {:.1} mm", 1e3 * depth)
         } else {
             write!(f, "the distance between {carried} and `{part}` cannot be computed")
         }
@@ -100,7 +100,7 @@ impl<'scene> CarriedWorld<'scene> {
         (!pairs.is_empty()).then_some(Self { scene, pairs })
     }
 
-    /// The deepest overlap at any of these frames.
+    /// The deepest penetration at any of these frames.
     pub fn meeting(&self, course: &[Frames]) -> Option<Meeting> {
         let (distance, pair, at) = self.nearest(course, 0.0)?;
         let names = &self.pairs[pair];
@@ -223,7 +223,7 @@ mod tests {
             ("part `jaw` of the gripper", "shelf", 2)
         );
         assert!((meeting.depth - 0.01).abs() < 1e-9, "{meeting:?}");
-        assert_eq!(meeting.to_string(), "part `jaw` of the gripper overlaps `shelf` by 10.0 mm");
+        assert_eq!(meeting.to_string(), "part `jaw` of the gripper penetrates `shelf` by 10.0 mm");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy iteration.
+//! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy step.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use crate::sealed::{seal, unseal};
 /// Name of the record.
 const CHECKPOINT: &str = "checkpoint.json";
 
-/// The finished homotopy iterations of a problem and the point where the next one starts.
+/// The finished homotopy steps of a problem and the point where the next one starts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Checkpoint {

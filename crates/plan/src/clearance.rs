@@ -7,7 +7,7 @@ use task::{AssemblyTask, ContactPair};
 const ROUNDING: f64 = 1e-9;
 /// Shortest step along a direction, as a share of the travel that is looked at.
 const STEP: f64 = 1e-3;
-/// Overlap that is rounding, likewise.
+/// Penetration that is rounding, likewise.
 const TOUCHING: f64 = 1e-4;
 
 /// Clearance between the environment and the body, oriented as at its goal. A distance changes by no more than the body
@@ -44,7 +44,7 @@ impl<'task> Clearance<'task> {
     }
 
     /// How far the body is from touching at a position (m): the smallest exact distance of all pairs whose boxes are not
-    /// farther apart, negative where parts overlap; infinite without pairs.
+    /// farther apart, negative where parts penetrate; infinite without pairs.
     pub fn at(&mut self, position: &Vector3<f64>) -> f64 {
         if self.pairs.is_empty() {
             return f64::INFINITY;
@@ -72,14 +72,14 @@ impl<'task> Clearance<'task> {
         let mut pose = self.task.goal;
         pose[..3].copy_from_slice(position.as_slice());
         let distance = self.task.pairs[index].shapes.exact_distance(&pose);
-        // What cannot be computed counts as overlap.
+        // What cannot be computed counts as penetration.
         let distance = if distance.is_nan() { f64::NEG_INFINITY } else { distance };
         (self.pairs[index].at, self.pairs[index].distance) = (*position, distance);
         distance
     }
 
     /// How far the body moves from a position along a unit vector until it touches something (m), if it does within the
-    /// longest travel that is looked at. A body that overlaps something already moves until it overlaps deeper.
+    /// longest travel that is looked at. A body that penetrates something already moves until it penetrates deeper.
     pub fn travel(&mut self, from: &Vector3<f64>, direction: &Vector3<f64>, longest: f64) -> Option<f64> {
         if longest == 0.0 {
             return None;

@@ -21,9 +21,9 @@ pub enum PlannerError {
     /// The time of the run ended before its scene was read.
     #[error("the time limit ended while the scene was read: allow more with --time-limit")]
     NoTimeToRead,
-    /// The session's time ended before the first homotopy iteration had found anything.
+    /// The session's time ended before the first homotopy step had found anything.
     #[error(
-        "the time limit ended before the first homotopy iteration of {pairs} pairs of parts in {scenarios} scenarios of \
+        "the time limit ended before the first homotopy step of {pairs} pairs of parts in {scenarios} scenarios of \
          {steps} steps: allow more with --time-limit, or plan fewer of them"
     )]
     OutOfTime {
@@ -124,7 +124,7 @@ pub enum Unusable {
     /// The checkpoint was cut or changed.
     #[error("its checkpoint is damaged")]
     DamagedCheckpoint,
-    /// A table of a homotopy iteration was cut or changed.
+    /// A table of a homotopy step was cut or changed.
     #[error("its tables are damaged")]
     DamagedTables,
     /// Another target of the refinement.

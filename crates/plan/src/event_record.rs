@@ -12,7 +12,7 @@ impl Event<'_> {
             Self::Iteration(SolverEvent { progress, number, smoothing, .. }) => (
                 "solver_iteration",
                 json!({
-                    "homotopy_iteration": number,
+                    "homotopy_step": number,
                     "tau": smoothing.tau,
                     "iteration": progress.iteration,
                     "objective": progress.objective,
@@ -22,8 +22,8 @@ impl Event<'_> {
                     "restoration": progress.restoration,
                 }),
             ),
-            Self::HomotopyIteration { number, most, record, position_error } => (
-                "homotopy_iteration",
+            Self::HomotopyStep { number, most, record, position_error } => (
+                "homotopy_step",
                 json!({ "number": number, "most": most, "position_error_m": position_error, "record": record }),
             ),
             Self::Attempt { planned, position_error } => {

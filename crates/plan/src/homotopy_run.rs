@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread::{Builder, JoinHandle};
 
 use nlp::{Control, Progress, SolveError, SolveStatus, Start};
-use ocp::{Event, Homotopy, HomotopyIteration, IterationEnd};
+use ocp::{Event, Homotopy, HomotopyStep, IterationEnd};
 use task::Smoothing;
 
 use crate::clock::{LOOK, STACK};
@@ -21,13 +21,13 @@ pub struct HomotopyRun<'run> {
     pub variant: &'run Variant,
     /// Threads that evaluate.
     pub threads: usize,
-    /// Homotopy iterations that another run has finished.
+    /// Homotopy steps that another run has finished.
     pub earlier: &'run [PlanIteration],
     /// Where the next one starts, if not where the variant says.
     pub start: Option<Start>,
 }
 
-/// What came of a homotopy iteration.
+/// What came of a homotopy step.
 pub struct Solved {
     /// Its number, from 1.
     pub number: usize,
@@ -39,7 +39,7 @@ pub struct Solved {
 /// How a homotopy ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ended {
-    /// After its last homotopy iteration, or when it was to go on with no other.
+    /// After its last homotopy step, or when it was to go on with no other.
     ByItself,
     /// In an iteration of the solver, because that was to be the last.
     Cut,
@@ -60,7 +60,7 @@ impl<'run> HomotopyRun<'run> {
     }
 
     /// Runs until it ends, `observe` or `finished` stops it, or the time of the session is over: then at once, and of the
-    /// homotopy iteration that was running nothing is left.
+    /// homotopy step that was running nothing is left.
     ///
     /// # Errors
     /// When an option or the linear solver is rejected, or no thread can be started.
@@ -98,7 +98,7 @@ impl<'run> HomotopyRun<'run> {
         }
     }
 
-    /// The homotopy iterations that are finished when it ends, or when `is_over` or the session ends it.
+    /// The homotopy steps that are finished when it ends, or when `is_over` or the session ends it.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -167,7 +167,7 @@ fn solve(
         let Event { number, most, smoothing, progress } = event;
         line.say(Message::Iteration { number, most, smoothing, progress: *progress })
     };
-    let finished = |number: usize, iteration: &HomotopyIteration| {
+    let finished = |number: usize, iteration: &HomotopyStep| {
         let is_cut = iteration.status == SolveStatus::Interrupted;
         line.say(Message::Solved(Box::new(Solved { number, iteration: PlanIteration::from(iteration), is_cut })))
     };

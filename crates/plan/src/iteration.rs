@@ -1,15 +1,15 @@
-//! Homotopy iterations as plans, `result.json` and checkpoints have them.
+//! Homotopy steps as plans, `result.json` and checkpoints have them.
 
 use std::sync::Arc;
 
 use nlp::Iterate;
-use ocp::{HomotopyIteration, IterationEnd, IterationTiming};
+use ocp::{HomotopyStep, IterationEnd, IterationTiming};
 use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Horizon, Trajectory};
 
 use crate::or_null;
 
-/// A homotopy iteration of a plan.
+/// A homotopy step of a plan.
 #[derive(Debug, Clone)]
 pub struct PlanIteration {
     /// What the solver did.
@@ -27,14 +27,14 @@ impl PlanIteration {
     }
 }
 
-impl From<&HomotopyIteration> for PlanIteration {
-    fn from(iteration: &HomotopyIteration) -> Self {
+impl From<&HomotopyStep> for PlanIteration {
+    fn from(iteration: &HomotopyStep) -> Self {
         let point = Some(Arc::new(iteration.iterate.clone()));
         Self { record: IterationRecord::from(iteration), trajectory: iteration.trajectory.clone(), point }
     }
 }
 
-/// One homotopy iteration, without its trajectory.
+/// One homotopy step, without its trajectory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct IterationRecord {
     /// Steps of its grid.
@@ -61,7 +61,7 @@ pub struct IterationRecord {
     /// Largest violation of a constraint or bound.
     #[serde(with = "or_null")]
     pub constraint_violation: f64,
-    /// Deepest overlap of the exact shapes in any scenario.
+    /// Deepest penetration of the exact shapes in any scenario.
     #[serde(with = "or_null")]
     pub max_penetration_m: f64,
     /// Wall time.
@@ -74,7 +74,7 @@ pub struct IterationRecord {
     pub stage_solver: Option<StageSolverRecord>,
 }
 
-/// What the stage solver did in a homotopy iteration.
+/// What the stage solver did in a homotopy step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StageSolverRecord {
     /// Factorisations.
@@ -152,8 +152,8 @@ impl Fallbacks {
     }
 }
 
-impl From<&HomotopyIteration> for IterationRecord {
-    fn from(result: &HomotopyIteration) -> Self {
+impl From<&HomotopyStep> for IterationRecord {
+    fn from(result: &HomotopyStep) -> Self {
         let IterationTiming { total, distances, model, linear_solver, rest } = result.timing;
         Self {
             steps: result.trajectory.reference.len() - 1,

@@ -6,9 +6,9 @@ use task::{AssemblyTask, Trajectory};
 
 use crate::error::PlannerError;
 
-/// Keeps unfinished work of one plan: motions of homotopy iterations, and records of how far the work is.
+/// Keeps unfinished work of one plan: motions of homotopy steps, and records of how far the work is.
 pub trait Keeper: Sync {
-    /// Keeps the motion of a finished homotopy iteration, from 1. Returns the hashes of what was written, by its names.
+    /// Keeps the motion of a finished homotopy step, from 1. Returns the hashes of what was written, by its names.
     ///
     /// # Errors
     /// When it cannot be written.
@@ -19,19 +19,19 @@ pub trait Keeper: Sync {
         task: &AssemblyTask,
     ) -> Result<Vec<(String, String)>, PlannerError>;
 
-    /// The motion of a kept homotopy iteration, from 1.
+    /// The motion of a kept homotopy step, from 1.
     ///
     /// # Errors
     /// When it is missing, or no motion of the task.
     fn iteration(&self, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError>;
 
-    /// Keeps the motions of the homotopy iterations of a round of refinement, where they are not those of the scene itself.
+    /// Keeps the motions of the homotopy steps of a round of refinement, where they are not those of the scene itself.
     ///
     /// # Errors
     /// When they cannot be written.
     fn keep_refined(&self, round: usize, motions: &[&Trajectory], task: &AssemblyTask) -> Result<(), PlannerError>;
 
-    /// The motion of a kept homotopy iteration, from 1, of a round of refinement.
+    /// The motion of a kept homotopy step, from 1, of a round of refinement.
     ///
     /// # Errors
     /// When it is missing, or no motion of the task.
@@ -55,6 +55,6 @@ pub trait Keeper: Sync {
     /// When it cannot be removed.
     fn discard(&self) -> Result<bool, PlannerError>;
 
-    /// What a plan of the homotopy iterations that are kept will take to write, with a margin.
+    /// What a plan of the homotopy steps that are kept will take to write, with a margin.
     fn writing_time(&self) -> Duration;
 }

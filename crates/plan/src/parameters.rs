@@ -238,9 +238,9 @@ pub struct DraftParameters {
     pub promising: f64,
     /// Largest number of drafts: more would take more time to compare than to make.
     pub most: usize,
-    /// So many of the last homotopy iterations of a draft are tried: earlier ones hardly ever win.
+    /// So many of the last homotopy steps of a draft are tried: earlier ones hardly ever win.
     pub last: usize,
-    /// So many of their first homotopy iterations have half of their steps.
+    /// So many of their first homotopy steps have half of their steps.
     pub coarse_iterations: usize,
     /// Exponents of ten of the least and largest factor of the weight of the reference's translational velocity.
     pub reference_translational: [f64; 2],

@@ -23,7 +23,7 @@ pub struct Plan {
     pub attempts: Vec<AttemptRecord>,
     /// What the homotopy has really solved.
     pub variant: Variant,
-    /// All homotopy iterations that ran.
+    /// All homotopy steps that ran.
     pub iterations: Vec<PlanIteration>,
     /// The plan: its reference and the motion of every scenario.
     pub trajectory: Trajectory,
@@ -60,15 +60,15 @@ pub enum PlanStatus {
     GoalMissed,
     /// The solver did not converge.
     NotConverged {
-        /// Number of the homotopy iteration, from 1.
+        /// Number of the homotopy step, from 1.
         iteration: usize,
         /// How it ended, in words.
         status: String,
     },
     /// Refinement did not reach the wanted success rate.
     NotRobust,
-    /// Every planned offset reaches the goal, but exact shapes overlap by more than the problem's largest overlap.
-    Overlapping,
+    /// Every planned offset reaches the goal, but exact shapes penetrate by more than the problem's largest penetration.
+    Penetrating,
     /// The session's time ended before it was known whether the plan does what was asked for.
     OutOfTime(Cut),
     /// The user stopped it.
@@ -80,7 +80,7 @@ pub enum PlanStatus {
 pub enum Cut {
     /// The homotopy.
     Homotopy {
-        /// Homotopy iterations that were finished.
+        /// Homotopy steps that were finished.
         finished: usize,
         /// How many there are, at least.
         of: usize,
@@ -104,7 +104,8 @@ pub enum Outcome {
     GoalMissed,
     NotConverged,
     NotRobust,
-    Overlapping,
+    #[serde(rename = "overlapping")]
+    Penetrating,
     OutOfTime,
     Interrupted,
 }
@@ -118,7 +119,7 @@ impl PlanStatus {
             Self::GoalMissed => Outcome::GoalMissed,
             Self::NotConverged { .. } => Outcome::NotConverged,
             Self::NotRobust => Outcome::NotRobust,
-            Self::Overlapping => Outcome::Overlapping,
+            Self::Penetrating => Outcome::Penetrating,
             Self::OutOfTime(_) => Outcome::OutOfTime,
             Self::Interrupted => Outcome::Interrupted,
         }
@@ -131,9 +132,9 @@ impl fmt::Display for PlanStatus {
             Self::Done => formatter.write_str("done"),
             Self::Planned => formatter.write_str("planned, not tested"),
             Self::GoalMissed => formatter.write_str("converged, but the goal is not reached"),
-            Self::NotConverged { iteration, status } => write!(formatter, "homotopy iteration {iteration}: {status}"),
+            Self::NotConverged { iteration, status } => write!(formatter, "homotopy step {iteration}: {status}"),
             Self::NotRobust => formatter.write_str("the wanted success rate is not reached"),
-            Self::Overlapping => formatter.write_str("the exact shapes overlap too deep"),
+            Self::Penetrating => formatter.write_str("the exact shapes penetrate too deep"),
             Self::OutOfTime(cut) => write!(formatter, "out of time: {cut}"),
             Self::Interrupted => formatter.write_str("interrupted"),
         }
@@ -144,10 +145,7 @@ impl fmt::Display for Cut {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Homotopy { finished, of } => {
-                write!(
-                    formatter,
-                    "the time limit ended the solve after {finished} of at least {of} homotopy iterations"
-                )
+                write!(formatter, "the time limit ended the solve after {finished} of at least {of} homotopy steps")
             }
             Self::Evaluation { played: 0, .. } => {
                 formatter.write_str("the time limit ended before the plan was tested")
@@ -189,7 +187,7 @@ impl Plan {
         plan
     }
 
-    /// Number, from 1, of the homotopy iteration that is the plan. It is the last one, unless going on beyond the wanted
+    /// Number, from 1, of the homotopy step that is the plan. It is the last one, unless going on beyond the wanted
     /// number made the plan worse: then it is the last that converged and reaches the goal, or at least converged.
     pub fn chosen_stage(&self) -> usize {
         let worth = |&number: &usize| {
@@ -202,7 +200,7 @@ impl Plan {
         (self.variant.settings.iterations..=count).max_by_key(worth).unwrap_or(count)
     }
 
-    /// The homotopy iteration that is the plan.
+    /// The homotopy step that is the plan.
     pub fn chosen(&self) -> &PlanIteration {
         &self.iterations[self.chosen_stage() - 1]
     }
@@ -235,14 +233,14 @@ impl Plan {
         }
     }
 
-    /// Whether exact shapes overlap no deeper than the problem allows; those of a plan that was not refined, than its last
+    /// Whether exact shapes penetrate no deeper than the problem allows; those of a plan that was not refined, than its last
     /// smoothing explains.
     pub fn keeps_apart(&self) -> bool {
         let smoothing = match self.robustness {
             Some(_) => 0.0,
             None => self.task.reach(self.chosen().record.tau),
         };
-        self.trajectory.max_penetration() <= self.problem.max_overlap().max(smoothing)
+        self.trajectory.max_penetration() <= self.problem.allowed_penetration().max(smoothing)
     }
 
     /// What has become of it.
@@ -258,7 +256,7 @@ impl Plan {
             Some(report) if !report.is_reached() => PlanStatus::NotRobust,
             None if !self.is_converged() => self.unconverged(),
             None if !self.reaches_goal() => PlanStatus::GoalMissed,
-            _ if !self.keeps_apart() => PlanStatus::Overlapping,
+            _ if !self.keeps_apart() => PlanStatus::Penetrating,
             Some(_) => PlanStatus::Done,
             None => PlanStatus::Planned,
         }

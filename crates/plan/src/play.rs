@@ -30,7 +30,7 @@ pub struct AxisPlay {
 pub struct Play {
     /// Distance from the goal (m).
     pub distance_from_goal_m: f64,
-    /// Smallest exact distance of all pairs (m), negative where parts overlap.
+    /// Smallest exact distance of all pairs (m), negative where parts penetrate.
     pub clearance_m: f64,
     /// Along each axis of the world.
     pub axes: Vec<AxisPlay>,

@@ -199,10 +199,10 @@ impl Problem {
         self.edge_radius
     }
 
-    /// How deep the exact shapes may overlap in a plan that is done (m): half of the clearance at the goal, and at least
+    /// How deep the exact shapes may penetrate in a plan that is done (m): half of the clearance at the goal, and at least
     /// what rounding explains.
-    pub fn max_overlap(&self) -> f64 {
-        OVERLAP.max(OVERLAP_IN_CLEARANCES * self.task.clearance(&self.task.goal))
+    pub fn allowed_penetration(&self) -> f64 {
+        PENETRATION.max(OVERLAP_IN_CLEARANCES * self.task.clearance(&self.task.goal))
     }
 
     /// What is planned.
@@ -300,7 +300,7 @@ impl Problem {
     }
 }
 
-/// Reach of the first smoothing in sizes of the body: beyond that, everything overlaps and nothing is learnt.
+/// Reach of the first smoothing in sizes of the body: beyond that, everything penetrates and nothing is learnt.
 const FIRST_REACH: f64 = 1.2;
 
 /// The built-in homotopy; for small parts and for many facets with less smoothing.
@@ -324,8 +324,8 @@ fn edge_radius(task: &AssemblyTask) -> f64 {
     (1e6 * chosen).round() / 1e6
 }
 
-/// Overlap of exact shapes (m) that a plan may have: at least, and in clearances at the goal.
-const OVERLAP: f64 = 5e-5;
+/// Penetration of exact shapes (m) that a plan may have: at least, and in clearances at the goal.
+const PENETRATION: f64 = 5e-5;
 const OVERLAP_IN_CLEARANCES: f64 = 0.5;
 
 /// The homotopy of a file, else of the scene, else the built-in one.

@@ -35,7 +35,7 @@ pub struct RobustnessReport {
     pub push: Option<PushReport>,
     /// The round whose plan was kept, counted from 1.
     pub kept_round: usize,
-    /// Homotopy iteration of that round whose reference was refined, counted from 1.
+    /// Homotopy step of that round whose reference was refined, counted from 1.
     pub kept_stage: usize,
     /// Changes of that reference.
     pub kept_changes: usize,
@@ -92,7 +92,7 @@ pub struct Round {
     pub solve_status: String,
     /// Wall time of all solves.
     pub solve_s: f64,
-    /// Homotopy iteration whose reference passed most training cases, counted from 1; 0 without a homotopy.
+    /// Homotopy step whose reference passed most training cases, counted from 1; 0 without a homotopy.
     pub chosen_stage: usize,
     /// Training cases.
     #[serde(alias = "training_trials")]

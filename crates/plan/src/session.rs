@@ -14,7 +14,7 @@ pub struct Session<'run> {
     pub observer: &'run dyn Observer,
     /// Once set, the computation ends as soon as it can, with what it has.
     pub interrupted: &'run AtomicBool,
-    /// Where finished homotopy iterations and refined references are kept, so that another run can go on with them.
+    /// Where finished homotopy steps and refined references are kept, so that another run can go on with them.
     pub folder: Option<&'run dyn Keeper>,
     /// Threads. They change nothing but the time it takes.
     pub threads: usize,
@@ -73,8 +73,8 @@ impl<F: Fn(&Event) + Sync> Observer for F {
 pub enum Event<'event> {
     /// An iteration of the solver.
     Iteration(ocp::Event<'event>),
-    /// The end of a homotopy iteration.
-    HomotopyIteration {
+    /// The end of a homotopy step.
+    HomotopyStep {
         /// Its number, from 1.
         number: usize,
         /// How many there are, at most.
@@ -93,7 +93,7 @@ pub enum Event<'event> {
     },
     /// An earlier run is continued.
     Resumed {
-        /// Homotopy iterations that it has finished.
+        /// Homotopy steps that it has finished.
         done: usize,
         /// How many there are, at most.
         most: usize,

@@ -15,8 +15,8 @@ use crate::session::{Event, Session};
 /// What is played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Motion {
-    /// The reference after a homotopy iteration (counted from 1).
-    HomotopyIteration(usize),
+    /// The reference after a homotopy step (counted from 1).
+    HomotopyStep(usize),
     /// The plan's reference.
     Plan,
     /// Straight from start to goal, unplanned: what a plan has to beat.
@@ -27,7 +27,7 @@ impl fmt::Display for Motion {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         match self {
             // As the folder of its tables.
-            Self::HomotopyIteration(number) => formatter.pad(&format!("stage {number}")),
+            Self::HomotopyStep(number) => formatter.pad(&format!("stage {number}")),
             Self::Plan => formatter.pad("plan"),
             Self::StraightPush => formatter.pad("straight push"),
         }
@@ -318,15 +318,15 @@ pub fn force_warning(played: &[PlayedRollout], limit: f64) -> Option<String> {
     })
 }
 
-/// What the user is to be warned of: rollouts in which parts overlap. Contacts are hard: what overlaps has done so from
+/// What the user is to be warned of: rollouts in which parts penetrate. Contacts are hard: what penetrates has done so from
 /// the beginning.
-pub fn overlap_warning(played: &[PlayedRollout]) -> Option<String> {
+pub fn penetration_warning(played: &[PlayedRollout]) -> Option<String> {
     /// More than time steps leave (m).
-    const OVERLAP: f64 = 1e-4;
-    let count = played.iter().filter(|rollout| rollout.outcome.max_penetration > OVERLAP).count();
+    const PENETRATION: f64 = 1e-4;
+    let count = played.iter().filter(|rollout| rollout.outcome.max_penetration > PENETRATION).count();
     (count > 0).then(|| {
         format!(
-            "in {count} of {} rollouts parts overlap; is the offset so large that the body starts inside the environment?",
+            "in {count} of {} rollouts parts penetrate; is the offset so large that the body starts inside the environment?",
             played.len()
         )
     })

@@ -20,11 +20,11 @@ use crate::session::{Event, Session};
 use crate::variant::Variant;
 
 /// Plans a problem. Where the built-in homotopy misses the goal, others are tried, and the best plan is kept. With a
-/// folder in the session, finished homotopy iterations are kept there, and those of an earlier run of the same problem
+/// folder in the session, finished homotopy steps are kept there, and those of an earlier run of the same problem
 /// are not solved again.
 ///
 /// # Errors
-/// When a linear solver or a file fails, or the session's time ends before the first homotopy iteration. A solve that does
+/// When a linear solver or a file fails, or the session's time ends before the first homotopy step. A solve that does
 /// not converge, or has no time to, is a plan whose status says so.
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
     require_threads(session.threads)?;
@@ -71,7 +71,7 @@ struct Attempt {
 }
 
 impl Attempt {
-    /// `None` where the session's time ends before the first homotopy iteration.
+    /// `None` where the session's time ends before the first homotopy step.
     fn solve(&self, earlier: Option<Earlier>, session: &Session) -> Result<Option<Plan>, PlannerError> {
         let variant = Variant::of_scene(&self.problem);
         let most = variant.settings.most_iterations();
@@ -151,7 +151,7 @@ fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Res
     Ok(Some(Earlier { attempt: checkpoint.attempt, start, finished }))
 }
 
-/// What is known of the finished homotopy iterations.
+/// What is known of the finished homotopy steps.
 #[derive(Default)]
 struct Finished {
     iterations: Vec<PlanIteration>,
@@ -173,5 +173,5 @@ impl Finished {
 
 fn announce(session: &Session, number: usize, most: usize, iteration: &PlanIteration) {
     let (position_error, _) = iteration.trajectory.worst_errors();
-    session.tell(Event::HomotopyIteration { number, most, record: &iteration.record, position_error });
+    session.tell(Event::HomotopyStep { number, most, record: &iteration.record, position_error });
 }

@@ -26,7 +26,7 @@ pub struct SuccessGroup {
     pub position_error: f64,
     /// Largest final angle to the goal (rad).
     pub orientation_error: f64,
-    /// Deepest overlap (m).
+    /// Deepest penetration (m).
     pub max_penetration: f64,
     /// Largest contact force (N).
     pub max_force: f64,
@@ -88,7 +88,7 @@ impl SuccessTable {
             groups[index].add(played);
         }
         let order = |group: &SuccessGroup| match group.motion {
-            Motion::HomotopyIteration(number) => number,
+            Motion::HomotopyStep(number) => number,
             Motion::Plan => usize::MAX - 1,
             Motion::StraightPush => usize::MAX,
         };
@@ -110,12 +110,12 @@ impl SuccessTable {
         self.groups.iter().find(|other| (other.motion, other.friction, other.delta, other.magnitude) == key)
     }
 
-    /// Largest errors, overlap and force of every group, beside the straight push.
+    /// Largest errors, penetration and force of every group, beside the straight push.
     fn write_details(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         writeln!(
             formatter,
             "{:<8} {:>8} {:>8} {:>8}  {:<20} {:>9} {:>9} {:>9} {:>7}  straight push",
-            "motion", "friction", "modelled", "injected", "success", "error", "angle", "overlap", "force"
+            "motion", "friction", "modelled", "injected", "success", "error", "angle", "penetration", "force"
         )?;
         for group in self.groups.iter().filter(|group| group.motion != Motion::StraightPush) {
             writeln!(

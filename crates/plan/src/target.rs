@@ -42,7 +42,8 @@ impl Default for RobustnessTarget {
 impl RobustnessTarget {
     /// For what a scene says must be tolerated.
     pub fn of(spec: &RobustnessSpec) -> Self {
-        let RobustnessSpec { frictions, rotation_error, inertia_error, stiffness_error, delay, edge_radius: _ } = spec.clone();
+        let RobustnessSpec { frictions, rotation_error, inertia_error, stiffness_error, delay, edge_radius: _ } =
+            spec.clone();
         Self {
             target_rate: 0.99,
             frictions,

@@ -13,7 +13,7 @@ fn clamp() -> Problem {
     Problem::load(&scene, &Choices::default()).unwrap()
 }
 
-/// Solves in a folder; stops after so many homotopy iterations of the second attempt.
+/// Solves in a folder; stops after so many homotopy steps of the second attempt.
 fn solved(problem: &Problem, folder: &Path, stop_after: Option<usize>) -> Plan {
     let (stopped, attempt) = (AtomicBool::new(false), Mutex::new(Cell::new(1)));
     let observer = |event: &Event| match event {
@@ -21,7 +21,7 @@ fn solved(problem: &Problem, folder: &Path, stop_after: Option<usize>) -> Plan {
             let attempt = attempt.lock().unwrap();
             attempt.set(attempt.get() + 1);
         }
-        Event::HomotopyIteration { number, .. } => {
+        Event::HomotopyStep { number, .. } => {
             let in_second = attempt.lock().unwrap().get() == 2;
             stopped.fetch_or(in_second && Some(*number) == stop_after, Ordering::Relaxed);
         }

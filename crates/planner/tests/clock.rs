@@ -21,13 +21,13 @@ fn corner() -> Problem {
 /// The limit of every run here: a stand-in of time reaches it or does not.
 const LIMIT: Duration = Duration::from_secs(100);
 
-/// Solves in a folder; the time is over as soon as so many homotopy iterations are finished.
+/// Solves in a folder; the time is over as soon as so many homotopy steps are finished.
 fn solved_until(problem: &Problem, folder: Option<&PlanFolder>, last: Option<usize>) -> Result<Plan, PlannerError> {
     let (begin, passed, stopped) = (Instant::now(), AtomicU64::new(0), AtomicBool::new(false));
     let now = || begin + Duration::from_secs(passed.load(Ordering::Relaxed));
     let observer = |event: &Event| {
         let is_last = match event {
-            Event::HomotopyIteration { number, .. } => Some(*number) == last,
+            Event::HomotopyStep { number, .. } => Some(*number) == last,
             Event::Iteration(_) => last == Some(0),
             _ => false,
         };
@@ -51,7 +51,7 @@ fn what_the_homotopy_has_finished_in_time_is_written_and_gone_on_with() {
     assert_eq!(cut.status(), PlanStatus::OutOfTime(Cut::Homotopy { finished: 2, of: 5 }));
     assert_eq!(
         cut.status().to_string(),
-        "out of time: the time limit ended the solve after 2 of at least 5 homotopy iterations"
+        "out of time: the time limit ended the solve after 2 of at least 5 homotopy steps"
     );
     assert_eq!(cut.trajectory.reference, whole.iterations[1].trajectory.reference, "the last that is finished");
     assert!(cut.can_go_on() && !cut.is_converged());
@@ -88,7 +88,7 @@ fn a_coarse_homotopy_iteration_is_a_plan_with_fewer_steps() {
 fn without_a_homotopy_iteration_there_is_no_plan() {
     let error = solved_until(&corner(), None, Some(0)).unwrap_err();
     let message = error.to_string();
-    assert!(message.contains("before the first homotopy iteration") && message.contains("--time-limit"), "{message}");
+    assert!(message.contains("before the first homotopy step") && message.contains("--time-limit"), "{message}");
     assert!(message.contains("of 2 pairs of parts in 2 scenarios of 20 steps"), "{message}");
 }
 

@@ -146,6 +146,6 @@ fn a_path_that_leads_through_a_wall_is_no_insertion_axis() {
 
 #[test]
 fn overlaps_that_are_allowed_follow_the_clearance() {
-    is_near(problem(&text(-0.0018, 0.0, &socket(4e-4))).max_overlap(), 2e-4, 1e-9);
-    is_near(problem(&text(-0.0018, 0.0, &socket(2e-5))).max_overlap(), 5e-5, 1e-12);
+    is_near(problem(&text(-0.0018, 0.0, &socket(4e-4))).allowed_penetration(), 2e-4, 1e-9);
+    is_near(problem(&text(-0.0018, 0.0, &socket(2e-5))).allowed_penetration(), 5e-5, 1e-12);
 }

@@ -27,7 +27,7 @@ fn quietly<T>(run: impl FnOnce(&Session) -> T) -> T {
     run(&Session::new(&|_: &Event| {}, &AtomicBool::new(false)))
 }
 
-/// A plan of the corner scene with half the time step and two homotopy iterations.
+/// A plan of the corner scene with half the time step and two homotopy steps.
 static FINE: LazyLock<Plan> = LazyLock::new(|| {
     let problem = corner(Success::default());
     let mut scene = problem.scene().clone();
@@ -114,7 +114,7 @@ fn a_variant_of_two_homotopy_iterations_counts_as_converged() {
     assert!(plan.iterations.len() == 2 && plan.chosen().record.converged);
     assert!(plan.is_converged() && result(&plan).converged);
     let cut = Plan { iterations: plan.iterations[..1].to_vec(), ..plan };
-    assert!(!cut.is_converged(), "one of its two homotopy iterations did not run");
+    assert!(!cut.is_converged(), "one of its two homotopy steps did not run");
 }
 
 #[test]

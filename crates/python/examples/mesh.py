@@ -78,10 +78,10 @@ def content(mesh: Path) -> dict[str, object]:
 
 
 def show(event: events.Event) -> None:
-    """Tell of the homotopy iterations."""
+    """Tell of the homotopy steps."""
     match event:
-        case events.HomotopyIteration(number=number, position_error_m=float(error)):
-            print(f"homotopy iteration {number}: {1e3 * error:.2f} mm from the goal")
+        case events.HomotopyStep(number=number, position_error_m=float(error)):
+            print(f"homotopy step {number}: {1e3 * error:.2f} mm from the goal")
 
 
 if __name__ == "__main__":

@@ -48,14 +48,14 @@ impl Plan {
         Ok(Self { origin: Origin::Solved(Box::new(plan)), result, tables })
     }
 
-    /// What a simulation needs, with the homotopy iterations if wanted.
+    /// What a simulation needs, with the homotopy steps if wanted.
     ///
     /// # Errors
     /// When a file of a stored plan cannot be read.
     pub fn played(&self, stages: bool) -> Result<PlayedPlan, PlannerError> {
         let mut motions = Vec::new();
         if stages {
-            motions.extend((1..).map(Played::HomotopyIteration).zip(self.iteration_references()?));
+            motions.extend((1..).map(Played::HomotopyStep).zip(self.iteration_references()?));
         }
         motions.push((Played::Plan, Reference::new(self.tables.time_step, &self.tables.reference)));
         let origin = match &self.origin {
@@ -153,7 +153,7 @@ impl Plan {
         Motion::new(py, &self.tables)
     }
 
-    /// The motions after every homotopy iteration.
+    /// The motions after every homotopy step.
     fn stages<'py>(&self, py: Python<'py>) -> PyResult<Vec<Motion<'py>>> {
         let tables = self.stage_tables().map_err(|error| exception(&error))?;
         Ok(tables.iter().map(|tables| Motion::new(py, tables)).collect())

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use ::scene::Scene;
 use planner::files::{RolloutRow, SimulationRecord, SuccessRow, to_csv, write_rollout_tables};
-use planner::simulate::overlap_warning;
+use planner::simulate::penetration_warning;
 use planner::{Choices, PlannerError, Problem, SuccessTable, simulate};
 use pyo3::prelude::*;
 
@@ -65,7 +65,7 @@ pub fn play(
         watch.warn(format!("{name}: the plan did not converge"));
     }
     let rollouts = simulate(&problem, &plan.motions, &request, &watch.session(options.jobs))?;
-    overlap_warning(&rollouts).into_iter().for_each(|warning| watch.warn(warning));
+    penetration_warning(&rollouts).into_iter().for_each(|warning| watch.warn(warning));
     let table = SuccessTable::new(&rollouts);
     Ok(Simulation {
         record: SimulationRecord::new(&problem, vec![name], &request.errors),

@@ -41,7 +41,7 @@ def test_ctrl_c_ends_the_command(tmp_path: Path) -> None:
     words = [sys.executable, "-m", "assembly_plan", "solve", str(PEG), "--verbose", "--out", str(tmp_path / "plan")]
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as process:
         assert process.stderr is not None
-        # The head of the solver's table: the first homotopy iteration has begun.
+        # The head of the solver's table: the first homotopy step has begun.
         assert any("inf_pr" in line for line in process.stderr)
         process.send_signal(signal.SIGINT)
         assert process.wait(600) == 130

@@ -89,7 +89,7 @@ def test_a_plan_is_changed_by_what_is_chosen(scene: Scene) -> None:
     assert (result["start"], result["delta_m"], result["threads"]) == ("3", 0.002, 1)
     assert result["stages"][0]["tau"] == 0.003 and result["stages"][0]["iterations"] == 4
     assert "mumps" in result["linear_solver"]
-    assert not plan.done and not result["converged"] and "homotopy iteration" in plan.status
+    assert not plan.done and not result["converged"] and "homotopy step" in plan.status
 
 
 def test_a_homotopy_file_is_the_dictionary_of_its_content(scene: Scene, tmp_path: Path) -> None:
@@ -124,5 +124,5 @@ def test_a_scene_that_begins_inside_cannot_be_planned(tmp_path: Path) -> None:
 
 
 def test_no_plan_in_time_is_an_error() -> None:
-    with pytest.raises(NoPlanError, match="the time limit ended before the first homotopy iteration"):
+    with pytest.raises(NoPlanError, match="the time limit ended before the first homotopy step"):
         Scene.load(ROOT / "scenes/peg1.toml").solve_robust(time_limit=0.001)

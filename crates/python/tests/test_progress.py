@@ -58,7 +58,7 @@ def test_every_event_has_a_class_with_its_fields() -> None:
 def test_events_tell_what_happens(scene: Scene) -> None:
     heard: list[events.Event] = []
     plan = scene.solve_robust(friction=[0.0], progress=heard.append)
-    finished = [event for event in heard if isinstance(event, events.HomotopyIteration)]
+    finished = [event for event in heard if isinstance(event, events.HomotopyStep)]
     assert [event.number for event in finished] == list(range(1, len(plan.result["stages"]) + 1))
     assert [event.record for event in finished] == plan.result["stages"]
     iterations = [event for event in heard if isinstance(event, events.SolverIteration)]
@@ -84,7 +84,7 @@ def test_an_exception_of_the_listener_ends_the_work(peg: Scene) -> None:
 def test_ctrl_c_ends_a_solve_and_leaves_no_plan(peg: Scene, tmp_path: Path) -> None:
     out = tmp_path / "plan"
     heard = interrupted(lambda progress: peg.solve(out=out, progress=progress))
-    assert not any(isinstance(event, events.HomotopyIteration) for event in heard)
+    assert not any(isinstance(event, events.HomotopyStep) for event in heard)
     assert not out.exists()
 
 
@@ -97,7 +97,7 @@ def test_an_interrupted_solve_is_resumed(scene: Scene, plan: Plan, tmp_path: Pat
     out = tmp_path / "plan"
 
     def stop(event: events.Event) -> None:
-        if isinstance(event, events.SolverIteration) and event.homotopy_iteration == 3:
+        if isinstance(event, events.SolverIteration) and event.homotopy_step == 3:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):

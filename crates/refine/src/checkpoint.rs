@@ -64,9 +64,9 @@ pub struct BestRecord {
     pub steps: usize,
     /// Its horizon.
     pub time_step_s: f64,
-    /// Number of its homotopy iterations, if all of them run.
+    /// Number of its homotopy steps, if all of them run.
     pub homotopy_iterations: usize,
-    /// Its homotopy iterations.
+    /// Its homotopy steps.
     pub iterations: Vec<IterationRecord>,
     /// States (pose, twist) of its reference.
     pub reference: Vec<[f64; 13]>,
@@ -82,7 +82,7 @@ pub struct BestRecord {
     pub failing: Vec<TestCaseRecord>,
     /// Number of its round.
     pub round: usize,
-    /// Homotopy iteration whose reference was refined.
+    /// Homotopy step whose reference was refined.
     pub chosen_stage: usize,
     /// Changes of that reference.
     pub changes: usize,

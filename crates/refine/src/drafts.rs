@@ -80,7 +80,7 @@ impl<'run> Refiner<'run> {
         Some(candidate)
     }
 
-    /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy iterations count that it
+    /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy steps count that it
     /// has finished; those that have none with all steps are left out.
     fn solve_drafts(&self, until: Deadline) -> Result<Vec<Solved>, PlannerError> {
         let scene = Variant::of_scene(self.problem);

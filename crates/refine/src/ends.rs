@@ -51,7 +51,7 @@ impl<'run> Refiner<'run> {
         Some(Best { winner: Winner { index, ..winner }, reference, has_oscillation })
     }
 
-    /// The candidate of the best reference, which is that of the chosen homotopy iteration of a solved problem.
+    /// The candidate of the best reference, which is that of the chosen homotopy step of a solved problem.
     pub(super) fn candidate_of(&self, best: Best, mut solved: Solved) -> Candidate<'run> {
         let Best { winner, reference, has_oscillation } = best;
         solved.marks.has_oscillation = has_oscillation;

@@ -1,6 +1,6 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of a solved problem's homotopy iterations the one whose reference passes most training cases is taken, with an oscillation at
+//! Of a solved problem's homotopy steps the one whose reference passes most training cases is taken, with an oscillation at
 //! its end where these help. Random changes of this reference are kept when more test cases pass ([`simulation::Refinement`]).
 //! Then an evaluation at grasp errors that were never trained on decides; what fails there is trained on next. When this
 //! does not help any more, a straight push is refined instead, which needs no plan; then other problems are solved, the
@@ -8,7 +8,7 @@
 //! end, the latest are compared in the same test cases. With an arm, the best of several drafts takes the place of a plan that
 //! fails too often, no push is refined, and a robust plan is refined with margins while there is time.
 //!
-//! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few test cases,
+//! Time goes where it decides: evaluations end when they are decided, homotopy steps are compared in few test cases,
 //! and every problem has its share of the time.
 
 mod again;
@@ -126,7 +126,7 @@ struct Refiner<'run> {
     session: &'run Session<'run>,
     /// Where dry friction may hold the body short of its goal.
     oscillation: Option<FinalOscillation>,
-    /// Drafts that were not refined; at least one of their homotopy iterations has all steps.
+    /// Drafts that were not refined; at least one of their homotopy steps has all steps.
     drafts: Vec<Solved>,
     schedule: Schedule<'run>,
     /// Test cases that every reference is refined in; failures of evaluations are added.
@@ -250,7 +250,7 @@ impl<'run> Refiner<'run> {
         Ok(())
     }
 
-    /// The candidate of a solved problem: of the homotopy iterations with all steps, the one whose reference passes most
+    /// The candidate of a solved problem: of the homotopy steps with all steps, the one whose reference passes most
     /// training cases; of equals the later, which is smoothed less. `None` without such iterations or time.
     fn candidate(&self, solved: Solved, until: Deadline) -> Option<Candidate<'run>> {
         let fine = solved.with_all_steps();

@@ -37,7 +37,7 @@ pub struct Marks {
     pub has_margins: bool,
 }
 
-/// A solved problem, and which of its homotopy iterations is refined.
+/// A solved problem, and which of its homotopy steps is refined.
 #[derive(Clone)]
 pub struct Solved {
     pub origin: Origin,
@@ -45,12 +45,12 @@ pub struct Solved {
     pub variant: Variant,
     /// Its homotopy; the scene's own for a reference that was not planned.
     pub iterations: Vec<PlanIteration>,
-    /// Number of the homotopy iteration whose reference is refined, from 1; 0 for none of them.
+    /// Number of the homotopy step whose reference is refined, from 1; 0 for none of them.
     pub chosen: usize,
 }
 
 impl Origin {
-    /// Whether its homotopy iterations are those of the scene itself, which are kept elsewhere.
+    /// Whether its homotopy steps are those of the scene itself, which are kept elsewhere.
     pub fn has_homotopy_of_scene(&self) -> bool {
         matches!(self, Self::Scene | Self::Push | Self::Given)
     }
@@ -67,7 +67,7 @@ impl Solved {
         format!("{}{}", self.origin, self.marks)
     }
 
-    /// Indices of the homotopy iterations that have all steps.
+    /// Indices of the homotopy steps that have all steps.
     pub fn with_all_steps(&self) -> Vec<usize> {
         let has_all = |&index: &usize| !self.iterations[index].record.is_coarse(&self.variant.task);
         (0..self.iterations.len()).filter(has_all).collect()

@@ -63,7 +63,7 @@ impl<'run> Refiner<'run> {
         let run = HomotopyRun { threads: self.session.threads, ..HomotopyRun::new(&variant) };
         // What has finished until then may do.
         let iterations = run.finished(self.session, || self.schedule.is_over(solving))?;
-        let status = iterations.last().map_or("no homotopy iteration in time", |last| &last.record.status);
+        let status = iterations.last().map_or("no homotopy step in time", |last| &last.record.status);
         self.session.tell(Event::VariantSolved { status });
         let candidate = self.candidate(Solved::new(Origin::Variant(recipe), variant, iterations), until);
         if let Some(Candidate { round, .. }) = &candidate {

@@ -33,7 +33,7 @@ pub struct PlanData {
     pub environment: Vec<PartData>,
     /// Names of all pairs, `BODY PART/ENVIRONMENT PART`.
     pub pairs: Vec<String>,
-    /// The plan in the smoothed model, rollouts with hard contact, the homotopy iterations, and what robots did. A robust
+    /// The plan in the smoothed model, rollouts with hard contact, the homotopy steps, and what robots did. A robust
     /// plan begins with the rollouts: it has no other model.
     pub motions: Vec<MotionData>,
     /// Joints of the scene's arm; none without one.
@@ -76,7 +76,7 @@ pub struct PartData {
 pub enum Source {
     /// The plan in the smoothed model.
     Plan,
-    /// A homotopy iteration, counted from 1, with its smoothing.
+    /// A homotopy step, counted from 1, with its smoothing.
     Iteration {
         /// Its number.
         number: usize,
@@ -141,7 +141,7 @@ pub struct ScenarioData {
     /// Poses, seven numbers each.
     pub poses: Vec<f64>,
     /// Wrenches of the impedance controller from the first step on, six numbers each: force (world), torque (body); empty
-    /// for homotopy iterations.
+    /// for homotopy steps.
     pub wrenches: Vec<f64>,
     /// Smallest distance of all pairs at each knot; null where it is not known.
     pub distances: Vec<f64>,
@@ -153,7 +153,7 @@ pub struct ScenarioData {
     /// Empty where there is no such measurement.
     pub measured: Vec<f64>,
     /// Where pairs push in each step: pair, force, point (m, world frame) and direction of the force on the body; eight
-    /// numbers each; empty for homotopy iterations.
+    /// numbers each; empty for homotopy steps.
     pub contacts: Vec<Vec<f64>>,
 }
 

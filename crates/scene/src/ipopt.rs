@@ -12,7 +12,7 @@ pub const MOST_ENTRIES: usize = 50;
 
 /// Options that a file may not set, with the reason and what to do instead. `*` stands for any text.
 const REFUSED: [(&str, &str); 21] = [
-    ("mu_init", "it changes from one homotopy iteration to the next; use homotopy.mu_init and homotopy.mu_rate"),
+    ("mu_init", "it changes from one homotopy step to the next; use homotopy.mu_init and homotopy.mu_rate"),
     ("linear_solver", "the program has to prepare it; use homotopy.linear_solver or --linear-solver"),
     ("hessian_approximation", "the program has to compute what Ipopt expects; use homotopy.hessian"),
     (
@@ -42,7 +42,7 @@ const REFUSED: [(&str, &str); 21] = [
     ("option_file_name", "results must not depend on a second file; use [ipopt] for its options"),
     (
         "warm_start_init_point warm_start_same_structure warm_start_entire_iterate",
-        "each homotopy iteration starts from the solution of the one before; use warm_start_bound_push and the other \
+        "each homotopy step starts from the solution of the one before; use warm_start_bound_push and the other \
          warm_start_*_push and warm_start_*_frac to say how close",
     ),
     (

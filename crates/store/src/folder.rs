@@ -18,16 +18,16 @@ use crate::work_folder::WorkFolder;
 
 /// `result.json` of the plan that is being replaced, while its files are.
 const REPLACED: &str = "replaced.json";
-/// The plan has the tables of one motion more than its homotopy iterations, and all are read again for their hashes.
+/// The plan has the tables of one motion more than its homotopy steps, and all are read again for their hashes.
 const WRITING_MARGIN: u32 = 2;
-/// Homotopy iterations of refined plans, in a folder for every round, where they are not those of the scene itself.
+/// Homotopy steps of refined plans, in a folder for every round, where they are not those of the scene itself.
 const REFINED: &str = "refined";
 
 /// A plan's folder that this process alone may write, and the hidden folder of unfinished work beside it.
 #[derive(Debug)]
 pub struct PlanFolder {
     folder: WorkFolder,
-    /// What the tables of homotopy iterations have taken to write so far.
+    /// What the tables of homotopy steps have taken to write so far.
     writing: Mutex<Duration>,
 }
 
@@ -224,7 +224,7 @@ impl Keeper for PlanFolder {
     }
 }
 
-/// Writes the tables of homotopy iterations anew, each into a folder named after its number.
+/// Writes the tables of homotopy steps anew, each into a folder named after its number.
 fn write_iterations<'motion>(
     folder: &Path,
     motions: impl Iterator<Item = &'motion Trajectory>,

@@ -57,14 +57,14 @@ pub struct PlanResult {
     pub threads: usize,
     /// Versions.
     pub versions: Versions,
-    /// Iterations of the solver in all homotopy iterations.
+    /// Iterations of the solver in all homotopy steps.
     pub iterations: usize,
-    /// Number, from 1, of the homotopy iteration that is the plan, unless it was refined.
+    /// Number, from 1, of the homotopy step that is the plan, unless it was refined.
     pub chosen_stage: usize,
     /// Its cost.
     #[serde(with = "or_null")]
     pub objective: f64,
-    /// Wall time of all homotopy iterations.
+    /// Wall time of all homotopy steps.
     pub wall_s: f64,
     /// Largest deviation of a quaternion's norm from 1 before normalisation.
     #[serde(with = "or_null")]
@@ -82,13 +82,13 @@ pub struct PlanResult {
     pub limits: LimitsRecord,
     /// Largest components of the reference and of all scenarios.
     pub reached: LimitsRecord,
-    /// How deep the exact shapes may overlap in a plan that is done.
+    /// How deep the exact shapes may penetrate in a plan that is done.
     #[serde(default)]
     pub max_overlap_m: f64,
     /// What was tried until a plan reached the goal, where it was more than one thing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub attempts: Vec<AttemptRecord>,
-    /// Homotopy iterations.
+    /// Homotopy steps.
     pub stages: Vec<IterationRecord>,
     /// Every planned grasp error.
     pub scenarios: Vec<ScenarioRecord>,
@@ -174,7 +174,7 @@ pub struct Versions {
     pub ipopt: String,
 }
 
-/// How a scenario ends, how deep its shapes overlap and how hard they push.
+/// How a scenario ends, how deep its shapes penetrate and how hard they push.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScenarioRecord {
     /// The grasp error.
@@ -186,7 +186,7 @@ pub struct ScenarioRecord {
     /// Final angle to the goal.
     #[serde(with = "or_null")]
     pub orientation_error_rad: f64,
-    /// Deepest overlap of the exact shapes.
+    /// Deepest penetration of the exact shapes.
     #[serde(with = "or_null")]
     pub max_penetration_m: f64,
     /// Where that is.
@@ -319,7 +319,7 @@ impl PlanResult {
             motion: Some(plan.motion()),
             limits: plan.task.limits.into(),
             reached: plan.trajectory.keeps().into(),
-            max_overlap_m: plan.problem.max_overlap(),
+            max_overlap_m: plan.problem.allowed_penetration(),
             attempts: plan.attempts.iter().filter(|_| plan.attempts.len() > 1).cloned().collect(),
             stages: records().cloned().collect(),
             scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),

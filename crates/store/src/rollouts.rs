@@ -26,7 +26,7 @@ pub struct RolloutRow {
     pub plan: String,
     pub start: String,
     pub delta_m: Value,
-    /// `plan`, `straight push`, or `stage` with the number of a homotopy iteration.
+    /// `plan`, `straight push`, or `stage` with the number of a homotopy step.
     pub motion: String,
     pub friction: Value,
     pub magnitude_m: Value,

@@ -15,7 +15,7 @@ use crate::work_folder::WorkFolder;
 
 /// Scene and homotopy after defaults and choices.
 pub const RESOLVED: &str = "resolved.toml";
-/// Folder of the homotopy iterations, which are folders named 1, 2, ...
+/// Folder of the homotopy steps, which are folders named 1, 2, ...
 pub const STAGES: &str = "stages";
 
 /// A whole plan in a folder: none of its files was cut or changed.
@@ -75,7 +75,7 @@ impl StoredPlan {
         read_reference(&self.folder.join(REFERENCE))
     }
 
-    /// The reference after every homotopy iteration.
+    /// The reference after every homotopy step.
     ///
     /// # Errors
     /// When one of them is missing or wrong.

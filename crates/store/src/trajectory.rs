@@ -379,7 +379,7 @@ fn require_rows(file: &Path, rows: usize, expected: usize) -> Result<(), Planner
     Err(PlannerError::file(file, format!("{rows} rows where {expected} are expected; solve again")))
 }
 
-/// Reads the four tables of a folder exactly as they were written; what they do not hold (final errors, overlap, limits)
+/// Reads the four tables of a folder exactly as they were written; what they do not hold (final errors, penetration, limits)
 /// is computed again from the task. The drift of quaternions, which are written with unit norm, is not known.
 ///
 /// # Errors

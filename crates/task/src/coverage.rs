@@ -2,8 +2,8 @@
 
 use nalgebra::{Unit, Vector3};
 
-/// Which offsets of the part in the gripper a plan covers; those of a disc and a ball are as long as the offset
-/// magnitude `delta-hat` at most.
+/// The offsets of the part in the gripper that a plan covers; those of a disc and a ball are at most as long as the
+/// offset magnitude `delta-hat`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Coverage {
     /// The convex hull of the planned offsets.

@@ -55,14 +55,14 @@ impl GraspError {
         [x - shift.x, y - shift.y, z - shift.z, w, i, j, k]
     }
 
-    /// A fraction of the offset and of the turn.
+    /// The offset and the rotation times a factor.
     pub fn scaled(&self, factor: f64) -> Self {
         let scaled = |vector: [f64; 3]| vector.map(|component| factor * component);
         Self { offset: scaled(self.offset), rotation: scaled(self.rotation) }
     }
 
-    /// The grasp errors without repetitions, in their order: rollouts are deterministic, and simulating one twice says
-    /// nothing new. The effort grows linearly with their number.
+    /// The grasp errors without repetitions, in their order: rollouts are deterministic, so one of each is enough. The
+    /// effort grows linearly with their number.
     pub fn distinct(grasps: impl IntoIterator<Item = Self>) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
         // Grasp errors that are the same lie in the same cell along a direction, or in neighbouring ones.

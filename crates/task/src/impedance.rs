@@ -23,8 +23,8 @@ pub struct Impedance {
 const USUAL_STIFFNESS: f64 = 50.0;
 
 impl Impedance {
-    /// Contact forces in the optimal control problem are multiples of this force (N). A controller that is so many times as
-    /// stiff pushes so many times as hard for the same error; so its contact is relaxed and scaled like that of a soft one, and
+    /// Unit of contact forces in the optimal control problem (N), proportional to the stiffness. A stiffer controller
+    /// pushes harder for the same error; in this unit its contact is relaxed and scaled like that of a soft one, and
     /// the same settings of the homotopy suit both.
     pub fn force_unit(&self) -> f64 {
         self.translational_stiffness / USUAL_STIFFNESS

@@ -10,7 +10,7 @@ pub struct Inertia {
 }
 
 impl Inertia {
-    /// Of a rigid body whose origin is its centre of mass: mass (kg) and rotational inertia (kg m^2, body frame).
+    /// From a rigid body whose origin is its centre of mass: mass (kg) and rotational inertia (kg m^2, body frame).
     pub fn of_body(mass: f64, rotational: Matrix3<f64>) -> Self {
         let mut matrix = Matrix6::zeros();
         matrix.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
@@ -18,7 +18,7 @@ impl Inertia {
         Self { matrix }
     }
 
-    /// Of a symmetric positive definite matrix, such as the apparent inertia of an arm.
+    /// From a symmetric positive definite matrix, such as the apparent inertia of an arm.
     pub fn from_matrix(matrix: Matrix6<f64>) -> Self {
         Self { matrix }
     }
@@ -33,17 +33,17 @@ impl Inertia {
         Self { matrix: self.matrix / unit }
     }
 
-    /// Of velocities (kg).
+    /// The block of velocities (kg).
     pub fn translational(&self) -> Matrix3<f64> {
         self.matrix.fixed_view::<3, 3>(0, 0).into()
     }
 
-    /// Of angular velocities (kg m^2).
+    /// The block of angular velocities (kg m^2).
     pub fn rotational(&self) -> Matrix3<f64> {
         self.matrix.fixed_view::<3, 3>(3, 3).into()
     }
 
-    /// Momentum (world frame) of angular velocities (body frame), in kg m.
+    /// The coupling block: momentum (world frame) per angular velocity (body frame), in kg m.
     pub fn coupling(&self) -> Matrix3<f64> {
         self.matrix.fixed_view::<3, 3>(0, 3).into()
     }
@@ -120,7 +120,7 @@ mod tests {
         assert_eq!(Inertia::from_matrix(Matrix6::from_diagonal_element(1.0) + Matrix6::identity()).mass(), Some(2.0));
     }
 
-    /// A push beside the centre of mass turns the body instead of moving all of its mass.
+    /// A push beside the centre of mass rotates the body instead of moving all of its mass.
     #[test]
     fn a_body_is_lightest_beside_its_centre_of_mass() {
         let (mass, rotational) = off_center(Vector3::new(0.0, 0.0, 0.3)).lightest();

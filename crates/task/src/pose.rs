@@ -28,10 +28,10 @@ pub fn isometry([x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
     Isometry3::from_parts(Translation3::new(*x, *y, *z), unit_quaternion(&[*w, *i, *j, *k]))
 }
 
-/// A pose at a fraction of the straight path between two, turning about one axis.
+/// A pose at a fraction of the straight path between two, rotating about one axis.
 pub fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) -> Isometry3<f64> {
     let position = from.translation.vector.lerp(&to.translation.vector, fraction);
-    // The scaled axis is that of the shorter way, also where the signs of the quaternions differ.
+    // The scaled axis is that of the shorter rotation, also where the signs of the quaternions differ.
     let rotation = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;
     Isometry3::from_parts(position.into(), from.rotation * UnitQuaternion::from_scaled_axis(rotation))
 }

@@ -1,4 +1,4 @@
-//! Measures of a scenario: final errors, contact forces, overlap, and deviation from hard contact.
+//! Measures of a scenario: final errors, contact forces, penetration, and deviation from hard contact.
 
 use crate::pose;
 use crate::state::POSE;
@@ -20,7 +20,7 @@ pub struct Quality {
     pub position_error: f64,
     /// Angle between the final orientation and the goal (rad).
     pub orientation_error: f64,
-    /// Deepest overlap of the exact shapes (m), `None` when they never overlap.
+    /// Deepest penetration of the exact shapes (m), `None` when they never penetrate.
     pub penetration: Option<Peak>,
     /// Largest absolute product of a contact force and the exact distance at the end of its step (N m). It is zero for
     /// hard contact, where only shapes that touch exert forces. `None` when there is no force.
@@ -45,7 +45,7 @@ impl Quality {
     /// Measures of a motion with poses at k = 0..N and contacts at k = 1..N.
     pub fn new(task: &AssemblyTask, poses: &[[f64; POSE]], contacts: &[Vec<Contact>]) -> Self {
         let distances: Vec<Vec<f64>> = task.pairs.iter().map(|pair| pair.shapes.exact_distances(poses)).collect();
-        let overlaps = distances.iter().enumerate().flat_map(|(pair, distances)| {
+        let penetrations = distances.iter().enumerate().flat_map(|(pair, distances)| {
             distances.iter().enumerate().map(move |(step, distance)| Peak { value: -distance, step, pair })
         });
         let products = contacts.iter().zip(1..).flat_map(|(contacts, step)| {
@@ -59,7 +59,7 @@ impl Quality {
         Self {
             position_error,
             orientation_error,
-            penetration: Peak::largest(overlaps),
+            penetration: Peak::largest(penetrations),
             complementarity: Peak::largest(products),
             max_force: contacts.iter().flatten().map(|contact| contact.force).fold(0.0, f64::max),
         }

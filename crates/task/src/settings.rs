@@ -85,11 +85,11 @@ pub enum IpoptValue {
 /// Homotopy parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HomotopySettings {
-    /// Number of homotopy iterations `n_hom`, at least.
+    /// Number of homotopy steps `n_hom`, at least.
     pub iterations: usize,
-    /// So many more follow, at most, as long as they make contact harder.
+    /// Largest number of further homotopy steps, as long as they make contact harder.
     pub further_iterations: usize,
-    /// So many of the first iterations have half of the steps.
+    /// Number of first homotopy steps with half of the time steps.
     pub coarse_iterations: usize,
     /// Smoothing of the distances in the first iteration, `tau_1` (N m, the barrier parameter of Eq. KKTsystem).
     pub tau: f64,
@@ -114,7 +114,7 @@ pub struct HomotopySettings {
     pub ipopt: Vec<IpoptOption>,
 }
 
-/// The smoothing of one homotopy iteration.
+/// The smoothing of one homotopy step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Smoothing {
     /// Smoothing of the distances.
@@ -126,12 +126,12 @@ pub struct Smoothing {
 }
 
 impl HomotopySettings {
-    /// Largest number of homotopy iterations.
+    /// Largest number of homotopy steps.
     pub fn most_iterations(&self) -> usize {
         self.iterations + self.further_iterations
     }
 
-    /// Number of iterations with half of the steps; the last wanted one always has all.
+    /// Number of homotopy steps with half of the time steps; the last regular one always has all.
     pub fn coarse_iterations(&self) -> usize {
         self.coarse_iterations.min(self.iterations - 1)
     }

@@ -5,7 +5,7 @@ use nalgebra::Isometry3;
 use crate::pose::{interpolate, isometry};
 use crate::state::POSE;
 
-/// Straight from one pose to another, turning about one axis.
+/// Straight from one pose to another, rotating about one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StraightMotion {
     start: Isometry3<f64>,
@@ -60,7 +60,7 @@ impl StraightMotion {
 mod tests {
     use super::*;
 
-    /// At a height (m), shifted aside (m) and turned about z (rad).
+    /// At a height (m), shifted aside (m) and rotated about z (rad).
     fn pose(height: f64, aside: f64, turn: f64) -> [f64; POSE] {
         [aside, 0.0, height, (0.5 * turn).cos(), 0.0, 0.0, (0.5 * turn).sin()]
     }

@@ -31,7 +31,7 @@ pub struct AssemblyTask {
     pub limits: Limits,
 }
 
-/// What one of the planned motions meets.
+/// The conditions of one planned motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scenario {
     /// Where the body sits in the gripper.
@@ -47,7 +47,7 @@ impl AssemblyTask {
         self.frictions.iter().flat_map(of).collect()
     }
 
-    /// Smallest exact distance of all pairs (m) at a pose, negative where parts overlap; infinite without pairs.
+    /// Smallest exact distance of all pairs (m) at a pose, negative where parts penetrate; infinite without pairs.
     pub fn clearance(&self, pose: &[f64; 7]) -> f64 {
         self.pairs.iter().map(|pair| pair.shapes.exact_distance(pose)).fold(f64::INFINITY, f64::min)
     }
@@ -57,7 +57,7 @@ impl AssemblyTask {
         self.grasps.iter().map(|grasp| grasp.offset).collect()
     }
 
-    /// The reach of a smoothing `tau`: how far shapes of any pair overlap, at most, when their smoothed distance is zero
+    /// The reach of a smoothing `tau`: how far shapes of any pair penetrate, at most, when their smoothed distance is zero
     /// (m).
     pub fn reach(&self, tau: f64) -> f64 {
         let most = self.pairs.iter().map(|pair| pair.shapes.row_count()).max().unwrap_or(0);

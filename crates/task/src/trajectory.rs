@@ -35,7 +35,7 @@ pub struct ScenarioTrajectory {
     pub wrenches: Vec<[f64; TWIST]>,
     /// Contacts at k = 1..N, one per pair.
     pub contacts: Vec<Vec<Contact>>,
-    /// Final errors, and extremes of force and overlap.
+    /// Final errors, and extremes of force and penetration.
     pub quality: Quality,
     /// The tightest limits that the scenario satisfies.
     pub keeps: Limits,

@@ -1,8 +1,8 @@
-//! Threads that share the pieces of work of one computation. They stay from call to call, because a solve calls
-//! thousands of times for work of a fraction of a millisecond.
+//! Threads that share the pieces of work of one computation. They stay between calls, because a solve calls thousands
+//! of times for work of a fraction of a millisecond.
 //!
-//! Results arrive in the order of the pieces, in the thread that wants them. Who computes a piece, and when, is left to
-//! chance; where pieces begin and end must not depend on the number of threads.
+//! Results arrive in the order of the pieces, in the calling thread. Which thread computes a piece, and when, is not
+//! determined; the boundaries of pieces must not depend on the number of threads.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,7 +21,7 @@ pub struct Workers {
 }
 
 impl Workers {
-    /// As many threads, the calling one included; fewer where the system does not give them.
+    /// A number of threads, including the calling one; fewer where the system does not provide them.
     pub fn new(threads: usize) -> Self {
         let helpers = threads.saturating_sub(1);
         let build = || ThreadPoolBuilder::new().num_threads(helpers).thread_name(|_| "worker".to_owned()).build();
@@ -51,12 +51,11 @@ impl Workers {
         results
     }
 
-    /// Does all pieces of work and passes their results to `take`, one after the other in the order of the pieces, in
-    /// the calling thread. It takes as soon as it can and helps with the work while the next result is missing. When it
-    /// breaks, pieces that nobody has begun are left out.
+    /// Does all pieces of work and passes their results to `take` in the calling thread, in the order of the pieces.
+    /// Results are taken as soon as possible, and the calling thread helps with the work while the next result is
+    /// missing. When `take` breaks, pieces that no thread has started are dropped.
     ///
-    /// # Panics
-    /// When `work` or `take` panics.
+    /// # Panics When `work` or `take` panics.
     pub fn in_order<T: Send, R: Send>(
         &self,
         pieces: impl Iterator<Item = T>,
@@ -127,7 +126,7 @@ impl<T, R, W: Fn(T) -> R> Desk<T, R, W> {
         }
     }
 
-    /// Drops the pieces that nobody has begun.
+    /// Drops the pieces that no thread has started.
     fn close(&self) {
         lock(&self.pieces).by_ref().for_each(drop);
     }

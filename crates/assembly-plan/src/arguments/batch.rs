@@ -36,7 +36,7 @@ pub enum BatchCommand {
     Run(RunArguments),
     /// Show which cells are done, running, failed or pending
     Status(FolderArguments),
-    /// Write cells.csv and cells.json: convergence, iterations, times, errors, overlap and force of every cell
+    /// Write cells.csv and cells.json: convergence, iterations, times, errors, penetration and force of every cell
     Collect(FolderArguments),
     /// Write a job array for a cluster
     Submit(SubmitArguments),

@@ -53,7 +53,7 @@ const PLAN_FILES: &[(&str, &str)] = &[
     ("DIR/wrench.csv, DIR/scenarios.csv, DIR/contacts.csv", "wrench, motion and contacts with each planned offset"),
     ("DIR/result.json", "status, errors, forces, iterations, times, warnings"),
     ("DIR/resolved.toml", "scene and settings after defaults and flags; solving it repeats the run"),
-    ("DIR/stages/", "the same tables after each homotopy iteration"),
+    ("DIR/stages/", "the same tables after each homotopy step"),
     (".DIR.unfinished/, beside DIR", "unfinished work, which --resume continues"),
 ];
 

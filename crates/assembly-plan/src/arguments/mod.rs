@@ -187,7 +187,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "MU,MU,...", value_delimiter = ',', default_value = "0", value_parser = not_negative)]
     #[arg(allow_negative_numbers = true)]
     pub friction: Vec<f64>,
-    /// Also play the reference of every homotopy iteration, as they are in stages/
+    /// Also play the reference of every homotopy step, as they are in stages/
     #[arg(long)]
     pub stages: bool,
     #[command(flatten)]

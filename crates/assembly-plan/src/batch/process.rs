@@ -28,7 +28,7 @@ pub enum Begun {
 pub enum Ended {
     /// With a whole plan, good or bad.
     Finished(Box<PlanResult>),
-    /// It was asked to stop; the next one goes on after its last finished homotopy iteration.
+    /// It was asked to stop; the next one goes on after its last finished homotopy step.
     Interrupted,
     /// Without a plan, for this reason.
     Crashed(String),

@@ -23,7 +23,7 @@ impl Observer for Progress {
                     smoothing.tau, progress.iteration, progress.objective, progress.primal_infeasibility
                 );
                 let details = [vec![detail], self.refinement.lines()].concat();
-                self.show("homotopy iterations", (*number - 1, *most), &details);
+                self.show("homotopy steps", (*number - 1, *most), &details);
             }
             Event::Change { failing, cases, changes } => {
                 let kept = if *changes == 1 { "change" } else { "changes" };

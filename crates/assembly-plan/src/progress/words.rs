@@ -31,8 +31,8 @@ pub fn iteration(progress: &SolverProgress) -> String {
 /// An event in words.
 pub fn line(event: &Event) -> String {
     match event {
-        Event::HomotopyIteration { number, most, record, position_error } => format!(
-            "homotopy iteration {number} of at most {most} (tau {:.2e}): {}, {} iterations, {:.1} s, objective {:.5}, \
+        Event::HomotopyStep { number, most, record, position_error } => format!(
+            "homotopy step {number} of at most {most} (tau {:.2e}): {}, {} iterations, {:.1} s, objective {:.5}, \
              goal error {:.2} mm",
             record.tau,
             record.status,
@@ -46,7 +46,7 @@ pub fn line(event: &Event) -> String {
         }
         Event::Resumed { refining: true, .. } => "resuming the refinement of an earlier run".to_owned(),
         Event::Resumed { done, most, .. } => {
-            format!("resuming after homotopy iteration {done} of at most {most} of an earlier run")
+            format!("resuming after homotopy step {done} of at most {most} of an earlier run")
         }
         Event::Discarded { reason } => format!("the unfinished work of an earlier run is not used: {reason}"),
         Event::Evaluated { rate } => format!("{:.1} % of rollouts succeed", 100.0 * rate),

@@ -2,9 +2,9 @@
 
 mod delay;
 mod oddities;
-pub(crate) mod overlaps;
 mod pairs;
 mod parts;
+pub(crate) mod penetrations;
 pub(crate) mod refusal;
 mod way;
 
@@ -17,12 +17,12 @@ use serde::Serialize;
 use task::ContactPair;
 
 use crate::check::oddities::oddities;
-use crate::check::overlaps::overlaps;
+use crate::check::penetrations::penetrations;
 use crate::warnings;
 
 pub(crate) use oddities::{first_smoothing, rest, step};
-pub use overlaps::PoseOverlap;
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
+pub use penetrations::PosePenetration;
 pub use plan::play::{AxisPlay, Play};
 pub use refusal::refusal;
 pub use way::Way;
@@ -42,7 +42,7 @@ pub struct PairReport {
     pub environment: String,
     /// `Phi_tau`.
     pub smoothed_distance_m: f64,
-    /// Negative where the parts overlap.
+    /// Negative where the parts penetrate.
     pub exact_distance_m: f64,
     /// `n_tau`.
     pub normal: [f64; 7],
@@ -74,8 +74,9 @@ pub struct Explanation {
     /// How far play lets the body rest from its goal in directions across the insertion that are guided; null where none
     /// is, or something stops it on one side only.
     pub farthest_rest_m: Option<f64>,
-    /// Pairs that overlap at the goal or at the start with an offset.
-    pub overlaps: Vec<PoseOverlap>,
+    /// Pairs that penetrate at the goal or at the start with an offset.
+    #[serde(rename = "overlaps")]
+    pub penetrations: Vec<PosePenetration>,
     /// Whether the body gets from start to goal in clearance.
     pub way: Way,
     /// Edges of the box around the body, in its frame.
@@ -86,7 +87,7 @@ pub struct Explanation {
     pub engagement: Engagement,
     /// Largest final distance from the goal of a success.
     pub position_tolerance_m: f64,
-    /// How deep exact shapes may overlap in a plan that is done.
+    /// How deep exact shapes may penetrate in a plan that is done.
     pub max_overlap_m: f64,
     /// Why no plan can be made; null where one may be found.
     pub refusal: Option<String>,
@@ -181,13 +182,13 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         far_pairs: scene.far_pairs.iter().map(name).collect(),
         insertion: along_insertion(task),
         farthest_rest_m: problem.engagement().rest_m,
-        overlaps: overlaps(task, scene.robustness.rotation_error),
+        penetrations: penetrations(task, scene.robustness.rotation_error),
         way,
         body_edges_m: parts::edges(&scene.body, &scene.body_meshes),
         environment_edges_m: parts::edges(&scene.environment, &scene.environment_meshes),
         engagement: problem.engagement().clone(),
         position_tolerance_m: problem.success().position,
-        max_overlap_m: problem.max_overlap(),
+        max_overlap_m: problem.allowed_penetration(),
         refusal: refusal(problem).or_else(|| refusal::enclosed(&way)),
         size: size(problem),
         chosen: problem.chosen(),

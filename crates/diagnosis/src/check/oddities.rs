@@ -1,7 +1,7 @@
 //! What is odd about a scene, and which key to change.
 
 use plan::{Millimetres, Problem};
-use task::{AssemblyTask, Overlap};
+use task::{AssemblyTask, Penetration};
 
 use crate::check::delay::delay;
 use crate::check::{Explanation, Play, Way, pairs};
@@ -119,7 +119,7 @@ fn last_smoothing(problem: &Problem, explanation: &Explanation) -> Option<String
     let last = problem.homotopy().schedule().last()?;
     let clearance = explanation.insertion.first()?.clearance_m;
     let reach = problem.task().reach(last.tau);
-    (clearance > 0.0 && Overlap::excess(problem.task(), reach) > 1.0).then(|| {
+    (clearance > 0.0 && Penetration::excess(problem.task(), reach) > 1.0).then(|| {
         format!(
             "the last smoothing reaches {:.3} mm, the clearance at the goal is {:.3} mm: raise homotopy.further_iterations",
             1e3 * reach,

@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 use plan::Problem;
 use task::AssemblyTask;
 
-use crate::check::overlaps::{deepest, start_inside};
+use crate::check::penetrations::{deepest, start_inside};
 use crate::check::way::{self, Way};
 
-/// Overlap at the goal that a fit, rounding and facets explain: at least (m), and in sizes of the body.
+/// Penetration at the goal that a fit, rounding and facets explain: at least (m), and in sizes of the body.
 const FIT: f64 = 1e-4;
 const FIT_IN_SIZES: f64 = 2e-3;
 /// Distance from the goal within which something must be: in offsets, where something guides the body and where nothing does,
@@ -32,19 +32,19 @@ pub fn refusal(problem: &Problem) -> Option<String> {
     })
 }
 
-/// The body overlaps the environment at its goal by more than any plan that is done may, and gets from there nowhere.
+/// The body penetrates the environment at its goal by more than any plan that is done may, and gets from there nowhere.
 fn press_fit(problem: &Problem, way: &Way) -> Option<String> {
     let (pair, depth) = deepest(problem.task(), &problem.task().goal).filter(|_| matches!(way, Way::None { .. }))?;
-    (depth > problem.max_overlap()).then(|| {
+    (depth > problem.allowed_penetration()).then(|| {
         format!(
-            "[goal]: {pair} overlap there by {:.3} mm, and no path in clearance leads away from it: parts need clearance; a press \
+            "[goal]: {pair} penetrate there by {:.3} mm, and no path in clearance leads away from it: parts need clearance; a press \
              fit cannot be planned, and of parts that CAD draws as large as their holes, `clearance` of a mesh states the fit",
             1e3 * depth
         )
     })
 }
 
-/// Largest overlap at the goal (m) that a fit explains.
+/// Largest penetration at the goal (m) that a fit explains.
 pub fn largest_fit(problem: &Problem) -> f64 {
     FIT.max(FIT_IN_SIZES * problem.scene().body_size())
 }
@@ -55,7 +55,7 @@ fn goal_inside(problem: &Problem) -> Option<String> {
     let most = largest_fit(problem);
     (depth > most).then(|| {
         format!(
-            "[goal]: {pair} overlap there by {:.3} mm, more than the {:.3} mm that a tight fit or rounding explains, so that \
+            "[goal]: {pair} penetrate there by {:.3} mm, more than the {:.3} mm that a tight fit or rounding explains, so that \
              the goal cannot be reached: move [goal] out of the environment, or export both files in the assembled pose",
             1e3 * depth,
             1e3 * most

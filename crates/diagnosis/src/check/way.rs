@@ -92,8 +92,8 @@ struct Flood {
 
 impl Grid<'_> {
     /// Looks from the goal outwards, where it is tight, in steps of some length (m) to those of the neighbours of a cell that
-    /// count, as long as parts overlap by no more than some depth (m).
-    fn flood(&mut self, step: f64, overlap: f64, is_neighbour: impl Fn(&Vector3<i32>) -> bool) -> Flood {
+    /// count, as long as parts penetrate by no more than some depth (m).
+    fn flood(&mut self, step: f64, penetration: f64, is_neighbour: impl Fn(&Vector3<i32>) -> bool) -> Flood {
         let sides = || -1..=1;
         let neighbours: Vec<Vector3<i32>> = sides()
             .flat_map(|x| sides().flat_map(move |y| sides().map(move |z| Vector3::new(x, y, z))))
@@ -111,7 +111,7 @@ impl Grid<'_> {
                 if known.len() >= self.most {
                     is_whole = false;
                 } else if known.insert(next.into())
-                    && self.clearance.at(&(self.goal + next.cast::<f64>() * step)) >= -overlap
+                    && self.clearance.at(&(self.goal + next.cast::<f64>() * step)) >= -penetration
                 {
                     waiting.push_back(next);
                 }

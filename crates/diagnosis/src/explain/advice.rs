@@ -12,8 +12,8 @@ use crate::explain::limits::ActiveLimitRecord;
 use crate::explain::stuck::StuckScenario;
 use crate::warnings::tolerance::free_offset;
 
-/// Overlap that is worth a word (m).
-const OVERLAP: f64 = 1e-4;
+/// Penetration that is worth a word (m).
+const PENETRATION: f64 = 1e-4;
 /// Share of the steps in which a limit that matters is reached.
 const OFTEN: f64 = 0.1;
 /// More steps than these are no advice.
@@ -36,8 +36,8 @@ pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]
     let often = |limit: &&ActiveLimitRecord| limit.steps as f64 >= OFTEN * limit.of as f64;
     let is_fast = limits.iter().filter(often).any(|limit| limit.limit == "translational_velocity");
     let sure = [
-        case.overlap_at_goal(),
-        case.overlap_at_start(),
+        case.penetration_at_goal(),
+        case.penetration_at_start(),
         free_offset(&plan.problem),
         case.large_offset(),
         case.way_blocked(),
@@ -79,30 +79,31 @@ struct Case<'plan> {
 }
 
 impl Case<'_> {
-    /// The pair that overlaps most at a pose, with its overlap (m), if any does.
-    fn overlap(&self, pose: &[f64; POSE]) -> Option<(String, f64)> {
+    /// The pair that penetrates most at a pose, with its penetration (m), if any does.
+    fn penetration(&self, pose: &[f64; POSE]) -> Option<(String, f64)> {
         let pairs = self.plan.task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
-        let (pair, overlap) = pairs.max_by(|one, other| one.1.total_cmp(&other.1))?;
-        (overlap > OVERLAP).then(|| (pair.to_string(), overlap))
+        let (pair, penetration) = pairs.max_by(|one, other| one.1.total_cmp(&other.1))?;
+        (penetration > PENETRATION).then(|| (pair.to_string(), penetration))
     }
 
-    fn overlap_at_goal(&self) -> Option<String> {
-        let (pair, overlap) = self.overlap(&self.plan.task.goal)?;
+    fn penetration_at_goal(&self) -> Option<String> {
+        let (pair, penetration) = self.penetration(&self.plan.task.goal)?;
         Some(format!(
-            "[goal]: {pair} overlap there by {:.2} mm, so that no motion reaches it: move the goal out of the environment",
-            1e3 * overlap
+            "[goal]: {pair} penetrate there by {:.2} mm, so that no motion reaches it: move the goal out of the environment",
+            1e3 * penetration
         ))
     }
 
-    fn overlap_at_start(&self) -> Option<String> {
+    fn penetration_at_start(&self) -> Option<String> {
         let starts = self.plan.trajectory.scenarios.iter().map(|motion| &motion.states[0]);
-        let overlaps = (1..).zip(starts).filter_map(|(number, state)| Some((number, self.overlap(&pose_of(state))?)));
-        let (scenario, (pair, overlap)) = overlaps.max_by(|(_, one), (_, other)| one.1.total_cmp(&other.1))?;
+        let penetrations =
+            (1..).zip(starts).filter_map(|(number, state)| Some((number, self.penetration(&pose_of(state))?)));
+        let (scenario, (pair, penetration)) = penetrations.max_by(|(_, one), (_, other)| one.1.total_cmp(&other.1))?;
         Some(format!(
-            "[[start]] \"{}\": with the grasp error of scenario {scenario}, {pair} overlap there by {:.2} mm: move the start \
+            "[[start]] \"{}\": with the grasp error of scenario {scenario}, {pair} penetrate there by {:.2} mm: move the start \
              away from the environment, or plan with a smaller offset_magnitude",
             self.plan.problem.start().name,
-            1e3 * overlap
+            1e3 * penetration
         ))
     }
 
@@ -172,7 +173,7 @@ impl Case<'_> {
         let record = &self.plan.chosen().record;
         (record.status == SolveStatus::IterationLimit.to_string()).then(|| {
             format!(
-                "[ipopt]: max_iter ended homotopy iteration {} after {} iterations: allow more",
+                "[ipopt]: max_iter ended homotopy step {} after {} iterations: allow more",
                 self.plan.chosen_stage(),
                 record.iterations
             )
@@ -202,7 +203,7 @@ impl Case<'_> {
     /// Another way where a part stands between the end of a scenario and the goal.
     fn way_blocked(&self) -> Option<String> {
         let goal = &self.plan.task.goal;
-        if self.overlap(goal).is_some() {
+        if self.penetration(goal).is_some() {
             return None;
         }
         let blocked = |stuck: &StuckScenario| {
@@ -212,17 +213,17 @@ impl Case<'_> {
                 let share = place as f64 / POSES as f64;
                 let mut pose = *goal;
                 (0..3).for_each(|axis| pose[axis] = end[axis] + share * (goal[axis] - end[axis]));
-                self.overlap(&pose)
+                self.penetration(&pose)
             };
-            let (pair, overlap) = (1..POSES).filter_map(between).max_by(|one, other| one.1.total_cmp(&other.1))?;
-            (overlap > self.plan.problem.success().position).then_some((stuck.scenario, pair, overlap))
+            let (pair, penetration) = (1..POSES).filter_map(between).max_by(|one, other| one.1.total_cmp(&other.1))?;
+            (penetration > self.plan.problem.success().position).then_some((stuck.scenario, pair, penetration))
         };
-        let (scenario, pair, overlap) =
+        let (scenario, pair, penetration) =
             self.stuck.iter().filter_map(blocked).max_by(|one, other| one.2.total_cmp(&other.2))?;
         Some(format!(
             "[[start]]: from where scenario {scenario} ends, the straight path to the goal leads {:.1} mm deep through \
              {pair}: start where the path is free, or check the parts with `check`",
-            1e3 * overlap
+            1e3 * penetration
         ))
     }
 

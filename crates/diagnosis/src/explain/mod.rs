@@ -59,7 +59,7 @@ pub fn explanation(plan: &Plan) -> Option<FailureExplanation> {
         PlanStatus::Done
         | PlanStatus::Planned
         | PlanStatus::NotRobust
-        | PlanStatus::Overlapping
+        | PlanStatus::Penetrating
         | PlanStatus::OutOfTime(Cut::Evaluation { .. })
         | PlanStatus::Interrupted => None,
     }

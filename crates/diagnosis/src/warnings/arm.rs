@@ -33,7 +33,7 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
     }
 }
 
-/// The deepest overlap of the arm or the gripper with the environment in any scenario.
+/// The deepest penetration of the arm or the gripper with the environment in any scenario.
 fn meeting(plan: &Plan, courses: impl Iterator<Item = Vec<Frames>>) -> Option<String> {
     let world = CarriedWorld::new(plan.problem.scene())?;
     let meetings = (1..).zip(courses).filter_map(|(scenario, course)| Some((scenario, world.meeting(&course)?)));

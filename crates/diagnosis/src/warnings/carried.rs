@@ -9,7 +9,7 @@ use task::pose::interpolate;
 /// Poses between goal and start that are looked at without an arm.
 const POSES: usize = 20;
 
-/// The deepest overlap on the straight path from the goal to the start.
+/// The deepest penetration on the straight path from the goal to the start.
 pub fn warning(problem: &Problem) -> Option<String> {
     let scene = problem.scene();
     let world = CarriedWorld::new(scene)?;

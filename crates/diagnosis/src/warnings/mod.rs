@@ -13,12 +13,12 @@ use nlp::{IPOPT_VERSION, takes_own_solver};
 use plan::{Plan, Problem};
 use task::LinearSolver;
 
-use crate::check::overlaps;
+use crate::check::penetrations;
 
 /// What is odd about a problem before it is solved.
 pub fn of_problem(problem: &Problem) -> Vec<String> {
     let mut warnings = problem.scene().warnings.clone();
-    warnings.extend(overlaps::warnings(problem));
+    warnings.extend(penetrations::warnings(problem));
     warnings.extend(carried::warning(problem));
     warnings.extend(tolerance::warnings(problem));
     warnings.extend(sizes::warnings(problem));
@@ -34,7 +34,7 @@ pub fn of_problem(problem: &Problem) -> Vec<String> {
 /// What is odd about a plan. A refined one does not lean on smoothing: its scenarios are rollouts with hard contact.
 pub fn of_plan(plan: &Plan) -> Vec<String> {
     let mut warnings = limits::warnings(&plan.task.limits, &plan.trajectory.keeps());
-    // What time has cut leans on the smoothing of its last homotopy iteration, which time would have tightened.
+    // What time has cut leans on the smoothing of its last homotopy step, which time would have tightened.
     if plan.robustness.is_none() && plan.stopped.is_none() && plan.chosen().record.converged {
         warnings.extend(smoothing::warning(plan));
     }

@@ -1,16 +1,16 @@
 //! Whether a plan leans on smoothing: contact is soft while it is planned, real parts are not.
 
 use plan::Plan;
-use task::Overlap;
+use task::Penetration;
 
-/// What is wrong with a plan whose exact shapes overlap by more than a tenth of the clearance at the goal, in plain
+/// What is wrong with a plan whose exact shapes penetrate by more than a tenth of the clearance at the goal, in plain
 /// words with the setting that cures it.
 pub fn warning(plan: &Plan) -> Option<String> {
     let task = &plan.task;
-    let (scenario, peak) = plan.trajectory.deepest_overlap()?;
+    let (scenario, peak) = plan.trajectory.deepest_penetration()?;
     let before = plan.chosen_stage().checked_sub(2).map(|index| &plan.iterations[index].trajectory);
     let what = format!(
-        "in scenario {} the exact shapes of {} overlap by {:.3} mm at {:.2} s",
+        "in scenario {} the exact shapes of {} penetrate by {:.3} mm at {:.2} s",
         scenario + 1,
         task.pairs[peak.pair],
         1e3 * peak.value,
@@ -18,12 +18,12 @@ pub fn warning(plan: &Plan) -> Option<String> {
     );
     let clearance = task.clearance(&task.goal);
     let much = format!("{what}, more than a tenth of the clearance at the goal ({:.3} mm)", 1e3 * clearance);
-    match Overlap::of(task, &plan.trajectory, plan.chosen().record.tau, before) {
-        Overlap::Hard => None,
-        Overlap::Soft => Some(format!("{much}; {}", less_smoothing(plan, peak.value))),
-        Overlap::Stalled => Some(format!("{much}; {}", shorter_steps(plan))),
-        Overlap::AtStart => Some(format!("{much}: move this start away from the environment")),
-        Overlap::NoClearance => Some(format!(
+    match Penetration::of(task, &plan.trajectory, plan.chosen().record.tau, before) {
+        Penetration::Hard => None,
+        Penetration::Soft => Some(format!("{much}; {}", less_smoothing(plan, peak.value))),
+        Penetration::Stalled => Some(format!("{much}; {}", shorter_steps(plan))),
+        Penetration::AtStart => Some(format!("{much}: move this start away from the environment")),
+        Penetration::NoClearance => Some(format!(
             "{what}; the goal itself has no clearance ({:.3} mm) to compare that with: move it away from the environment \
              by the clearance that the parts have",
             1e3 * clearance
@@ -31,17 +31,18 @@ pub fn warning(plan: &Plan) -> Option<String> {
     }
 }
 
-/// The overlap shrinks in proportion to the last tau.
-fn less_smoothing(plan: &Plan, overlap: f64) -> String {
+/// The penetration shrinks in proportion to the last tau.
+fn less_smoothing(plan: &Plan, penetration: f64) -> String {
     let settings = &plan.variant.settings;
     let number = plan.chosen_stage();
     if number < plan.iterations.len() {
         return format!(
-            "with less smoothing, in homotopy iteration {}, the plan got worse: try another tau in [homotopy]",
+            "with less smoothing, in homotopy step {}, the plan got worse: try another tau in [homotopy]",
             number + 1
         );
     }
-    let missing = (Overlap::excess(&plan.task, overlap).ln() / -settings.tau_rate.ln()).ceil().max(1.0) as usize;
+    let missing =
+        (Penetration::excess(&plan.task, penetration).ln() / -settings.tau_rate.ln()).ceil().max(1.0) as usize;
     let tau = |number: usize| settings.tau * settings.tau_rate.powi(number as i32 - 1);
     format!(
         "the plan leans on smoothing: set further_iterations = {} in [homotopy], which was {}, so that the last tau is \

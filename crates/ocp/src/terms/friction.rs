@@ -1,4 +1,4 @@
-//! Regularised Coulomb friction: at the touching point `p` of a pair, the force
+//! Regularised Coulomb friction: at the contact point `p` of a pair, the force
 //! `f = -mu lambda_n |n| v_t / sqrt(|v_t|^2 + eps^2)` acts against the tangential velocity `v_t` of the body. It needs
 //! neither variables nor rows of its own. Where Coulomb's friction would hold the body, it creeps with less than `eps`.
 
@@ -18,7 +18,7 @@ const CREEP_PER_SMOOTHING: f64 = 33.0;
 /// The speed of creeping without smoothing (m/s).
 const LEAST_CREEP: f64 = 1e-3;
 
-/// First components of the normal, as a force, and of the touching point in the contact information.
+/// First components of the normal, as a force, and of the contact point in the contact information.
 const NORMAL: usize = 1;
 const POINT: usize = CONTACT;
 
@@ -51,7 +51,7 @@ impl Friction {
         }
     }
 
-    /// Force (world frame) on a body whose touching point moves with a velocity.
+    /// Force (world frame) on a body whose contact point moves with a velocity.
     fn force<'tape>(
         coefficient: Expression<'tape>,
         velocity: &[Expression<'tape>; 3],
@@ -74,9 +74,9 @@ impl StepTerm for Friction {
         Points::Pairs
     }
 
-    /// Inputs twist (6), pose before the step (7), contact force, normal (3) and touching point (3) at that pose, `tau` and
+    /// Inputs twist (6), pose before the step (7), contact force, normal (3) and contact point (3) at that pose, `tau` and
     /// `mu`. Outputs what the pair adds to the velocity defect, `-dt M^-1 (f, R' (r x f))` (6), where `r` leads from
-    /// the body's origin to the touching point.
+    /// the body's origin to the contact point.
     fn tape(&self) -> Tape {
         Tape::record(POINT_END + 2, |inputs| {
             let (twist, pose) = (&inputs[..TWIST_END], &inputs[TWIST_END..POSE_END]);

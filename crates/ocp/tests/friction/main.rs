@@ -159,7 +159,7 @@ fn velocity_defects(task: &AssemblyTask, x: &[f64], tau: f64, scenario: usize) -
 }
 
 #[test]
-fn a_pair_adds_coulombs_wrench_at_its_touching_point_and_brakes() {
+fn a_pair_adds_coulombs_wrench_at_its_contact_point_and_brakes() {
     let factor = Matrix6::from_fn(|row, column| 0.3 * noise(7 * row + column) + f64::from(u8::from(row == column)));
     let horizon = Horizon { steps: 4, time_step: STEP };
     let task = AssemblyTask { inertia: Inertia::from_matrix(factor * factor.transpose()), horizon, ..block() };

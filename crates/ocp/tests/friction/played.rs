@@ -5,7 +5,7 @@ use nlp::{Bounds, Control, EvaluationError, LinearSystemSolver, Options, Pattern
 use ocp::Transcription;
 use task::{AssemblyTask, Complementarity, HessianKind, POSE, STATE, TWIST};
 
-/// Homotopy iterations.
+/// Homotopy steps.
 pub const ITERATIONS: usize = 5;
 
 /// A transcription whose reference has given velocities: what is left to find is the motion of the body.

@@ -88,7 +88,7 @@ impl MotionEnd {
     }
 }
 
-/// Indices of the pairs that hold a body at a pose, the largest force (N) first: those that push, those that overlap, and
+/// Indices of the pairs that hold a body at a pose, the largest force (N) first: those that push, those that penetrate, and
 /// those that touch on the side of the goal, which lies in the direction `missing`.
 fn holding(task: &AssemblyTask, pose: &[f64; POSE], forces: &[f64], missing: &[f64; 3]) -> Vec<usize> {
     let largest = forces.iter().copied().fold(0.0, f64::max);

@@ -4,8 +4,8 @@ A function that is given as `progress` hears of each:
 
     def show(event: events.Event) -> None:
         match event:
-            case events.HomotopyIteration(number=number, position_error_m=error):
-                print(f"homotopy iteration {number}: {1e3 * error:.2f} mm from the goal")
+            case events.HomotopyStep(number=number, position_error_m=error):
+                print(f"homotopy step {number}: {1e3 * error:.2f} mm from the goal")
             case events.Refined(rate=rate):
                 print(f"{100 * rate:.1f} % of rollouts succeed")
 
@@ -24,13 +24,13 @@ from typing import Any, TypeAlias
 
 @dataclass(frozen=True)
 class SolverIteration:
-    """An iteration of Ipopt, in homotopy iteration `homotopy_iteration` (from 1) with smoothing `tau`.
+    """An iteration of Ipopt, in homotopy step `homotopy_step` (from 1) with smoothing `tau`.
 
     `objective`, `primal_infeasibility`, `dual_infeasibility` and `barrier` are Ipopt's; `restoration` says whether it
     restores feasibility.
     """
 
-    homotopy_iteration: int
+    homotopy_step: int
     tau: float
     iteration: int
     objective: float
@@ -41,8 +41,8 @@ class SolverIteration:
 
 
 @dataclass(frozen=True)
-class HomotopyIteration:
-    """The end of homotopy iteration `number` of at most `most`, counted from 1.
+class HomotopyStep:
+    """The end of homotopy step `number` of at most `most`, counted from 1.
 
     `position_error_m` is the largest final distance of all scenarios from the goal; it is None where that is not
     finite. `record` is the entry of ``stages`` in `Plan.result`.
@@ -64,7 +64,7 @@ class Attempt:
 
 @dataclass(frozen=True)
 class Resumed:
-    """An earlier run is continued after `done` of at most `most` homotopy iterations; `refining` if it refined."""
+    """An earlier run is continued after `done` of at most `most` homotopy steps; `refining` if it refined."""
 
     done: int
     most: int
@@ -142,7 +142,7 @@ class Rollouts:
 
 Event: TypeAlias = (
     SolverIteration
-    | HomotopyIteration
+    | HomotopyStep
     | Attempt
     | Resumed
     | Discarded
@@ -162,7 +162,7 @@ Progress: TypeAlias = Callable[[Event], object]
 
 _CLASSES: dict[str, Callable[..., Event]] = {
     "solver_iteration": SolverIteration,
-    "homotopy_iteration": HomotopyIteration,
+    "homotopy_step": HomotopyStep,
     "attempt": Attempt,
     "resumed": Resumed,
     "discarded": Discarded,

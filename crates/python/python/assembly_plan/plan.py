@@ -153,7 +153,7 @@ class Plan(Motion):
 
     @property
     def stages(self) -> list[Motion]:
-        """The motion after every homotopy iteration."""
+        """The motion after every homotopy step."""
         return [Motion(**_arrays(native)) for native in self._native.stages()]
 
     def __repr__(self) -> str:

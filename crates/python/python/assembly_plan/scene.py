@@ -127,7 +127,7 @@ class Scene:
     ) -> dict[str, Any]:
         """Explain the scene without solving it, as the command ``check --json`` does.
 
-        Returns parts, meshes and what became of them, play, overlaps, size of the problem, warnings; keys name their
+        Returns parts, meshes and what became of them, play, penetrations, size of the problem, warnings; keys name their
         units. `tau` smooths the distances, by default as the homotopy begins.
         """
         choices = _choices(start=start, delta=delta, homotopy=homotopy)
@@ -146,7 +146,7 @@ class Scene:
         """Report every pair's distances with the body at a pose, as the command ``check --pose --json`` does.
 
         `pose` has shape (7,); its quaternion is scaled to unit norm. An entry has ``body``, ``environment``,
-        ``smoothed_distance_m``, ``exact_distance_m`` (negative where the parts overlap) and ``normal``, the contact
+        ``smoothed_distance_m``, ``exact_distance_m`` (negative where the parts penetrate) and ``normal``, the contact
         normal with 7 numbers.
         """
         choices = _choices(start=start, delta=delta, homotopy=homotopy)
@@ -271,7 +271,7 @@ class Scene:
         - `rotation_error`: also rotate the part in the gripper at random, by up to this angle about any axis (rad).
         - `magnitude`: magnitudes (m) to which the planned offsets are scaled; by default that of the plan.
         - `friction`: Coulomb friction coefficients.
-        - `stages`: also play the reference of every homotopy iteration.
+        - `stages`: also play the reference of every homotopy step.
         - `settling_time`: how long the end of the reference is held before a rollout is judged (s).
         - `time_step`: time step of the simulation (s).
         """

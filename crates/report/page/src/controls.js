@@ -83,7 +83,7 @@ export function motionChoice(data, shown) {
     min: 1,
     max: iterations.length,
     step: 1,
-    "aria-label": "Homotopy iteration",
+    "aria-label": "Homotopy step",
     input: () => choose(indexOf(iterations[Number(slider.value) - 1])),
   });
   const label = element("output", {});
@@ -96,7 +96,7 @@ export function motionChoice(data, shown) {
       "p",
       {},
       "The solver replaces hard contact by a smoothed model, in which shapes have rounded corners and push from a distance, " +
-        "and hardens it from one homotopy iteration to the next. No robot moves like that.",
+        "and hardens it from one homotopy step to the next. No robot moves like that.",
     ),
     element(
       "div",
@@ -113,7 +113,7 @@ export function motionChoice(data, shown) {
     if (source !== "iteration") return;
     slider.value = number;
     slider.setAttribute("aria-valuetext", `${number} of ${iterations.length}`);
-    label.textContent = `Homotopy iteration ${number} of ${iterations.length}, τ = ${short(tau)} N m`;
+    label.textContent = `Homotopy step ${number} of ${iterations.length}, τ = ${short(tau)} N m`;
   });
   const choices = element(
     "div",

@@ -15,12 +15,12 @@ const COLUMNS = [
   explained("iterations", "iterations of the solver Ipopt"),
   "cost",
   explained("violation", "how far the worst constraint is from being kept, in its own unit"),
-  explained("overlap", "how deep the exact shapes lie within each other"),
+  explained("penetration", "how deep the exact shapes lie within each other"),
   "status",
   "time",
 ];
 
-/** One row per homotopy iteration; a click on its number shows it. */
+/** One row per homotopy step; a click on its number shows it. */
 export function convergence({ result, motions }, shown) {
   const longest = Math.max(...result.stages.map(({ wall_s: time }) => time));
   const rows = result.stages.map((stage, index) => ({
@@ -42,8 +42,8 @@ export function convergence({ result, motions }, shown) {
   return drawer(
     "Convergence of the homotopy",
     "how the solver found the plan, iteration by iteration",
-    element("p", {}, "The solver plans with smoothed shapes first and hardens them in each homotopy iteration. A click on a number shows it. ", total),
-    table("Homotopy iterations", COLUMNS, rows),
+    element("p", {}, "The solver plans with smoothed shapes first and hardens them in each homotopy step. A click on a number shows it. ", total),
+    table("Homotopy steps", COLUMNS, rows),
     element("p", { class: "keys" }, key),
     attempts(result.attempts ?? []),
   );

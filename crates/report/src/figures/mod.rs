@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `keyframes-x.svg`, `-y`, `-z` | sections through the parts at six moments, cut across an axis at the goal |
 //! | `forces.svg` | contact force of every scenario over time |
-//! | `convergence.svg` | overlap and violation after every homotopy iteration |
+//! | `convergence.svg` | penetration and violation after every homotopy step |
 //! | `success.svg` | success rates of the last simulation |
 
 mod chart;

@@ -52,7 +52,7 @@ struct Shown {
     tau: f64,
     /// Smallest force that has an arrow (N).
     least: f64,
-    /// Whether wrenches and arrows are shown: they are most of the size of a page, and of a homotopy iteration nobody needs
+    /// Whether wrenches and arrows are shown: they are most of the size of a page, and of a homotopy step nobody needs
     /// them.
     in_full: bool,
 }
@@ -171,7 +171,7 @@ impl World {
         Some([pair as f64, rounded(force, FORCE), x, y, z, nx, ny, nz])
     }
 
-    /// Distance, contact normal and touching point of a pair; none where they cannot be computed.
+    /// Distance, contact normal and contact point of a pair; none where they cannot be computed.
     fn contact(&self, pair: usize, pose: &[f64; 7], tau: f64) -> Option<[f64; 10]> {
         let mut contact = [[0.0; 10]];
         let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());

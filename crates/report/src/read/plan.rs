@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use plan::records::LossRecord;
 use plan::{Format, Millimetres, PlannerError, Problem, RobustnessTarget, VERSION};
-use scene::{RobustnessSpec, Part};
+use scene::{Part, RobustnessSpec};
 use simulation::{Injection, Settings, Solid};
 use store::trajectory::read_tables;
 use store::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, StoredPlan};
@@ -18,7 +18,7 @@ use crate::rounded::{LENGTH, rounded};
 /// Reads the plan of a folder and logs of its executions, and computes what they do not hold.
 ///
 /// # Errors
-/// When the plan is damaged, is of an older format or has no homotopy iterations, or its arm cannot be simulated;
+/// When the plan is damaged, is of an older format or has no homotopy steps, or its arm cannot be simulated;
 /// when a log cannot be compared with it.
 pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     let plan = StoredPlan::open(folder)?;
@@ -54,7 +54,7 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     })
 }
 
-/// Refuses plans of older formats and plans without homotopy iterations.
+/// Refuses plans of older formats and plans without homotopy steps.
 fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
     if plan.result.format != Format::CURRENT {
         let written = &plan.result.versions.assembly_plan;
@@ -64,10 +64,9 @@ fn require_readable(plan: &StoredPlan) -> Result<(), PlannerError> {
     }
     match plan.folder.join(STAGES).is_dir() && !plan.result.stages.is_empty() {
         true => Ok(()),
-        false => Err(PlannerError::file(
-            &plan.folder.join(STAGES),
-            "holds no homotopy iterations; restore it, or solve again",
-        )),
+        false => {
+            Err(PlannerError::file(&plan.folder.join(STAGES), "holds no homotopy steps; restore it, or solve again"))
+        }
     }
 }
 

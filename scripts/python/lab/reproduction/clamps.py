@@ -149,9 +149,9 @@ def render(page: Page) -> str:
     page.text(
         f"""Three clips onto the H-strut, five starts and offsets of 0 to 5 mm each. `clamp1` is the paper's U-shaped
         clamp; `clamp2` (J-shaped, legs of different length) and `clamp3` (tapered legs, astride the web) are our own,
-        with the same clearance: a 5.5 mm gap on a 5 mm wall, 0.2 mm from the wall it stops at. Every homotopy iteration
+        with the same clearance: a 5.5 mm gap on a 5 mm wall, 0.2 mm from the wall it stops at. Every homotopy step
         is a reference trajectory of its own, kept in `stages/`. The paper has {paper.CLAMP_TRAJECTORIES} per clip: six
-        homotopy iterations from tau 0.0005. Ours begin with four times that smoothing and do eight; the last six of
+        homotopy steps from tau 0.0005. Ours begin with four times that smoothing and do eight; the last six of
         these have exactly the paper's smoothing. A plan is good when it converged and every scenario ends within
         {TOLERANCE_MM:g} mm of the goal."""
     )

@@ -28,12 +28,12 @@ def load() -> dict[tuple[str, str, str], list[studies.Cell]]:
 
 
 def is_success(cell: studies.Cell) -> bool:
-    """Whether the last homotopy iteration converged and every scenario reaches the goal."""
+    """Whether the last homotopy step converged and every scenario reaches the goal."""
     return cell.is_done
 
 
 def is_capped(cell: studies.Cell) -> bool:
-    """Whether an earlier homotopy iteration stopped at our limit of iterations, so that the count says little."""
+    """Whether an earlier homotopy step stopped at our limit of iterations, so that the count says little."""
     return any(stage["status"] == "iteration limit reached" for stage in cell.stages)
 
 
@@ -72,7 +72,7 @@ def figure(groups: dict[tuple[str, str, str], list[studies.Cell]], tolerance: st
 
 
 def remark(cell: studies.Cell) -> str:
-    """What kept a plan from converging in every homotopy iteration."""
+    """What kept a plan from converging in every homotopy step."""
     bad = [
         f"stage {number}: {stage['status']}"
         for number, stage in enumerate(cell.stages, 1)
@@ -104,9 +104,9 @@ def render(page: Page) -> str:
     finished = {key: [cell for cell in cells if cell.is_finished] for key, cells in groups.items()}
     page.text(
         """`peg1` from five starts with Scholtes' relaxation and smoothing, three kinds of Hessian and two tolerances of
-        Ipopt. A plan counts as failed when the last homotopy iteration does not converge or a scenario misses the goal.
-        Gauss-Newton and L-BFGS get at most 1000 iterations per homotopy iteration, 5000 altogether, about ten times
-        what the exact Hessian needs. That limit is ours. A homotopy iteration that reaches it is continued by the next
+        Ipopt. A plan counts as failed when the last homotopy step does not converge or a scenario misses the goal.
+        Gauss-Newton and L-BFGS get at most 1000 iterations per homotopy step, 5000 altogether, about ten times
+        what the exact Hessian needs. That limit is ours. A homotopy step that reaches it is continued by the next
         one; such plans are counted apart as capped: they need at least the iterations shown, and say nothing of whether
         the approximation would have converged with more. A failure with `iteration limit reached` in the last homotopy
         iteration is of this kind too. Where a single start was run, best and worst are the same run."""
@@ -115,7 +115,7 @@ def render(page: Page) -> str:
         page.figure(
             tolerance,
             figure(groups, tolerance),
-            f"Iterations of the best (b) and worst (w) start, one colour per homotopy iteration, tol {tolerance}.",
+            f"Iterations of the best (b) and worst (w) start, one colour per homotopy step, tol {tolerance}.",
         )
     page.table(
         [

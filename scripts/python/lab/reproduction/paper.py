@@ -20,5 +20,5 @@ HESSIANS = {
     ("l-bfgs", "1e-6"): "5 of 5 fail",
 }
 
-# Sec. clamp: 5 starts x 6 magnitudes of the offset x 6 homotopy iterations.
+# Sec. clamp: 5 starts x 6 magnitudes of the offset x 6 homotopy steps.
 CLAMP_TRAJECTORIES = 180

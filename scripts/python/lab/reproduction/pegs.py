@@ -20,12 +20,12 @@ def milliseconds(cells: list[studies.Cell], parts: tuple[str, ...]) -> float:
 
 
 def iterations(cells: list[studies.Cell]) -> list[float]:
-    """Mean iterations of every homotopy iteration."""
+    """Mean iterations of every homotopy step."""
     return [mean(counts) for counts in zip(*([stage["iterations"] for stage in cell.stages] for cell in cells))]
 
 
 def figure(by_peg: dict[str, list[studies.Cell]]) -> plt.Figure:
-    """Iterations per homotopy iteration; time per iteration."""
+    """Iterations per homotopy step; time per iteration."""
     drawn, (left, right) = plt.subplots(1, 2, figsize=(9, 3))
     width = 0.8 / len(by_peg)
     for index, (peg, cells) in enumerate(by_peg.items()):
@@ -42,7 +42,7 @@ def figure(by_peg: dict[str, list[studies.Cell]]) -> plt.Figure:
             time = milliseconds(cells, parts)
             right.bar(peg, time, bottom=bottom, color=colour, label=label if index == 0 else None)
             bottom += time
-    left.set(xlabel="homotopy iteration", ylabel="Ipopt iterations (mean)")
+    left.set(xlabel="homotopy step", ylabel="Ipopt iterations (mean)")
     right.set(ylabel="wall ms per iteration (mean)")
     left.legend(frameon=False)
     # Room for the legend.

@@ -37,7 +37,7 @@ class Cell:
 
     @property
     def stages(self) -> list[dict]:
-        """Its homotopy iterations."""
+        """Its homotopy steps."""
         return self.result["stages"]
 
     @property

@@ -1,8 +1,8 @@
-//! Pairs that come near to each other.
+//! Broad phase: pairs that may touch.
 //!
-//! Of parts with many pieces most pairs never touch, but each of them has variables and constraints at every step. A
-//! homotopy iteration with a warm start is solved without the pairs that stay far apart there. Where one of them overlaps
-//! in what it finds, it is added, and the iteration goes on.
+//! Most pairs of parts with many pieces never touch, but each has variables and constraints at every step. A homotopy
+//! step with a warm start culls the pairs that stay far apart there. If a culled pair penetrates in the solution, it is
+//! added and the solve continues.
 
 use nlp::Iterate;
 use task::{AssemblyTask, ContactPair, POSE, Trajectory, pose_of};
@@ -10,51 +10,52 @@ use task::{AssemblyTask, ContactPair, POSE, Trajectory, pose_of};
 use crate::layout::Member;
 use crate::transcription::Transcription;
 
-/// Pairs are near below this fraction of the size of the largest part of the body.
+/// Candidate pairs come closer than this fraction of the size of the largest part of the body.
 const NEAR: f64 = 0.0125;
 
-/// Some of the pairs of a task.
+/// The candidate pairs of a task.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NearPairs {
-    /// Of every pair.
-    is_near: Vec<bool>,
+pub struct CandidatePairs {
+    /// One per pair.
+    is_candidate: Vec<bool>,
 }
 
-impl NearPairs {
-    /// Those whose exact shapes come near at a point `x`. Smoothed distances are longer: with much smoothing, even of
-    /// parts that overlap.
+impl CandidatePairs {
+    /// The pairs whose exact shapes come near at a point `x`. Smoothed distances are longer: with much smoothing, even
+    /// between parts that penetrate.
     pub fn at(x: &[f64], transcription: &Transcription) -> Self {
         let pairs = &transcription.task().pairs;
         let largest = pairs.iter().map(|pair| pair.shapes.body().size()).fold(0.0, f64::max);
         let poses: Vec<[f64; POSE]> = transcription.compliant_states(x).iter().flatten().map(pose_of).collect();
-        let is_near = |pair: &ContactPair| {
+        let is_candidate = |pair: &ContactPair| {
             let is_far = |distance: &f64| *distance >= NEAR * largest;
             !pair.shapes.exact_distances(&poses).iter().all(is_far)
         };
-        Self { is_near: pairs.iter().map(is_near).collect() }
+        Self { is_candidate: pairs.iter().map(is_candidate).collect() }
     }
 
     /// Whether no pair is left out.
     pub fn are_all(&self) -> bool {
-        self.is_near.iter().all(|&is_near| is_near)
+        self.is_candidate.iter().all(|&is_candidate| is_candidate)
     }
 
-    /// With the pairs that were left out and overlap in a motion. `None` when there are none.
+    /// These and the culled pairs that penetrate in a motion. `None` when there are none.
     pub fn with_missing(&self, motion: &Trajectory) -> Option<Self> {
         let contacts = motion.scenarios.iter().flat_map(|scenario| &scenario.contacts);
-        let overlaps = |pair: usize| !contacts.clone().all(|contacts| contacts[pair].distance >= 0.0);
-        let is_near = (0..).zip(&self.is_near).map(|(pair, &is_near)| is_near || overlaps(pair)).collect();
-        let more = Self { is_near };
+        let penetrates = |pair: usize| !contacts.clone().all(|contacts| contacts[pair].distance >= 0.0);
+        let is_candidate =
+            (0..).zip(&self.is_candidate).map(|(pair, &is_candidate)| is_candidate || penetrates(pair)).collect();
+        let more = Self { is_candidate };
         (more != *self).then_some(more)
     }
 
-    /// The task without the others.
+    /// The task without the culled pairs.
     pub fn of_task(&self, task: &AssemblyTask) -> AssemblyTask {
-        let pairs = task.pairs.iter().zip(&self.is_near).filter(|&(_, &is_near)| is_near);
+        let pairs = task.pairs.iter().zip(&self.is_candidate).filter(|&(_, &is_candidate)| is_candidate);
         AssemblyTask { pairs: pairs.map(|(pair, _)| pair.clone()).collect(), ..task.clone() }
     }
 
-    /// A point of the transcription of all pairs as one of the near ones.
+    /// A point of the transcription of all pairs, restricted to the candidates.
     pub fn restrict(&self, point: &Iterate, all: &Transcription) -> Iterate {
         let (variables, rows) = self.indices(all);
         let chosen = |values: &[f64], indices: &[usize]| indices.iter().map(|&index| values[index]).collect();
@@ -66,7 +67,7 @@ impl NearPairs {
         }
     }
 
-    /// A point of the near pairs as one of all: the others exert no force.
+    /// A point of the candidates, extended to all pairs: the others exert no force.
     pub fn extend(&self, point: &Iterate, all: &Transcription) -> Iterate {
         let (variables, rows) = self.indices(all);
         let placed = |values: &[f64], indices: &[usize], count: usize| {
@@ -83,10 +84,10 @@ impl NearPairs {
         }
     }
 
-    /// Indices of the variables and rows that there are without the other pairs. Their order is the same there.
+    /// Indices of the variables and rows that the transcription of the candidates has, in the same order.
     fn indices(&self, all: &Transcription) -> (Vec<usize>, Vec<usize>) {
         let there = |members: Vec<Member>| -> Vec<usize> {
-            let is_there = |member: &Member| member.pair.is_none_or(|pair| self.is_near[pair]);
+            let is_there = |member: &Member| member.pair.is_none_or(|pair| self.is_candidate[pair]);
             (0..).zip(&members).filter(|(_, member)| is_there(member)).map(|(index, _)| index).collect()
         };
         (there(all.layout().variable_members()), there(all.layout().row_members()))

@@ -1,23 +1,23 @@
-//! One homotopy iteration: the problem solved with one smoothing, and what came of it.
+//! One homotopy step: the problem solved with one smoothing, and its solution.
 
 use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
 use task::{HessianKind, HomotopySettings, IpoptValue, LinearSolver, Smoothing, Trajectory};
 
-use crate::crawl::{self, Crawl};
-use crate::near_pairs::NearPairs;
+use crate::candidate_pairs::CandidatePairs;
 use crate::stage_solver::TranscriptionSolver;
+use crate::stagnation::{self, Stagnation};
 use crate::transcription::Transcription;
 
-/// Result of a homotopy iteration.
+/// Result of a homotopy step.
 #[derive(Debug, Clone)]
-pub struct HomotopyIteration {
+pub struct HomotopyStep {
     /// Its smoothing.
     pub smoothing: Smoothing,
     /// Outcome of the solve.
     pub status: SolveStatus,
     /// The last failure to evaluate the problem, if there was one.
     pub message: Option<String>,
-    /// Number of iterations, those of a first try that crawled included.
+    /// Number of iterations, including those of a first attempt that stagnated.
     pub iterations: usize,
     /// Cost (Sec. ocp:cost).
     pub objective: f64,
@@ -35,8 +35,8 @@ pub struct HomotopyIteration {
     pub iterate: Iterate,
 }
 
-impl HomotopyIteration {
-    /// With the effort of a first try, if there was one, of which nothing else is kept.
+impl HomotopyStep {
+    /// Adds the effort of a first attempt, if there was one; nothing else of it is kept.
     fn after(mut self, first: Option<&Self>) -> Self {
         if let Some(first) = first {
             self.iterations += first.iterations;
@@ -46,7 +46,7 @@ impl HomotopyIteration {
     }
 }
 
-/// Wall seconds of a homotopy iteration.
+/// Wall seconds of a homotopy step.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct IterationTiming {
     /// Total.
@@ -77,9 +77,9 @@ impl std::ops::Add for IterationTiming {
 
 /// Solves with one smoothing.
 pub(crate) struct IterationSolver<'run> {
-    /// What does not change from one homotopy iteration to the next.
+    /// Settings of all homotopy steps.
     pub settings: &'run HomotopySettings,
-    /// That of this one.
+    /// Smoothing of this one.
     pub smoothing: Smoothing,
     /// Gets every iteration of Ipopt.
     pub observer: &'run mut dyn FnMut(&Progress) -> Control,
@@ -87,65 +87,66 @@ pub(crate) struct IterationSolver<'run> {
 
 impl IterationSolver<'_> {
     /// From a cold start with all pairs, from a warm one without those that stay far apart.
-    pub fn solve(&mut self, transcription: &mut Transcription, start: &Start) -> Result<HomotopyIteration, SolveError> {
+    pub fn solve(&mut self, transcription: &mut Transcription, start: &Start) -> Result<HomotopyStep, SolveError> {
         match start {
-            Start::Warm(point) => self.solve_near(transcription, point),
+            Start::Warm(point) => self.solve_candidates(transcription, point),
             Start::Cold(_) => self.attempt(transcription, start),
         }
     }
 
-    /// From a warm start, without the pairs that stay far apart. Where one of them overlaps in the result, it goes on with it.
-    fn solve_near(
+    /// Warm-starts with the candidate pairs only. If a culled pair penetrates in the solution, it is added and the
+    /// solve continues.
+    fn solve_candidates(
         &mut self,
         transcription: &mut Transcription,
         point: &Iterate,
-    ) -> Result<HomotopyIteration, SolveError> {
+    ) -> Result<HomotopyStep, SolveError> {
         let (settings, smoothing) = (self.settings, self.smoothing);
-        let mut near = NearPairs::at(&point.x, transcription);
-        let mut before: Option<HomotopyIteration> = None;
+        let mut candidates = CandidatePairs::at(&point.x, transcription);
+        let mut before: Option<HomotopyStep> = None;
         loop {
             let point = before.as_ref().map_or(point, |before| &before.iterate);
-            if near.are_all() {
+            if candidates.are_all() {
                 let last = self.watch(transcription, point)?;
                 return Ok(last.after(before.as_ref()));
             }
-            let task = near.of_task(transcription.task());
+            let task = candidates.of_task(transcription.task());
             let mut of_near = Transcription::new(&task, settings.complementarity, settings.hessian)
                 .with_workers(transcription.workers().clone());
             of_near.set_smoothing(smoothing.tau, smoothing.sigma);
-            let point = near.restrict(point, transcription);
+            let point = candidates.restrict(point, transcription);
             let mut last = self.watch(&mut of_near, &point)?;
-            last.iterate = near.extend(&last.iterate, transcription);
+            last.iterate = candidates.extend(&last.iterate, transcription);
             last.trajectory = transcription.motion(&last.iterate.x, smoothing.tau);
             let last = last.after(before.as_ref());
-            match near.with_missing(&last.trajectory) {
-                Some(more) if last.status != SolveStatus::Interrupted => (near, before) = (more, Some(last)),
+            match candidates.with_missing(&last.trajectory) {
+                Some(more) if last.status != SolveStatus::Interrupted => (candidates, before) = (more, Some(last)),
                 _ => return Ok(last),
             }
         }
     }
 
-    /// From a warm start. Where it crawls, it is tried once more with a larger barrier parameter.
-    fn watch(&mut self, transcription: &mut Transcription, start: &Iterate) -> Result<HomotopyIteration, SolveError> {
+    /// From a warm start. If it stagnates, tries once more with a larger barrier parameter.
+    fn watch(&mut self, transcription: &mut Transcription, start: &Iterate) -> Result<HomotopyStep, SolveError> {
         let Self { settings, smoothing, observer } = self;
         let start = &Start::Warm(start.clone());
-        let mut crawl = Crawl::default();
+        let mut stagnation = Stagnation::default();
         let mut watch = |progress: &Progress| {
-            crawl.see(progress);
-            if crawl.is_found() { Control::Stop } else { observer(progress) }
+            stagnation.see(progress);
+            if stagnation.is_found() { Control::Stop } else { observer(progress) }
         };
         let mut watched = IterationSolver { settings, smoothing: *smoothing, observer: &mut watch };
         let first = watched.attempt(transcription, start)?;
-        if !crawl.is_found() {
+        if !stagnation.is_found() {
             return Ok(first);
         }
-        let wider = Smoothing { mu_init: smoothing.mu_init * crawl::WIDER, ..*smoothing };
+        let wider = Smoothing { mu_init: smoothing.mu_init * stagnation::WIDER, ..*smoothing };
         let mut again = IterationSolver { settings, smoothing: wider, observer: &mut **observer };
         Ok(again.attempt(transcription, start)?.after(Some(&first)))
     }
 
-    /// From a start, as it is.
-    fn attempt(&mut self, transcription: &mut Transcription, start: &Start) -> Result<HomotopyIteration, SolveError> {
+    /// From a start, unchanged.
+    fn attempt(&mut self, transcription: &mut Transcription, start: &Start) -> Result<HomotopyStep, SolveError> {
         let options = options(self.settings, self.smoothing);
         transcription.distances().reset_seconds();
         let mut stage_solver = TranscriptionSolver::new(transcription.layout(), transcription.workers().clone());
@@ -163,7 +164,7 @@ impl IterationSolver<'_> {
             linear_solver: solution.timing.linear_solver,
             rest: solution.timing.total - solution.timing.evaluation - solution.timing.linear_solver,
         };
-        Ok(HomotopyIteration {
+        Ok(HomotopyStep {
             smoothing: self.smoothing,
             status: solution.status,
             message: solution.evaluation_error.map(|error| error.to_string()),
@@ -179,8 +180,8 @@ impl IterationSolver<'_> {
     }
 }
 
-/// Options that keep a warm start in place. Ipopt's defaults move it so far from its bounds that the next homotopy
-/// iteration may converge to a worse optimum.
+/// Options that keep a warm start in place. Ipopt's defaults move it so far from its bounds that the next homotopy step
+/// may converge to a worse optimum.
 const WARM_START_PUSHES: [&str; 5] = [
     "warm_start_bound_push",
     "warm_start_bound_frac",

@@ -1,25 +1,25 @@
-//! Warm starts that crawl.
+//! Warm starts that stagnate.
 //!
-//! A warm start lies so close to its bounds that they may cut every step short, for hundreds of iterations. With a larger
-//! barrier parameter, the same start is free to leave them.
+//! A warm start may lie so close to its bounds that they cut every step short, for hundreds of iterations. With a
+//! larger barrier parameter, the same start is free to leave them.
 
 use nlp::Progress;
 
-/// As many short steps in a row are a crawl.
+/// Consecutive short steps that count as stagnation.
 const STEPS: usize = 40;
 /// Primal steps are short below this fraction of the full one.
 const SHORT: f64 = 0.1;
-/// Multiplies the barrier parameter after a crawl.
+/// Factor of the barrier parameter after stagnation.
 pub const WIDER: f64 = 30.0;
 
 /// Watches the steps of one solve.
 #[derive(Debug, Default)]
-pub struct Crawl {
+pub struct Stagnation {
     short_steps: usize,
 }
 
-impl Crawl {
-    /// Takes notice of an iteration.
+impl Stagnation {
+    /// Records an iteration.
     pub fn see(&mut self, progress: &Progress) {
         if self.is_found() {
             return;
@@ -28,7 +28,7 @@ impl Crawl {
         self.short_steps = if is_short { self.short_steps + 1 } else { 0 };
     }
 
-    /// Whether the solve has crawled.
+    /// Whether the solve stagnates.
     pub fn is_found(&self) -> bool {
         self.short_steps >= STEPS
     }
@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_short_steps_in_a_row_are_a_crawl() {
+    fn only_short_steps_in_a_row_are_stagnation() {
         let step = |iteration: usize, alpha_primal: f64| Progress {
             iteration,
             objective: 1.0,
@@ -54,10 +54,10 @@ mod tests {
             restoration: false,
         };
         let sees = |longer: Option<usize>| {
-            let mut crawl = Crawl::default();
+            let mut stagnation = Stagnation::default();
             // Ipopt reports no step before the first.
-            (0..=STEPS).for_each(|index| crawl.see(&step(index, if Some(index) == longer { 1.0 } else { 1e-3 })));
-            crawl.is_found()
+            (0..=STEPS).for_each(|index| stagnation.see(&step(index, if Some(index) == longer { 1.0 } else { 1e-3 })));
+            stagnation.is_found()
         };
         assert!(sees(None) && !sees(Some(STEPS / 2)) && !sees(Some(STEPS)) && sees(Some(0)));
     }

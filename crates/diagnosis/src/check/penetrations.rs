@@ -1,4 +1,4 @@
-//! Where the body overlaps the environment before it moves.
+//! Where the body penetrates the environment before it moves.
 
 use plan::Problem;
 use serde::Serialize;
@@ -6,12 +6,12 @@ use task::{AssemblyTask, GraspError};
 
 use crate::check::refusal::largest_fit;
 
-/// Overlap (m) that rounding of poses and meshes explains.
+/// Penetration (m) that rounding of poses and meshes explains.
 const ROUNDING: f64 = 1e-4;
 
-/// A pair that overlaps at a pose of the scene.
+/// A pair that penetrates at a pose of the scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PoseOverlap {
+pub struct PosePenetration {
     /// `goal`, or `start` with the number of an offset, from 1.
     pub pose: String,
     /// Body and environment part.
@@ -45,15 +45,15 @@ pub fn start_inside(problem: &Problem) -> Option<String> {
     ))
 }
 
-/// The pair that overlaps most at a pose, and how deep (m); negative where nothing overlaps.
+/// The pair that penetrates most at a pose, and how deep (m); negative where nothing penetrates.
 pub fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
     let depths = task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
     depths.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(pair, depth)| (pair.to_string(), depth))
 }
 
-/// Pairs that overlap at the goal and where the body really is at the start: with every offset, and also turned in the
+/// Pairs that penetrate at the goal and where the body really is at the start: with every offset, and also rotated in the
 /// gripper (rad) about each axis of the body, both ways.
-pub fn overlaps(task: &AssemblyTask, rotation_error: f64) -> Vec<PoseOverlap> {
+pub fn penetrations(task: &AssemblyTask, rotation_error: f64) -> Vec<PosePenetration> {
     let mut poses = vec![("goal".to_owned(), task.goal)];
     for (number, grasp) in (1..).zip(&task.grasps) {
         let name = format!("start with offset {number}");
@@ -66,23 +66,24 @@ pub fn overlaps(task: &AssemblyTask, rotation_error: f64) -> Vec<PoseOverlap> {
             }
         }
     }
-    let mut overlaps = Vec::new();
+    let mut penetrations = Vec::new();
     for (pose, at) in poses {
         for pair in &task.pairs {
             let distance_m = pair.shapes.exact_distance(&at);
             if distance_m < 0.0 {
-                overlaps.push(PoseOverlap { pose: pose.clone(), pair: pair.to_string(), distance_m });
+                penetrations.push(PosePenetration { pose: pose.clone(), pair: pair.to_string(), distance_m });
             }
         }
     }
-    overlaps
+    penetrations
 }
 
-/// The deepest overlap at the goal and the deepest at the start, and what to do about them.
+/// The deepest penetration at the goal and the deepest at the start, and what to do about them.
 pub fn warnings(problem: &Problem) -> Vec<String> {
-    let overlaps = overlaps(problem.task(), problem.scene().robustness.rotation_error);
-    let (at_goal, at_start): (Vec<_>, Vec<_>) = overlaps.into_iter().partition(|overlap| overlap.pose == "goal");
-    let goal = if largest_overlap(&at_goal) > largest_fit(problem) {
+    let penetrations = penetrations(problem.task(), problem.scene().robustness.rotation_error);
+    let (at_goal, at_start): (Vec<_>, Vec<_>) =
+        penetrations.into_iter().partition(|penetration| penetration.pose == "goal");
+    let goal = if largest_penetration(&at_goal) > largest_fit(problem) {
         "it cannot be reached: move [goal] out of the environment, or export both files in the assembled pose"
     } else {
         "where CAD is size on size, state the fit by `clearance` of a mesh"
@@ -93,12 +94,12 @@ pub fn warnings(problem: &Problem) -> Vec<String> {
     warning(&at_goal, goal).into_iter().chain(at_start).collect()
 }
 
-fn largest_overlap(overlaps: &[PoseOverlap]) -> f64 {
-    overlaps.iter().map(|overlap| -overlap.distance_m).fold(0.0, f64::max)
+fn largest_penetration(penetrations: &[PosePenetration]) -> f64 {
+    penetrations.iter().map(|penetration| -penetration.distance_m).fold(0.0, f64::max)
 }
 
-fn warning(overlaps: &[PoseOverlap], cure: &str) -> Option<String> {
-    let worst = overlaps.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m))?;
-    let PoseOverlap { pose, pair, distance_m } = worst;
-    Some(format!("at the {pose} {pair} overlap by {:.3} mm, more than any other pair; {cure}", -1e3 * distance_m))
+fn warning(penetrations: &[PosePenetration], cure: &str) -> Option<String> {
+    let worst = penetrations.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m))?;
+    let PosePenetration { pose, pair, distance_m } = worst;
+    Some(format!("at the {pose} {pair} penetrate by {:.3} mm, more than any other pair; {cure}", -1e3 * distance_m))
 }

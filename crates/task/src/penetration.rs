@@ -1,17 +1,17 @@
-//! Whether the contacts of a motion are as hard as real ones.
+//! How hard the contacts of a motion are, compared with real ones.
 
 use crate::quality::Peak;
 use crate::task::AssemblyTask;
 use crate::trajectory::Trajectory;
 
-/// Overlap that counts as hard contact, as a fraction of the clearance at the goal.
+/// Penetration that counts as hard contact, as a fraction of the clearance at the goal.
 const HARD: f64 = 0.1;
-/// Factor between the overlaps of two homotopy iterations above which less smoothing does not help.
+/// Factor between the penetrations of two homotopy steps above which less smoothing does not help.
 const STALLED: f64 = 0.9;
 
-/// How deep the exact shapes overlap in a motion, and what that means.
+/// How deep the exact shapes penetrate in a motion, and the cause.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Overlap {
+pub enum Penetration {
     /// By less than a tenth of the clearance at the goal.
     Hard,
     /// By more: less smoothing reduces it.
@@ -25,10 +25,11 @@ pub enum Overlap {
     NoClearance,
 }
 
-impl Overlap {
-    /// Of a motion planned with distances smoothed by `tau`. `before` is that of the homotopy iteration before it.
+impl Penetration {
+    /// The penetration in a motion planned with distances smoothed by `tau`. `before` is that of the previous homotopy
+    /// step.
     pub fn of(task: &AssemblyTask, motion: &Trajectory, tau: f64, before: Option<&Trajectory>) -> Self {
-        let Some((_, peak)) = motion.deepest_overlap() else { return Self::Hard };
+        let Some((_, peak)) = motion.deepest_penetration() else { return Self::Hard };
         let clearance = task.clearance(&task.goal);
         if clearance <= 0.0 {
             return Self::NoClearance;
@@ -47,22 +48,22 @@ impl Overlap {
         }
     }
 
-    /// Factor by which an overlap (m) is deeper than hard contact allows.
-    pub fn excess(task: &AssemblyTask, overlap: f64) -> f64 {
-        overlap / (HARD * task.clearance(&task.goal))
+    /// Factor by which a penetration (m) is deeper than hard contact allows.
+    pub fn excess(task: &AssemblyTask, penetration: f64) -> f64 {
+        penetration / (HARD * task.clearance(&task.goal))
     }
 }
 
 impl Trajectory {
-    /// The deepest overlap of exact shapes with the index of its scenario, if any overlap.
-    pub fn deepest_overlap(&self) -> Option<(usize, Peak)> {
+    /// The deepest penetration of exact shapes with the index of its scenario, `None` where there is none.
+    pub fn deepest_penetration(&self) -> Option<(usize, Peak)> {
         let peaks = self.scenarios.iter().enumerate();
         let peaks = peaks.filter_map(|(index, scenario)| Some((index, scenario.quality.penetration?)));
         peaks.max_by(|(_, one), (_, other)| one.value.total_cmp(&other.value))
     }
 
-    /// Deepest overlap of the exact shapes in any scenario (m), 0 when there is none.
+    /// Deepest penetration of the exact shapes in any scenario (m), 0 when there is none.
     pub fn max_penetration(&self) -> f64 {
-        self.deepest_overlap().map_or(0.0, |(_, peak)| peak.value)
+        self.deepest_penetration().map_or(0.0, |(_, peak)| peak.value)
     }
 }
