@@ -1,4 +1,4 @@
-//! `calibrate`: fit what a scene says of its robot to logs of executed plans.
+//! `calibrate`: fits the robot of a scene to logs of executed plans.
 
 use calibration::{CalibrationRecord, Entries, Log, ParameterRecord, RunRecord, calibrate};
 use planner::{Choices, Problem};
@@ -9,7 +9,7 @@ use crate::console::{print_json, say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::values::threads;
 
-/// Fits, prints what is known, and writes what the scene should say.
+/// Fits, prints the estimates, and writes the new entries of the scene.
 pub fn run(arguments: &CalibrateArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.scene, &Choices::default())?;
     let logs: Vec<Log> =
@@ -48,7 +48,7 @@ pub fn run(arguments: &CalibrateArguments) -> Result<Exit, CommandError> {
 
 fn print(record: &CalibrationRecord) {
     say!("{}: distance between robot and rollout, as root mean squares", record.scene);
-    say!("{:<28} {:<9} {:>8} {:>12} {:>12} {:>12}", "log", "", "time", "lag", "before", "after");
+    say!("{:<28} {:<9} {:>8} {:>12} {:>12} {:>12}", "log", "", "time", "tracking", "before", "after");
     record.logs.iter().for_each(print_log);
     say!("\n{:<26} {:>12} {:>12} {:>11} {:<7} remark", "parameter", "before", "fitted", "error", "");
     record.parameters.iter().for_each(print_parameter);
@@ -61,7 +61,7 @@ fn print_log(log: &RunRecord) {
         log.log,
         if log.has_contact { "contact" } else { "free air" },
         log.duration_s,
-        millimetres(log.lag_m),
+        millimetres(log.tracking_error_m),
         log.before_m.map_or("diverges".to_owned(), millimetres),
         millimetres(log.after_m)
     );

@@ -1,4 +1,4 @@
-//! `check`: what a scene says, and what is wrong with it, without solving it.
+//! `check`: explains a scene and finds mistakes, without solving it.
 
 use planner::check::{Explanation, MeshReport, PairReport, PosePenetration, RoundSurface, Way, explain, pair_reports};
 use planner::{Problem, axis_name, warnings};
@@ -16,7 +16,7 @@ const FEW: usize = 6;
 /// Starts, round surfaces and shapes that are listed.
 const LISTED: usize = 6;
 
-/// Checks a scene and prints what it says.
+/// Checks a scene and prints the explanation.
 pub fn run(arguments: &CheckArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.task.choices())?;
     let tau = arguments.tau.unwrap_or(problem.homotopy().tau);
@@ -214,7 +214,7 @@ fn print_penetrations(penetrations: &[PosePenetration]) {
 }
 
 fn left_out(explanation: &Explanation) -> String {
-    match explanation.far_pairs.len() {
+    match explanation.culled_pairs.len() {
         0 => String::new(),
         count => format!("; {count} never come near each other and are left out (--json lists them)"),
     }

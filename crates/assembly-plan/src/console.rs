@@ -1,7 +1,8 @@
-//! What the user is told. Text of files may be part of it, so whatever a terminal would obey is shown by its number.
+//! Output for the user. It may contain text of files, so characters that a terminal would obey are shown by their
+//! number.
 //!
-//! Whoever stops reading must not stop the program: lines that cannot be written are dropped, and what is lost otherwise
-//! than by a reader that has gone is remembered for the exit code.
+//! A reader that stops must not stop the program: lines that cannot be written are dropped, and losses for other
+//! reasons are remembered for the exit code.
 
 use std::fmt;
 use std::io::{Error, ErrorKind, Write, stderr, stdout};
@@ -12,7 +13,7 @@ use input::{is_control, shown};
 use planner::PlannerError;
 use serde::Serialize;
 
-/// The bar that stands on the terminal, if there is one.
+/// The bar at the bottom of the terminal, if there is one.
 static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 /// Why the first of the results that are lost could not be written.
 static LOST: OnceLock<String> = OnceLock::new();

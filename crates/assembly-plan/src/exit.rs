@@ -6,9 +6,9 @@ use planner::{Fault, PlannerError};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Exit {
-    /// What was asked for is done, and everything is written.
+    /// The request is done, and everything is written.
     Done = 0,
-    /// The plan did not converge, does not reach the goal, or is not as robust as wanted.
+    /// The plan did not converge, does not reach the goal, or is less robust than requested.
     NoPlan = 1,
     /// The input or the arguments are wrong.
     WrongInput = 2,

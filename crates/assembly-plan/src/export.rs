@@ -6,7 +6,7 @@ use crate::arguments::ExportArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 
-/// Writes the folder of an export and says what is in it.
+/// Writes the folder of an export and lists its content.
 pub fn run(arguments: &ExportArguments) -> Result<Exit, CommandError> {
     let written = export::write(&Request {
         plan: &arguments.folder,

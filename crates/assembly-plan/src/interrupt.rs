@@ -1,4 +1,4 @@
-//! What Ctrl-C, requests to terminate and the end of a parent process do.
+//! Reactions to Ctrl-C, requests to terminate and the end of a parent process.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use crate::console::remove_bar;
 use crate::exit::{CommandError, Exit};
 
-/// Set by the first interrupt, once a command has asked for it.
+/// Set by the first interrupt, once a command has requested it.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// Ctrl-C, a request to terminate and a lost terminal end the program at once with its own exit code, until a command asks for
@@ -46,11 +46,11 @@ pub fn stop_with_parent(stopped: Arc<AtomicBool>) {
 /// have ended the program without a word.
 fn outlive_large_files() {
     #[cfg(unix)]
-    // Who cannot be told of the signal is ended by it, as every other program.
+    // A command that does not watch the flag is ended by the signal, as any other program.
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
-/// Memory or stack that runs out ends the program with the exit code of a system that fails; what ran out is said by then.
+/// Exhausted memory or stack ends the program with the exit code of a system failure, after a message.
 fn name_aborts() {
     #[cfg(unix)]
     // Without it, the program ends by the signal.

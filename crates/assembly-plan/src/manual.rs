@@ -79,7 +79,7 @@ fn synopsis(command: &Command) -> String {
     all.collect::<Vec<_>>().join(" ")
 }
 
-/// What a page ends with.
+/// The last sections of a page.
 fn closing_sections(closing: &Closing, name: &str) -> Roff {
     let mut page = Roff::new();
     page.control("SH", ["EXIT STATUS"]);

@@ -8,13 +8,13 @@ use std::sync::OnceLock;
 #[derive(Debug, Clone)]
 pub struct Program(Vec<OsString>);
 
-/// What has started the command line of this process.
+/// Command that has started the command line of this process.
 static PROGRAM: OnceLock<Program> = OnceLock::new();
 
 impl Program {
     /// The executable file of this process.
     pub fn itself() -> Self {
-        // Where the system does not tell it, the shell's search finds it.
+        // Where the system does not provide it, the shell's search finds it.
         Self(vec![std::env::current_exe().map_or_else(|_| "assembly-plan".into(), Into::into)])
     }
 

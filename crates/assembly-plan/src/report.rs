@@ -20,10 +20,9 @@ pub fn run(arguments: &ReportArguments) -> Result<Exit, CommandError> {
     Ok(Exit::Done)
 }
 
-/// Writes the page of a folder into it and says where it is.
+/// Writes the page of a folder into it and prints its name.
 ///
-/// # Errors
-/// When the folder cannot be read or the page cannot be written.
+/// # Errors When the folder cannot be read or the page cannot be written.
 pub fn write_into(folder: &Path) -> Result<(), PlannerError> {
     tell_pages(&report::write(folder, &[], None, None)?);
     Ok(())
@@ -37,7 +36,7 @@ pub fn require_writable(folder: &Path) -> Result<(), PlannerError> {
     report::require_writable(&page_of(folder))
 }
 
-/// Where the page of a folder goes.
+/// Name of the page of a folder.
 pub fn page_of(folder: &Path) -> PathBuf {
     folder.join(report::PAGE)
 }

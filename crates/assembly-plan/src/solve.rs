@@ -16,7 +16,7 @@ use crate::report;
 use crate::summary::summary;
 use crate::values::threads;
 
-/// Plans, writes all files and says what happened. The clock has begun with the program.
+/// Plans, writes all files and prints a summary. The clock started with the program.
 pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandError> {
     let clock = clock.limited(arguments.time_limit());
     let (scene, choices) = (arguments.task.scene.clone(), arguments.choices());
@@ -57,7 +57,7 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
         tell_interrupted(arguments, &plan);
         return Ok(Exit::Interrupted);
     }
-    // Whatever comes of the test, the plan is written.
+    // The plan is written whatever the result of the test.
     match planner::test(&plan, &target, &session) {
         Ok(tested) => plan.tested = tested,
         Err(error) => tell!("warning: the plan could not be tested: {error}"),

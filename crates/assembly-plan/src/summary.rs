@@ -1,4 +1,4 @@
-//! What came of a plan, in a few lines.
+//! The summary of a plan, in a few lines.
 
 use planner::files::{LimitsRecord, MotionRecord, PlanResult};
 use planner::{
@@ -6,7 +6,7 @@ use planner::{
     max_force, rate,
 };
 
-/// What came of a plan, in a few lines.
+/// The summary of a plan, in a few lines.
 pub fn summary(result: &PlanResult) -> String {
     let mut lines = vec![format!(
         "{}: {}; objective {:.4}, {} iterations, {:.1} s, linear solver {}{}",
@@ -65,7 +65,7 @@ pub fn summary(result: &PlanResult) -> String {
     lines.join("\n")
 }
 
-/// How a plan moves and how hard it presses.
+/// Duration, largest rotation and forces of a plan.
 fn motion(motion: &MotionRecord) -> String {
     format!(
         "  moves for {:.2} s, presses with at most {:.1} N (mean over 10 ms), rotates by up to {:.1} degrees away from the \
@@ -78,7 +78,7 @@ fn motion(motion: &MotionRecord) -> String {
     )
 }
 
-/// How much of every limit a plan uses; nothing where there are no limits.
+/// Used fraction of every limit of a plan; `None` without limits.
 fn limits(limits: &LimitsRecord, reached: &LimitsRecord) -> Option<String> {
     let both = limits.named().into_iter().zip(reached.named());
     let used: Vec<String> = both
@@ -108,7 +108,7 @@ fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
     lines
 }
 
-/// How a plan does that nothing has refined.
+/// Success of an unrefined plan in rollouts.
 fn tested(report: &TestReport) -> Vec<String> {
     let mut lines =
         vec![format!("played in {} rollouts with hard contact, {:.1} s:", report.rates.rollouts(), report.wall_s)];
@@ -151,7 +151,7 @@ fn group(group: &SuccessRate) -> String {
     format!("{offsets} {} of {}", group.successes, group.rollouts)
 }
 
-/// Where the kept reference comes from, in words.
+/// Origin of the kept reference, in words.
 fn changes(report: &RobustnessReport, planned: usize) -> String {
     let reference = match (report.kept_changes, report.kept_stage) {
         (0, 0) => "the straight push, unchanged".to_owned(),

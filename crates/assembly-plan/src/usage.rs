@@ -1,4 +1,4 @@
-//! Reading the command line, and what is said about mistakes in it.
+//! Parses the command line, and advises on mistakes.
 
 use std::ffi::OsString;
 use std::io::{Write, stdout};
@@ -32,8 +32,8 @@ const MEANT: &[(&str, &[&str])] = &[
     ("success-rate", &["target-rate"]),
 ];
 
-/// The arguments, of which the first is the program's name. Ends the process after help, a version or a mistake, with the
-/// exit code 2 after a mistake, and 3 where nobody gets what was asked for.
+/// The arguments, of which the first is the program's name. Ends the process after help, a version or a mistake, with
+/// the exit code 2 after a mistake, and 3 where the output cannot be written.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Arguments {
     let mut command = command_line();
     let words = present(arguments.into_iter().collect());
@@ -80,7 +80,7 @@ fn advised(mut error: Error, command: &Command) -> Error {
         return error;
     }
     if let Some(flag) = argument.strip_prefix("--") {
-        // That a value may begin with hyphens helps nobody here.
+        // Advice that a value may begin with hyphens is of no use here.
         error.remove(ContextKind::Suggested);
         if let Some(meant) = meant(flag, command) {
             error.insert(ContextKind::SuggestedArg, ContextValue::String(format!("--{meant}")));

@@ -131,7 +131,8 @@ fn number(text: &str, is_right: impl Fn(f64) -> bool, rule: &str) -> Result<f64,
     }
 }
 
-/// Number of threads: one per processor, or as many as wanted, up to some per processor. More would only wait for each other.
+/// Number of threads: one per processor, or as requested, up to a number per processor. More would only wait for each
+/// other.
 pub fn threads(jobs: Option<u16>) -> usize {
     const MOST_PER_PROCESSOR: usize = 4;
     let processors = std::thread::available_parallelism().map_or(1, Into::into);

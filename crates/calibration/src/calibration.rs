@@ -1,4 +1,4 @@
-//! The search: fit, see what the logs tell, hold the rest, and fit again.
+//! The search: fit, hold what the logs do not determine, and fit again.
 
 use faer::Mat;
 use plan::{PlannerError, Problem};
@@ -12,29 +12,29 @@ use crate::parameter::{Parameter, Quantity};
 use crate::run::Run;
 use crate::statistics::{Information, correlation, standard_error};
 
-/// What is known of a parameter.
+/// The estimate of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
-    /// Which, and where the search began.
+    /// The parameter with its initial value.
     pub quantity: Quantity,
-    /// Its value: the fitted one, or that of the scene where the logs do not tell it.
+    /// Its value: the fitted one, or that of the scene where the logs do not determine it.
     pub value: f64,
-    /// Its standard error; `None` where the logs do not tell it.
+    /// Its standard error; `None` where the logs do not determine it.
     pub standard_error: Option<f64>,
     /// The parameter whose effect is most like its own, with the correlation of both.
     pub partner: Option<(Parameter, f64)>,
 }
 
 impl Estimate {
-    /// For a factor of the gains: whether the robot has clearly others than those which were set, so that these are to be
-    /// corrected.
+    /// For a factor of the gains: whether the robot's gains differ significantly from those that were set, so that they
+    /// should be corrected.
     pub fn is_off(&self) -> bool {
         let least = |error: f64| self.quantity.resolution.max(2.0 * error);
         self.standard_error.is_some_and(|error| (self.value - 1.0).abs() > least(error))
     }
 }
 
-/// How far rollouts are from a run, as root mean squares.
+/// Distance of rollouts from a run, as root mean squares.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Misfit {
     /// Distance (m).
@@ -43,14 +43,14 @@ pub struct Misfit {
     pub angle: f64,
 }
 
-/// What a run says.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunResult {
     /// Name of its log.
     pub name: String,
     /// Whether the parts could touch.
     pub has_contact: bool,
-    /// Why only a part of it is used, if that is so.
+    /// Reason if only a part of it is used.
     pub end: Option<String>,
     /// Length (s).
     pub duration: f64,
@@ -58,33 +58,33 @@ pub struct RunResult {
     pub before: Option<Misfit>,
     /// Rollouts with the fitted parameters.
     pub after: Misfit,
-    /// How far the robot was from its reference.
-    pub lag: Misfit,
+    /// Tracking error of the robot.
+    pub tracking_error: Misfit,
 }
 
-/// Covariance of the parameters that are known, in units of the SI.
+/// Covariance of the identified parameters, in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Covariance {
-    /// What rows and columns are of.
+    /// Parameters of rows and columns.
     pub parameters: Vec<Parameter>,
     /// The rows.
     pub rows: Vec<Vec<f64>>,
 }
 
-/// What logs tell of a scene.
+/// The result of a calibration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
     /// All parameters.
     pub estimates: Vec<Estimate>,
-    /// Of those that are known.
+    /// Covariance of the identified parameters.
     pub covariance: Covariance,
     /// All runs.
     pub runs: Vec<RunResult>,
-    /// Whether the search ended by itself.
+    /// Whether the search converged.
     pub converged: bool,
 }
 
-/// A fit that begins.
+/// The start of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
     /// Number of parameters.
@@ -93,21 +93,20 @@ pub struct Progress {
     pub logs: usize,
 }
 
-/// What a comparison has come to.
+/// The outcome of a comparison.
 struct Outcome {
     values: Vec<f64>,
-    /// Indices of the parameters that are known, and their covariance.
+    /// Indices of the identified parameters, and their covariance.
     known: Vec<usize>,
     covariance: Mat<f64>,
     partners: Vec<Option<(Parameter, f64)>>,
     converged: bool,
 }
 
-/// Fits what a scene says of its robot to logs. With `per_joint`, joints have rotor inertias and frictions of their own.
-/// `observe` is told what is fitted.
+/// Fits the robot of a scene to logs. With `per_joint`, every joint has its own rotor inertia and friction. `observe`
+/// gets every fit before it starts.
 ///
-/// # Errors
-/// When a log does not fit the scene, or no rollout can be made.
+/// # Errors When a log does not fit the scene, or no rollout can be made.
 pub fn calibrate(
     problem: &Problem,
     logs: &[Log],
@@ -123,7 +122,7 @@ pub fn calibrate(
     let (in_air, touching): (Vec<usize>, Vec<usize>) = (0..runs.len()).partition(|&run| !runs[run].has_contact());
     let mut outcome = Outcome::nothing(&before);
     if !in_air.is_empty() {
-        // Contacts depend on everything: what free motion tells is found first.
+        // Contacts depend on all parameters: free motions are fitted first.
         comparison.compared = in_air;
         let is_free = |quantity: &Quantity| !quantity.parameter.is_of_contact();
         let begin = comparison.fitted_from_some_delays(&before, is_free);
@@ -141,7 +140,7 @@ pub fn calibrate(
         duration: run.samples.last().map_or(0.0, |(time, _)| *time),
         before,
         after: comparison.misfit(index, &outcome.values).unwrap_or(Misfit { distance: f64::NAN, angle: f64::NAN }),
-        lag: Misfit::of(&run.lags),
+        tracking_error: Misfit::of(&run.tracking_errors),
     });
     let results = results.collect();
     Ok(Calibration {
@@ -185,7 +184,7 @@ fn others(columns: &[usize], count: usize) -> Vec<usize> {
 }
 
 impl Comparison<'_> {
-    /// Fits the parameters that are free until the runs tell each of them that still is.
+    /// Fits the free parameters until the runs determine all that remain free.
     fn search(
         &mut self,
         begin: &[f64],
@@ -219,10 +218,10 @@ impl Comparison<'_> {
         }
     }
 
-    /// A covariance in units of the SI. A motion tells forces in units of the one that is taken to be known, so that what is in its
-    /// proportion is in doubt with it.
+    /// A covariance in SI units. A motion determines forces relative to the one that is assumed known, so all
+    /// proportional parameters share its uncertainty.
     fn in_units(&self, covariance: &Mat<f64>, fitted: &[usize], values: &[f64]) -> Mat<f64> {
-        /// Relative error of the masses of links, or of the stiffness of a robot without an arm.
+        /// Relative uncertainty of the masses of links, or of the stiffness of a robot without an arm.
         const DOUBT: f64 = 0.02;
         let scale = |place: usize| self.scale(fitted[place]);
         let doubt = |place: usize| {
@@ -234,7 +233,7 @@ impl Comparison<'_> {
         })
     }
 
-    /// A fit, and another one in which deviations are weighted with the noise that the first has left.
+    /// A fit, and another one in which deviations are weighted with the noise after the first.
     fn fit_with_noise(&mut self, begin: &[f64], free: &[usize]) -> Result<Fit, PlannerError> {
         let first = fit(self, begin, free).ok_or_else(|| self.refusal(begin))?;
         self.noise = self.noise_of(&first.residuals);
@@ -251,10 +250,10 @@ impl Comparison<'_> {
         )
     }
 
-    /// Standard deviations of a component of positions (m) and orientations (rad) after residuals in units of the noise
-    /// so far.
+    /// Standard deviations of a component of positions (m) and orientations (rad), from residuals in units of the
+    /// present noise.
     fn noise_of(&self, residuals: &[f64]) -> [f64; 2] {
-        /// Smaller noise (m, rad) is that of numbers and not of robots.
+        /// Smaller noise (m, rad) is numerical.
         const LEAST: [f64; 2] = [1e-7, 1e-6];
         std::array::from_fn(|kind| {
             let of_kind = residuals.chunks(3).skip(kind).step_by(2).flatten().copied();
@@ -264,8 +263,8 @@ impl Comparison<'_> {
         })
     }
 
-    /// Those of the free columns that the runs tell. As long as one is not, the one of which they tell least goes: the others
-    /// may be known without it.
+    /// The free columns that the runs determine. While one is not determined, the least determined one is removed: the
+    /// others may be determined without it.
     fn known(&self, information: &Information, all: &[usize], free: &[usize]) -> Vec<usize> {
         let mut columns = free.to_vec();
         loop {
@@ -295,8 +294,8 @@ impl Comparison<'_> {
         self.compared.iter().map(|&run| self.runs[run].samples.len()).collect()
     }
 
-    /// Where the best of some fits ends that begin with several delays, and then beside the best of these: there is more than one
-    /// delay nearby at which the sum of squares is least.
+    /// The best of some fits that start with several delays, and then with delays beside the best: the sum of squares
+    /// may have several minima over the delay.
     fn fitted_from_some_delays(&self, begin: &[f64], is_free: impl Fn(&Quantity) -> bool) -> Vec<f64> {
         const DELAYS: [f64; 3] = [0.0, 0.003, 0.006];
         const BESIDE: f64 = 5e-4;
@@ -321,8 +320,8 @@ impl Comparison<'_> {
         self.quantities.iter().position(|quantity| quantity.parameter == parameter)
     }
 
-    /// With the contact friction of some that explains the runs best: a motion that jams where the robot's did not tells no
-    /// derivative.
+    /// With the candidate for contact friction that explains the runs best: a motion that jams where the robot's did
+    /// not has no useful derivative.
     fn with_best_friction(&self, mut values: Vec<f64>) -> Vec<f64> {
         const FRICTIONS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.5, 0.8];
         let Some(place) = self.place(Parameter::Friction) else { return values };
@@ -344,7 +343,7 @@ impl Comparison<'_> {
 }
 
 impl Misfit {
-    /// Of deviations (m, rad).
+    /// From deviations (m, rad).
     fn of(deviations: &[[f64; COMPONENTS]]) -> Self {
         let mean = |first: usize| {
             let squares = deviations.iter().map(|deviation| sum_of_squares(&deviation[first..first + 3]));

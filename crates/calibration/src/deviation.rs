@@ -1,4 +1,4 @@
-//! How far poses are from each other.
+//! Distances between poses.
 
 use nalgebra::Isometry3;
 

@@ -1,4 +1,4 @@
-//! What a scene should say after a calibration.
+//! Entries of a scene after a calibration.
 
 use std::path::Path;
 
@@ -28,15 +28,15 @@ pub struct Entry {
 #[derive(Debug, Clone)]
 pub struct Entries(Vec<Entry>);
 
-/// So many standard errors are to be tolerated.
-const BORNE: f64 = 2.0;
+/// Number of standard errors to be tolerated.
+const TOLERATED: f64 = 2.0;
 /// Largest relative error that a scene can have.
 const LARGEST_ERROR: f64 = 0.9;
-/// Contact friction is never known better than this: it is another one at the next place.
+/// Smallest uncertainty of contact friction: it varies from place to place.
 const FRICTION_SPREAD: f64 = 0.02;
 
 impl Entries {
-    /// Of what is known after a calibration.
+    /// Entries for the parameters that were identified.
     pub fn new(calibration: &Calibration, problem: &Problem) -> Self {
         let known = Known(calibration.estimates.iter().filter(|estimate| estimate.standard_error.is_some()).collect());
         let mut entries = Self(Vec::new());
@@ -45,16 +45,16 @@ impl Entries {
             None => entries.add_body(&known, problem),
         }
         if let Some(estimate) = known.estimate(Parameter::Stiffness) {
-            // What the player does not correct is to be tolerated.
+            // Gain errors that the player does not correct must be tolerated.
             let left = if estimate.is_off() { 0.0 } else { (estimate.value - 1.0).abs() };
-            let error = left + BORNE * estimate.standard_error.unwrap_or_default();
+            let error = left + TOLERATED * estimate.standard_error.unwrap_or_default();
             entries.add("robustness", "stiffness_error", rounded_up(error, 0.01).min(LARGEST_ERROR).into());
         }
         if let Some((delay, error)) = known.find(Parameter::Delay) {
-            entries.add("robustness", "delay", rounded_up(delay + BORNE * error, 1e-4).min(0.1).into());
+            entries.add("robustness", "delay", rounded_up(delay + TOLERATED * error, 1e-4).min(0.1).into());
         }
         if let Some((friction, error)) = known.find(Parameter::Friction) {
-            let spread = BORNE * error.max(FRICTION_SPREAD);
+            let spread = TOLERATED * error.max(FRICTION_SPREAD);
             let mut frictions =
                 [(friction - spread).max(0.0), friction, friction + spread].map(|value| rounded(value, 0.01));
             frictions.sort_by(f64::total_cmp);
@@ -69,7 +69,7 @@ impl Entries {
         self.0.push(Entry { table, key, value });
     }
 
-    /// Rotor inertia and friction of joints, and what an error of the former makes of the apparent inertia.
+    /// Rotor inertia and friction of joints, and the error of the apparent inertia that follows from the former.
     fn add_arm(&mut self, known: &Known, robot: &Robot) {
         let before = robot.rotor_inertia();
         let (mut rotors, mut heavier) = (before.clone(), before.clone());
@@ -79,7 +79,7 @@ impl Entries {
             match quantity.parameter {
                 Parameter::RotorInertia(joint) => {
                     set(&mut rotors, joint, *value);
-                    set(&mut heavier, joint, value + BORNE * error);
+                    set(&mut heavier, joint, value + TOLERATED * error);
                 }
                 Parameter::JointFriction(joint) => set(&mut joint_friction, joint, *value),
                 _ => {}
@@ -105,7 +105,7 @@ impl Entries {
         }
         let inertia = scaled(&problem.scene().inertia, parts.map(|part| part.map_or(1.0, |(factor, _)| factor)));
         self.add("robot", "apparent_inertia", matrix(&inertia));
-        let errors = parts.iter().flatten().map(|(factor, error)| BORNE * error / factor);
+        let errors = parts.iter().flatten().map(|(factor, error)| TOLERATED * error / factor);
         let error = errors.fold(0.0, f64::max);
         self.add("robustness", "inertia_error", rounded_up(error, 0.01).min(LARGEST_ERROR).into());
     }
@@ -125,11 +125,10 @@ impl Entries {
         self.applied(DocumentMut::new()).to_string()
     }
 
-    /// Writes a copy of a scene file in which the entries are replaced; comments and order stay. Nothing is replaced by it
-    /// unless `replaces` says so.
+    /// Writes a copy of a scene file with the entries replaced; comments and order stay. An existing file is replaced
+    /// only if `replaces`.
     ///
-    /// # Errors
-    /// When there is a file that must not be replaced, the copy would not be a scene, or it cannot be written.
+    /// # Errors When there is a file that must not be replaced, the copy would not be a scene, or it cannot be written.
     pub fn write(&self, scene: &Path, out: &Path, replaces: bool) -> Result<(), PlannerError> {
         let text = read_text(scene)?;
         let document: DocumentMut =
@@ -148,7 +147,7 @@ impl Entries {
             let place = document.entry(table).or_insert(Item::Table(Table::new()));
             let Some(table) = place.as_table_like_mut() else { continue };
             let mut value = value.clone();
-            // What stands around the old value, such as a comment behind it, stays.
+            // The decoration of the old value, such as a trailing comment, stays.
             if let Some(old) = table.get(key).and_then(Item::as_value) {
                 *value.decor_mut() = old.decor().clone();
             }
@@ -158,7 +157,7 @@ impl Entries {
     }
 }
 
-/// Estimates of what is known.
+/// Estimates of identified parameters.
 struct Known<'estimate>(Vec<&'estimate Estimate>);
 
 impl Known<'_> {
@@ -199,7 +198,7 @@ fn matrix(inertia: &Inertia) -> Value {
     Value::Array(inertia.matrix().row_iter().map(|row| numbers(row.iter())).collect())
 }
 
-/// Three significant digits are more than fits tell.
+/// Three significant digits: fits are no more accurate.
 fn rounded_to_digits(value: f64) -> f64 {
     const DIGITS: f64 = 1e3;
     if value == 0.0 {

@@ -1,11 +1,11 @@
-//! Nonlinear least squares within bounds, by the method of Levenberg and Marquardt.
+//! Nonlinear least squares within bounds, by the Levenberg-Marquardt method.
 
 use std::ops::RangeInclusive;
 
 use faer::Mat;
 use faer::prelude::SolveLstsq;
 
-/// What is fitted.
+/// A model to be fitted.
 pub trait Model {
     /// Residuals, each in standard deviations of its noise. `None` where they cannot be computed.
     fn residuals(&self, values: &[f64]) -> Option<Vec<f64>>;
@@ -20,30 +20,31 @@ pub trait Model {
     fn range(&self, index: usize) -> RangeInclusive<f64>;
 }
 
-/// Where the sum of squares is least.
+/// A minimum of the sum of squares.
 #[derive(Debug, Clone)]
 pub struct Fit {
     /// All values, also those that were not free.
     pub values: Vec<f64>,
     /// Residuals there.
     pub residuals: Vec<f64>,
-    /// Whether the search ended by itself.
+    /// Whether the search converged.
     pub converged: bool,
 }
 
 /// Most steps.
 const MOST_STEPS: usize = 30;
-/// A step that makes the sum of squares smaller by no more than this part is the last one.
+/// A step that reduces the sum of squares by less than this fraction is the last one.
 const LEAST_GAIN: f64 = 1e-4;
 /// So is one that changes no value by more than this part of its scale.
 const SHORTEST_STEP: f64 = 1e-4;
-/// Damping at first, over the largest entry of `R' R`; factors after success and failure; where the search gives up.
+/// Initial damping, over the largest entry of `R' R`; factors after success and failure; damping at which the search
+/// gives up.
 const DAMPING: f64 = 1e-3;
 const LESS: f64 = 0.1;
 const MORE: f64 = 5.0;
 const LARGEST_DAMPING: f64 = 1e4;
 
-/// Fits the free values, beginning with the given ones. `None` where the model cannot be computed there.
+/// Fits the free values, starting from the given ones. `None` where the model cannot be computed there.
 pub fn fit(model: &impl Model, start: &[f64], free: &[usize]) -> Option<Fit> {
     let mut values = start.to_vec();
     let mut residuals = model.residuals(&values)?;
@@ -142,7 +143,7 @@ fn longest(model: &impl Model, from: &[f64], to: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// `a exp(-b t) + c` at some times, and a value that changes nothing.
+    /// `a exp(-b t) + c` at some times, and a value without effect.
     struct Decay(Vec<f64>);
 
     impl Decay {

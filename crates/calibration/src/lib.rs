@@ -1,32 +1,31 @@
-//! Calibration: what a scene says of its robot, fitted to logs of executed plans.
+//! Calibration: fits the robot of a scene to logs of executed plans.
 //!
-//! A player of an export logs where the robot believed the part, the reference that it followed and the gains that were set.
-//! Rollouts of crate `simulation` do the same with the inertia, friction, damping and delay that the scene has. What
-//! differs tells how these are wrong.
+//! The player of an export logs the believed pose of the part, the reference and the gains that were set. Rollouts of crate
+//! `simulation` repeat the motion with the inertia, friction, damping and delay of the scene. Their difference shows the
+//! errors of these parameters.
 //!
 //! 1. [`Log`] reads logs and refuses those of other scenes.
-//! 2. A run is a log on a regular grid. It is played as a whole, from the approach on: there the robot is at rest, as rollouts
-//!    are at their start.
+//! 2. A run is a log on a regular grid. It is played as a whole, from the approach on: there the robot is at rest, as
+//!    rollouts are at their start.
 //! 3. Parameters ([`Parameter`]) are bounded, each with a scale. Logs with contacts also have the grasp error of their run,
-//!    which begins with what the end of the log tells.
-//! 4. Residuals are differences of believed poses over their noise, which follows from the residuals themselves: positions and
-//!    orientations are weighted by what the model leaves of each.
-//! 5. Levenberg and Marquardt's method finds the least sum of squares. Derivatives are differences with steps of 2 % of a
+//!    whose initial value comes from the end of the log.
+//! 4. Residuals are differences of believed poses over their noise, which is estimated from the residuals themselves, apart
+//!    for positions and orientations.
+//! 5. The Levenberg-Marquardt method minimises the sum of squares. Derivatives are finite differences with steps of 2 % of a
 //!    scale, as contacts and dry friction are not smooth. Runs in free air are fitted first, then all runs together, with the
-//!    contact friction of a few that does best.
-//! 6. Standard errors are those of the jackknife over blocks of time: what changes when a part of the motion is left out. A
-//!    parameter whose error is larger than what makes it worth knowing is held at what the scene says, and the rest is fitted
-//!    again; errors of the rest then know that the held one may be wrong.
-//! 7. [`Entries`] are what the scene should say instead: the values, and as `[robustness]` two standard errors of them.
+//!    best of several values of contact friction.
+//! 6. Standard errors come from a jackknife over blocks of time. A parameter whose error exceeds its resolution is held at
+//!    the value of the scene, and the others are fitted again; their errors include the uncertainty of the held one.
+//! 7. [`Entries`] are the new entries of the scene: the values, and two standard errors of them as `[robustness]`.
 //!
-//! | module | what it holds |
+//! | module | content |
 //! |---|---|
-//! | `log`, `run` | logs, and what rollouts need of them |
-//! | `deviation`, `swing` | how far poses are from each other; robots that swing by themselves |
+//! | `log`, `run` | logs, and their form for rollouts |
+//! | `deviation`, `swing` | distances between poses; robots that oscillate by themselves |
 //! | `parameter`, `model` | parameters, and rollouts with them |
-//! | `least_squares`, `statistics` | the fit and how well it is known; dense algebra is faer's |
+//! | `least_squares`, `statistics` | the fit and its uncertainty; dense algebra by faer |
 //! | `calibration` | the search |
-//! | `entries`, `record` | what is written |
+//! | `entries`, `record` | output |
 
 mod calibration;
 mod deviation;

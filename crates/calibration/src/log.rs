@@ -1,4 +1,4 @@
-//! `executed.csv`: what a player of an export has written.
+//! `executed.csv`, the log of a player.
 
 use std::path::{Path, PathBuf};
 
@@ -11,14 +11,14 @@ use simulation::isometry;
 use store::{PLAYING, RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
 use task::{STATE, pose_of};
 
-/// Longest time between two rows (s): between them, nobody knows what the robot did.
+/// Longest time between two rows (s): the motion between them is unknown.
 const LONGEST_GAP: f64 = 0.1;
-/// Why a log ends early that does not say why.
+/// Reason for an early end of a log without a reason of its own.
 const CUT: &str = "the log ends before the plan does";
 /// Poses whose numbers differ by less (m, or a component of a quaternion) are the same.
 const SAME: f64 = 1e-5;
 
-/// What the first line of a log says of its session. Poses are position (m) and unit quaternion (w x y z).
+/// First line of a log: its session. Poses are position (m) and unit quaternion (w x y z).
 #[derive(Debug, Clone, Deserialize)]
 struct Header {
     scene: String,
@@ -32,7 +32,7 @@ struct Header {
     stopped: Option<String>,
 }
 
-/// What a row has besides the state.
+/// The part of a row besides the state.
 #[derive(Deserialize)]
 struct FollowedRow {
     elapsed_s: Value,
@@ -80,7 +80,7 @@ pub struct Row {
     pub time: f64,
     /// Where the robot believed the part.
     pub believed: Isometry3<f64>,
-    /// What it followed from then on: pose and twist.
+    /// Reference from then on: pose and twist.
     pub reference: [f64; STATE],
 }
 
@@ -95,18 +95,18 @@ pub struct Log {
     pub impedance: ImpedanceRecord,
     /// Whether all of its rows are of motions in free air.
     pub in_free_air: bool,
-    /// Why it ends before its plan does, if it does: then it only has rows in free air.
+    /// Why it ends before its plan does, if so: then it only has rows in free air.
     pub stopped: Option<String>,
     /// Offset magnitude that the plan covers (m).
     pub delta: f64,
 }
 
 impl Log {
-    /// Reads a log of a plan of a scene. Of a run that was stopped, nobody knows how the part sat in the gripper: only what it did in
-    /// free air is kept.
+    /// Reads a log of a plan of a scene. Of a run that was stopped, only the motion in free air is kept, as its grasp
+    /// error is unknown.
     ///
-    /// # Errors
-    /// With file, line and column, when it is not a log, is of another scene, or was stopped without a motion in free air.
+    /// # Errors With file, line and column, when it is not a log, is of another scene, or was stopped without a motion
+    /// in free air.
     pub fn read(file: &Path, scene: &Scene) -> Result<Self, PlannerError> {
         let header = read_header(file)?;
         header.require_scene(file, scene)?;
@@ -178,10 +178,10 @@ impl Header {
 
 /// Lines above the first row.
 const ABOVE: usize = 2;
-/// How far the norm of a quaternion may be from 1: robots give few digits.
+/// Largest deviation of the norm of a quaternion from 1: robots give few digits.
 const NORM: f64 = 1e-3;
 
-/// Refuses measurements and references that no robot and no plan has.
+/// Refuses measurements and references that are impossible.
 fn require_states(file: &Path, states: &[StateRow], followed: &[FollowedRow]) -> Result<(), PlannerError> {
     for (index, (state, followed)) in states.iter().zip(followed).enumerate() {
         let problem = state_problem(&state.state(), NORM).or_else(|| state_problem(&followed.state(), NORM));
@@ -192,7 +192,7 @@ fn require_states(file: &Path, states: &[StateRow], followed: &[FollowedRow]) ->
     Ok(())
 }
 
-/// Refuses tables that are no course of one motion.
+/// Refuses tables that are not one motion.
 fn require_rows(file: &Path, rows: &[Row]) -> Result<(), PlannerError> {
     if rows.len() < 2 {
         return Err(PlannerError::file(file, "has fewer than two rows: the player measured nothing; repeat the run"));

@@ -14,10 +14,10 @@ use crate::least_squares::Model;
 use crate::parameter::{DIFFERENCE, Parameter, Quantity, mean};
 use crate::run::Run;
 
-/// Residuals of some runs: where rollouts and robot believe the part, at the same times.
+/// Residuals of some runs: differences of the believed poses of rollouts and robot, at the same times.
 #[derive(Debug, Clone)]
 pub struct Comparison<'work> {
-    /// The arm as the scene says it; without one, a body moves freely.
+    /// The arm of the scene; without one, a body moves freely.
     pub arm: Option<ArmModel>,
     /// All runs.
     pub runs: &'work [Run],
@@ -27,11 +27,11 @@ pub struct Comparison<'work> {
     pub quantities: &'work [Quantity],
     /// Standard deviations of a component of the position (m) and of the orientation (rad).
     pub noise: [f64; 2],
-    /// Who plays.
+    /// Threads that play rollouts.
     pub workers: &'work Workers,
 }
 
-/// What parameters make of robot and run.
+/// Robot and run with parameters applied.
 struct Played {
     arm: Option<ArmModel>,
     task: AssemblyTask,
@@ -40,9 +40,9 @@ struct Played {
 }
 
 impl<'work> Comparison<'work> {
-    /// Of all runs of a problem.
+    /// For all runs of a problem.
     pub fn new(problem: &Problem, runs: &'work [Run], quantities: &'work [Quantity], workers: &'work Workers) -> Self {
-        /// What deviations are weighted with until they are known.
+        /// Weights of deviations until their noise is estimated.
         const NOISE: [f64; 2] = [1e-3, 5e-3];
         let compared = (0..runs.len()).collect();
         Self { arm: problem.arm(), runs, compared, quantities, noise: NOISE, workers }
@@ -97,8 +97,8 @@ impl<'work> Comparison<'work> {
                 }
                 Parameter::Friction => played.friction = value,
                 Parameter::Offset { run, axis } if run == index => played.grasp.offset[axis] = value,
-                Parameter::Turn { run, axis } if run == index => played.grasp.rotation[axis] = value,
-                Parameter::Offset { .. } | Parameter::Turn { .. } => {}
+                Parameter::Rotation { run, axis } if run == index => played.grasp.rotation[axis] = value,
+                Parameter::Offset { .. } | Parameter::Rotation { .. } => {}
             }
         }
         played.task.inertia = scaled(&played.task.inertia, blocks);
@@ -154,7 +154,7 @@ impl Model for Comparison<'_> {
         });
         let mut jacobian = Mat::zeros(residuals.len(), free.len());
         for ((column, _, _, first), changed) in pieces.iter().zip(&changed) {
-            // Where nothing can be computed, nothing is known of the derivative.
+            // Where the model cannot be computed, the derivative is taken as zero.
             let Some((step, deviations)) = changed else { continue };
             for (row, residual) in (*first..).zip(self.weighted(deviations)) {
                 jacobian[(row, *column)] = (residual - residuals[row]) / step;

@@ -1,4 +1,4 @@
-//! What is fitted.
+//! The parameters of a fit.
 
 use std::ops::RangeInclusive;
 
@@ -7,22 +7,22 @@ use simulation::{ArmModel, Settings};
 
 use crate::run::Run;
 
-/// What of the robot or of a run is to be found.
+/// A parameter of the robot or of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
-    /// Inertia of the velocity of a body without joints, over that of the scene.
+    /// Inertia of the velocity of a body without joints, relative to the scene's.
     TranslationalInertia,
-    /// Inertia of its angular velocity, likewise.
+    /// Inertia of its angular velocity, relative to the scene's.
     RotationalInertia,
     /// Rotor inertia of a joint; without an index the mean of all, in the proportions of the scene.
     RotorInertia(Option<usize>),
-    /// Joint friction, likewise.
+    /// Joint friction, in the same way.
     JointFriction(Option<usize>),
     /// Time from a sample of the controller to its torques (s).
     Delay,
-    /// Stiffness that the robot has over that which was set.
+    /// The robot's stiffness relative to that which was set.
     Stiffness,
-    /// Damping, likewise.
+    /// The robot's damping relative to that which was set.
     Damping,
     /// Coulomb's coefficient of contacts.
     Friction,
@@ -33,8 +33,8 @@ pub enum Parameter {
         /// 0 to 2: along x, y or z of the part.
         axis: usize,
     },
-    /// A component of its turn, likewise.
-    Turn {
+    /// A component of its rotation error.
+    Rotation {
         /// Index of the run.
         run: usize,
         /// 0 to 2: about x, y or z of the part.
@@ -42,23 +42,23 @@ pub enum Parameter {
     },
 }
 
-/// A parameter with what is needed to find it.
+/// A parameter with the settings of its search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Quantity {
     /// Which.
     pub parameter: Parameter,
-    /// Its value as the scene says it, where the search begins.
+    /// Its value in the scene, from which the search starts.
     pub before: f64,
-    /// How much it may typically be wrong: the unit of the search.
+    /// Its typical error: the unit of the search.
     pub scale: f64,
     /// Allowed values.
     pub range: RangeInclusive<f64>,
-    /// Largest standard error with which it counts as known.
+    /// Largest standard error with which it counts as identified.
     pub resolution: f64,
 }
 
-/// Smallest part of a quantity's scale by which it is changed to see what that does. Contacts and dry friction answer to
-/// smaller changes with jumps or not at all.
+/// Step of finite differences, as a fraction of a quantity's scale. Contacts and dry friction respond to smaller
+/// changes with jumps or not at all.
 pub const DIFFERENCE: f64 = 0.02;
 
 impl Quantity {
@@ -66,12 +66,12 @@ impl Quantity {
         Self { parameter, before, scale, range, resolution }
     }
 
-    /// A factor of something that the scene says, or that was set.
+    /// A factor relative to the scene, or to what was set.
     fn factor(parameter: Parameter, scale: f64, resolution: f64) -> Self {
         Self::new(parameter, 1.0, scale, 0.05..=20.0, resolution)
     }
 
-    /// All that logs of a scene may tell; with `per_joint`, rotor inertia and friction of each joint.
+    /// All parameters that logs of a scene may determine; with `per_joint`, rotor inertia and friction of each joint.
     pub fn all(problem: &Problem, runs: &[Run], per_joint: bool) -> Vec<Self> {
         let mut quantities = match problem.arm() {
             None => vec![
@@ -91,7 +91,7 @@ impl Quantity {
     }
 
     fn of_arm(arm: &ArmModel, per_joint: bool) -> Vec<Self> {
-        /// What joints of arms typically have (kg m^2, Nm): where the scene says nothing, it is of this order.
+        /// Typical values of arm joints (kg m^2, Nm), the order of magnitude where the scene gives none.
         const ROTOR_INERTIA: f64 = 0.1;
         const JOINT_FRICTION: f64 = 0.5;
         let joints = arm.joint_friction.len();
@@ -122,7 +122,7 @@ impl Quantity {
             Self::new(parameter, grasp.offset[axis], 2e-3, -0.1..=0.1, 1e-3)
         };
         let rotation = |axis: usize| {
-            let parameter = Parameter::Turn { run, axis };
+            let parameter = Parameter::Rotation { run, axis };
             Self::new(parameter, grasp.rotation[axis], 0.02, -1.0..=1.0, 0.01)
         };
         (0..3).map(offset).chain((0..3).map(rotation)).collect::<Vec<_>>().into_iter()
@@ -130,27 +130,27 @@ impl Quantity {
 }
 
 impl Parameter {
-    /// Whether what a run does depends on it.
+    /// Whether a run depends on it.
     pub fn acts_on(self, index: usize, run: &Run) -> bool {
         match self {
             Self::Friction => run.has_contact(),
-            Self::Offset { run, .. } | Self::Turn { run, .. } => run == index,
+            Self::Offset { run, .. } | Self::Rotation { run, .. } => run == index,
             _ => true,
         }
     }
 
-    /// Whether nothing depends on it in free air.
+    /// Whether motions in free air do not depend on it.
     pub fn is_of_contact(self) -> bool {
-        matches!(self, Self::Friction | Self::Offset { .. } | Self::Turn { .. })
+        matches!(self, Self::Friction | Self::Offset { .. } | Self::Rotation { .. })
     }
 
-    /// Whether it is in proportion to the forces: with all of these multiplied by a number, and masses with them, the motion in
-    /// free air stays the same.
+    /// Whether it is proportional to the forces: multiplying all of these and the masses by one factor leaves the
+    /// motion in free air the same.
     pub fn is_of_forces(self) -> bool {
         !self.is_of_contact() && self != Self::Delay
     }
 
-    /// What it is called in messages.
+    /// Its name in messages.
     pub fn name(self) -> String {
         let of_joint = |name: &str, joint: Option<usize>| match joint {
             Some(joint) => format!("{name} of joint {}", joint + 1),
@@ -167,23 +167,23 @@ impl Parameter {
             Self::Damping => "damping factor".to_owned(),
             Self::Friction => "contact friction".to_owned(),
             Self::Offset { run, axis: along } => format!("offset {} in log {}", axis(along), run + 1),
-            Self::Turn { run, axis: about } => format!("turn {} in log {}", axis(about), run + 1),
+            Self::Rotation { run, axis: about } => format!("rotation error {} in log {}", axis(about), run + 1),
         }
     }
 
-    /// Its unit, and how many of that are one SI unit.
+    /// Its unit, and the number of these per SI unit.
     pub fn unit(self) -> (&'static str, f64) {
         match self {
             Self::RotorInertia(_) => ("kg m^2", 1.0),
             Self::JointFriction(_) => ("Nm", 1.0),
             Self::Delay => ("ms", 1e3),
             Self::Offset { .. } => ("mm", 1e3),
-            Self::Turn { .. } => ("rad", 1.0),
+            Self::Rotation { .. } => ("rad", 1.0),
             _ => ("", 1.0),
         }
     }
 
-    /// Its unit of the SI; 1 where it has none.
+    /// Its SI unit; 1 where it has none.
     pub fn si_unit(self) -> &'static str {
         match self {
             Self::Delay => "s",
@@ -193,25 +193,25 @@ impl Parameter {
         }
     }
 
-    /// Which run would tell it.
+    /// A run that would determine it.
     pub fn advice(self) -> &'static str {
         match self {
             Self::RotorInertia(_) | Self::TranslationalInertia | Self::RotationalInertia => {
-                "a run with faster motion, with the self-test of the frames, would tell"
+                "make a run with faster motion and the self-test of the frames"
             }
-            Self::JointFriction(_) => "a run with the self-test of the frames, where joints turn back, would tell",
-            Self::Delay => "a run with faster motion or higher gains would tell",
+            Self::JointFriction(_) => "make a run with the self-test of the frames, in which joints reverse",
+            Self::Delay => "make a run with faster motion or higher gains",
             Self::Stiffness => {
-                "only runs in which joint friction or the links' known masses matter tell it from inertia"
+                "only runs in which joint friction or the known masses of links matter separate it from inertia"
             }
-            Self::Damping => "a run with faster motion would tell",
-            Self::Friction => "a run in which the parts touch and slide (without --dry-run) would tell",
-            Self::Offset { .. } | Self::Turn { .. } => "the parts do not touch so that it matters",
+            Self::Damping => "make a run with faster motion",
+            Self::Friction => "make a run in which the parts touch and slide (without --dry-run)",
+            Self::Offset { .. } | Self::Rotation { .. } => "contacts in the logs do not depend on it",
         }
     }
 }
 
-/// Mean of some numbers; 0 of none.
+/// Mean of some numbers; 0 for none.
 pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len().max(1) as f64
 }

@@ -9,26 +9,26 @@ use crate::calibration::{Calibration, Covariance, Estimate, Misfit, RunResult};
 use crate::entries::Entries;
 use crate::parameter::Parameter;
 
-/// A calibration in units of the SI.
+/// A calibration in SI units.
 #[derive(Debug, Clone, Serialize)]
 pub struct CalibrationRecord {
     /// Title of the scene.
     pub scene: String,
-    /// Whether the search ended by itself.
+    /// Whether the search converged.
     pub converged: bool,
     /// All logs.
     pub logs: Vec<RunRecord>,
     /// All parameters.
     pub parameters: Vec<ParameterRecord>,
-    /// Of those that are known.
+    /// Covariance of the identified parameters.
     pub covariance: CovarianceRecord,
-    /// What the scene should say, by table and key.
+    /// New entries of the scene, by table and key.
     pub entries: BTreeMap<&'static str, BTreeMap<&'static str, serde_json::Value>>,
-    /// What the user should know.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
-/// Covariance of the parameters that are known: squares of standard errors on its diagonal.
+/// Covariance of the identified parameters: squares of standard errors on its diagonal.
 #[derive(Debug, Clone, Serialize)]
 pub struct CovarianceRecord {
     /// Names, in the order of rows and columns.
@@ -39,7 +39,7 @@ pub struct CovarianceRecord {
     pub matrix: Vec<Vec<f64>>,
 }
 
-/// What a log says. Distances and angles are root mean squares.
+/// The result of a log. Distances and angles are root mean squares.
 #[derive(Debug, Clone, Serialize)]
 pub struct RunRecord {
     /// Its file.
@@ -50,19 +50,20 @@ pub struct RunRecord {
     pub end: Option<String>,
     /// Length of what is used.
     pub duration_s: f64,
-    /// Distance between robot and reference.
-    pub lag_m: f64,
+    /// Tracking error of the position.
+    #[serde(rename = "lag_m")]
+    pub tracking_error_m: f64,
     /// Distance between robot and a rollout of the scene; null where it diverges.
     pub before_m: Option<f64>,
-    /// Likewise with the fitted parameters.
+    /// The same with the fitted parameters.
     pub after_m: f64,
     /// Angle between robot and a rollout of the scene.
     pub before_rad: Option<f64>,
-    /// Likewise with the fitted parameters.
+    /// The same with the fitted parameters.
     pub after_rad: f64,
 }
 
-/// What is known of a parameter.
+/// The estimate of a parameter.
 #[derive(Debug, Clone, Serialize)]
 pub struct ParameterRecord {
     /// Its name.
@@ -70,24 +71,25 @@ pub struct ParameterRecord {
     /// Unit of the table on the terminal.
     #[serde(skip)]
     pub unit: (&'static str, f64),
-    /// As the scene says it, or the end of a log.
+    /// Its value in the scene, or from the end of a log.
     pub before: f64,
-    /// As it was fitted, or held.
+    /// Its fitted value, or that at which it was held.
     pub value: f64,
-    /// Its standard error; null where the logs do not tell it.
+    /// Its standard error; null where the logs do not determine it.
     pub standard_error: Option<f64>,
-    /// What to do with it, or which run would tell it.
+    /// What to do with it, or a run that would determine it.
     pub remark: String,
 }
 
-/// Rollouts that leave more than this part of the lag do not explain a log, unless it is less than this distance (m).
+/// Rollouts with a misfit above this fraction of the tracking error do not explain a log, unless it is less than this
+/// distance (m).
 const UNEXPLAINED: f64 = 0.1;
 const SMALL: f64 = 2e-4;
-/// Parameters that are more correlated than this cannot be told apart.
+/// Parameters with a larger correlation cannot be separated.
 const ALIKE: f64 = 0.95;
 
 impl CalibrationRecord {
-    /// Of a calibration of a problem.
+    /// From a calibration of a problem.
     pub fn new(calibration: &Calibration, entries: &Entries, problem: &Problem) -> Self {
         let mut by_table: BTreeMap<&str, BTreeMap<&str, serde_json::Value>> = BTreeMap::new();
         for entry in entries.iter() {
@@ -112,7 +114,7 @@ impl RunRecord {
             has_contact: run.has_contact,
             end: run.end.clone(),
             duration_s: run.duration,
-            lag_m: run.lag.distance,
+            tracking_error_m: run.tracking_error.distance,
             before_m: run.before.map(|misfit| misfit.distance),
             after_m: run.after.distance,
             before_rad: run.before.map(|misfit| misfit.angle),
@@ -153,33 +155,33 @@ fn remark(estimate: &Estimate) -> String {
     if standard_error.is_none() {
         let alike = partner
             .filter(|(_, correlation)| correlation.abs() > ALIKE)
-            .map(|(other, correlation)| format!("hard to tell from {} (correlation {correlation:.2})", other.name()));
+            .map(|(other, correlation)| format!("hard to separate from {} (correlation {correlation:.2})", other.name()));
         let reason = alike.unwrap_or_else(|| parameter.advice().to_owned());
-        return format!("not known: {reason}");
+        return format!("not identified: {reason}");
     }
     let flag = match parameter {
         Parameter::Stiffness if estimate.is_off() => Some("--stiffness-factor"),
         Parameter::Damping if estimate.is_off() => Some("--damping-factor"),
         _ => None,
     };
-    flag.map(|flag| format!("play with {flag} {:.2}", 1.0 / value)).unwrap_or_default()
+    flag.map(|flag| format!("run the player with {flag} {:.2}", 1.0 / value)).unwrap_or_default()
 }
 
 fn warnings(calibration: &Calibration) -> Vec<String> {
     let mut warnings = Vec::new();
     if !calibration.converged {
         warnings
-            .push("the search was still improving when it was ended: calibrate again from the scene it writes".into());
+            .push("the search stopped before it converged: calibrate again from the scene it writes".into());
     }
-    for RunResult { name, end, after, lag, .. } in &calibration.runs {
+    for RunResult { name, end, after, tracking_error, .. } in &calibration.runs {
         warnings.extend(end.iter().map(|end| format!("{name}: {end}")));
         let Misfit { distance, .. } = after;
-        if *distance > SMALL.max(UNEXPLAINED * lag.distance) {
+        if *distance > SMALL.max(UNEXPLAINED * tracking_error.distance) {
             warnings.push(format!(
                 "{name}: the fitted model is still {:.2} mm from the robot, which was {:.2} mm from its reference: something \
                  else acts, such as a wrong payload, a controller with dynamics of its own, or contact in free air",
                 1e3 * distance,
-                1e3 * lag.distance
+                1e3 * tracking_error.distance
             ));
         }
     }

@@ -1,4 +1,4 @@
-//! A log in the form in which rollouts play and are compared with it.
+//! A log in the form in which rollouts are compared with it.
 
 use nalgebra::{Isometry3, Vector3};
 use plan::{Millimetres, PlannerError, Problem};
@@ -9,7 +9,7 @@ use crate::deviation::{COMPONENTS, deviation};
 use crate::log::{Log, Row};
 use crate::swing::end_before_swing;
 
-/// Time between two samples that are compared (s), at least: closer ones say the same.
+/// Shortest time between two samples that are compared (s): closer ones add no information.
 const SAMPLE_INTERVAL: f64 = 0.01;
 
 /// A log that is compared with rollouts.
@@ -17,25 +17,24 @@ const SAMPLE_INTERVAL: f64 = 0.01;
 pub struct Run {
     /// Name of its file.
     pub name: String,
-    /// The world that it was played in, with the gains that were set; without pairs of parts in free air.
+    /// The environment of the run, with the gains that were set; without pairs of parts in free air.
     pub task: AssemblyTask,
-    /// What the robot followed, from where it believed the part at first.
+    /// The robot's reference, which starts where the robot first believed the part.
     pub reference: Reference,
-    /// Times (s) and poses where the robot believed the part.
+    /// Times (s) and believed poses of the part.
     pub samples: Vec<(f64, Isometry3<f64>)>,
-    /// Deviations of the robot from its reference at these times (m, rad).
-    pub lags: Vec<[f64; COMPONENTS]>,
-    /// The grasp error, as far as the end of the log tells.
+    /// Tracking errors of the robot at these times (m, rad).
+    pub tracking_errors: Vec<[f64; COMPONENTS]>,
+    /// The grasp error, as far as the end of the log determines it.
     pub grasp: GraspError,
-    /// Why it is not the whole log, if it is not.
+    /// Reason if only a part of the log is used.
     pub end: Option<String>,
 }
 
 impl Run {
-    /// Of a log. The reference has a step for each control period of an arm, else for each row.
+    /// From a log. The reference has a step for each control period of an arm, else for each row.
     ///
-    /// # Errors
-    /// When the part did not end at its goal, so that nobody knows how it sat in the gripper.
+    /// # Errors When the part did not end at its goal, so that its grasp error is unknown.
     pub fn new(log: &Log, problem: &Problem) -> Result<Self, PlannerError> {
         let mut task = AssemblyTask { impedance: Impedance::from(&log.impedance), ..problem.world() };
         let mut grasp = GraspError::default();
@@ -51,15 +50,15 @@ impl Run {
         let every = (SAMPLE_INTERVAL / time_step).round().max(1.0) as usize;
         let times = (every..reference.intervals()).step_by(every).map(|knot| knot as f64 * time_step);
         let samples: Vec<(f64, Isometry3<f64>)> = times.map(|time| (time, believed(&log.rows, time))).collect();
-        let end = log.stopped.as_ref().map(|reason| format!("used up to where it was stopped ({reason})"));
+        let end = log.stopped.as_ref().map(|reason| format!("used until it was stopped ({reason})"));
         let name = log.file.display().to_string();
-        let mut run = Self { name, task, reference, samples, lags: Vec::new(), grasp, end };
+        let mut run = Self { name, task, reference, samples, tracking_errors: Vec::new(), grasp, end };
         run.compare_with_reference(every);
         Ok(run)
     }
 
-    /// Finds how far the robot is from its reference, at every `every`-th knot. In free air, the run ends where it swings: no
-    /// rollout follows a swing for long.
+    /// Computes the tracking error at every `every`-th knot. In free air, the run ends where the robot starts to
+    /// oscillate: no rollout follows an oscillation for long.
     fn compare_with_reference(&mut self, every: usize) {
         let believed: Vec<Isometry3<f64>> = self.samples.iter().map(|(_, pose)| *pose).collect();
         let followed: Vec<Isometry3<f64>> =
@@ -74,7 +73,7 @@ impl Run {
             self.samples.truncate(first);
             self.reference = self.reference.cut(first * every + 1);
         }
-        self.lags = self.samples.iter().zip(&followed).map(|((_, pose), from)| deviation(pose, from)).collect();
+        self.tracking_errors = self.samples.iter().zip(&followed).map(|((_, pose), from)| deviation(pose, from)).collect();
     }
 
     /// Whether the parts could touch.
@@ -83,7 +82,7 @@ impl Run {
     }
 }
 
-/// A part at its goal is believed beside it by the grasp error.
+/// Once the part is at its goal, believed pose minus goal is the grasp error.
 fn grasp_at_end(log: &Log, problem: &Problem) -> Result<GraspError, PlannerError> {
     let end = log.rows.last().map_or_else(Isometry3::identity, |row| row.believed);
     let grasp = GraspError::of_believed(&(isometry(&problem.scene().goal).inverse() * end));
@@ -107,14 +106,14 @@ fn median_gap(log: &Log) -> f64 {
     gaps[gaps.len() / 2]
 }
 
-/// The reference on a regular grid: that of a row holds until the next one. It begins where the part was believed, where
-/// rollouts start at rest.
+/// The reference on a regular grid: that of a row holds until the next one. It starts at the believed pose of the part,
+/// where rollouts start at rest.
 fn reference(rows: &[Row], time_step: f64) -> Reference {
     let last = rows.last().map_or(0.0, |row| row.time);
     let mut states: Vec<[f64; STATE]> = Vec::new();
     for knot in 0..=(last / time_step).ceil() as usize {
         let mut state = rows[row_at(rows, knot as f64 * time_step)].reference;
-        // The twist of a knot is that of the way to it.
+        // The twist of a knot leads to it from the one before.
         if let Some(before) = knot.checked_sub(1) {
             state[7..].copy_from_slice(&rows[row_at(rows, before as f64 * time_step)].reference[7..]);
         }
@@ -131,7 +130,7 @@ fn row_at(rows: &[Row], time: f64) -> usize {
     rows.partition_point(|row| row.time <= time + ROUNDING).saturating_sub(1)
 }
 
-/// Where the part was believed at a time (s).
+/// The believed pose of the part at a time (s).
 fn believed(rows: &[Row], time: f64) -> Isometry3<f64> {
     let index = row_at(rows, time);
     let (from, Some(to)) = (&rows[index], rows.get(index + 1)) else { return rows[index].believed };

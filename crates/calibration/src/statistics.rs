@@ -1,11 +1,11 @@
-//! How well fitted values are known.
+//! Uncertainty of fitted values.
 
 use faer::Mat;
 
 use crate::deviation::COMPONENTS;
 
-/// What the samples of some runs tell of values, block by block in time: `J' J` and `J' r` of residuals `r` and their derivatives
-/// `J`, a row and a column for each value, per unit of its scale.
+/// Information of the samples of some runs about values, block by block in time: `J' J` and `J' r` of residuals `r` and
+/// their derivatives `J`, a row and a column for each value, per unit of its scale.
 pub struct Information {
     /// One for each of [`LENGTHS`].
     divisions: Vec<Vec<Block>>,
@@ -19,11 +19,11 @@ struct Block {
     gradient: Mat<f64>,
 }
 
-/// Samples of a block: a quarter of a second, half a second and a second. What a model leaves out is alike for about that long.
+/// Samples of a block: a quarter of a second, half a second and a second, the correlation times of model errors.
 const LENGTHS: [usize; 3] = [25, 50, 100];
 /// Fewest blocks of a run.
 const FEWEST: usize = 4;
-/// Smaller eigenvalues of `J' J`, in squared standard deviations per scale, say nothing.
+/// Smaller eigenvalues of `J' J`, in squared standard deviations per scale, carry no information.
 const SMALLEST: f64 = 1e-12;
 
 impl Information {
@@ -44,10 +44,11 @@ impl Information {
 
     /// Covariance of the values in some columns while others are `held`, in units of their scales.
     ///
-    /// It is that of the jackknife: of the values that a step of Gauss and Newton finds without one block of samples. So it knows
-    /// errors of the model as far as they differ between parts of the motion, which noise alone does not. Blocks that are shorter
-    /// than errors last show too little of them: their length is the one that shows most. To that comes the noise of what is left
-    /// without a block, so that what one block alone tells is not known, and the doubt of held values, each of its scale.
+    /// It is a jackknife estimate: the spread of the values that a Gauss-Newton step finds without one block of
+    /// samples. It therefore includes model errors as far as they differ between parts of the motion, which noise alone
+    /// does not. Blocks that are shorter than the correlation of errors underestimate them: the length with the largest
+    /// estimate counts. Added are the noise of the fit without a block, so that a value from one block alone does not
+    /// count as identified, and the uncertainty of held values, each of its scale.
     pub fn covariance(&self, columns: &[usize], held: &[usize]) -> Mat<f64> {
         let jackknives = self.divisions.iter().map(|blocks| self.jackknife(blocks, columns));
         let whole = self.whole.part(columns).squares;
@@ -110,7 +111,7 @@ fn blocks(runs: &[usize], length: usize) -> impl Iterator<Item = std::ops::Range
     })
 }
 
-/// Solution of equations with a symmetric matrix that is positive but for rounding.
+/// Solution of equations with a symmetric matrix that is positive definite up to rounding.
 fn solved(matrix: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
     let size = matrix.nrows();
     if size == 0 {
@@ -141,7 +142,7 @@ mod tests {
 
     const SAMPLES: usize = 2000;
 
-    /// Residuals of a straight line and a constant that are fitted to noise with a memory, and their derivatives.
+    /// Residuals of a straight line and a constant that are fitted to correlated noise, and their derivatives.
     fn line(memory: f64, seed: u64) -> (Vec<f64>, Mat<f64>, [f64; 2]) {
         let mut random = fastrand::Rng::with_seed(seed);
         let mut state = [0.0; COMPONENTS];
@@ -169,7 +170,7 @@ mod tests {
                 off.extend((0..2).map(|value| wrong[value].abs() / standard_error(&covariance, value)));
             }
             let beyond = |errors: f64| off.iter().filter(|&&off| off > errors).count();
-            // Of 100; with normal errors, 5 and 32. The noise of what is left counts twice.
+            // Of 100; with normal errors, 5 and 32. The noise of the fit without a block counts twice.
             assert!(beyond(2.0) <= 10 && beyond(1.0) >= 5, "{}, {} with memory {memory}", beyond(2.0), beyond(1.0));
         }
     }

@@ -1,34 +1,34 @@
-//! Robots that swing by themselves, as they do where torques come too late for their gains.
+//! Robots that oscillate by themselves, as with too much latency for their gains.
 
 use nalgebra::Isometry3;
 
 use crate::deviation::{COMPONENTS, deviation};
 
-/// A robot swings if it leaves its reference faster than this factor times the reference's recent speed. A joint that slips after
-/// sticking is slower.
+/// A robot oscillates if it leaves its reference faster than this factor times the reference's recent speed. A joint
+/// that slips after sticking is slower.
 const TIMES: f64 = 3.0;
-/// Number of poses that are late: a lag has gone after so many.
+/// Number of recent poses: a tracking error has decayed after that many.
 const LATELY: usize = 100;
-/// A reference that moves more slowly than this part of its largest speed counts as moving so fast: it may rest.
+/// Smallest speed of a reference that counts, as a fraction of its largest one: it may rest.
 const SLOWEST: f64 = 0.1;
 
-/// Index of the first pose of a robot of which a swing follows lately: swings grow from what nobody knows. Its poses and those of
-/// its reference are at the same times, every 10 ms or so.
+/// Index of the first pose of a robot from whose recent past an oscillation follows: oscillations grow from unknown
+/// causes. The poses of robot and reference are at the same times, about every 10 ms.
 pub fn end_before_swing(believed: &[Isometry3<f64>], reference: &[Isometry3<f64>]) -> Option<usize> {
     let followed: Vec<[f64; 2]> = reference.windows(2).map(|pair| sizes(&deviation(&pair[1], &pair[0]))).collect();
     let fastest = followed.iter().fold([0.0_f64; 2], |fastest, way| [fastest[0].max(way[0]), fastest[1].max(way[1])]);
-    // Translations and rotations in their largest speeds: joints couple them.
+    // Translations and rotations relative to their largest speeds: joints couple them.
     let speed = |way: &[f64; 2]| {
         (0..2).filter(|&part| fastest[part] > 0.0).map(|part| way[part] / fastest[part]).fold(0.0, f64::max)
     };
-    let lags: Vec<[f64; COMPONENTS]> =
+    let tracking_errors: Vec<[f64; COMPONENTS]> =
         believed.iter().zip(reference).map(|(pose, from)| deviation(pose, from)).collect();
     let is_swinging = |&index: &usize| {
-        let left = sizes(&std::array::from_fn(|row| lags[index][row] - lags[index - 1][row]));
+        let left = sizes(&std::array::from_fn(|row| tracking_errors[index][row] - tracking_errors[index - 1][row]));
         let lately = followed[index.saturating_sub(LATELY)..index].iter().map(speed).fold(SLOWEST, f64::max);
         speed(&left) > TIMES * lately
     };
-    (1..lags.len()).find(is_swinging).map(|index| index.saturating_sub(LATELY))
+    (1..tracking_errors.len()).find(is_swinging).map(|index| index.saturating_sub(LATELY))
 }
 
 /// Length (m) and angle (rad).

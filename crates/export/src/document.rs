@@ -1,4 +1,4 @@
-//! `plan.json`: what a player needs to know besides the trajectory.
+//! `plan.json`: everything that a player needs besides the trajectory.
 
 use nalgebra::SMatrix;
 use plan::records::ImpedanceRecord;
@@ -13,7 +13,7 @@ use task::Limits;
 use crate::expectation::{Expectation, PhaseGuards};
 use crate::frames::Frames;
 use crate::free::FreeAir;
-use crate::joints::{Held, course, lag, largest_torque_step};
+use crate::joints::{Held, course, tracking_error, largest_torque_step};
 use crate::smooth::SmoothReference;
 use crate::text::plain;
 use crate::trial::TrialRecord;
@@ -23,7 +23,7 @@ const FORMAT: u32 = 2;
 /// Speeds of players on the path to the start (m/s, rad/s).
 const APPROACH: [f64; 2] = [0.02, 0.1];
 
-/// What a player needs to know besides the trajectory. Poses are position (m) and unit quaternion (w x y z).
+/// Everything that a player needs besides the trajectory. Poses are position (m) and unit quaternion (w x y z).
 #[derive(Debug, Clone, Serialize)]
 pub struct Document {
     /// Version of this file.
@@ -36,25 +36,25 @@ pub struct Document {
     pub problem: String,
     /// Hash of the plan's `result.json`.
     pub result: String,
-    /// What has become of the plan, in words.
+    /// Status of the plan, in words.
     pub status: String,
-    /// Whether the plan does what was asked for.
+    /// Whether the plan is done.
     pub done: bool,
     /// Whether it was exported although it should not be played.
     pub anyway: bool,
     /// Rollouts of the exported reference with hard contact.
     pub trial: TrialRecord,
-    /// What a player says before it moves.
+    /// Warnings that a player prints before it moves.
     pub warnings: Vec<String>,
     /// Offset magnitude that was planned for (m).
     pub delta_m: f64,
     /// Which offsets the plan covers.
     pub coverage: CoverageRecord,
-    /// Largest turn in the gripper that was planned for (rad).
+    /// Largest rotation error in the gripper that was planned for (rad).
     pub turn_rad: f64,
     /// Samples per second of `trajectory.csv`.
     pub rate_hz: f64,
-    /// Where the trajectory stands: `robot base` or `world`.
+    /// Frame of the trajectory: `robot base` or `world`.
     pub frame: &'static str,
     /// The robot's base in the world.
     pub base: [f64; 7],
@@ -76,7 +76,7 @@ pub struct Document {
     pub expected: Expectation,
     /// Values beyond which a player stops.
     pub guards: PhaseGuards,
-    /// Where there is free air.
+    /// Regions of free air.
     pub free: FreeAir,
     /// Largest step of a joint torque between two references a millisecond apart (Nm), if there is an arm.
     pub torque_step_nm_per_ms: Option<f64>,
@@ -106,7 +106,7 @@ pub struct ArmRecord {
 pub struct JointRecord {
     /// Name.
     pub name: String,
-    /// Whether it slides instead of turning.
+    /// Whether the joint is prismatic.
     pub slides: bool,
     /// Its frame in that of the link before, at position zero.
     pub frame: [f64; 7],
@@ -114,11 +114,11 @@ pub struct JointRecord {
     pub axis: [f64; 3],
     /// Lowest position (rad or m), if there is one.
     pub lower: Option<f64>,
-    /// Highest position, likewise.
+    /// Highest position (rad or m), if there is one.
     pub upper: Option<f64>,
-    /// Largest speed (rad/s or m/s), likewise.
+    /// Largest speed (rad/s or m/s), if there is one.
     pub speed: Option<f64>,
-    /// Largest torque (Nm or N), likewise.
+    /// Largest torque (Nm or N), if there is one.
     pub torque: Option<f64>,
 }
 
@@ -141,10 +141,9 @@ pub struct Exported<'plan> {
 }
 
 impl Document {
-    /// Of a plan that is exported with so many samples per second.
+    /// Of an exported plan, with `rate` samples per second.
     ///
-    /// # Errors
-    /// When a table of the plan is missing or wrong, or the arm cannot follow the reference.
+    /// # Errors When a table of the plan is missing or wrong, or the arm cannot follow the reference.
     pub fn new(exported: Exported, rate: f64) -> Result<Self, PlannerError> {
         let Exported { plan, result, problem, reference, smooth, trial, anyway } = exported;
         let (scene, frames) = (problem.scene(), Frames::of(problem.scene()));
@@ -161,8 +160,8 @@ impl Document {
         let held = moved.map_or_else(Held::default, |(robot, course)| Held::along(robot, impedance, course));
         let expected = Expectation::of(plan, &frames, held)?;
         let kept: Limits = reference.limits_kept();
-        let lag_of_plan = lag(impedance, kept.translational_velocity, kept.rotational_velocity);
-        let lag_of_approach = lag(impedance, APPROACH[0], APPROACH[1]);
+        let error_of_plan = tracking_error(impedance, kept.translational_velocity, kept.rotational_velocity);
+        let error_of_approach = tracking_error(impedance, APPROACH[0], APPROACH[1]);
         let gains = frames.tool_gains(&isometry(&scene.goal), impedance);
         Ok(Self {
             format: FORMAT,
@@ -188,7 +187,7 @@ impl Document {
             tool_stiffness: rows(&gains.stiffness),
             tool_damping: rows(&gains.damping),
             expected,
-            guards: expected.guards(problem.task().limits.contact_force, lag_of_approach, lag_of_plan),
+            guards: expected.guards(problem.task().limits.contact_force, error_of_approach, error_of_plan),
             free: FreeAir::new(problem, &states, reference.time_step(), &frames.grasp),
             torque_step_nm_per_ms: moved.map(|(robot, course)| largest_torque_step(robot, impedance, smooth, course)),
             arm: moved.map(|(robot, course)| ArmRecord::new(robot, course)),
@@ -197,7 +196,7 @@ impl Document {
     }
 }
 
-/// What whoever plays the plan has to know before.
+/// Warnings before the plan is executed.
 fn warnings(plan: &StoredPlan, trial: &TrialRecord, anyway: bool, has_arm: bool) -> Vec<String> {
     let not_done = (!plan.result.done).then(|| format!("the plan is not done: {}", plain(&plan.result.status)));
     let wanted = anyway.then(|| "the plan was exported with --anyway".to_owned());

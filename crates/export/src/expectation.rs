@@ -1,4 +1,4 @@
-//! What a plan expects while it is executed, and when a player has to stop.
+//! What to expect during the execution of a plan, and thresholds at which a player stops.
 
 use plan::PlannerError;
 use serde::Serialize;
@@ -19,7 +19,7 @@ const LEAST_FORCE: f64 = 20.0;
 const LEAST_TORQUE: f64 = 5.0;
 const LEAST_DISTANCE: f64 = 0.01;
 const LEAST_ANGLE: f64 = 0.05;
-/// In free air the tool may be this far from its reference (m, rad), besides its lag and what joint friction holds.
+/// In free air the tool may be this far from its reference (m, rad), besides its tracking error and what joint friction holds.
 const FREE_DISTANCE: f64 = 0.005;
 const FREE_ANGLE: f64 = 0.02;
 /// More than joint friction may hold (m, rad): where it could, the arm is close to a singular configuration.
@@ -49,7 +49,7 @@ pub struct Expectation {
 pub struct PhaseGuards {
     /// On the path to the start and in the test of the frames, where nothing may touch.
     pub approach: Guards,
-    /// In a dry run, likewise.
+    /// In a dry run, where nothing may touch either.
     pub dry_run: Guards,
     /// While parts are put together.
     pub insertion: Guards,
@@ -60,7 +60,7 @@ pub struct PhaseGuards {
 pub struct Guards {
     /// Measured force at the tool, as a mean over 10 ms (N).
     pub force_n: f64,
-    /// Measured torque at the tool, likewise (Nm).
+    /// Measured torque at the tool (Nm).
     pub torque_nm: f64,
     /// Distance of the tool from the reference (m).
     pub deviation_m: f64,
@@ -69,10 +69,9 @@ pub struct Guards {
 }
 
 impl Expectation {
-    /// Of the tables of a plan, and of what joint friction can hold.
+    /// From the tables of a plan, and from what joint friction can hold.
     ///
-    /// # Errors
-    /// When a table is missing or wrong.
+    /// # Errors When a table is missing or wrong.
     pub fn of(plan: &StoredPlan, frames: &Frames, held: Held) -> Result<Self, PlannerError> {
         let tables = read_tables(&plan.folder)?;
         let grasps: Vec<GraspError> =
@@ -101,14 +100,14 @@ impl Expectation {
         largest
     }
 
-    /// Where to stop, with the scene's limit of the force of a contact (N), which may be infinite, and the lag of the tool on
-    /// the path to the start and in the plan.
+    /// Thresholds for a limit of contact forces (N), which may be infinite, and the tracking error of the tool on the
+    /// path to the start and in the plan.
     pub fn guards(&self, contact_force_limit: f64, approach: Held, plan: Held) -> PhaseGuards {
-        let free = |lag: Held| Guards {
+        let free = |error: Held| Guards {
             force_n: LEAST_FORCE,
             torque_nm: LEAST_TORQUE,
-            deviation_m: FREE_DISTANCE + lag.distance + self.held_m,
-            deviation_rad: FREE_ANGLE + lag.angle + self.held_rad,
+            deviation_m: FREE_DISTANCE + error.distance + self.held_m,
+            deviation_rad: FREE_ANGLE + error.angle + self.held_rad,
         };
         let planned = MARGIN * self.force_n.max(self.contact_force_n);
         let force = if contact_force_limit.is_finite() { CONTACTS * contact_force_limit } else { planned };

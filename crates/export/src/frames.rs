@@ -1,16 +1,15 @@
-//! From the part in the world, as plans have it, to the tool in the frame of the robot's base.
+//! From the part in the world to the tool in the frame of the robot's base.
 
 use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3, Vector6};
 use scene::Scene;
 use simulation::{Knot, isometry};
 use task::Impedance;
 
-/// Where the robot stands and how its tool holds the part. Without an arm in the scene both are the identity: the tool is the
-/// part, and the base is the world.
+/// The robot's base and the grasp of its tool. Without an arm in the scene both are the identity: the tool is the part,
+/// and the base is the world.
 ///
-/// ```text
-/// world --base--> robot's base --tool--> tool point (the scene's `tip`) --grasp--> part, as the robot believes it
-/// ```
+/// ```text world --base--> robot's base --tool--> tool point (the scene's `tip`) --grasp--> part, as the robot believes
+/// it ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frames {
     /// The robot's base in the world.
@@ -19,7 +18,7 @@ pub struct Frames {
     pub grasp: Isometry3<f64>,
 }
 
-/// What the tool does at one time. All vectors are along the axes of the base.
+/// Motion of the tool at one time. All vectors are along the axes of the base.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolState {
     /// Pose of the tool in the base.
@@ -40,7 +39,7 @@ pub struct ToolGains {
 }
 
 impl Frames {
-    /// Those of a scene.
+    /// The frames of a scene.
     pub fn of(scene: &Scene) -> Self {
         let pose = |pose: Option<&[f64; 7]>| pose.map_or_else(Isometry3::identity, isometry);
         let robot = scene.robot.as_ref();
@@ -52,7 +51,7 @@ impl Frames {
         self.base.inverse() * part * self.grasp.inverse()
     }
 
-    /// What the tool does while the part follows a reference.
+    /// Motion of the tool while the part follows a reference.
     pub fn tool_state(&self, part: &Knot) -> ToolState {
         let to_base = self.base.rotation.inverse();
         let pose = self.tool(&part.pose);
@@ -71,8 +70,8 @@ impl Frames {
         stacked(&force, &(torque + self.lever(&self.tool(part)).cross(&force)))
     }
 
-    /// The controller of a plan at the tool point, with the part at a pose of the world. Exact for small deviations from
-    /// there: a controller that acts at the part turns its lever with it.
+    /// The controller of a plan at the tool point, with the part at a pose of the world. Exact for small deviations
+    /// from there: the lever of a controller that acts at the part rotates with it.
     pub fn tool_gains(&self, part: &Isometry3<f64>, impedance: &Impedance) -> ToolGains {
         let to_base = self.base.rotation.inverse().to_rotation_matrix();
         let from_part = to_base * part.rotation.to_rotation_matrix();
@@ -94,7 +93,7 @@ impl Frames {
         tool.rotation * self.grasp.translation.vector
     }
 
-    /// The twist of the part that goes with a twist of the tool, both along the axes of the base.
+    /// The twist of the part for a twist of the tool, both along the axes of the base.
     fn carried(&self, tool: &Isometry3<f64>) -> Matrix6<f64> {
         let mut carried = Matrix6::identity();
         carried.fixed_view_mut::<3, 3>(0, 3).copy_from(&-self.lever(tool).cross_matrix());

@@ -1,4 +1,4 @@
-//! Free air: where the part touches nothing, wherever it sits in the gripper.
+//! Free air: poses at which the part touches nothing, whatever its grasp error.
 
 use nalgebra::{Isometry3, Vector3};
 use plan::Problem;
@@ -14,19 +14,20 @@ const HIGHEST: f64 = 0.3;
 const RESOLUTION: f64 = 0.002;
 /// Heights at which the clearance of the start is written (m).
 const CLEARANCES: f64 = 0.01;
-/// What is free besides offset and turn of the part (m).
+/// Margin besides offset and rotation error of the part (m).
 const MARGIN: f64 = 0.005;
 /// Where joint friction can hold the tool further away than this (m, rad), the arm is too close to a singular configuration.
 const LARGEST_HELD: Held = Held { distance: 0.01, angle: 0.06 };
 
-/// Where a dry run is in free air, and how far around the start there is room.
+/// Heights of dry runs in free air, and the free space around the start.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FreeAir {
     /// Intervals of heights (m) of a dry run at which nothing touches and the arm can move: first and last.
     pub heights_m: Vec<[f64; 2]>,
-    /// What stays free of the shapes besides this, for the offset and the turn of the part (m).
+    /// Distance that stays free besides this, for offset and rotation error of the part (m).
     pub margin_m: f64,
-    /// Farthest point of the part from the tool point (m): a turn by an angle moves no point by more than this times it.
+    /// Farthest point of the part from the tool point (m): a rotation by an angle moves no point by more than this
+    /// times it.
     pub radius_m: f64,
     /// Pairs of a height (m) and of how far (m) the part may move from the start of the reference, shifted by it, before
     /// it may touch something.
@@ -89,7 +90,7 @@ pub fn way_out(poses: &[[f64; POSE]], grasp: &Isometry3<f64>) -> Option<Vector3<
     (tool(poses.first()?) - tool(poses.last()?)).try_normalize(SHORTEST)
 }
 
-/// Where there is room: a part that is raised by a height comes nearer to nothing by more than that.
+/// Intervals with enough room: raising a part by a height brings it closer to anything by at most that height.
 fn intervals(room: impl Fn(f64) -> f64, can_move: impl Fn(f64) -> bool) -> Vec<[f64; 2]> {
     let mut found: Vec<[f64; 2]> = Vec::new();
     let (mut height, mut is_open) = (0.0, false);

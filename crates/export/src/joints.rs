@@ -1,4 +1,4 @@
-//! What the joints of an arm make of a motion: what their friction holds, and how torques step.
+//! A motion in the joints of an arm: errors that their friction can hold, and steps of torques.
 
 use nalgebra::{Vector3, Vector6};
 use plan::ArmCourse;
@@ -90,8 +90,8 @@ pub fn course(robot: &Robot, time_step: f64, states: &[[f64; STATE]]) -> Result<
     ArmCourse::new(robot, time_step, &GraspError::default(), states, &[])
 }
 
-/// How far a tool that is held by springs lags behind its reference: the velocity that damping makes up for (m, rad).
-pub fn lag(impedance: &Impedance, speed: f64, turning: f64) -> Held {
+/// Tracking error of a tool on springs: the velocity that damping makes up for (m, rad).
+pub fn tracking_error(impedance: &Impedance, speed: f64, turning: f64) -> Held {
     let largest = |matrix: &nalgebra::Matrix3<f64>| matrix.symmetric_eigenvalues().amax();
     Held {
         distance: largest(&impedance.translational_damping) * speed / impedance.translational_stiffness,
@@ -99,7 +99,7 @@ pub fn lag(impedance: &Impedance, speed: f64, turning: f64) -> Held {
     }
 }
 
-/// States of the part, all moved by a way (m, world frame).
+/// States of the part, all shifted by a vector (m, world frame).
 pub fn shifted(states: &[[f64; STATE]], way: &Vector3<f64>) -> Vec<[f64; STATE]> {
     let moved = |state: &[f64; STATE]| {
         let mut moved = *state;

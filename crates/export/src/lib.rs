@@ -1,22 +1,22 @@
-//! What robots read of a plan: the reference in their frames and at their rate, gains, limits, and players.
+//! Exports of a plan for robots: the reference in their frames and at their rate, gains, limits, and players.
 //!
-//! A plan describes the part in the world. A robot moves its tool in the frame of its base: [`Frames`] carries poses, twists,
+//! A plan describes the part in the world. A robot moves its tool in the frame of its base: [`Frames`] transfers poses, twists,
 //! wrenches and gains from the one to the other, [`SmoothReference`] makes velocities continuous, [`resample`] gives the
-//! reference the rate of the robot, [`TrialRecord`] says how it does in rollouts, [`FreeAir`] where nothing touches, and
+//! reference the rate of the robot, [`TrialRecord`] has its success in rollouts, [`FreeAir`] where nothing touches, and
 //! [`write()`] puts all that into a folder with a README for exactly this plan and, if the [`Target`] has one, a player.
 //!
-//! | file of a folder | what it is | from |
+//! | file | content | from |
 //! |---|---|---|
 //! | `trajectory.csv` | the reference of the tool | `trajectory` |
-//! | `wrench.csv` | what the controller is expected to do at the tool point | `wrench` |
-//! | `plan.json` | gains, guards, frames, the arm as a chain of joints, how good the plan is | [`Document`] |
-//! | `SHA256SUMS` | hashes of all files: what was changed is not played | `folder` |
+//! | `wrench.csv` | expected wrench of the controller at the tool point | `wrench` |
+//! | `plan.json` | gains, guards, frames, the arm as a chain of joints, success rates | [`Document`] |
+//! | `SHA256SUMS` | hashes of all files: players refuse changed ones | `folder` |
 //! | `README.md` | how to check and run it | `readme`, `players/TARGET/README.md` |
 //! | `plan.script` | a controller in URScript with the reference in it | `urscript` |
 //! | `*.py` | the player | `players/shared`, `players/TARGET` |
 //!
-//! Players are Python, as the libraries of the makers are. They hold no numbers of a plan: they read `plan.json` and
-//! `trajectory.csv`. The modules in `players/shared` are the same for all robots; a target adds what talks to its robot.
+//! Players are Python, as the libraries of the manufacturers are. They hold no numbers of a plan: they read `plan.json` and
+//! `trajectory.csv`. The modules in `players/shared` are the same for all robots; a target adds the communication with its robot.
 //! `scripts/test-players` lets them move an arm in MuJoCo.
 
 mod document;

@@ -47,7 +47,7 @@ impl SmoothReference {
         (self.knots.len() - 1) as f64 * self.time_step
     }
 
-    /// At so many knots from the beginning, 1.5 for half a step behind the second; behind the last one at rest.
+    /// At a number of knots from the beginning, 1.5 for half a step after the second; at rest after the last one.
     pub fn at(&self, knots: f64) -> Knot {
         let index = knots as usize;
         let Some([from, to, ..]) = self.knots.get(index..) else { return self.knots[self.knots.len() - 1] };
@@ -56,7 +56,7 @@ impl SmoothReference {
         let way = to.pose.translation.vector - origin;
         let (moved, velocity) = hermite.between(&way, &(step * from.velocity), &(step * to.velocity));
         let turn = (from.pose.rotation.inverse() * to.pose.rotation).scaled_axis();
-        // In the chart of rotation vectors, the last tangent is another one.
+        // In the chart of rotation vectors, the tangent at the end differs.
         let last = right_jacobian(&turn).try_inverse().unwrap_or_else(Matrix3::identity) * to.angular_velocity;
         let (turned, rate) = hermite.between(&turn, &(step * from.angular_velocity), &(step * last));
         Knot {
@@ -69,7 +69,7 @@ impl SmoothReference {
         }
     }
 
-    /// As a reference with so many straight pieces between two knots, for rollouts.
+    /// As a reference with `count` straight pieces between two knots, for rollouts.
     pub fn pieces(&self, count: usize) -> Reference {
         let last = (self.knots.len() - 1) * count;
         let knots: Vec<Knot> = (0..=last).map(|piece| self.at(piece as f64 / count as f64)).collect();
@@ -103,7 +103,7 @@ impl Hermite {
         }
     }
 
-    /// Value and derivative on the way from zero, with tangents at both ends.
+    /// Value and derivative between zero and `way`, with tangents at both ends.
     fn between(&self, way: &Vector3<f64>, first: &Vector3<f64>, last: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
         let at = |order: usize| self.way[order] * way + self.first[order] * first + self.last[order] * last;
         (at(0), at(1))
@@ -115,10 +115,10 @@ fn harmonic(one: &Vector3<f64>, other: &Vector3<f64>) -> Vector3<f64> {
     one.zip_map(other, |one, other| if one * other > 0.0 { 2.0 * one * other / (one + other) } else { 0.0 })
 }
 
-/// From the derivative of a rotation vector to the angular velocity in the turned frame.
+/// From the derivative of a rotation vector to the angular velocity in the rotated frame.
 fn right_jacobian(turn: &Vector3<f64>) -> Matrix3<f64> {
     let (angle, cross) = (turn.norm(), turn.cross_matrix());
-    // Of small angles, the limits.
+    // Limits for small angles.
     let [linear, square] = match angle < 1e-4 {
         true => [0.5, 1.0 / 6.0],
         false => [(1.0 - angle.cos()) / angle.powi(2), (angle - angle.sin()) / angle.powi(3)],

@@ -1,4 +1,4 @@
-//! What a plan is exported to.
+//! Targets of exports.
 
 use std::fmt;
 
@@ -21,7 +21,7 @@ const SHARED: [File; 12] = [
 /// Name and text of a file.
 pub type File = (&'static str, &'static str);
 
-/// What a plan is exported to.
+/// The target of an export.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Target {
     /// Tables alone.

@@ -1,6 +1,6 @@
 //! Text of files in text for people and robots: it stays text.
 
-/// A name or title without what could end its line, turn its direction or close its quotes.
+/// A name or title without characters that could end its line, change its direction or close its quotes.
 pub fn plain(text: &str) -> String {
     text.chars()
         .filter(|letter| !input::is_control(*letter))

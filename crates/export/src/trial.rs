@@ -1,4 +1,4 @@
-//! How good a plan is as it is exported: rollouts with hard contact of exactly this reference.
+//! How well a plan succeeds as it is exported: rollouts with hard contact of exactly this reference.
 
 use plan::{PlannerError, Problem};
 use serde::Serialize;
@@ -14,10 +14,10 @@ const RANDOM: usize = 20;
 const SEED: u64 = 20;
 /// Straight pieces of the reference between two knots of the plan.
 const PIECES: usize = 4;
-/// A plan that succeeds less often at some friction is exported only when that is wanted.
+/// Lowest success rate at any friction of a plan that is exported without `--anyway`.
 pub const LEAST_RATE: f64 = 0.95;
 
-/// What rollouts of a reference do, over all planned and some random grasp errors.
+/// Results of rollouts of a reference, over all planned and some random grasp errors.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TrialRecord {
     /// Success rates, one per friction.
@@ -35,7 +35,7 @@ pub struct RateRecord {
     pub friction: f64,
     /// Largest offset (m).
     pub magnitude_m: f64,
-    /// Largest turn (rad).
+    /// Largest rotation error (rad).
     pub turn_rad: f64,
     /// Rollouts.
     pub rollouts: usize,
@@ -102,7 +102,7 @@ fn frictions(plan: &StoredPlan, problem: &Problem) -> Vec<f64> {
     if refined.is_empty() { problem.scene().robustness.frictions.clone() } else { refined }
 }
 
-/// The planned grasp errors, and random offsets in their hull with random turns.
+/// The planned grasp errors, and random offsets in their hull with random rotations.
 fn grasps(plan: &StoredPlan, problem: &Problem) -> Vec<GraspError> {
     let planned: Vec<GraspError> = plan.result.scenarios.iter().map(|scenario| (&scenario.grasp).into()).collect();
     let offsets: Vec<[f64; 3]> = problem.task().grasps.iter().map(|grasp| grasp.offset).collect();

@@ -59,7 +59,7 @@ fn list_of(pairs: &[[f64; 2]], index: usize) -> String {
     list(if numbers.is_empty() { &[0.0] } else { &numbers })
 }
 
-/// A line that tells the user something.
+/// A line that shows a message to the user.
 fn message(text: &str) -> String {
     let quoted: String = text.chars().filter(|letter| letter.is_ascii() && !matches!(letter, '"' | '\\')).collect();
     format!("  textmsg(\"warning: {quoted}\")")

@@ -17,23 +17,23 @@ use crate::trial::{LEAST_RATE, TrialRecord};
 use crate::urscript::script;
 use crate::wrench::wrench_csv;
 
-/// Name of the file that says what an export is.
+/// Name of the file that describes an export.
 pub const DOCUMENT: &str = "plan.json";
 /// The reference of the tool at the rate of the robot.
 pub const TRAJECTORY: &str = "trajectory.csv";
-/// What the controller is expected to do at the tool point.
+/// Expected wrench of the controller at the tool point.
 pub const WRENCH: &str = "wrench.csv";
 /// Explains the folder.
 pub const README: &str = "README.md";
 /// The script of `urscript`.
 pub const SCRIPT: &str = "plan.script";
 
-/// What is exported, and how.
+/// A request for an export.
 #[derive(Debug, Clone)]
 pub struct Request<'path> {
     /// Folder of the plan.
     pub plan: &'path Path,
-    /// What for.
+    /// Its target.
     pub target: Target,
     /// Samples per second (Hz).
     pub rate: f64,
@@ -50,7 +50,7 @@ pub struct Written {
     pub folder: PathBuf,
     /// Names of its files.
     pub files: Vec<String>,
-    /// What the user should know.
+    /// Remarks for the user.
     pub remarks: Vec<String>,
 }
 
@@ -101,7 +101,7 @@ fn hash_of_result(plan: &StoredPlan) -> Result<String, PlannerError> {
     read_bytes(&file).map(|content| hash(&content))
 }
 
-/// Refuses a plan that does not do what was asked for, unless it is wanted anyway.
+/// Refuses a plan that is not done, unless `anyway`.
 fn require_done(plan: &StoredPlan, anyway: bool) -> Result<(), PlannerError> {
     if plan.result.done || plan.result.planned || anyway {
         return Ok(());
@@ -111,7 +111,7 @@ fn require_done(plan: &StoredPlan, anyway: bool) -> Result<(), PlannerError> {
     Err(PlannerError::file(&plan.folder, format!("the plan is not done ({status}): {advice}")))
 }
 
-/// Refuses a plan that succeeds too rarely in rollouts, likewise.
+/// Refuses a plan that succeeds too rarely in rollouts, unless `anyway`.
 fn require_success(plan: &StoredPlan, trial: &TrialRecord, anyway: bool) -> Result<(), PlannerError> {
     let low = trial.low_rates();
     if low.is_empty() || anyway {
@@ -122,7 +122,7 @@ fn require_success(plan: &StoredPlan, trial: &TrialRecord, anyway: bool) -> Resu
     Err(PlannerError::file(&plan.folder, problem))
 }
 
-/// Refuses a reference whose torques step by more than the robots of a target take, likewise.
+/// Refuses a reference whose torque steps exceed those of the target's robots, unless `anyway`.
 fn require_smooth(plan: &StoredPlan, document: &Document, request: &Request) -> Result<(), PlannerError> {
     let Some((step, limit)) = document.torque_step_nm_per_ms.zip(request.target.torque_step()) else { return Ok(()) };
     if step <= limit || request.anyway {

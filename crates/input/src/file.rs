@@ -29,10 +29,9 @@ pub fn append(path: &Path) -> Result<File> {
     File::options().append(true).create(true).open(path)
 }
 
-/// Refuses what is no file on a disk: folders, pipes, devices.
+/// Refuses folders, pipes and devices.
 ///
-/// # Errors
-/// Also when there is nothing at the path.
+/// # Errors Also when nothing exists at the path.
 pub fn require_regular(path: &Path) -> Result<()> {
     let kind = metadata(path)?.file_type();
     if kind.is_dir() {

@@ -1,4 +1,4 @@
-//! What comes from outside: files of any kind and size, text that a terminal might obey, and names that have changed.
+//! External input: files of any kind and size, text with terminal controls, and names that have changed.
 
 mod file;
 mod renamed;

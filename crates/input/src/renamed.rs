@@ -24,7 +24,7 @@ pub const KEYS: &[Renamed] = &[
 ];
 
 impl Renamed {
-    /// What to tell users of the former name.
+    /// The warning about the former name.
     pub fn warning(&self) -> String {
         let Self { old, new } = self;
         format!("`{old}` is now `{new}`: write the new name, the next version refuses the old one")

@@ -18,18 +18,18 @@ use crate::errors::{SceneWarning, exception};
 const STACK: usize = 8 << 20;
 /// Between two looks at signals.
 const TICK: Duration = Duration::from_millis(50);
-/// How long work may go on once it has been interrupted, before nobody waits for it any more. What it writes, it writes
-/// whole or not at all.
+/// How long interrupted work may continue before the interpreter stops waiting for it. Files are written whole or not
+/// at all.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// What the thread tells the interpreter.
+/// Messages of the thread to the interpreter.
 enum Message {
     /// Name and fields, as JSON.
     Event(&'static str, String),
     Warning(String),
 }
 
-/// The thread's side: what it tells, and whether it is to end.
+/// The thread's side: sends messages, and knows whether to stop.
 pub struct Watch {
     messages: Sender<Message>,
     wants_events: bool,
@@ -37,19 +37,19 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Tells of something that the user is to be warned of.
+    /// Sends a warning for the user.
     pub fn warn(&self, warning: String) {
         self.tell(Message::Warning(warning));
     }
 
-    /// What accompanies the work: events come here, an interrupt stops it, and it has as many threads as wanted.
+    /// The session of the work: it forwards events, stops at an interrupt, and has the requested threads.
     pub fn session(&self, jobs: Option<usize>) -> Session<'_> {
         let session = Session::new(self, &self.stopped);
         Session { threads: jobs.unwrap_or(session.threads), ..session }
     }
 
     fn tell(&self, message: Message) {
-        // Where nobody listens any more, there is nothing to tell.
+        // Without a listener, messages are dropped.
         let _ = self.messages.send(message);
     }
 }
@@ -73,7 +73,7 @@ where
     let (messages, heard) = channel();
     let stopped = Arc::new(AtomicBool::new(false));
     let watch = Watch { messages, wants_events: progress.is_some(), stopped: Arc::clone(&stopped) };
-    // The thread owns the only sender: when it has ended, nothing more is to be heard.
+    // The thread owns the only sender: once it has ended, there are no more messages.
     let worker = Builder::new().stack_size(STACK).spawn(move || work(&watch));
     let worker = worker.map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
     if let Err(raised) = listen(py, progress, heard) {

@@ -1,10 +1,10 @@
 //! The module `assembly_plan._planner`: the planner and the command line for the Python package around it.
 //!
-//! Nothing here is meant for users. The package `assembly_plan` has the classes, their documentation and their types;
-//! `_planner.pyi` has the types of this module. Motions go to Python as bytes of numbers, which NumPy takes as they are,
-//! everything else as JSON or CSV text, as the planner's own files have it.
+//! Users do not use it directly. The package `assembly_plan` has the classes, their documentation and their types;
+//! `_planner.pyi` has the types of this module. Motions go to Python as bytes of numbers for NumPy, everything else as
+//! JSON or CSV text, in the format of the planner's files.
 //!
-//! Long work runs in a thread of its own: the interpreter goes on meanwhile, hears of events and can interrupt.
+//! Long work runs in a thread of its own: meanwhile the interpreter keeps running, receives events and can interrupt.
 
 mod background;
 mod command;

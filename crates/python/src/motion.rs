@@ -19,7 +19,7 @@ pub struct Motion<'py> {
 }
 
 impl<'py> Motion<'py> {
-    /// Of some tables.
+    /// From some tables.
     pub fn new(py: Python<'py>, tables: &MotionTables) -> Self {
         let MotionTables { time_step, reference, pairs, scenarios } = tables;
         let contacts = || scenarios.iter().flat_map(|scenario| scenario.contacts.iter().flatten());

@@ -1,4 +1,5 @@
-//! What is chosen of a scene and how it is solved and simulated: dictionaries of the package, whose values all are there.
+//! Choices for a scene, and settings of solving and simulating: dictionaries of the package, in which every key is
+//! present.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -14,7 +15,7 @@ use task::LinearSolver;
 /// Name of a homotopy that is a dictionary, in messages.
 const DICTIONARY: &str = "homotopy";
 
-/// What is chosen of a scene.
+/// Choices for a scene.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct ChoiceOptions {
@@ -65,8 +66,7 @@ pub struct SolveOptions {
 impl SolveOptions {
     /// Claims the folder of the plan, if it has one; `inputs` are files that the user has named.
     ///
-    /// # Errors
-    /// When it cannot be that of a plan, or nothing can be resumed.
+    /// # Errors When it cannot be that of a plan, or nothing can be resumed.
     pub fn claim(&self, inputs: &[&Path]) -> Result<Option<PlanFolder>, PlannerError> {
         let Some(out) = &self.out else {
             return match self.resume {
@@ -93,10 +93,9 @@ pub struct RobustOptions {
 }
 
 impl RobustOptions {
-    /// What a robust plan of a scene must tolerate, and until when it is sought.
+    /// Target of a robust plan of a scene.
     ///
-    /// # Errors
-    /// When a value is out of its range.
+    /// # Errors When a value is out of its range.
     pub fn target(self, scene: &Scene) -> Result<RobustnessTarget, PlannerError> {
         /// More than anyone waits (s).
         const MOST: f64 = 1e7;
@@ -140,21 +139,20 @@ pub struct PlayOptions {
 }
 
 impl PlayOptions {
-    /// Where random offsets lie.
+    /// The region of random offsets.
     fn region(&self) -> Result<Region, PlannerError> {
         match (self.hull, self.disc, self.ball) {
             (false, false, false) => Ok(Region::Covered),
             (true, false, false) => Ok(Region::Hull),
             (false, true, false) => Ok(Region::Disc),
             (false, false, true) => Ok(Region::Ball),
-            _ => Err(wrong("random", "at most one of hull, disc and ball says where they lie")),
+            _ => Err(wrong("random", "give at most one of hull, disc and ball")),
         }
     }
 
-    /// What is simulated.
+    /// The simulation to be run.
     ///
-    /// # Errors
-    /// When a value is out of its range, or two exclude each other.
+    /// # Errors When a value is out of its range, or two exclude each other.
     pub fn request(&self) -> Result<SimulationRequest, PlannerError> {
         let offsets = match (self.random, self.grid, &self.offsets) {
             (Some(count), None, None) => OffsetSource::Random(count, self.region()?),
@@ -193,8 +191,7 @@ fn wrong(name: &'static str, problem: impl ToString) -> PlannerError {
 
 /// The text of a TOML file with the content of a JSON object.
 ///
-/// # Errors
-/// When it is no object, or has a value that TOML does not know.
+/// # Errors When it is not an object, or has a value that TOML cannot represent.
 pub fn toml_text(json: &str) -> Result<String, PlannerError> {
     let table: toml::Table = serde_json::from_str(json).map_err(|error| wrong("dictionary", error))?;
     toml::to_string(&table).map_err(|error| wrong("dictionary", error))

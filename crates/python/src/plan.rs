@@ -21,13 +21,13 @@ pub struct Plan {
     tables: MotionTables,
 }
 
-/// Where a plan is.
+/// The place of a plan.
 enum Origin {
     Solved(Box<planner::Plan>),
     Stored(Box<StoredPlan>),
 }
 
-/// What a simulation needs of a plan.
+/// The inputs of a simulation of a plan.
 pub struct PlayedPlan {
     origin: Option<StoredPlan>,
     pub result: PlanResult,
@@ -48,10 +48,9 @@ impl Plan {
         Ok(Self { origin: Origin::Solved(Box::new(plan)), result, tables })
     }
 
-    /// What a simulation needs, with the homotopy steps if wanted.
+    /// The inputs of a simulation, with the homotopy steps if requested.
     ///
-    /// # Errors
-    /// When a file of a stored plan cannot be read.
+    /// # Errors When a file of a stored plan cannot be read.
     pub fn played(&self, stages: bool) -> Result<PlayedPlan, PlannerError> {
         let mut motions = Vec::new();
         if stages {
@@ -85,7 +84,7 @@ impl Plan {
 }
 
 impl PlayedPlan {
-    /// The folder of a stored plan; of another one, nothing.
+    /// The folder of a stored plan; otherwise empty.
     pub fn folder(&self) -> PathBuf {
         self.origin.as_ref().map_or_else(PathBuf::new, |stored| stored.folder.clone())
     }

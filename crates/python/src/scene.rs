@@ -46,7 +46,7 @@ impl Scene {
         })
     }
 
-    /// What the scene has, as JSON.
+    /// The content of the scene, as JSON.
     fn content(&self) -> String {
         let scene = &self.0.scene;
         let starts = scene.starts.iter().map(|start| json!({ "name": start.name, "pose": start.pose }));
@@ -62,7 +62,7 @@ impl Scene {
         .to_string()
     }
 
-    /// What there is to know before solving, as JSON.
+    /// The explanation of the scene, as JSON.
     fn check(&self, py: Python, choices: ChoiceOptions, tau: Option<f64>) -> PyResult<String> {
         let read = Arc::clone(&self.0);
         background::run(py, None, move |_| {
@@ -80,7 +80,7 @@ impl Scene {
         })
     }
 
-    /// Plans, and makes the plan robust if wanted.
+    /// Plans, and makes the plan robust if requested.
     fn solve(
         &self,
         py: Python,
@@ -132,7 +132,7 @@ fn solve(
         None => plan.tested = planner::test(&plan, &RobustnessTarget::of(&problem.scene().robustness), &session)?,
     }
     warnings::of_plan(&plan).into_iter().for_each(|warning| watch.warn(warning));
-    // What is interrupted, is raised as such.
+    // Interrupted work raises the interrupt.
     let folder = folder.filter(|_| plan.stopped != Some(Stop::User));
     Plan::solved(plan, folder)
 }

@@ -1,4 +1,4 @@
-//! From the data of a page to one HTML file that needs nothing else.
+//! From the data of a page to one self-contained HTML file.
 
 use plan::PlannerError;
 
@@ -6,7 +6,7 @@ use crate::model::PageData;
 
 /// Name of a page in the folder that it shows.
 pub const PAGE: &str = "report.html";
-/// How pages of ours begin; only such a file is replaced.
+/// First lines of pages; only a file with them is replaced.
 pub const BEGIN: &str = "<!doctype html>\n<!-- written by assembly-plan report -->\n";
 
 const SCRIPT: &str = include_str!("../page/bundle/page.js");

@@ -1,12 +1,12 @@
 //! Pages and figures of plans, batches and simulations.
 //!
 //! A folder is read ([`read()`]) into the data of a page ([`PageData`]), and the page is that data as JSON, a script and a
-//! style sheet in one HTML file ([`html`]) that needs no network. What the folder does not hold is computed again while
+//! style sheet in one HTML file ([`html`]) that needs no network. What the folder lacks is computed while
 //! it is read: where parts touch, rollouts with hard contact, the joints of the arm. Logs of robots are shown beside rollouts.
 //! [`figures`]
 //! draws the same data as SVG files for papers and slides.
 //!
-//! | module | what it holds |
+//! | module | content |
 //! |---|---|
 //! | [`model`] | the data of a page |
 //! | `read` | from a folder to that data |
@@ -14,7 +14,7 @@
 //! | [`figures`] | from that data to SVG files |
 //!
 //! The script is made of the modules in `page/` and of three.js and uPlot. `scripts/vendor-page` bundles them into the
-//! files of `page/bundle`, which are checked in: to build this crate needs no Node.
+//! files of `page/bundle`, which are checked in: building this crate needs no Node.
 
 pub mod figures;
 pub mod html;

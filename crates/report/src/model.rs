@@ -1,5 +1,5 @@
-//! What a page shows, as the JSON that is embedded in it. Lengths in m, angles in rad, forces in N, times in s; the
-//! page itself converts to what people read.
+//! The data of a page, as the JSON that is embedded in it. Lengths in m, angles in rad, forces in N, times in s; the
+//! page itself converts them for display.
 
 use serde::Serialize;
 use store::{PlanResult, SimulationRecord, SuccessRow, Versions};
@@ -23,7 +23,7 @@ pub struct PlanData {
     pub result: PlanResult,
     /// Goal of the body: position, unit quaternion w x y z.
     pub goal: [f64; 7],
-    /// What counts as success: distance (m) and angle (rad).
+    /// Tolerances of success: distance (m) and angle (rad).
     pub tolerance: [f64; 2],
     /// Steps of the horizon and parts, in words.
     pub made_from: Vec<[String; 2]>,
@@ -33,18 +33,18 @@ pub struct PlanData {
     pub environment: Vec<PartData>,
     /// Names of all pairs, `BODY PART/ENVIRONMENT PART`.
     pub pairs: Vec<String>,
-    /// The plan in the smoothed model, rollouts with hard contact, the homotopy steps, and what robots did. A robust
-    /// plan begins with the rollouts: it has no other model.
+    /// The plan in the smoothed model, rollouts with hard contact, the homotopy steps, and executions. A robust plan
+    /// starts with the rollouts: it has no other model.
     pub motions: Vec<MotionData>,
     /// Joints of the scene's arm; none without one.
     pub joints: Vec<JointData>,
-    /// How deep the parts engage (m); null where nothing guides the body at its goal.
+    /// Engagement depth (m); null where nothing guides the body at its goal.
     pub engagement_depth: Option<f64>,
-    /// What rollouts vary besides offsets.
+    /// Errors that rollouts vary besides offsets.
     pub errors: ErrorsData,
     /// Warnings, and why the plan is not done: sentences without full stops.
     pub notes: Vec<String>,
-    /// What a plan that is not robust loses most, likewise.
+    /// The largest losses of a plan that is not robust, each in a line.
     pub weakest: Vec<String>,
     /// Success rates of the last `simulate` in this folder.
     pub simulation: Option<SimulationData>,
@@ -53,7 +53,7 @@ pub struct PlanData {
 /// Errors of the execution that rollouts of a plan vary besides offsets, and those that they do not.
 #[derive(Debug, Clone, Serialize)]
 pub struct ErrorsData {
-    /// Those that the scene asks for, with their size.
+    /// Errors that the scene requires to be tolerated, with their size.
     pub varied: Vec<String>,
     /// The names of the others.
     pub left_out: Vec<String>,
@@ -70,7 +70,7 @@ pub struct PartData {
     pub facets: Vec<Vec<usize>>,
 }
 
-/// Where a motion comes from.
+/// Origin of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "source", rename_all = "snake_case")]
 pub enum Source {
@@ -88,14 +88,14 @@ pub enum Source {
         /// Coulomb's coefficient.
         friction: f64,
     },
-    /// What a robot did, beside a rollout with the same grasp error.
+    /// An execution, beside a rollout with the same grasp error.
     Executed,
 }
 
 /// A reference and the motions of the body that tracks it.
 #[derive(Debug, Clone, Serialize)]
 pub struct MotionData {
-    /// Where it comes from.
+    /// Its origin.
     #[serde(flatten)]
     pub source: Source,
     /// Time between two knots (s).
@@ -106,11 +106,11 @@ pub struct MotionData {
     pub scenarios: Vec<ScenarioData>,
     /// Joints of the arm in each scenario; none without an arm, where it does not reach, and where that is not known.
     pub courses: Vec<JointCourse>,
-    /// Of what a robot did, what the log tells.
+    /// Details of an execution, from its log.
     pub execution: Option<ExecutionData>,
 }
 
-/// What the log of a robot tells.
+/// Details of an execution.
 #[derive(Debug, Clone, Serialize)]
 pub struct ExecutionData {
     /// Name of the log's file.
@@ -128,9 +128,9 @@ pub struct ExecutionData {
 /// How the body moves with one grasp error.
 #[derive(Debug, Clone, Serialize)]
 pub struct ScenarioData {
-    /// Where it sits in the gripper: offset (m, body frame).
+    /// Its offset in the gripper (m, body frame).
     pub offset: [f64; 3],
-    /// Its turn in the gripper (rad, rotation vector).
+    /// Its rotation error in the gripper (rad, rotation vector).
     pub rotation: [f64; 3],
     /// How robot and controller differ from what they are taken for, in words.
     pub disturbances: Vec<String>,
@@ -149,10 +149,10 @@ pub struct ScenarioData {
     pub forces: Vec<f64>,
     /// Largest contact force; null where it is not known.
     pub max_force: f64,
-    /// What a robot measured at its tool point in each step, along the axes of its base: force, torque; six numbers each.
-    /// Empty where there is no such measurement.
+    /// Measurements at the robot's tool point in each step, along the axes of its base: force, torque; six numbers
+    /// each. Empty without measurements.
     pub measured: Vec<f64>,
-    /// Where pairs push in each step: pair, force, point (m, world frame) and direction of the force on the body; eight
+    /// Contact forces in each step: pair, force, point (m, world frame) and direction of the force on the body; eight
     /// numbers each; empty for homotopy steps.
     pub contacts: Vec<Vec<f64>>,
 }
@@ -222,7 +222,7 @@ pub struct CellData {
     pub effort: Option<(usize, f64)>,
     /// Success rate of a robust plan.
     pub rate: Option<f64>,
-    /// Largest turn of the part in the gripper that was asked for (rad).
+    /// Largest rotation error of the part in the gripper (rad).
     pub rotation_error: Option<f64>,
     /// Versions of the programs that planned it.
     pub versions: Option<Versions>,
@@ -233,7 +233,7 @@ pub struct CellData {
 pub struct SimulationData {
     /// Name of its folder.
     pub title: String,
-    /// What was simulated; not known of tables of older versions.
+    /// Settings of the simulation; unknown for tables of older versions.
     pub record: Option<SimulationRecord>,
     /// `success.csv`.
     pub groups: Vec<SuccessRow>,

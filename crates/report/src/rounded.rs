@@ -7,14 +7,14 @@ pub const ANGLE: i32 = 5;
 /// Decimals of forces (N) and torques (Nm).
 pub const FORCE: i32 = 3;
 
-/// A number with so many decimals.
+/// A number with `decimals` decimals.
 pub fn rounded(value: f64, decimals: i32) -> f64 {
     let scale = 10_f64.powi(decimals);
     // Without negative zeros.
     (value * scale).round() / scale + 0.0
 }
 
-/// Several numbers, likewise.
+/// Several numbers, each rounded.
 pub fn all<const N: usize>(values: [f64; N], decimals: i32) -> [f64; N] {
     values.map(|value| rounded(value, decimals))
 }

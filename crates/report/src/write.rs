@@ -21,12 +21,11 @@ pub struct Written {
     pub figures: Vec<String>,
 }
 
-/// Writes the page of a folder, by default into it, with a batch also the pages of its finished cells, and its figures
-/// into another folder, if one is named. The page of a plan also shows the executions that logs tell.
+/// Writes the page of a folder, by default into it, for a batch also the pages of its finished cells, and its figures
+/// into another folder, if one is named. The page of a plan also shows the executions in logs.
 ///
-/// # Errors
-/// When the folder cannot be read or has no figures, or a file stands in the way that is none of ours. Then neither the
-/// page nor a figure is written.
+/// # Errors When the folder cannot be read or has no figures, or a foreign file is in the way. Then neither the page
+/// nor a figure is written.
 pub fn write(
     folder: &Path,
     logs: &[PathBuf],
@@ -85,7 +84,7 @@ pub fn require_writable(file: &Path) -> Result<(), PlannerError> {
     require_own(file, BEGIN, "report; choose another --out, or move it away")
 }
 
-/// Refuses to replace a file that does not begin as ours do.
+/// Refuses to replace a file with another beginning.
 fn require_own(file: &Path, begin: &str, kind_and_advice: &str) -> Result<(), PlannerError> {
     let stands = file.symlink_metadata().is_ok();
     if stands && !read_text(file).is_ok_and(|text| text.starts_with(begin)) {

@@ -4,9 +4,9 @@ use scene::{duration, horizon, key, rotational_stiffness, translational_stiffnes
 use task::Horizon;
 use toml::Value;
 
-/// What a scene that is to be written does not share with all others. Lengths are in metres.
+/// The individual content of a scene to be written. Lengths are in metres.
 pub struct Draft {
-    /// What the scene is: lines of a comment at its top.
+    /// Description of the scene: lines of a comment at its top.
     pub about: Vec<String>,
     /// Parts of the body, in its frame.
     pub body: Vec<DraftPart>,
@@ -20,11 +20,11 @@ pub struct Draft {
     pub position_tolerance: Option<f64>,
     /// Offset magnitude, above zero; the stiffness is chosen for it.
     pub offset: f64,
-    /// Largest contact force (N), if plans are to keep one.
+    /// Largest contact force (N), if plans should keep one.
     pub contact_force: Option<f64>,
 }
 
-/// A part of a scene that is to be written.
+/// A part of a scene to be written.
 pub struct DraftPart {
     /// Its name.
     pub name: String,
@@ -46,7 +46,7 @@ pub enum DraftShape {
     Model(String, Option<String>),
 }
 
-/// What stands above all scenes.
+/// Comment at the top of all scenes.
 const HELP: &str = "\
 #
 # Lengths are in metres, orientations are quaternions [w, x, y, z]. `assembly-plan check` explains this file,
@@ -89,7 +89,7 @@ impl Draft {
         *text += "\n# The convex parts of the body, in its frame, whose origin is the centre of mass. Each has one shape: `box` (edge\n\
                   # lengths), `vertices` (corners), `mesh` with `unit`, or `model`; `position` and `orientation` place it.\n";
         self.body.iter().for_each(|part| part.write("body", text));
-        *text += "# The convex parts of what does not move, in the world frame.\n";
+        *text += "# The convex parts of the environment, which does not move, in the world frame.\n";
         self.environment.iter().for_each(|part| part.write("environment", text));
         *text += "# Which parts may touch; without this table, all. Each pair costs time.\n#[contact]\n";
         *text += &format!("#pairs = [[{}, {}]]\n", name(&self.body), name(&self.environment));
@@ -179,7 +179,7 @@ fn entry(text: &mut String, table: &str, name: &str, value: &str, usual: &str) {
     *text += &format!("{name} = {value}\n");
 }
 
-/// What a key means, its unit and its usual values.
+/// Comment on a key: its meaning, unit and usual values.
 fn comment(text: &mut String, table: &str, name: &str, usual: &str) {
     let key = key(table, name);
     let unit = if key.unit.is_empty() { String::new() } else { format!(" ({})", key.unit) };

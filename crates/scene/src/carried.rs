@@ -1,5 +1,5 @@
-//! What moves with the arm besides the body: collision shapes of its links, and parts of the gripper. They are no part of the
-//! optimal control problem; whoever uses a plan is warned where they meet the environment.
+//! Shapes that move with the arm besides the body: collision shapes of its links, and parts of the gripper. They are
+//! not part of the optimal control problem; users of a plan are warned where they meet the environment.
 
 use std::fmt;
 
@@ -19,13 +19,13 @@ use crate::table::Table;
 pub struct Carried {
     /// Name of its link, or of the part of the gripper.
     pub name: String,
-    /// What it is fixed to.
+    /// The link or tool that it is fixed to.
     pub carrier: Carrier,
     /// In the frame of its carrier: the convex hull of a shape that is not convex.
     pub shape: Polytope,
 }
 
-/// What a shape is fixed to.
+/// The link or tool that a shape is fixed to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Carrier {
     /// A link of the arm, by its index among those that move.
@@ -39,7 +39,7 @@ pub enum Carrier {
 pub struct CarriedShapes {
     /// Shapes of links and of the gripper.
     pub shapes: Vec<Carried>,
-    /// Links whose shapes cannot be read, and why: nobody knows whether they meet something.
+    /// Links whose shapes cannot be read, and why: they are not checked against the environment.
     pub unread: Vec<String>,
 }
 
@@ -71,7 +71,7 @@ pub fn gripper(scene: &Table) -> Result<Vec<Part>, SceneError> {
 }
 
 impl CarriedShapes {
-    /// Of an arm and the parts of its gripper.
+    /// From an arm and the parts of its gripper.
     pub fn new(robot: Option<&Robot>, gripper: &[Part]) -> Self {
         let mut all = robot.map_or(Self::default(), Self::of_arm);
         all.shapes.extend(gripper.iter().map(|part| Carried {

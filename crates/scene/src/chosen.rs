@@ -1,4 +1,4 @@
-//! What is chosen where a scene does not say it.
+//! Defaults that depend on the scene.
 
 use std::f64::consts::TAU;
 
@@ -44,7 +44,7 @@ pub fn rotational_stiffness(translational: f64, mass: f64) -> f64 {
     (mass * (0.5 * translational / mass).sqrt()).clamp(bounds.low, bounds.high)
 }
 
-/// A duration (s) in which the controlled body settles and covers the longest way from its starts to the goal.
+/// A duration (s) in which the controlled body settles and covers the longest path from its starts to the goal.
 pub fn duration<'start>(starts: impl Iterator<Item = &'start [f64; 7]>, goal: &[f64; 7], time_constant: f64) -> f64 {
     let way = |start: &[f64; 7]| norm(&[0, 1, 2].map(|axis| start[axis] - goal[axis]));
     let path = starts.map(way).fold(0.0, f64::max);
@@ -63,7 +63,7 @@ pub fn horizon(duration: f64, steps: Option<usize>, time_step: Option<f64>) -> H
     Horizon { steps, time_step }
 }
 
-/// What was chosen for a scene, in its own words.
+/// The defaults chosen for a scene, as text of TOML.
 pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> {
     let Scene { impedance, horizon, .. } = scene;
     let mut values = vec![
@@ -104,8 +104,8 @@ pub fn insertion_axis(start: &[f64; 7], goal: &[f64; 7]) -> [f64; 3] {
     way.try_normalize(f64::EPSILON).unwrap_or(Vector3::z()).map(rounded).into()
 }
 
-/// Directions (body frame) whose offsets are planned to cover a disc or a ball: at equal angles in the plane of the disc,
-/// both ways along every axis for a ball. A hull has only those that the scene gives.
+/// Directions (body frame) whose offsets are planned to cover a disc or a ball: at equal angles in the plane of the
+/// disc, both directions along every axis for a ball. A hull has only those that the scene gives.
 pub fn directions(coverage: &Coverage) -> Vec<[f64; 3]> {
     let span = coverage.span();
     let directions: Vec<Vector3<f64>> = match span[..] {
@@ -118,7 +118,7 @@ pub fn directions(coverage: &Coverage) -> Vec<[f64; 3]> {
     directions.into_iter().map(|direction| direction.map(rounded).into()).collect()
 }
 
-/// Without the last digits, so that what is zero stays it.
+/// Drops the last digits, so that zeros stay zeros.
 fn rounded(component: f64) -> f64 {
     (1e12 * component).round() / 1e12 + 0.0
 }

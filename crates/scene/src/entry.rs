@@ -246,7 +246,7 @@ impl<'text> Entry<'text> {
         Err(self.refuse(format!("{} has {} {entries}: it must have {bound}", self.path, list.len())))
     }
 
-    /// A list of so many entries.
+    /// A list with a given number of entries.
     fn fixed(
         &self,
         value: &'text Value<'text>,
@@ -300,7 +300,7 @@ impl<'text> Entry<'text> {
         value.get_ref().as_str().ok_or_else(|| self.wrong_kind(value, "text in quotes"))
     }
 
-    /// An error about a value that is not what is wanted.
+    /// An error about a value of the wrong kind.
     pub fn wrong_kind(&self, value: &Value, wanted: &str) -> SceneError {
         let message = format!("{} must be {wanted}, not {}", self.subject(value), kind(value.get_ref()));
         self.source.error(value.span(), message)
@@ -324,7 +324,7 @@ fn diagonal([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]
 }
 
-/// What a value is, in words.
+/// The kind of a value, in words.
 fn kind(value: &DeValue) -> &'static str {
     match value {
         DeValue::String(_) => "text in quotes",

@@ -84,7 +84,7 @@ impl Excerpt {
     const LENGTH: usize = 160;
     const BEFORE: usize = 40;
 
-    /// Of a line with a place `width` characters wide after the first `indent` characters.
+    /// From a line with a place `width` characters wide after the first `indent` characters.
     fn new(line: &str, indent: usize, width: usize) -> Self {
         let skipped = if line.chars().count() > Self::LENGTH { indent.saturating_sub(Self::BEFORE) } else { 0 };
         let shown = line.chars().skip(skipped).take(Self::LENGTH);
@@ -108,7 +108,7 @@ pub struct Source<'text> {
 impl Source<'_> {
     /// An error at a range of bytes.
     pub fn error(&self, span: Range<usize>, message: impl Into<String>) -> SceneError {
-        // A byte order mark at the beginning is no part of the first line.
+        // A byte order mark is not part of the first line.
         let first = if self.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let start = self.boundary(span.start).max(first);
         let end = self.boundary(span.end).max(start);
@@ -124,7 +124,7 @@ impl Source<'_> {
         SceneError { file: self.file.to_owned(), message: message.into(), place: Some(place) }
     }
 
-    /// The beginning of the character at an index of the text, or its end.
+    /// The start of the character at an index of the text, or its end.
     fn boundary(&self, index: usize) -> usize {
         let index = index.min(self.text.len());
         (0..=index).rev().find(|&index| self.text.is_char_boundary(index)).unwrap_or(0)

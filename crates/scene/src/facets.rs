@@ -1,20 +1,20 @@
-//! How many facets stand for curved surfaces, where the scene does not say it.
+//! Default number of facets for curved surfaces.
 
 use std::f64::consts::TAU;
 
 use mesh::{CurvedSurface, Solid};
 use nalgebra::{Isometry3, Point3, Vector3};
 
-/// Facets per full turn of which the least is taken that is fine enough.
+/// Candidates for facets per full turn; the smallest that is fine enough is chosen.
 const CHOICES: [usize; 8] = [8, 12, 16, 24, 32, 40, 48, 64];
-/// Where nothing round goes into anything round.
+/// Facets where no round part enters a round hole.
 const DEFAULT: usize = 24;
 /// Share of the gap between a round part and its hole that facets may take.
 pub const SHARE: f64 = 0.05;
-/// Share beyond which a plan for the facets says nothing about the part.
+/// Share of the gap beyond which a plan for the facets is not valid for the part.
 pub const LARGEST_SHARE: f64 = 0.25;
-/// Largest interference and largest gap of a fit, in radii of the hole: cylinders that interfere more are walls of other
-/// features, those that leave more room guide nothing.
+/// Largest interference and largest gap of a fit, in radii of the hole: cylinders with more interference belong to
+/// other features, those with more room guide nothing.
 const LARGEST_INTERFERENCE: f64 = 0.02;
 const LARGEST_GAP: f64 = 0.5;
 /// Cylinders that overlap by less along their axis (m) only touch end to end.
@@ -34,8 +34,8 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// What facets take of the gap (m): flat sides of the hole against flat sides of the part, or corners against
-    /// corners, whichever is more.
+    /// Loss of gap by facets (m): flat sides of the hole against flat sides of the part, or corners against corners,
+    /// whichever is more.
     pub fn lost(&self, facets: usize) -> f64 {
         let cosine = (0.5 * TAU / facets as f64).cos();
         (self.hole * (1.0 - cosine)).max((self.hole - self.gap) * (1.0 / cosine - 1.0))

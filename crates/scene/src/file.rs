@@ -32,7 +32,7 @@ pub fn read_text(file: &Path, what: &str) -> Result<String, SceneError> {
         _ => refuse(&error.to_string()),
     };
     let bytes = input::read(file, LARGEST).map_err(failed)?;
-    // Text in UTF-16 has zeros as well, and is said to be in another encoding.
+    // UTF-16 has zeros as well, but gets a message about its encoding.
     let is_utf_16 = [[0xff, 0xfe], [0xfe, 0xff]].iter().any(|mark| bytes.starts_with(mark));
     if bytes.contains(&0) && !is_utf_16 {
         return Err(refuse("it is not a text file"));
@@ -45,7 +45,7 @@ pub fn read_text(file: &Path, what: &str) -> Result<String, SceneError> {
     })
 }
 
-/// What a file is that is neither scene nor homotopy by its name, and what to do with it.
+/// Kind of a file that is neither scene nor homotopy by its name, and advice.
 fn other_kind(file: &Path) -> Option<String> {
     let new = |part: &str| {
         let file = file.display();

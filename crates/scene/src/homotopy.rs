@@ -92,7 +92,8 @@ pub fn of_scene(scene: &Table) -> Result<Option<HomotopySettings>, SceneError> {
     }
 }
 
-/// The homotopy of a file beside a scene. What is wrong in the file is shown there, that it cannot be read in the scene.
+/// The homotopy in a file beside a scene. Errors in the file point into the file; that it cannot be read points into
+/// the scene.
 fn of_file(entry: &Entry, file: &str) -> Result<HomotopySettings, SceneError> {
     let path = entry.source().file.parent().unwrap_or(entry.source().file).join(file);
     let what = format!("homotopy {}", clipped_to(&path.display().to_string(), LONGEST_PATH));

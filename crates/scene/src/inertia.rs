@@ -12,8 +12,7 @@ use crate::table::Table;
 
 /// Relative difference of two numbers of a matrix that counts as rounding.
 const ROUNDING: f64 = 1e-9;
-/// Ratio of the largest to the smallest principal value of an apparent inertia, scaled by masses and lengths, beyond
-/// which nothing can be computed with it.
+/// Largest condition number of an apparent inertia, scaled by masses and lengths, that computations tolerate.
 const WORST_CONDITION: f64 = 1e8;
 
 /// The apparent inertia: the one that the scene gives, else that of its arm at the goal, else that of the body there.
@@ -71,8 +70,8 @@ fn of_body(
     }
 }
 
-/// A symmetric matrix with its principal values in the key's range. Where zero is in the range, rounding may make it
-/// negative.
+/// A symmetric matrix with its principal values in the key's range. Rounding may make a zero negative, where the range
+/// includes zero.
 pub fn symmetric(entry: &Entry) -> Result<Matrix3<f64>, SceneError> {
     let matrix = equal_to_transpose::<3>(entry, &entry.matrix()?)?;
     let (path, unit, range) = (entry.path(), entry.key().unit, entry.key().bounds());

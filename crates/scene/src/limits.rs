@@ -10,7 +10,7 @@ use crate::table::Table;
 /// Limits that are chosen leave this multiple of the speed with which the goal is reached in time.
 const HASTE: f64 = 12.0;
 
-/// What limits of velocities follow from where the scene does not give them.
+/// Data from which limits of velocities follow where the scene does not give them.
 pub struct Motion<'scene> {
     pub starts: &'scene [StartPose],
     pub goal: &'scene [f64; 7],
@@ -39,8 +39,8 @@ pub fn limits(table: &Table, motion: &Motion) -> Result<Limits, SceneError> {
 }
 
 impl Motion<'_> {
-    /// Velocity (m/s) and angular velocity (rad/s) that the arm can have, and at which the body, when it is stopped, pushes
-    /// with no more than the limit of contact forces (N) in the mean over 10 ms.
+    /// Velocity (m/s) and angular velocity (rad/s) that the arm allows, and at which a body that is stopped pushes
+    /// within the limit of contact forces (N), as a mean over 10 ms.
     fn fastest(&self, contact_force: f64) -> [f64; 2] {
         let arm = self.robot.and_then(Robot::velocities).unwrap_or([f64::INFINITY; 2]);
         let speed = contact_force * FORCE_WINDOW / self.inertia.heaviest();
@@ -49,7 +49,7 @@ impl Motion<'_> {
         std::array::from_fn(|part| short(arm[part].min(gentle[part].max(HASTE * necessary[part]))))
     }
 
-    /// Velocity (m/s) and angular velocity (rad/s) along an axis that the longest way to the goal takes at least.
+    /// Smallest velocity (m/s) and angular velocity (rad/s) along an axis for the longest path to the goal.
     fn necessary(&self) -> [f64; 2] {
         let duration = self.horizon.steps as f64 * self.horizon.time_step;
         self.starts.iter().fold([0.0_f64; 2], |[velocity, angular], start| {
@@ -86,7 +86,7 @@ pub struct OutOfReach {
     pub start: String,
     /// How far the goal is along the worst axis, in `unit`.
     pub distance: f64,
-    /// How far the body gets along an axis, in `unit`.
+    /// Largest distance that the body can cover along an axis, in `unit`.
     pub covered: f64,
     /// A limit that suffices, in `unit` by `per`.
     pub enough: f64,
@@ -133,7 +133,7 @@ pub fn check_reach(
         velocity_key: "rotational_velocity",
         acceleration_key: "rotational_acceleration",
         unit: "rad",
-        // Limits are per axis, so that a turn about a diagonal is the fastest.
+        // Limits are per axis, so that a rotation about a diagonal is the fastest.
         distance: angle / 3f64.sqrt(),
         velocity: limits.rotational_velocity,
         acceleration: limits.rotational_acceleration,

@@ -1,4 +1,4 @@
-//! What parts of known density make of the body.
+//! Mass, centre of mass and inertia of parts with known density.
 
 use nalgebra::{Matrix3, Vector3};
 use task::Inertia;
@@ -20,7 +20,7 @@ pub struct Material {
 }
 
 impl Material {
-    /// Of a body whose parts are meshes with a density, if any of them has one.
+    /// From a body whose parts are meshes with a density, if any of them has one.
     pub fn of(parts: &[GivenPart]) -> Result<Option<Self>, SceneError> {
         let Some(first) = parts.iter().find_map(|part| part.mesh().filter(|mesh| mesh.making.density.is_some())) else {
             return Ok(None);

@@ -32,7 +32,7 @@ pub struct MeshPart {
     pub shape: Option<String>,
     /// Its surface, in the part's own frame (m).
     pub solid: Arc<Solid>,
-    /// The convex pieces that cover it, likewise.
+    /// The convex pieces that cover it.
     pub cover: Arc<Cover>,
     /// How they were made.
     pub settings: CoverSettings,
@@ -53,7 +53,7 @@ pub struct GivenMesh<'text> {
     pub making: Making,
 }
 
-/// What the scene says of how a mesh becomes convex parts, and of its material.
+/// Settings of the scene for a mesh: its convex parts and its material.
 #[derive(Debug, Clone, Copy)]
 pub struct Making {
     pub facets: Option<usize>,
@@ -108,8 +108,8 @@ impl<'text> GivenMesh<'text> {
         })
     }
 
-    /// The convex parts that stand for the mesh, with the facets that are chosen unless the scene says how many; where
-    /// there is a region of motion, only what has surface there.
+    /// The convex parts of the mesh, with the facets that the scene gives or else chosen ones; with a region of motion,
+    /// only pieces with surface in it.
     pub fn cover(
         &self,
         name: &str,

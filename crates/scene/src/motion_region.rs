@@ -1,4 +1,4 @@
-//! Where the motion of the body can go, for what lies too far away to be touched.
+//! The region that the motion of the body can reach; parts beyond cannot be touched.
 
 use collision::{Pair, Polytope};
 use nalgebra::{Isometry3, Point3};
@@ -16,18 +16,18 @@ const OFFSETS: f64 = 1.0;
 /// Further distance, in sizes of the body.
 const MARGIN: f64 = 0.02;
 
-/// What is looked at around the region, in sizes of the body.
+/// Margin around the region, in sizes of the body.
 const SURROUNDINGS: f64 = 0.5;
 
 /// A box (m, world frame): lower and upper corner.
 pub type Extent = [[f64; 3]; 2];
 
-/// Where a body can go.
+/// The region that a body can reach.
 #[derive(Debug, Clone)]
 pub struct MotionRegion {
     /// A box around all of it and as much as half the body on every side: walls there must not be thin.
     pub extent: Extent,
-    /// For each part of the body convex places (world frame) that together are all it reaches.
+    /// For each part of the body, convex places (world frame) that together cover all it reaches.
     pub places: Vec<Vec<Polytope>>,
 }
 
@@ -40,7 +40,7 @@ pub struct Motions {
 }
 
 impl Motions {
-    /// Of a body with points at these coordinates (m), with offsets of a magnitude (m), turned by so much (rad) in the gripper.
+    /// For a body with points at these coordinates (m), with offsets of a magnitude (m) and a rotation error (rad).
     pub fn new(
         starts: &[StartPose],
         goal: &[f64; 7],

@@ -72,7 +72,7 @@ impl Scene {
         let motions = Motions::new(&starts, &goal, (offset_magnitude, spec.rotation_error), &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
             shapes(&body, &environment, &motions, &goal)?;
-        let (pairs, far_pairs) = pairs(
+        let (pairs, culled_pairs) = pairs(
             table,
             Side { parent: "body", parts: &body, meshes: &body_meshes },
             Side { parent: "environment", parts: &environment, meshes: &environment_meshes },
@@ -100,7 +100,7 @@ impl Scene {
             fit,
             region,
             pairs,
-            far_pairs,
+            culled_pairs,
             frictions: sections::frictions(table)?,
             starts,
             goal,

@@ -24,7 +24,7 @@ pub struct Part {
 /// Smallest length of a part, and largest coordinate of one that is placed (m).
 const SMALLEST: f64 = 1e-5;
 const FARTHEST: f64 = 1e4;
-/// A box with a shorter edge than this fraction of its longest one cannot be told from a plane.
+/// A box whose shortest edge is a smaller fraction of its longest one counts as flat.
 const FLATTEST: f64 = 1e-6;
 /// Shortest normal of a halfspace.
 const SHORTEST_NORMAL: f64 = 1e-6;
@@ -42,8 +42,8 @@ const OWNERS: [(&str, &[&str]); 5] = [
 /// Keys that need each other.
 pub const COMPANIONS: [(&str, &str); 2] = [("normals", "offsets"), ("mesh", "unit")];
 
-/// A part as the scene gives it: a mesh is covered by convex parts only when it is known where the motion goes. The shapes
-/// of a link are as many of them, one after the other, with the same name.
+/// A part as the scene gives it: a mesh is covered by convex parts only when the region of motion is known. The shapes
+/// of a link are separate parts with the same name.
 pub struct GivenPart<'text> {
     pub name: String,
     pub shape: Shape<'text>,

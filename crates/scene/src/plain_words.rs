@@ -2,7 +2,7 @@
 
 use crate::words::{clipped, clipped_to, suggest};
 
-/// How messages of the TOML parser begin, and what is said instead.
+/// Beginnings of messages of the TOML parser, and their replacements.
 const SYNTAX: [(&str, &str); 24] = [
     ("cannot extend value", "the key has a value already"),
     ("cannot recurse", "lists or tables are nested too deeply"),

@@ -75,7 +75,7 @@ pub fn of_pose(pose: &[f64; 7]) -> Isometry3<f64> {
     isometry(&[x, y, z], &quaternion)
 }
 
-/// The frame at a share (0 to 1) of the straight way between two.
+/// The frame at a share (0 to 1) of the straight path between two.
 pub fn between(from: &Isometry3<f64>, to: &Isometry3<f64>, share: f64) -> Isometry3<f64> {
     let rotation = from.rotation.try_slerp(&to.rotation, share, 1e-9).unwrap_or(to.rotation);
     Isometry3::from_parts(from.translation.vector.lerp(&to.translation.vector, share).into(), rotation)

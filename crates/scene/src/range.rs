@@ -1,4 +1,4 @@
-//! Ranges of numbers, and how messages say them.
+//! Ranges of numbers, and their text in messages.
 
 use std::fmt;
 

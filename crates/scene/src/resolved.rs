@@ -19,13 +19,13 @@ pub fn resolved(scene: &Scene, start: &StartPose, offset_magnitude: f64, homotop
     text(&document)
 }
 
-/// What stands in the world, as text of tables of a scene file: shapes, start and goal.
+/// The world, as text of tables of a scene file: shapes, start and goal.
 pub fn resolved_world(scene: &Scene, start: &StartPose) -> String {
     text(&world(scene, start))
 }
 
-/// How a plan is made in that world, likewise: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy,
-/// what the joints and the controller of an arm do.
+/// The settings of planning, as text of tables: inertia, impedance, friction, grasp errors, horizon, cost, limits,
+/// homotopy, joints and controller of an arm.
 pub fn resolved_settings(scene: &Scene, offset_magnitude: f64, homotopy: &HomotopySettings) -> String {
     text(&settings(scene, offset_magnitude, homotopy))
 }
@@ -128,7 +128,7 @@ fn requirements(scene: &Scene) -> Table {
     requirements
 }
 
-/// The offsets and turns that are planned for.
+/// The planned offsets and rotation errors.
 fn grasp_errors(scene: &Scene, offset_magnitude: f64) -> Table {
     let mut errors = table([("offset_magnitude", offset_magnitude.into())]);
     match &scene.coverage {
@@ -149,7 +149,7 @@ fn grasp_errors(scene: &Scene, offset_magnitude: f64) -> Table {
     errors
 }
 
-/// What a robust plan must tolerate.
+/// The robustness specification.
 fn robustness_spec(spec: &RobustnessSpec) -> Table {
     let mut table = table([
         ("friction", numbers(&spec.frictions)),
@@ -203,7 +203,7 @@ fn arm(robot: &Robot) -> Table {
     ])
 }
 
-/// What acts on the joints of the arm besides the model of its file.
+/// Inertia and friction of the arm's joints besides the model of its file.
 fn joints(robot: &Robot) -> Table {
     table([("joint_friction", numbers(&robot.joint_friction)), ("control_period", robot.control_period.into())])
 }

@@ -63,19 +63,20 @@ pub struct Scene {
     pub environment_meshes: Vec<MeshPart>,
     /// The tightest fit of a round part in a round hole when the body is at its goal, whichever of both has the hole.
     pub fit: Option<Fit>,
-    /// Where the body goes: only what has surface there stands for meshes of the environment, if there are any.
+    /// Region that the body can reach: only pieces of environment meshes with surface in it are parts. `None` without
+    /// such meshes.
     pub region: Option<MotionRegion>,
     /// Pairs that may touch, as indices into body and environment.
     pub pairs: Vec<(usize, usize)>,
     /// Pairs that are left out because no motion from start to goal comes near to them.
-    pub far_pairs: Vec<(usize, usize)>,
+    pub culled_pairs: Vec<(usize, usize)>,
     /// Coulomb's coefficients of friction in plans, at least one.
     pub frictions: Vec<f64>,
     /// Start poses; the first is the default.
     pub starts: Vec<StartPose>,
     /// Goal pose.
     pub goal: [f64; 7],
-    /// Largest final distance (m) from the goal of a success, if the scene says it.
+    /// Largest final distance (m) from the goal of a success, if the scene gives it.
     pub position_tolerance: Option<f64>,
     /// Largest final angle (rad) to the goal of a success.
     pub angle_tolerance: f64,
@@ -91,7 +92,7 @@ pub struct Scene {
     pub coverage: Coverage,
     /// Directions of the planned offsets; zero is the nominal scenario.
     pub offset_directions: Vec<[f64; 3]>,
-    /// Axes of the turns of the same scenarios; zero is no turn.
+    /// Axes of the rotation errors of the same scenarios; zero is no rotation.
     pub rotation_axes: Vec<[f64; 3]>,
     /// What a robust plan must tolerate besides offsets.
     pub robustness: RobustnessSpec,
@@ -103,13 +104,13 @@ pub struct Scene {
     pub limits: Limits,
     /// The homotopy that the scene names or contains, if any.
     pub homotopy: Option<HomotopySettings>,
-    /// What was chosen because the scene does not say it, each as `key = value`.
+    /// Defaults that were chosen for the scene, each as `key = value`.
     pub chosen: Vec<String>,
     /// Remarks on what looks like a mistake, each with file, line and column.
     pub warnings: Vec<String>,
     /// Parts of the gripper in the frame of the arm's tip, as convex hulls.
     pub gripper: Vec<Part>,
-    /// What moves with the arm besides the body.
+    /// Shapes that move with the arm besides the body.
     pub carried: CarriedShapes,
 }
 
@@ -161,7 +162,7 @@ impl Scene {
         }
     }
 
-    /// Whether any scenario is turned in the gripper.
+    /// Whether any scenario has a rotation error.
     pub fn has_rotated_scenarios(&self) -> bool {
         self.robustness.rotation_error > 0.0 && self.rotation_axes.iter().any(|direction| *direction != [0.0; 3])
     }

@@ -76,11 +76,21 @@ fn property(key: &Key) -> Value {
     let Key { values, unit, absent, meaning, .. } = key;
     let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
     let absent = if *absent == Absent::Refused { absent.to_string() } else { format!("by default: {absent}") };
-    schema["description"] = format!("{meaning}\n\n{values}{unit}; {absent}").into();
+    // Editors show descriptions as they are, without Markdown.
+    let text = format!("{}\n\n{values}{unit}; {absent}", without_reference(meaning));
+    schema["description"] = text.replace('`', "").into();
     if let Some(default) = default(key) {
         schema["default"] = default;
     }
     schema
+}
+
+/// The meaning of a key without its reference to a page, which stands last.
+fn without_reference(meaning: &str) -> &str {
+    match meaning.rsplit_once("; [") {
+        Some((own, reference)) if reference.contains("](") => own,
+        _ => meaning,
+    }
 }
 
 /// The default of a key, where it is a value that could be written.
@@ -123,7 +133,7 @@ fn values(key: &Key) -> Value {
         Values::Name => json!({ "type": "string", "minLength": 1, "maxLength": MAX_NAME_LENGTH, "pattern": "\\S" }),
         Values::File => json!({ "type": "string", "minLength": 1 }),
         Values::FileOrTable => {
-            // What is said of texts does not apply to tables, nor the other way round.
+            // Keywords for strings do not apply to tables, nor the reverse.
             let mut either = table(&key.path(), keys::table(&key.path()));
             either["type"] = json!(["string", "object"]);
             either["minLength"] = 1.into();

@@ -41,7 +41,7 @@ pub fn require_motions(scene: &Table, starts: &[StartPose], goal: &[f64; POSE]) 
     Ok(())
 }
 
-/// The controller, critically damped where the scene does not say otherwise.
+/// The controller, critically damped unless the scene gives the damping.
 pub fn impedance(scene: &Table, inertia: &Inertia, stiffness: Stiffness) -> Result<Impedance, SceneError> {
     let table = scene.table("impedance")?;
     let Stiffness { translational, rotational } = stiffness;
@@ -80,7 +80,7 @@ pub fn robustness_spec(robustness: &Table) -> Result<RobustnessSpec, SceneError>
     })
 }
 
-/// The time grid: that of the scene, or one in which the controlled body can cover the longest way to the goal.
+/// The time grid: that of the scene, or one in which the controlled body can cover the longest path to the goal.
 pub fn horizon(
     scene: &Table,
     (starts, goal): (&[StartPose], &[f64; 7]),
@@ -125,7 +125,7 @@ pub fn offset_directions(robustness: &Table, coverage: &Coverage) -> Result<Vec<
     }
 }
 
-/// Axes of the turns, one for each of the offset directions: those of the scene, or no turns.
+/// Axes of the rotation errors, one for each of the offset directions: those of the scene, or zeros.
 pub fn rotation_axes(robustness: &Table, offset_directions: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, SceneError> {
     let Some(entry) = robustness.find("rotation_axes") else { return Ok(vec![[0.0; 3]; offset_directions.len()]) };
     if robustness.find("offset_directions").is_none() {

@@ -20,7 +20,8 @@ pub struct Shapes {
     pub body_meshes: Vec<MeshPart>,
     pub environment_meshes: Vec<MeshPart>,
     pub fit: Option<Fit>,
-    /// Where the body goes: only what has surface there stands for meshes of the environment, if there are any.
+    /// Region that the body can reach: only pieces of environment meshes with surface in it are parts. `None` without
+    /// such meshes.
     pub region: Option<MotionRegion>,
 }
 
@@ -110,7 +111,7 @@ fn named(name: &str, shapes: Vec<Polytope>) -> impl Iterator<Item = Part> {
     })
 }
 
-/// The pieces of some shapes without those that lie inside of a piece of another shape: they can touch nothing.
+/// The pieces of some shapes without those that lie inside a piece of another shape, which nothing can touch.
 fn without_contained(shapes: &[Vec<Polytope>]) -> Vec<Vec<Polytope>> {
     let is_contained = |index: usize, piece: &Polytope| {
         let others = shapes.iter().enumerate().filter(|(other, _)| *other != index);

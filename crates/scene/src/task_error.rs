@@ -10,7 +10,7 @@ pub enum TaskError {
     /// No start has this name.
     #[error("{}", unknown_start(name, known, suggestion.as_deref()))]
     UnknownStart {
-        /// The name that was asked for.
+        /// The requested name.
         name: String,
         /// Names of all starts.
         known: Vec<String>,
@@ -20,7 +20,7 @@ pub enum TaskError {
     /// The offset magnitude is outside the range of `robustness.offset_magnitude`.
     #[error("{}", offset_magnitude(*value, *most))]
     OffsetMagnitude {
-        /// The magnitude that was asked for (m).
+        /// The requested magnitude (m).
         value: f64,
         /// The largest one possible (m).
         most: f64,
@@ -28,7 +28,7 @@ pub enum TaskError {
     /// With this offset magnitude the goal cannot be reached within the limits.
     #[error("with an offset magnitude of {magnitude} m, {reason}")]
     OutOfReach {
-        /// The magnitude that was asked for (m).
+        /// The requested magnitude (m).
         magnitude: f64,
         /// The limit that is too small.
         reason: Box<OutOfReach>,

@@ -1,6 +1,6 @@
 //! Pieces of messages: what a user wrote, and names that would be valid.
 
-/// The beginning of what a user wrote in a line, short enough for a message.
+/// The first line of a user's text, short enough for a message.
 pub fn clipped(written: &str) -> String {
     clipped_to(written.lines().next().unwrap_or_default(), 60)
 }

@@ -11,10 +11,10 @@ use planner::files::{PlanResult, read_bytes, remove_file, write_file};
 use crate::exit::{CommandError, Exit};
 use crate::program::Program;
 
-/// What limits the threads of the libraries that a solve may use; a cell has one.
+/// Variables that limit the threads of the libraries in a solve; a cell has one.
 const THREAD_LIMITS: [&str; 4] = ["OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "RAYON_NUM_THREADS"];
 
-/// What came of the wish to solve a cell.
+/// Result of the attempt to start a cell.
 pub enum Begun {
     /// A process solves it now.
     Process(Box<Process>),
@@ -28,7 +28,7 @@ pub enum Begun {
 pub enum Ended {
     /// With a whole plan, good or bad.
     Finished(Box<PlanResult>),
-    /// It was asked to stop; the next one goes on after its last finished homotopy step.
+    /// It was stopped; the next one resumes after its last finished homotopy step.
     Interrupted,
     /// Without a plan, for this reason.
     Crashed(String),
@@ -121,7 +121,7 @@ fn flag(flag: &str, file: &Path) -> OsString {
     word
 }
 
-/// Why a process has failed: its last error, else how it ended.
+/// Why a process has failed: its last error, else its exit status.
 fn reason(status: ExitStatus, log: &Path) -> String {
     let text = read_bytes(log).unwrap_or_default();
     let text = String::from_utf8_lossy(&text);

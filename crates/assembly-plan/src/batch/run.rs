@@ -19,7 +19,7 @@ use crate::values::threads;
 /// Between two looks at the processes; short beside any solve.
 const PAUSE: Duration = Duration::from_millis(10);
 
-/// Variables with which job arrays tell a task its number.
+/// Variables with which job arrays number their tasks.
 const INDEX_VARIABLES: [&str; 2] = ["HQ_TASK_ID", "SLURM_ARRAY_TASK_ID"];
 
 /// The cells that `--index` and `--count`, or the task of a job array, stand for.
@@ -81,7 +81,7 @@ pub fn run(
     })
 }
 
-/// Cells on their way.
+/// Cells that wait or run.
 struct Pool<'manifest> {
     manifest: &'manifest Manifest,
     jobs: usize,
@@ -135,7 +135,7 @@ impl<'manifest> Pool<'manifest> {
         }
     }
 
-    /// Begins cells while there is room. Those that another run solves wait until it has finished or given up.
+    /// Starts cells while there is room. Cells that another run solves wait until it has finished or failed.
     fn fill(&mut self) {
         for _ in 0..self.waiting.len() {
             if self.processes.len() == self.jobs {
@@ -169,7 +169,7 @@ impl<'manifest> Pool<'manifest> {
         self.failed.push((cell, reason));
     }
 
-    /// Says what has come of all cells.
+    /// Reports the state of all cells.
     fn report(&mut self) {
         self.tally.end();
         self.failed.sort_by_key(|(cell, _)| cell.index);

@@ -1,4 +1,4 @@
-//! Where a batch stands.
+//! The state of a batch.
 
 use planner::batch::{CellState, Manifest};
 

@@ -47,7 +47,7 @@ pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, 
     }
 }
 
-/// A task finds its cells by its number. It replaces the shell, so that it hears Slurm's request to terminate.
+/// A task finds its cells by its number. It replaces the shell, so that it gets Slurm's request to terminate.
 fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<String, CommandError> {
     let program: Vec<String> = Program::words().iter().map(|word| quote(Path::new(word))).collect();
     let name = folder.file_name().unwrap_or_default().to_string_lossy();

@@ -26,10 +26,9 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Of so many cells.
+    /// For `total` cells.
     ///
-    /// # Errors
-    /// When the log file cannot be opened.
+    /// # Errors When the log file cannot be opened.
     pub fn new(total: usize, arguments: &ProgressArguments) -> Result<Self, CommandError> {
         let progress = Progress::new(arguments)?;
         Ok(Self { planned: 0, failed: 0, total, solved: 0, begun: Instant::now(), shown: None, progress })
@@ -71,7 +70,7 @@ impl Tally {
         self.progress.say(&line);
     }
 
-    /// Time until so many more cells are solved, at the pace so far.
+    /// Time until `cells` more cells are solved, at the present pace.
     fn left(&self, cells: usize) -> Option<Duration> {
         (self.solved > 0).then(|| self.begun.elapsed().mul_f64(cells as f64 / self.solved as f64))
     }

@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::console::lose;
 use crate::exit::CommandError;
 
-/// How every line of a log begins.
+/// The beginning of every line of a log.
 const BEGIN: &str = r#"{"elapsed_s":"#;
 
 /// A file that grows by one line per event.
@@ -24,7 +24,7 @@ pub struct Log {
 
 #[derive(Serialize)]
 struct Line<'fields, F> {
-    /// Since the program has begun.
+    /// Time since the start of the program.
     elapsed_s: f64,
     event: &'static str,
     #[serde(flatten)]
@@ -56,7 +56,7 @@ impl Log {
         Ok(Self { file: Mutex::new(file), begin: Instant::now() })
     }
 
-    /// Adds an event. A log that cannot be written to any more is no reason to stop, only to say so in the end.
+    /// Adds an event. A log that cannot be written any more does not stop the program; it is reported at the end.
     pub fn add(&self, event: &'static str, fields: &impl Serialize) {
         let elapsed_s = (1e3 * self.begin.elapsed().as_secs_f64()).round() / 1e3;
         let Ok(mut line) = serde_json::to_string(&Line { elapsed_s, event, fields }) else { return };

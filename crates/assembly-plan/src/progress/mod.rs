@@ -1,5 +1,5 @@
-//! What the user sees of long work: on a terminal a bar and a line for each event that stays, elsewhere the lines alone; and
-//! a log file of everything, if wanted.
+//! Display of long work: on a terminal a bar and a line for each event that stays, elsewhere the lines alone; and a log
+//! file of everything, if requested.
 
 mod log;
 mod observer;
@@ -19,7 +19,7 @@ use crate::exit::CommandError;
 use log::Log;
 use refinement::Refinement;
 
-/// How much is said on the way.
+/// Verbosity during the work.
 #[derive(Debug, Clone, Args)]
 pub struct ProgressArguments {
     /// Print only warnings
@@ -33,7 +33,7 @@ pub struct ProgressArguments {
     pub log: Option<PathBuf>,
 }
 
-/// What stands below everything else: what is being done, how far it is, for how long, and what it has come to.
+/// Last line of the terminal: the present work, its progress, its time, and its results so far.
 const TEMPLATE: &str = "{bar:12} {pos}/{len} {prefix} ({elapsed} elapsed{left}){msg}";
 /// Between two changes of the time that is shown.
 const TICK: Duration = Duration::from_millis(500);
@@ -72,7 +72,7 @@ impl Progress {
         Ok(Self { bar, is_quiet: *quiet, is_verbose: *verbose, log, deadline: None, refinement: Refinement::default() })
     }
 
-    /// With a time at which all ends at the latest.
+    /// With a deadline for everything.
     pub fn until(mut self, deadline: Option<Instant>) -> Self {
         self.deadline = deadline;
         self
@@ -114,7 +114,7 @@ impl Progress {
         keep_below(&self.bar);
     }
 
-    /// Whether nobody sees the bar: what is worth a line now and then has to be said.
+    /// Whether the bar is invisible: then progress needs lines now and then.
     pub fn has_no_bar(&self) -> bool {
         self.bar.is_hidden()
     }

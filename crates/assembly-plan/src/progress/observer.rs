@@ -1,4 +1,4 @@
-//! Events of solving and refining: what is shown, said and logged of each.
+//! Events of solving and refining: how each is shown, printed and logged.
 
 use planner::{Event, Observer, SolverEvent};
 

@@ -1,10 +1,10 @@
-//! What `solve --robust` has tried and gained so far.
+//! Progress of `solve --robust`.
 
 use std::sync::{Mutex, PoisonError};
 
 use planner::Event;
 
-/// A refinement as its events tell it.
+/// A refinement according to its events.
 #[derive(Default)]
 pub struct Refinement {
     state: Mutex<State>,
@@ -12,14 +12,14 @@ pub struct Refinement {
 
 #[derive(Default)]
 struct State {
-    /// What is refined or solved now, in words.
+    /// The present plan or variant, in words.
     planned: Option<String>,
     /// Success rate of the best plan.
     best: Option<f64>,
 }
 
 impl Refinement {
-    /// Keeps what an event says of it.
+    /// Records an event.
     pub fn note(&self, event: &Event) {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
@@ -32,7 +32,7 @@ impl Refinement {
         }
     }
 
-    /// What is tried and what is gained, a line each; nothing before the first plan is evaluated.
+    /// Attempts and results so far, a line each; none before the first plan is evaluated.
     pub fn lines(&self) -> Vec<String> {
         let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let trying = state.planned.as_ref().map(|planned| format!("trying: {planned}"));

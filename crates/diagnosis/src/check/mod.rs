@@ -68,7 +68,8 @@ pub struct Explanation {
     /// Pairs that may touch.
     pub pairs: usize,
     /// Pairs that are left out because no motion from start to goal comes near to them.
-    pub far_pairs: Vec<String>,
+    #[serde(rename = "far_pairs")]
+    pub culled_pairs: Vec<String>,
     /// Play at the goal and on the straight way back to the start.
     pub insertion: Vec<Play>,
     /// How far play lets the body rest from its goal in directions across the insertion that are guided; null where none
@@ -179,7 +180,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
             mesh_lost_m: fit.mesh_error,
         }),
         pairs: task.pairs.len(),
-        far_pairs: scene.far_pairs.iter().map(name).collect(),
+        culled_pairs: scene.culled_pairs.iter().map(name).collect(),
         insertion: along_insertion(task),
         farthest_rest_m: problem.engagement().rest_m,
         penetrations: penetrations(task, scene.robustness.rotation_error),

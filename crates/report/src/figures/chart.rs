@@ -24,7 +24,7 @@ pub struct Line {
 /// Axes of a chart.
 #[derive(Debug)]
 pub struct Chart {
-    /// What it shows.
+    /// Its caption.
     pub title: &'static str,
     /// Names of the axes with their units.
     pub axes: [&'static str; 2],
@@ -45,7 +45,7 @@ impl Scale {
         from + (to - from) * (value - self.low) / (self.high - self.low)
     }
 
-    /// Round values, about as many as wanted.
+    /// Round values, about as many as requested.
     fn ticks(&self) -> Vec<f64> {
         let rough = (self.high - self.low) / TICKS;
         let power = 10_f64.powf(rough.log10().floor());
@@ -108,7 +108,7 @@ impl Chart {
     }
 }
 
-/// The range of some values, with zero unless it is one of logarithms.
+/// The range of some values, including zero unless it is logarithmic.
 fn scale(values: impl Iterator<Item = f64>, pixels: [f64; 2], logarithmic: bool) -> Scale {
     let (low, high) =
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));

@@ -47,7 +47,7 @@ fn moments(motion: &MotionData) -> Vec<usize> {
     (0..PANELS).map(|panel| first + (last - first) * panel / (PANELS - 1)).collect()
 }
 
-/// What a panel shows of the world.
+/// Section of the world in a panel.
 struct Frame {
     axis: usize,
     /// Where the plane cuts the axis (m).

@@ -1,6 +1,6 @@
 //! Figures of plans and simulations as SVG files, for papers and slides.
 //!
-//! | file | what it shows |
+//! | file | content |
 //! |---|---|
 //! | `keyframes-x.svg`, `-y`, `-z` | sections through the parts at six moments, cut across an axis at the goal |
 //! | `forces.svg` | contact force of every scenario over time |

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::html::escaped;
 
-/// How figures of ours begin; only such a file is replaced.
+/// First line of figures; only a file with it is replaced.
 pub const BEGIN: &str = "<!-- drawn by assembly-plan report -->\n";
 
 /// Colours of scenarios, distinguishable also by people who are colour-blind (Okabe and Ito).

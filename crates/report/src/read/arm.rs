@@ -14,8 +14,8 @@ pub fn joints(problem: &Problem) -> Vec<JointData> {
     problem.scene().robot.as_ref().map_or_else(Vec::new, |robot| robot.arm.joints().iter().map(joint).collect())
 }
 
-/// Positions, speeds and torques of the joints along a motion, one course per grasp error; none for a scene without an arm,
-/// and where the arm does not reach a pose or a joint is too slow, which a warning of the plan tells.
+/// Positions, speeds and torques of the joints along a motion, one list per grasp error; none for a scene without an
+/// arm, and where the arm does not reach a pose or a joint is too slow, of which the plan warns.
 pub fn courses(problem: &Problem, tables: &MotionTables, grasps: &[GraspError]) -> Vec<JointCourse> {
     let Some(robot) = &problem.scene().robot else { return Vec::new() };
     let scenarios = tables.scenarios.iter().zip(grasps);

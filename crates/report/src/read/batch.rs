@@ -11,10 +11,9 @@ use crate::html::PAGE;
 use crate::model::{BatchData, CellData};
 use crate::rounded::{LENGTH, rounded};
 
-/// Reads the manifest of a folder and what has become of its cells.
+/// Reads the manifest of a folder and the state of its cells.
 ///
-/// # Errors
-/// When the manifest is wrong, or no cell is finished yet.
+/// # Errors When the manifest is wrong, or no cell is finished yet.
 pub fn read(folder: &Path) -> Result<BatchData, PlannerError> {
     let manifest = Manifest::load(folder)?;
     let states: Vec<CellState> = manifest.cells.iter().map(|cell| CellState::of(&manifest, cell)).collect();

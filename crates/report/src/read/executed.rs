@@ -1,4 +1,4 @@
-//! What robots did, beside rollouts with the same grasp errors.
+//! Executions, beside rollouts with the same grasp errors.
 
 use std::path::{Path, PathBuf};
 
@@ -12,10 +12,9 @@ use super::motion::{HARD, Measures, World};
 use crate::model::{ExecutionData, MotionData, Source};
 use crate::rounded::{FORCE, LENGTH, rounded};
 
-/// The motions that logs tell.
+/// The motions of logs.
 ///
-/// # Errors
-/// When a log cannot be compared with the plan.
+/// # Errors When a log cannot be compared with the plan.
 pub fn motions(
     logs: &[PathBuf],
     plan: &StoredPlan,
@@ -36,8 +35,8 @@ fn name(log: &Path, logs: &[PathBuf]) -> String {
     end(log, count).display().to_string()
 }
 
-/// The motion that a log tells. Its first scenario is the robot, its second one a rollout at that friction of the scene
-/// that is closest to it.
+/// The motion of a log. Its first scenario is the robot, its second one the rollout that is closest to it, at one of
+/// the scene's frictions.
 fn motion(
     log: &Path,
     name: String,
@@ -62,7 +61,7 @@ fn motion(
     let mut motion = world.motion(&world.tables(played), &measures, Source::Executed, HARD)?;
     let beside = motion.scenarios[1].clone();
     let robot = &mut motion.scenarios[0];
-    // A robot need not begin exactly at its reference, and does not feel where parts touch.
+    // A robot need not start exactly at its reference, and does not measure where parts touch.
     (robot.offset, robot.rotation) = (beside.offset, beside.rotation);
     robot.success = execution.ending == Ending::AtGoal;
     robot.forces.clear();
@@ -87,8 +86,8 @@ fn with_rest(reference: &Reference, time: f64) -> Reference {
     Reference::new(reference.time_step(), &states)
 }
 
-/// The motion of the part in the gripper of the robot, with the wrench that the plan's controller has there. Nobody knows the
-/// contact forces.
+/// The motion of the part in the robot's gripper, with the wrench of the plan's controller there. The contact forces
+/// are unknown.
 fn robot(
     problem: &Problem,
     grasp: &GraspError,

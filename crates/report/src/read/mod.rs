@@ -41,7 +41,7 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PageData, PlannerError> {
     Err(PlannerError::file(folder, nothing(folder)))
 }
 
-/// Why there is nothing to show, and what to do.
+/// Reason why there is nothing to show, and what to do.
 fn nothing(folder: &Path) -> String {
     let absolute = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let name = absolute.file_name().unwrap_or_default().to_string_lossy();

@@ -19,7 +19,7 @@ const SHOWN: f64 = 0.02;
 /// Smallest force that has an arrow (N).
 const SMALLEST: f64 = 1e-3;
 
-/// All pairs of a scene, by name, with what a page needs to know to judge a motion.
+/// All pairs of a scene, by name, with the criteria for judging a motion.
 pub struct World {
     pairs: Vec<ContactPair>,
     indices: HashMap<String, usize>,
@@ -42,7 +42,7 @@ impl From<&Quality> for Measures {
     }
 }
 
-/// What the scenarios of a motion share.
+/// Data that the scenarios of a motion share.
 struct Shown {
     /// Pose of the reference at the start.
     believed: [f64; 7],
@@ -52,13 +52,13 @@ struct Shown {
     tau: f64,
     /// Smallest force that has an arrow (N).
     least: f64,
-    /// Whether wrenches and arrows are shown: they are most of the size of a page, and of a homotopy step nobody needs
-    /// them.
+    /// Whether wrenches and arrows are included: they are most of the size of a page, and not needed for homotopy
+    /// steps.
     in_full: bool,
 }
 
 impl World {
-    /// Of the pairs of a scene.
+    /// For the pairs of a scene.
     pub fn new(pairs: Vec<ContactPair>, goal: [f64; 7], success: Success) -> Self {
         let indices = pairs.iter().enumerate().map(|(index, pair)| (pair.to_string(), index)).collect();
         Self { pairs, indices, goal, success }
@@ -185,7 +185,7 @@ fn largest_force(contacts: &[Contact]) -> f64 {
     contacts.iter().map(|contact| contact.force).fold(0.0, f64::max)
 }
 
-/// Offset (m, body frame) and turn (rad) of a body that is believed to be elsewhere.
+/// Offset (m, body frame) and rotation error (rad) of a body with an actual and a believed pose.
 fn grasp_error(believed: &[f64; 7], actual: &[f64; 7]) -> ([f64; 3], [f64; 3]) {
     let rotation = |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
     let shift = Vector3::from_fn(|axis, _| believed[axis] - actual[axis]);

@@ -144,12 +144,12 @@ fn part(part: &Part) -> PartData {
     }
 }
 
-/// What rollouts vary besides offsets, as the scene asks for it.
+/// Errors that rollouts vary besides offsets.
 fn errors(spec: &RobustnessSpec) -> ErrorsData {
     let percent = |error: f64| format!("\u{b1}{:.0} %", 100.0 * error);
     let all = [
         (
-            "turns in the gripper",
+            "rotation errors in the gripper",
             spec.rotation_error,
             format!("of up to {:.1}\u{b0}", spec.rotation_error.to_degrees()),
         ),
@@ -164,7 +164,7 @@ fn errors(spec: &RobustnessSpec) -> ErrorsData {
     }
 }
 
-/// What the plan was made from, each as a name and a value in words.
+/// Settings of the plan, each as a name and a value in words.
 fn made_from(problem: &Problem, tables: &MotionTables) -> Vec<[String; 2]> {
     let (scene, task) = (problem.scene(), problem.task());
     let count = |parts: &[Part]| match parts.len() {

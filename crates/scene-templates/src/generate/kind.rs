@@ -131,7 +131,7 @@ impl PegSection {
         }
     }
 
-    /// What the section is, in lines of text. `clearance` (m) is that of the hole.
+    /// Description of the section, in lines of text. `clearance` (m) is that of the hole.
     pub(super) fn about(&self, clearance: f64) -> Vec<String> {
         let keyed = |key: Option<PegKey>| match key {
             Some(key) => format!("with a key of {} x {} m", key.width, key.height),

@@ -54,7 +54,7 @@ const THICKNESS: f64 = 0.4;
 const LIFT: f64 = 0.4;
 /// Angle (rad) by which a peg is tilted at the start.
 const TILT: f64 = 0.1;
-/// The same of random pegs, and how many starts they have: as many as the paper's.
+/// Tilts of random pegs, and their number of starts: that of the paper.
 const RANDOM_TILTS: std::ops::Range<f64> = 0.1..0.4;
 const RANDOM_STARTS: usize = 5;
 
@@ -163,7 +163,7 @@ impl Peg {
         }
     }
 
-    /// What the scene is, in lines of text.
+    /// Description of the scene, in lines of text.
     fn about(&self) -> Vec<String> {
         let mut about = self.section.about(self.clearance);
         let chamfers = match self.chamfer {

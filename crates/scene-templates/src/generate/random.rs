@@ -6,9 +6,9 @@ use fastrand::Rng;
 
 use super::section::{Line, Point, Section, length, subtract};
 
-/// Sections that are drawn until one has the wanted number of pieces and no sharp or narrow places.
+/// Attempts to draw a section with the requested number of pieces and without sharp or narrow places.
 const DRAWS: usize = 20_000;
-/// How far corners are turned about the origin, as a fraction of their distance.
+/// Largest angle by which corners are rotated about the origin, as a fraction of their distance.
 const JITTER: f64 = 0.3;
 /// Shorter axis of the ellipse on which corners lie, as a fraction of the longer one, at least.
 const FLATTEST: f64 = 0.6;
@@ -20,8 +20,8 @@ const STRAIGHTEST: f64 = PI / 18.0;
 /// Shortest edge, as a fraction of the diameter.
 const SHORTEST: f64 = 0.08;
 
-/// A section of so many convex pieces with so many edges, within a circle about the origin, whose edges can be moved
-/// outwards by some distances (m); none if there hardly is one.
+/// A section of `prisms` convex pieces with `facets` edges, within a circle about the origin, whose edges can be moved
+/// outwards by some distances (m); `None` if hardly any exists.
 pub fn section(rng: &mut Rng, diameter: f64, prisms: usize, facets: usize, moves: &[f64]) -> Option<Section> {
     if facets < 2 * prisms {
         return None;

@@ -157,7 +157,7 @@ impl Line {
         point.iter().all(|coordinate| coordinate.is_finite()).then_some(point)
     }
 
-    /// What of a convex polygon is outside the line.
+    /// The part of a convex polygon outside the line.
     pub fn outside_of(&self, polygon: &[Point]) -> Vec<Point> {
         let mut outside = Vec::new();
         for (index, &corner) in polygon.iter().enumerate() {

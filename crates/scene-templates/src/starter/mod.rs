@@ -1,4 +1,4 @@
-//! Scenes to begin with: they are solved as they are, and changed into one's own.
+//! Starter scenes: they can be solved as they are, and adapted.
 
 mod bounding_box;
 mod relative;
@@ -13,7 +13,7 @@ use crate::draft::{Draft, DraftPart, DraftShape};
 
 pub use bounding_box::BoundingBox;
 
-/// Two meshes or links in one frame, in the pose that the body shall reach. Links are those of SDF, URDF and MJCF files.
+/// Two meshes or links in one frame, in the assembled pose. Links are those of SDF, URDF and MJCF files.
 #[derive(Debug, Clone, Default)]
 pub struct FilePair {
     /// File of the body.
@@ -22,13 +22,13 @@ pub struct FilePair {
     pub body_link: Option<String>,
     /// File of the environment.
     pub environment: PathBuf,
-    /// Name of its link, likewise.
+    /// Name of the environment's link, where the file has several.
     pub environment_link: Option<String>,
     /// Unit of meshes, which need one: one of the words of `part.unit`.
     pub unit: Option<String>,
 }
 
-/// Where the body of two files starts and ends: distances from its place in the file (m).
+/// Start and end of the body of two files: distances from its place in the file (m).
 #[derive(Debug, Clone, PartialEq)]
 pub struct StarterPoses {
     /// One start or more; the first is the default.
@@ -37,12 +37,12 @@ pub struct StarterPoses {
     pub goal: [f64; 3],
 }
 
-/// What a scene to begin with says besides shapes and poses.
+/// Values of a starter scene besides shapes and poses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StarterValues {
-    /// Offset magnitude (m); that of the example, or of an ordinary gripper, where there is none.
+    /// Offset magnitude (m); by default that of the example, or of an ordinary gripper.
     pub offset: Option<f64>,
-    /// Position tolerance (m); chosen when the scene is read where there is none.
+    /// Position tolerance (m); by default chosen when the scene is read.
     pub position_tolerance: Option<f64>,
     /// Largest contact force (N).
     pub contact_force: f64,
@@ -83,7 +83,7 @@ impl Axis {
         Self { index: 1, is_negative: true },
     ];
 
-    /// Of a name such as `z`, `+z`, `Z` or `-x`.
+    /// From a name such as `z`, `+z`, `Z` or `-x`.
     pub fn from_name(name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();
         let letter = name.strip_prefix(['-', '+']).unwrap_or(&name);
@@ -126,10 +126,9 @@ pub fn starter_scene(
     }
 }
 
-/// Text of a scene with nothing but two files, which would be written to `file`: for finding out how they fit.
+/// Text of a minimal scene with two files, as if written to `file`: for measuring how they fit.
 ///
-/// # Errors
-/// When a file cannot be read.
+/// # Errors When a file cannot be read.
 pub fn probe_scene(
     file: &Path,
     files: &FilePair,
@@ -156,7 +155,7 @@ fn shaft_draft(values: &StarterValues) -> Draft {
         position: Some([x, y, -0.5 * DEPTH]),
     };
     let lines = [
-        "A square shaft goes into a square hole, half a millimetre wider on every side. Solve it, then make it yours:",
+        "A square shaft goes into a square hole, half a millimetre wider on every side. Solve it, then adapt it:",
         "  1. body and environment: the shapes of your parts",
         "  2. goal: where the body ends; start: where it comes from, without touching anything",
         "  3. impedance: the stiffness of your robot's controller",

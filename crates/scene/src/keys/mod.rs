@@ -24,9 +24,9 @@ pub struct Key {
     pub values: Values,
     /// Unit of its numbers, empty where there is none.
     pub unit: &'static str,
-    /// What holds when it is not given.
+    /// Meaning of its absence.
     pub absent: Absent,
-    /// What it means, in one line.
+    /// Meaning, in one line.
     pub meaning: &'static str,
 }
 
@@ -109,14 +109,14 @@ impl fmt::Display for Values {
     }
 }
 
-/// What holds when a key is not given.
+/// Meaning of the absence of a key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Absent {
     /// The file is refused.
     Refused,
     /// This number holds.
     Number(f64),
-    /// What the words say.
+    /// The meaning in words.
     Means(&'static str),
 }
 

@@ -23,7 +23,7 @@ pub use warnings::warnings;
 const ARM_KEYS: [&str; 6] = ["tip", "grasp", "base", "configuration", "rotor_inertia", "joint_friction"];
 /// Fewer joints cannot hold a part's position and orientation.
 const LEAST_JOINTS: usize = 6;
-/// Poses on the straight path from the goal to a start at which the arm is looked at.
+/// Poses on the straight path from the goal to a start at which the arm is checked.
 const POSES: usize = 20;
 
 /// An arm of a URDF file, with the body in its gripper.
@@ -43,13 +43,14 @@ pub struct Robot {
     pub given: JointVector,
     /// Joint positions (rad or m) with the body at its goal.
     pub configuration: JointVector,
-    /// What joint friction holds at the goal; `None` where the arm is singular there.
+    /// Wrench that joint friction can hold at the goal; `None` where the arm is singular there.
     pub friction_wrench: Option<FrictionWrench>,
     /// Friction of each joint (Nm or N) that the controller leaves.
     pub joint_friction: Vec<f64>,
     /// Time between two commands of the controller (s).
     pub control_period: f64,
-    /// How close the arm comes to its limits and to singular configurations on the straight ways between goal and starts.
+    /// Distances of the arm from its limits and from singular configurations on the straight paths between goal and
+    /// starts.
     pub ways: Vec<JointPath>,
 }
 
@@ -172,7 +173,7 @@ fn payload(material: &Material) -> Result<RigidInertia, String> {
     RigidInertia::new(material.mass, center, rotational).map_err(|error| error.to_string())
 }
 
-/// Poses on the straight way between two, a second apart.
+/// Poses on the straight path between two, a second apart.
 fn straight(from: &[f64; 7], to: &[f64; 7]) -> Vec<(f64, Isometry3<f64>)> {
     let (from, to) = (of_pose(from), of_pose(to));
     let pose = |index: usize| (index as f64, between(&from, &to, index as f64 / (POSES - 1) as f64));

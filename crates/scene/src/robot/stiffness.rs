@@ -1,4 +1,4 @@
-//! Which stiffness the robot's controller is to have.
+//! Choice of the controller's stiffness.
 
 use ::robot::gains::Demand;
 use task::Inertia;
@@ -15,8 +15,8 @@ pub struct Stiffness {
     pub rotational: f64,
 }
 
-/// Error (m, rad) at which joint friction is wanted to hold the arm at most. The final oscillation of a reference overcomes the
-/// first; a stiffer arm pushes harder.
+/// Target for the error (m, rad) at which joint friction holds the arm. The final oscillation of a reference overcomes
+/// the first; a stiffer arm pushes harder.
 const DEADBAND: f64 = 4e-3;
 const ANGULAR_DEADBAND: f64 = 0.04;
 /// Part of the offset magnitude that the deadband may be where the contact force or the controller allows no less; the angle
@@ -25,10 +25,10 @@ const DEADBAND_OF_OFFSETS: f64 = 0.3;
 /// Largest contact force (N) where the scene has no limit.
 const LARGEST_FORCE: f64 = 60.0;
 
-/// The stiffness that the scene gives. Where it leaves it out: the one that makes a body of this inertia move as light ones
-/// do under soft controllers, which is dynamic similarity; with an arm as stiff as joint friction demands, and as soft as
-/// the limit of contact forces and the controller's range allow. Translations and rotations are chosen on their own: a part
-/// that is turned in the gripper wedges with the rotational stiffness, so that one that rotations do not need only harms.
+/// The stiffness that the scene gives. By default: the one with which a body of this inertia moves as light ones do
+/// under soft controllers, which is dynamic similarity; with an arm as stiff as joint friction demands, and as soft as
+/// the limit of contact forces and the controller's range allow. Translations and rotations are chosen separately: a
+/// part with a rotation error wedges with the rotational stiffness, so more of it than rotations need only harms.
 pub fn stiffness(
     scene: &Table,
     inertia: &Inertia,
@@ -81,7 +81,8 @@ pub fn stiffness(
     })
 }
 
-/// What joint friction and contact forces ask of the stiffness of translations and rotations, which lie in these ranges.
+/// Demands of joint friction and contact forces on the stiffness of translations and rotations, which lie in these
+/// ranges.
 fn demands(
     scene: &Table,
     offset_magnitude: f64,

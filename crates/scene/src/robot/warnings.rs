@@ -43,7 +43,8 @@ pub fn warnings(scene: &Table, robot: Option<&Robot>, gains: &Impedance) -> Resu
     Ok(warnings)
 }
 
-/// Base, grasp, goal and configuration say twice where the arm is: a large difference is a mistake in one of them.
+/// Base, grasp and goal determine the arm's configuration as well as `configuration` does: a large difference is a
+/// mistake in one of them.
 fn far_from_given(robot: &Robot) -> Option<String> {
     let far = |(joint, found, given): (&Joint, f64, f64)| {
         // Not a comparison with `>`, which is false for what is no number.

@@ -212,3 +212,30 @@ fn a_property_says_what_its_key_means() {
     let ipopt = &schema["properties"]["ipopt"]["properties"];
     assert!(ipopt["max_iter"].is_object() && ipopt["linear_solver"].is_null(), "only options that may be set");
 }
+
+/// All texts under a keyword, at any depth.
+fn texts<'schema>(schema: &'schema Value, keyword: &str, found: &mut Vec<&'schema str>) {
+    match schema {
+        Value::Object(entries) => {
+            found.extend(entries.get(keyword).and_then(Value::as_str));
+            entries.values().for_each(|entry| texts(entry, keyword, found));
+        }
+        Value::Array(list) => list.iter().for_each(|entry| texts(entry, keyword, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn descriptions_are_plain_text() {
+    assert!(keys().iter().any(|key| key.meaning.contains("](")), "some meanings refer to pages");
+    let (scene, homotopy) = (scene_schema(), homotopy_schema());
+    let mut found = Vec::new();
+    [&scene, &homotopy].iter().for_each(|schema| texts(schema, "description", &mut found));
+    assert!(found.len() > keys().len());
+    for text in found {
+        assert!(!text.contains("](") && !text.contains('`') && !text.contains(".md"), "{text}");
+    }
+    let friction = &scene["properties"]["contact"]["properties"]["friction"]["description"];
+    let expected = "Coulomb's coefficient of friction in the plan, or several that it tolerates at once\n\nnumber";
+    assert!(friction.as_str().unwrap().starts_with(expected), "{friction}");
+}
