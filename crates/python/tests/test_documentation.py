@@ -66,10 +66,25 @@ def test_python_in_pages_runs(page: str, tmp_path: Path) -> None:
     (tmp_path / "scenes").symlink_to(ROOT / "scenes")
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
     assert blocks
-    # Each block goes on where the one before has ended.
+    # Each block continues the one before.
     script = tmp_path / "page.py"
     script.write_text("".join(blocks))
     run([script], tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["solve.py", CORNER, "--out", "corner"], "planned, not tested"),
+        (["scene_in_code.py"], "offsets of 20 mm: planned"),
+        (["refine.py", CORNER, "--friction", 0], "friction 0: "),
+        (["play.py", CORNER, "--friction", 0], "straight push, friction 0, offset 0 0 0.01 m"),
+        (["distances.py", CORNER], "100 %: box/floor 1.00 mm"),
+    ],
+)
+def test_small_examples_run(words: list[object], expected: str, tmp_path: Path) -> None:
+    shown = run([EXAMPLES / str(words[0]), *words[1:]], tmp_path)
+    assert expected in shown, shown
 
 
 def test_the_sweep_is_drawn(tmp_path: Path) -> None:

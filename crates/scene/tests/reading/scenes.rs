@@ -262,12 +262,12 @@ fn former_names_of_keys_are_read_with_a_warning() {
     assert!(present.warnings.is_empty() && present.robustness.rotation_error == 0.02);
     assert_eq!(former.warnings.len(), 2, "{:?}", former.warnings);
     for (line, warning) in former.warnings.iter().enumerate() {
-        assert!(warning.starts_with(&format!("test.toml:{}:1: `robustness.turn", 25 + line)), "{warning}");
+        assert!(warning.starts_with(&format!("test.toml:{}:1: `robustness.turn", 22 + line)), "{warning}");
         assert!(warning.contains("is now `robustness.rotation_"), "{warning}");
     }
     assert_eq!((&former.robustness, &former.rotation_axes), (&present.robustness, &present.rotation_axes));
     let error = parse(&replaced(directions, "turn = 0.02\nrotation_error = 0.02")).unwrap_err();
-    assert_place(&error, "the former name of `rotation_error`", (24, 1));
+    assert_place(&error, "the former name of `rotation_error`", (21, 1));
     let error = parse(&replaced(directions, "turn = -1")).unwrap_err();
-    assert_place(&error, "robustness.rotation_error", (24, 8));
+    assert_place(&error, "robustness.rotation_error", (21, 8));
 }
