@@ -161,7 +161,7 @@ fn a_refinement_goes_on_where_it_stopped() {
             .code(1)
             .says("resuming after homotopy step 5 of at most 5 of an earlier run")
             .says("resuming the refinement of an earlier run");
-        assert_eq!(dir.result("out")["status"], "the wanted success rate is not reached");
+        assert_eq!(dir.result("out")["status"], "the target success rate is not reached");
         assert!(!dir.exists(UNFINISHED));
     }
 }
@@ -180,7 +180,7 @@ fn a_refinement_for_another_target_is_not_used() {
     {
         dir.run(&format!("{} {end}", HOPELESS.replace(from, to)))
             .says("resuming after homotopy step 5 of at most 5 of an earlier run")
-            .says("not used: it was refined for other frictions, turns or tolerances")
+            .says("not used: it was refined for other frictions, rotation errors or tolerances")
             .keeps_silent_about("resuming the refinement");
         dir.copy("kept", UNFINISHED);
     }

@@ -78,7 +78,7 @@ fn a_plan_that_is_not_robust_is_written_and_the_exit_code_says_so() {
     let dir = Dir::new();
     dir.run(&format!("{SOLVE} --stall-limit 0 --target-rate 1")).code(1);
     let result = dir.result("out");
-    assert_eq!(result["status"], "the wanted success rate is not reached");
+    assert_eq!(result["status"], "the target success rate is not reached");
     assert_eq!((&result["robust"]["reached"], &result["done"]), (&false.into(), &false.into()));
     assert!(dir.exists("out/reference.csv"));
 }

@@ -21,7 +21,7 @@ fn turns(dir: &Dir, folder: &str) -> Vec<Vec<f64>> {
 #[test]
 fn turned_scenarios_reach_the_goal() {
     let dir = folder();
-    dir.run("solve turned.toml --out out").code(0).says("and turn 0.000 0.040 0.000 rad");
+    dir.run("solve turned.toml --out out").code(0).says("and rotation error 0.000 0.040 0.000 rad");
     let result = dir.result("out");
     assert_eq!(turns(&dir, "out"), [[0.0, 0.04, 0.0], [0.0, 0.0, -0.04]]);
     assert_eq!(number(&result, "turn_rad"), 0.04);

@@ -14,16 +14,17 @@ const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 pub struct ArmCourse {
     /// Positions (rad or m).
     pub configurations: Vec<JointVector>,
-    /// What the impedance controller commands, and what carries arm and body (Nm, N for a slide).
+    /// Commanded torques of the impedance controller plus those that support arm and body (Nm, N for a prismatic
+    /// joint).
     pub torques: Vec<JointVector>,
 }
 
 impl ArmCourse {
-    /// Of the arm that holds the body with a grasp error, in its states at k = 0..N and under the wrenches at k = 1..N (N and
-    /// Nm, torques in the body frame). The arm moves its tip to where it believes the body to be, not to the reference.
+    /// For the arm that holds the body with a grasp error, in its states at k = 0..N and under the wrenches at k = 1..N
+    /// (N and Nm, torques in the body frame). The arm moves its tip to the believed pose of the body, not to the
+    /// reference.
     ///
-    /// # Errors
-    /// When the arm does not reach a pose, or a joint is too slow.
+    /// # Errors When the arm does not reach a pose, or a joint is too slow.
     pub fn new(
         robot: &Robot,
         time_step: f64,

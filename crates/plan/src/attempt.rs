@@ -1,6 +1,6 @@
-//! What is planned, one after the other, until a plan reaches the goal: the problem as it is and, where its homotopy is
-//! the built-in one, the same problem with slower tightening and with shorter steps. Which homotopy reaches the goal
-//! differs from scene to scene, and a miss shows early.
+//! Attempts at a problem, one after the other until a plan reaches the goal: the problem as it is and, with the
+//! built-in homotopy, the same problem with slower tightening and with shorter steps. Which homotopy reaches the goal
+//! differs from scene to scene, and failure shows early.
 
 use task::HomotopySettings;
 
@@ -13,10 +13,10 @@ use crate::records::AttemptRecord;
 const SLOW_FIRST: f64 = 4.0 / 3.0;
 /// Its `kappa_tau`.
 const SLOW_RATE: f64 = 0.5;
-/// Iterations of a homotopy after which a goal error that grows tells a miss: before, smoothing moves the goal itself.
+/// Homotopy steps after which a growing goal error means failure: before, smoothing itself moves the goal.
 const EARLIEST_MISS: usize = 3;
 
-/// What makes an attempt differ from the problem as it is.
+/// Difference of an attempt from the problem as it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Change {
     Nothing,
@@ -33,7 +33,7 @@ impl Change {
         }
     }
 
-    /// The problem with this change. It keeps its identity: it is another way to the same plan.
+    /// The problem with this change. It keeps its identity: the plan is the same, the homotopy differs.
     pub fn of(self, problem: &Problem) -> Problem {
         match self {
             Self::Nothing => problem.clone(),
@@ -57,7 +57,7 @@ impl Change {
     }
 }
 
-/// What came of an attempt whose homotopy has ended.
+/// The record of an attempt whose homotopy has ended.
 pub fn record(change: Change, plan: &Plan) -> AttemptRecord {
     let records = || plan.iterations.iter().map(|iteration| &iteration.record);
     AttemptRecord {
@@ -83,7 +83,7 @@ pub fn leads_away(problem: &Problem, iterations: &[PlanIteration]) -> bool {
     iterations.len() >= EARLIEST_MISS && last.record.converged && error(last) > explained.max(error(before))
 }
 
-/// Whether a plan is nearer to what was asked for than another one.
+/// Whether a plan is closer to the requirements than another one.
 pub fn is_better(plan: &Plan, other: &Plan) -> bool {
     let worth = |plan: &Plan| {
         let is_planned = plan.status() == PlanStatus::Planned;
@@ -93,7 +93,7 @@ pub fn is_better(plan: &Plan, other: &Plan) -> bool {
     worth(plan).cmp(&worth(other)).then(error(other).total_cmp(&error(plan))).is_gt()
 }
 
-/// Whether the homotopy ended before the wanted number of iterations, although the last of them converged.
+/// Whether the homotopy ended before its regular number of steps, although the last of them converged.
 fn is_given_up(plan: &Plan) -> bool {
     plan.stopped.is_none() && !plan.is_converged() && plan.chosen().record.converged
 }

@@ -13,7 +13,7 @@ use crate::clearance::bounds;
 /// Penetration (m) that is rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// What an arm carries besides the body, and the environment: convex shapes, exact distances.
+/// Shapes that an arm carries besides the body, and the environment: convex, with exact distances.
 pub struct CarriedWorld<'scene> {
     scene: &'scene Scene,
     pairs: Vec<CarriedPair>,
@@ -33,20 +33,20 @@ struct CarriedPair {
 /// Frames of an arm in the world.
 #[derive(Debug, Clone)]
 pub struct Frames {
-    /// Of the links that move, in their order.
+    /// Frames of the moving links, in their order.
     links: Vec<Isometry3<f64>>,
-    /// Of the tip.
+    /// Frame of the tip.
     tip: Isometry3<f64>,
 }
 
 impl Frames {
-    /// Of the arm of a scene at joint positions (rad or m).
+    /// For the arm of a scene at joint positions (rad or m).
     fn of_arm(robot: &scene::Robot, configuration: &JointVector) -> Self {
         let grasp = simulation::isometry(&robot.grasp);
         Self { links: robot.arm.link_poses(configuration), tip: robot.arm.pose(configuration) * grasp.inverse() }
     }
 
-    /// Of the arm of a scene along its joint positions.
+    /// For the arm of a scene along its joint positions.
     pub fn along(robot: &scene::Robot, configurations: &[JointVector]) -> Vec<Self> {
         configurations.iter().map(|configuration| Self::of_arm(robot, configuration)).collect()
     }
@@ -60,7 +60,7 @@ impl Frames {
 /// A carried shape and a part of the environment that penetrate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Meeting {
-    /// What is carried, in words.
+    /// The carried shape, in words.
     pub carried: String,
     /// Name of the part of the environment.
     pub part: String,
@@ -82,7 +82,7 @@ impl fmt::Display for Meeting {
 }
 
 impl<'scene> CarriedWorld<'scene> {
-    /// Of a scene; none where nothing but the body is known to move.
+    /// For a scene; `None` where only the body is known to move.
     pub fn new(scene: &'scene Scene) -> Option<Self> {
         let all = scene.carried.shapes.iter().enumerate();
         let pairs: Vec<CarriedPair> = all
@@ -112,7 +112,7 @@ impl<'scene> CarriedWorld<'scene> {
         })
     }
 
-    /// What keeps the arm and its gripper away from the environment.
+    /// How to keep the arm and its gripper away from the environment.
     pub fn advice(&self) -> &'static str {
         match self.scene.robot {
             Some(_) => {
@@ -122,7 +122,8 @@ impl<'scene> CarriedWorld<'scene> {
         }
     }
 
-    /// Whether all shapes are farther from each other than a margin (m) at all of these frames. What cannot be computed is not.
+    /// Whether all shapes are farther from each other than a margin (m) at all of these frames. Distances that cannot
+    /// be computed count as too small.
     pub fn is_free(&self, course: &[Frames], margin: f64) -> bool {
         self.nearest(course, margin).is_none_or(|(distance, ..)| distance >= margin)
     }

@@ -1,4 +1,4 @@
-//! What an unfinished solve leaves behind so that another one can go on after its last finished homotopy step.
+//! The checkpoint of an unfinished solve, from which another one resumes after the last finished homotopy step.
 
 use std::collections::BTreeMap;
 
@@ -49,8 +49,8 @@ impl Checkpoint {
         }
     }
 
-    /// The checkpoint that is kept: none where nothing is; `Err` with the reason where it or a table was cut or changed, or is of
-    /// another problem, so that the solve has to start from the beginning.
+    /// The stored checkpoint, if there is one; `Err` with the reason where it or a table is truncated or modified, or
+    /// belongs to another problem, so that the solve has to start from the beginning.
     pub fn load(keeper: &dyn Keeper, identity: &str) -> Result<Option<Self>, Unusable> {
         let Some(text) = keeper.record(CHECKPOINT) else { return Ok(None) };
         let checkpoint: Self = unseal(&text, Unusable::DamagedCheckpoint)?;

@@ -1,4 +1,4 @@
-//! Clearance of a body that moves without turning.
+//! Clearance of a body that moves without rotation.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use task::{AssemblyTask, ContactPair};
@@ -7,7 +7,7 @@ use task::{AssemblyTask, ContactPair};
 const ROUNDING: f64 = 1e-9;
 /// Shortest step along a direction, as a share of the travel that is looked at.
 const STEP: f64 = 1e-3;
-/// Penetration that is rounding, likewise.
+/// Rounding of penetrations, in the same measure.
 const TOUCHING: f64 = 1e-4;
 
 /// Clearance between the environment and the body, oriented as at its goal. A distance changes by no more than the body
@@ -18,19 +18,19 @@ pub struct Clearance<'task> {
     nearest: usize,
 }
 
-/// What is known of a pair.
+/// Bounds on the distance of a pair.
 struct Known {
     /// Box along the axes around the body's part at its goal, seen from the box around the environment's: lowest and highest
     /// distance between them along each axis (m), as the position of the body is added.
     boxes: [Vector3<f64>; 2],
-    /// Where the pair was looked at last.
+    /// Position of the body at the last evaluation of the pair.
     at: Vector3<f64>,
     /// How far apart it was there (m), at least.
     distance: f64,
 }
 
 impl<'task> Clearance<'task> {
-    /// Of a task.
+    /// For a task.
     pub fn new(task: &'task AssemblyTask) -> Self {
         let [_, _, _, w, i, j, k] = task.goal;
         let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
@@ -72,7 +72,7 @@ impl<'task> Clearance<'task> {
         let mut pose = self.task.goal;
         pose[..3].copy_from_slice(position.as_slice());
         let distance = self.task.pairs[index].shapes.exact_distance(&pose);
-        // What cannot be computed counts as penetration.
+        // Distances that cannot be computed count as penetration.
         let distance = if distance.is_nan() { f64::NEG_INFINITY } else { distance };
         (self.pairs[index].at, self.pairs[index].distance) = (*position, distance);
         distance

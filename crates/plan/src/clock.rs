@@ -10,10 +10,10 @@ pub const LOOK: Duration = Duration::from_millis(10);
 /// Stack of such a thread, as much as main threads have.
 pub const STACK: usize = 8 << 20;
 
-/// What time it is.
+/// The present time.
 pub type Now<'run> = &'run (dyn Fn() -> Instant + Sync);
 
-/// The time that a run has taken so far, everything included, and the time that it may take.
+/// The elapsed time of a run, everything included, and its limit.
 #[derive(Clone, Copy)]
 pub struct RunClock<'run> {
     now: Now<'run>,
@@ -22,7 +22,7 @@ pub struct RunClock<'run> {
 }
 
 impl RunClock<'static> {
-    /// The run begins now, and may take any time.
+    /// A run that starts now, without a limit.
     pub fn start() -> Self {
         Self::with(&Instant::now)
     }
@@ -44,7 +44,7 @@ impl<'run> RunClock<'run> {
         (self.now)().saturating_duration_since(self.begin)
     }
 
-    /// Time that the run may take, from its begin to its end.
+    /// Time limit of the run, from its start to its end.
     pub fn limit(&self) -> Option<Duration> {
         self.limit
     }
@@ -54,8 +54,8 @@ impl<'run> RunClock<'run> {
         self.begin.checked_add(self.limit?)
     }
 
-    /// What work comes to that is done in a thread of its own, for which nobody waits when the time of the run is over: then
-    /// `None`, also where no thread can be started.
+    /// The result of work in a thread of its own; `None` if the time limit of the run ends first, or no thread can be
+    /// started.
     pub fn wait_for<T: Send + 'static>(&self, work: impl FnOnce() -> T + Send + 'static) -> Option<T> {
         let (sender, results) = sync_channel(1);
         let thread = Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work()))).ok()?;

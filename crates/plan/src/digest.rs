@@ -1,4 +1,4 @@
-//! What tells whether two things are the same.
+//! Hashes that identify content.
 
 use sha2::{Digest, Sha256};
 

@@ -5,7 +5,7 @@ pub const AXES: [&str; 3] = ["x", "y", "z"];
 /// Components of a direction that are smaller than this share of the largest are not named.
 const MINOR: f64 = 0.5;
 
-/// A direction in words, such as `-z` or `+x and -z`; nothing for a vector without length.
+/// A direction in words, such as `-z` or `+x and -z`; `None` for a vector without length.
 pub fn direction(vector: &[f64; 3]) -> Option<String> {
     let largest = vector.iter().fold(0.0, |largest: f64, component| largest.max(component.abs()));
     let is_named = |component: f64| component.abs() > MINOR * largest;
@@ -15,9 +15,9 @@ pub fn direction(vector: &[f64; 3]) -> Option<String> {
     (largest > 0.0 && largest.is_finite()).then(|| names.join(" and "))
 }
 
-/// An axis in words: that of the world along which a unit vector lies, else the vector.
+/// An axis in words: the axis of the world along a unit vector, else the vector.
 pub fn axis_name(direction: &[f64; 3]) -> String {
-    /// Cosine of the angle to an axis of the world within which a direction has its name.
+    /// Cosine of the largest angle to an axis of the world that gives a direction its name.
     const ALONG: f64 = 0.9999;
     match (0..3).find(|&axis| direction[axis].abs() > ALONG) {
         Some(axis) => AXES[axis].to_owned(),

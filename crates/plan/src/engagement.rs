@@ -9,7 +9,7 @@ use task::AssemblyTask;
 use crate::clearance::{Clearance, position};
 use crate::play::longest_travel;
 
-/// Axes across the insertion along which play is measured at first.
+/// Axes across the insertion along which clearance is measured at first.
 const AXES: usize = 8;
 /// Play along the axis across the tightest one, in plays along that, from which on it may be free along an axis nearby.
 const MUCH_WIDER: f64 = 2.0;
@@ -19,28 +19,29 @@ const TURNS: usize = 16;
 const POSES: usize = 32;
 /// Halvings of the last distance between two of them.
 const HALVINGS: usize = 12;
-/// Share of the path's length that leads out along an axis of the world, for this to be the insertion axis.
+/// Share of the path's length along an axis of the world that makes this the insertion axis.
 const ALONG: f64 = 0.5;
 
-/// What guides the body across the insertion at its goal. A direction is guided where the body touches something both
-/// ways within the longest travel looked at, three times the largest offset or a tenth of the path, whichever is longer.
+/// How the environment guides the body across the insertion at its goal. A direction is guided where the body touches
+/// something both ways within the range of the search: three times the largest offset or a tenth of the path, whichever
+/// is longer.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Engagement {
     /// Direction in which the body leaves its goal (unit vector, world frame).
     pub out: [f64; 3],
-    /// Distance from the goal along that direction (m) up to which every direction is guided that is at the goal; none
-    /// where nothing guides the body.
+    /// Distance from the goal along that direction (m) up to which all directions are guided that are guided at the
+    /// goal; `None` where nothing guides the body.
     pub depth_m: Option<f64>,
     /// Directions across the insertion along which nothing stops the body, either way (unit vectors, world frame).
     pub free: Vec<[f64; 3]>,
     /// Play between the stops of the tightest guided direction (m).
     pub play_m: Option<f64>,
-    /// How far play lets the body rest from its goal across the insertion, in guided directions (m); none where
-    /// something stops it on one side only.
+    /// Resting error: how far clearance lets the body rest from its goal across the insertion, in guided directions
+    /// (m); `None` where something stops it on one side only.
     pub rest_m: Option<f64>,
 }
 
-/// Travel along an axis both ways (m); none where nothing stops the body.
+/// Travel along an axis both ways (m); infinite where nothing stops the body.
 #[derive(Debug, Clone, Copy)]
 struct Travels {
     axis: Vector3<f64>,
@@ -88,7 +89,7 @@ impl Search<'_> {
         let tightest =
             around.iter().copied().min_by(|one, other| one.play().total_cmp(&other.play())).unwrap_or(around[0]);
         let across = self.widest_near(&out.cross(&tightest.axis), &out, &tightest);
-        // Where one direction is free, the guided one is across that.
+        // Where one direction is free, the guided one is across it.
         let tightest = if across.is_free() { self.travels(&goal, &across.axis.cross(&out)) } else { tightest };
         let axes = [tightest, across];
         let guided: Vec<Vector3<f64>> =
@@ -105,7 +106,7 @@ impl Search<'_> {
     }
 
     /// The direction in which the body leaves its goal: along the path to the start or, where that leads through the
-    /// environment, along the axis of the world that leads out and is nearest to it.
+    /// environment, along the closest axis of the world that leads out.
     fn out(&mut self, path: &Vector3<f64>) -> Option<Vector3<f64>> {
         let straight = path.try_normalize(f64::EPSILON)?;
         let mut axes: Vec<Vector3<f64>> = (0..3).map(|axis| Vector3::ith(axis, straight[axis].signum())).collect();
@@ -122,8 +123,8 @@ impl Search<'_> {
         Travels { axis: *axis, backward: along(-axis), forward: along(*axis) }
     }
 
-    /// Travel at the goal along the axis of most play near one across the tightest: a rail need not lie along an axis that
-    /// is looked at.
+    /// Travel at the goal along the axis of largest clearance near one across the tightest: a rail need not lie along
+    /// one of the sampled axes.
     fn widest_near(&mut self, axis: &Vector3<f64>, out: &Vector3<f64>, tightest: &Travels) -> Travels {
         let goal = self.goal;
         let turned = |angle: f64| axis * angle.cos() + out.cross(axis) * angle.sin();

@@ -37,11 +37,11 @@ pub enum PlannerError {
     /// A value is out of its range.
     #[error("{name} = {value}: {rule}")]
     Value {
-        /// What it is the value of, in the user's words.
+        /// Name of the value, in the user's words.
         name: &'static str,
         /// The value.
         value: String,
-        /// What would be right.
+        /// The valid values.
         rule: String,
     },
     /// A distance could not be computed.
@@ -61,9 +61,9 @@ pub enum PlannerError {
     /// A choice is not possible.
     #[error("{name}: {problem}")]
     Choice {
-        /// What was chosen, in the user's words.
+        /// Name of the choice, in the user's words.
         name: &'static str,
-        /// What is wrong with it, and what to do.
+        /// The problem and its solution.
         problem: String,
     },
     /// A file is not what it should be.
@@ -73,7 +73,7 @@ pub enum PlannerError {
         file: PathBuf,
         /// Line, from 1, where that is known.
         line: Option<usize>,
-        /// What is wrong with it, and what to do.
+        /// The problem and its solution.
         problem: String,
     },
     /// A file or folder cannot be read or written.
@@ -81,9 +81,9 @@ pub enum PlannerError {
     Io {
         /// The file or folder.
         path: PathBuf,
-        /// What was tried: `read` or `written`.
+        /// The attempted action: `read` or `written`.
         action: &'static str,
-        /// What the system says.
+        /// Error of the system.
         source: io::Error,
     },
     /// Something that should be there is not: a mistake of the program.
@@ -91,7 +91,7 @@ pub enum PlannerError {
     Internal(&'static str),
 }
 
-/// Whose fault an error is.
+/// The cause of an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
     /// The input is wrong; the message says what would be right.
@@ -112,7 +112,7 @@ pub fn short(value: impl ToString) -> String {
     }
 }
 
-/// Why unfinished work is not gone on with.
+/// Why a checkpoint cannot be resumed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Unusable {
     /// Another scene, start, offset, homotopy or version.
@@ -128,7 +128,7 @@ pub enum Unusable {
     #[error("its tables are damaged")]
     DamagedTables,
     /// Another target of the refinement.
-    #[error("it was refined for other frictions, turns or tolerances")]
+    #[error("it was refined for other frictions, rotation errors or tolerances")]
     OtherTarget,
     /// The record of the refinement was cut or changed.
     #[error("its refinement is damaged")]
@@ -152,7 +152,7 @@ fn is_exhausted(error: &io::Error) -> bool {
 }
 
 impl PlannerError {
-    /// Whose fault it is.
+    /// The cause of the error.
     pub fn fault(&self) -> Fault {
         match self {
             Self::NoTimeToRead | Self::OutOfTime { .. } => Fault::NoPlan,

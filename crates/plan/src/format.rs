@@ -1,15 +1,15 @@
-//! The format of the files, by which readers tell what they can read.
+//! The format of the files, by which readers recognise what they can read.
 
 use serde::{Deserialize, Serialize};
 
-/// Format of a file, the first key in it. One number counts for all files; it is raised where a change of one of them would
-/// mislead older readers. What is newer than [`Format::CURRENT`] is refused.
+/// Format of a file, its first key. One number covers all files; it is raised where a change would mislead older
+/// readers. Formats after [`Format::CURRENT`] are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(try_from = "u32", into = "u32")]
 pub struct Format(u32);
 
 impl Format {
-    /// What this version writes. Files of version 0.1 do not state their format, which is then 0, the default.
+    /// The format of this version. Files of version 0.1 do not state theirs, which is then 0, the default.
     pub const CURRENT: Self = Self(1);
 }
 

@@ -1,5 +1,5 @@
-//! A homotopy that runs in a thread of its own: an iteration of the solver with a thousand pairs takes seconds, and nobody
-//! waits for it when the time of the session is over.
+//! A homotopy in a thread of its own: an iteration of the solver with a thousand pairs takes seconds, and the session
+//! does not wait for it once its time is over.
 
 use std::panic::resume_unwind;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
@@ -17,17 +17,17 @@ use crate::variant::Variant;
 
 /// The homotopy of a variant.
 pub struct HomotopyRun<'run> {
-    /// What is solved.
+    /// The variant to solve.
     pub variant: &'run Variant,
     /// Threads that evaluate.
     pub threads: usize,
     /// Homotopy steps that another run has finished.
     pub earlier: &'run [PlanIteration],
-    /// Where the next one starts, if not where the variant says.
+    /// Start of the next homotopy step, if not that of the variant.
     pub start: Option<Start>,
 }
 
-/// What came of a homotopy step.
+/// The result of a homotopy step.
 pub struct Solved {
     /// Its number, from 1.
     pub number: usize,
@@ -39,15 +39,15 @@ pub struct Solved {
 /// How a homotopy ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ended {
-    /// After its last homotopy step, or when it was to go on with no other.
+    /// After its last homotopy step, or by request.
     ByItself,
-    /// In an iteration of the solver, because that was to be the last.
+    /// In an iteration of the solver, by request.
     Cut,
     /// When the time of the session was over.
     OutOfTime,
 }
 
-/// What the thread of the solver says. It waits for a reply each time.
+/// Messages of the solver's thread, each with a reply.
 enum Message {
     Iteration { number: usize, most: usize, smoothing: Smoothing, progress: Progress },
     Solved(Box<Solved>),
@@ -59,11 +59,10 @@ impl<'run> HomotopyRun<'run> {
         Self { variant, threads: 1, earlier: &[], start: None }
     }
 
-    /// Runs until it ends, `observe` or `finished` stops it, or the time of the session is over: then at once, and of the
-    /// homotopy step that was running nothing is left.
+    /// Runs until it ends, `observe` or `finished` stops it, or the time of the session is over: then at once, and the
+    /// running homotopy step is lost.
     ///
-    /// # Errors
-    /// When an option or the linear solver is rejected, or no thread can be started.
+    /// # Errors When an option or the linear solver is rejected, or no thread can be started.
     pub fn run(
         self,
         session: &Session,
@@ -138,7 +137,7 @@ struct Line {
 }
 
 impl Line {
-    /// Says something and waits for the reply; nobody who listens wants it to stop.
+    /// Sends a message and waits for the reply; without a listener, the solver stops.
     fn say(&self, message: Message) -> Control {
         match self.sender.send(message) {
             Ok(()) => self.receiver.recv().unwrap_or(Control::Stop),

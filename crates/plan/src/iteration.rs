@@ -12,16 +12,16 @@ use crate::or_null;
 /// A homotopy step of a plan.
 #[derive(Debug, Clone)]
 pub struct PlanIteration {
-    /// What the solver did.
+    /// Statistics of the solver.
     pub record: IterationRecord,
     /// The motion it found, for the task of the plan's [`crate::Variant`].
     pub trajectory: Trajectory,
-    /// The primal-dual point where it ended. An earlier run leaves only that of its last iteration.
+    /// The final primal-dual point. An earlier run leaves only that of its last homotopy step.
     pub point: Option<Arc<Iterate>>,
 }
 
 impl PlanIteration {
-    /// What decides whether another iteration follows.
+    /// The data that decide whether another homotopy step follows.
     pub fn end(&self) -> IterationEnd<'_> {
         IterationEnd { converged: self.record.converged, tau: self.record.tau, motion: &self.trajectory }
     }
@@ -51,7 +51,7 @@ pub struct IterationRecord {
     pub status: String,
     /// Whether its end is a solution.
     pub converged: bool,
-    /// What the problem reported last when it could not be evaluated.
+    /// The last failure to evaluate the problem.
     pub message: Option<String>,
     /// Iterations of the solver.
     pub iterations: usize,
@@ -66,15 +66,15 @@ pub struct IterationRecord {
     pub max_penetration_m: f64,
     /// Wall time.
     pub wall_s: f64,
-    /// Where it went.
+    /// Its wall time by part.
     pub wall_split_s: Split,
     /// The linear solver that ran.
     pub linear_solver: String,
-    /// What the stage solver did, if it ran.
+    /// Statistics of the stage solver, if it ran.
     pub stage_solver: Option<StageSolverRecord>,
 }
 
-/// What the stage solver did in a homotopy step.
+/// Statistics of the stage solver in a homotopy step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StageSolverRecord {
     /// Factorisations.
@@ -116,7 +116,7 @@ pub struct Fallbacks {
     pub quality: usize,
 }
 
-/// Where wall time went (s).
+/// Wall time by part (s).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Split {
     /// Distances and their derivatives.

@@ -1,4 +1,4 @@
-//! Where unfinished work is kept, so that another run can go on with it.
+//! Storage of unfinished work, from which another run resumes.
 
 use std::time::Duration;
 
@@ -55,6 +55,6 @@ pub trait Keeper: Sync {
     /// When it cannot be removed.
     fn discard(&self) -> Result<bool, PlannerError>;
 
-    /// What a plan of the homotopy steps that are kept will take to write, with a margin.
+    /// Expected time to write a plan with the stored homotopy steps, with a margin.
     fn writing_time(&self) -> Duration;
 }

@@ -13,15 +13,15 @@ use crate::robustness::{RobustnessReport, TestReport};
 use crate::success_rates::max_force;
 use crate::variant::Variant;
 
-/// A plan of a problem. It says itself what it was made with: a robust plan may come from another horizon, other
-/// scenarios or other smoothing than the problem's own.
+/// A plan of a problem. It states how it was made: a robust plan may come from another horizon, other scenarios or
+/// other smoothing than the problem's own.
 #[derive(Debug, Clone)]
 pub struct Plan {
-    /// What was asked for, with the homotopy and the horizon of the attempt that was kept.
+    /// The problem, with the homotopy and the horizon of the attempt that was kept.
     pub problem: Problem,
-    /// What was tried until a plan reached the goal.
+    /// Attempts until a plan reached the goal.
     pub attempts: Vec<AttemptRecord>,
-    /// What the homotopy has really solved.
+    /// The variant that the homotopy has solved.
     pub variant: Variant,
     /// All homotopy steps that ran.
     pub iterations: Vec<PlanIteration>,
@@ -29,17 +29,17 @@ pub struct Plan {
     pub trajectory: Trajectory,
     /// The task whose pairs, offsets and horizon the trajectory has.
     pub task: AssemblyTask,
-    /// Of a refined plan, whose scenarios are rollouts with hard contact.
+    /// For a refined plan, whose scenarios are rollouts with hard contact.
     pub robustness: Option<RobustnessReport>,
     /// How the plan of the solver does in rollouts with hard contact, where it was played and not refined.
     pub tested: Option<TestReport>,
     /// Threads of the solve.
     pub threads: usize,
-    /// What ended the work on it before it had come to its end.
+    /// Reason for an early end of the work on it.
     pub stopped: Option<Stop>,
 }
 
-/// What ends work on a plan early.
+/// Reasons for an early end of the work on a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stop {
     /// The user.
@@ -48,10 +48,10 @@ pub enum Stop {
     TimeLimit,
 }
 
-/// What has become of a plan.
+/// Status of a plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PlanStatus {
-    /// A refined plan: in rollouts with hard contact every planned offset succeeds at each friction, and the wanted
+    /// A refined plan: in rollouts with hard contact every planned offset succeeds at each friction, and the target
     /// success rate holds at each.
     Done,
     /// The solver converged and every planned offset reaches the goal in its smoothed model of contact.
@@ -65,17 +65,17 @@ pub enum PlanStatus {
         /// How it ended, in words.
         status: String,
     },
-    /// Refinement did not reach the wanted success rate.
+    /// Refinement did not reach the target success rate.
     NotRobust,
     /// Every planned offset reaches the goal, but exact shapes penetrate by more than the problem's largest penetration.
     Penetrating,
-    /// The session's time ended before it was known whether the plan does what was asked for.
+    /// The session's time ended before it was known whether the plan meets the requirements.
     OutOfTime(Cut),
     /// The user stopped it.
     Interrupted,
 }
 
-/// What the end of the time has cut.
+/// Work that the end of the time has cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cut {
     /// The homotopy.
@@ -94,7 +94,7 @@ pub enum Cut {
     },
 }
 
-/// What has become of a plan, without details.
+/// Status of a plan, without details.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs, reason = "as PlanStatus")]
@@ -133,7 +133,7 @@ impl fmt::Display for PlanStatus {
             Self::Planned => formatter.write_str("planned, not tested"),
             Self::GoalMissed => formatter.write_str("converged, but the goal is not reached"),
             Self::NotConverged { iteration, status } => write!(formatter, "homotopy step {iteration}: {status}"),
-            Self::NotRobust => formatter.write_str("the wanted success rate is not reached"),
+            Self::NotRobust => formatter.write_str("the target success rate is not reached"),
             Self::Penetrating => formatter.write_str("the exact shapes penetrate too deep"),
             Self::OutOfTime(cut) => write!(formatter, "out of time: {cut}"),
             Self::Interrupted => formatter.write_str("interrupted"),
@@ -158,7 +158,7 @@ impl fmt::Display for Cut {
 }
 
 impl Plan {
-    /// Of a homotopy that has run at least one iteration, on some threads.
+    /// From a homotopy that has run at least one step, on some threads.
     pub fn new(
         problem: &Problem,
         variant: Variant,
@@ -182,12 +182,12 @@ impl Plan {
             stopped,
         };
         let PlanIteration { record, trajectory, .. } = plan.chosen().clone();
-        // What was stopped early may have fewer steps.
+        // A plan that was stopped early may have fewer steps.
         (plan.task, plan.trajectory) = (record.task(&plan.task), trajectory);
         plan
     }
 
-    /// Number, from 1, of the homotopy step that is the plan. It is the last one, unless going on beyond the wanted
+    /// Number, from 1, of the homotopy step that is the plan. It is the last one, unless continuing beyond the regular
     /// number made the plan worse: then it is the last that converged and reaches the goal, or at least converged.
     pub fn chosen_stage(&self) -> usize {
         let worth = |&number: &usize| {
@@ -196,7 +196,7 @@ impl Plan {
             (record.converged, record.converged && self.problem.success().reached(position, orientation))
         };
         let count = self.iterations.len();
-        // Of equals, the last.
+        // The last of equals.
         (self.variant.settings.iterations..=count).max_by_key(worth).unwrap_or(count)
     }
 
@@ -210,7 +210,7 @@ impl Plan {
         Reference::from(&self.trajectory)
     }
 
-    /// How it moves, and how hard it presses in its scenarios and in the rollouts that tested it.
+    /// Duration, forces and departures of its motion, in its scenarios and in the rollouts that tested it.
     pub fn motion(&self) -> MotionRecord {
         let motion = MotionRecord::new(&self.trajectory, &self.task);
         let played = self.robustness.as_ref().map(|report| &report.after);
@@ -219,7 +219,7 @@ impl Plan {
         MotionRecord { max_force_n: motion.max_force_n.max(played), ..motion }
     }
 
-    /// Whether all wanted iterations of its own homotopy ran and the one that is the plan found a solution.
+    /// Whether all regular steps of its own homotopy ran and the one that is the plan found a solution.
     pub fn is_converged(&self) -> bool {
         self.iterations.len() >= self.variant.settings.iterations && self.chosen().record.converged
     }
@@ -233,8 +233,8 @@ impl Plan {
         }
     }
 
-    /// Whether exact shapes penetrate no deeper than the problem allows; those of a plan that was not refined, than its last
-    /// smoothing explains.
+    /// Whether the penetration of exact shapes is within the problem's limit; for an unrefined plan, within what its
+    /// last smoothing explains.
     pub fn keeps_apart(&self) -> bool {
         let smoothing = match self.robustness {
             Some(_) => 0.0,
@@ -243,7 +243,7 @@ impl Plan {
         self.trajectory.max_penetration() <= self.problem.allowed_penetration().max(smoothing)
     }
 
-    /// What has become of it.
+    /// Its status.
     pub fn status(&self) -> PlanStatus {
         if self.stopped == Some(Stop::User) {
             return PlanStatus::Interrupted;

@@ -6,7 +6,7 @@ use task::AssemblyTask;
 
 use crate::clearance::{Clearance, position};
 
-/// Directions along which play is measured: the axes of the world, both ways.
+/// Directions along which clearance is measured: the axes of the world, both ways.
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// Poses on the straight line from the goal to the start.
 const POSES: usize = 5;
@@ -14,7 +14,8 @@ const POSES: usize = 5;
 const OFFSETS: f64 = 3.0;
 const PATH: f64 = 0.1;
 
-/// How far the body can move along an axis of the world; null where nothing is in the way within the travel looked at.
+/// Distances that the body can move along an axis of the world; null where nothing stops it within the range of the
+/// search.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AxisPlay {
     /// `x`, `y` or `z`.
@@ -37,7 +38,7 @@ pub struct Play {
 }
 
 impl Play {
-    /// Smallest way between two stops along an axis (m), if something stops the body on both sides of any.
+    /// Smallest travel between two stops along an axis (m), if something stops the body on both sides of any.
     pub fn narrowest(&self) -> Option<f64> {
         let both = self.axes.iter().filter_map(|play| Some(play.backward_m? + play.forward_m?));
         both.min_by(f64::total_cmp)
@@ -52,20 +53,20 @@ pub fn longest_travel(task: &AssemblyTask) -> f64 {
     (OFFSETS * offset).max(PATH * norm(&path))
 }
 
-/// Play at the goal and at some poses on the way to it.
+/// Clearance at the goal and at some poses on the path to it.
 pub fn along_insertion(task: &AssemblyTask) -> Vec<Play> {
     let mut clearance = Clearance::new(task);
     (0..POSES).map(|index| play(task, &mut clearance, index as f64 / (POSES - 1) as f64)).collect()
 }
 
-/// The pose at a share of the way from the goal to the start, oriented as the goal.
+/// The pose at a share of the path from the goal to the start, oriented as the goal.
 pub fn between(task: &AssemblyTask, share: f64) -> [f64; 7] {
     let mut pose = task.goal;
     (0..3).for_each(|axis| pose[axis] += share * (task.start[axis] - task.goal[axis]));
     pose
 }
 
-/// Play at a share of the way from the goal to the start.
+/// Clearance at a share of the path from the goal to the start.
 fn play(task: &AssemblyTask, clearance: &mut Clearance, share: f64) -> Play {
     let (pose, longest) = (between(task, share), longest_travel(task));
     let from = position(&pose);

@@ -16,14 +16,14 @@ use crate::tolerance::ChosenTolerance;
 /// unfinished work of other plans is not resumed.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// What is chosen of a scene; the default is the scene's own.
+/// Choices for a scene; the default is the scene's own.
 #[derive(Debug, Clone, Default)]
 pub struct Choices {
     /// Name of the start pose; the scene's first where none is given.
     pub start: Option<String>,
     /// Offset magnitude `delta-hat` (m).
     pub delta: Option<f64>,
-    /// Largest turn of the part in the gripper (rad).
+    /// Largest rotation error of the part in the gripper (rad).
     pub rotation_error: Option<f64>,
     /// Homotopy file; the scene's own homotopy, else the built-in one where none is given.
     pub homotopy: Option<PathBuf>,
@@ -31,7 +31,7 @@ pub struct Choices {
     pub linear_solver: Option<LinearSolver>,
     /// Largest final distance from the goal of a success (m); the scene's where none is given.
     pub position_tolerance: Option<f64>,
-    /// Largest final angle to the goal of a success (rad), likewise.
+    /// Largest final angle to the goal of a success (rad).
     pub angle_tolerance: Option<f64>,
 }
 
@@ -61,10 +61,9 @@ impl Problem {
         Self::choose(Scene::load(file)?, file, choices)
     }
 
-    /// Of a scene that was read from `file`, which messages name.
+    /// From a scene that was read from `file`, which messages name.
     ///
-    /// # Errors
-    /// The first thing that is wrong with a choice.
+    /// # Errors The first wrong choice.
     pub fn choose(mut scene: Scene, file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
         if let Some(rotation_error) = choices.rotation_error {
             require_rotation_error(rotation_error)?;
@@ -88,12 +87,11 @@ impl Problem {
         })
     }
 
-    /// Of a scene, by default with its first start and its own offset magnitude (m). A position tolerance that the scene
-    /// does not state is chosen.
+    /// From a scene, by default with its first start and its own offset magnitude (m). A position tolerance that the
+    /// scene does not give is chosen.
     ///
-    /// # Errors
-    /// When the scene has no such start, the magnitude or a tolerance is not possible, or the installed Ipopt cannot run
-    /// these settings.
+    /// # Errors When the scene has no such start, the magnitude or a tolerance is not possible, or the installed Ipopt
+    /// cannot run these settings.
     pub fn new(
         mut scene: Scene,
         start: Option<&str>,
@@ -112,8 +110,8 @@ impl Problem {
         let success = Success { position: stated.unwrap_or(f64::NAN), orientation: scene.angle_tolerance };
         success.validate()?;
         let edge_radius = *scene.robustness.edge_radius.get_or_insert_with(|| edge_radius(&task));
-        // What counts as success and what refinement must tolerate do not change how the problem is solved, but for turns of
-        // scenarios.
+        // Tolerances and requirements of refinement do not change how the problem is solved, except for rotation errors
+        // of scenarios.
         let rotation_error = if scene.has_rotated_scenarios() { scene.robustness.rotation_error } else { 0.0 };
         let spec = RobustnessSpec { rotation_error, ..RobustnessSpec::default() };
         let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, robustness: spec, ..scene.clone() };
@@ -136,13 +134,13 @@ impl Problem {
         })
     }
 
-    /// Whether nothing but the linear solver was chosen of the homotopy.
+    /// Whether the homotopy is the built-in one, apart from the linear solver.
     pub fn has_default_homotopy(&self) -> bool {
         let default = default_homotopy(&self.scene);
         HomotopySettings { linear_solver: default.linear_solver, ..self.homotopy.clone() } == default
     }
 
-    /// The same problem, solved in another way.
+    /// The same problem with another homotopy.
     pub fn with_homotopy(&self, homotopy: HomotopySettings) -> Self {
         let resolved = resolved(&self.scene, &self.start, self.delta, &homotopy);
         Self { homotopy, resolved, ..self.clone() }
@@ -173,7 +171,7 @@ impl Problem {
         self.delta
     }
 
-    /// What guides the body at its goal, and how deep.
+    /// How the environment guides the body at its goal, and the engagement depth.
     pub fn engagement(&self) -> &Engagement {
         &self.engagement
     }
@@ -183,13 +181,13 @@ impl Problem {
         self.chosen_tolerance.as_ref()
     }
 
-    /// What was chosen because the scene does not say it, each as `key = value`.
+    /// Defaults that were chosen for the scene, each as `key = value`.
     pub fn chosen(&self) -> Vec<String> {
         let tolerance = self.chosen_tolerance.iter().map(ToString::to_string);
         self.scene.chosen.iter().cloned().chain(tolerance).collect()
     }
 
-    /// What counts as reaching the goal.
+    /// Tolerances of success.
     pub fn success(&self) -> Success {
         self.success
     }
@@ -205,12 +203,12 @@ impl Problem {
         PENETRATION.max(OVERLAP_IN_CLEARANCES * self.task.clearance(&self.task.goal))
     }
 
-    /// What is planned.
+    /// The task to be planned.
     pub fn task(&self) -> &AssemblyTask {
         &self.task
     }
 
-    /// The task as it is in reality, which does not know which pairs the plan leaves out.
+    /// The task with all pairs, also those that the plan leaves out.
     pub fn world(&self) -> AssemblyTask {
         AssemblyTask { pairs: self.scene.all_pairs(), ..self.task.clone() }
     }
@@ -223,7 +221,7 @@ impl Problem {
         self.rollout_in(&self.world(), settings)
     }
 
-    /// Likewise in a world with another grid of time.
+    /// The same in a world with another time grid.
     pub fn rollout_in(&self, world: &AssemblyTask, settings: Settings) -> Result<Rollout, PlannerError> {
         let rollout = Rollout::new(world, settings);
         match self.arm() {
@@ -232,7 +230,7 @@ impl Problem {
         }
     }
 
-    /// The motion of every scenario of a world when a reference is played, as rollouts; distances are smoothed by `tau`.
+    /// The motion of every scenario of a world in rollouts of a reference; distances are smoothed by `tau`.
     pub fn motions(&self, world: &AssemblyTask, reference: &Reference, tau: f64) -> Result<Trajectory, PlannerError> {
         let mut motions = Vec::with_capacity(world.frictions.len());
         for &friction in &world.frictions {
@@ -281,14 +279,13 @@ impl Problem {
         &self.resolved
     }
 
-    /// What makes two problems the same one: a hash (hexadecimal) of the `resolved.toml` of what was asked for and of
-    /// the program's version. Comments, file names, tolerances and what refinement must tolerate do not change it, a
-    /// mesh's content does.
+    /// The identity of the problem: a hash (hexadecimal) of its `resolved.toml` and of the program's version. Comments,
+    /// file names, tolerances and requirements of refinement do not change it, a mesh's content does.
     pub fn identity(&self) -> &str {
         &self.identity
     }
 
-    /// Hash (hexadecimal) of what stands in the world: shapes, start and goal.
+    /// Hash (hexadecimal) of the world: shapes, start and goal.
     pub fn shapes_hash(&self) -> String {
         hash(resolved_world(&self.scene, &self.start).as_bytes())
     }
@@ -300,7 +297,8 @@ impl Problem {
     }
 }
 
-/// Reach of the first smoothing in sizes of the body: beyond that, everything penetrates and nothing is learnt.
+/// Largest smoothing gap bound of the first homotopy step, in sizes of the body: beyond that, everything penetrates and
+/// the step is useless.
 const FIRST_REACH: f64 = 1.2;
 
 /// The built-in homotopy; for small parts and for many facets with less smoothing.

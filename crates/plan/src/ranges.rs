@@ -1,4 +1,4 @@
-//! Ranges of what is chosen, by whichever way.
+//! Ranges of choices, from any source.
 
 use crate::error::PlannerError;
 
@@ -24,7 +24,7 @@ pub fn require_frictions(frictions: &[f64]) -> Result<(), PlannerError> {
     Ok(())
 }
 
-/// Checks a turn of the part in the gripper.
+/// Checks a rotation error of the part in the gripper.
 pub fn require_rotation_error(rotation_error: f64) -> Result<(), PlannerError> {
     require((0.0..=1.57).contains(&rotation_error), "rotation_error", rotation_error, "must lie between 0 and 1.57 rad")
 }

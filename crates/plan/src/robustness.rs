@@ -9,7 +9,7 @@ use crate::records::{GraspRecord, LossRecord};
 use crate::success_rates::SuccessRates;
 use crate::variant::Variant;
 
-/// What was wanted, what was done and what came of it.
+/// Target, effort and result of a refinement.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RobustnessReport {
     /// Wanted success rate at each friction.
@@ -27,10 +27,10 @@ pub struct RobustnessReport {
     pub before: SuccessRates,
     /// Success rates of the refined plan.
     pub after: SuccessRates,
-    /// Rollouts that its evaluation lacks because the time was over; 0 where it is decided.
+    /// Rollouts of its evaluation that were not played for lack of time; 0 where it is decided.
     #[serde(default)]
     pub unplayed: usize,
-    /// How a straight push does in the same evaluation; nothing where there was no time to play it.
+    /// A straight push in the same evaluation; `None` where there was no time to play it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub push: Option<PushReport>,
     /// The round whose plan was kept, counted from 1.
@@ -41,10 +41,10 @@ pub struct RobustnessReport {
     pub kept_changes: usize,
     /// All rounds.
     pub rounds: Vec<Round>,
-    /// What steered the search; older plans do not say.
+    /// Parameters of the search; missing in older plans.
     #[serde(default)]
     pub parameters: RobustParameters,
-    /// What the refined plan loses most, where some rollouts fail.
+    /// The worst group of rollouts of the refined plan, where some fail.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss: Option<LossRecord>,
 }
@@ -69,7 +69,7 @@ pub struct TestReport {
 /// decided.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PushReport {
-    /// Whether it reaches what is wanted of the plan.
+    /// Whether it reaches the target of the plan.
     pub reached: bool,
     /// Its success rates.
     pub rates: SuccessRates,
@@ -78,7 +78,7 @@ pub struct PushReport {
 /// One planning problem, its solution and the refinement of that.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Round {
-    /// What was planned, in words.
+    /// The round, in words.
     pub planned: String,
     /// Planned grasp errors.
     pub scenarios: Vec<GraspRecord>,
@@ -88,7 +88,7 @@ pub struct Round {
     pub steps: usize,
     /// Time step of the horizon.
     pub time_step_s: f64,
-    /// How the last solve ended.
+    /// Status of the last solve.
     pub solve_status: String,
     /// Wall time of all solves.
     pub solve_s: f64,
@@ -144,7 +144,7 @@ impl Round {
 }
 
 impl RobustnessReport {
-    /// Whether every planned offset succeeds and the wanted rate holds, at each friction.
+    /// Whether every planned offset succeeds and the target rate holds, at each friction.
     pub fn is_reached(&self) -> bool {
         self.reached
     }

@@ -1,4 +1,4 @@
-//! Records of unfinished work with a hash of themselves: one that was cut or changed is not gone on with.
+//! Records of unfinished work with a hash of themselves: a truncated or modified checkpoint is never resumed.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};

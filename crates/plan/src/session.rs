@@ -1,4 +1,4 @@
-//! What accompanies a long computation: who watches it, how it is stopped, where unfinished work is kept.
+//! The context of a long computation: its observer, how it is stopped, where unfinished work is kept.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -8,21 +8,21 @@ use crate::error::Unusable;
 use crate::iteration::IterationRecord;
 use crate::keeper::Keeper;
 
-/// What accompanies a long computation.
+/// The context of a long computation.
 pub struct Session<'run> {
-    /// Who is told what happens.
+    /// Observer of all events.
     pub observer: &'run dyn Observer,
     /// Once set, the computation ends as soon as it can, with what it has.
     pub interrupted: &'run AtomicBool,
-    /// Where finished homotopy steps and refined references are kept, so that another run can go on with them.
+    /// Storage of finished homotopy steps and refined references, from which another run resumes.
     pub folder: Option<&'run dyn Keeper>,
-    /// Threads. They change nothing but the time it takes.
+    /// Number of threads; does not affect results.
     pub threads: usize,
-    /// The clock of the run, which says when it has to end.
+    /// The clock of the run with its time limit.
     pub clock: RunClock<'run>,
 }
 
-/// Part of a limited time that is left for what follows the last piece of work: writing, and its explanation.
+/// Part of a limited time that is reserved for the end: writing and explaining.
 const RESERVE: f64 = 0.03;
 
 impl<'run> Session<'run> {
@@ -68,7 +68,7 @@ impl<F: Fn(&Event) + Sync> Observer for F {
     }
 }
 
-/// What can happen.
+/// Events of a computation.
 #[derive(Debug)]
 pub enum Event<'event> {
     /// An iteration of the solver.
@@ -79,12 +79,12 @@ pub enum Event<'event> {
         number: usize,
         /// How many there are, at most.
         most: usize,
-        /// What came of it.
+        /// Its record.
         record: &'event IterationRecord,
         /// Largest final position error of all scenarios (m).
         position_error: f64,
     },
-    /// The plan so far misses the goal: another way to solve the problem is tried.
+    /// The plan so far misses the goal: another attempt follows.
     Attempt {
         /// Which, in words.
         planned: &'static str,
@@ -97,7 +97,7 @@ pub enum Event<'event> {
         done: usize,
         /// How many there are, at most.
         most: usize,
-        /// Whether it had begun to refine.
+        /// Whether refinement had started.
         refining: bool,
     },
     /// Unfinished work is not continued.
@@ -121,7 +121,7 @@ pub enum Event<'event> {
         failing: usize,
         /// How many there are.
         cases: usize,
-        /// Changes kept so far.
+        /// Perturbations accepted so far.
         changes: usize,
     },
     /// A refined plan has been evaluated at grasp errors that it was not trained on.

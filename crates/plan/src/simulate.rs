@@ -12,7 +12,7 @@ use crate::problem::Problem;
 use crate::ranges::{require, require_frictions, require_rotation_error, require_threads};
 use crate::session::{Event, Session};
 
-/// What is played.
+/// The motion that is played.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Motion {
     /// The reference after a homotopy step (counted from 1).
@@ -37,20 +37,20 @@ impl fmt::Display for Motion {
 /// Which offsets are injected.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OffsetSource {
-    /// The planned ones, with their turns where there are no random ones.
+    /// The planned ones, with their rotation errors unless there are random ones.
     Planned,
-    /// So many random ones, as [`offsets::covered`] draws them.
+    /// A number of random ones, as [`offsets::covered`] draws them.
     Random(usize, Region),
-    /// A grid in the hull of the planned ones with so many intervals along each of its edges.
+    /// A grid in the hull of the planned ones, with this number of intervals along each of its edges.
     Grid(usize),
     /// These (m, body frame); magnitudes do not scale them.
     Listed(Vec<[f64; 3]>),
 }
 
-/// Where random offsets lie.
+/// Region of random offsets.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Region {
-    /// Where the scene has them covered.
+    /// The offsets that the scene covers.
     #[default]
     Covered,
     /// In the hull of the planned ones.
@@ -79,9 +79,9 @@ pub struct GraspErrors {
     pub offsets: OffsetSource,
     /// Magnitudes (m) to which the planned offsets are scaled; the problem's own where there are none.
     pub magnitudes: Vec<f64>,
-    /// The part is also turned in the gripper at random, by up to this angle (rad) about any axis.
+    /// Largest random rotation error of the part in the gripper (rad), about any axis.
     pub rotation_error: f64,
-    /// Seed of random offsets and turns.
+    /// Seed of random offsets and rotations.
     pub seed: u64,
 }
 
@@ -110,7 +110,7 @@ impl Default for GraspErrors {
     }
 }
 
-/// What is simulated, and how.
+/// Settings of a simulation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulationRequest {
     /// Injected errors.
@@ -133,7 +133,7 @@ impl Default for SimulationRequest {
 /// One rollout and what it was.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlayedRollout {
-    /// What was played.
+    /// The motion.
     pub motion: Motion,
     /// Coulomb's coefficient.
     pub friction: f64,
@@ -192,14 +192,13 @@ impl SimulationRequest {
     }
 }
 
-/// Plays motions, and the straight push, with all frictions and grasp errors, in this order. Reality does not know which
-/// pairs the plan has left out.
+/// Plays motions, and the straight push, with all frictions and grasp errors, in this order, with all pairs, also those
+/// that the plan leaves out.
 ///
-/// The session's observer is told how far it is. Where the session is interrupted, the rollouts so far are returned; its
-/// folder and its deadline mean nothing here.
+/// The session's observer gets the progress. If the session is interrupted, the rollouts so far are returned; its
+/// folder and its deadline are not used.
 ///
-/// # Errors
-/// When the request is out of range.
+/// # Errors When the request is out of range.
 pub fn simulate(
     problem: &Problem,
     motions: &[(Motion, Reference)],
@@ -294,7 +293,7 @@ fn grid(planned: &[[f64; 3]], divisions: usize) -> Result<Vec<[f64; 3]>, Planner
     Ok(offsets::grid(planned, divisions))
 }
 
-/// Every offset with a turn of its own.
+/// Every offset with a random rotation error.
 fn with_turns(offsets: &[[f64; 3]], errors: &GraspErrors) -> Vec<GraspError> {
     let turns = offsets::rotations(errors.rotation_error, offsets.len(), errors.seed);
     GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, rotation)| GraspError { offset, rotation }))
@@ -318,8 +317,8 @@ pub fn force_warning(played: &[PlayedRollout], limit: f64) -> Option<String> {
     })
 }
 
-/// What the user is to be warned of: rollouts in which parts penetrate. Contacts are hard: what penetrates has done so from
-/// the beginning.
+/// A warning about rollouts in which parts penetrate. Contacts are hard, so these parts have done so from the
+/// beginning.
 pub fn penetration_warning(played: &[PlayedRollout]) -> Option<String> {
     /// More than time steps leave (m).
     const PENETRATION: f64 = 1e-4;

@@ -20,17 +20,16 @@ use crate::session::{Event, Session};
 use crate::variant::Variant;
 
 /// Plans a problem. Where the built-in homotopy misses the goal, others are tried, and the best plan is kept. With a
-/// folder in the session, finished homotopy steps are kept there, and those of an earlier run of the same problem
-/// are not solved again.
+/// folder in the session, finished homotopy steps are stored there, and those of an earlier run of the same problem are
+/// not solved again.
 ///
-/// # Errors
-/// When a linear solver or a file fails, or the session's time ends before the first homotopy step. A solve that does
-/// not converge, or has no time to, is a plan whose status says so.
+/// # Errors When a linear solver or a file fails, or the session's time ends before the first homotopy step. A solve
+/// that does not converge, or has no time to, returns a plan with that status.
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
     require_threads(session.threads)?;
     let changes = Change::all(problem);
     let mut earlier = earlier_work(problem, changes, session)?;
-    // Attempts before the one that an earlier run has begun have missed the goal: they come last.
+    // Attempts before the interrupted one have missed the goal: they come last.
     let first = earlier.as_ref().map_or(0, |earlier| earlier.attempt);
     let order = (first..changes.len()).chain(0..first);
     let mut best: Option<Plan> = None;
@@ -61,7 +60,7 @@ fn out_of_time(problem: &Problem) -> PlannerError {
     PlannerError::OutOfTime { pairs: task.pairs.len(), scenarios: task.scenarios().len(), steps: task.horizon.steps }
 }
 
-/// A way to solve a problem.
+/// An attempt at a problem.
 struct Attempt {
     /// Among all changes of the problem.
     index: usize,
@@ -113,7 +112,7 @@ impl Attempt {
     }
 }
 
-/// What another run has finished of an attempt.
+/// The finished part of an interrupted attempt.
 struct Earlier {
     attempt: usize,
     finished: Finished,
@@ -151,7 +150,7 @@ fn earlier_work(problem: &Problem, changes: &[Change], session: &Session) -> Res
     Ok(Some(Earlier { attempt: checkpoint.attempt, start, finished }))
 }
 
-/// What is known of the finished homotopy steps.
+/// The finished homotopy steps.
 #[derive(Default)]
 struct Finished {
     iterations: Vec<PlanIteration>,
@@ -160,7 +159,7 @@ struct Finished {
 }
 
 impl Finished {
-    /// Keeps the tables of the last iteration, then the checkpoint from which the next one can start.
+    /// Stores the tables of the last homotopy step, then the checkpoint from which the next one can start.
     fn keep(&mut self, keeper: &dyn Keeper, attempt: &Attempt, variant: &Variant) -> Result<(), PlannerError> {
         let Some(PlanIteration { trajectory, point: Some(point), .. }) = self.iterations.last() else { return Ok(()) };
         self.tables.extend(keeper.keep_iteration(self.iterations.len(), trajectory, &variant.task)?);

@@ -6,7 +6,7 @@ use simulation::wilson_interval;
 use crate::length::Millimetres;
 use crate::or_null;
 
-/// Where the offsets of a group lie.
+/// Region of the offsets of a group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum OffsetRegion {
@@ -26,7 +26,7 @@ pub struct SuccessRate {
     pub friction: f64,
     /// Magnitude of the offsets: their length, or the largest that they can have.
     pub magnitude_m: f64,
-    /// Where they lie.
+    /// Region of the offsets.
     #[serde(default)]
     pub region: OffsetRegion,
     /// Whether they are the planned ones, not random ones.
@@ -86,7 +86,7 @@ impl SuccessRates {
         self.0.iter().filter(|group| group.planned).all(|group| group.rollouts > 0 && group.successes == group.rollouts)
     }
 
-    /// Whether a plan is robust: every planned offset succeeds at every friction, and the wanted rate holds at each.
+    /// Whether a plan is robust: every planned offset succeeds at every friction, and the target rate holds at each.
     pub fn satisfy(&self, wanted: f64) -> bool {
         self.planned_succeed() && self.by_friction().all(|groups| rate(groups) >= wanted)
     }

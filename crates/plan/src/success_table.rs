@@ -7,10 +7,10 @@ use simulation::wilson_interval;
 use crate::length::Millimetres;
 use crate::simulate::{Motion, PlayedRollout};
 
-/// Rollouts that differ by nothing but plan (of the same delta-hat) and grasp error (of the same magnitude).
+/// Rollouts that differ only in plan (of the same delta-hat) and grasp error (of the same magnitude).
 #[derive(Debug, Clone, PartialEq)]
 pub struct SuccessGroup {
-    /// What was played.
+    /// The motion.
     pub motion: Motion,
     /// Coulomb's coefficient.
     pub friction: f64,

@@ -1,4 +1,4 @@
-//! What a robust plan must tolerate, and how much time may be spent on it.
+//! Requirements on a robust plan, and limits of its refinement.
 
 use std::time::Duration;
 
@@ -8,14 +8,14 @@ use crate::error::PlannerError;
 use crate::parameters::RobustParameters;
 use crate::ranges::{require, require_frictions, require_rotation_error};
 
-/// What a robust plan must tolerate, and how much time may be spent on it.
+/// Requirements on a robust plan, and limits of its refinement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RobustnessTarget {
     /// Success rate to reach at each friction, 0 to 1.
     pub target_rate: f64,
     /// Coulomb coefficients, each once.
     pub frictions: Vec<f64>,
-    /// Largest turn of the part in the gripper besides its offset, about any axis (rad).
+    /// Largest rotation error of the part in the gripper besides its offset, about any axis (rad).
     pub rotation_error: f64,
     /// Largest relative error of the inertia.
     pub inertia_error: f64,
@@ -25,11 +25,11 @@ pub struct RobustnessTarget {
     pub delay: f64,
     /// When to stop refining, the time of the first solve included.
     pub time_limit: Duration,
-    /// Changes in a row without improvement after which a plan is evaluated anew.
+    /// Perturbations in a row without improvement after which a plan is evaluated again.
     pub stall_limit: usize,
-    /// What steers the search.
+    /// Parameters of the search.
     pub parameters: RobustParameters,
-    /// Changes to try in the whole refinement, if they are limited: unlike a time, a count means the same on every machine.
+    /// Limit of perturbations in the whole refinement, if any: unlike a time, a count means the same on every machine.
     pub max_perturbations: Option<usize>,
 }
 
@@ -40,7 +40,7 @@ impl Default for RobustnessTarget {
 }
 
 impl RobustnessTarget {
-    /// For what a scene says must be tolerated.
+    /// From the robustness specification of a scene.
     pub fn of(spec: &RobustnessSpec) -> Self {
         let RobustnessSpec { frictions, rotation_error, inertia_error, stiffness_error, delay, edge_radius: _ } =
             spec.clone();

@@ -9,9 +9,9 @@ use task::{AssemblyTask, Coverage};
 use crate::clearance::position;
 use crate::engagement::Engagement;
 
-/// Largest tolerance that is chosen (m), also in sizes of the body, in distances of the start from the goal and in depths of
-/// engagement, and the smallest in distances that play lets the body rest from its goal. Where play lets it rest farther than
-/// the depth allows, the depth decides: with less, a body that is not engaged would be a success.
+/// Largest chosen tolerance (m), also in sizes of the body, in distances of the start from the goal and in engagement
+/// depths, and the smallest in resting errors. Where the resting error exceeds what the depth allows, the depth
+/// decides: a body that is not engaged must not count as success.
 const LARGEST: f64 = 3e-3;
 const IN_SIZES: f64 = 0.1;
 const IN_WAYS: f64 = 0.25;
@@ -42,7 +42,7 @@ enum Reason {
 }
 
 impl ChosenTolerance {
-    /// What a task's size, engagement and play allow.
+    /// From a task's size, engagement and clearance.
     pub fn new(scene: &Scene, task: &AssemblyTask, engagement: &Engagement) -> Self {
         let (size, way) = (scene.body_size(), (position(&task.start) - position(&task.goal)).norm());
         let of_depth = engagement.depth_m.map(|depth| (IN_DEPTHS * depth, Reason::Depth(depth)));
@@ -57,7 +57,7 @@ impl ChosenTolerance {
         Self { guided, reason, free_offset: OFFSETS * engagement.free_offset(task, &scene.coverage) }
     }
 
-    /// The tolerance (m): no plan changes an offset along a free direction, so that it is part of every final error.
+    /// The tolerance (m). It includes offsets along free directions, as no plan reduces these.
     pub fn position(&self) -> f64 {
         self.guided.hypot(self.free_offset)
     }
@@ -71,7 +71,7 @@ impl ChosenTolerance {
             Reason::BodySize(size) => format!("a tenth of the body's size of {:.2} mm", 1e3 * size),
             Reason::Way(way) => format!("a quarter of the path of {:.2} mm from start to goal", 1e3 * way),
             Reason::Depth(depth) => format!("a quarter of the engagement depth of {:.2} mm", 1e3 * depth),
-            Reason::Rest(rest) => format!("1.5 times the error of {:.3} mm that play allows", 1e3 * rest),
+            Reason::Rest(rest) => format!("1.5 times the error of {:.3} mm that clearance allows", 1e3 * rest),
         };
         if self.free_offset == 0.0 {
             return reason;
@@ -102,7 +102,7 @@ impl Engagement {
             let length = |along: Vec<f64>| along.iter().map(|part| part * part).sum::<f64>().sqrt();
             return planned().map(along_free).map(length).fold(0.0, f64::max);
         }
-        // What a disc or a ball reaches along them is its radius times the largest singular value of their projection.
+        // The extent of a disc or a ball along them is its radius times the largest singular value of their projection.
         let radius = planned().map(|offset| offset.norm()).fold(0.0, f64::max);
         radius * DMatrix::from_vec(self.free.len(), span.len() / self.free.len(), span).singular_values().max()
     }

@@ -7,16 +7,16 @@ use crate::problem::Problem;
 /// A task and settings to solve.
 #[derive(Debug, Clone)]
 pub struct Variant {
-    /// What is planned.
+    /// The task to be planned.
     pub task: AssemblyTask,
     /// How.
     pub settings: HomotopySettings,
-    /// The motion at which the homotopy begins, instead of rest at the start pose.
+    /// The motion from which the homotopy starts, instead of rest at the start pose.
     pub near: Option<Trajectory>,
 }
 
-/// Part of the limit of contact forces that plans may use. They know the mean over a time step; a rollout, and a robot, may
-/// push harder for 10 ms.
+/// Part of the limit of contact forces that plans may use. Their forces are means over a time step; a rollout, and a
+/// robot, may push harder for 10 ms.
 const FORCE_SHARE: f64 = 0.7;
 
 impl Variant {

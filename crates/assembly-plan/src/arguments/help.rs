@@ -70,7 +70,7 @@ pub const CLOSINGS: &[Closing] = &[
             ("report out/lid", "write an HTML page that shows the plan"),
             ("export out/lid --to csv", "write what the robot reads"),
         ],
-        no_plan: Some("no plan was found, or it misses the goal or the wanted success rate"),
+        no_plan: Some("no plan was found, or it misses the goal or the target success rate"),
         files: &[],
     },
     Closing {
@@ -84,7 +84,7 @@ pub const CLOSINGS: &[Closing] = &[
             ("solve scenes/peg1.toml --start 2 --delta 0.01", "another start, and a smaller offset"),
             ("solve scenes/peg1.toml --robust --out out/peg1 --resume", "continue an interrupted run"),
         ],
-        no_plan: Some("no plan was found, or it misses the goal or the wanted success rate; its files are written"),
+        no_plan: Some("no plan was found, or it misses the goal or the target success rate; its files are written"),
         files: PLAN_FILES,
     },
     Closing {

@@ -1,15 +1,15 @@
-//! What came of the attempts at a problem.
+//! Results of the attempts at a problem.
 
 use serde::{Deserialize, Serialize};
 
 use crate::or_null;
 
-/// What came of an attempt.
+/// Result of an attempt.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct AttemptRecord {
-    /// What was planned, in words.
+    /// The attempt, in words.
     pub planned: String,
-    /// What came of it, in words.
+    /// Its status, in words.
     pub status: String,
     /// Largest final distance of all scenarios from the goal.
     #[serde(with = "or_null")]

@@ -12,7 +12,7 @@ use crate::length::decimals;
 pub struct GraspRecord {
     /// Offset of the part in the gripper.
     pub offset_m: [f64; 3],
-    /// Its turn there, a rotation vector.
+    /// Its rotation error, a rotation vector.
     #[serde(default)]
     pub turn_rad: [f64; 3],
 }
@@ -29,7 +29,7 @@ impl From<&GraspRecord> for GraspError {
     }
 }
 
-/// Such as `offset 1.0 0.0 -2.0 mm`, with the turn if there is one.
+/// Such as `offset 1.0 0.0 -2.0 mm`, with the rotation error if there is one.
 impl fmt::Display for GraspRecord {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let decimals = decimals(self.offset_m.iter().fold(0.0, |most: f64, component| most.max(component.abs())));
@@ -39,6 +39,6 @@ impl fmt::Display for GraspRecord {
             return Ok(());
         }
         let [x, y, z] = self.turn_rad;
-        write!(formatter, " and turn {x:.3} {y:.3} {z:.3} rad")
+        write!(formatter, " and rotation error {x:.3} {y:.3} {z:.3} rad")
     }
 }

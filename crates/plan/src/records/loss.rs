@@ -1,4 +1,4 @@
-//! What a refined plan loses: where, and what holds the body there.
+//! Losses of a refined plan: the worst group of rollouts, and the contact that holds the body there.
 
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Injection};
@@ -9,7 +9,7 @@ use crate::parameters::EvaluationParameters;
 use crate::records::{GraspRecord, MotionEnd};
 use crate::success_rates::SuccessRate;
 
-/// What a plan loses most, and a rollout that shows it.
+/// The worst group of rollouts of a plan, with an example.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LossRecord {
     /// Success rate at the friction where it is smallest.
@@ -20,7 +20,7 @@ pub struct LossRecord {
     pub worst_interval: [f64; 2],
     /// Axes of the body along which failing offsets at that friction lie; null where they have none in common.
     pub offset_direction: Option<String>,
-    /// Of the failing rollout at that friction that ends farthest from the goal.
+    /// Grasp error of the failing rollout at that friction that ends farthest from the goal.
     #[serde(flatten)]
     pub grasp: GraspRecord,
     /// Its relative error of the inertia.
@@ -34,7 +34,7 @@ pub struct LossRecord {
     /// Its largest contact force.
     #[serde(with = "or_null")]
     pub max_force_n: f64,
-    /// Part of `limits.contact_force` that rollouts may use; version 0.1 does not say it, which was this default.
+    /// Part of `limits.contact_force` that rollouts may use; version 0.1 does not state it and used this default.
     #[serde(default = "contact_force_share")]
     pub contact_force_share: f64,
     /// Whether that is exceeded.
@@ -85,7 +85,7 @@ impl LossRecord {
         }
     }
 
-    /// How robot, controller and edges differ there, such as `+10 % of inertia`; nothing where they do not.
+    /// Disturbance of robot, controller and edges, such as `+10 % of inertia`; empty without one.
     pub fn disturbance_in_words(&self) -> Vec<String> {
         [
             (self.inertia_error, format!("{:+.0} % of inertia", 100.0 * self.inertia_error)),

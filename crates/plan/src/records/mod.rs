@@ -1,4 +1,4 @@
-//! What files say of motions and errors: types with the units in the names of their fields.
+//! Records of motions and errors in files: types with the units in the names of their fields.
 
 mod attempt;
 mod grasp;

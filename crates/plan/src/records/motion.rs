@@ -1,15 +1,15 @@
-//! How a plan moves and how hard it presses: the section `motion` of `result.json`.
+//! Duration, forces and departures of a plan: the section `motion` of `result.json`.
 
 use serde::{Deserialize, Serialize};
 use task::{AssemblyTask, Contact, Departure, STATE, ScenarioTrajectory, StraightMotion, Trajectory, pose_of};
 
 use crate::or_null;
 
-/// A body that no pair presses with more than this is in free air (N): smoothed contacts push a little from afar.
+/// A body that no pair pushes with more than this is in free air (N): smoothed contacts push a little at a distance.
 const FREE_FORCE: f64 = 0.1;
 
-/// What a person beside the robot sees of a plan: how long it takes, how hard it presses, and how far it leaves the straight
-/// motion to the goal. Each scenario is compared with the straight motion from where its body starts.
+/// Visible properties of a plan: its duration, its largest force, and its departure from the straight motion to the
+/// goal. Each scenario is compared with the straight motion from where its body starts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MotionRecord {
     /// Duration of the reference.
@@ -21,7 +21,7 @@ pub struct MotionRecord {
     pub rotation: Extreme,
     /// Largest distance from the straight path, of all bodies.
     pub departure: Extreme,
-    /// The same, where nothing presses on the body.
+    /// The same in free air.
     pub free_departure: Extreme,
 }
 
@@ -36,7 +36,7 @@ pub struct Extreme {
 }
 
 impl MotionRecord {
-    /// Of a plan of a task.
+    /// From a plan of a task.
     pub fn new(motion: &Trajectory, task: &AssemblyTask) -> Self {
         let largest = |values: &mut dyn Iterator<Item = (usize, f64)>| Extreme::of(values, motion.time_step);
         let reference = departures(&motion.reference, task);
@@ -78,7 +78,7 @@ fn departures(states: &[[f64; STATE]], task: &AssemblyTask) -> Vec<Departure> {
     states.iter().map(|state| straight.departure(&pose_of(state))).collect()
 }
 
-/// Whether nothing presses on a body in the steps that end and begin at a state; contacts are those at k = 1..N.
+/// Whether no contact pushes the body in the steps that end and begin at a state; contacts are those at k = 1..N.
 fn is_free(step: usize, contacts: &[Vec<Contact>]) -> bool {
     let steps = contacts.iter().take(step + 1).skip(step.saturating_sub(1));
     steps.flatten().all(|contact| contact.force <= FREE_FORCE)
@@ -92,7 +92,7 @@ mod tests {
     use crate::problem::{Choices, Problem};
     use crate::testing::corner;
 
-    /// At a height above the goal of the corner scene and beside the straight path (m), turned about it (rad).
+    /// At a height above the goal of the corner scene and beside the straight path (m), rotated about it (rad).
     fn state(goal: &[f64; 7], height: f64, aside: f64, turn: f64) -> [f64; STATE] {
         let mut pose = *goal;
         pose[1] += aside;
@@ -107,7 +107,7 @@ mod tests {
         let task = problem.task();
         let state = |height: f64, aside: f64, turn: f64| state(&task.goal, height, aside, turn);
         let reference = [state(0.1, 0.0, 0.0), state(0.05, 0.0, 0.3), state(0.0, 0.0, 0.0), state(0.0, 0.0, 0.0)];
-        // Its path begins 10 mm aside, so that it is 5 mm from the straight one halfway.
+        // Its path starts 10 mm aside, so that it is 5 mm from the straight one halfway.
         let body = [state(0.1, 0.01, 0.0), state(0.05, 0.01, 0.1), state(0.0, 0.007, 0.0), state(0.0, 0.0, 0.0)];
         let forces = [0.0, 5.0, 20.0];
         let grasp = GraspError::from([0.0, 0.01, 0.0]);

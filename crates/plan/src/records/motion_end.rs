@@ -1,4 +1,4 @@
-//! Where a motion comes no nearer to its goal, and what holds it there.
+//! Where a motion stops approaching its goal, and what holds it there.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use task::{AssemblyTask, POSE, STATE, ScenarioTrajectory, pose, pose_of};
 use crate::directions::direction;
 use crate::or_null;
 
-/// A motion comes nearer as long as its errors, each in tolerances, still fall by this sum.
+/// A motion approaches its goal as long as its errors, each in tolerances, still fall by this sum.
 const NEARER: f64 = 0.5;
 /// Share of the steps at the end in which a motion that still comes nearer is not stuck.
 const END: f64 = 0.05;
@@ -25,7 +25,7 @@ const NAMED: usize = 3;
 /// Cosine of the angle between two directions from which on they are against each other.
 const AGAINST: f64 = -0.5;
 
-/// How a motion that misses the goal ends. Forces are means from the time on at which it gets stuck.
+/// The end of a motion that misses the goal. Forces are means from the time at which it gets stuck.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MotionEnd {
     /// Final distance from the goal.
@@ -60,7 +60,7 @@ pub struct HoldRecord {
 }
 
 impl MotionEnd {
-    /// Of a motion of a task in steps of `time_step` (s).
+    /// From a motion of a task in steps of `time_step` (s).
     pub fn new(task: &AssemblyTask, motion: &ScenarioTrajectory, time_step: f64, success: &Success) -> Self {
         let last = motion.states.len() - 1;
         let from = stuck_step(task, &motion.states, success);
