@@ -267,7 +267,7 @@ fn check_explains_a_scene() {
 }
 
 #[test]
-fn check_measures_play_and_looks_for_a_way() {
+fn check_measures_clearance_and_looks_for_a_path() {
     let dir = Dir::new();
     dir.add_scene("peg1");
     let run = dir.run("check peg1.toml --json").code(0);

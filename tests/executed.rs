@@ -47,7 +47,7 @@ fn what_a_robot_did_is_compared_with_a_rollout() {
     dir.write("missed.csv", text.replace("0.059", "0.159"));
     dir.run(&format!("{compare} missed.csv")).code(1).says("larger than planned for").says("is closest");
     dir.write("stopped.csv", log(&dir, &header(&dir), 0.5, &[]));
-    dir.run(&format!("{compare} stopped.csv")).code(1).says("was stopped").says("does not say why").says("is closest");
+    dir.run(&format!("{compare} stopped.csv")).code(1).says("was stopped").says("gives no reason").says("is closest");
     dir.run(&format!("{compare} executed.csv --friction 0,0.1")).code(2).says("one friction");
     // Other tools write no line above the columns.
     dir.write("bare.csv", text.split_once('\n').unwrap().1);

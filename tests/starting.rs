@@ -68,7 +68,7 @@ fn a_start_that_overlaps_only_when_the_body_is_turned_in_the_gripper_is_shown() 
     dir.write("scenes/low.toml", &low);
     dir.run("check scenes/low.toml").code(0).keeps_silent_about("penetration at");
     dir.write("scenes/turned.toml", low.replace("[robustness]", "[robustness]\nturn = 0.3"));
-    dir.run("check scenes/turned.toml").code(0).says("at the start with offset 2, turned about");
+    dir.run("check scenes/turned.toml").code(0).says("at the start with offset 2, rotated about");
 }
 
 #[test]

@@ -54,7 +54,7 @@ fn obj(faces: &[Face], place: impl Fn(Corner) -> Corner) -> String {
 
 const FILES: &str = "--body plug.obj --environment socket.obj --unit mm";
 
-/// A folder with a plug of 10 x 10 mm that sinks into a socket, with play on every side (all mm), its files placed.
+/// A folder with a plug of 10 x 10 mm that sinks into a socket, with clearance on every side (all mm), its files placed.
 fn plug(depth: f64, play: f64, place: impl Fn(Corner) -> Corner) -> Dir {
     let dir = Dir::new();
     dir.write("plug.obj", obj(&block([5.0, 5.0], -depth, 8.0), &place));
@@ -72,7 +72,7 @@ fn a_flat_connector_is_a_success_only_where_it_is_engaged() {
     let run = dir.run(&format!("new s.toml {FILES}")).code(0);
     // The goal is lifted by a hundredth of the plug's height.
     let run = run.says("10.00 x 10.00 x 9.80 mm").says("40.00 x 40.00 x 6.80 mm").says("taken out along +z");
-    let run = run.says("1.70 mm deep, play of 0.100 mm").says("offset         1.00 mm");
+    let run = run.says("1.70 mm deep, clearance of 0.100 mm").says("offset         1.00 mm");
     let run = run.says("0.425 mm from the goal is a success: a quarter of the engagement depth of 1.70 mm");
     run.says("at most 60 N").says("next: assembly-plan check s.toml");
     assert!(dir.read("s.toml").contains("\n[limits]\n"));
@@ -135,7 +135,7 @@ fn a_body_that_hovers_where_nothing_guides_it_is_not_assembled() {
     dir.write("plug.obj", obj(&block([5.0, 5.0], -1.8, 8.0), |[x, y, z]| [x, y, z + 1.2]));
     dir.run(&format!("new hovering.toml {FILES}"))
         .code(2)
-        .says("are 1.3 mm apart, and no offset or play is larger than");
+        .says("are 1.3 mm apart, and no offset or clearance is larger than");
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn a_goal_that_the_environment_encloses_is_refused() {
     );
     dir.write("s.toml", &scene);
     dir.run("check s.toml").code(1).says("the environment encloses the body");
-    dir.run("solve s.toml --out out").code(2).says("cannot be reached without turning");
+    dir.run("solve s.toml --out out").code(2).says("cannot be reached without rotation");
     // With an open side, there is a path.
     dir.write("open.toml", scene.replacen("position = [0.0, 0.0, 0.03]", "position = [0.3, 0.0, 0.03]", 1));
     dir.run("check open.toml").keeps_silent_about("encloses");

@@ -1,6 +1,8 @@
 //! `check`: explains a scene and finds mistakes, without solving it.
 
-use planner::check::{Explanation, MeshReport, PairReport, PosePenetration, RoundSurface, Way, explain, pair_reports};
+use planner::check::{
+    ClearPath, Explanation, MeshReport, PairReport, PosePenetration, RoundSurface, explain, pair_reports,
+};
 use planner::{Problem, axis_name, warnings};
 
 use crate::arguments::CheckArguments;
@@ -305,18 +307,25 @@ fn print_link(shapes: &[MeshReport]) {
 fn print_insertion(explanation: &Explanation) {
     let length =
         |length: Option<f64>| length.map_or_else(|| "free".to_owned(), |length| format!("{:.3}", 1e3 * length));
-    say!("\nplay in mm, from the goal straight back to the start (free: nothing within reach)");
+    say!("\nclearance in mm, from the goal straight back to the start (free: nothing within reach)");
     say!("  {:>10} {:>10} {:>18} {:>18} {:>18}", "from goal", "clearance", "-x, +x", "-y, +y", "-z, +z");
-    for play in &explanation.insertion {
-        let axes = play.axes.iter().map(|axis| format!("{}, {}", length(axis.backward_m), length(axis.forward_m)));
+    for clearance in &explanation.insertion {
+        let axes = clearance.axes.iter().map(|axis| format!("{}, {}", length(axis.backward_m), length(axis.forward_m)));
         let axes: Vec<String> = axes.map(|axis| format!("{axis:>18}")).collect();
-        say!("  {:>10.2} {:>10.3} {}", 1e3 * play.distance_from_goal_m, 1e3 * play.clearance_m, axes.join(" "));
+        say!(
+            "  {:>10.2} {:>10.3} {}",
+            1e3 * clearance.distance_from_goal_m,
+            1e3 * clearance.clearance_m,
+            axes.join(" ")
+        );
     }
     print_engagement(explanation);
-    match explanation.way {
-        Way::Straight => say!("the straight motion from start to goal touches nothing"),
-        Way::OnGrid { step_m } => say!("the goal can be reached in clearance, in steps of {:.2} mm", 1e3 * step_m),
-        Way::None { .. } | Way::Enclosed { .. } => {}
+    match explanation.path {
+        ClearPath::Straight => say!("the straight motion from start to goal touches nothing"),
+        ClearPath::OnGrid { step_m } => {
+            say!("the goal can be reached in clearance, in steps of {:.2} mm", 1e3 * step_m)
+        }
+        ClearPath::None { .. } | ClearPath::Enclosed { .. } => {}
     }
 }
 
@@ -335,12 +344,12 @@ fn print_engagement(explanation: &Explanation) {
         say!("clearance lets the body rest up to {:.2} mm from its goal", 1e3 * farthest);
     }
     let offset = explanation.delta_m;
-    if let Some(play) = engagement.play_m.filter(|play| *play < 2.0 * offset) {
+    if let Some(clearance) = engagement.clearance_m.filter(|clearance| *clearance < 2.0 * offset) {
         say!(
-            "offsets of {:.2} mm to either side, play of {:.3} mm from side to side where it is tightest: contact at \
+            "offsets of {:.2} mm to either side, clearance of {:.3} mm from side to side where it is tightest: contact at \
              chamfers and edges must lead the body in",
             1e3 * offset,
-            1e3 * play
+            1e3 * clearance
         );
     }
 }

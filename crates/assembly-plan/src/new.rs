@@ -63,9 +63,9 @@ fn free(others: &[Axis]) -> String {
 fn engagement(problem: &Problem) -> String {
     let engagement = problem.engagement();
     let names: Vec<String> = engagement.free.iter().map(axis_name).collect();
-    let depth = match (engagement.depth_m, engagement.play_m) {
-        (Some(depth), Some(play)) => {
-            format!("{:.2} mm deep, play of {:.3} mm where it is tightest", 1e3 * depth, 1e3 * play)
+    let depth = match (engagement.depth_m, engagement.clearance_m) {
+        (Some(depth), Some(clearance)) => {
+            format!("{:.2} mm deep, clearance of {:.3} mm where it is tightest", 1e3 * depth, 1e3 * clearance)
         }
         _ => "nothing guides the body on both sides".to_owned(),
     };

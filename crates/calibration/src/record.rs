@@ -153,9 +153,9 @@ fn remark(estimate: &Estimate) -> String {
     let Estimate { quantity, value, standard_error, partner } = estimate;
     let parameter = quantity.parameter;
     if standard_error.is_none() {
-        let alike = partner
-            .filter(|(_, correlation)| correlation.abs() > ALIKE)
-            .map(|(other, correlation)| format!("hard to separate from {} (correlation {correlation:.2})", other.name()));
+        let alike = partner.filter(|(_, correlation)| correlation.abs() > ALIKE).map(|(other, correlation)| {
+            format!("hard to separate from {} (correlation {correlation:.2})", other.name())
+        });
         let reason = alike.unwrap_or_else(|| parameter.advice().to_owned());
         return format!("not identified: {reason}");
     }
@@ -170,8 +170,7 @@ fn remark(estimate: &Estimate) -> String {
 fn warnings(calibration: &Calibration) -> Vec<String> {
     let mut warnings = Vec::new();
     if !calibration.converged {
-        warnings
-            .push("the search stopped before it converged: calibrate again from the scene it writes".into());
+        warnings.push("the search stopped before it converged: calibrate again from the scene it writes".into());
     }
     for RunResult { name, end, after, tracking_error, .. } in &calibration.runs {
         warnings.extend(end.iter().map(|end| format!("{name}: {end}")));

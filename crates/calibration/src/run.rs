@@ -73,7 +73,8 @@ impl Run {
             self.samples.truncate(first);
             self.reference = self.reference.cut(first * every + 1);
         }
-        self.tracking_errors = self.samples.iter().zip(&followed).map(|((_, pose), from)| deviation(pose, from)).collect();
+        self.tracking_errors =
+            self.samples.iter().zip(&followed).map(|((_, pose), from)| deviation(pose, from)).collect();
     }
 
     /// Whether the parts could touch.

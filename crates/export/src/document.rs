@@ -13,7 +13,7 @@ use task::Limits;
 use crate::expectation::{Expectation, PhaseGuards};
 use crate::frames::Frames;
 use crate::free::FreeAir;
-use crate::joints::{Held, course, tracking_error, largest_torque_step};
+use crate::joints::{Held, course, largest_torque_step, tracking_error};
 use crate::smooth::SmoothReference;
 use crate::text::plain;
 use crate::trial::TrialRecord;

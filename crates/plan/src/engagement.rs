@@ -7,11 +7,11 @@ use serde::Serialize;
 use task::AssemblyTask;
 
 use crate::clearance::{Clearance, position};
-use crate::play::longest_travel;
+use crate::pose_clearance::longest_travel;
 
 /// Axes across the insertion along which clearance is measured at first.
 const AXES: usize = 8;
-/// Play along the axis across the tightest one, in plays along that, from which on it may be free along an axis nearby.
+/// Clearance along the axis across the tightest one, in clearances along that, above which it may be free along an axis nearby.
 const MUCH_WIDER: f64 = 2.0;
 /// Halvings of the angle in which that axis is looked for.
 const TURNS: usize = 16;
@@ -34,8 +34,9 @@ pub struct Engagement {
     pub depth_m: Option<f64>,
     /// Directions across the insertion along which nothing stops the body, either way (unit vectors, world frame).
     pub free: Vec<[f64; 3]>,
-    /// Play between the stops of the tightest guided direction (m).
-    pub play_m: Option<f64>,
+    /// Clearance between the stops of the tightest guided direction (m).
+    #[serde(rename = "play_m")]
+    pub clearance_m: Option<f64>,
     /// Resting error: how far clearance lets the body rest from its goal across the insertion, in guided directions
     /// (m); `None` where something stops it on one side only.
     pub rest_m: Option<f64>,
@@ -54,8 +55,8 @@ impl Travels {
         self.backward.is_none() && self.forward.is_none()
     }
 
-    /// Play between the two stops (m), infinite without them.
-    fn play(&self) -> f64 {
+    /// Clearance between the two stops (m), infinite without them.
+    fn clearance(&self) -> f64 {
         self.backward.zip(self.forward).map_or(f64::INFINITY, |(backward, forward)| backward + forward)
     }
 
@@ -79,30 +80,33 @@ impl Search<'_> {
     fn run(mut self, task: &AssemblyTask) -> Engagement {
         let path = position(&task.start) - self.goal;
         let Some(out) = self.out(&path) else {
-            return Engagement { out: [0.0; 3], depth_m: None, free: Vec::new(), play_m: None, rest_m: None };
+            return Engagement { out: [0.0; 3], depth_m: None, free: Vec::new(), clearance_m: None, rest_m: None };
         };
         let first = out.cross(&Vector3::ith(out.iamin(), 1.0)).normalize();
         let turned = |angle: f64| first * angle.cos() + out.cross(&first) * angle.sin();
         let goal = self.goal;
         let around: Vec<Travels> =
             (0..AXES).map(|index| self.travels(&goal, &turned(PI * index as f64 / AXES as f64))).collect();
-        let tightest =
-            around.iter().copied().min_by(|one, other| one.play().total_cmp(&other.play())).unwrap_or(around[0]);
+        let tightest = around
+            .iter()
+            .copied()
+            .min_by(|one, other| one.clearance().total_cmp(&other.clearance()))
+            .unwrap_or(around[0]);
         let across = self.widest_near(&out.cross(&tightest.axis), &out, &tightest);
         // Where one direction is free, the guided one is across it.
         let tightest = if across.is_free() { self.travels(&goal, &across.axis.cross(&out)) } else { tightest };
         let axes = [tightest, across];
         let guided: Vec<Vector3<f64>> =
-            axes.iter().filter(|travels| travels.play().is_finite()).map(|travels| travels.axis).collect();
+            axes.iter().filter(|travels| travels.clearance().is_finite()).map(|travels| travels.axis).collect();
         let free: Vec<[f64; 3]> =
             axes.iter().filter(|travels| travels.is_free()).map(|travels| travels.axis.into()).collect();
         let rest_m = match free.len() {
             0 => around.iter().map(Travels::farther).try_fold(0.0, |most: f64, farther| Some(most.max(farther?))),
             _ => tightest.farther(),
         };
-        let play_m = Some(tightest.play()).filter(|play| play.is_finite());
+        let clearance_m = Some(tightest.clearance()).filter(|clearance| clearance.is_finite());
         let depth_m = (!guided.is_empty()).then(|| self.depth(&out, path.dot(&out), &guided));
-        Engagement { out: out.into(), depth_m, free, play_m, rest_m }
+        Engagement { out: out.into(), depth_m, free, clearance_m, rest_m }
     }
 
     /// The direction in which the body leaves its goal: along the path to the start or, where that leads through the
@@ -131,13 +135,13 @@ impl Search<'_> {
         let mut widest = self.travels(&goal, axis);
         let (mut middle, mut angle) = (0.0, 0.5 * PI / AXES as f64);
         for _ in 0..TURNS {
-            if widest.is_free() || !(widest.play() > MUCH_WIDER * tightest.play()) {
+            if widest.is_free() || !(widest.clearance() > MUCH_WIDER * tightest.clearance()) {
                 break;
             }
             angle *= 0.5;
             for sign in [-1.0, 1.0] {
                 let other = self.travels(&goal, &turned(middle + sign * angle));
-                if other.is_free() || other.play() > widest.play() {
+                if other.is_free() || other.clearance() > widest.clearance() {
                     (widest, middle) = (other, middle + sign * angle);
                     break;
                 }
@@ -150,7 +154,7 @@ impl Search<'_> {
     fn depth(&mut self, out: &Vector3<f64>, length: f64, guided: &[Vector3<f64>]) -> f64 {
         let mut is_guided = |distance: f64| {
             let from = self.goal + out * distance;
-            guided.iter().all(|axis| self.travels(&from, axis).play().is_finite())
+            guided.iter().all(|axis| self.travels(&from, axis).clearance().is_finite())
         };
         let at = |pose: usize| length * pose as f64 / POSES as f64;
         let Some(first_free) = (1..=POSES).find(|&pose| !is_guided(at(pose))) else { return length };

@@ -28,7 +28,7 @@ mod length;
 pub mod or_null;
 pub mod parameters;
 mod plan;
-pub mod play;
+pub mod pose_clearance;
 mod problem;
 pub mod ranges;
 pub mod records;

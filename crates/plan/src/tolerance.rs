@@ -14,11 +14,11 @@ use crate::engagement::Engagement;
 /// decides: a body that is not engaged must not count as success.
 const LARGEST: f64 = 3e-3;
 const IN_SIZES: f64 = 0.1;
-const IN_WAYS: f64 = 0.25;
+const IN_PATHS: f64 = 0.25;
 const IN_DEPTHS: f64 = 0.25;
 const IN_RESTS: f64 = 1.5;
 /// Distance between start and goal that is rounding (m).
-const NO_WAY: f64 = 1e-6;
+const NO_PATH: f64 = 1e-6;
 /// Offsets in evaluations, in offsets of the scene.
 const OFFSETS: f64 = 1.05;
 
@@ -36,7 +36,7 @@ pub struct ChosenTolerance {
 enum Reason {
     Usual,
     BodySize(f64),
-    Way(f64),
+    Path(f64),
     Depth(f64),
     Rest(f64),
 }
@@ -44,14 +44,14 @@ enum Reason {
 impl ChosenTolerance {
     /// From a task's size, engagement and clearance.
     pub fn new(scene: &Scene, task: &AssemblyTask, engagement: &Engagement) -> Self {
-        let (size, way) = (scene.body_size(), (position(&task.start) - position(&task.goal)).norm());
+        let (size, path) = (scene.body_size(), (position(&task.start) - position(&task.goal)).norm());
         let of_depth = engagement.depth_m.map(|depth| (IN_DEPTHS * depth, Reason::Depth(depth)));
         let of_rest = engagement.rest_m.map(|rest| (IN_RESTS * rest, Reason::Rest(rest)));
         let smallest = |one: (f64, Reason), other: (f64, Reason)| if other.0 < one.0 { other } else { one };
         // A motion that only rotates has no path.
-        let of_way = (way > NO_WAY).then_some((IN_WAYS * way, Reason::Way(way)));
+        let of_path = (path > NO_PATH).then_some((IN_PATHS * path, Reason::Path(path)));
         let usual = [(IN_SIZES * size, Reason::BodySize(size))];
-        let usual = usual.into_iter().chain(of_way).chain(of_depth).fold((LARGEST, Reason::Usual), smallest);
+        let usual = usual.into_iter().chain(of_path).chain(of_depth).fold((LARGEST, Reason::Usual), smallest);
         let of_rest = of_rest.map(|rest| of_depth.into_iter().fold(rest, smallest));
         let (guided, reason) = of_rest.filter(|rest| rest.0 > usual.0).unwrap_or(usual);
         Self { guided, reason, free_offset: OFFSETS * engagement.free_offset(task, &scene.coverage) }
@@ -69,7 +69,7 @@ impl ChosenTolerance {
         let reason = match self.reason {
             Reason::Usual => "the usual one".to_owned(),
             Reason::BodySize(size) => format!("a tenth of the body's size of {:.2} mm", 1e3 * size),
-            Reason::Way(way) => format!("a quarter of the path of {:.2} mm from start to goal", 1e3 * way),
+            Reason::Path(path) => format!("a quarter of the path of {:.2} mm from start to goal", 1e3 * path),
             Reason::Depth(depth) => format!("a quarter of the engagement depth of {:.2} mm", 1e3 * depth),
             Reason::Rest(rest) => format!("1.5 times the error of {:.3} mm that clearance allows", 1e3 * rest),
         };

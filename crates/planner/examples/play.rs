@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use planner::{
-    Choices, Event, GraspErrors, Motion, OffsetSource, PlannerError, PlayedRollout, Problem, Session, SimulationRequest,
-    SuccessTable,
+    Choices, Event, GraspErrors, Motion, OffsetSource, PlannerError, PlayedRollout, Problem, Session,
+    SimulationRequest, SuccessTable,
 };
 
 fn main() -> Result<(), PlannerError> {

@@ -1,4 +1,4 @@
-//! A scene to begin with, from two files: where the body goes in, how deep, and where it starts.
+//! A starter scene from two files: direction and depth of the insertion, and the start.
 
 use std::path::{Path, PathBuf};
 
@@ -17,17 +17,17 @@ const LARGEST_LIFT: f64 = 0.01;
 const ROOM: f64 = 3.0;
 /// Steps in which a start is looked for, in heights of the body.
 const STEP: f64 = 0.1;
-/// Distance (m) beyond which nothing more is in the way, added to where both boxes are apart.
+/// Distance (m) beyond the place where both boxes are apart.
 const BEYOND: f64 = 1e-3;
 
-/// A scene to begin with, and how the parts of its files fit.
+/// A starter scene, and how the parts of its files fit.
 #[derive(Debug)]
 pub struct Starter {
     /// Text of the scene.
     pub text: String,
     /// The problem that it describes.
     pub problem: Problem,
-    /// How the two files fit; nothing for the example without files.
+    /// How the two files fit; `None` for the example without files.
     pub fit: Option<StarterFit>,
 }
 
@@ -44,11 +44,10 @@ pub struct StarterFit {
     pub distance_m: f64,
 }
 
-/// Makes the scene that is written to `file`: with two files, whose body is taken out along an axis that is found unless
-/// it is given, or the example.
+/// Makes the scene that is written to `file`: with two files, whose body is taken out along a given axis or one that is
+/// found, or the example.
 ///
-/// # Errors
-/// When a file cannot be read, the parts are not assembled, or the body gets out along no axis of the files.
+/// # Errors When a file cannot be read, the parts are not assembled, or the body gets out along no axis of the files.
 pub fn starter(
     file: &Path,
     files: Option<&FilePair>,
@@ -95,7 +94,7 @@ fn read(file: &Path, text: &str, choices: &Choices) -> Result<Problem, PlannerEr
     Problem::choose(Scene::parse(Source { file, text })?, file, choices)
 }
 
-/// Where the body goes, found in a scene in which it leaves its place along every axis.
+/// Direction, depth and start of the body, found in a scene in which it leaves its place along every axis.
 fn fit(
     file: &Path,
     files: &FilePair,
@@ -132,7 +131,7 @@ fn fit(
         );
         return Err(PlannerError::file(&files.body, problem));
     }
-    // Where the environment also is in the way out, the body is lifted to the middle between both.
+    // Where the environment also blocks the path out, the body is lifted to the middle between both.
     let lift = LIFT.min(LARGEST_LIFT * height(out));
     let room_above = clearance.travel(&place, &Vector3::from(out.times(1.0)), 2.0 * lift);
     let lift = room_above.map_or(lift, |room| lift.min(0.5 * room));

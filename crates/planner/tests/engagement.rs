@@ -62,9 +62,9 @@ fn is_near(value: f64, expected: f64, tolerance: f64) {
 #[test]
 fn a_plug_is_engaged_as_deep_as_its_socket_holds_it() {
     let problem = problem(&text(-0.0018, 0.0, &socket(5e-5)));
-    let Engagement { depth_m, free, play_m, rest_m, .. } = problem.engagement();
+    let Engagement { depth_m, free, clearance_m, rest_m, .. } = problem.engagement();
     is_near(depth_m.unwrap(), 0.0018, 2e-5);
-    is_near(play_m.unwrap(), 1e-4, 5e-6);
+    is_near(clearance_m.unwrap(), 1e-4, 5e-6);
     assert!(free.is_empty(), "{free:?}");
     is_near(rest_m.unwrap(), 5e-5 * 2f64.sqrt(), 1e-5);
     is_near(problem.success().position, 0.00045, 5e-6);
@@ -108,7 +108,7 @@ fn a_rail_guides_across_itself_and_offsets_along_it_stay() {
         let problem = problem(&text(-0.008, turn, &rail(2e-4)));
         let engagement = problem.engagement();
         is_near(engagement.depth_m.unwrap(), 0.008, 5e-5);
-        is_near(engagement.play_m.unwrap(), 4e-4, 2e-5);
+        is_near(engagement.clearance_m.unwrap(), 4e-4, 2e-5);
         let [free] = engagement.free[..] else { panic!("{engagement:?}") };
         let along = free[0] * -turn.sin() + free[1] * turn.cos();
         assert!(along.abs() > 0.999, "turned by {turn}: free along {free:?}");

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 #[path = "../examples/distances.rs"]
 mod distances;
 #[path = "../examples/play.rs"]
-mod play;
+mod pose_clearance;
 #[path = "../examples/refine.rs"]
 mod refine;
 #[path = "../examples/scene_in_code.rs"]

@@ -99,7 +99,7 @@ pub struct OutOfReach {
 }
 
 /// Translation or rotation from start to goal: its length along the worst axis, and its limits.
-struct Way {
+struct Path {
     velocity_key: &'static str,
     acceleration_key: &'static str,
     unit: &'static str,
@@ -121,7 +121,7 @@ pub fn check_reach(
 ) -> Result<(), OutOfReach> {
     let farthest = (0..3).map(|axis| (pose[axis] - goal[axis]).abs()).fold(0.0, f64::max);
     let (_, angle) = pose::errors(pose, goal);
-    let translational = Way {
+    let translational = Path {
         velocity_key: "translational_velocity",
         acceleration_key: "translational_acceleration",
         unit: "m",
@@ -129,7 +129,7 @@ pub fn check_reach(
         velocity: limits.translational_velocity,
         acceleration: limits.translational_acceleration,
     };
-    let rotational = Way {
+    let rotational = Path {
         velocity_key: "rotational_velocity",
         acceleration_key: "rotational_acceleration",
         unit: "rad",
@@ -142,7 +142,7 @@ pub fn check_reach(
     rotational.check(start, horizon)
 }
 
-impl Way {
+impl Path {
     /// Reports the velocity limit where it is too small for any acceleration, else the acceleration limit.
     fn check(&self, start: &str, horizon: Horizon) -> Result<(), OutOfReach> {
         let slowest = self.distance / (horizon.steps as f64 * horizon.time_step);

@@ -6,18 +6,16 @@ use std::path::Path;
 
 use plan::PlannerError;
 
-/// Larger files (bytes) are none of ours.
+/// Largest file (bytes) that the program writes.
 const LARGEST: u64 = 1 << 28;
 
-/// Writes a file under a temporary name and renames it, so that it is never half there. Its folder is made where it is
-/// missing.
+/// Writes a file under a temporary name and renames it, so that it is never incomplete. A missing folder is made.
 ///
-/// # Errors
-/// When it cannot be written; what stood there before then still stands.
+/// # Errors When it cannot be written; an older file then stays.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;
-    // A device or a pipe that stands there is no file of ours; a link to nothing is replaced.
+    // A device or a pipe is not replaced; a link to nothing is.
     if fs::metadata(path).is_ok() {
         input::require_regular(path).map_err(PlannerError::written(path))?;
     }
@@ -32,8 +30,8 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
     })
 }
 
-/// Opens a file that only this process writes, until it is renamed or closed. What a process has left there that was killed is
-/// used again, so that nothing piles up.
+/// Opens a file that only this process writes, until it is renamed or closed. The file of a killed process is reused,
+/// so that none accumulate.
 fn claim(partial: &Path) -> std::io::Result<File> {
     loop {
         let file = input::append(partial)?;
@@ -62,10 +60,9 @@ pub(super) fn is_at(_file: &File, path: &Path) -> bool {
     path.exists()
 }
 
-/// Refuses the name of a folder on whose way a file stands, or a link that leads nowhere.
+/// Refuses the name of a folder whose path leads through a file, or through a link to nothing.
 ///
-/// # Errors
-/// With the name of that file.
+/// # Errors With the name of that file.
 pub fn require_folder(folder: &Path) -> Result<(), PlannerError> {
     let stands = |place: &&Path| place.symlink_metadata().is_ok() && !place.is_dir();
     let Some(place) = folder.ancestors().find(stands) else { return Ok(()) };
@@ -93,10 +90,9 @@ pub fn remove_file(path: &Path) -> Result<(), PlannerError> {
     }
 }
 
-/// A file of ours, or one that is said to be.
+/// Reads a file of the program.
 ///
-/// # Errors
-/// When it cannot be read, is another kind of file, or is larger than any of ours.
+/// # Errors When it cannot be read, is another kind of file, or is too large.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, PlannerError> {
     input::read(path, LARGEST).map_err(PlannerError::read(path))
 }

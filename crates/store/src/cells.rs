@@ -11,7 +11,7 @@ use crate::manifest::{Cell, Manifest};
 use crate::result::{PlanResult, ScenarioRecord};
 use crate::table::to_csv;
 
-/// A row of `cells.csv`. What is not known of an unfinished cell is empty.
+/// A row of `cells.csv`. Unknown values of an unfinished cell are empty.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "as in result.json, with their units")]
 pub struct CellRow {
@@ -64,7 +64,7 @@ pub fn collect(manifest: &Manifest) -> Result<Vec<PathBuf>, PlannerError> {
     let elements: Vec<CellElement> = cells().map(|(cell, state)| CellElement::new(cell, state)).collect();
     let json = serde_json::to_vec_pretty(&elements).map_err(|_| PlannerError::Internal("cells.json"))?;
     let mut written = Vec::new();
-    // What tells an older table from a foreign file: a header, or the first key of the first cell.
+    // An older table is recognised by its beginning: a header, or the first key of the first cell.
     let files = [("cells.csv", table, b'\n'), ("cells.json", json, b':')];
     files.iter().try_for_each(|(name, content, end)| require_own(&manifest.folder.join(name), content, *end))?;
     for (name, content, _) in files {
@@ -78,7 +78,7 @@ pub fn collect(manifest: &Manifest) -> Result<Vec<PathBuf>, PlannerError> {
     Ok(written)
 }
 
-/// Refuses to replace a file that does not begin as the new content does, up to a byte.
+/// Refuses to replace a file with another beginning than the new content, up to a byte.
 fn require_own(file: &Path, content: &[u8], end: u8) -> Result<(), PlannerError> {
     let begin = |bytes: &[u8]| bytes.split(|&byte| byte == end).next().map(<[u8]>::to_vec);
     match read_bytes(file) {

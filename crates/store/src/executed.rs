@@ -1,7 +1,7 @@
-//! What a robot did, beside what a rollout does with the grasp error that there was.
+//! An execution, beside a rollout with the same grasp error.
 //!
-//! A part that ends at its goal tells how it sat in the gripper. Of any other motion nobody knows that, and the rollout of a planned
-//! grasp error that is closest to it stands in.
+//! If the part ends at its goal, its end gives the grasp error. For any other motion the grasp error is unknown, and
+//! the rollout of the closest planned grasp error is used instead.
 
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use task::{GraspError, POSE, pose_of};
 
 use crate::{ExecutedState, PlayedRows, StoredPlan, read_log_header, read_played_rows};
 
-/// What the first line of a log says of its session.
+/// First line of a log: its session.
 #[derive(Debug, Default, Deserialize)]
 struct Header {
     scene: String,
@@ -33,7 +33,7 @@ pub enum Ending {
     /// Elsewhere: at its goal, the part would sit in the gripper with this error, longer than the plan's offsets and the
     /// tolerance of success.
     Missed(GraspError),
-    /// Before the end of the plan, and why, if the log says that.
+    /// Before the end of the plan, with the reason if the log has one.
     Stopped(Option<String>),
 }
 
@@ -49,7 +49,7 @@ pub struct Execution {
     pub friction: f64,
     /// Whether that rollout reaches the goal.
     pub rollout_succeeds: bool,
-    /// The motion since the plan was begun, at least one state; times increase.
+    /// The motion since the plan was started, at least one state; times increase.
     pub course: Vec<ExecutedState>,
     /// Distance (m) between where the robot and the rollout believe the part at these times.
     pub distances: Vec<f64>,
@@ -58,12 +58,11 @@ pub struct Execution {
 }
 
 impl Execution {
-    /// Of the log of a player: the columns of `reference.csv` with where the robot believed the part, and `phase`. Rollouts
-    /// have these frictions, at least one.
+    /// Reads the log of a player: the columns of `reference.csv` with the believed pose of the part, and `phase`.
+    /// Rollouts have these frictions, at least one.
     ///
-    /// # Errors
-    /// When the log cannot be read, is of another plan or of a dry run, or has no executed plan; when a rollout cannot be
-    /// made.
+    /// # Errors When the log cannot be read, is of another plan or of a dry run, or has no executed plan; when a
+    /// rollout cannot be made.
     pub fn read(
         file: &Path,
         problem: &Problem,
@@ -130,13 +129,12 @@ impl Execution {
         self.distances.iter().sum::<f64>() / self.distances.len() as f64
     }
 
-    /// Time at which it ended (s), since the plan was begun.
+    /// Time at which it ended (s), since the plan was started.
     pub fn duration(&self) -> f64 {
         self.course.last().map_or(0.0, |state| state.time)
     }
 
-    /// State at a time (s) between the first and the last one, and distance there (m). Poses in between are on the straight
-    /// way.
+    /// State at a time (s) between the first and the last one, and distance there (m). Poses are interpolated.
     pub fn at(&self, time: f64) -> (ExecutedState, f64) {
         let after = self.course.partition_point(|state| state.time <= time).min(self.course.len() - 1);
         let before = after.saturating_sub(1);
@@ -149,7 +147,7 @@ impl Execution {
         (state, self.distances[nearest])
     }
 
-    /// What it tells: sentences without full stops.
+    /// The results as sentences without full stops.
     pub fn sentences(&self) -> Vec<String> {
         let in_words = |grasp: &GraspError| {
             let length = Vector3::from(grasp.offset).norm();
@@ -171,14 +169,14 @@ impl Execution {
             Ending::Stopped(reason) => vec![format!(
                 "the robot was stopped {:.2} s after the plan started: {}",
                 self.duration(),
-                reason.as_deref().unwrap_or("the log does not say why")
+                reason.as_deref().unwrap_or("the log gives no reason")
             )],
         };
         let (largest, time) = self.largest_distance();
         let compared = match self.ending {
             Ending::AtGoal => "with this grasp error".to_owned(),
             _ => format!(
-                "the grasp error cannot be told; of the planned ones, that with {} is closest: with it",
+                "the grasp error is unknown; of the planned ones, that with {} is closest: with it",
                 GraspRecord::from(&self.grasp)
             ),
         };

@@ -1,5 +1,5 @@
-//! The folder of a plan that is being made. All work is done in a hidden folder beside it, under a lock; only a whole
-//! plan is moved in. What a run may replace or delete is what an earlier run has written, nothing else.
+//! The folder of a plan in the making. All work is done in a hidden folder beside it, under a lock; only a whole plan
+//! is moved in. A run replaces and deletes only files of an earlier run.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -27,7 +27,7 @@ const REFINED: &str = "refined";
 #[derive(Debug)]
 pub struct PlanFolder {
     folder: WorkFolder,
-    /// What the tables of homotopy steps have taken to write so far.
+    /// Time to write the tables of homotopy steps so far.
     writing: Mutex<Duration>,
 }
 
@@ -48,12 +48,12 @@ impl PlanFolder {
         Ok(folder)
     }
 
-    /// Where the plan goes.
+    /// Folder of the finished plan.
     pub fn target(&self) -> &Path {
         self.folder.target()
     }
 
-    /// Where unfinished work stands.
+    /// Folder of unfinished work.
     pub fn work(&self) -> &Path {
         self.folder.path()
     }
@@ -97,8 +97,8 @@ impl PlanFolder {
         self.move_in()
     }
 
-    /// Moves a whole plan from the working folder to its place, `result.json` first out and last in. A run that is killed
-    /// meanwhile has lost nothing: the next one that claims the folder goes on here.
+    /// Moves a whole plan from the working folder to its place, `result.json` first out and last in. A run that is
+    /// killed meanwhile loses nothing: the next one that claims the folder continues here.
     fn move_in(&self) -> Result<(), PlannerError> {
         let whole = self.folder.whole();
         let result = read_result(&whole)?;
@@ -224,7 +224,7 @@ impl Keeper for PlanFolder {
     }
 }
 
-/// Writes the tables of homotopy steps anew, each into a folder named after its number.
+/// Writes the tables of all homotopy steps, each into a folder named after its number.
 fn write_iterations<'motion>(
     folder: &Path,
     motions: impl Iterator<Item = &'motion Trajectory>,
@@ -277,7 +277,7 @@ fn files_below(folder: &Path, prefix: &str, found: &mut Vec<String>) -> Result<(
     Ok(())
 }
 
-/// Removes the folders of a removed file, as far as nothing else is in them.
+/// Removes the folders of a removed file, as far as they are empty.
 fn remove_empty_folders(target: &Path, name: &str) {
     let folders = Path::new(name).ancestors().skip(1).filter(|folder| !folder.as_os_str().is_empty());
     for folder in folders {

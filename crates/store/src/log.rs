@@ -25,7 +25,7 @@ struct Version {
     format: u32,
 }
 
-/// What a row has besides the state.
+/// The measurements of a row.
 #[derive(Deserialize)]
 struct MeasuredRow {
     fx_n: Option<Value>,
@@ -44,14 +44,14 @@ impl MeasuredRow {
     }
 }
 
-/// Where the robot believed the part at one time, and what it measured then.
+/// The believed pose of the part at one time, and the measurements then.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExecutedState {
-    /// Time since the plan was begun (s).
+    /// Time since the plan was started (s).
     pub time: f64,
     /// Believed pose and twist.
     pub believed: [f64; STATE],
-    /// Force (N) and torque (Nm) at the tool point as the robot said them, along the axes of its base.
+    /// Force (N) and torque (Nm) at the tool point as measured by the robot, along the axes of its base.
     pub wrench: Option<[f64; TWIST]>,
 }
 
@@ -64,17 +64,16 @@ pub struct PlayedRows {
     pub rested: bool,
 }
 
-/// The line above the columns, JSON behind a `#`; `None` if the file begins otherwise.
+/// The line above the columns, JSON after a `#`; `None` if the file begins otherwise.
 ///
-/// # Errors
-/// With the column, when the line cannot be read or is of another format.
+/// # Errors With the column, when the line cannot be read or is of another format.
 pub fn read_log_header<T: DeserializeOwned>(file: &Path) -> Result<Option<T>, PlannerError> {
     let text = read_text(file)?;
     let Some(json) = text.lines().next().and_then(|first| first.strip_prefix('#')) else { return Ok(None) };
     let unreadable = |error: serde_json::Error| {
         // The `#` is the first column.
         let problem = format!(
-            "column {}: what the log says of its session cannot be read: {error}; do not change this line",
+            "column {}: the session in the first line cannot be read: {error}; do not change this line",
             error.column() + 1
         );
         PlannerError::line(file, 1, problem)
@@ -88,17 +87,16 @@ pub fn read_log_header<T: DeserializeOwned>(file: &Path) -> Result<Option<T>, Pl
     serde_json::from_str(json).map(Some).map_err(unreadable)
 }
 
-/// The rows of a log since the plan was begun; none if it was not.
+/// The rows of a log since the plan was started; `None` if it was not.
 ///
-/// # Errors
-/// With line and column, when a row is wrong or times do not increase.
+/// # Errors With line and column, when a row is wrong or times do not increase.
 pub fn read_played_rows(file: &Path) -> Result<Option<PlayedRows>, PlannerError> {
     let (states, measured) = (read_csv::<StateRow>(file)?, read_csv::<MeasuredRow>(file)?);
     let Some(begin) = measured.iter().position(|row| row.phase == PLAYING) else { return Ok(None) };
     let above = 1 + read_text(file)?.lines().take_while(|line| line.starts_with('#')).count();
     let wrong = |index: usize, problem: &str| Err(PlannerError::line(file, index + 1 + above, problem));
     let mut course: Vec<ExecutedState> = Vec::new();
-    // The time of the rest begins anew.
+    // The time of the rest phase restarts.
     let (mut phase, mut begun) = (PLAYING, 0.0);
     for (index, (state, row)) in states.iter().zip(&measured).enumerate().skip(begin) {
         let before = course.last().map(|state| state.time);

@@ -38,7 +38,7 @@ pub struct Cell {
     pub linear_solver: Option<String>,
     /// [`Problem::identity`](plan::Problem::identity).
     pub identity: String,
-    /// Where its plan goes.
+    /// Folder of its plan.
     pub folder: PathBuf,
 }
 
@@ -48,7 +48,7 @@ impl Cell {
         Path::new("cells").join(&identity[..NAME_DIGITS])
     }
 
-    /// What is wrong with a cell that was read, if anything: its folder must be the one of its identity.
+    /// The fault of a cell that was read, if any: its folder must be the one of its identity.
     fn problem(&self, index: usize) -> Option<String> {
         let is_identity = self.identity.len() == 64 && self.identity.bytes().all(|byte| byte.is_ascii_hexdigit());
         if self.index != index {
@@ -83,10 +83,9 @@ pub struct Manifest {
 }
 
 impl Manifest {
-    /// Of cells whose files have absolute paths.
+    /// From cells whose files have absolute paths.
     ///
-    /// # Errors
-    /// When the folder cannot be made.
+    /// # Errors When the folder cannot be made.
     pub fn new(folder: &Path, mut cells: Vec<Cell>) -> Result<Self, PlannerError> {
         require_folder(folder)?;
         fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;

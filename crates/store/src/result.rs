@@ -13,7 +13,7 @@ use task::{AssemblyTask, Limits, Peak, ScenarioTrajectory};
 
 use crate::coverage::CoverageRecord;
 
-/// Name of the file, which is written last: where it stands, the plan is whole.
+/// Name of the file, which is written last: its presence marks a whole plan.
 pub const RESULT: &str = "result.json";
 
 /// Everything that is known of a plan besides its motions.
@@ -22,7 +22,7 @@ pub struct PlanResult {
     /// Format of the file.
     #[serde(default)]
     pub format: Format,
-    /// What has become of the plan, in words.
+    /// Status of the plan, in words.
     pub status: String,
     /// The same, without details.
     pub outcome: Outcome,
@@ -44,10 +44,10 @@ pub struct PlanResult {
     /// Which offsets the plan covers.
     #[serde(default)]
     pub coverage: CoverageRecord,
-    /// Largest turn of the part in the gripper that was asked for.
+    /// Largest rotation error of the part in the gripper that was required.
     #[serde(default)]
     pub turn_rad: f64,
-    /// What the plan was made from.
+    /// Inputs of the plan.
     pub made_from: MadeFrom,
     /// The linear solver that ran.
     pub linear_solver: String,
@@ -71,11 +71,11 @@ pub struct PlanResult {
     pub quaternion_drift: f64,
     /// Time between two rows of the reference.
     pub time_step_s: f64,
-    /// Stiffness with which the robot is to execute the plan; `resolved.toml` has the damping too.
+    /// Stiffness for the execution of the plan; `resolved.toml` has the damping too.
     pub gains: Gains,
-    /// What the user was warned of.
+    /// Warnings.
     pub warnings: Vec<String>,
-    /// How it moves and how hard it presses; plans of earlier versions do not say.
+    /// Duration, forces and departures of its motion; missing in plans of earlier versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motion: Option<MotionRecord>,
     /// Largest components allowed, null where there is no limit.
@@ -85,7 +85,7 @@ pub struct PlanResult {
     /// How deep the exact shapes may penetrate in a plan that is done.
     #[serde(default)]
     pub max_overlap_m: f64,
-    /// What was tried until a plan reached the goal, where it was more than one thing.
+    /// Attempts until a plan reached the goal, if there were several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub attempts: Vec<AttemptRecord>,
     /// Homotopy steps.
@@ -98,7 +98,7 @@ pub struct PlanResult {
     /// How the plan of a solver does in rollouts with hard contact, where it was played.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tested: Option<TestReport>,
-    /// Of `solve --robust`; the scenarios are then rollouts with hard contact.
+    /// Report of `solve --robust`; the scenarios are then rollouts with hard contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robust: Option<RobustnessReport>,
     /// Hash (SHA-256, hexadecimal) of every other file of the plan, by its path in the folder.
@@ -147,7 +147,7 @@ pub struct Gains {
     pub rotational_stiffness_nm_rad: f64,
 }
 
-/// What a plan was made from, as hashes (SHA-256, hexadecimal).
+/// Inputs of a plan, as hashes (SHA-256, hexadecimal).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MadeFrom {
     /// [`Problem::identity`].

@@ -1,15 +1,15 @@
-//! What a scene says, and what is odd about it, without solving it.
+//! Explains a scene and finds mistakes, without solving it.
 
+mod clear_path;
 mod delay;
 mod oddities;
 mod pairs;
 mod parts;
 pub(crate) mod penetrations;
 pub(crate) mod refusal;
-mod way;
 
 use ocp::{Layout, blocks, standard_terms};
-use plan::play::along_insertion;
+use plan::pose_clearance::along_insertion;
 use plan::ranges::require;
 use plan::{Engagement, PlannerError, Problem};
 use scene::Part;
@@ -20,14 +20,14 @@ use crate::check::oddities::oddities;
 use crate::check::penetrations::penetrations;
 use crate::warnings;
 
+pub use clear_path::ClearPath;
 pub(crate) use oddities::{first_smoothing, rest, step};
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
 pub use penetrations::PosePenetration;
-pub use plan::play::{AxisPlay, Play};
+pub use plan::pose_clearance::{AxisClearance, PoseClearance};
 pub use refusal::refusal;
-pub use way::Way;
 
-/// What plain solves of the shipped scenes took on two cores.
+/// Time of plain solves of the shipped scenes on two cores.
 const SECONDS_PER_CONSTRAINT: f64 = 4e-4;
 /// Their memory.
 const MEGABYTES: f64 = 15.0;
@@ -48,7 +48,7 @@ pub struct PairReport {
     pub normal: [f64; 7],
 }
 
-/// What there is to know of a problem before it is solved.
+/// Explanation of a problem before it is solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Explanation {
     /// Title of the scene.
@@ -61,7 +61,7 @@ pub struct Explanation {
     pub body: Vec<PartReport>,
     /// Convex parts of the environment.
     pub environment: Vec<PartReport>,
-    /// Meshes of both, and what became of them.
+    /// Meshes of both, and their convex parts.
     pub meshes: Vec<MeshReport>,
     /// The tightest fit of a round part in a round hole, of meshes.
     pub fit: Option<FitReport>,
@@ -70,16 +70,17 @@ pub struct Explanation {
     /// Pairs that are left out because no motion from start to goal comes near to them.
     #[serde(rename = "far_pairs")]
     pub culled_pairs: Vec<String>,
-    /// Play at the goal and on the straight way back to the start.
-    pub insertion: Vec<Play>,
-    /// How far play lets the body rest from its goal in directions across the insertion that are guided; null where none
+    /// Clearances at the goal and on the straight path back to the start.
+    pub insertion: Vec<PoseClearance>,
+    /// How far clearance lets the body rest from its goal in directions across the insertion that are guided; null where none
     /// is, or something stops it on one side only.
     pub farthest_rest_m: Option<f64>,
     /// Pairs that penetrate at the goal or at the start with an offset.
     #[serde(rename = "overlaps")]
     pub penetrations: Vec<PosePenetration>,
     /// Whether the body gets from start to goal in clearance.
-    pub way: Way,
+    #[serde(rename = "way")]
+    pub path: ClearPath,
     /// Edges of the box around the body, in its frame.
     pub body_edges_m: [f64; 3],
     /// Edges of the box around the environment.
@@ -94,9 +95,9 @@ pub struct Explanation {
     pub refusal: Option<String>,
     /// How large the optimal control problem is.
     pub size: SizeReport,
-    /// What is chosen because the scene does not say it.
+    /// Defaults that were chosen for the scene.
     pub chosen: Vec<String>,
-    /// What is odd.
+    /// Likely mistakes.
     pub warnings: Vec<String>,
 }
 
@@ -107,9 +108,9 @@ pub struct FitReport {
     pub hole_radius_m: f64,
     /// Difference of the radii.
     pub gap_m: f64,
-    /// What facets take of it.
+    /// Loss of gap by facets.
     pub lost_m: f64,
-    /// What the mesh of the hole takes besides, at most: its flat sides lie inside of the hole.
+    /// Largest additional loss by the mesh of the hole: its flat sides lie inside the hole.
     pub mesh_lost_m: f64,
 }
 
@@ -165,7 +166,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
     let meshes = scene.body_meshes.iter().chain(&scene.environment_meshes);
     let name = |&(part, other): &(usize, usize)| format!("{}/{}", scene.body[part].name, scene.environment[other].name);
     let fit = scene.fit.zip(meshes.clone().map(|mesh| mesh.settings.facets).min());
-    let way = way::find(task);
+    let path = clear_path::find(task);
     let mut explanation = Explanation {
         title: scene.title.clone(),
         start: problem.start().name.clone(),
@@ -184,13 +185,13 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         insertion: along_insertion(task),
         farthest_rest_m: problem.engagement().rest_m,
         penetrations: penetrations(task, scene.robustness.rotation_error),
-        way,
+        path,
         body_edges_m: parts::edges(&scene.body, &scene.body_meshes),
         environment_edges_m: parts::edges(&scene.environment, &scene.environment_meshes),
         engagement: problem.engagement().clone(),
         position_tolerance_m: problem.success().position,
         max_overlap_m: problem.allowed_penetration(),
-        refusal: refusal(problem).or_else(|| refusal::enclosed(&way)),
+        refusal: refusal(problem).or_else(|| refusal::enclosed(&path)),
         size: size(problem),
         chosen: problem.chosen(),
         warnings: warnings::of_problem(problem),

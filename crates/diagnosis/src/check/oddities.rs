@@ -1,10 +1,10 @@
-//! What is odd about a scene, and which key to change.
+//! Likely mistakes in a scene, and the key to change.
 
 use plan::{Millimetres, Problem};
 use task::{AssemblyTask, Penetration};
 
 use crate::check::delay::delay;
-use crate::check::{Explanation, Play, Way, pairs};
+use crate::check::{ClearPath, Explanation, PoseClearance, pairs};
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;
@@ -14,7 +14,7 @@ const COARSE_SHARE: f64 = 0.1;
 const DEVIATION: f64 = 3.0;
 const DEVIATION_IN_SIZES: f64 = 3e-4;
 
-/// A step this many times as long as the play is worth a word.
+/// A step this many times as long as the clearance gets a warning.
 const LONG_STEP: f64 = 2.0;
 
 /// Everything odd, in the words of the scene.
@@ -24,7 +24,7 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
         facets(explanation),
         deviation(explanation),
         rest(problem, explanation.farthest_rest_m),
-        way(explanation),
+        path(explanation),
         first_smoothing(task, problem.homotopy().tau),
         last_smoothing(problem, explanation),
         step(task, &explanation.insertion),
@@ -76,7 +76,7 @@ fn deviation(explanation: &Explanation) -> Option<String> {
     })
 }
 
-/// Play at the goal lets the body rest farther from it than the tolerance.
+/// The clearance at the goal exceeds the tolerance.
 pub fn rest(problem: &Problem, farthest_rest: Option<f64>) -> Option<String> {
     let tolerance = problem.success().position;
     let farthest = farthest_rest.filter(|&farthest| farthest > tolerance)?;
@@ -88,8 +88,8 @@ pub fn rest(problem: &Problem, farthest_rest: Option<f64>) -> Option<String> {
     ))
 }
 
-fn way(explanation: &Explanation) -> Option<String> {
-    let Way::None { step_m, nearest_m } = explanation.way else { return None };
+fn path(explanation: &Explanation) -> Option<String> {
+    let ClearPath::None { step_m, nearest_m } = explanation.path else { return None };
     Some(format!(
         "no path in clearance was found from start to goal, in steps of {:.2} mm and without rotation: backwards from the \
          goal, the search ended {:.1} mm from the start; check the goal, the fit and the insertion axis",
@@ -114,7 +114,7 @@ pub fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
     })
 }
 
-/// The last smoothing must be small beside the clearance.
+/// The last smoothing must be small compared with the clearance.
 fn last_smoothing(problem: &Problem, explanation: &Explanation) -> Option<String> {
     let last = problem.homotopy().schedule().last()?;
     let clearance = explanation.insertion.first()?.clearance_m;
@@ -128,11 +128,11 @@ fn last_smoothing(problem: &Problem, explanation: &Explanation) -> Option<String
     })
 }
 
-/// Distances are linearised in each step: it must not be long beside the play.
-pub fn step(task: &AssemblyTask, insertion: &[Play]) -> Option<String> {
+/// Distances are linearised in each step: it must not be long compared with the clearance.
+pub fn step(task: &AssemblyTask, insertion: &[PoseClearance]) -> Option<String> {
     let path = insertion.last()?.distance_from_goal_m;
     let per_step = path / task.horizon.steps as f64;
-    let narrowest = insertion.iter().filter_map(Play::narrowest).fold(f64::INFINITY, f64::min);
+    let narrowest = insertion.iter().filter_map(PoseClearance::narrowest).fold(f64::INFINITY, f64::min);
     (narrowest > 0.0 && narrowest.is_finite() && per_step > LONG_STEP * narrowest).then(|| {
         format!(
             "the body moves {:.2} mm per step on average, the clearance is {:.2} mm: use more, shorter steps in [horizon]",

@@ -9,7 +9,7 @@ const MANY: usize = 150;
 /// Pairs of parts that are named.
 const NAMED: usize = 3;
 
-/// What makes many pairs, and how to have fewer.
+/// The cause of many pairs, and how to reduce them.
 pub fn warning(scene: &Scene) -> Option<String> {
     let count = scene.pairs.len();
     if count < MANY {

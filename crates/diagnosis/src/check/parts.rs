@@ -1,4 +1,4 @@
-//! Parts, and what became of meshes.
+//! Parts, and the convex parts of meshes.
 
 use mesh::{CurvedKind, Deviation};
 use nalgebra::Point3;
@@ -64,7 +64,7 @@ pub struct MeshReport {
     pub shape: Option<String>,
     /// Its triangles, after repairs.
     pub triangles: usize,
-    /// What was repaired, in words.
+    /// Repairs, in words.
     pub repairs: Vec<String>,
     /// Volume of the whole mesh.
     pub volume_m3: f64,
@@ -95,7 +95,7 @@ pub struct RoundSurface {
     pub axis_m: [[f64; 3]; 2],
     /// Extent around the axis.
     pub angle_rad: f64,
-    /// Facets of a full turn that stand for it.
+    /// Facets per full turn of its prism.
     pub facets_per_turn: usize,
     /// Largest distance of these from it.
     pub error_m: f64,

@@ -1,4 +1,4 @@
-//! Where the body penetrates the environment before it moves.
+//! Penetrations of body and environment before the body moves.
 
 use plan::Problem;
 use serde::Serialize;
@@ -20,8 +20,7 @@ pub struct PosePenetration {
     pub distance_m: f64,
 }
 
-/// Why no plan can begin: the body is inside of the environment at its start, with every planned grasp error. Nothing if
-/// it is not.
+/// Refusal where the body is inside the environment at its start, with every planned grasp error; `None` if it is not.
 pub fn start_inside(problem: &Problem) -> Option<String> {
     let task = problem.task();
     let depths = task.grasps.iter().map(|grasp| deepest(task, &grasp.actual(&task.start)));
@@ -45,14 +44,14 @@ pub fn start_inside(problem: &Problem) -> Option<String> {
     ))
 }
 
-/// The pair that penetrates most at a pose, and how deep (m); negative where nothing penetrates.
+/// The pair that penetrates most at a pose, and how deep (m); negative where none does.
 pub fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
     let depths = task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
     depths.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(pair, depth)| (pair.to_string(), depth))
 }
 
-/// Pairs that penetrate at the goal and where the body really is at the start: with every offset, and also rotated in the
-/// gripper (rad) about each axis of the body, both ways.
+/// Pairs that penetrate at the goal and at the actual start: with every offset, and also rotated in the gripper (rad)
+/// about each axis of the body, both ways.
 pub fn penetrations(task: &AssemblyTask, rotation_error: f64) -> Vec<PosePenetration> {
     let mut poses = vec![("goal".to_owned(), task.goal)];
     for (number, grasp) in (1..).zip(&task.grasps) {
@@ -62,7 +61,7 @@ pub fn penetrations(task: &AssemblyTask, rotation_error: f64) -> Vec<PosePenetra
             for (sign, angle) in [("+", rotation_error), ("-", -rotation_error)] {
                 let mut turned = GraspError::from(grasp.offset);
                 turned.rotation[axis] = angle;
-                poses.push((format!("{name}, turned about {sign}{about}"), turned.actual(&task.start)));
+                poses.push((format!("{name}, rotated about {sign}{about}"), turned.actual(&task.start)));
             }
         }
     }

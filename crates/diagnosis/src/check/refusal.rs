@@ -4,37 +4,39 @@ use nalgebra::Vector3;
 use plan::Problem;
 use task::AssemblyTask;
 
+use crate::check::clear_path::{self, ClearPath};
 use crate::check::penetrations::{deepest, start_inside};
-use crate::check::way::{self, Way};
 
 /// Penetration at the goal that a fit, rounding and facets explain: at least (m), and in sizes of the body.
 const FIT: f64 = 1e-4;
 const FIT_IN_SIZES: f64 = 2e-3;
-/// Distance from the goal within which something must be: in offsets, where something guides the body and where nothing does,
-/// and in sizes of the body.
+/// Distance from the goal within which something must be: in offsets, where something guides the body and where nothing
+/// does, and in sizes of the body.
 const REACH_IN_OFFSETS: f64 = 3.0;
 const UNGUIDED_REACH_IN_OFFSETS: f64 = 1.0;
 const REACH_IN_SIZES: f64 = 0.1;
-/// Angle (rad) between start and goal from which on a body may turn on its way in.
+/// Angle (rad) between start and goal above which the body rotates on its path.
 const TURNED: f64 = 1e-3;
 
-/// Why no plan can be made: the body starts inside of the environment, its goal is inside of it, out of reach of it,
-/// enclosed by it, or too tight to be left. The message says which parts and how far, and what to do. Nothing where a plan may be found.
+/// Refusal where no plan can exist: the body starts inside the environment, its goal is inside it, out of reach,
+/// enclosed, or too tight to be left. The message names parts and distances, and what to do. `None` where a plan may
+/// exist.
 pub fn refusal(problem: &Problem) -> Option<String> {
     start_inside(problem).or_else(|| goal_inside(problem)).or_else(|| not_assembled(problem)).or_else(|| {
-        // With much smoothing and turns a plan may be found that the search does not know.
+        // With strong smoothing and rotations there may be a plan that the search does not find.
         let (_, rotation) = task::pose::errors(&problem.task().start, &problem.task().goal);
         if rotation > TURNED {
             return None;
         }
-        let way = way::find(problem.task());
-        enclosed(&way).or_else(|| press_fit(problem, &way))
+        let path = clear_path::find(problem.task());
+        enclosed(&path).or_else(|| press_fit(problem, &path))
     })
 }
 
-/// The body penetrates the environment at its goal by more than any plan that is done may, and gets from there nowhere.
-fn press_fit(problem: &Problem, way: &Way) -> Option<String> {
-    let (pair, depth) = deepest(problem.task(), &problem.task().goal).filter(|_| matches!(way, Way::None { .. }))?;
+/// The body penetrates the environment at its goal by more than a plan that is done may, and no path leads out.
+fn press_fit(problem: &Problem, path: &ClearPath) -> Option<String> {
+    let (pair, depth) =
+        deepest(problem.task(), &problem.task().goal).filter(|_| matches!(path, ClearPath::None { .. }))?;
     (depth > problem.allowed_penetration()).then(|| {
         format!(
             "[goal]: {pair} penetrate there by {:.3} mm, and no path in clearance leads away from it: parts need clearance; a press \
@@ -75,7 +77,7 @@ fn not_assembled(problem: &Problem) -> Option<String> {
     let (pair, depth) = deepest(&world, &world.goal)?;
     (-depth > reach).then(|| {
         format!(
-            "[goal]: nothing is near the body there: the nearest parts, {pair}, are {:.1} mm apart, and no offset or play is \
+            "[goal]: nothing is near the body there: the nearest parts, {pair}, are {:.1} mm apart, and no offset or clearance is \
              larger than {:.1} mm; the parts are not assembled: export both files in one frame, in the assembled pose, or move \
              [goal] there",
             -1e3 * depth,
@@ -84,11 +86,11 @@ fn not_assembled(problem: &Problem) -> Option<String> {
     })
 }
 
-/// What keeps the body from leaving its goal, if a search has found that it cannot.
-pub fn enclosed(way: &Way) -> Option<String> {
-    let Way::Enclosed { farthest_m } = way else { return None };
+/// The environment that keeps the body from leaving its goal, if a search has shown that.
+pub fn enclosed(path: &ClearPath) -> Option<String> {
+    let ClearPath::Enclosed { farthest_m } = path else { return None };
     Some(format!(
-        "the goal cannot be reached without turning: the environment encloses the body there, which gets no farther away than \
+        "the goal cannot be reached without rotation: the environment encloses the body there, which gets no farther away than \
          {:.2} mm; check the goal, the fit and the axis of insertion",
         1e3 * farthest_m
     ))

@@ -1,7 +1,7 @@
-//! What to try where a plan is not done. Each piece of advice stands for a condition that holds for the plan.
+//! Advice where a plan is not done. Each piece of advice stands for a condition that holds for the plan.
 
 use nlp::SolveStatus;
-use plan::play::along_insertion;
+use plan::pose_clearance::along_insertion;
 use plan::{Millimetres, Plan, Stop};
 use scene::Part;
 use task::algebra::norm;
@@ -20,12 +20,12 @@ const OFTEN: f64 = 0.1;
 const MOST_STEPS: f64 = 1e4;
 /// More steps are at least this share of those there are.
 const MORE_STEPS: f64 = 0.5;
-/// Poses on the straight way from where a scenario ends to the goal.
+/// Poses on the straight path from where a scenario ends to the goal.
 const POSES: usize = 50;
 /// Time in which a critically damped controller closes all but 4 % of a distance, in `sqrt(mass / stiffness)`.
 const SETTLING: f64 = 5.0;
 
-/// What to try, the surest first.
+/// Advice, the most certain first.
 pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]) -> Vec<String> {
     let case = Case { plan, stuck };
     let smoothing = || (!stuck.is_empty()).then(|| first_smoothing(&plan.task, plan.variant.settings.tau)).flatten();
@@ -41,7 +41,7 @@ pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]
         free_offset(&plan.problem),
         case.large_offset(),
         case.way_blocked(),
-        case.play(),
+        case.clearance(),
         case.reach_of_the_end(),
     ];
     let mut advice: Vec<String> = sure.into_iter().flatten().collect();
@@ -107,7 +107,8 @@ impl Case<'_> {
         ))
     }
 
-    /// A smaller offset where a scenario is farther off than the body is thick: it may begin beside what it belongs to.
+    /// A smaller offset where a scenario is farther off than the body is thick: it may start beside the place where it
+    /// belongs.
     fn large_offset(&self) -> Option<String> {
         let thickness = thickness(&self.plan.problem.scene().body);
         let offset = |stuck: &StuckScenario| norm(&stuck.grasp.offset_m);
@@ -122,8 +123,8 @@ impl Case<'_> {
         })
     }
 
-    /// More steps where a scenario that nothing holds still comes nearer at the end: so many as it takes with the speed of
-    /// the last quarter.
+    /// More steps where a scenario that nothing holds still approaches the goal at the end: as many as it takes at the
+    /// speed of the last quarter.
     fn longer_horizon(&self) -> Option<String> {
         let plan = self.plan;
         let (steps, time_step) = (plan.trajectory.reference.len() - 1, plan.trajectory.time_step);
@@ -145,13 +146,13 @@ impl Case<'_> {
         ))
     }
 
-    /// Shorter steps where a solve that did not converge has long ones beside the play.
+    /// Shorter steps where a solve that did not converge has steps that are long compared with the clearance.
     fn shorter_steps(&self) -> Option<String> {
         let task = &self.plan.task;
         (!self.plan.is_converged()).then(|| step(task, &along_insertion(task)))?
     }
 
-    /// More stiffness where the body lags behind a reference that may not be faster, and nothing holds it.
+    /// More stiffness where the body has a tracking error, the reference may not be faster, and nothing holds the body.
     fn slow_controller(&self) -> Option<String> {
         let plan = self.plan;
         let (mass, stiffness) = (plan.task.inertia.mean_mass(), plan.task.impedance.translational_stiffness);
@@ -180,8 +181,8 @@ impl Case<'_> {
         })
     }
 
-    /// A larger tolerance where play lets the body rest as far from the goal as it does.
-    fn play(&self) -> Option<String> {
+    /// A larger tolerance where the resting error is as large as the final error.
+    fn clearance(&self) -> Option<String> {
         let (worst, farthest) = (self.worst_error()?, self.plan.problem.engagement().rest_m);
         rest(&self.plan.problem, farthest.filter(|&farthest| worst <= farthest))
     }
@@ -200,7 +201,7 @@ impl Case<'_> {
         })
     }
 
-    /// Another way where a part stands between the end of a scenario and the goal.
+    /// Another path where a part stands between the end of a scenario and the goal.
     fn way_blocked(&self) -> Option<String> {
         let goal = &self.plan.task.goal;
         if self.penetration(goal).is_some() {
@@ -247,7 +248,7 @@ impl Case<'_> {
         })
     }
 
-    /// Largest final position error (m) of the scenarios that miss the goal by nothing else.
+    /// Largest final position error (m) of the scenarios that miss the goal without another cause.
     fn worst_error(&self) -> Option<f64> {
         let tolerance = self.plan.problem.success().orientation;
         let turned = self.stuck.iter().any(|stuck| stuck.end.orientation_error_rad > tolerance);

@@ -14,16 +14,16 @@ use task::AssemblyTask;
 use crate::explain::factorisation::{Column, factorise};
 use crate::explain::words::constraint_at;
 
-/// Dependencies that are looked at, and that are told.
+/// Largest numbers of dependencies that are examined, and that are reported.
 const MOST: usize = 50;
 const KEPT: usize = 3;
 /// Constraints of a dependency that are named.
 const NAMED: usize = 8;
-/// Weights smaller than this share of the largest are not named and decide nothing.
+/// Weights below this share of the largest are ignored.
 const MINOR: f64 = 0.05;
 /// A contradiction leaves a violation of at least this share of the largest one.
 const CONTRADICTION: f64 = 1e-3;
-/// Without a sparse factorisation, stages near those of so many largest violations are looked at.
+/// Without a sparse factorisation, knots near this number of largest violations are examined.
 const VIOLATIONS: usize = 3;
 
 /// Constraints that depend on each other.
@@ -65,7 +65,7 @@ struct ActiveConstraint {
 }
 
 impl ActiveConstraint {
-    /// With its gradient of unit length; `None` without a gradient.
+    /// With its gradient scaled to unit length; `None` without a gradient.
     fn new(residual: &Residual, gradient: Column) -> Option<(Column, Self)> {
         let activity = residual.activity()?;
         let norm = gradient.iter().map(|(_, value)| value * value).sum::<f64>().sqrt();
@@ -93,9 +93,9 @@ fn near_violations<'point>(active: &[&'point Residual]) -> Vec<&'point Residual>
 
 /// Constraints whose gradients, with weights, sum up to zero.
 struct Dependency<'point> {
-    /// Those with weights that matter, the largest first.
+    /// Those with significant weights, the largest first.
     weighed: Vec<(&'point ActiveConstraint, f64)>,
-    /// What is left of their violations, at least, after any small change; 0 where they do not contradict.
+    /// Smallest remaining violation after any small change; 0 where they do not contradict.
     left: f64,
 }
 

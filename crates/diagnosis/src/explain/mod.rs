@@ -34,7 +34,7 @@ pub struct FailureExplanation {
     pub advice: Vec<String>,
 }
 
-/// Violations that are told of a plan that did not converge.
+/// Largest number of violations reported for a plan that did not converge.
 const VIOLATIONS: usize = 3;
 
 impl FailureExplanation {
@@ -68,7 +68,7 @@ pub fn explanation(plan: &Plan) -> Option<FailureExplanation> {
 fn explain(plan: &Plan) -> FailureExplanation {
     let scenarios = stuck::of_plan(plan);
     let active_limits = limits::active(&plan.task.limits, &plan.variant.task.limits, &plan.trajectory);
-    // Without time for the solve there is none to look for contradictions.
+    // Without time for the solve there is no time to search for contradictions.
     let is_cut = plan.stopped == Some(Stop::TimeLimit);
     let (residuals, dependencies) = if is_cut { None } else { constraints(plan) }.unwrap_or_default();
     let advice = advice::advice(plan, &scenarios, &active_limits);
@@ -85,7 +85,7 @@ fn constraints(plan: &Plan) -> Option<(Vec<ResidualRecord>, Vec<DependencyRecord
     transcription.set_smoothing(record.tau, record.sigma);
     let residuals: Vec<Residual> = transcription.residuals(point).ok()?;
     let dependencies = match record.converged {
-        // What holds does not contradict.
+        // Constraints that are satisfied do not contradict.
         true => Vec::new(),
         false => dependencies::find(&mut transcription, &point.x, &residuals)?,
     };

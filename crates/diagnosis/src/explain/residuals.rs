@@ -15,7 +15,7 @@ const NEGLIGIBLE: f64 = 1e-4;
 /// The largest violation of one kind of constraint.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ResidualRecord {
-    /// What kind of constraint; limits have the name of their key.
+    /// Kind of the constraint; limits have the name of their key.
     pub kind: String,
     /// How far its value is outside of its bounds.
     #[serde(with = "or_null")]
@@ -28,7 +28,7 @@ pub struct ResidualRecord {
     pub scenario: Option<usize>,
     /// Its offset.
     pub offset_m: Option<[f64; 3]>,
-    /// Its turn.
+    /// Its rotation error.
     pub turn_rad: Option<[f64; 3]>,
     /// Time.
     pub time_s: f64,

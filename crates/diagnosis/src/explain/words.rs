@@ -8,14 +8,14 @@ use ocp::{
 use plan::directions::AXES;
 use task::AssemblyTask;
 
-/// What a constraint is, in words of the scene.
+/// A constraint in words of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConstraintName {
-    /// What kind of constraint; limits have the name of their key.
+    /// Kind of the constraint; limits have the name of their key.
     pub kind: &'static str,
     /// Unit of its value.
     pub unit: &'static str,
-    /// `x`, `y` or `z`, or a component of the quaternion; nothing for contacts.
+    /// `x`, `y` or `z`, or a component of the quaternion; `None` for contacts.
     pub axis: Option<&'static str>,
 }
 

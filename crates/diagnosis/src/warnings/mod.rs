@@ -1,4 +1,4 @@
-//! What is odd about a problem or a plan, in plain words with the setting that cures it.
+//! Warnings about a problem or a plan, each with the setting that cures it.
 
 mod arm;
 mod carried;
@@ -15,7 +15,7 @@ use task::LinearSolver;
 
 use crate::check::penetrations;
 
-/// What is odd about a problem before it is solved.
+/// Warnings about a problem before it is solved.
 pub fn of_problem(problem: &Problem) -> Vec<String> {
     let mut warnings = problem.scene().warnings.clone();
     warnings.extend(penetrations::warnings(problem));
@@ -31,10 +31,10 @@ pub fn of_problem(problem: &Problem) -> Vec<String> {
     warnings
 }
 
-/// What is odd about a plan. A refined one does not lean on smoothing: its scenarios are rollouts with hard contact.
+/// Warnings about a plan. A refined one does not depend on smoothing: its scenarios are rollouts with hard contact.
 pub fn of_plan(plan: &Plan) -> Vec<String> {
     let mut warnings = limits::warnings(&plan.task.limits, &plan.trajectory.keeps());
-    // What time has cut leans on the smoothing of its last homotopy step, which time would have tightened.
+    // A plan that was cut by the time limit has more smoothing than it would have had at the end.
     if plan.robustness.is_none() && plan.stopped.is_none() && plan.chosen().record.converged {
         warnings.extend(smoothing::warning(plan));
     }

@@ -1,4 +1,4 @@
-//! Whether a plan moves and presses as a person would let a robot do.
+//! Warnings about forces, duration and departures of a plan.
 
 use plan::Plan;
 use plan::records::MotionRecord;
@@ -14,15 +14,15 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
     of(&plan.motion(), plan.task.limits.contact_force, reach)
 }
 
-/// Of a motion with a limit of contact forces (N), infinite without one, and with errors of up to `reach` (m): offset and
-/// tolerance together.
+/// For a motion with a limit of contact forces (N), infinite without one, and with errors of up to `reach` (m): offset
+/// and tolerance together.
 fn of(motion: &MotionRecord, limit: f64, reach: f64) -> Vec<String> {
     let MotionRecord { max_force_n: force, rotation, free_departure, .. } = motion;
     let mut warnings = Vec::new();
     // Comparisons are false for what is no number.
     if limit.is_infinite() && !(*force <= FORCE) {
         warnings.push(format!(
-            "the plan presses with {force:.0} N: set contact_force in [limits], for example contact_force = {FORCE:.1}"
+            "the plan pushes with {force:.0} N: set contact_force in [limits], for example contact_force = {FORCE:.1}"
         ));
     }
     let degrees = rotation.largest.to_degrees();
@@ -70,7 +70,7 @@ mod tests {
     #[test]
     fn a_large_force_is_warned_of_where_no_limit_holds() {
         let warnings = of(&motion(299.8, 1.0, 0.0), f64::INFINITY, 0.003);
-        let expected = "the plan presses with 300 N: set contact_force in [limits], for example contact_force = 60.0";
+        let expected = "the plan pushes with 300 N: set contact_force in [limits], for example contact_force = 60.0";
         assert_eq!(warnings, [expected]);
         assert_eq!(of(&motion(299.8, 1.0, 0.0), 350.0, 0.003), Vec::<String>::new());
     }

@@ -3,8 +3,8 @@
 use plan::Plan;
 use task::Penetration;
 
-/// What is wrong with a plan whose exact shapes penetrate by more than a tenth of the clearance at the goal, in plain
-/// words with the setting that cures it.
+/// Warning about a plan whose exact shapes penetrate by more than a tenth of the clearance at the goal, with the
+/// setting that cures it.
 pub fn warning(plan: &Plan) -> Option<String> {
     let task = &plan.task;
     let (scenario, peak) = plan.trajectory.deepest_penetration()?;
@@ -54,7 +54,7 @@ fn less_smoothing(plan: &Plan, penetration: f64) -> String {
     )
 }
 
-/// What smoothing does not explain is the linearisation of the distances over one step.
+/// Penetration beyond smoothing comes from the linearisation of the distances over one step.
 fn shorter_steps(plan: &Plan) -> String {
     let horizon = plan.task.horizon;
     format!(

@@ -1,4 +1,4 @@
-//! Whether the position tolerance tells an assembled body from one that is not.
+//! Whether the position tolerance separates an assembled body from one that is not.
 
 use plan::Problem;
 use plan::directions::axis_name;
@@ -35,7 +35,7 @@ fn unassembled_success(problem: &Problem) -> Option<String> {
     })
 }
 
-/// An offset along a direction in which nothing guides the body stays, whatever the plan.
+/// An offset along a direction in which nothing guides the body stays, with any plan.
 pub fn free_offset(problem: &Problem) -> Option<String> {
     let (tolerance, engagement) = (problem.success().position, problem.engagement());
     let offset = engagement.free_offset(problem.task(), &problem.scene().coverage);

@@ -1,4 +1,4 @@
-//! What a batch combines, from a TOML file or from flags.
+//! The matrix of a batch, from a TOML file or from flags.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -32,11 +32,11 @@ pub enum Starts {
     First,
     /// All of each scene.
     All,
-    /// Those of these names.
+    /// Those with these names.
     Named(Vec<String>),
 }
 
-/// Where the user has said what.
+/// Places of the user's values.
 #[derive(Debug, Default)]
 enum Places {
     #[default]
@@ -83,7 +83,7 @@ enum StartsDocument {
 const ALL: &str = "all";
 
 impl StartsDocument {
-    /// What is named in a range of bytes of a file.
+    /// The value in a range of bytes of a file.
     fn read(&self, source: Source, span: Range<usize>) -> Result<Starts, SceneError> {
         match self {
             Self::Word(word) if word == ALL => Ok(Starts::All),
@@ -95,7 +95,7 @@ impl StartsDocument {
 }
 
 impl Matrix {
-    /// Of scenes with their own offset magnitudes and homotopies and their first starts.
+    /// From scenes with their own offset magnitudes and homotopies and their first starts.
     pub fn of_scenes(scenes: Vec<PathBuf>) -> Self {
         Self {
             scenes,
@@ -152,7 +152,7 @@ impl Matrix {
         })
     }
 
-    /// An error that points at what the user has said.
+    /// An error that points at the user's value.
     pub fn refuse(&self, key: Key, message: &str) -> PlannerError {
         match &self.places {
             Places::Flags => PlannerError::Choice { name: key.name(), problem: message.to_owned() },

@@ -1,4 +1,4 @@
-//! What has become of a cell, as its folder says.
+//! The state of a cell, according to its folder.
 
 use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
@@ -12,9 +12,9 @@ pub enum CellState {
     Finished(Box<PlanResult>),
     /// A process is solving it.
     Running,
-    /// It has failed, for this reason: the process that solved it last, or a file of its plan that was changed.
+    /// It has failed, for this reason: from the process that solved it last, or a file of its plan that was changed.
     Failed(String),
-    /// Not begun, or interrupted.
+    /// Not started, or interrupted.
     ToDo,
 }
 
@@ -75,12 +75,12 @@ impl CellFiles {
         &self.folder
     }
 
-    /// What its last process has printed. The process that solves the cell holds a lock on it.
+    /// Output of its last process. The process that solves the cell holds a lock on it.
     pub fn log(&self) -> PathBuf {
         self.folder.join("log.txt")
     }
 
-    /// Why its last process has failed.
+    /// Reason why its last process has failed.
     pub fn failure(&self) -> PathBuf {
         self.folder.join("failure.txt")
     }
@@ -111,7 +111,7 @@ impl CellFiles {
 
     fn is_made_for_the_cell(&self, result: &PlanResult) -> bool {
         let Cell { identity, start, delta_m, .. } = &self.cell;
-        // The identity holds start and offset too, but a manifest that was edited says others beside it.
+        // The identity includes start and offset, but an edited manifest may state others beside it.
         result.made_from.problem == *identity && result.start == *start && result.delta_m == *delta_m
     }
 

@@ -1,5 +1,5 @@
-//! Whether the body gets from start to goal in clearance: searches without offsets, oriented as the goal. At the start
-//! there is room to turn.
+//! Search for a path in clearance from start to goal: without offsets, oriented as the goal. At the start there is room
+//! to rotate.
 
 use std::collections::{BTreeSet, VecDeque};
 
@@ -8,20 +8,20 @@ use plan::clearance::{Clearance, position};
 use serde::Serialize;
 use task::AssemblyTask;
 
-/// Cells of the grid along the way from start to goal, and cells that are looked at, at most.
+/// Cells of the grid along the path from start to goal, and largest number of cells that are searched.
 const CELLS: f64 = 40.0;
 const MOST_CELLS: usize = 20_000;
 /// Distances that are computed in a search, about: with many pairs, fewer cells are looked at.
 const MOST_DISTANCES: usize = 2_000_000;
 /// Half the diagonal of a cell, in its edges.
 const HALF_DIAGONAL: f64 = 0.866_025_403_784_438_7;
-/// Cells along the way of the finer grids with which it is found out whether there is none at all.
+/// Cells along the path of the finer grids that show whether there is no path at all.
 const FINER_CELLS: [f64; 3] = [CELLS, 3.0 * CELLS, 9.0 * CELLS];
 
-/// What the search has found.
+/// Result of the search.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "found")]
-pub enum Way {
+pub enum ClearPath {
     /// The straight motion from start to goal touches nothing.
     Straight,
     /// Another one does not, in steps of a grid.
@@ -29,35 +29,35 @@ pub enum Way {
         /// Length of a step.
         step_m: f64,
     },
-    /// None on this grid. There may be one in finer steps or with turns.
+    /// None on this grid. There may be one in finer steps or with rotations.
     None {
         /// Length of a step.
         step_m: f64,
         /// How near to the start the search has come.
         nearest_m: f64,
     },
-    /// There is none without turns: the environment encloses the body at its goal.
+    /// There is none without rotations: the environment encloses the body at its goal.
     Enclosed {
-        /// How far from the goal the body gets at most.
+        /// Largest distance from the goal that the body reaches.
         farthest_m: f64,
     },
 }
 
-/// Looks for a way.
-pub fn find(task: &AssemblyTask) -> Way {
+/// Searches for a path.
+pub fn find(task: &AssemblyTask) -> ClearPath {
     let (goal, path) = (position(&task.goal), position(&task.start) - position(&task.goal));
     let (length, step_m) = (path.norm(), path.norm() / CELLS);
     let mut clearance = Clearance::new(task);
     let straight = path.try_normalize(0.0).unwrap_or_default();
     if clearance.at(&goal) >= 0.0 && clearance.travel(&goal, &straight, length).is_none() {
-        return Way::Straight;
+        return ClearPath::Straight;
     }
     let mut grid = Grid { most: MOST_CELLS.min(MOST_DISTANCES / task.pairs.len().max(1)), goal, length, clearance };
     let found = grid.flood(step_m, 0.0, |offset| offset.abs().sum() == 1);
     if found.is_away {
-        return Way::OnGrid { step_m };
+        return ClearPath::OnGrid { step_m };
     }
-    // Whatever way there is leads through cells whose middles are no deeper inside of the environment than this.
+    // Any path leads through cells whose centres are no deeper inside the environment than this.
     let inside = (-grid.clearance.at(&goal)).max(0.0);
     let encloses = |step: f64| {
         let search = grid.flood(step, inside + HALF_DIAGONAL * step, |_| true);
@@ -65,8 +65,8 @@ pub fn find(task: &AssemblyTask) -> Way {
     };
     let enclosed = FINER_CELLS.map(|cells| length / cells).into_iter().find_map(encloses);
     match enclosed {
-        Some(farthest_m) => Way::Enclosed { farthest_m },
-        None => Way::None { step_m, nearest_m: length - found.farthest_m },
+        Some(farthest_m) => ClearPath::Enclosed { farthest_m },
+        None => ClearPath::None { step_m, nearest_m: length - found.farthest_m },
     }
 }
 
@@ -75,24 +75,24 @@ struct Grid<'task> {
     /// Most cells that are looked at.
     most: usize,
     goal: Vector3<f64>,
-    /// Distance from the goal (m) at which the body is away.
+    /// Distance from the goal (m) at which the body is out.
     length: f64,
     clearance: Clearance<'task>,
 }
 
-/// What a search on a grid has found.
+/// Result of a search on a grid.
 struct Flood {
     /// Whether it gets as far from the goal as the start is.
     is_away: bool,
     /// Whether it has looked at all that it can reach.
     is_whole: bool,
-    /// How far from the goal it gets (m).
+    /// Largest distance from the goal (m).
     farthest_m: f64,
 }
 
 impl Grid<'_> {
-    /// Looks from the goal outwards, where it is tight, in steps of some length (m) to those of the neighbours of a cell that
-    /// count, as long as parts penetrate by no more than some depth (m).
+    /// Searches from the goal outwards, where it is tight, in steps of some length (m) to the selected neighbours of a
+    /// cell, as long as parts penetrate by no more than some depth (m).
     fn flood(&mut self, step: f64, penetration: f64, is_neighbour: impl Fn(&Vector3<i32>) -> bool) -> Flood {
         let sides = || -1..=1;
         let neighbours: Vec<Vector3<i32>> = sides()

@@ -17,7 +17,7 @@ const PATH: f64 = 0.1;
 /// Distances that the body can move along an axis of the world; null where nothing stops it within the range of the
 /// search.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct AxisPlay {
+pub struct AxisClearance {
     /// `x`, `y` or `z`.
     pub axis: &'static str,
     /// Against the axis (m).
@@ -26,21 +26,21 @@ pub struct AxisPlay {
     pub forward_m: Option<f64>,
 }
 
-/// Play at a pose on the straight line from the goal to the start.
+/// Clearances at a pose on the straight line from the goal to the start.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Play {
+pub struct PoseClearance {
     /// Distance from the goal (m).
     pub distance_from_goal_m: f64,
     /// Smallest exact distance of all pairs (m), negative where parts penetrate.
     pub clearance_m: f64,
     /// Along each axis of the world.
-    pub axes: Vec<AxisPlay>,
+    pub axes: Vec<AxisClearance>,
 }
 
-impl Play {
+impl PoseClearance {
     /// Smallest travel between two stops along an axis (m), if something stops the body on both sides of any.
     pub fn narrowest(&self) -> Option<f64> {
-        let both = self.axes.iter().filter_map(|play| Some(play.backward_m? + play.forward_m?));
+        let both = self.axes.iter().filter_map(|axis| Some(axis.backward_m? + axis.forward_m?));
         both.min_by(f64::total_cmp)
     }
 }
@@ -54,9 +54,9 @@ pub fn longest_travel(task: &AssemblyTask) -> f64 {
 }
 
 /// Clearance at the goal and at some poses on the path to it.
-pub fn along_insertion(task: &AssemblyTask) -> Vec<Play> {
+pub fn along_insertion(task: &AssemblyTask) -> Vec<PoseClearance> {
     let mut clearance = Clearance::new(task);
-    (0..POSES).map(|index| play(task, &mut clearance, index as f64 / (POSES - 1) as f64)).collect()
+    (0..POSES).map(|index| at(task, &mut clearance, index as f64 / (POSES - 1) as f64)).collect()
 }
 
 /// The pose at a share of the path from the goal to the start, oriented as the goal.
@@ -67,13 +67,17 @@ pub fn between(task: &AssemblyTask, share: f64) -> [f64; 7] {
 }
 
 /// Clearance at a share of the path from the goal to the start.
-fn play(task: &AssemblyTask, clearance: &mut Clearance, share: f64) -> Play {
+fn at(task: &AssemblyTask, clearance: &mut Clearance, share: f64) -> PoseClearance {
     let (pose, longest) = (between(task, share), longest_travel(task));
     let from = position(&pose);
     let axes = AXES.iter().enumerate().map(|(axis, name)| {
         let mut along = |sign: f64| clearance.travel(&from, &(sign * Vector3::ith(axis, 1.0)), longest);
-        AxisPlay { axis: name, backward_m: along(-1.0), forward_m: along(1.0) }
+        AxisClearance { axis: name, backward_m: along(-1.0), forward_m: along(1.0) }
     });
     let axes = axes.collect();
-    Play { distance_from_goal_m: (from - position(&task.goal)).norm(), clearance_m: task.clearance(&pose), axes }
+    PoseClearance {
+        distance_from_goal_m: (from - position(&task.goal)).norm(),
+        clearance_m: task.clearance(&pose),
+        axes,
+    }
 }
