@@ -203,7 +203,7 @@ pub struct ScenarioRecord {
     pub reached: LimitsRecord,
 }
 
-/// Where along a plan something is largest.
+/// Place along a plan where a value is largest.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Place {
     /// Time.
@@ -282,7 +282,7 @@ impl PlanResult {
         values.into_iter().chain(scenarios).all(f64::is_finite)
     }
 
-    /// Of a plan whose files have these hashes.
+    /// The result of a plan whose files have these hashes.
     pub fn new(plan: &Plan, files: BTreeMap<String, String>) -> Self {
         let status = plan.status();
         let records = || plan.iterations.iter().map(|iteration| &iteration.record);

@@ -45,7 +45,7 @@ pub struct RolloutRow {
 }
 
 impl RolloutRow {
-    /// Of a rollout of the plan in a folder.
+    /// From a rollout of the plan in a folder.
     pub fn new(plan: &Path, start: &str, rollout: &PlayedRollout) -> Self {
         let [x_m, y_m, z_m] = rollout.grasp.offset.map(Value);
         let [turn_x_rad, turn_y_rad, turn_z_rad] = rollout.grasp.rotation.map(Value);
@@ -71,7 +71,7 @@ impl RolloutRow {
     }
 }
 
-/// A row of `success.csv`: rollouts that differ by nothing but plan (of the same delta-hat) and grasp error.
+/// A row of `success.csv`: rollouts that differ only in plan (of the same delta-hat) and grasp error.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "named with their units")]
 pub struct SuccessRow {
@@ -121,10 +121,9 @@ pub struct OffsetRow {
     pub z_m: Value,
 }
 
-/// Offsets (m, body frame) of a list.
+/// Reads a list of offsets (m, body frame).
 ///
-/// # Errors
-/// With the line that is wrong, or when there are none.
+/// # Errors With the line that is wrong, or when there are none.
 pub fn read_offsets(file: &Path) -> Result<Vec<[f64; 3]>, PlannerError> {
     /// More than anyone needs.
     const MOST: usize = 1_000_000;

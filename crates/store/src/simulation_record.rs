@@ -13,7 +13,7 @@ use crate::rollouts::is_table;
 /// Name of the file.
 pub const SIMULATION: &str = "simulation.json";
 
-/// What was simulated. The tables beside it have the rest.
+/// Settings of a simulation. The tables beside it have the results.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SimulationRecord {
     /// Format of the file.
@@ -23,9 +23,9 @@ pub struct SimulationRecord {
     pub scene: String,
     /// Folders of the plans.
     pub plans: Vec<String>,
-    /// Seed of random offsets and turns.
+    /// Seed of random offsets and rotations.
     pub seed: u64,
-    /// Largest turn of the part in the gripper.
+    /// Largest rotation error of the part in the gripper.
     pub turn_rad: f64,
     /// Largest final distance from the goal that counts as success.
     pub position_tolerance_m: f64,
@@ -39,7 +39,7 @@ pub struct SimulationRecord {
 }
 
 impl SimulationRecord {
-    /// Of the plans of a problem, with these injected errors.
+    /// For the plans of a problem, with these injected errors.
     pub fn new(problem: &Problem, plans: Vec<String>, errors: &GraspErrors) -> Self {
         Self {
             format: Format::CURRENT,

@@ -97,10 +97,9 @@ impl StoredPlan {
         Ok(scene)
     }
 
-    /// The problem that the plan was made for, of its own `resolved.toml`.
+    /// The problem that the plan was made for, from its own `resolved.toml`.
     ///
-    /// # Errors
-    /// When that file is not a scene, or says something else than the plan was made with.
+    /// # Errors When that file is not a scene, or differs from the settings of the plan.
     pub fn problem(&self) -> Result<Problem, PlannerError> {
         let file = self.folder.join(RESOLVED);
         let problem = Problem::choose(self.scene()?, &file, &Choices::default())?;
@@ -175,7 +174,7 @@ impl StoredPlan {
     }
 }
 
-/// What differs between the scene of a plan and a problem, in words, beyond rounding.
+/// Difference between the scene of a plan and a problem, in words, beyond rounding.
 fn difference(plan: &Scene, problem: &Problem) -> Option<String> {
     /// Values (m, or components of unit vectors) closer than this are the same: files are written with all digits.
     const SAME: f64 = 1e-6;

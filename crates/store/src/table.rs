@@ -67,7 +67,7 @@ pub fn read_csv<T: DeserializeOwned>(file: &Path) -> Result<Vec<T>, PlannerError
     reader.into_records().map(parse).collect()
 }
 
-/// What is wrong with a row, without its line, which the error has besides.
+/// The fault of a row, without its line, which the error states separately.
 fn describe(error: &csv::Error, row: &StringRecord) -> String {
     match error.kind() {
         csv::ErrorKind::Deserialize { err, .. } => {

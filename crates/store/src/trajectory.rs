@@ -16,9 +16,9 @@ use crate::table::{Value, read_csv, seconds, to_csv};
 pub const TABLES: [&str; 4] = [REFERENCE, SCENARIOS, WRENCH, CONTACTS];
 /// The motion to track.
 pub const REFERENCE: &str = "reference.csv";
-/// Where the body goes in every scenario.
+/// Motion of the body in every scenario.
 pub const SCENARIOS: &str = "scenarios.csv";
-/// What the impedance controller does in every scenario.
+/// Wrench of the impedance controller in every scenario.
 pub const WRENCH: &str = "wrench.csv";
 /// Distance and force of every pair in every scenario.
 pub const CONTACTS: &str = "contacts.csv";
@@ -278,7 +278,7 @@ pub struct ScenarioTables {
 }
 
 impl MotionTables {
-    /// Of a motion; `task` has its pairs.
+    /// From a motion; `task` has its pairs.
     pub fn new(motion: &Trajectory, task: &AssemblyTask) -> Self {
         let scenario = |scenario: &ScenarioTrajectory| ScenarioTables {
             states: scenario.states.clone(),

@@ -1,5 +1,4 @@
-//! A hidden folder beside the one that is to be written: all work is done there, under a lock, and only what is whole is moved
-//! in.
+//! A hidden folder beside the target folder: all work is done there, under a lock, and only whole content is moved in.
 
 use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
@@ -25,8 +24,7 @@ pub struct WorkFolder {
 impl WorkFolder {
     /// Claims a folder; nothing in it changes.
     ///
-    /// # Errors
-    /// When another process writes into it, or the hidden folder is not ours.
+    /// # Errors When another process writes into it, or the hidden folder is a foreign one.
     pub fn claim(target: &Path) -> Result<Self, PlannerError> {
         let target = locate(target)?;
         let path = work_of(&target, target.file_name().unwrap_or_default());
@@ -41,17 +39,17 @@ impl WorkFolder {
         work_of(&target, name).join(WHOLE).is_dir()
     }
 
-    /// The folder that is to be written.
+    /// The target folder.
     pub fn target(&self) -> &Path {
         &self.target
     }
 
-    /// Where unfinished work stands.
+    /// Folder of unfinished work.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Where what is whole stands until it is moved in.
+    /// Folder of whole content until it is moved in.
     pub fn whole(&self) -> PathBuf {
         self.path.join(WHOLE)
     }
@@ -89,13 +87,13 @@ impl WorkFolder {
     }
 }
 
-/// Without unfinished work in it the working folder goes away with who has claimed it.
+/// A working folder without unfinished work is removed.
 impl Drop for WorkFolder {
     fn drop(&mut self) {
         let lock = self.path.join(LOCK);
         let is_idle = fs::read_dir(&self.path).is_ok_and(|entries| entries.flatten().all(|entry| entry.path() == lock));
         if is_idle && is_at(&self.lock, &lock) {
-            // What cannot be removed does no harm.
+            // Files that cannot be removed do no harm.
             let _ = fs::remove_file(&lock).and_then(|()| fs::remove_dir(&self.path));
         }
     }
@@ -132,7 +130,8 @@ fn lock(work: &Path, target: &Path) -> Result<File, PlannerError> {
     if work.symlink_metadata().is_ok() && !is_ours {
         return Err(PlannerError::file(work, "is where unfinished work is kept; move it away"));
     }
-    // A run that ends removes its lock. Who has opened it just before holds the lock of nothing and tries again.
+    // A run that ends removes its lock. Another run that has opened it just before then holds a useless lock and tries
+    // again.
     for _ in 0..10 {
         fs::create_dir_all(work).map_err(PlannerError::written(target))?;
         let file = match input::append(&path) {

@@ -19,7 +19,7 @@ export function arrows(size, { opacity, order }) {
   const turn = new Quaternion();
   return {
     meshes,
-    /** Shows forces on the body, each with the end of its arrow where it acts, so many m long per N. */
+    /** Shows forces on the body, each with the end of its arrow where it acts, scaled in m per N. */
     show(pushes, scale) {
       const shown = pushes.slice(0, MOST);
       meshes.forEach((mesh) => (mesh.count = shown.length));

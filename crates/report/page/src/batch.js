@@ -32,7 +32,7 @@ function madeFrom(cells) {
       ["homotopies", distinct(({ homotopy }) => homotopy).join(", ") || "of the scenes"],
       ["starts", distinct(({ start }) => start).join(", ")],
       ["offsets", sorted(distinct(({ delta }) => delta)).map(magnitude).join(", ")],
-      ["turns in the gripper", sorted(distinct(({ turn }) => turn)).map(degrees).join(", ")],
+      ["rotation errors in the gripper", sorted(distinct(({ rotation_error: angle }) => angle)).map(degrees).join(", ")],
       ["written by", distinct(program).join("; ")],
     ]),
   );

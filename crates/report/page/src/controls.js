@@ -14,7 +14,7 @@ const EYES = {
 /** Shortest arrow of the scale (px). */
 const SCALE = 34;
 
-/** Time goes on while the page plays; the motion begins again at its end. */
+/** Time runs while the page plays; the motion restarts at its end. */
 export function runClock(data, shown) {
   let before = null;
   function tick(now) {
@@ -235,7 +235,7 @@ export function forceScale(shown) {
   shown.on(["showForces"], ({ showForces }) => (scale.hidden = !showForces));
   return {
     scale,
-    /** For so many pixels per newton; null without arrows. */
+    /** For a number of pixels per newton; null without arrows. */
     setPixels(perNewton) {
       scale.classList.toggle("none", perNewton === null);
       if (perNewton === null) return;

@@ -26,7 +26,7 @@ export function card(title, ...children) {
   return element("section", { class: "card", "aria-labelledby": id }, element("h2", { id }, title), children);
 }
 
-/** A section that is closed until its title is clicked, with a line that says what is in it. */
+/** A section that is closed until its title is clicked, with a line that describes its content. */
 export function drawer(title, about, ...children) {
   const id = identifier(title);
   const summary = element("summary", {}, element("h2", { id }, title), element("span", { class: "about" }, about));
@@ -64,7 +64,7 @@ function terms(all) {
   return all.map(({ name, explanation }) => element("span", {}, element("b", {}, name), `: ${explanation}. `));
 }
 
-/** A coloured word that says what has become of something: `good`, `open` or `bad`. */
+/** A coloured word for a status: `good`, `open` or `bad`. */
 export const chip = (text, standing) => element("span", { class: `chip ${standing}` }, text);
 
 /** Names and values. */

@@ -56,7 +56,7 @@ function firstShown(motions) {
 
 /** The 3D view below its bar, or a sentence where the browser cannot draw it. */
 function openView(stage, data, shown) {
-  const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": "Parts in motion; drag to turn, pinch or scroll to zoom" });
+  const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": "Parts in motion; drag to rotate, pinch or scroll to zoom" });
   const viewport = element("div", { class: "viewport" }, canvas);
   const { scale, setPixels } = forceScale(shown);
   stage.append(viewport);

@@ -38,7 +38,7 @@ export function plots(data, shown) {
   return root;
 }
 
-/** All plots of which something is known. Each line has a value for each of so many knots. */
+/** All plots with data. Each line has a value for each knot. */
 function series(data, shown, motion, count) {
   const all = [
     ...distanceFromRollout(motion),

@@ -18,7 +18,7 @@ function offsets({ magnitude_m: length, region, planned }) {
 export function robustness(robust, weakest, reached) {
   const lead =
     `${percent(robust.rate_after)} of rollouts with hard contact succeed, ${percent(robust.rate_before)} before refinement; ` +
-    `${percent(robust.target_rate)} were wanted at each friction.`;
+    `${percent(robust.target_rate)} are the target at each friction.`;
   return card(
     "Robustness",
     element("p", { class: "lead" }, reached ? lead : `${lead} Not every planned offset reaches the goal.`),
@@ -76,7 +76,7 @@ function rounds({ rounds: all, kept_round: kept }) {
   const header = [
     explained("round", "one planning problem, its solution and the refinement of that"),
     explained("failing cases at first", "training rollouts that failed before refinement"),
-    explained("changes", "changes of the reference that made it better and were kept"),
+    explained("perturbations", "perturbations of the reference that improved it and were kept"),
     "rollouts",
     explained("rate", "success rate in the best evaluation"),
     "time",

@@ -88,7 +88,7 @@ export function sceneView(canvas, data, shown, onScale) {
   let pending = false;
   let ratio = Math.min(devicePixelRatio, isSlow ? 1 : 2);
   let before = null;
-  /** The view whose button was clicked last, until the reader turns or zooms. */
+  /** The view whose button was clicked last, until the reader rotates or zooms. */
   let kept = "Free";
   const intervals = [];
 

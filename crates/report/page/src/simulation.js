@@ -17,12 +17,12 @@ export function simulationPage(root, data) {
 /** What was simulated, so that it can be repeated. */
 function simulated(record) {
   if (record === null) return null;
-  const { scene, plans, seed, turn_rad: turn, position_tolerance_m: position, angle_tolerance_rad: angle } = record;
+  const { scene, plans, seed, turn_rad: rotation, position_tolerance_m: position, angle_tolerance_rad: angle } = record;
   return facts([
     ["scene", scene],
     [plans.length === 1 ? "plan" : "plans", plans.join(", ")],
     ["success", `within ${magnitude(position)} and ${degrees(angle)} of the goal`],
-    ["turns in the gripper", turn === 0 ? "none" : `up to ${degrees(turn)}`],
+    ["rotation errors in the gripper", rotation === 0 ? "none" : `up to ${degrees(rotation)}`],
     ["seed", String(seed)],
     ["simulated by", `assembly-plan ${record.assembly_plan}`],
   ]);

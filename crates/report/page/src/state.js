@@ -1,6 +1,6 @@
-// What is shown, and who wants to know when it changes.
+// The state of the page, and listeners for its changes.
 
-/** A store of values; listeners are called with all values when one that they name changes. */
+/** A store of values; listeners are called with all values when one of their names changes. */
 export function store(values) {
   const listeners = [];
   return {

@@ -80,7 +80,7 @@ export function madeFrom({ made_from: known, result }) {
   return card("Made from", facts(all));
 }
 
-/** What the logs of robots tell. */
+/** The executions of robots, from their logs. */
 export function executions({ motions }) {
   const executed = motions.filter(({ execution }) => execution);
   if (executed.length === 0) return null;

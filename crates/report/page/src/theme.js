@@ -1,4 +1,4 @@
-// Light or dark: as the system says, until the reader chooses.
+// Light or dark: the system's choice, until the reader chooses.
 import { element } from "./dom.js";
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
@@ -12,7 +12,7 @@ function apply() {
   listeners.forEach((listener) => listener());
 }
 
-/** Takes the system's colours, also when it changes its mind. */
+/** Follows the system's colours, also when they change. */
 export function followTheme() {
   dark.addEventListener("change", apply);
   apply();

@@ -39,8 +39,8 @@ export const scenarioName = (motion, index) =>
   motion.execution ? ["robot", `rollout, friction ${short(motion.execution.friction)}`][index] : `scenario ${index + 1}`;
 
 /** What is injected into a scenario, in words. */
-export function injectionInWords({ offset, turn, disturbances }) {
-  const angle = Math.hypot(...turn);
-  const turned = angle < 1e-4 ? [] : [`turned ${degrees(angle)}`];
+export function injectionInWords({ offset, rotation, disturbances }) {
+  const angle = Math.hypot(...rotation);
+  const turned = angle < 1e-4 ? [] : [`rotated ${degrees(angle)}`];
   return [offsetInWords(offset), ...turned, ...disturbances].join(", ");
 }
