@@ -131,7 +131,7 @@ fn a_killed_batch_is_completed_by_a_rerun() {
 }
 
 #[test]
-fn a_terminated_batch_goes_on_with_the_homotopy_iteration_it_had_reached() {
+fn a_terminated_batch_resumes_from_the_homotopy_step_it_had_reached() {
     let dir = folder();
     batch(&dir, "expand slow.toml --starts 1,2 --out runs", 0);
     let cell = cells(&dir, "runs")[0].clone();

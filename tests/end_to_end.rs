@@ -120,7 +120,7 @@ fn going_on_makes_no_plan_worse() {
 }
 
 #[test]
-fn the_first_homotopy_iterations_have_half_of_the_steps() {
+fn the_first_homotopy_steps_have_half_of_the_steps() {
     let dir = Dir::new();
     // An odd number of steps, and limits that the plan touches.
     let limits =

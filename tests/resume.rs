@@ -58,7 +58,7 @@ fn a_resumed_plan_is_the_uninterrupted_one() {
 }
 
 #[test]
-fn a_coarse_homotopy_iteration_is_gone_on_with_on_all_steps() {
+fn a_coarse_homotopy_step_is_resumed_on_all_time_steps() {
     let dir = Dir::new();
     dir.add_variant("slow.toml", &[("steps = 20\ntime_step = 0.08", "steps = 80\ntime_step = 0.02")]);
     dir.add_homotopy("homotopy.toml", "iterations = 3\nfurther_iterations = 1\ncoarse_iterations = 1", "tol = 1e-2");

@@ -71,10 +71,9 @@ impl StageSolver {
         Self::with_arch(labels, rows, columns, Arch::new(), Workers::default())
     }
 
-    /// The same with some threads, which change nothing but the time it takes.
+    /// The same with some threads; they do not affect results.
     ///
-    /// # Errors
-    /// See [`StageSolver::new`].
+    /// # Errors See [`StageSolver::new`].
     pub fn with_workers(
         labels: &[Label],
         rows: &[usize],

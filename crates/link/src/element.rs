@@ -14,7 +14,7 @@ const SHORTEST: f64 = 1e-6;
 
 /// The text of an attribute or element.
 pub struct Value<'text> {
-    /// What messages call it.
+    /// Its name in messages.
     name: &'text str,
     pub text: &'text str,
     span: Range<usize>,
@@ -107,7 +107,7 @@ impl<'text> Value<'text> {
         self.text.split_whitespace().map(number).collect()
     }
 
-    /// So many numbers.
+    /// A fixed number of numbers.
     pub fn numbers<const N: usize>(&self) -> Result<[f64; N], ModelError> {
         let wrong = |list: Vec<f64>| self.refuse(&format!("must have {N} numbers, not {}", list.len()));
         self.list()?.try_into().map_err(wrong)
@@ -122,7 +122,7 @@ impl<'text> Value<'text> {
         if lengths.iter().all(|&length| length > 0.0) { Ok(*lengths) } else { Err(self.refuse("must be positive")) }
     }
 
-    /// So many positive numbers.
+    /// A fixed number of positive numbers.
     pub fn lengths<const N: usize>(&self) -> Result<[f64; N], ModelError> {
         self.numbers::<N>()?;
         self.first_lengths()
@@ -174,7 +174,7 @@ pub fn shape_name(element: Node, number: usize) -> String {
     }
 }
 
-/// The beginning of what stands in a file, for messages.
+/// The beginning of a file's text, for messages.
 fn shortened(text: &str) -> String {
     const LONGEST: usize = 60;
     let shown: String = text.chars().take(LONGEST).map(|shown| if shown.is_control() { ' ' } else { shown }).collect();

@@ -1,8 +1,8 @@
-//! What is wrong with a model file.
+//! Errors in model files.
 
 use std::ops::Range;
 
-/// What is wrong with a model file, and where.
+/// An error in a model file, with its place.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct ModelError {

@@ -12,7 +12,7 @@ pub struct LinkShape {
     pub name: String,
     /// From its own frame to that of the link (m).
     pub pose: Isometry3<f64>,
-    /// What it is, in its own frame.
+    /// The geometry in its own frame.
     pub geometry: Geometry,
     /// Place of its element in the file (bytes).
     pub span: Range<usize>,

@@ -23,7 +23,7 @@ const LEAST_SHARE: f64 = 1e-10;
 pub struct Arm {
     joints: Vec<Joint>,
     moved: Vec<MovedLink>,
-    /// In the frame of the last moving link.
+    /// Frame of the tip in that of the last moving link.
     tip: IsometryMatrix3<f64>,
     base: IsometryMatrix3<f64>,
     grasp: IsometryMatrix3<f64>,
@@ -47,7 +47,7 @@ pub enum ArmError {
     Position {
         /// Name of the joint.
         joint: String,
-        /// What was given (rad or m).
+        /// The given position (rad or m).
         position: f64,
         /// Lowest position (rad or m).
         lower: f64,
@@ -63,7 +63,7 @@ pub enum ArmError {
     RotorInertia {
         /// Name of the joint.
         joint: String,
-        /// What was given (kg m^2 or kg).
+        /// The given inertia (kg m^2 or kg).
         inertia: f64,
         /// Its unit.
         unit: &'static str,
@@ -126,13 +126,13 @@ impl Arm {
         self.moved.iter().map(|link| nalgebra::convert(frames[link.joint] * link.frame)).collect()
     }
 
-    /// What is odd in its file, though an arm can have it, each with file and line.
+    /// Unusual properties of its file that an arm may have, each with file and line.
     pub fn remarks(&self) -> &[String] {
         &self.remarks
     }
 
-    /// The joint nearest to the tip that moves nothing that resists, while those behind it are free: the mass matrix of the
-    /// links is not positive definite then. `None` where it is. Of the joint positions it depends in special ones only.
+    /// The joint nearest to the tip that moves no inertia while those behind it are free: the mass matrix of the links
+    /// is then not positive definite. `None` where it is. It depends on the joint positions only in special ones.
     fn joint_without_inertia(&self) -> Option<usize> {
         let mut mass = self.at(&JointVector::from_fn(|joint, _| 0.3 + 0.37 * joint as f64)).mass_matrix();
         let whole = mass.diagonal();

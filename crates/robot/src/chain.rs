@@ -27,12 +27,12 @@ pub struct Chain {
     pub tip: IsometryMatrix3<f64>,
     /// All links that move.
     pub moved: Vec<MovedLink>,
-    /// What is odd in the file, though an arm can have it.
+    /// Unusual properties of the file that an arm may have.
     pub remarks: Vec<Fault>,
 }
 
 impl Chain {
-    /// Of the link of a name.
+    /// For the link of a name.
     pub fn to_tip(urdf: &Urdf, tip: &str) -> Result<Self, Fault> {
         let names: Vec<&str> = urdf.links.iter().map(|link| link.name.as_str()).collect();
         if names.is_empty() {
@@ -173,7 +173,7 @@ fn joint(urdf: &UrdfJoint, remarks: &mut Vec<Fault>) -> Result<Joint, Fault> {
         }
     };
     let mut largest = |name: &str, given: Option<f64>| match given {
-        // The format demands a number: zero stands for one that nobody knows.
+        // The format demands a number: zero stands for an unknown one.
         Some(0.0) => {
             remarks.push(fault(format!("`{name}` = 0 is taken as unknown: nothing limits this joint's {name}")));
             Ok(f64::INFINITY)
@@ -197,8 +197,8 @@ fn joint(urdf: &UrdfJoint, remarks: &mut Vec<Fault>) -> Result<Joint, Fault> {
     })
 }
 
-/// Frame of the link of a joint beside the chain: it stays where it is zero, or at the limit next to that. Where the file
-/// does not say how it moves, it stays at zero.
+/// Frame of the link of a joint beside the chain: it stays at zero, or at the limit next to that. A joint of unknown
+/// motion stays at zero.
 fn held(joint: &UrdfJoint) -> IsometryMatrix3<f64> {
     let limits = joint.limits.clone().unwrap_or_default();
     let position = 0f64.max(limits.lower.unwrap_or(0.0)).min(limits.upper.unwrap_or(0.0));

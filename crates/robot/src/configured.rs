@@ -72,12 +72,12 @@ impl<'arm> ConfiguredArm<'arm> {
         jacobian
     }
 
-    /// Rate of the Jacobian times the joint speeds `velocity` (rad/s or m/s): the acceleration of the part (m/s^2 in the
-    /// world frame, rad/s^2 in the body frame) while no joint speed changes.
+    /// Rate of the Jacobian times the joint speeds `velocity` (rad/s or m/s): the acceleration of the part (m/s^2 in
+    /// the world frame, rad/s^2 in the body frame) while no joint speed changes.
     ///
     /// With the link's velocity `v` and acceleration `a` (spatial vectors), the part's origin `p` has the acceleration
-    /// `a_linear + a_angular x p + v_angular x p_dot`. In the body frame, the rate of the angular velocity is the turned
-    /// angular acceleration, since `R' w` has the rate `R' (w_dot - w x w)`.
+    /// `a_linear + a_angular x p + v_angular x p_dot`. In the body frame, the rate of the angular velocity is the
+    /// rotated angular acceleration, since `R' w` has the rate `R' (w_dot - w x w)`.
     pub fn velocity_product(&self, velocity: &JointVector) -> Vector6<f64> {
         let (mut motion, mut rate) = (Motion::zero(), Motion::zero());
         for index in 0..self.arm.joints().len() {
@@ -95,7 +95,7 @@ impl<'arm> ConfiguredArm<'arm> {
     pub fn smallest_singular_value(&self) -> f64 {
         let mut jacobian = self.jacobian();
         jacobian.fixed_rows_mut::<3>(0).unscale_mut(CHARACTERISTIC_LENGTH);
-        // Without a bound, numbers that are none would be iterated for ever.
+        // Without a bound, iterations with NaN would never end.
         let decomposition = jacobian.try_svd(false, false, f64::EPSILON, ITERATIONS);
         decomposition.map_or(0.0, |decomposition| decomposition.singular_values.min())
     }

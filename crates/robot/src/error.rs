@@ -40,7 +40,7 @@ impl fmt::Display for RobotError {
 
 impl std::error::Error for RobotError {}
 
-/// What is wrong or odd in a file, before its name is known.
+/// A fault or unusual property of a file, before its name is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
     line: Option<usize>,

@@ -35,13 +35,13 @@ pub struct JointExtreme {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("at {time} s: {reason}")]
 pub struct FollowError {
-    /// Time of the pose at which it fails (s).
+    /// Time of the pose at which the motion fails (s).
     pub time: f64,
-    /// What fails.
+    /// Cause of the failure.
     pub reason: FollowReason,
 }
 
-/// What fails in a motion.
+/// Causes of the failure of a motion.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FollowReason {
     /// The arm does not reach a pose within its limits.
@@ -67,12 +67,12 @@ pub enum FollowReason {
 }
 
 impl Arm {
-    /// Joint positions (rad or m) for the times (s) and poses (world frame) of a motion: those of each pose are found from
-    /// those of the pose before, those of the first one from `from`. So the arm stays on one branch as long as poses are
-    /// close to each other; a jump to another one is a speed that no joint has.
+    /// Joint positions (rad or m) for the times (s) and poses (world frame) of a motion: those of each pose are found
+    /// from those of the pose before, those of the first one from `from`. The arm therefore stays on one IK branch as
+    /// long as poses are close to each other; a jump to another branch shows as a speed that no joint has.
     ///
-    /// # Errors
-    /// When a pose is not reached within the limits of the joints, a joint is too slow, or times do not increase.
+    /// # Errors When a pose is not reached within the limits of the joints, a joint is too slow, or times do not
+    /// increase.
     pub fn follow(&self, motion: &[(f64, Isometry3<f64>)], from: &JointVector) -> Result<JointPath, FollowError> {
         let mut path = JointPath {
             configurations: Vec::with_capacity(motion.len()),

@@ -16,7 +16,7 @@ pub enum InertiaError {
     /// The mass is negative or no number.
     #[error("a mass of {mass} kg makes no sense: give a finite number that is not negative")]
     Mass {
-        /// What was given (kg).
+        /// The given mass (kg).
         mass: f64,
     },
     /// The centre of mass is no place.
@@ -39,11 +39,10 @@ pub enum InertiaError {
 const ROUNDING: f64 = 1e-6;
 
 impl RigidInertia {
-    /// Of a body with a mass (kg), a centre of mass (m) and a rotational inertia about that (kg m^2), along the axes of
-    /// the frame.
+    /// From a mass (kg), a centre of mass (m) and a rotational inertia about that (kg m^2), along the axes of the
+    /// frame.
     ///
-    /// # Errors
-    /// When no rigid body has this inertia. Zero is allowed.
+    /// # Errors When no rigid body has this inertia. Zero is allowed.
     pub fn new(mass: f64, centre: Vector3<f64>, rotational: Matrix3<f64>) -> Result<Self, InertiaError> {
         if !(mass >= 0.0 && mass.is_finite()) {
             return Err(InertiaError::Mass { mass });
@@ -65,7 +64,7 @@ impl RigidInertia {
         Ok(Self { mass, centre, rotational })
     }
 
-    /// Of nothing.
+    /// No inertia.
     pub fn zero() -> Self {
         Self { mass: 0.0, centre: Vector3::zeros(), rotational: Matrix3::zeros() }
     }

@@ -11,7 +11,7 @@ use crate::joint::{Jacobian, JointVector};
 pub enum InverseError {
     /// Damped Newton steps do not reach the pose.
     #[error(
-        "the arm does not reach the pose: it stays {distance:.1e} m and {angle:.1e} rad away; move the base or begin with another configuration"
+        "the arm does not reach the pose: it stays {distance:.1e} m and {angle:.1e} rad away; move the base or choose another configuration"
     )]
     NotReached {
         /// Distance that is left (m).
@@ -20,7 +20,7 @@ pub enum InverseError {
         angle: f64,
     },
     /// The pose is reached beyond a joint's limits.
-    #[error("the arm reaches the pose only beyond a limit: {0}; move the base or begin with another configuration")]
+    #[error("the arm reaches the pose only beyond a limit: {0}; move the base or choose another configuration")]
     Limit(ArmError),
 }
 
@@ -32,15 +32,14 @@ const STEPS: usize = 200;
 const LEAST_DAMPING: f64 = 1e-12;
 
 impl Arm {
-    /// Joint positions (rad or m) with the part at `pose` in the world frame, on the branch of `near`: damped Newton steps
-    /// (Levenberg-Marquardt) lead there from these positions. A redundant arm takes the shortest steps. Another branch may
-    /// be nearer to positions that are more than about 0.3 rad off.
+    /// Joint positions (rad or m) with the part at `pose` in the world frame, on the IK branch of `near`: damped Newton
+    /// steps (Levenberg-Marquardt) lead there from these positions. A redundant arm takes the shortest steps. Another
+    /// branch may be closer if `near` is more than about 0.3 rad off.
     ///
-    /// The damping is half of the squared error (Sugihara, 2011), with translations over [`CHARACTERISTIC_LENGTH`]: steps
-    /// are careful far away and converge quadratically at the pose.
+    /// The damping is half of the squared error (Sugihara, 2011), with translations over [`CHARACTERISTIC_LENGTH`]:
+    /// steps are careful far away and converge quadratically at the pose.
     ///
-    /// # Errors
-    /// When the steps do not converge, or the positions are beyond limits.
+    /// # Errors When the steps do not converge, or the positions are beyond limits.
     pub fn inverse_kinematics(&self, pose: &Isometry3<f64>, near: &JointVector) -> Result<JointVector, InverseError> {
         let mut configuration = *near;
         let mut steps = 0;

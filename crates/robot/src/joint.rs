@@ -34,7 +34,7 @@ pub struct Joint {
     pub(crate) before: IsometryMatrix3<f64>,
     /// In the frame of the joint, and in that of its link.
     pub(crate) axis: Unit<Vector3<f64>>,
-    /// Of the link and of all that is fixed to it, in the frame of the link.
+    /// Inertia of the link and everything fixed to it, in the frame of the link.
     pub(crate) link_inertia: RigidInertia,
     /// Reflected to the joint (kg m^2, kg for a prismatic joint).
     pub rotor_inertia: f64,

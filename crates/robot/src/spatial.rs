@@ -89,7 +89,7 @@ impl SpatialInertia {
         Self { mass: 0.0, moment: Vector3::zeros(), rotational: Matrix3::zeros() }
     }
 
-    /// Of a body whose frame is at `frame`.
+    /// From a body whose frame is at `frame`.
     pub fn placed(inertia: &RigidInertia, frame: &IsometryMatrix3<f64>) -> Self {
         let rotation = frame.rotation.matrix();
         let centre = rotation * inertia.centre + frame.translation.vector;

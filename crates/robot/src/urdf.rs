@@ -9,14 +9,14 @@ use roxmltree::{Document, Node};
 use crate::error::{Fault, suggest};
 use crate::inertia::RigidInertia;
 
-/// What a file says.
+/// The content of a file.
 #[derive(Debug, Clone)]
 pub struct Urdf {
     pub links: Vec<UrdfLink>,
     pub joints: Vec<UrdfJoint>,
 }
 
-/// What a file says of something that an arm may never use: whoever uses it meets the fault.
+/// Content that an arm may never use: only its use reports the fault.
 pub type Used<T> = Result<T, Fault>;
 
 #[derive(Debug, Clone)]
@@ -55,7 +55,7 @@ pub enum UrdfKind {
     Planar,
 }
 
-/// What `<limit>` gives (rad or m, rad/s or m/s, Nm or N).
+/// Limits of a joint (rad or m, rad/s or m/s, Nm or N).
 #[derive(Debug, Clone, Copy, Default)]
 pub struct UrdfLimits {
     pub lower: Option<f64>,

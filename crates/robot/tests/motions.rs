@@ -118,7 +118,7 @@ fn a_pose_beyond_a_limit_is_refused() {
     let beginning = "the arm reaches the pose only beyond a limit: joint `x` cannot be at 0.6";
     assert!(message.starts_with(beginning), "{message}");
     assert!(
-        message.ends_with(" m: its range is -0.6 to 0.6 m; move the base or begin with another configuration"),
+        message.ends_with(" m: its range is -0.6 to 0.6 m; move the base or choose another configuration"),
         "{message}"
     );
 }

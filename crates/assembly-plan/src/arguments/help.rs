@@ -1,20 +1,20 @@
-//! What help and manual pages say besides the flags: groups, examples, exit codes and files.
+//! Text of help and manual pages besides the flags: groups, examples, exit codes and files.
 
 use clap::{Arg, Command, CommandFactory};
 
 use crate::arguments::Arguments;
 
-/// What the pages of a command end with.
+/// The last sections of the pages of a command.
 pub struct Closing {
     /// The command, as words after the program's name.
     pub command: &'static str,
     /// What the command does beyond its one line.
     pub description: &'static str,
-    /// Arguments of the program, and what they do.
+    /// Examples: arguments of the program, and their effect.
     pub examples: &'static [(&'static str, &'static str)],
     /// When the exit code is 1, if ever.
     pub no_plan: Option<&'static str>,
-    /// Files that it reads or writes, and what they are.
+    /// Files that it reads or writes, and their content.
     pub files: &'static [(&'static str, &'static str)],
 }
 
@@ -115,7 +115,7 @@ pub const CLOSINGS: &[Closing] = &[
         files: &[
             ("DIR/rollouts.csv", "one row per rollout"),
             ("DIR/success.csv", "success rates by motion, friction and magnitude"),
-            ("DIR/simulation.json", "scene, plans, seed, turn and tolerances"),
+            ("DIR/simulation.json", "scene, plans, seed, rotation error and tolerances"),
         ],
     },
     Closing {
@@ -130,7 +130,7 @@ pub const CLOSINGS: &[Closing] = &[
     },
     Closing {
         command: "export",
-        description: "Carries the motion to the robot's tool and frames, and writes a README that says how to check and run \
+        description: "Transfers the motion to the tool and frames of the robot, and writes a README that says how to check and run \
                       it.",
         examples: &[
             ("export out/peg1 --to csv", "tables for any robot"),
@@ -143,7 +143,7 @@ pub const CLOSINGS: &[Closing] = &[
         command: "calibrate",
         description: "Fits rotor inertia, joint friction, damping and delay to logs of exported players.",
         examples: &[("calibrate arm.toml dry-run.csv executed.csv --out calibrated.toml", "write the fitted scene")],
-        no_plan: Some("the logs tell nothing that the scene could say, or the fit did not converge"),
+        no_plan: Some("the logs determine no entry of the scene, or the fit did not converge"),
         files: &[],
     },
     Closing {

@@ -123,7 +123,7 @@ pub struct ToleranceArguments {
 /// How a plan is made robust.
 #[derive(Debug, Args)]
 pub struct RobustArguments {
-    /// Test the plan with hard contacts and friction at offsets that were not planned, and change it until they succeed
+    /// Test the plan with hard contacts and friction at offsets that were not planned, and refine it until they succeed
     #[arg(long)]
     pub robust: bool,
     /// With --robust: success rate to reach at each friction, from 0 to 1
@@ -132,13 +132,13 @@ pub struct RobustArguments {
     /// End after this time (s), everything included, with the best plan so far [default: 300 with --robust]
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub time_limit: Option<f64>,
-    /// With --robust: evaluate a plan again after this many changes in a row without improvement; 0 only evaluates it
+    /// With --robust: evaluate a plan again after this many perturbations in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
     pub stall_limit: u32,
-    /// With --robust: try no more than this many changes in all
+    /// With --robust: try at most this many perturbations
     #[arg(long, hide = true, value_name = "N", value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
     pub max_perturbations: Option<u32>,
-    /// With --robust: replace what steers the search, as `robust.parameters` of result.json has it, by what stands in a file (TOML)
+    /// With --robust: replace the parameters of the search, `robust.parameters` of result.json, by those of a file (TOML)
     #[arg(long, hide = true, value_name = "FILE", requires = "robust")]
     pub robust_parameters: Option<PathBuf>,
     /// With --robust: Coulomb friction coefficients, such as 0,0.1 [default: the scene's]
@@ -207,7 +207,7 @@ pub struct SimulateArguments {
     /// first friction and offset
     #[arg(long, value_name = "FILE")]
     pub trace: Option<PathBuf>,
-    /// Compare what a robot did, as the player of an export logged it, with a rollout that has the same grasp error; play
+    /// Compare an execution, as the player of an export logged it, with a rollout that has the same grasp error; play
     /// nothing else
     #[arg(long, value_name = "LOG", conflicts_with_all = ["source", "trace", "out", "stages", "report"])]
     pub executed: Option<PathBuf>,
@@ -250,7 +250,7 @@ pub struct ReportArguments {
     /// Folder that `solve`, `batch` or `simulate` wrote
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Also show what a robot did, as the player of an export logged it, beside a rollout that has the same grasp error;
+    /// Also show an execution, as the player of an export logged it, beside a rollout that has the same grasp error;
     /// can be given several times
     #[arg(long, value_name = "LOG")]
     pub executed: Vec<PathBuf>,
@@ -268,7 +268,7 @@ pub struct ExportArguments {
     /// Folder that `solve` wrote
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// What for
+    /// Target
     #[arg(long, value_name = "TARGET", value_parser = values::target())]
     pub to: Target,
     /// Samples of the motion per second (Hz)
@@ -388,7 +388,7 @@ pub struct ManualArguments {
 }
 
 impl SolveArguments {
-    /// What is chosen of the scene.
+    /// Choices for the scene.
     pub fn choices(&self) -> Choices {
         Choices {
             rotation_error: self.robust.rotation_error,
@@ -400,7 +400,7 @@ impl SolveArguments {
         }
     }
 
-    /// What the plan is tested for, and made robust for if that is wanted.
+    /// Requirements on the plan in rollouts.
     ///
     /// # Errors
     /// When a file of parameters is wrong.
@@ -427,14 +427,14 @@ impl SolveArguments {
 }
 
 impl TaskArguments {
-    /// What is chosen of the scene.
+    /// Choices for the scene.
     pub fn choices(&self) -> Choices {
         Choices { start: self.start.clone(), delta: self.delta, ..Choices::default() }
     }
 }
 
 impl SimulateArguments {
-    /// What is to be simulated.
+    /// The requested simulation.
     ///
     /// # Errors
     /// When the list of offsets cannot be read, or a value is out of its range.

@@ -38,7 +38,7 @@ impl LeafFactors {
     }
 }
 
-/// What the elimination of a leaf adds to its boundary.
+/// Contribution of the elimination of a leaf to its boundary.
 #[derive(Debug, Default)]
 pub struct LeafUpdate {
     /// Lower triangle, with the stride of the leaf's width.

@@ -12,7 +12,7 @@ use crate::pivot::apply_inverse;
 pub struct LeafSolution {
     /// In the order of the pivots. Between the two sweeps it holds the values after the sweep with `L`.
     pub pivots: Vec<f64>,
-    /// What the forward sweep adds to the boundary, or the solution there.
+    /// Contribution of the forward sweep to the boundary, or the solution there.
     pub boundary: Aligned,
     /// Factors of the panel's rows.
     coefficients: Vec<f64>,

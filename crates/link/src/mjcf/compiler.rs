@@ -1,15 +1,15 @@
-//! What holds for a whole MJCF file.
+//! Settings of a whole MJCF file.
 
 use roxmltree::Node;
 
 use crate::element::{Value, attribute, children};
 use crate::error::ModelError;
 
-/// How a file is to be read.
+/// How a file is read.
 pub struct Compiler<'text> {
     /// Whether angles are in degrees.
     pub is_in_degrees: bool,
-    /// Axes of Euler angles: `xyz` turn with the body, `XYZ` do not.
+    /// Axes of Euler angles: `xyz` rotate with the body, `XYZ` do not.
     pub euler_axes: &'text str,
     /// Folder of mesh files, relative to the model.
     pub mesh_folder: &'text str,

@@ -5,16 +5,15 @@ use roxmltree::Node;
 use crate::element::{Value, attribute, children, tag};
 use crate::error::ModelError;
 
-/// An element and what stands in for what it does not say: its class of defaults, the class around that, and so on.
+/// An element with its defaults: its class, the class around that, and so on.
 pub struct Levels<'text> {
     elements: Vec<Node<'text, 'text>>,
 }
 
 impl<'text> Levels<'text> {
-    /// Of an element, whose class is its own or that of the nearest body or frame with one for its children.
+    /// For an element, whose class is its own or that of the nearest body or frame with one for its children.
     ///
-    /// # Errors
-    /// When there is no such class.
+    /// # Errors When there is no such class.
     pub fn of(element: Node<'text, 'text>) -> Result<Self, ModelError> {
         let of_parents = || element.ancestors().skip(1).find_map(|around| attribute(around, "childclass"));
         let class = attribute(element, "class").or_else(of_parents);
@@ -34,7 +33,7 @@ impl<'text> Levels<'text> {
         Ok(Self { elements: std::iter::once(element).chain(of_classes).collect() })
     }
 
-    /// Of an element that has no defaults.
+    /// For an element that has no defaults.
     pub fn alone(element: Node<'text, 'text>) -> Self {
         Self { elements: vec![element] }
     }
@@ -53,10 +52,9 @@ impl<'text> Levels<'text> {
         self.elements.iter().find_map(of_element)
     }
 
-    /// As [`first`](Self::first), of attributes that say the same in different ways.
+    /// As [`first`](Self::first), for alternative attributes.
     ///
-    /// # Errors
-    /// When an element has two of them.
+    /// # Errors When an element has two of them.
     pub fn one_of(&self, names: &[&str]) -> Result<Option<(usize, Value<'text>)>, ModelError> {
         for element in &self.elements {
             let mut values = names.iter().filter_map(|name| attribute(*element, name));

@@ -19,7 +19,8 @@ use orientation::{from_z, orientation};
 /// Elements of a body that make geoms which do not stand in the file.
 const MAKERS: [&str; 4] = ["attach", "composite", "flexcomp", "replicate"];
 
-/// The bodies with geoms that collide; the world is one. One without a name is called by its number in MuJoCo, such as `#2`.
+/// The bodies with geoms that collide; the world is one. One without a name has its number in MuJoCo as name, such as
+/// `#2`.
 pub fn bodies<'text>(root: Node<'text, 'text>) -> Result<Vec<(String, Node<'text, 'text>)>, ModelError> {
     let mut bodies = Vec::new();
     for (number, element) in root.descendants().filter(|node| is_body(*node)).enumerate() {

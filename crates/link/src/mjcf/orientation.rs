@@ -46,7 +46,7 @@ fn from_axes(axes: &Value) -> Result<UnitQuaternion<f64>, ModelError> {
     Ok(UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(Matrix3::from_columns(&columns))))
 }
 
-/// The shortest turn of the z axis to a direction; half a turn is about x.
+/// The shortest rotation of the z axis to a direction; a half turn is about x.
 pub fn from_z(direction: &Unit<Vector3<f64>>) -> UnitQuaternion<f64> {
     let half_turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
     UnitQuaternion::rotation_between(&Vector3::z(), direction).unwrap_or(half_turn)

@@ -127,7 +127,7 @@ class Scene:
     ) -> dict[str, Any]:
         """Explain the scene without solving it, as the command ``check --json`` does.
 
-        Returns parts, meshes and what became of them, play, penetrations, size of the problem, warnings; keys name their
+        Returns parts, meshes and their convex parts, clearances, penetrations, size of the problem, warnings; keys name their
         units. `tau` smooths the distances, by default as the homotopy begins.
         """
         choices = _choices(start=start, delta=delta, homotopy=homotopy)
@@ -266,7 +266,7 @@ class Scene:
         - `random`: play this many random offsets of those that the scene covers, or with `hull` in the hull of the
           planned ones, with `disc` in the disc across the insertion, with `ball` in the ball; half of those of a disc
           or a ball lie on its rim. `seed` is that of random numbers.
-        - `grid`: play a grid in the hull of the planned offsets, so many intervals along each of its edges.
+        - `grid`: play a grid in the hull of the planned offsets, with this number of intervals along each of its edges.
         - `offsets`: play these (m, body frame), shape (K, 3).
         - `rotation_error`: also rotate the part in the gripper at random, by up to this angle about any axis (rad).
         - `magnitude`: magnitudes (m) to which the planned offsets are scaled; by default that of the plan.

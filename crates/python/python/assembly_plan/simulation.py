@@ -32,7 +32,7 @@ class Simulation:
         """One entry per rollout in every column, as in ``rollouts.csv``; ``pandas.DataFrame`` takes it.
 
         Text: ``plan`` (folder of a stored plan), ``start``, ``motion`` (``plan``, ``straight push``, ``stage 1`` ...).
-        Numbers: ``delta_m``, ``friction``, ``magnitude_m``, the offset ``x_m``, ``y_m``, ``z_m`` and the turn
+        Numbers: ``delta_m``, ``friction``, ``magnitude_m``, the offset ``x_m``, ``y_m``, ``z_m`` and the rotation error
         ``turn_x_rad``, ``turn_y_rad``, ``turn_z_rad`` in the body frame, ``success`` (1 or 0), ``position_error_m``,
         ``orientation_error_rad``, ``max_penetration_m``, ``max_force_n``.
         """

@@ -1,4 +1,4 @@
-//! What joint friction holds.
+//! Wrenches and errors that joint friction can hold.
 
 use nalgebra::{Matrix6, Vector6};
 
@@ -16,9 +16,9 @@ pub struct FrictionWrench {
 /// The largest errors at which an arm may rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deadband {
-    /// Of the position (m).
+    /// Error of the position (m).
     pub distance: f64,
-    /// Of the orientation (rad).
+    /// Error of the orientation (rad).
     pub angle: f64,
 }
 

@@ -1,17 +1,17 @@
 //! How stiff an arm may and has to be.
 
-/// What the stiffness of translations (in N/m, m, N), or of rotations (in Nm/rad, rad, Nm), has to satisfy.
+/// Requirements on the stiffness of translations (in N/m, m, N), or of rotations (in Nm/rad, rad, Nm).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// What joint friction holds (N or Nm): [`crate::gains::FrictionWrench`].
+    /// Wrench that joint friction can hold (N or Nm): [`crate::gains::FrictionWrench`].
     pub friction: f64,
-    /// Largest deadband that is wanted (m or rad), positive.
+    /// Target deadband (m or rad), positive.
     pub deadband: f64,
-    /// Largest deadband where no smaller one is possible (m or rad), not smaller than the wanted one.
+    /// Largest deadband where no smaller one is possible (m or rad), not smaller than the target.
     pub allowed: f64,
-    /// How far the reference presses beyond contact (m or rad), not negative.
+    /// Largest overshoot of the reference into contact (m or rad), not negative.
     pub press: f64,
-    /// Largest contact force that is wanted (N or Nm); infinity without a limit.
+    /// Target for the largest contact force (N or Nm); infinity without a limit.
     pub load: f64,
     /// Lowest and highest stiffness that the controller accepts (N/m or Nm/rad).
     pub range: [f64; 2],
@@ -25,9 +25,9 @@ pub enum Refusal {
         "the deadband needs a stiffness of {smallest:.2} or more, and the contact force allows {largest:.2} or less; allow a larger deadband or force, or let the reference press less"
     )]
     Force {
-        /// That keeps the deadband.
+        /// Smallest stiffness for the deadband.
         smallest: f64,
-        /// That keeps the contact force.
+        /// Largest stiffness for the contact force.
         largest: f64,
     },
     /// Joint friction asks for more than the controller accepts.
@@ -35,9 +35,9 @@ pub enum Refusal {
         "the deadband needs a stiffness of {smallest:.2} or more, and the controller accepts {highest:.2} or less; allow a larger deadband"
     )]
     TooStiff {
-        /// That keeps the deadband.
+        /// Smallest stiffness for the deadband.
         smallest: f64,
-        /// That the controller accepts.
+        /// Largest stiffness of the controller.
         highest: f64,
     },
     /// Contact forces ask for less than the controller accepts.
@@ -45,9 +45,9 @@ pub enum Refusal {
         "the contact force allows a stiffness of {largest:.2} or less, and the controller accepts {lowest:.2} or more; allow a larger force, or let the reference press less"
     )]
     TooSoft {
-        /// That keeps the contact force.
+        /// Largest stiffness for the contact force.
         largest: f64,
-        /// That the controller accepts.
+        /// Smallest stiffness of the controller.
         lowest: f64,
     },
 }
@@ -58,8 +58,8 @@ impl Demand {
         self.friction / self.allowed
     }
 
-    /// Largest stiffness that keeps the contact force: the spring alone presses with `k press`, so `k <= load / press`.
-    /// Infinity if nothing is pressed. Impacts come on top.
+    /// Largest stiffness for the contact force: the spring alone pushes with `k press`, so `k <= load / press`.
+    /// Infinity without overshoot. Impacts come on top.
     pub fn largest(&self) -> f64 {
         if self.press > 0.0 { self.load / self.press } else { f64::INFINITY }
     }
@@ -81,11 +81,10 @@ impl Demand {
         }
     }
 
-    /// The stiffness for execution: that of similarity, or more where the wanted deadband asks for it, within what the other
-    /// demands allow.
+    /// The stiffness for execution: that of similarity, or more where the target deadband requires it, within the other
+    /// requirements.
     ///
-    /// # Errors
-    /// When there is none.
+    /// # Errors When there is none.
     pub fn stiffness(&self, similar: f64) -> Result<f64, Refusal> {
         let [smallest, largest] = self.stiffnesses()?;
         Ok(similar.max(self.friction / self.deadband).clamp(smallest, largest))
