@@ -1,4 +1,4 @@
-//! Drafts: plans of the scene with other weights and offsets, on half of the steps, which cost little.
+//! Drafts: cheap plans of the scene with other weights and offsets, on half of the time steps.
 
 use std::fmt;
 
@@ -9,11 +9,11 @@ use plan::parameters::DraftParameters;
 use serde::{Deserialize, Serialize};
 use task::GraspError;
 
-/// What makes a draft differ from the scene as it is. Whether that helps differs from scene to scene.
+/// Differences of a draft from the scene. Which of them help differs from scene to scene.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Draft {
-    /// By how much the planned offsets are turned about the axis around which they lie (rad).
+    /// Angle by which the planned offsets are rotated about the axis around which they lie (rad).
     pub angle: f64,
     /// Factors of the weights of the reference's velocities.
     pub reference: Factors,
@@ -21,7 +21,7 @@ pub struct Draft {
     pub compliant: Factors,
     /// Coulomb coefficient, where the scene has no friction.
     pub friction: f64,
-    /// Whether it takes half as long again.
+    /// Whether it takes 1.5 times the time.
     pub is_slower: bool,
 }
 
@@ -39,7 +39,7 @@ pub struct Factors {
 const PARALLEL: f64 = 1e-9;
 
 impl Draft {
-    /// Any. `friction` is the largest that must be tolerated.
+    /// A random draft. `friction` is the largest that must be tolerated.
     pub fn random(random: &mut Rng, friction: f64, parameters: &DraftParameters) -> Self {
         let mut power = |[least, most]: [f64; 2]| 10_f64.powf(least + (most - least) * random.f64());
         let mut factors =
@@ -95,7 +95,7 @@ impl fmt::Display for Draft {
     }
 }
 
-/// Turns offsets about the axis around which they lie, if they do not all lie on one line.
+/// Rotates offsets about the axis around which they lie, unless they all lie on one line.
 fn turn_offsets(grasps: &mut [GraspError], angle: f64) {
     let offset = |index: usize| Vector3::from(grasps[index % grasps.len()].offset);
     let around: Vector3<f64> = (0..grasps.len()).map(|index| offset(index).cross(&offset(index + 1))).sum();

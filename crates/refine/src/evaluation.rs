@@ -1,4 +1,4 @@
-//! What a robust plan has to pass: random offsets of several magnitudes, the planned ones, several frictions.
+//! Evaluations of robust plans: random offsets of several magnitudes, the planned ones, several frictions.
 
 use std::f64::consts::TAU;
 
@@ -14,8 +14,8 @@ use task::{AssemblyTask, Coverage, GraspError};
 /// never repeat and leave no large gaps.
 const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 
-/// Largest errors to be tolerated: of the grasp, offsets of up to `delta-hat` (m) and a turn (rad); of robot and controller, relative
-/// ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
+/// Largest errors to be tolerated: of the grasp, offsets of up to `delta-hat` (m) and a rotation (rad); of robot and
+/// controller, relative ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
 #[derive(Debug, Clone, Copy)]
 pub struct ErrorRange {
     coverage: Coverage,
@@ -30,7 +30,7 @@ pub struct ErrorRange {
 }
 
 impl ErrorRange {
-    /// What a plan of a problem must tolerate.
+    /// The requirements on a plan of a problem.
     pub fn new(problem: &Problem, target: &RobustnessTarget) -> Self {
         Self {
             coverage: problem.scene().coverage,
@@ -45,8 +45,8 @@ impl ErrorRange {
         }
     }
 
-    /// Turns as far as the part may be turned, about random axes (rotation vectors, rad). Smaller ones fail less often:
-    /// few test cases say most at the limit.
+    /// Rotation errors of full magnitude about random axes (rotation vectors, rad). Smaller ones fail less often, so
+    /// these test most with few test cases.
     fn turns(&self, count: usize, seed: u64) -> Vec<[f64; 3]> {
         let largest = |rotation: [f64; 3]| {
             Vector3::from(rotation).try_normalize(0.0).map_or(rotation, |axis| (axis * self.rotation_error).into())
@@ -54,7 +54,7 @@ impl ErrorRange {
         offsets::rotations(self.rotation_error, count, seed).into_iter().map(largest).collect()
     }
 
-    /// Random offsets of the planned `offsets`' coverage, of `count` for each of the fractions, in groups that are counted
+    /// Random offsets of the planned `offsets`' coverage, `count` for each of the fractions, in groups that are counted
     /// together.
     fn groups(&self, offsets: &[[f64; 3]], count: usize, seed: u64) -> Vec<OffsetGroup> {
         let Self { coverage, delta, evaluation: EvaluationParameters { fractions, .. }, .. } = self;
@@ -72,7 +72,7 @@ impl ErrorRange {
         [(OffsetRegion::Inside, inside), (OffsetRegion::Rim, rim)].map(group).into()
     }
 
-    /// A robot, controller and edges within the range, all of them equally likely.
+    /// A robot, controller and edges within the range, uniformly distributed.
     fn disturbance(&self, random: &mut Rng) -> Disturbance {
         let mut relative = |largest: f64| largest * (2.0 * random.f64() - 1.0);
         let (inertia, stiffness) = (relative(self.inertia), relative(self.stiffness));
@@ -88,7 +88,7 @@ struct OffsetGroup {
     offsets: Vec<[f64; 3]>,
 }
 
-/// What tells an evaluation of a problem from others.
+/// Identifies an evaluation of a problem.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Drawn {
@@ -103,22 +103,23 @@ pub struct Evaluation {
     drawn: Drawn,
     parameters: EvaluationParameters,
     groups: Vec<SuccessRate>,
-    /// The planned grasp errors first, then one of each group in turn: the first ones speak for all.
+    /// The planned grasp errors first, then one of each group in turn, so that the first ones represent all groups.
     cases: Vec<TestCase>,
     /// Group of every test case.
     group: Vec<usize>,
 }
 
-/// What an evaluation has shown.
+/// The result of an evaluation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
     /// Of the test cases that were played.
     pub rates: SuccessRates,
-    /// Whether the whole evaluation was played, every planned grasp error succeeds, and the wanted rate holds at each friction.
+    /// Whether the whole evaluation was played, every planned grasp error succeeds, and the target rate holds at each
+    /// friction.
     pub reached: bool,
     /// The evaluation.
     pub evaluation: Drawn,
-    /// Rollouts that it lacks because it was stopped; 0 where it is decided.
+    /// Rollouts that were not played because it was stopped; 0 where it is decided.
     pub unplayed: usize,
     /// Test cases that failed.
     pub failures: Vec<(TestCase, TestResult)>,
@@ -132,8 +133,8 @@ impl Judgement {
 }
 
 impl Evaluation {
-    /// At most `count` random offsets per friction and fraction of delta-hat, each with a turn, errors of robot and
-    /// controller and round edges, and the planned grasp errors without other errors.
+    /// At most `count` random offsets per friction and fraction of delta-hat, each with a rotation error, errors of
+    /// robot and controller and rounded edges, and the planned grasp errors without other errors.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
         let delta = range.delta;
         let mut random = Rng::with_seed(seed + range.disturbance_seed);
@@ -179,8 +180,9 @@ impl Evaluation {
         &self.cases
     }
 
-    /// The test cases to train with at first: those of an evaluation with few random ones, which are turned as far as they may be,
-    /// each about another [axis](training_axis). A reference robust to these is usually robust to smaller ones.
+    /// The first training set: the test cases of an evaluation with few random ones, with the largest rotation errors,
+    /// each about another [axis](training_axis). A reference robust to these rotations is usually robust to smaller
+    /// ones.
     pub fn into_training(self, range: &ErrorRange) -> Vec<TestCase> {
         let mut turns = (0..).map(|index| training_axis(index).map(|component| component * range.rotation_error));
         let Self { groups, mut cases, group, .. } = self;
@@ -192,7 +194,7 @@ impl Evaluation {
         cases
     }
 
-    /// Plays a reference in the test cases until it is decided whether it succeeds at the wanted rate (0 to 1), and
+    /// Plays a reference in the test cases until it is decided whether it succeeds at the target rate (0 to 1), and
     /// enough failures are known; or until `stop` returns true.
     pub fn judge(
         &self,
@@ -216,7 +218,7 @@ impl Evaluation {
         Judgement { unplayed, ..self.judgement(&results, wanted) }
     }
 
-    /// What the results of the first test cases show.
+    /// The judgement from the results of the first test cases.
     pub fn judgement(&self, results: &[TestResult], wanted: f64) -> Judgement {
         let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
         for ((result, case), &group) in results.iter().zip(&self.cases).zip(&self.group) {
@@ -230,7 +232,7 @@ impl Evaluation {
         Judgement { reached, evaluation: self.drawn, unplayed: 0, rates, failures }
     }
 
-    /// Whether the wanted rate could be reached if all test cases to come succeeded.
+    /// Whether the target rate could be reached if all remaining test cases succeeded.
     fn can_satisfy(&self, groups: &[SuccessRate], wanted: f64) -> bool {
         let mut hoped = groups.to_vec();
         for (index, group) in hoped.iter_mut().enumerate() {
@@ -242,8 +244,8 @@ impl Evaluation {
     }
 }
 
-/// Axis number `index` about which training turns the part: any few in a row point in all directions, as the test cases of one
-/// friction should.
+/// Axis number `index` of the rotation errors in training: any few in a row point in all directions, as the test cases
+/// of one friction should.
 fn training_axis(index: u32) -> [f64; 3] {
     let [height, turns] = AXIS_STEPS.map(|step| (0.5 + step * f64::from(index)).fract());
     let height = 1.0 - 2.0 * height;

@@ -1,4 +1,4 @@
-//! What plays references in refinement: how far these may be led, and how hard they may push.
+//! Evaluators of a refinement, with bounds on references and limits of forces.
 
 use nalgebra::Vector3;
 use plan::parameters::NearParameters;
@@ -6,10 +6,9 @@ use plan::{PlannerError, Problem, RobustParameters, RobustnessTarget, Session};
 use simulation::{Evaluator, Reference};
 use workers::Workers;
 
-/// One for evaluations and one for training cases, with margins of contact forces and for references near one.
+/// One for evaluations and one for the training set, with margins of contact forces, for references near one.
 ///
-/// # Errors
-/// When an arm does not reach the start.
+/// # Errors When an arm does not reach the start.
 pub fn evaluators(
     problem: &Problem,
     target: &RobustnessTarget,
@@ -22,7 +21,8 @@ pub fn evaluators(
     Ok([evaluation.force_share, training.force_share].map(|share| evaluator.clone().with_force_share(share)))
 }
 
-/// With references that stay near a plan and the straight way: a part that is thrown may arrive as well.
+/// With references that stay near a plan and the straight path. Without this, refinement could succeed by throwing the
+/// part.
 fn near(evaluator: Evaluator, problem: &Problem, reference: &Reference, parameters: &NearParameters) -> Evaluator {
     let task = problem.task();
     let straight = Reference::straight(&task.start, &task.goal, task.horizon);

@@ -1,4 +1,4 @@
-//! Where plans on the way to a robust one come from, and what was done to them.
+//! Origins of candidate plans, and how these were processed.
 
 use std::fmt;
 
@@ -8,14 +8,14 @@ use serde::{Deserialize, Serialize};
 use crate::draft::Draft;
 use crate::portfolio::Recipe;
 
-/// Where a reference comes from.
+/// Origin of a reference.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Origin {
     /// The scene as it is.
     Scene,
     /// A straight push, which solves nothing.
     Push,
-    /// Whoever calls.
+    /// The caller.
     Given,
     /// A problem of the portfolio.
     Variant(Recipe),
@@ -23,7 +23,7 @@ pub enum Origin {
     Draft(Draft),
 }
 
-/// What was done to a reference since.
+/// Processing of a reference since.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Marks {
@@ -31,9 +31,9 @@ pub struct Marks {
     pub has_oscillation: bool,
     /// It was refined again.
     pub is_continued: bool,
-    /// What no test case needs was taken back.
+    /// Parts that no test case needs were taken back.
     pub is_straightened: bool,
-    /// It was refined in a harder world.
+    /// It was refined in a hardened environment.
     pub has_margins: bool,
 }
 
@@ -50,14 +50,14 @@ pub struct Solved {
 }
 
 impl Origin {
-    /// Whether its homotopy steps are those of the scene itself, which are kept elsewhere.
+    /// Whether its homotopy steps are those of the scene itself, which are stored elsewhere.
     pub fn has_homotopy_of_scene(&self) -> bool {
         matches!(self, Self::Scene | Self::Push | Self::Given)
     }
 }
 
 impl Solved {
-    /// What its homotopy has found, of which nothing is chosen yet.
+    /// The steps of a homotopy, of which none is chosen yet.
     pub fn new(origin: Origin, variant: Variant, iterations: Vec<PlanIteration>) -> Self {
         Self { origin, marks: Marks::default(), variant, iterations, chosen: 0 }
     }
@@ -87,7 +87,7 @@ impl fmt::Display for Origin {
 }
 
 impl fmt::Display for Marks {
-    /// What follows the origin.
+    /// Suffix of the origin.
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let marks = [
             (self.has_oscillation, ", with a final oscillation"),

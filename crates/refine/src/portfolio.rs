@@ -1,5 +1,5 @@
-//! What is planned where the plan of the scene cannot be refined: problems whose plans may have more margin. Which of
-//! them helps differs from scene to scene.
+//! Variants that are planned where the plan of the scene cannot be refined: problems whose plans may have more margin.
+//! Which of them helps differs from scene to scene.
 
 use std::fmt;
 
@@ -10,7 +10,7 @@ use simulation::{Reference, Rollout, Settings};
 use task::algebra::norm;
 use task::{CostWeights, GraspError, HomotopySettings};
 
-/// A way to change the problem, in scenarios, horizon, weights, smoothing or first guess.
+/// A change of the problem, in scenarios, horizon, weights, smoothing or first guess.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Recipe {
     HalfTheTimeStep,
@@ -25,7 +25,7 @@ pub enum Recipe {
     TwiceTheFirstSmoothing,
 }
 
-/// What any plan may be replaced by, the promising first.
+/// The variants, the promising first.
 pub const PORTFOLIO: [Recipe; 10] = [
     Recipe::HalfTheTimeStep,
     Recipe::StraightFirstGuess,
@@ -58,7 +58,7 @@ impl Recipe {
             _ => None,
         };
         if first_guess.is_some() {
-            // It is a motion on all steps.
+            // It is a motion on all time steps.
             variant.settings.coarse_iterations = 0;
         }
         variant.near = first_guess.map(|reference| {
@@ -125,7 +125,7 @@ impl fmt::Display for Recipe {
     }
 }
 
-/// Keeps the last iterations only: more smoothing would lead away from a motion that is nearly a solution.
+/// Keeps the last homotopy steps only: more smoothing would lead away from a motion that is nearly a solution.
 fn end_of_homotopy(settings: &mut HomotopySettings, parameters: &PortfolioParameters) {
     let iterations = settings.iterations.min(parameters.resolved_iterations);
     if let Some(first) = settings.schedule().nth(settings.iterations - iterations) {
@@ -139,8 +139,8 @@ fn slow_down(weights: &mut CostWeights, slowness: f64) {
     weights.rotational_velocity *= slowness;
 }
 
-/// Adds a few of the failing grasp errors, each as far from all scenarios as possible: offsets and turns are measured in the
-/// largest of each.
+/// Adds a few of the failing grasp errors, each as far from all scenarios as possible: offsets and rotations are
+/// measured relative to the largest of each.
 fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError], count: usize) {
     let largest = |part: fn(&GraspError) -> [f64; 3]| {
         let length = grasps.iter().chain(failing).map(|grasp| norm(&part(grasp))).fold(0.0, f64::max);

@@ -1,31 +1,31 @@
-//! How the time of a refinement is shared out.
+//! Distribution of the time of a refinement.
 
 use std::time::Duration;
 
 use plan::Session;
 use plan::parameters::TimeShares;
 
-/// Time that has passed since the run began, by the clock of its session, and who gets how much of what is left.
+/// Elapsed time of a run by the clock of its session, and the shares of the rest.
 pub struct Schedule<'run> {
     session: &'run Session<'run>,
     shares: TimeShares,
-    /// Time that earlier runs have taken.
+    /// Time of earlier runs.
     earlier: Duration,
     limit: Duration,
 }
 
-/// When a part of the work has to end, as the time that the run has then taken.
+/// Deadline of a part of the work, as elapsed time of the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Deadline(Duration);
 
 impl<'run> Schedule<'run> {
-    /// All work ends when the run has taken `limit`, or earlier where the session's time for work does.
+    /// All work ends when the run has taken `limit`, or earlier if the session's time for work ends earlier.
     pub fn new(session: &'run Session<'run>, limit: Duration, shares: TimeShares) -> Self {
         let limit = session.end_of_work().map_or(limit, |end| end.min(limit));
         Self { session, shares, earlier: Duration::ZERO, limit }
     }
 
-    /// After runs that have taken some time, which is counted in the [total](Self::total) only.
+    /// After runs that have taken some time, which counts in the [total](Self::total) only.
     pub fn after(self, earlier: Duration) -> Self {
         Self { earlier, ..self }
     }
@@ -35,12 +35,12 @@ impl<'run> Schedule<'run> {
         Schedule { session, shares: self.shares, earlier: self.earlier, limit: limit.0 }
     }
 
-    /// Time that the run has taken.
+    /// Elapsed time of the run.
     pub fn elapsed(&self) -> Duration {
         self.session.clock.elapsed()
     }
 
-    /// Time that this and earlier runs have taken.
+    /// Elapsed time of this and earlier runs.
     pub fn total(&self) -> Duration {
         self.earlier + self.elapsed()
     }
@@ -55,12 +55,12 @@ impl<'run> Schedule<'run> {
         Deadline(self.limit)
     }
 
-    /// The end of all work but the comparison of what it has found.
+    /// The end of all work but the final comparison.
     pub fn end(&self) -> Deadline {
         Deadline(self.limit.mul_f64(1.0 - self.shares.comparison))
     }
 
-    /// The end of a refinement of the plan of the scene itself, or of what takes its place.
+    /// The end of the refinement of the plan of the scene itself, or of its replacement.
     pub fn own(&self) -> Deadline {
         self.share(self.end(), self.shares.own)
     }
@@ -70,22 +70,22 @@ impl<'run> Schedule<'run> {
         self.share(self.end(), self.shares.push)
     }
 
-    /// The end of the solves of drafts, if a solve that takes so long as the scene's own ends before.
+    /// The end of the solves of drafts, if a solve as long as the scene's own fits in before.
     pub fn drafts(&self, solving: Duration) -> Option<Deadline> {
         (solving < self.left().mul_f64(self.shares.drafts)).then(|| self.share(self.end(), self.shares.drafts))
     }
 
-    /// Until when other drafts may take the place of one that gets stuck.
+    /// The end of the time in which other drafts may replace one that gets stuck.
     pub fn other_drafts(&self) -> Deadline {
         self.share(self.end(), self.shares.other_drafts)
     }
 
-    /// How many variants can be solved, of which each takes so long as the scene's own problem.
+    /// Number of variants that can be solved, each in as much time as the scene's own problem.
     pub fn affordable_variants(&self, solving: Duration) -> usize {
         (self.shares.solving * self.left().as_secs_f64() / solving.as_secs_f64()) as usize
     }
 
-    /// The end of the next of so many variants, which share the time.
+    /// The end of the next of `count` variants, which share the time.
     pub fn one_of(&self, count: usize) -> Deadline {
         self.share(self.end(), 1.0 / count as f64)
     }
@@ -95,18 +95,18 @@ impl<'run> Schedule<'run> {
         self.share(until, self.shares.solving)
     }
 
-    /// The end of the changes of a refinement that has time until then.
+    /// The end of the perturbations of a refinement that has time until then.
     pub fn training(&self, until: Deadline) -> Deadline {
         self.share(until, self.shares.training)
     }
 
-    /// The end of the harder world of a robust plan, for which there is as much time as it has taken so far.
+    /// The end of the refinement in the hardened environment, which may take as much time as the run so far.
     pub fn margins(&self) -> Deadline {
         let as_much_again = Deadline(2 * self.elapsed()).min(self.end());
         self.share(as_much_again, self.shares.margins)
     }
 
-    /// The end of making a robust plan simpler.
+    /// The end of the simplification of a robust plan.
     pub fn simplification(&self) -> Deadline {
         self.share(self.end(), self.shares.simplification)
     }

@@ -1,4 +1,4 @@
-//! The test of a plan that nothing has refined: how it does in rollouts with hard contact, beside a straight push.
+//! The test of an unrefined plan: rollouts with hard contact, beside a straight push.
 
 use plan::ranges::require_threads;
 use plan::{Plan, PlannerError, RobustnessTarget, Session, TestReport};

@@ -127,8 +127,8 @@ class Scene:
     ) -> dict[str, Any]:
         """Explain the scene without solving it, as the command ``check --json`` does.
 
-        Returns parts, meshes and their convex parts, clearances, penetrations, size of the problem, warnings; keys name their
-        units. `tau` smooths the distances, by default as the homotopy begins.
+        Returns parts, meshes and their convex parts, clearances, penetrations, size of the problem, warnings; keys name
+        their units. `tau` smooths the distances, by default as the homotopy begins.
         """
         choices = _choices(start=start, delta=delta, homotopy=homotopy)
         explanation: dict[str, Any] = json.loads(self._native.check(choices, tau))
