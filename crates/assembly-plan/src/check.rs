@@ -72,16 +72,16 @@ fn print_explanation(problem: &Problem, explanation: &Explanation, is_verbose: b
     print_success(problem, explanation);
     print_size(problem, explanation);
     if !explanation.chosen.is_empty() {
-        say!("chosen, as the scene does not say it: {}", explanation.chosen.join(", "));
+        say!("defaults chosen for this scene: {}", explanation.chosen.join(", "));
     }
 }
 
-/// Whether a plan can be made, and what is odd.
+/// Whether a plan can be made, and warnings.
 fn print_verdict(explanation: &Explanation) {
     let title = &explanation.title;
     match (&explanation.refusal, explanation.warnings.len()) {
         (Some(reason), _) => say!("{title}: no plan can be made: {reason}"),
-        (None, 0) => say!("{title}: can be planned, nothing is odd"),
+        (None, 0) => say!("{title}: can be planned, no warnings"),
         (None, 1) => say!("{title}: can be planned, with 1 warning"),
         (None, count) => say!("{title}: can be planned, with {count} warnings"),
     }
@@ -184,7 +184,7 @@ fn print_success(problem: &Problem, explanation: &Explanation) {
         success.orientation,
         1e3 * explanation.max_overlap_m
     );
-    say!("--robust also plays edges with radii of up to {:.3} mm", 1e3 * problem.edge_radius());
+    say!("--robust also tolerates edge radii of up to {:.3} mm", 1e3 * problem.edge_radius());
 }
 
 fn print_size(problem: &Problem, explanation: &Explanation) {

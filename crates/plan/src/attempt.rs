@@ -79,7 +79,7 @@ pub fn record(change: Change, plan: &Plan) -> AttemptRecord {
 pub fn leads_away(problem: &Problem, iterations: &[PlanIteration]) -> bool {
     let [.., before, last] = iterations else { return false };
     let error = |iteration: &PlanIteration| iteration.trajectory.worst_errors().0;
-    let explained = problem.success().position.max(problem.task().reach(last.record.tau));
+    let explained = problem.success().position.max(problem.task().smoothing_gap(last.record.tau));
     iterations.len() >= EARLIEST_MISS && last.record.converged && error(last) > explained.max(error(before))
 }
 

@@ -238,7 +238,7 @@ impl Plan {
     pub fn keeps_apart(&self) -> bool {
         let smoothing = match self.robustness {
             Some(_) => 0.0,
-            None => self.task.reach(self.chosen().record.tau),
+            None => self.task.smoothing_gap(self.chosen().record.tau),
         };
         self.trajectory.max_penetration() <= self.problem.allowed_penetration().max(smoothing)
     }

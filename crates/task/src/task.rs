@@ -57,9 +57,9 @@ impl AssemblyTask {
         self.grasps.iter().map(|grasp| grasp.offset).collect()
     }
 
-    /// The reach of a smoothing `tau`: how far shapes of any pair penetrate, at most, when their smoothed distance is zero
+    /// Smoothing gap bound of `tau`: largest penetration of shapes of any pair whose smoothed distance is zero
     /// (m).
-    pub fn reach(&self, tau: f64) -> f64 {
+    pub fn smoothing_gap(&self, tau: f64) -> f64 {
         let most = self.pairs.iter().map(|pair| pair.shapes.row_count()).max().unwrap_or(0);
         tau * most as f64
     }

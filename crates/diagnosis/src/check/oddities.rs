@@ -107,7 +107,8 @@ pub fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
     let reach = tau * rows as f64;
     (reach < 1.5 * largest).then(|| {
         format!(
-            "the first smoothing reaches {} mm, the offset is {} mm: if plans miss the goal, raise homotopy.tau",
+            "the smoothing gap bound of the first homotopy step is {} mm, the offset is {} mm: if plans miss the goal, raise \
+             homotopy.tau",
             Millimetres(reach),
             Millimetres(largest)
         )
@@ -118,11 +119,12 @@ pub fn first_smoothing(task: &AssemblyTask, tau: f64) -> Option<String> {
 fn last_smoothing(problem: &Problem, explanation: &Explanation) -> Option<String> {
     let last = problem.homotopy().schedule().last()?;
     let clearance = explanation.insertion.first()?.clearance_m;
-    let reach = problem.task().reach(last.tau);
-    (clearance > 0.0 && Penetration::excess(problem.task(), reach) > 1.0).then(|| {
+    let gap = problem.task().smoothing_gap(last.tau);
+    (clearance > 0.0 && Penetration::excess(problem.task(), gap) > 1.0).then(|| {
         format!(
-            "the last smoothing reaches {:.3} mm, the clearance at the goal is {:.3} mm: raise homotopy.further_iterations",
-            1e3 * reach,
+            "the smoothing gap bound of the last homotopy step is {:.3} mm, the clearance at the goal is {:.3} mm: raise \
+             homotopy.further_iterations",
+            1e3 * gap,
             1e3 * clearance
         )
     })

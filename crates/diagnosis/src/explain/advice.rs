@@ -42,7 +42,7 @@ pub fn advice(plan: &Plan, stuck: &[StuckScenario], limits: &[ActiveLimitRecord]
         case.large_offset(),
         case.way_blocked(),
         case.clearance(),
-        case.reach_of_the_end(),
+        case.final_smoothing(),
     ];
     let mut advice: Vec<String> = sure.into_iter().flatten().collect();
     let is_unexplained = advice.is_empty();
@@ -139,7 +139,7 @@ impl Case<'_> {
         let still_coming = self.stuck.iter().filter(|stuck| stuck.end.from_s.is_none() && stuck.end.held_by.is_empty());
         let (scenario, speed, more) = still_coming.filter_map(missing).max_by_key(|&(_, _, more)| more)?;
         Some(format!(
-            "[horizon]: scenario {scenario} still comes nearer at the end, with {:.1} mm/s: set steps = {} and time_step = \
+            "[horizon]: scenario {scenario} still approaches the goal at the end, with {:.1} mm/s: set steps = {} and time_step = \
              {time_step}",
             1e3 * speed,
             steps + more
@@ -188,9 +188,9 @@ impl Case<'_> {
     }
 
     /// Less smoothing at the end where its reach explains the error.
-    fn reach_of_the_end(&self) -> Option<String> {
+    fn final_smoothing(&self) -> Option<String> {
         let plan = self.plan;
-        let (tolerance, reach) = (plan.problem.success().position, plan.task.reach(plan.chosen().record.tau));
+        let (tolerance, reach) = (plan.problem.success().position, plan.task.smoothing_gap(plan.chosen().record.tau));
         (plan.is_converged() && tolerance < reach && self.worst_error()? <= reach).then(|| {
             format!(
                 "--position-tolerance {tolerance}: the last tau moves contacts by up to {:.2} mm: allow more, or set \
