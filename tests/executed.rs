@@ -81,7 +81,7 @@ fn what_a_robot_did_is_shown_beside_a_rollout() {
     assert_eq!(list(executed, "reference").len() / 7, poses(executed, 0));
     assert_eq!(list(&executed["execution"], "distances").len(), poses(executed, 0));
     assert_eq!(list(robot, "measured").len(), 6 * (poses(executed, 0) - 1));
-    assert!(list(robot, "forces").is_empty(), "nobody measured where parts push");
+    assert!(list(robot, "forces").is_empty(), "no log has the places of contacts");
 
     // A robot that was stopped is shown until then, with the reason.
     let sentences = stopped["execution"]["sentences"].to_string();
@@ -113,7 +113,7 @@ fn logs_that_are_not_of_the_plan_are_refused() {
             "executed.csv:6: column time_s: times must",
         ),
         (text.replace("0.031,1,0,0,0", "0.031,0.5,0,0,0"), "qw, qx, qy, qz are not a unit quaternion"),
-        (text.replace(END, &END.replacen("1.0", "1e5", 1)), "the log goes on for 100002 s"),
+        (text.replace(END, &END.replacen("1.0", "1e5", 1)), "the log lasts 100002 s"),
         (text.replace(",phase\n", ",state\n"), "there is no column `phase`"),
         (String::new(), "executed.csv"),
     ] {

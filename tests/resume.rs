@@ -1,4 +1,4 @@
-//! An interrupted or killed solve goes on where it stopped.
+//! An interrupted or killed solve resumes where it stopped.
 
 #![cfg(unix)]
 

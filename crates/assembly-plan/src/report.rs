@@ -22,7 +22,8 @@ pub fn run(arguments: &ReportArguments) -> Result<Exit, CommandError> {
 
 /// Writes the page of a folder into it and prints its name.
 ///
-/// # Errors When the folder cannot be read or the page cannot be written.
+/// # Errors
+/// When the folder cannot be read or the page cannot be written.
 pub fn write_into(folder: &Path) -> Result<(), PlannerError> {
     tell_pages(&report::write(folder, &[], None, None)?);
     Ok(())

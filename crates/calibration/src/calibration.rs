@@ -106,7 +106,8 @@ struct Outcome {
 /// Fits the robot of a scene to logs. With `per_joint`, every joint has its own rotor inertia and friction. `observe`
 /// gets every fit before it starts.
 ///
-/// # Errors When a log does not fit the scene, or no rollout can be made.
+/// # Errors
+/// When a log does not fit the scene, or no rollout can be made.
 pub fn calibrate(
     problem: &Problem,
     logs: &[Log],

@@ -128,7 +128,8 @@ impl Entries {
     /// Writes a copy of a scene file with the entries replaced; comments and order stay. An existing file is replaced
     /// only if `replaces`.
     ///
-    /// # Errors When there is a file that must not be replaced, the copy would not be a scene, or it cannot be written.
+    /// # Errors
+    /// When there is a file that must not be replaced, the copy would not be a scene, or it cannot be written.
     pub fn write(&self, scene: &Path, out: &Path, replaces: bool) -> Result<(), PlannerError> {
         let text = read_text(scene)?;
         let document: DocumentMut =

@@ -105,7 +105,8 @@ impl Log {
     /// Reads a log of a plan of a scene. Of a run that was stopped, only the motion in free air is kept, as its grasp
     /// error is unknown.
     ///
-    /// # Errors With file, line and column, when it is not a log, is of another scene, or was stopped without a motion
+    /// # Errors
+    /// With file, line and column, when it is not a log, is of another scene, or was stopped without a motion
     /// in free air.
     pub fn read(file: &Path, scene: &Scene) -> Result<Self, PlannerError> {
         let header = read_header(file)?;

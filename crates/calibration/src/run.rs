@@ -34,7 +34,8 @@ pub struct Run {
 impl Run {
     /// From a log. The reference has a step for each control period of an arm, else for each row.
     ///
-    /// # Errors When the part did not end at its goal, so that its grasp error is unknown.
+    /// # Errors
+    /// When the part did not end at its goal, so that its grasp error is unknown.
     pub fn new(log: &Log, problem: &Problem) -> Result<Self, PlannerError> {
         let mut task = AssemblyTask { impedance: Impedance::from(&log.impedance), ..problem.world() };
         let mut grasp = GraspError::default();

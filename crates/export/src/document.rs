@@ -143,7 +143,8 @@ pub struct Exported<'plan> {
 impl Document {
     /// Of an exported plan, with `rate` samples per second.
     ///
-    /// # Errors When a table of the plan is missing or wrong, or the arm cannot follow the reference.
+    /// # Errors
+    /// When a table of the plan is missing or wrong, or the arm cannot follow the reference.
     pub fn new(exported: Exported, rate: f64) -> Result<Self, PlannerError> {
         let Exported { plan, result, problem, reference, smooth, trial, anyway } = exported;
         let (scene, frames) = (problem.scene(), Frames::of(problem.scene()));

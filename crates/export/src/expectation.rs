@@ -71,7 +71,8 @@ pub struct Guards {
 impl Expectation {
     /// From the tables of a plan, and from what joint friction can hold.
     ///
-    /// # Errors When a table is missing or wrong.
+    /// # Errors
+    /// When a table is missing or wrong.
     pub fn of(plan: &StoredPlan, frames: &Frames, held: Held) -> Result<Self, PlannerError> {
         let tables = read_tables(&plan.folder)?;
         let grasps: Vec<GraspError> =

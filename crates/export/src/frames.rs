@@ -8,8 +8,9 @@ use task::Impedance;
 /// The robot's base and the grasp of its tool. Without an arm in the scene both are the identity: the tool is the part,
 /// and the base is the world.
 ///
-/// ```text world --base--> robot's base --tool--> tool point (the scene's `tip`) --grasp--> part, as the robot believes
-/// it ```
+/// ```text
+/// world --base--> robot's base --tool--> tool point (the scene's `tip`) --grasp--> part, as the robot believes it
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frames {
     /// The robot's base in the world.

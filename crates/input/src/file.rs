@@ -31,7 +31,8 @@ pub fn append(path: &Path) -> Result<File> {
 
 /// Refuses folders, pipes and devices.
 ///
-/// # Errors Also when nothing exists at the path.
+/// # Errors
+/// Also when nothing exists at the path.
 pub fn require_regular(path: &Path) -> Result<()> {
     let kind = metadata(path)?.file_type();
     if kind.is_dir() {

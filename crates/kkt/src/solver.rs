@@ -73,7 +73,8 @@ impl StageSolver {
 
     /// The same with some threads; they do not affect results.
     ///
-    /// # Errors See [`StageSolver::new`].
+    /// # Errors
+    /// See [`StageSolver::new`].
     pub fn with_workers(
         labels: &[Label],
         rows: &[usize],

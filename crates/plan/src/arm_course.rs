@@ -24,7 +24,8 @@ impl ArmCourse {
     /// (N and Nm, torques in the body frame). The arm moves its tip to the believed pose of the body, not to the
     /// reference.
     ///
-    /// # Errors When the arm does not reach a pose, or a joint is too slow.
+    /// # Errors
+    /// When the arm does not reach a pose, or a joint is too slow.
     pub fn new(
         robot: &Robot,
         time_step: f64,

@@ -187,7 +187,7 @@ impl PlannerError {
         |source| Self::Io { path: path.to_owned(), action: "read", source }
     }
 
-    /// A file that cannot be written, likewise.
+    /// A file that cannot be written.
     pub fn written(path: &Path) -> impl FnOnce(io::Error) -> Self {
         |source| Self::Io { path: path.to_owned(), action: "written", source }
     }

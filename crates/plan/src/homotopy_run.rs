@@ -62,7 +62,8 @@ impl<'run> HomotopyRun<'run> {
     /// Runs until it ends, `observe` or `finished` stops it, or the time of the session is over: then at once, and the
     /// running homotopy step is lost.
     ///
-    /// # Errors When an option or the linear solver is rejected, or no thread can be started.
+    /// # Errors
+    /// When an option or the linear solver is rejected, or no thread can be started.
     pub fn run(
         self,
         session: &Session,

@@ -1,4 +1,4 @@
-//! What steers the search for a robust plan. The defaults are what was measured to work best on the scenes of the project.
+//! Parameters of the search for a robust plan. The defaults worked best in measurements on the scenes of the project.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,25 +9,25 @@ use crate::ranges::require;
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct RobustParameters {
-    /// Who gets how much of the time.
+    /// Shares of the time.
     pub time: TimeShares,
     /// How references are changed.
     pub training: TrainingParameters,
-    /// What they are evaluated in.
+    /// Evaluations.
     pub evaluation: EvaluationParameters,
     /// How far references may be led away.
     pub near: NearParameters,
-    /// How the last of them are compared.
+    /// The final comparison.
     pub comparison: ComparisonParameters,
     /// Other problems that are solved where the plan of the scene is given up.
     pub portfolio: PortfolioParameters,
     /// The many plans from which one for an arm is taken.
     pub drafts: DraftParameters,
-    /// What robust plans tolerate beyond what they must.
+    /// Margins of robust plans beyond the requirements.
     pub margins: MarginParameters,
     /// How robust plans are made simpler.
     pub simplification: SimplificationParameters,
-    /// Where random numbers begin.
+    /// Seeds of random numbers.
     pub seeds: Seeds,
 }
 
@@ -66,7 +66,7 @@ impl RobustParameters {
     }
 }
 
-/// Shares (0 to 1) of the time that is left when a part of the work begins.
+/// Shares (0 to 1) of the remaining time when a part of the work begins.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct TimeShares {
@@ -80,9 +80,9 @@ pub struct TimeShares {
     pub other_drafts: f64,
     /// The solve of a variant, of its own time; the rest is for its refinement.
     pub solving: f64,
-    /// Changes, of the time of a refinement; the rest is for the evaluation that follows.
+    /// Perturbations, of the time of a refinement; the rest is for the evaluation that follows.
     pub training: f64,
-    /// The harder world in which a robust plan gets margins; the rest is for the evaluation that follows.
+    /// The hardened environment in which a robust plan gets margins; the rest is for the evaluation that follows.
     pub margins: f64,
     /// Making a robust plan simpler; the rest is for the evaluation that follows.
     pub simplification: f64,
@@ -133,7 +133,7 @@ impl Default for TrainingParameters {
     }
 }
 
-/// What references are evaluated in.
+/// Test cases of evaluations.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct EvaluationParameters {
@@ -142,7 +142,7 @@ pub struct EvaluationParameters {
     pub random: usize,
     /// The same for a plan that nothing has refined: about a second of rollouts.
     pub test_random: usize,
-    /// Magnitudes of the random offsets in a hull, as fractions of delta-hat. Beyond 95 % nothing is promised: the controller
+    /// Magnitudes of the random offsets in a hull, as fractions of delta-hat. Beyond 95 % there is no guarantee: the controller
     /// has no margin there but the planned offsets, which are played too. In a disc or a ball there are as many offsets.
     pub fractions: [f64; 5],
     /// Errors in every direction that random offsets have on top, as a fraction of delta-hat: what succeeds by a hair in one
@@ -151,7 +151,7 @@ pub struct EvaluationParameters {
     /// Test cases that are played before it is asked whether they are enough; independent of the number of threads, so that the
     /// results are, too.
     pub batch: usize,
-    /// So many failures are enough to train on.
+    /// Number of failures that is enough to train on.
     pub enough_failures: usize,
     /// Part of the limit of contact forces that evaluations may use: largest forces in MuJoCo are a tenth larger.
     pub force_share: f64,
@@ -177,7 +177,7 @@ impl Default for EvaluationParameters {
 pub struct NearParameters {
     /// A refined reference leaves the box of plan and straight path by at most this multiple of the sum of delta-hat and tolerance.
     pub margin: f64,
-    /// It is at most so many times as fast as they are, where no limit says how fast it may be.
+    /// Factor of their largest speed that bounds its speed, where no limit does.
     pub haste: f64,
 }
 
@@ -187,11 +187,11 @@ impl Default for NearParameters {
     }
 }
 
-/// How the last references are compared where none is robust.
+/// The final comparison, where no reference is robust.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct ComparisonParameters {
-    /// So many of the latest.
+    /// Number of latest references that are compared.
     pub latest: usize,
     /// Random grasp errors per friction and magnitude.
     pub random: usize,
@@ -209,13 +209,13 @@ impl Default for ComparisonParameters {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct PortfolioParameters {
-    /// Failing grasp errors that a variant takes over as scenarios.
+    /// Failing grasp errors that a variant adopts as scenarios.
     pub added_failures: usize,
     /// Factor of the grasp errors that are planned with a margin.
     pub offset_margin: f64,
     /// Factor of the weights of velocities in a slower plan.
     pub slowness: f64,
-    /// Iterations of a homotopy that begins at a motion.
+    /// Homotopy steps of a homotopy that starts from a motion.
     pub resolved_iterations: usize,
     /// Its first barrier parameter: there are no multipliers yet.
     pub resolved_barrier: f64,
@@ -227,7 +227,7 @@ impl Default for PortfolioParameters {
     }
 }
 
-/// The many plans of an arm's scene from which the best is taken. Compliant motions that shift slowly and turn freely pass most
+/// The many plans of an arm's scene from which the best is taken. Compliant motions that shift slowly and rotate freely pass most
 /// rollouts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -238,9 +238,9 @@ pub struct DraftParameters {
     pub promising: f64,
     /// Largest number of drafts: more would take more time to compare than to make.
     pub most: usize,
-    /// So many of the last homotopy steps of a draft are tried: earlier ones hardly ever win.
+    /// Number of last homotopy steps of a draft that are tried: earlier ones hardly ever win.
     pub last: usize,
-    /// So many of their first homotopy steps have half of their steps.
+    /// Number of their first homotopy steps with half of their time steps.
     pub coarse_iterations: usize,
     /// Exponents of ten of the least and largest factor of the weight of the reference's translational velocity.
     pub reference_translational: [f64; 2],
@@ -277,11 +277,11 @@ impl Default for DraftParameters {
     }
 }
 
-/// What robust plans for arms tolerate beyond what they must.
+/// Margins of robust plans for arms beyond the requirements.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct MarginParameters {
-    /// So many times as large are frictions in the harder world.
+    /// Factor applied to friction coefficients in the hardened environment.
     pub friction: f64,
 }
 
@@ -297,7 +297,7 @@ impl Default for MarginParameters {
 pub struct SimplificationParameters {
     /// Random grasp errors per friction and magnitude in which the simpler plan must succeed besides the training cases.
     pub random: usize,
-    /// How often a plan that is too simple is made anew, with the test cases that it fails.
+    /// How often a plan that is too simple is simplified again, with the test cases that it fails.
     pub attempts: usize,
 }
 
@@ -307,11 +307,11 @@ impl Default for SimplificationParameters {
     }
 }
 
-/// Where random numbers begin.
+/// Seeds of random numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Seeds {
-    /// Of training offsets and changes; evaluations have the seeds after it.
+    /// Seed of training offsets and perturbations; evaluations have the following seeds.
     pub first: u64,
     /// Distance between the seeds of evaluations, which need one per magnitude.
     pub stride: u64,

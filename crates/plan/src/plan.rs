@@ -272,7 +272,7 @@ impl Plan {
         }
     }
 
-    /// Whether the end of the time has stopped work that another run can go on with.
+    /// Whether the end of the time has stopped work that another run can resume.
     pub fn can_go_on(&self) -> bool {
         let is_finished = matches!(self.status(), PlanStatus::Done | PlanStatus::Planned);
         self.stopped.is_some() && !is_finished

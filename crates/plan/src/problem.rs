@@ -63,7 +63,8 @@ impl Problem {
 
     /// From a scene that was read from `file`, which messages name.
     ///
-    /// # Errors The first wrong choice.
+    /// # Errors
+    /// The first wrong choice.
     pub fn choose(mut scene: Scene, file: &Path, choices: &Choices) -> Result<Self, PlannerError> {
         if let Some(rotation_error) = choices.rotation_error {
             require_rotation_error(rotation_error)?;
@@ -90,7 +91,8 @@ impl Problem {
     /// From a scene, by default with its first start and its own offset magnitude (m). A position tolerance that the
     /// scene does not give is chosen.
     ///
-    /// # Errors When the scene has no such start, the magnitude or a tolerance is not possible, or the installed Ipopt
+    /// # Errors
+    /// When the scene has no such start, the magnitude or a tolerance is not possible, or the installed Ipopt
     /// cannot run these settings.
     pub fn new(
         mut scene: Scene,

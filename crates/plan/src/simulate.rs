@@ -198,7 +198,8 @@ impl SimulationRequest {
 /// The session's observer gets the progress. If the session is interrupted, the rollouts so far are returned; its
 /// folder and its deadline are not used.
 ///
-/// # Errors When the request is out of range.
+/// # Errors
+/// When the request is out of range.
 pub fn simulate(
     problem: &Problem,
     motions: &[(Motion, Reference)],

@@ -23,7 +23,8 @@ use crate::variant::Variant;
 /// folder in the session, finished homotopy steps are stored there, and those of an earlier run of the same problem are
 /// not solved again.
 ///
-/// # Errors When a linear solver or a file fails, or the session's time ends before the first homotopy step. A solve
+/// # Errors
+/// When a linear solver or a file fails, or the session's time ends before the first homotopy step. A solve
 /// that does not converge, or has no time to, returns a plan with that status.
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
     require_threads(session.threads)?;

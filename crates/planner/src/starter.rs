@@ -47,7 +47,8 @@ pub struct StarterFit {
 /// Makes the scene that is written to `file`: with two files, whose body is taken out along a given axis or one that is
 /// found, or the example.
 ///
-/// # Errors When a file cannot be read, the parts are not assembled, or the body gets out along no axis of the files.
+/// # Errors
+/// When a file cannot be read, the parts are not assembled, or the body gets out along no axis of the files.
 pub fn starter(
     file: &Path,
     files: Option<&FilePair>,

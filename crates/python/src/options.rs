@@ -66,7 +66,8 @@ pub struct SolveOptions {
 impl SolveOptions {
     /// Claims the folder of the plan, if it has one; `inputs` are files that the user has named.
     ///
-    /// # Errors When it cannot be that of a plan, or nothing can be resumed.
+    /// # Errors
+    /// When it cannot be that of a plan, or nothing can be resumed.
     pub fn claim(&self, inputs: &[&Path]) -> Result<Option<PlanFolder>, PlannerError> {
         let Some(out) = &self.out else {
             return match self.resume {
@@ -95,7 +96,8 @@ pub struct RobustOptions {
 impl RobustOptions {
     /// Target of a robust plan of a scene.
     ///
-    /// # Errors When a value is out of its range.
+    /// # Errors
+    /// When a value is out of its range.
     pub fn target(self, scene: &Scene) -> Result<RobustnessTarget, PlannerError> {
         /// More than anyone waits (s).
         const MOST: f64 = 1e7;
@@ -152,7 +154,8 @@ impl PlayOptions {
 
     /// The simulation to be run.
     ///
-    /// # Errors When a value is out of its range, or two exclude each other.
+    /// # Errors
+    /// When a value is out of its range, or two exclude each other.
     pub fn request(&self) -> Result<SimulationRequest, PlannerError> {
         let offsets = match (self.random, self.grid, &self.offsets) {
             (Some(count), None, None) => OffsetSource::Random(count, self.region()?),
@@ -191,7 +194,8 @@ fn wrong(name: &'static str, problem: impl ToString) -> PlannerError {
 
 /// The text of a TOML file with the content of a JSON object.
 ///
-/// # Errors When it is not an object, or has a value that TOML cannot represent.
+/// # Errors
+/// When it is not an object, or has a value that TOML cannot represent.
 pub fn toml_text(json: &str) -> Result<String, PlannerError> {
     let table: toml::Table = serde_json::from_str(json).map_err(|error| wrong("dictionary", error))?;
     toml::to_string(&table).map_err(|error| wrong("dictionary", error))

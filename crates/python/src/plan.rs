@@ -50,7 +50,8 @@ impl Plan {
 
     /// The inputs of a simulation, with the homotopy steps if requested.
     ///
-    /// # Errors When a file of a stored plan cannot be read.
+    /// # Errors
+    /// When a file of a stored plan cannot be read.
     pub fn played(&self, stages: bool) -> Result<PlayedPlan, PlannerError> {
         let mut motions = Vec::new();
         if stages {

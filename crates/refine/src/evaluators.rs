@@ -8,7 +8,8 @@ use workers::Workers;
 
 /// One for evaluations and one for the training set, with margins of contact forces, for references near one.
 ///
-/// # Errors When an arm does not reach the start.
+/// # Errors
+/// When an arm does not reach the start.
 pub fn evaluators(
     problem: &Problem,
     target: &RobustnessTarget,

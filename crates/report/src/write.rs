@@ -24,7 +24,8 @@ pub struct Written {
 /// Writes the page of a folder, by default into it, for a batch also the pages of its finished cells, and its figures
 /// into another folder, if one is named. The page of a plan also shows the executions in logs.
 ///
-/// # Errors When the folder cannot be read or has no figures, or a foreign file is in the way. Then neither the page
+/// # Errors
+/// When the folder cannot be read or has no figures, or a foreign file is in the way. Then neither the page
 /// nor a figure is written.
 pub fn write(
     folder: &Path,

@@ -71,7 +71,8 @@ impl Arm {
     /// from those of the pose before, those of the first one from `from`. The arm therefore stays on one IK branch as
     /// long as poses are close to each other; a jump to another branch shows as a speed that no joint has.
     ///
-    /// # Errors When a pose is not reached within the limits of the joints, a joint is too slow, or times do not
+    /// # Errors
+    /// When a pose is not reached within the limits of the joints, a joint is too slow, or times do not
     /// increase.
     pub fn follow(&self, motion: &[(f64, Isometry3<f64>)], from: &JointVector) -> Result<JointPath, FollowError> {
         let mut path = JointPath {

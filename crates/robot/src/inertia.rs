@@ -42,7 +42,8 @@ impl RigidInertia {
     /// From a mass (kg), a centre of mass (m) and a rotational inertia about that (kg m^2), along the axes of the
     /// frame.
     ///
-    /// # Errors When no rigid body has this inertia. Zero is allowed.
+    /// # Errors
+    /// When no rigid body has this inertia. Zero is allowed.
     pub fn new(mass: f64, centre: Vector3<f64>, rotational: Matrix3<f64>) -> Result<Self, InertiaError> {
         if !(mass >= 0.0 && mass.is_finite()) {
             return Err(InertiaError::Mass { mass });

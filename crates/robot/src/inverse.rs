@@ -39,7 +39,8 @@ impl Arm {
     /// The damping is half of the squared error (Sugihara, 2011), with translations over [`CHARACTERISTIC_LENGTH`]:
     /// steps are careful far away and converge quadratically at the pose.
     ///
-    /// # Errors When the steps do not converge, or the positions are beyond limits.
+    /// # Errors
+    /// When the steps do not converge, or the positions are beyond limits.
     pub fn inverse_kinematics(&self, pose: &Isometry3<f64>, near: &JointVector) -> Result<JointVector, InverseError> {
         let mut configuration = *near;
         let mut steps = 0;

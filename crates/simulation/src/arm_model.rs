@@ -72,7 +72,8 @@ impl ArmModel {
 
     /// Joint positions (rad or m) at the start of a task, followed from those at the goal along the straight path.
     ///
-    /// # Errors When a number is out of its range, or the arm does not reach a pose of that path or is singular at the
+    /// # Errors
+    /// When a number is out of its range, or the arm does not reach a pose of that path or is singular at the
     /// start.
     pub fn start(&self, task: &AssemblyTask) -> Result<JointVector, ArmModelError> {
         let configuration = self.arm.configuration(&self.configuration).map_err(ArmModelError::Configuration)?;

@@ -150,7 +150,8 @@ impl Evaluator {
 
     /// With an arm that holds the body. Steps are longer then: 2 ms, or a control period if that is shorter.
     ///
-    /// # Errors As [`Rollout::with_arm`].
+    /// # Errors
+    /// As [`Rollout::with_arm`].
     pub fn with_arm(self, model: &ArmModel) -> Result<Self, ArmModelError> {
         let rollouts = self.rollouts.into_iter().map(|mut rollout| {
             rollout.settings.time_step = ARM_TIME_STEP;
@@ -214,7 +215,8 @@ impl Evaluator {
     /// Simulates all test cases. Results have the order of the test cases; `None` when `stop` returned true before the
     /// last of them began.
     ///
-    /// # Panics When the evaluator has no friction coefficient of a test case's index.
+    /// # Panics
+    /// When the evaluator has no friction coefficient of a test case's index.
     pub fn evaluate_all(
         &self,
         reference: &Reference,

@@ -60,7 +60,8 @@ const REMEMBERED: usize = 6;
 impl<'evaluator> Refinement<'evaluator> {
     /// Starts from a reference whose results in the test cases are known, in the order of the test cases.
     ///
-    /// # Panics When there are not as many results as test cases.
+    /// # Panics
+    /// When there are not as many results as test cases.
     pub fn new(
         evaluator: &'evaluator Evaluator,
         reference: Reference,

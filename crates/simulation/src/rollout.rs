@@ -98,7 +98,8 @@ impl Rollout {
     /// With an arm that holds the body. The arm then determines the inertia; the time step becomes the largest divisor
     /// of the control period that is not longer than that of the settings.
     ///
-    /// # Errors When a number of the settings or of the model is out of its range, or the arm does not reach goal,
+    /// # Errors
+    /// When a number of the settings or of the model is out of its range, or the arm does not reach goal,
     /// start and the straight path between them on one IK branch.
     pub fn with_arm(mut self, model: &ArmModel) -> Result<Self, ArmModelError> {
         self.settings.validate()?;

@@ -11,7 +11,8 @@ const LARGEST: u64 = 1 << 28;
 
 /// Writes a file under a temporary name and renames it, so that it is never incomplete. A missing folder is made.
 ///
-/// # Errors When it cannot be written; an older file then stays.
+/// # Errors
+/// When it cannot be written; an older file then stays.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;
@@ -62,7 +63,8 @@ pub(super) fn is_at(_file: &File, path: &Path) -> bool {
 
 /// Refuses the name of a folder whose path leads through a file, or through a link to nothing.
 ///
-/// # Errors With the name of that file.
+/// # Errors
+/// With the name of that file.
 pub fn require_folder(folder: &Path) -> Result<(), PlannerError> {
     let stands = |place: &&Path| place.symlink_metadata().is_ok() && !place.is_dir();
     let Some(place) = folder.ancestors().find(stands) else { return Ok(()) };
@@ -92,7 +94,8 @@ pub fn remove_file(path: &Path) -> Result<(), PlannerError> {
 
 /// Reads a file of the program.
 ///
-/// # Errors When it cannot be read, is another kind of file, or is too large.
+/// # Errors
+/// When it cannot be read, is another kind of file, or is too large.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, PlannerError> {
     input::read(path, LARGEST).map_err(PlannerError::read(path))
 }

@@ -61,7 +61,8 @@ impl Execution {
     /// Reads the log of a player: the columns of `reference.csv` with the believed pose of the part, and `phase`.
     /// Rollouts have these frictions, at least one.
     ///
-    /// # Errors When the log cannot be read, is of another plan or of a dry run, or has no executed plan; when a
+    /// # Errors
+    /// When the log cannot be read, is of another plan or of a dry run, or has no executed plan; when a
     /// rollout cannot be made.
     pub fn read(
         file: &Path,
@@ -215,7 +216,7 @@ impl Header {
     }
 }
 
-/// Refuses logs that go on much longer than their plan.
+/// Refuses logs that last much longer than their plan.
 fn require_duration(file: &Path, course: &[ExecutedState], reference: &Reference) -> Result<(), PlannerError> {
     /// Longest rest at the end of a plan (s).
     const LONGEST_REST: f64 = 60.0;
@@ -223,7 +224,7 @@ fn require_duration(file: &Path, course: &[ExecutedState], reference: &Reference
         (reference.intervals() as f64 * reference.time_step(), course.last().map_or(0.0, |state| state.time));
     if log > plan + LONGEST_REST {
         let problem = format!(
-            "column time_s: the log goes on for {log:.0} s after the plan started, which takes {plan:.1} s; name the folder of \
+            "column time_s: the log lasts {log:.0} s after the plan started, which takes {plan:.1} s; name the folder of \
              the plan that was exported, and keep the rows as the player wrote them"
         );
         return Err(PlannerError::file(file, problem));

@@ -66,7 +66,8 @@ pub struct PlayedRows {
 
 /// The line above the columns, JSON after a `#`; `None` if the file begins otherwise.
 ///
-/// # Errors With the column, when the line cannot be read or is of another format.
+/// # Errors
+/// With the column, when the line cannot be read or is of another format.
 pub fn read_log_header<T: DeserializeOwned>(file: &Path) -> Result<Option<T>, PlannerError> {
     let text = read_text(file)?;
     let Some(json) = text.lines().next().and_then(|first| first.strip_prefix('#')) else { return Ok(None) };
@@ -89,7 +90,8 @@ pub fn read_log_header<T: DeserializeOwned>(file: &Path) -> Result<Option<T>, Pl
 
 /// The rows of a log since the plan was started; `None` if it was not.
 ///
-/// # Errors With line and column, when a row is wrong or times do not increase.
+/// # Errors
+/// With line and column, when a row is wrong or times do not increase.
 pub fn read_played_rows(file: &Path) -> Result<Option<PlayedRows>, PlannerError> {
     let (states, measured) = (read_csv::<StateRow>(file)?, read_csv::<MeasuredRow>(file)?);
     let Some(begin) = measured.iter().position(|row| row.phase == PLAYING) else { return Ok(None) };

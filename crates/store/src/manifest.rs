@@ -85,7 +85,8 @@ pub struct Manifest {
 impl Manifest {
     /// From cells whose files have absolute paths.
     ///
-    /// # Errors When the folder cannot be made.
+    /// # Errors
+    /// When the folder cannot be made.
     pub fn new(folder: &Path, mut cells: Vec<Cell>) -> Result<Self, PlannerError> {
         require_folder(folder)?;
         fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;

@@ -8,7 +8,8 @@ use crate::atomic::{require_folder, write_file};
 
 /// Writes a scene to a file whose name ends with `.toml`. An existing file is replaced only if `replaces`.
 ///
-/// # Errors When there is a file that must not be replaced, the name has another ending, or it cannot be written.
+/// # Errors
+/// When there is a file that must not be replaced, the name has another ending, or it cannot be written.
 pub fn write_new_scene(file: &Path, text: &str, replaces: bool) -> Result<(), PlannerError> {
     // So that a typing error does not replace a mesh or a document.
     if file.extension().is_none_or(|ending| ending != "toml") {

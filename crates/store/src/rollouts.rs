@@ -123,7 +123,8 @@ pub struct OffsetRow {
 
 /// Reads a list of offsets (m, body frame).
 ///
-/// # Errors With the line that is wrong, or when there are none.
+/// # Errors
+/// With the line that is wrong, or when there are none.
 pub fn read_offsets(file: &Path) -> Result<Vec<[f64; 3]>, PlannerError> {
     /// More than anyone needs.
     const MOST: usize = 1_000_000;

@@ -99,7 +99,8 @@ impl StoredPlan {
 
     /// The problem that the plan was made for, from its own `resolved.toml`.
     ///
-    /// # Errors When that file is not a scene, or differs from the settings of the plan.
+    /// # Errors
+    /// When that file is not a scene, or differs from the settings of the plan.
     pub fn problem(&self) -> Result<Problem, PlannerError> {
         let file = self.folder.join(RESOLVED);
         let problem = Problem::choose(self.scene()?, &file, &Choices::default())?;

@@ -24,7 +24,8 @@ pub struct WorkFolder {
 impl WorkFolder {
     /// Claims a folder; nothing in it changes.
     ///
-    /// # Errors When another process writes into it, or the hidden folder is a foreign one.
+    /// # Errors
+    /// When another process writes into it, or the hidden folder is a foreign one.
     pub fn claim(target: &Path) -> Result<Self, PlannerError> {
         let target = locate(target)?;
         let path = work_of(&target, target.file_name().unwrap_or_default());

@@ -55,7 +55,8 @@ impl Workers {
     /// Results are taken as soon as possible, and the calling thread helps with the work while the next result is
     /// missing. When `take` breaks, pieces that no thread has started are dropped.
     ///
-    /// # Panics When `work` or `take` panics.
+    /// # Panics
+    /// When `work` or `take` panics.
     pub fn in_order<T: Send, R: Send>(
         &self,
         pieces: impl Iterator<Item = T>,

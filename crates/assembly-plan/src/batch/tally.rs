@@ -28,7 +28,8 @@ pub struct Tally {
 impl Tally {
     /// For `total` cells.
     ///
-    /// # Errors When the log file cannot be opened.
+    /// # Errors
+    /// When the log file cannot be opened.
     pub fn new(total: usize, arguments: &ProgressArguments) -> Result<Self, CommandError> {
         let progress = Progress::new(arguments)?;
         Ok(Self { planned: 0, failed: 0, total, solved: 0, begun: Instant::now(), shown: None, progress })

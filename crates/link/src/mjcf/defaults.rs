@@ -13,7 +13,8 @@ pub struct Levels<'text> {
 impl<'text> Levels<'text> {
     /// For an element, whose class is its own or that of the nearest body or frame with one for its children.
     ///
-    /// # Errors When there is no such class.
+    /// # Errors
+    /// When there is no such class.
     pub fn of(element: Node<'text, 'text>) -> Result<Self, ModelError> {
         let of_parents = || element.ancestors().skip(1).find_map(|around| attribute(around, "childclass"));
         let class = attribute(element, "class").or_else(of_parents);
@@ -54,7 +55,8 @@ impl<'text> Levels<'text> {
 
     /// As [`first`](Self::first), for alternative attributes.
     ///
-    /// # Errors When an element has two of them.
+    /// # Errors
+    /// When an element has two of them.
     pub fn one_of(&self, names: &[&str]) -> Result<Option<(usize, Value<'text>)>, ModelError> {
         for element in &self.elements {
             let mut values = names.iter().filter_map(|name| attribute(*element, name));

@@ -13,7 +13,8 @@ use crate::rounded::{LENGTH, rounded};
 
 /// Reads the manifest of a folder and the state of its cells.
 ///
-/// # Errors When the manifest is wrong, or no cell is finished yet.
+/// # Errors
+/// When the manifest is wrong, or no cell is finished yet.
 pub fn read(folder: &Path) -> Result<BatchData, PlannerError> {
     let manifest = Manifest::load(folder)?;
     let states: Vec<CellState> = manifest.cells.iter().map(|cell| CellState::of(&manifest, cell)).collect();

@@ -14,7 +14,8 @@ use crate::rounded::{FORCE, LENGTH, rounded};
 
 /// The motions of logs.
 ///
-/// # Errors When a log cannot be compared with the plan.
+/// # Errors
+/// When a log cannot be compared with the plan.
 pub fn motions(
     logs: &[PathBuf],
     plan: &StoredPlan,

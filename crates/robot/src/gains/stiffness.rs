@@ -84,7 +84,8 @@ impl Demand {
     /// The stiffness for execution: that of similarity, or more where the target deadband requires it, within the other
     /// requirements.
     ///
-    /// # Errors When there is none.
+    /// # Errors
+    /// When there is none.
     pub fn stiffness(&self, similar: f64) -> Result<f64, Refusal> {
         let [smallest, largest] = self.stiffnesses()?;
         Ok(similar.max(self.friction / self.deadband).clamp(smallest, largest))

@@ -17,7 +17,8 @@ pub struct BoundingBox {
 impl BoundingBox {
     /// The box of the mesh in an STL or OBJ file, whose unit is `scale` metres.
     ///
-    /// # Errors When it cannot be read or is not a closed surface.
+    /// # Errors
+    /// When it cannot be read or is not a closed surface.
     pub fn of_mesh(path: &Path, scale: f64) -> Result<Self, SceneError> {
         let solid = TriangleMesh::read(path, scale).and_then(|mesh| Solid::of(&mesh));
         let [low, high] = solid.map_err(|error| SceneError::about(path, format!("mesh: {error}")))?.bounding_box();
@@ -26,7 +27,8 @@ impl BoundingBox {
 
     /// The box of a link with collision shapes in an SDF, URDF or MJCF file: the named one, or the only one.
     ///
-    /// # Errors When it cannot be read, has no such link, or several and none is named.
+    /// # Errors
+    /// When it cannot be read, has no such link, or several and none is named.
     pub fn of_model(path: &Path, link: Option<&str>) -> Result<Self, SceneError> {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for point in points_of_link(path, link)? {

@@ -128,7 +128,8 @@ pub fn starter_scene(
 
 /// Text of a minimal scene with two files, as if written to `file`: for measuring how they fit.
 ///
-/// # Errors When a file cannot be read.
+/// # Errors
+/// When a file cannot be read.
 pub fn probe_scene(
     file: &Path,
     files: &FilePair,
