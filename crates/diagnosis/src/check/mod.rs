@@ -1,6 +1,7 @@
 //! What a scene says, and what is odd about it, without solving it.
 
 mod delay;
+mod explanation;
 mod oddities;
 pub(crate) mod overlaps;
 mod pairs;
@@ -11,7 +12,7 @@ mod way;
 use ocp::{Layout, blocks, standard_terms};
 use plan::play::along_insertion;
 use plan::ranges::require;
-use plan::{Engagement, PlannerError, Problem};
+use plan::{PlannerError, Problem};
 use scene::Part;
 use serde::Serialize;
 use task::ContactPair;
@@ -20,6 +21,7 @@ use crate::check::oddities::oddities;
 use crate::check::overlaps::overlaps;
 use crate::warnings;
 
+pub use explanation::{Explanation, FitReport, SizeReport};
 pub(crate) use oddities::{first_smoothing, rest, step};
 pub use overlaps::PoseOverlap;
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
@@ -46,88 +48,6 @@ pub struct PairReport {
     pub exact_distance_m: f64,
     /// `n_tau`.
     pub normal: [f64; 7],
-}
-
-/// What there is to know of a problem before it is solved.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Explanation {
-    /// Title of the scene.
-    pub title: String,
-    /// Name of the start.
-    pub start: String,
-    /// Offset magnitude `delta-hat`.
-    pub delta_m: f64,
-    /// Convex parts of the body.
-    pub body: Vec<PartReport>,
-    /// Convex parts of the environment.
-    pub environment: Vec<PartReport>,
-    /// Meshes of both, and what became of them.
-    pub meshes: Vec<MeshReport>,
-    /// The tightest fit of a round part in a round hole, of meshes.
-    pub fit: Option<FitReport>,
-    /// Pairs that may touch.
-    pub pairs: usize,
-    /// Pairs that are left out because no motion from start to goal comes near to them.
-    pub far_pairs: Vec<String>,
-    /// Play at the goal and on the straight way back to the start.
-    pub insertion: Vec<Play>,
-    /// How far play lets the body rest from its goal in directions across the insertion that are guided; null where none
-    /// is, or something stops it on one side only.
-    pub farthest_rest_m: Option<f64>,
-    /// Pairs that overlap at the goal or at the start with an offset.
-    pub overlaps: Vec<PoseOverlap>,
-    /// Whether the body gets from start to goal in clearance.
-    pub way: Way,
-    /// Edges of the box around the body, in its frame.
-    pub body_edges_m: [f64; 3],
-    /// Edges of the box around the environment.
-    pub environment_edges_m: [f64; 3],
-    /// What guides the body at its goal, and how deep.
-    pub engagement: Engagement,
-    /// Largest final distance from the goal of a success.
-    pub position_tolerance_m: f64,
-    /// How deep exact shapes may overlap in a plan that is done.
-    pub max_overlap_m: f64,
-    /// Why no plan can be made; null where one may be found.
-    pub refusal: Option<String>,
-    /// How large the optimal control problem is.
-    pub size: SizeReport,
-    /// What is chosen because the scene does not say it.
-    pub chosen: Vec<String>,
-    /// What is odd.
-    pub warnings: Vec<String>,
-}
-
-/// A round part in a round hole.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct FitReport {
-    /// Radius of the hole.
-    pub hole_radius_m: f64,
-    /// Difference of the radii.
-    pub gap_m: f64,
-    /// What facets take of it.
-    pub lost_m: f64,
-    /// What the mesh of the hole takes besides, at most: its flat sides lie inside of the hole.
-    pub mesh_lost_m: f64,
-}
-
-/// Size of an optimal control problem, and what solving it needs on a common processor: estimates.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct SizeReport {
-    /// Its steps.
-    pub steps: usize,
-    /// Length of a step.
-    pub time_step_s: f64,
-    /// Its scenarios.
-    pub scenarios: usize,
-    /// Its variables.
-    pub variables: usize,
-    /// Its constraints.
-    pub constraints: usize,
-    /// Time of a plain solve.
-    pub seconds: f64,
-    /// Memory.
-    pub megabytes: f64,
 }
 
 /// Every pair's distances at a pose, smoothed by `tau`.

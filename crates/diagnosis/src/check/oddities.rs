@@ -1,10 +1,13 @@
 //! What is odd about a scene, and which key to change.
 
+use plan::play::Play;
 use plan::{Millimetres, Problem};
 use task::{AssemblyTask, Overlap};
 
 use crate::check::delay::delay;
-use crate::check::{Explanation, Play, Way, pairs};
+use crate::check::explanation::Explanation;
+use crate::check::pairs;
+use crate::check::way::Way;
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use planner::batch::{Manifest, Matrix, collect, expand};
-use planner::files::cells::{CellElement, CellRow};
+use planner::files::batch::cells::{CellElement, CellRow};
 use planner::files::trajectory::{read_reference, read_trajectory, write_trajectory};
 use planner::files::{
     Checkpoint, Format, PlanResult, RolloutRow, SimulationRecord, StoredPlan, SuccessRow, read_csv,

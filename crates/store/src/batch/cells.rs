@@ -6,7 +6,7 @@ use plan::{PlannerError, Split};
 use serde::{Deserialize, Serialize};
 
 use crate::atomic::{read_bytes, write_file};
-use crate::batch::CellState;
+use crate::batch::state::CellState;
 use crate::manifest::{Cell, Manifest};
 use crate::result::{PlanResult, ScenarioRecord};
 use crate::table::to_csv;
