@@ -1,7 +1,7 @@
 //! Plans on the way to a robust one.
 
 use plan::{Round, SuccessRates};
-use simulation::{Reference, Refinement, Trial};
+use simulation::{Reference, Refinement, Trial, TrialResult};
 
 use crate::evaluation::{Drawn, Judgement};
 use crate::origin::Solved;
@@ -13,9 +13,9 @@ pub struct Candidate<'run> {
     pub round: Round,
 }
 
-/// The best plan so far, with its evaluation.
+/// A reference that was evaluated.
 #[derive(Clone)]
-pub struct Kept {
+pub struct Evaluated {
     pub solved: Solved,
     pub reference: Reference,
     pub rates: SuccessRates,
@@ -25,7 +25,7 @@ pub struct Kept {
     pub evaluation: Drawn,
     /// Rollouts that this lacks because the time was over; 0 where it is decided.
     pub unplayed: usize,
-    /// Trials that it fails.
+    /// Test cases that it fails.
     pub failing: Vec<Trial>,
     /// Number of its round, from 1.
     pub round: usize,
@@ -33,16 +33,40 @@ pub struct Kept {
     pub changes: usize,
 }
 
-impl Kept {
+impl Evaluated {
+    /// A reference of a round after so many changes, with what its evaluation has shown.
+    pub fn new(solved: Solved, reference: Reference, judgement: &Judgement, round: usize, changes: usize) -> Self {
+        Self {
+            solved,
+            reference,
+            rates: judgement.rates.clone(),
+            reached: judgement.reached,
+            evaluation: judgement.evaluation,
+            unplayed: judgement.unplayed,
+            failing: judgement.failing(),
+            round,
+            changes,
+        }
+    }
+
     /// After another evaluation.
-    pub fn judged(self, judgement: Judgement) -> Self {
-        let failing = judgement.failing();
-        let Judgement { rates, reached, evaluation, unplayed, .. } = judgement;
-        Self { rates, reached, evaluation, unplayed, failing, ..self }
+    pub fn judged(self, judgement: &Judgement) -> Self {
+        Self::new(self.solved, self.reference, judgement, self.round, self.changes)
     }
 
     /// Whether it is better than another plan: robust before not, then by the rate of all rollouts.
     pub fn is_better_than(&self, other: &Self) -> bool {
         (self.reached, self.rates.overall()) > (other.reached, other.rates.overall())
     }
+
+    /// Whether the reference is longer than its plan's horizon.
+    pub fn has_strokes(&self) -> bool {
+        self.reference.intervals() > self.solved.variant.task.horizon.steps
+    }
+}
+
+/// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training set.
+pub fn round(solved: &Solved, results: &[TrialResult]) -> Round {
+    let Solved { variant, iterations, chosen, .. } = solved;
+    Round::new(solved.planned(), variant, iterations, *chosen, results)
 }

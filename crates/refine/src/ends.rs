@@ -1,20 +1,16 @@
 //! How references end: as they were planned, or with strokes.
 
-use plan::{Problem, RobustnessTarget, Round};
-use simulation::{Reference, Refinement, Strokes};
+use plan::{Problem, RobustnessTarget};
+use simulation::{Evaluator, Reference, Strokes};
 
-use crate::candidate::{Candidate, Kept};
-use crate::origin::Solved;
-use crate::race::{Winner, race};
-use crate::schedule::Deadline;
-use crate::{Refiner, round};
+use crate::race::{Heats, Winner, race};
 
-/// The best of several references in the training trials.
+/// The best of several references in the training set.
 pub struct Best {
     /// Its index is that of the reference.
     pub winner: Winner,
-    reference: Reference,
-    has_strokes: bool,
+    pub reference: Reference,
+    pub has_strokes: bool,
 }
 
 /// Strokes for the references of a problem. `None` where nothing holds the body short of its goal.
@@ -25,38 +21,27 @@ pub fn strokes(problem: &Problem, target: &RobustnessTarget) -> Option<Strokes> 
     if are_wanted { Strokes::new(problem.task(), &problem.success(), depth) } else { None }
 }
 
-/// Whether a plan's reference is longer than its horizon.
-pub fn has_strokes(plan: &Kept) -> bool {
-    plan.reference.intervals() > plan.solved.variant.task.horizon.steps
-}
-
-impl<'run> Refiner<'run> {
-    /// Races some references in the training trials, each as it is and, where that keeps the limits, with strokes at its end; of
-    /// equals it is the one without. `None` without references or time.
-    pub(super) fn best_of(&self, references: &[Reference], until: Deadline) -> Option<Best> {
-        let (mut places, mut ends) = (Vec::new(), Vec::new());
-        for (index, plain) in references.iter().enumerate() {
-            let with_strokes = self.strokes.iter().map(|strokes| plain.with_strokes(strokes));
-            for end in with_strokes.filter(|end| self.trainer.bounds().including(end).allow(end)) {
-                places.push((index, true));
-                ends.push(end);
-            }
+/// Races some references in a training set, each as it is and, where that keeps the limits, with strokes at its end; of equals
+/// it is the one without. `None` without references, or when `stop` returned true before the end.
+pub fn best_end(
+    trainer: &Evaluator,
+    strokes: Option<&Strokes>,
+    references: &[Reference],
+    heats: Heats,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<Best> {
+    let (mut places, mut ends) = (Vec::new(), Vec::new());
+    for (index, plain) in references.iter().enumerate() {
+        let with_strokes = strokes.map(|strokes| plain.with_strokes(strokes));
+        if let Some(end) = with_strokes.filter(|end| trainer.bounds().including(end).allow(end)) {
+            places.push((index, true));
+            ends.push(end);
         }
-        // Of equals the later wins.
-        places.extend((0..references.len()).map(|index| (index, false)));
-        ends.extend_from_slice(references);
-        let stop = || self.schedule.is_over(until);
-        let winner = race(self.trainer, &ends, (&self.training, self.target.parameters.training.first), &stop)?;
-        let (reference, (index, has_strokes)) = (ends.swap_remove(winner.index), places[winner.index]);
-        Some(Best { winner: Winner { index, ..winner }, reference, has_strokes })
     }
-
-    /// The candidate of the best reference, which is that of the chosen homotopy iteration of a solved problem.
-    pub(super) fn candidate_of(&self, best: Best, mut solved: Solved) -> Candidate<'run> {
-        let Best { winner, reference, has_strokes } = best;
-        solved.marks.has_strokes = has_strokes;
-        let round = Round { rollouts: winner.rollouts, ..round(&solved, &winner.results) };
-        let refinement = Refinement::new(self.trainer, reference, self.training.clone(), winner.results, self.seed);
-        Candidate { solved, refinement, round }
-    }
+    // Of equals the later wins.
+    places.extend((0..references.len()).map(|index| (index, false)));
+    ends.extend_from_slice(references);
+    let winner = race(trainer, &ends, heats, stop)?;
+    let (reference, (index, has_strokes)) = (ends.swap_remove(winner.index), places[winner.index]);
+    Some(Best { winner: Winner { index, ..winner }, reference, has_strokes })
 }

@@ -12,13 +12,22 @@ pub struct Winner {
     pub rollouts: usize,
 }
 
-/// The reference that passes most trials; of equals the one that misses the goal less in all, then the later one. `None`
-/// without references, or when `stop` returns true before the end. The first trials speak for all: after `first` of them half
-/// of the references are dropped, and the others are played in twice as many (successive halving).
+/// The test cases of a race.
+#[derive(Clone, Copy)]
+pub struct Heats<'trials> {
+    /// Those that the winner is played in.
+    pub trials: &'trials [Trial],
+    /// So many of them are played before references are dropped.
+    pub first: usize,
+}
+
+/// The reference that passes most test cases; of equals the one with the smaller violation in all, then the later one.
+/// `None` without references, or when `stop` returns true before the end. The first test cases speak for all: after `first`
+/// of them half of the references are dropped, and the others are played in twice as many (successive halving).
 pub fn race(
     evaluator: &Evaluator,
     references: &[Reference],
-    (trials, first): (&[Trial], usize),
+    Heats { trials, first }: Heats,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Winner> {
     let mut running: Vec<(usize, Vec<TrialResult>)> = (0..references.len()).map(|index| (index, Vec::new())).collect();
@@ -31,10 +40,10 @@ pub fn race(
         }
         played = wanted;
         let failures = |results: &[TrialResult]| results.iter().filter(|result| !result.passed).count();
-        let miss = |results: &[TrialResult]| results.iter().map(|result| result.miss).sum::<f64>();
+        let violation = |results: &[TrialResult]| results.iter().map(|result| result.miss).sum::<f64>();
         running.sort_by(|(index, one), (next, other)| {
             let fewer = failures(one).cmp(&failures(other));
-            fewer.then(miss(one).total_cmp(&miss(other))).then(next.cmp(index))
+            fewer.then(violation(one).total_cmp(&violation(other))).then(next.cmp(index))
         });
         let kept = if played < trials.len() { running.len().div_ceil(2) } else { 1 };
         running.truncate(kept);
@@ -63,18 +72,26 @@ mod tests {
             [Trial { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
                 30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
-        let winner = race(&evaluator, &references, (&trials, 6), &|| false).unwrap();
+        let winner = race(&evaluator, &references, Heats { trials: &trials, first: 6 }, &|| false).unwrap();
         assert_eq!((winner.index, winner.results.len()), (1, trials.len()));
         assert!(winner.results.iter().all(|result| result.passed));
         // Six trials of all four, six more of two, then the others of one.
         assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
         let equals = [push.clone(), push];
-        assert_eq!(race(&evaluator, &equals, (&trials, 6), &|| false).unwrap().index, 1, "of equals the later");
+        assert_eq!(
+            race(&evaluator, &equals, Heats { trials: &trials, first: 6 }, &|| false).unwrap().index,
+            1,
+            "of equals the later"
+        );
         // A push that ends halfway misses the goal by less than rest.
         let halfway = std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index]));
         let failing = [Reference::straight(&task.start, &halfway, task.horizon), references[0].clone()];
-        assert_eq!(race(&evaluator, &failing, (&trials, 6), &|| false).unwrap().index, 0, "of equals the nearer");
-        assert!(race(&evaluator, &references, (&trials, 6), &|| true).is_none(), "no time");
-        assert!(race(&evaluator, &[], (&trials, 6), &|| false).is_none(), "no references");
+        assert_eq!(
+            race(&evaluator, &failing, Heats { trials: &trials, first: 6 }, &|| false).unwrap().index,
+            0,
+            "of equals the nearer"
+        );
+        assert!(race(&evaluator, &references, Heats { trials: &trials, first: 6 }, &|| true).is_none(), "no time");
+        assert!(race(&evaluator, &[], Heats { trials: &trials, first: 6 }, &|| false).is_none(), "no references");
     }
 }
