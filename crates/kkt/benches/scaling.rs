@@ -1,7 +1,8 @@
 //! Time of an analysis, a factorisation and a solve as a function of stages, scenarios and pairs: medians of processor
 //! time in milliseconds, on random matrices.
 
-#[path = "../tests/support/mod.rs"]
+#[path = "../tests/main/support/mod.rs"]
+#[allow(dead_code, reason = "tests use the rest")]
 mod support;
 
 use std::hint::black_box;

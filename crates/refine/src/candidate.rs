@@ -1,7 +1,7 @@
 //! Plans on the way to a robust one.
 
 use plan::{Round, SuccessRates};
-use simulation::{Reference, Refinement, TestCase};
+use simulation::{Reference, Refinement, TestCase, TestResult};
 
 use crate::evaluation::{Drawn, Judgement};
 use crate::origin::Solved;
@@ -13,9 +13,9 @@ pub struct Candidate<'run> {
     pub round: Round,
 }
 
-/// The best plan so far, with its evaluation.
+/// A reference that was evaluated.
 #[derive(Clone)]
-pub struct Kept {
+pub struct Evaluated {
     pub solved: Solved,
     pub reference: Reference,
     pub rates: SuccessRates,
@@ -33,16 +33,40 @@ pub struct Kept {
     pub changes: usize,
 }
 
-impl Kept {
+impl Evaluated {
+    /// A reference of a round after so many changes, with what its evaluation has shown.
+    pub fn new(solved: Solved, reference: Reference, judgement: &Judgement, round: usize, changes: usize) -> Self {
+        Self {
+            solved,
+            reference,
+            rates: judgement.rates.clone(),
+            reached: judgement.reached,
+            evaluation: judgement.evaluation,
+            unplayed: judgement.unplayed,
+            failing: judgement.failing(),
+            round,
+            changes,
+        }
+    }
+
     /// After another evaluation.
-    pub fn judged(self, judgement: Judgement) -> Self {
-        let failing = judgement.failing();
-        let Judgement { rates, reached, evaluation, unplayed, .. } = judgement;
-        Self { rates, reached, evaluation, unplayed, failing, ..self }
+    pub fn judged(self, judgement: &Judgement) -> Self {
+        Self::new(self.solved, self.reference, judgement, self.round, self.changes)
     }
 
     /// Whether it is better than another plan: robust before not, then by the rate of all rollouts.
     pub fn is_better_than(&self, other: &Self) -> bool {
         (self.reached, self.rates.overall()) > (other.reached, other.rates.overall())
     }
+
+    /// Whether the reference is longer than its plan's horizon.
+    pub fn has_oscillation(&self) -> bool {
+        self.reference.intervals() > self.solved.variant.task.horizon.steps
+    }
+}
+
+/// A round whose homotopy has run and whose chosen reference is still to be refined; with its results in the training set.
+pub fn round(solved: &Solved, results: &[TestResult]) -> Round {
+    let Solved { variant, iterations, chosen, .. } = solved;
+    Round::new(solved.planned(), variant, iterations, *chosen, results)
 }

@@ -1,18 +1,18 @@
-//! What an unfinished refinement leaves behind so that another one can go on with its best plan.
+//! What an unfinished refinement leaves behind so that another one can resume its best plan.
 
 use plan::records::GraspRecord;
 use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, FrictionIndex, TestCase};
-use task::GraspError;
+use task::{CostWeights, GraspError, HomotopySettings};
 
-use crate::Drawn;
+use crate::evaluation::Drawn;
 use crate::origin::{Marks, Origin};
 
 /// Name of the record.
 const REFINEMENT: &str = "refinement.json";
 
-/// The best plan so far of a refinement, and what it has learnt.
+/// The best plan so far of a refinement, and its knowledge.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RefinementCheckpoint {
@@ -20,7 +20,7 @@ pub struct RefinementCheckpoint {
     pub identity: String,
     /// Coulomb coefficients that it must tolerate.
     pub frictions: Vec<f64>,
-    /// Largest turn in the gripper that it must tolerate.
+    /// Largest rotation error of the grasp that it must tolerate.
     pub turn_rad: f64,
     /// Largest relative error of the inertia that it must tolerate.
     pub inertia_error: f64,
@@ -40,7 +40,7 @@ pub struct RefinementCheckpoint {
     pub evaluations: u64,
     /// Success rates of the plan without refinement.
     pub before: SuccessRates,
-    /// Test cases to refine in.
+    /// The training set.
     pub training: Vec<TestCaseRecord>,
     /// Rounds so far, the one under way included.
     pub rounds: Vec<Round>,
@@ -64,8 +64,12 @@ pub struct BestRecord {
     pub steps: usize,
     /// Its horizon.
     pub time_step_s: f64,
-    /// Number of its homotopy steps, if all of them run.
-    pub homotopy_iterations: usize,
+    /// Weights of its reference.
+    pub reference_weights: WeightsRecord,
+    /// Weights of its compliant motions.
+    pub compliant_weights: WeightsRecord,
+    /// Its homotopy.
+    pub homotopy: HomotopyRecord,
     /// Its homotopy steps.
     pub iterations: Vec<IterationRecord>,
     /// States (pose, twist) of its reference.
@@ -88,6 +92,36 @@ pub struct BestRecord {
     pub changes: usize,
 }
 
+/// Weights of the cost of one trajectory.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WeightsRecord {
+    /// Of the squared velocity.
+    pub translational_velocity: f64,
+    /// Of the squared angular velocity.
+    pub rotational_velocity: f64,
+    /// Of the squared position error at the end.
+    pub terminal_position: f64,
+    /// Of the squared rotation error at the end.
+    pub terminal_orientation: f64,
+}
+
+/// What variants change in a homotopy.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HomotopyRecord {
+    /// Number of homotopy steps, if all of them run.
+    pub iterations: usize,
+    /// So many of the first have half of the time steps.
+    pub coarse_iterations: usize,
+    /// First smoothing of the distances (N m).
+    pub tau_nm: f64,
+    /// First relaxation of complementarity (N m).
+    pub sigma_nm: f64,
+    /// First barrier parameter of Ipopt.
+    pub mu_init: f64,
+}
+
 /// A test case.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -104,6 +138,37 @@ pub struct TestCaseRecord {
     pub delay_s: f64,
     /// Radius of edges.
     pub edge_radius_m: f64,
+}
+
+impl From<CostWeights> for WeightsRecord {
+    fn from(weights: CostWeights) -> Self {
+        let CostWeights { translational_velocity, rotational_velocity, terminal_position, terminal_orientation } =
+            weights;
+        Self { translational_velocity, rotational_velocity, terminal_position, terminal_orientation }
+    }
+}
+
+impl From<WeightsRecord> for CostWeights {
+    fn from(record: WeightsRecord) -> Self {
+        let WeightsRecord { translational_velocity, rotational_velocity, terminal_position, terminal_orientation } =
+            record;
+        Self { translational_velocity, rotational_velocity, terminal_position, terminal_orientation }
+    }
+}
+
+impl From<&HomotopySettings> for HomotopyRecord {
+    fn from(settings: &HomotopySettings) -> Self {
+        let &HomotopySettings { iterations, coarse_iterations, tau, sigma, mu_init, .. } = settings;
+        Self { iterations, coarse_iterations, tau_nm: tau, sigma_nm: sigma, mu_init }
+    }
+}
+
+impl HomotopyRecord {
+    /// These settings with what the record says of them.
+    pub fn applied_to(self, settings: HomotopySettings) -> HomotopySettings {
+        let Self { iterations, coarse_iterations, tau_nm: tau, sigma_nm: sigma, mu_init } = self;
+        HomotopySettings { iterations, coarse_iterations, tau, sigma, mu_init, ..settings }
+    }
 }
 
 impl From<&TestCase> for TestCaseRecord {

@@ -1,61 +1,53 @@
 //! The last word: the latest references, compared in the same test cases.
 //!
-//! An evaluation ends as soon as it is decided, mostly after few test cases of its own. So its rate says whether a reference is
-//! good enough, but hardly which of two is better.
+//! An evaluation ends as soon as it is decided, mostly after few test cases of its own. So its rate says whether a reference
+//! is good enough, but hardly which of two is better.
 
-use plan::{Event, PlannerError};
+use plan::PlannerError;
 use simulation::Reference;
 
-use crate::candidate::Kept;
+use crate::candidate::Evaluated;
 use crate::evaluation::Judgement;
-use crate::{Refiner, race};
+use crate::keep::keep;
+use crate::race::{Heats, race};
+use crate::search::Search;
+use crate::setting::Setting;
 
-impl Refiner<'_> {
-    /// Takes note of a reference for the comparison.
-    pub(super) fn remember(&mut self, kept: Kept) {
-        if self.latest.len() == self.target.parameters.comparison.latest {
-            self.latest.pop_front();
-        }
-        self.latest.push_back(kept);
+/// Keeps the best of the latest and the best so far, unless that is robust or the time is over.
+pub fn compare_latest(search: &mut Search) -> Result<(), PlannerError> {
+    let Setting { target, evaluator, .. } = search.setting;
+    let parameters = target.parameters.comparison;
+    let Some(best) = search.found.best.clone().filter(|best| !best.reached) else { return Ok(()) };
+    let mut compared = Vec::from(std::mem::take(&mut search.found.latest));
+    if !compared.iter().any(|latest| (latest.round, latest.changes) == (best.round, best.changes)) {
+        compared.insert(0, best);
     }
-
-    /// Keeps the best of the latest and the best so far, unless that is robust or the time is over.
-    pub(super) fn compare_latest(&mut self) -> Result<(), PlannerError> {
-        let parameters = self.target.parameters.comparison;
-        let Some(best) = self.best.clone().filter(|best| !best.reached) else { return Ok(()) };
-        let mut compared = Vec::from(std::mem::take(&mut self.latest));
-        if !compared.iter().any(|kept| (kept.round, kept.changes) == (best.round, best.changes)) {
-            compared.insert(0, best);
-        }
-        if compared.len() < 2 {
-            return Ok(());
-        }
-        let references: Vec<Reference> = compared.iter().map(|kept| kept.reference.clone()).collect();
-        let evaluation = self.new_evaluation(parameters.random);
-        let stop = || self.schedule.is_over(self.schedule.limit());
-        let Some(winner) = race::race(self.evaluator, &references, (evaluation.cases(), parameters.first), &stop)
-        else {
-            return Ok(());
-        };
-        let judgement = evaluation.judgement(&winner.results, self.target.target_rate);
-        let winner = compared.swap_remove(winner.index);
-        self.session.tell(Event::Refined { rate: judgement.rates.overall() });
-        let kept = if judgement.reached { self.decided(winner, judgement) } else { winner.judged(judgement) };
-        self.keep(kept, self.rounds.clone())
+    if compared.len() < 2 {
+        return Ok(());
     }
+    let references: Vec<Reference> = compared.iter().map(|latest| latest.reference.clone()).collect();
+    let evaluation = search.judge.new_evaluation(parameters.random);
+    let stop = || search.schedule.is_over(search.schedule.limit());
+    let heats = Heats { cases: evaluation.cases(), first: parameters.first };
+    let Some(winner) = race(evaluator, &references, heats, &stop) else { return Ok(()) };
+    let judgement = evaluation.judgement(&winner.results, target.target_rate);
+    let winner = compared.swap_remove(winner.index);
+    search.tell_refined(&judgement);
+    let best = if judgement.reached { decided(search, winner, judgement) } else { winner.judged(&judgement) };
+    keep(search, best, search.found.rounds.clone())
+}
 
-    /// The winner after a whole evaluation: the few test cases of the comparison decide against a reference, not for it. Where the
-    /// time ends before that is decided, with the evaluation that knows most.
-    fn decided(&mut self, winner: Kept, few: Judgement) -> Kept {
-        let whole = self.judge(&winner.reference, self.schedule.limit());
-        let played = whole.rates.rollouts();
-        if whole.unplayed == 0 || played > few.rates.rollouts().max(winner.rates.rollouts()) {
-            winner.judged(whole)
-        } else if winner.unplayed > 0 {
-            winner
-        } else {
-            winner.judged(Judgement { reached: false, unplayed: whole.unplayed, ..few })
-        }
+/// The winner after a whole evaluation: the few test cases of the comparison decide against a reference, not for it. Where
+/// the time ends before that is decided, with the evaluation that knows most.
+fn decided(search: &mut Search, winner: Evaluated, few: Judgement) -> Evaluated {
+    let whole = search.judge(&winner.reference, search.schedule.limit());
+    let played = whole.rates.rollouts();
+    if whole.unplayed == 0 || played > few.rates.rollouts().max(winner.rates.rollouts()) {
+        winner.judged(&whole)
+    } else if winner.unplayed > 0 {
+        winner
+    } else {
+        winner.judged(&Judgement { reached: false, unplayed: whole.unplayed, ..few })
     }
 }
 
@@ -70,14 +62,14 @@ mod tests {
     use super::*;
     use crate::evaluation::Drawn;
     use crate::origin::Solved;
-    use crate::tests::in_corner;
+    use crate::tests::{in_corner, of_scene};
 
     /// What is kept after a comparison of a motion that stays at the start with a push to the goal.
-    fn kept_in(time_limit: Duration) -> Kept {
-        in_corner(time_limit, |refiner| {
-            let task = refiner.problem.task();
-            let solved = Solved { chosen: 1, ..refiner.of_scene() };
-            let lucky = |reference: Reference, changes: usize, successes: usize| Kept {
+    fn kept_in(time_limit: Duration) -> Evaluated {
+        in_corner(time_limit, |search| {
+            let task = search.setting.problem.task();
+            let solved = Solved { chosen: 1, ..of_scene(search) };
+            let lucky = |reference: Reference, changes: usize, successes: usize| Evaluated {
                 solved: solved.clone(),
                 reference,
                 rates: SuccessRates(vec![SuccessRate {
@@ -93,13 +85,15 @@ mod tests {
                 changes,
             };
             let resting = lucky(Reference::new(0.1, &[at_rest(&task.start); 3]), 1, 2);
-            refiner.best = Some(resting.clone());
-            refiner.remember(lucky(Reference::straight(&task.start, &task.goal, task.horizon), 2, 0));
-            for changes in 3..refiner.target.parameters.comparison.latest + 2 {
-                refiner.remember(Kept { changes, ..resting.clone() });
+            search.found.best = Some(resting.clone());
+            let latest = search.setting.target.parameters.comparison.latest;
+            let push = Reference::straight(&task.start, &task.goal, task.horizon);
+            search.found.remember(lucky(push, 2, 0), latest);
+            for changes in 3..latest + 2 {
+                search.found.remember(Evaluated { changes, ..resting.clone() }, latest);
             }
-            refiner.compare_latest().unwrap();
-            refiner.take_best().unwrap()
+            compare_latest(search).unwrap();
+            search.found.take_best().unwrap()
         })
     }
 

@@ -7,7 +7,7 @@ use simulation::{Injection, LIMIT_SLACK, Settings, TestCase};
 use task::algebra::norm;
 use task::{ScenarioTrajectory, Trajectory};
 
-use crate::Kept;
+use crate::candidate::Evaluated;
 
 /// Failing test cases that are played again.
 const PLAYED: usize = 8;
@@ -17,7 +17,7 @@ const TAU: f64 = 1e-6;
 const COMMON: f64 = 0.5;
 
 /// What the best plan loses most. `None` where no rollout failed, as when time ended before any.
-pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Kept) -> Option<LossRecord> {
+pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Evaluated) -> Option<LossRecord> {
     let groups = best.rates.by_friction().min_by(|one, other| rate(one).total_cmp(&rate(other)))?;
     let rate_of = |group: &SuccessRate| rate(std::slice::from_ref(group));
     let lossy = groups.iter().filter(|group| group.successes < group.rollouts);

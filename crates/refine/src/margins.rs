@@ -1,73 +1,73 @@
 //! Robust plans that tolerate more than they must.
 //!
-//! Simulators differ, and reality differs from them: what succeeds by a hair in one fails in another. So a robust plan for
-//! an arm is refined in a harder world while there is time: with more friction, the largest turns only, and contact forces of
-//! contacts that yield a little.
+//! Simulators differ, and reality differs from them: what barely succeeds in one fails in another. So a robust plan for an
+//! arm is refined in a hardened environment while there is time: with more friction, the largest rotation errors only, and
+//! contact forces of contacts that yield a little.
 
-use plan::{Event, PlannerError, Round, Session};
+use plan::{PlannerError, Round, Session};
 use simulation::Evaluator;
 
-use crate::Refiner;
-use crate::candidate::Kept;
+use crate::again::refine_best;
+use crate::candidate::Evaluated;
+use crate::comparison::compare_latest;
+use crate::keep::keep;
 use crate::schedule::Deadline;
+use crate::search::Search;
+use crate::setting::Setting;
 
-impl Refiner<'_> {
-    /// Refines a robust plan for an arm in the harder world, in at most as much time as it has taken so far.
-    pub(super) fn add_margins(&mut self) -> Result<(), PlannerError> {
-        let is_wanted = |best: &Kept| best.reached && !best.solved.marks.has_margins;
-        let Some(robust) = self.best.clone().filter(is_wanted) else { return Ok(()) };
-        if self.problem.arm().is_none() || !self.may_change() {
-            return Ok(());
-        }
-        let worlds =
-            [self.evaluator, self.trainer].map(|world| world.clone().hardened(self.target.parameters.margins.friction));
-        self.refine_in(&worlds, robust, self.schedule.margins())
+/// Refines a robust plan for an arm in the hardened environment, in at most as much time as it has taken so far.
+pub fn add_margins(search: &mut Search) -> Result<(), PlannerError> {
+    let Setting { problem, target, evaluator, trainer, .. } = search.setting;
+    let is_wanted = |best: &Evaluated| best.reached && !best.solved.marks.has_margins;
+    let Some(robust) = search.found.best.clone().filter(is_wanted) else { return Ok(()) };
+    if problem.arm().is_none() || !search.training.may_change() {
+        return Ok(());
     }
+    let worlds = [evaluator, trainer].map(|world| world.clone().hardened(target.parameters.margins.friction));
+    refine_in(search, &worlds, robust, search.schedule.margins())
+}
 
-    /// Refines a robust plan in another world, of evaluations and of training, until a time. What comes of it is kept if it is
-    /// robust in this world, too.
-    fn refine_in(
-        &mut self,
-        [evaluator, trainer]: &[Evaluator; 2],
-        robust: Kept,
-        until: Deadline,
-    ) -> Result<(), PlannerError> {
-        // What is kept on disk is of this world.
-        let session = Session { folder: None, ..*self.session };
-        let mut other = Refiner::new(self.problem, self.target, (evaluator, trainer), &session);
-        other.training.extend_from_slice(&self.training[other.training.len()..]);
-        other.schedule = self.schedule.until(until, &session);
-        (other.evaluations, other.tried) = (self.evaluations, self.tried);
-        let refined = other.refine_robust(robust)?;
-        (self.evaluations, self.tried) = (other.evaluations, other.tried);
-        let Some((refined, round)) = refined else { return Ok(()) };
-        let judgement = self.judge(&refined.reference, self.schedule.end());
-        if judgement.rates.rollouts() > 0 {
-            self.session.tell(Event::Refined { rate: judgement.rates.overall() });
-        }
-        if !judgement.reached {
-            return Ok(());
-        }
-        self.rounds.push(Round { rate: Some(judgement.rates.overall()), ..round });
-        let round = self.rounds.len();
-        self.keep(Kept { round, ..refined.judged(judgement) }, self.rounds.clone())
+/// Refines a robust plan in another world, of evaluations and of training, until a time. What comes of it is kept if it is
+/// robust in this world, too.
+fn refine_in(
+    search: &mut Search,
+    [evaluator, trainer]: &[Evaluator; 2],
+    robust: Evaluated,
+    until: Deadline,
+) -> Result<(), PlannerError> {
+    // What is kept on disk is of this world.
+    let session = Session { folder: None, ..*search.setting.session };
+    let mut other = Search::new(Setting { evaluator, trainer, session: &session, ..search.setting });
+    other.training.cases.extend_from_slice(&search.training.cases[other.training.cases.len()..]);
+    other.schedule = search.schedule.until(until, &session);
+    (other.judge.evaluations, other.training.tried) = (search.judge.evaluations, search.training.tried);
+    let refined = refine_robust(&mut other, robust)?;
+    (search.judge.evaluations, search.training.tried) = (other.judge.evaluations, other.training.tried);
+    let Some((refined, round)) = refined else { return Ok(()) };
+    let judgement = search.judge(&refined.reference, search.schedule.end());
+    search.tell_refined(&judgement);
+    if !judgement.reached {
+        return Ok(());
     }
+    search.found.rounds.push(Round { rate: Some(judgement.rates.overall()), ..round });
+    let round = search.found.rounds.len();
+    keep(search, Evaluated { round, ..refined.judged(&judgement) }, search.found.rounds.clone())
+}
 
-    /// Refines a plan that is robust in another world, until it is robust in this one or the time is over. The best, with its
-    /// round; `None` if nothing is better than the plan as it is.
-    fn refine_robust(&mut self, mut plan: Kept) -> Result<Option<(Kept, Round)>, PlannerError> {
-        plan.solved.marks.has_margins = true;
-        let until = self.schedule.end();
-        let judgement = self.judge(&plan.reference, until);
-        self.best = Some(Kept { round: 0, ..plan.judged(judgement) });
-        while self.goes_on(until) {
-            self.refine_best(until)?;
-        }
-        self.compare_latest()?;
-        let best = self.take_best()?;
-        let round = best.round.checked_sub(1).map(|index| self.rounds.swap_remove(index));
-        Ok(round.map(|round| (best, round)))
+/// Refines a plan that is robust in another world, until it is robust in this one or the time is over. The best, with its
+/// round; `None` if nothing is better than the plan as it is.
+fn refine_robust(search: &mut Search, mut plan: Evaluated) -> Result<Option<(Evaluated, Round)>, PlannerError> {
+    plan.solved.marks.has_margins = true;
+    let until = search.schedule.end();
+    let judgement = search.judge(&plan.reference, until);
+    search.found.best = Some(Evaluated { round: 0, ..plan.judged(&judgement) });
+    while search.goes_on(until) {
+        refine_best(search, until)?;
     }
+    compare_latest(search)?;
+    let best = search.found.take_best()?;
+    let round = best.round.checked_sub(1).map(|index| search.found.rounds.swap_remove(index));
+    Ok(round.map(|round| (best, round)))
 }
 
 #[cfg(test)]
@@ -78,22 +78,24 @@ mod tests {
     use simulation::{Reference, Success};
 
     use super::*;
-    use crate::tests::in_corner_for;
+    use crate::first::judge_first;
+    use crate::tests::{in_corner_for, of_scene};
 
     /// A push of the corner scene, which is robust there, after so many changes in a world where it has to end within a
     /// distance (m) of the goal: what is kept, and its rounds.
-    fn kept_after(max_perturbations: usize, position: f64) -> (Kept, Vec<Round>) {
+    fn kept_after(max_perturbations: usize, position: f64) -> (Evaluated, Vec<Round>) {
         let (max_perturbations, time_limit) = (Some(max_perturbations), Duration::from_secs(100_000));
-        in_corner_for(RobustnessTarget { max_perturbations, time_limit, ..RobustnessTarget::default() }, |refiner| {
-            let task = refiner.problem.task();
+        in_corner_for(RobustnessTarget { max_perturbations, time_limit, ..RobustnessTarget::default() }, |search| {
+            let task = search.setting.problem.task();
             let push = Reference::straight(&task.start, &task.goal, task.horizon);
-            refiner.judge_first(refiner.of_scene(), push).unwrap();
-            let robust = refiner.best.clone().unwrap();
+            judge_first(search, of_scene(search), push).unwrap();
+            let robust = search.found.best.clone().unwrap();
             assert!(robust.reached, "{}", robust.rates.overall());
-            let accurate = Evaluator::new(&refiner.problem.world(), &[0.0], Success { position, ..Success::default() });
+            let accurate =
+                Evaluator::new(&search.setting.problem.world(), &[0.0], Success { position, ..Success::default() });
             let worlds = [accurate.clone(), accurate];
-            refiner.refine_in(&worlds, robust, refiner.schedule.end()).unwrap();
-            (refiner.take_best().unwrap(), refiner.rounds.clone())
+            refine_in(search, &worlds, robust, search.schedule.end()).unwrap();
+            (search.found.take_best().unwrap(), search.found.rounds.clone())
         })
     }
 

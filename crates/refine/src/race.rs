@@ -12,13 +12,22 @@ pub struct Winner {
     pub rollouts: usize,
 }
 
-/// The reference that passes most test cases; of equals the one that misses the goal less in all, then the later one. `None`
-/// without references, or when `stop` returns true before the end. The first test cases speak for all: after `first` of them half
-/// of the references are dropped, and the others are played in twice as many (successive halving).
+/// The test cases of a race.
+#[derive(Clone, Copy)]
+pub struct Heats<'cases> {
+    /// Those that the winner is played in.
+    pub cases: &'cases [TestCase],
+    /// So many of them are played before references are dropped.
+    pub first: usize,
+}
+
+/// The reference that passes most test cases; of equals the one with the smaller violation in all, then the later one.
+/// `None` without references, or when `stop` returns true before the end. The first test cases speak for all: after `first`
+/// of them half of the references are dropped, and the others are played in twice as many (successive halving).
 pub fn race(
     evaluator: &Evaluator,
     references: &[Reference],
-    (cases, first): (&[TestCase], usize),
+    Heats { cases, first }: Heats,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Winner> {
     let mut running: Vec<(usize, Vec<TestResult>)> = (0..references.len()).map(|index| (index, Vec::new())).collect();
@@ -65,18 +74,26 @@ mod tests {
             disturbance: Disturbance::default(),
         }; 30];
         let references = [resting.clone(), push.clone(), resting.clone(), resting];
-        let winner = race(&evaluator, &references, (&cases, 6), &|| false).unwrap();
+        let winner = race(&evaluator, &references, Heats { cases: &cases, first: 6 }, &|| false).unwrap();
         assert_eq!((winner.index, winner.results.len()), (1, cases.len()));
         assert!(winner.results.iter().all(|result| result.passed));
         // Six test cases of all four, six more of two, then the others of one.
         assert_eq!(winner.rollouts, 4 * 6 + 2 * 6 + 18);
         let equals = [push.clone(), push];
-        assert_eq!(race(&evaluator, &equals, (&cases, 6), &|| false).unwrap().index, 1, "of equals the later");
+        assert_eq!(
+            race(&evaluator, &equals, Heats { cases: &cases, first: 6 }, &|| false).unwrap().index,
+            1,
+            "of equals the later"
+        );
         // A push that ends halfway misses the goal by less than rest.
         let halfway = std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index]));
         let failing = [Reference::straight(&task.start, &halfway, task.horizon), references[0].clone()];
-        assert_eq!(race(&evaluator, &failing, (&cases, 6), &|| false).unwrap().index, 0, "of equals the nearer");
-        assert!(race(&evaluator, &references, (&cases, 6), &|| true).is_none(), "no time");
-        assert!(race(&evaluator, &[], (&cases, 6), &|| false).is_none(), "no references");
+        assert_eq!(
+            race(&evaluator, &failing, Heats { cases: &cases, first: 6 }, &|| false).unwrap().index,
+            0,
+            "of equals the nearer"
+        );
+        assert!(race(&evaluator, &references, Heats { cases: &cases, first: 6 }, &|| true).is_none(), "no time");
+        assert!(race(&evaluator, &[], Heats { cases: &cases, first: 6 }, &|| false).is_none(), "no references");
     }
 }

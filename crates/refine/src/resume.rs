@@ -1,4 +1,4 @@
-//! Refinements that go on where another run has stopped.
+//! Refinements that resume where another run has stopped.
 
 use std::time::Duration;
 
@@ -7,119 +7,161 @@ use plan::{Event, IterationRecord, Plan, PlanIteration, PlannerError, Round, Unu
 use simulation::{Reference, TestCase};
 use task::GraspError;
 
-use crate::Refiner;
-use crate::candidate::Kept;
-use crate::checkpoint::{BestRecord, RefinementCheckpoint, TestCaseRecord};
+use crate::candidate::Evaluated;
+use crate::checkpoint::{BestRecord, HomotopyRecord, RefinementCheckpoint, TestCaseRecord};
 use crate::origin::Solved;
 use crate::schedule::Schedule;
+use crate::search::Search;
+use crate::setting::Setting;
 
-impl Refiner<'_> {
-    /// What is to be kept of the refinement.
-    pub(super) fn checkpoint(&self, kept: &Kept, rounds: Vec<Round>) -> RefinementCheckpoint {
-        let success = self.problem.success();
-        RefinementCheckpoint {
-            identity: self.problem.identity().to_owned(),
-            frictions: self.target.frictions.clone(),
-            turn_rad: self.target.rotation_error,
-            inertia_error: self.target.inertia_error,
-            stiffness_error: self.target.stiffness_error,
-            delay_s: self.target.delay,
-            edge_radius_m: self.problem.edge_radius(),
-            parameters: self.target.parameters.clone(),
-            tolerance: [success.position, success.orientation],
-            elapsed_s: self.schedule.total().as_secs_f64(),
-            evaluations: self.evaluations,
-            before: self.before.clone(),
-            training: self.training.iter().map(TestCaseRecord::from).collect(),
-            best: BestRecord {
-                origin: kept.solved.origin,
-                marks: kept.solved.marks,
-                scenarios: kept.solved.variant.task.grasps.iter().map(GraspRecord::from).collect(),
-                planned_frictions: kept.solved.variant.task.frictions.clone(),
-                steps: kept.solved.variant.task.horizon.steps,
-                time_step_s: kept.solved.variant.task.horizon.time_step,
-                homotopy_iterations: kept.solved.variant.settings.iterations,
-                iterations: kept.solved.iterations.iter().map(|iteration| iteration.record.clone()).collect(),
-                reference: kept.reference.states(),
-                rates: kept.rates.clone(),
-                reached: kept.reached,
-                evaluation: kept.evaluation,
-                unplayed: kept.unplayed,
-                failing: kept.failing.iter().map(TestCaseRecord::from).collect(),
-                round: kept.round,
-                chosen_stage: kept.solved.chosen,
-                changes: kept.changes,
-            },
-            rounds,
-        }
-    }
-
-    /// What another run has left, if it was refined for the same target.
-    pub(super) fn earlier_work(&self) -> Result<Option<RefinementCheckpoint>, PlannerError> {
-        let Some(folder) = self.session.folder else { return Ok(None) };
-        let success = self.problem.success();
-        let reason = match RefinementCheckpoint::load(folder, self.problem.identity()) {
-            Ok(None) => return Ok(None),
-            Ok(Some(checkpoint)) => {
-                let same = checkpoint.frictions == self.target.frictions
-                    && checkpoint.turn_rad == self.target.rotation_error
-                    && checkpoint.inertia_error == self.target.inertia_error
-                    && checkpoint.stiffness_error == self.target.stiffness_error
-                    && checkpoint.delay_s == self.target.delay
-                    && checkpoint.edge_radius_m == self.problem.edge_radius()
-                    && checkpoint.parameters == self.target.parameters
-                    && checkpoint.tolerance == [success.position, success.orientation];
-                if same {
-                    return Ok(Some(checkpoint));
-                }
-                Unusable::OtherTarget
-            }
-            Err(reason) => reason,
-        };
-        self.session.tell(Event::Discarded { reason });
-        Ok(None)
-    }
-
-    /// Takes over what another run has left, unless its tables are damaged; `plan` is that of the scene itself.
-    pub(super) fn restore(&mut self, checkpoint: RefinementCheckpoint, plan: &Plan) -> Option<Kept> {
-        let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
-        let mut variant = plan.variant.clone();
-        variant.task.grasps = best.scenarios.iter().map(GraspError::from).collect();
-        variant.task.frictions = best.planned_frictions;
-        variant.task.horizon.steps = best.steps;
-        variant.task.horizon.time_step = best.time_step_s;
-        variant.settings.iterations = best.homotopy_iterations;
-        let iterations = match (best.origin.has_homotopy_of_scene(), self.session.folder) {
-            (false, Some(folder)) => {
-                let read = |(number, record): (usize, IterationRecord)| {
-                    let task = record.task(&variant.task);
-                    let trajectory = folder.refined(best.round, number, &task)?;
-                    Ok(PlanIteration { record, trajectory, point: None })
-                };
-                let iterations: Result<_, PlannerError> = (1..).zip(best.iterations).map(read).collect();
-                if iterations.is_err() {
-                    self.session.tell(Event::Discarded { reason: Unusable::DamagedRefinementTables });
-                }
-                iterations.ok()?
-            }
-            _ => plan.iterations.clone(),
-        };
-        let earlier = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
-        self.schedule = Schedule::new(self.session, self.target.time_limit, self.target.parameters.time).after(earlier);
-        self.evaluations = evaluations;
-        self.before = before;
-        self.training = training.iter().map(TestCase::from).collect();
-        self.rounds = rounds;
-        Some(Kept {
-            reference: Reference::new(best.time_step_s, &best.reference),
-            solved: Solved { origin: best.origin, marks: best.marks, variant, iterations, chosen: best.chosen_stage },
-            rates: best.rates,
+/// What is to be kept of the refinement.
+pub fn checkpoint(search: &Search, best: &Evaluated, rounds: Vec<Round>) -> RefinementCheckpoint {
+    let Setting { problem, target, .. } = search.setting;
+    let (success, variant) = (problem.success(), &best.solved.variant);
+    RefinementCheckpoint {
+        identity: problem.identity().to_owned(),
+        frictions: target.frictions.clone(),
+        turn_rad: target.rotation_error,
+        inertia_error: target.inertia_error,
+        stiffness_error: target.stiffness_error,
+        delay_s: target.delay,
+        edge_radius_m: problem.edge_radius(),
+        parameters: target.parameters.clone(),
+        tolerance: [success.position, success.orientation],
+        elapsed_s: search.schedule.total().as_secs_f64(),
+        evaluations: search.judge.evaluations,
+        before: search.found.before.clone(),
+        training: search.training.cases.iter().map(TestCaseRecord::from).collect(),
+        best: BestRecord {
+            origin: best.solved.origin,
+            marks: best.solved.marks,
+            scenarios: variant.task.grasps.iter().map(GraspRecord::from).collect(),
+            planned_frictions: variant.task.frictions.clone(),
+            steps: variant.task.horizon.steps,
+            time_step_s: variant.task.horizon.time_step,
+            reference_weights: variant.task.cost.reference.into(),
+            compliant_weights: variant.task.cost.compliant.into(),
+            homotopy: HomotopyRecord::from(&variant.settings),
+            iterations: best.solved.iterations.iter().map(|iteration| iteration.record.clone()).collect(),
+            reference: best.reference.states(),
+            rates: best.rates.clone(),
             reached: best.reached,
             evaluation: best.evaluation,
             unplayed: best.unplayed,
-            failing: best.failing.iter().map(TestCase::from).collect(),
+            failing: best.failing.iter().map(TestCaseRecord::from).collect(),
             round: best.round,
+            chosen_stage: best.solved.chosen,
             changes: best.changes,
-        })
+        },
+        rounds,
+    }
+}
+
+/// What another run has left, if it was refined for the same target.
+pub fn earlier_work(search: &Search) -> Result<Option<RefinementCheckpoint>, PlannerError> {
+    let Setting { problem, target, session, .. } = search.setting;
+    let Some(folder) = session.folder else { return Ok(None) };
+    let success = problem.success();
+    let reason = match RefinementCheckpoint::load(folder, problem.identity()) {
+        Ok(None) => return Ok(None),
+        Ok(Some(checkpoint)) => {
+            let same = checkpoint.frictions == target.frictions
+                && checkpoint.turn_rad == target.rotation_error
+                && checkpoint.inertia_error == target.inertia_error
+                && checkpoint.stiffness_error == target.stiffness_error
+                && checkpoint.delay_s == target.delay
+                && checkpoint.edge_radius_m == problem.edge_radius()
+                && checkpoint.parameters == target.parameters
+                && checkpoint.tolerance == [success.position, success.orientation];
+            if same {
+                return Ok(Some(checkpoint));
+            }
+            Unusable::OtherTarget
+        }
+        Err(reason) => reason,
+    };
+    session.tell(Event::Discarded { reason });
+    Ok(None)
+}
+
+/// Takes over what another run has left, unless its tables are damaged; `plan` is that of the scene itself.
+pub fn restore(search: &mut Search, checkpoint: RefinementCheckpoint, plan: &Plan) -> Option<Evaluated> {
+    let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
+    let Setting { target, session, .. } = search.setting;
+    let mut variant = plan.variant.clone();
+    variant.task.grasps = best.scenarios.iter().map(GraspError::from).collect();
+    variant.task.frictions = best.planned_frictions;
+    variant.task.horizon.steps = best.steps;
+    variant.task.horizon.time_step = best.time_step_s;
+    variant.task.cost.reference = best.reference_weights.into();
+    variant.task.cost.compliant = best.compliant_weights.into();
+    variant.settings = best.homotopy.applied_to(variant.settings);
+    let iterations = match (best.origin.has_homotopy_of_scene(), session.folder) {
+        (false, Some(folder)) => {
+            let read = |(number, record): (usize, IterationRecord)| {
+                let task = record.task(&variant.task);
+                let trajectory = folder.refined(best.round, number, &task)?;
+                Ok(PlanIteration { record, trajectory, point: None })
+            };
+            let iterations: Result<_, PlannerError> = (1..).zip(best.iterations).map(read).collect();
+            if iterations.is_err() {
+                session.tell(Event::Discarded { reason: Unusable::DamagedRefinementTables });
+            }
+            iterations.ok()?
+        }
+        _ => plan.iterations.clone(),
+    };
+    let earlier = Duration::try_from_secs_f64(elapsed_s).unwrap_or_default();
+    search.schedule = Schedule::new(session, target.time_limit, target.parameters.time).after(earlier);
+    search.judge.evaluations = evaluations;
+    search.found.before = before;
+    search.training.cases = training.iter().map(TestCase::from).collect();
+    search.found.rounds = rounds;
+    Some(Evaluated {
+        reference: Reference::new(best.time_step_s, &best.reference),
+        solved: Solved { origin: best.origin, marks: best.marks, variant, iterations, chosen: best.chosen_stage },
+        rates: best.rates,
+        reached: best.reached,
+        evaluation: best.evaluation,
+        unplayed: best.unplayed,
+        failing: best.failing.iter().map(TestCase::from).collect(),
+        round: best.round,
+        changes: best.changes,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use fastrand::Rng;
+    use plan::{Variant, solve};
+
+    use super::*;
+    use crate::draft::Draft;
+    use crate::evaluation::{ErrorRange, Evaluation};
+    use crate::origin::Origin;
+    use crate::tests::in_corner;
+
+    #[test]
+    fn a_resumed_draft_has_the_weights_and_the_smoothing_that_made_it() {
+        in_corner(Duration::from_secs(1000), |search| {
+            let Setting { problem, target, session, .. } = search.setting;
+            let plan = solve(problem, session).unwrap();
+            let parameters = &target.parameters.drafts;
+            let draft = Draft::random(&mut Rng::with_seed(1), 0.3, parameters);
+            let mut variant = draft.variant(&Variant::of_scene(problem), parameters);
+            (variant.settings.tau, variant.settings.sigma) = (0.5 * variant.settings.tau, 0.5 * variant.settings.sigma);
+            let solved = Solved::new(Origin::Draft(draft), variant.clone(), plan.iterations.clone());
+            let evaluation =
+                Evaluation::new(problem.task(), &ErrorRange::new(problem, target), &target.frictions, 1, 1);
+            let unplayed = evaluation.judgement(&[], target.target_rate);
+            let best = Evaluated::new(solved, plan.reference(), &unplayed, 1, 0);
+            let restored = restore(search, checkpoint(search, &best, Vec::new()), &plan).unwrap().solved.variant;
+            assert_ne!(variant.task.cost, plan.variant.task.cost);
+            assert_eq!(restored.task.cost, variant.task.cost);
+            assert_eq!(restored.settings, variant.settings);
+            assert_eq!((restored.task.grasps, restored.task.horizon), (variant.task.grasps, variant.task.horizon));
+        });
     }
 }

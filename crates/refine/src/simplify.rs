@@ -1,65 +1,62 @@
 //! Robust plans without what they do not need.
 //!
 //! Refinement keeps a change for the test cases that pass because of it, whatever it does to the motion: reorientations and
-//! detours in free air, strokes that pull a seated part back. What no test case needs is taken back from a robust plan. One for
-//! an arm is refined with margins instead.
+//! detours in free air, an oscillation that pulls a seated part back. What no test case needs is taken back from a robust plan. One
+//! for an arm is refined with margins instead.
 
-use plan::{Event, PlannerError, Round};
-use simulation::Refinement;
+use plan::{PlannerError, Round};
 use task::StraightMotion;
 
-use crate::candidate::Kept;
-use crate::ends::has_oscillation;
-use crate::{Refiner, round};
+use crate::candidate::{Evaluated, round};
+use crate::keep::keep;
+use crate::search::Search;
 
-impl Refiner<'_> {
-    /// Simplifies a robust plan for a free body. What comes of it is kept if it succeeds as often in a new evaluation.
-    pub(super) fn simplify(&mut self) -> Result<(), PlannerError> {
-        let Some(robust) = self.best.clone().filter(|best| best.reached) else { return Ok(()) };
-        let is_as_planned = robust.changes == 0 && !has_oscillation(&robust);
-        if is_as_planned || self.problem.arm().is_some() || self.target.stall_limit == 0 {
-            return Ok(());
-        }
-        let cases = self.new_evaluation(self.target.parameters.simplification.random).cases().to_vec();
-        self.training.extend(cases);
-        for _ in 0..self.target.parameters.simplification.attempts {
-            let Some((simpler, round)) = self.simpler(&robust) else { return Ok(()) };
-            let judgement = self.judge(&simpler.reference, self.schedule.end());
-            let rate = judgement.rates.overall();
-            if judgement.rates.rollouts() > 0 {
-                self.session.tell(Event::Refined { rate });
-            }
-            if judgement.reached && rate >= robust.rates.overall() {
-                self.rounds.push(Round { rate: Some(rate), ..round });
-                let (failing, round) = (judgement.failing(), self.rounds.len());
-                return self.keep(Kept { failing, rates: judgement.rates, round, ..simpler }, self.rounds.clone());
-            }
-            self.training.extend(judgement.failures.iter().map(|(case, _)| *case));
-        }
-        Ok(())
+/// Simplifies a robust plan for a free body. What comes of it is kept if it succeeds as often in a new evaluation.
+pub fn simplify(search: &mut Search) -> Result<(), PlannerError> {
+    let target = search.setting.target;
+    let parameters = target.parameters.simplification;
+    let Some(robust) = search.found.best.clone().filter(|best| best.reached) else { return Ok(()) };
+    let is_as_planned = robust.changes == 0 && !robust.has_oscillation();
+    if is_as_planned || search.setting.problem.arm().is_some() || target.stall_limit == 0 {
+        return Ok(());
     }
+    let cases = search.judge.new_evaluation(parameters.random).cases().to_vec();
+    search.training.cases.extend(cases);
+    for _ in 0..parameters.attempts {
+        let Some((simpler, round)) = simpler(search, &robust) else { return Ok(()) };
+        let judgement = search.judge(&simpler.reference, search.schedule.end());
+        let rate = judgement.rates.overall();
+        search.tell_refined(&judgement);
+        if judgement.reached && rate >= robust.rates.overall() {
+            search.found.rounds.push(Round { rate: Some(rate), ..round });
+            let (failing, round) = (judgement.failing(), search.found.rounds.len());
+            let simpler = Evaluated { failing, rates: judgement.rates, round, ..simpler };
+            return keep(search, simpler, search.found.rounds.clone());
+        }
+        search.training.cases.extend(judgement.failures.iter().map(|(case, _)| *case));
+    }
+    Ok(())
+}
 
-    /// A plan without what no training case needs, and its round, still without a rate. `None` if there is no such thing, or no
-    /// time.
-    fn simpler(&mut self, robust: &Kept) -> Option<(Kept, Round)> {
-        let until = self.schedule.simplification();
-        let stop = || self.schedule.is_over(until);
-        let results = self.trainer.evaluate_all(&robust.reference, &self.training, &stop)?;
-        let mut simpler = robust.clone();
-        let (task, reference) = (&simpler.solved.variant.task, simpler.reference.clone());
-        let straight = StraightMotion::new(&task.start, &task.goal);
-        let mut refinement =
-            Refinement::new(self.trainer, reference, self.training.clone(), results.clone(), self.seed);
-        let changes = refinement.simplify(&straight, task.horizon.steps, &stop);
-        simpler.reference = refinement.reference().clone();
-        simpler.changes += changes;
-        let has_oscillation = has_oscillation(&simpler);
-        let marks = &mut simpler.solved.marks;
-        (marks.has_oscillation, marks.is_straightened) = (marks.has_oscillation && has_oscillation, true);
-        let rollouts = results.len() + refinement.rollouts();
-        let round = round(&simpler.solved, &results);
-        (changes > 0).then_some((simpler, Round { rollouts, changes: robust.changes + changes, ..round }))
-    }
+/// A plan without what no training case needs, and its round, still without a rate. `None` if there is no such thing, or no
+/// time.
+fn simpler(search: &Search, robust: &Evaluated) -> Option<(Evaluated, Round)> {
+    let until = search.schedule.simplification();
+    let stop = || search.schedule.is_over(until);
+    let results = search.training.play(&robust.reference, &stop)?;
+    let mut simpler = robust.clone();
+    let task = &simpler.solved.variant.task;
+    let straight = StraightMotion::new(&task.start, &task.goal);
+    let mut refinement = search.training.refinement(simpler.reference, results.clone());
+    let changes = refinement.simplify(&straight, task.horizon.steps, &stop);
+    simpler.reference = refinement.reference().clone();
+    simpler.changes += changes;
+    let has_oscillation = simpler.has_oscillation();
+    let marks = &mut simpler.solved.marks;
+    (marks.has_oscillation, marks.is_straightened) = (marks.has_oscillation && has_oscillation, true);
+    let rollouts = results.len() + refinement.rollouts();
+    let round = round(&simpler.solved, &results);
+    (changes > 0).then_some((simpler, Round { rollouts, changes: robust.changes + changes, ..round }))
 }
 
 #[cfg(test)]
@@ -69,11 +66,12 @@ mod tests {
     use simulation::Reference;
 
     use super::*;
-    use crate::tests::in_corner;
+    use crate::first::judge_first;
+    use crate::tests::{in_corner, of_scene};
 
     /// A push of the corner scene, which is robust there, with a rotation (rad) in its first half that nothing needs.
-    fn twisted(refiner: &Refiner, rotation: f64) -> Reference {
-        let task = refiner.problem.task();
+    fn twisted(search: &Search, rotation: f64) -> Reference {
+        let task = search.setting.problem.task();
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
         let steps = push.intervals();
         let twist = |(knot, mut state): (usize, [f64; 13])| {
@@ -90,8 +88,8 @@ mod tests {
     }
 
     /// Largest angle (rad) between a reference and the straight motion.
-    fn rotation(refiner: &Refiner, reference: &Reference) -> f64 {
-        let task = refiner.problem.task();
+    fn rotation(search: &Search, reference: &Reference) -> f64 {
+        let task = search.setting.problem.task();
         let straight = StraightMotion::new(&task.start, &task.goal);
         let angles = reference.states().into_iter().map(|state| straight.departure(&task::pose_of(&state)).rotation);
         angles.fold(0.0, f64::max)
@@ -100,16 +98,16 @@ mod tests {
     #[test]
     fn a_robust_plan_that_was_changed_is_straightened() {
         for changes in [0, 3] {
-            in_corner(Duration::from_secs(1000), |refiner| {
-                let reference = twisted(refiner, 0.3);
-                assert!(rotation(refiner, &reference) > 0.25);
-                refiner.judge_first(refiner.of_scene(), reference).unwrap();
-                let best = refiner.best.as_mut().unwrap();
+            in_corner(Duration::from_secs(1000), |search| {
+                let reference = twisted(search, 0.3);
+                assert!(rotation(search, &reference) > 0.25);
+                judge_first(search, of_scene(search), reference).unwrap();
+                let best = search.found.best.as_mut().unwrap();
                 assert!(best.reached, "{}", best.rates.overall());
                 best.changes = changes;
-                refiner.simplify().unwrap();
-                let (best, rounds) = (refiner.best.clone().unwrap(), refiner.rounds.len());
-                let angle = rotation(refiner, &best.reference);
+                simplify(search).unwrap();
+                let (best, rounds) = (search.found.best.clone().unwrap(), search.found.rounds.len());
+                let angle = rotation(search, &best.reference);
                 match changes {
                     0 => assert!(angle > 0.25 && rounds == 1, "what was planned stays as it is"),
                     _ => assert!(

@@ -1,7 +1,7 @@
 //! Compares the arm of a URDF file with what `scripts/lab record arm` wrote for it, and prints its apparent inertia:
 //! `cargo run -p robot --example compare_arm -- URDF FILE`.
 
-#[path = "../tests/support/record.rs"]
+#[path = "../tests/main/record.rs"]
 mod record;
 
 use std::path::Path;

@@ -8,7 +8,7 @@
 //! | unfinished work: `checkpoint.json`, `refinement.json` | [`PlanFolder`], which is a [`Keeper`](plan::Keeper) |
 //! | new scenes | [`write_new_scene`] |
 //! | `manifest.jsonl` of a batch | [`Manifest`] |
-//! | `cells.csv`, `cells.json` of a batch | [`cells`] |
+//! | `cells.csv`, `cells.json` of a batch | [`batch::cells`] |
 //! | `rollouts.csv`, `success.csv`, `simulation.json` of a simulation | [`RolloutRow`], [`SuccessRow`], [`SimulationRecord`] |
 //! | `executed.csv` of a player | [`PlayedRows`], [`Execution`] |
 //!
@@ -16,7 +16,6 @@
 
 mod atomic;
 pub mod batch;
-pub mod cells;
 mod coverage;
 mod executed;
 mod folder;
@@ -42,10 +41,9 @@ pub use new_scene::write_new_scene;
 pub use parameters::read_robust_parameters;
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions, sealed};
 pub use rollouts::{
-    OffsetRow, ROLLOUTS, RolloutRow, SUCCESS, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables,
-    write_rollout_tables,
+    OffsetRow, RolloutRow, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables, write_rollout_tables,
 };
-pub use simulation_record::{SIMULATION, SimulationRecord};
+pub use simulation_record::{ROLLOUTS, SIMULATION, SUCCESS, SimulationRecord};
 pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result, require_moved};
 pub use table::{Value, read_csv, to_csv};
 pub use trajectory::{MotionTables, ScenarioTables, StateRow, state_problem};

@@ -9,14 +9,9 @@ use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
 use crate::atomic::{require_folder, write_file};
-use crate::simulation_record::{SIMULATION, SimulationRecord};
+use crate::simulation_record::{ROLLOUTS, SIMULATION, SUCCESS, SimulationRecord, is_table};
 use crate::table::{Value, has_header, read_csv, to_csv};
 use crate::work_folder::WorkFolder;
-
-/// Name of the table of every rollout.
-pub const ROLLOUTS: &str = "rollouts.csv";
-/// Name of the table of success rates.
-pub const SUCCESS: &str = "success.csv";
 
 /// A row of `rollouts.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -173,11 +168,6 @@ pub fn write_rollout_tables(
     let files = tables.iter().map(|(name, content)| ((*name).to_owned(), hash(content))).collect();
     tables.iter().try_for_each(|(name, content)| write_file(&folder.join(name), content))?;
     write_file(&folder.join(SIMULATION), &SimulationRecord { files, ..record.clone() }.to_json()?)
-}
-
-/// Whether a name is that of a table of a simulation.
-pub(super) fn is_table(name: &str) -> bool {
-    name == ROLLOUTS || name == SUCCESS
 }
 
 /// Refuses a file that is not an older table of these rows.

@@ -8,10 +8,13 @@ use plan::{Format, PlannerError, Problem, VERSION, hash};
 use serde::{Deserialize, Serialize};
 
 use crate::atomic::{read_bytes, read_text};
-use crate::rollouts::is_table;
 
 /// Name of the file.
 pub const SIMULATION: &str = "simulation.json";
+/// Name of the table of every rollout.
+pub const ROLLOUTS: &str = "rollouts.csv";
+/// Name of the table of success rates.
+pub const SUCCESS: &str = "success.csv";
 
 /// Settings of a simulation. The tables beside it have the results.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -96,4 +99,9 @@ impl SimulationRecord {
         json.push(b'\n');
         Ok(json)
     }
+}
+
+/// Whether a name is that of a table of a simulation.
+pub(crate) fn is_table(name: &str) -> bool {
+    name == ROLLOUTS || name == SUCCESS
 }

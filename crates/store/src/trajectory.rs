@@ -23,44 +23,70 @@ pub const WRENCH: &str = "wrench.csv";
 /// Distance and force of every pair in every scenario.
 pub const CONTACTS: &str = "contacts.csv";
 
-/// A row of `reference.csv`, and of traces: time and state.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct StateRow {
-    time_s: Value,
-    px_m: Value,
-    py_m: Value,
-    pz_m: Value,
-    qw: Value,
-    qx: Value,
-    qy: Value,
-    qz: Value,
-    vx_m_s: Value,
-    vy_m_s: Value,
-    vz_m_s: Value,
-    wx_rad_s: Value,
-    wy_rad_s: Value,
-    wz_rad_s: Value,
+/// Defines a row of a table: a time, columns of its own, and the state of a body.
+macro_rules! row_of_state {
+    ($(#[$meta:meta])* $name:ident { $($own:ident: $of:ty),* }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+        pub struct $name {
+            time_s: Value,
+            $($own: $of,)*
+            px_m: Value,
+            py_m: Value,
+            pz_m: Value,
+            qw: Value,
+            qx: Value,
+            qy: Value,
+            qz: Value,
+            vx_m_s: Value,
+            vy_m_s: Value,
+            vz_m_s: Value,
+            wx_rad_s: Value,
+            wy_rad_s: Value,
+            wz_rad_s: Value,
+        }
+
+        impl $name {
+            /// At a time (s), with the columns of its own.
+            pub fn new(time: f64, $($own: $of,)* state: &[f64; STATE]) -> Self {
+                let time_s = seconds(time);
+                let [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s] =
+                    state.map(Value);
+                Self {
+                    time_s, $($own,)* px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s,
+                }
+            }
+
+            /// Time (s).
+            pub fn time(&self) -> f64 {
+                self.time_s.0
+            }
+
+            /// Pose and twist.
+            pub fn state(&self) -> [f64; STATE] {
+                let Self { px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, .. } =
+                    *self;
+                [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s]
+                    .map(|value| value.0)
+            }
+
+            /// Why the row is no state of a body, if so. The norm of its quaternion may differ from 1 by `norm_error`.
+            pub(crate) fn problem(&self, norm_error: f64) -> Option<&'static str> {
+                timed_state_problem(self.time(), &self.state(), norm_error)
+            }
+        }
+    };
 }
 
-/// A row of `scenarios.csv`: time, scenario from 1, state of the body.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct ScenarioRow {
-    time_s: Value,
-    scenario: usize,
-    px_m: Value,
-    py_m: Value,
-    pz_m: Value,
-    qw: Value,
-    qx: Value,
-    qy: Value,
-    qz: Value,
-    vx_m_s: Value,
-    vy_m_s: Value,
-    vz_m_s: Value,
-    wx_rad_s: Value,
-    wy_rad_s: Value,
-    wz_rad_s: Value,
-}
+row_of_state!(
+    /// A row of `reference.csv`, and of traces: time and state.
+    StateRow {}
+);
+
+row_of_state!(
+    /// A row of `scenarios.csv`: time, scenario from 1, state of the body.
+    ScenarioRow { scenario: usize }
+);
 
 /// A row of `wrench.csv`: time, scenario from 1, force (N, world frame) and torque (Nm, body frame).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -86,39 +112,19 @@ pub struct ContactRow {
     force_n: Value,
 }
 
-impl StateRow {
-    /// At a time (s).
-    pub fn new(time: f64, state: &[f64; STATE]) -> Self {
-        let [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s] = state.map(Value);
-        let time_s = seconds(time);
-        Self { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s }
-    }
-
-    /// Time (s).
-    pub fn time(&self) -> f64 {
-        self.time_s.0
-    }
-
-    /// Pose and twist.
-    pub fn state(&self) -> [f64; STATE] {
-        let Self { px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, .. } = *self;
-        [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s].map(|value| value.0)
-    }
-
-    /// Why the row is no state of a body, if so. The norm of its quaternion may differ from 1 by `norm_error`.
-    pub(crate) fn problem(&self, norm_error: f64) -> Option<&'static str> {
-        /// Longest time that means anything (s).
-        const LONGEST: f64 = 1e6;
-        match self.time().abs() <= LONGEST {
-            true => state_problem(&self.state(), norm_error),
-            false => Some(ABSURD),
-        }
-    }
-}
-
 /// How far the norm of a quaternion in a table may be from 1.
 const NORM: f64 = 1e-6;
 const ABSURD: &str = "a value is out of any reasonable range";
+
+/// Why a time (s) and numbers are no state of a body, if so. The norm of its quaternion may differ from 1 by `norm_error`.
+fn timed_state_problem(time: f64, state: &[f64; STATE], norm_error: f64) -> Option<&'static str> {
+    /// Longest time that means anything (s).
+    const LONGEST: f64 = 1e6;
+    match time.abs() <= LONGEST {
+        true => state_problem(state, norm_error),
+        false => Some(ABSURD),
+    }
+}
 
 /// Why numbers are no state of a body (pose, twist), if so. The norm of its quaternion may differ from 1 by `norm_error`.
 pub fn state_problem(state: &[f64; STATE], norm_error: f64) -> Option<&'static str> {
@@ -130,37 +136,6 @@ pub fn state_problem(state: &[f64; STATE], norm_error: f64) -> Option<&'static s
         return Some(ABSURD);
     }
     (!((norm - 1.0).abs() <= norm_error)).then_some("qw, qx, qy, qz are not a unit quaternion")
-}
-
-impl ScenarioRow {
-    fn new(scenario: usize, row: &StateRow) -> Self {
-        let StateRow { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s } =
-            *row;
-        Self {
-            time_s,
-            scenario,
-            px_m,
-            py_m,
-            pz_m,
-            qw,
-            qx,
-            qy,
-            qz,
-            vx_m_s,
-            vy_m_s,
-            vz_m_s,
-            wx_rad_s,
-            wy_rad_s,
-            wz_rad_s,
-        }
-    }
-
-    fn row(&self) -> StateRow {
-        let Self {
-            time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, ..
-        } = *self;
-        StateRow { time_s, px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s }
-    }
 }
 
 impl WrenchRow {
@@ -177,12 +152,11 @@ impl WrenchRow {
 /// When a file cannot be written.
 pub fn write_trajectory(folder: &Path, motion: &Trajectory, task: &AssemblyTask) -> Result<(), PlannerError> {
     let time = |step: usize| step as f64 * motion.time_step;
-    let state_rows = |states: &[[f64; STATE]]| -> Vec<StateRow> {
-        states.iter().enumerate().map(|(step, state)| StateRow::new(time(step), state)).collect()
-    };
+    let reference = motion.reference.iter().enumerate().map(|(step, state)| StateRow::new(time(step), state));
     let scenarios = || motion.scenarios.iter().zip(1..);
     let states = scenarios().flat_map(|(scenario, number)| {
-        state_rows(&scenario.states).into_iter().map(move |row| ScenarioRow::new(number, &row))
+        let states = scenario.states.iter().enumerate();
+        states.map(move |(step, state)| ScenarioRow::new(time(step), number, state))
     });
     let wrenches = scenarios().flat_map(|(scenario, number)| {
         scenario.wrenches.iter().zip(1..).map(move |(wrench, step)| WrenchRow::new(time(step), number, wrench))
@@ -198,7 +172,7 @@ pub fn write_trajectory(folder: &Path, motion: &Trajectory, task: &AssemblyTask)
             })
         })
     });
-    write_file(&folder.join(REFERENCE), &to_csv(state_rows(&motion.reference))?)?;
+    write_file(&folder.join(REFERENCE), &to_csv(reference)?)?;
     write_file(&folder.join(SCENARIOS), &to_csv(states)?)?;
     write_file(&folder.join(WRENCH), &to_csv(wrenches)?)?;
     write_file(&folder.join(CONTACTS), &to_csv(contacts)?)
@@ -250,7 +224,7 @@ pub fn read_ends(file: &Path) -> Result<Vec<[f64; POSE]>, PlannerError> {
     let rows: Vec<ScenarioRow> = read_csv(file)?;
     let is_end =
         |(index, row): &(usize, &ScenarioRow)| rows.get(index + 1).is_none_or(|next| next.scenario != row.scenario);
-    Ok(rows.iter().enumerate().filter(is_end).map(|(_, row)| pose_of(&row.row().state())).collect())
+    Ok(rows.iter().enumerate().filter(is_end).map(|(_, row)| pose_of(&row.state())).collect())
 }
 
 /// The four tables of a motion as they stand in a folder, whatever task they are of.
@@ -307,8 +281,7 @@ pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
     let scenarios = states.len() / (steps + 1);
     let place = |index: usize, rows: usize, first: usize| (index / rows + 1, (index % rows + first) as f64 * time_step);
     for (index, row) in states.iter().enumerate() {
-        let problem =
-            row.row().problem(NORM).or_else(|| misplaced(row.scenario, row.time_s, place(index, steps + 1, 0)));
+        let problem = row.problem(NORM).or_else(|| misplaced(row.scenario, row.time_s, place(index, steps + 1, 0)));
         require_none(&folder.join(SCENARIOS), index, problem)?;
     }
     for (index, row) in wrenches.iter().enumerate() {
@@ -334,7 +307,7 @@ pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
         require_rows(&folder.join(file), rows, expected)?;
     }
     let scenario = |index: usize| ScenarioTables {
-        states: states[index * (steps + 1)..][..steps + 1].iter().map(|row| row.row().state()).collect(),
+        states: states[index * (steps + 1)..][..steps + 1].iter().map(|row| row.state()).collect(),
         wrenches: wrenches[index * steps..][..steps].iter().map(wrench).collect(),
         contacts: (0..steps)
             .map(|step| contacts[(index * steps + step) * pairs.len()..][..pairs.len()].iter().map(contact).collect())

@@ -1,10 +1,13 @@
 //! Likely mistakes in a scene, and the key to change.
 
+use plan::pose_clearance::PoseClearance;
 use plan::{Millimetres, Problem};
 use task::{AssemblyTask, Penetration};
 
+use crate::check::clear_path::ClearPath;
 use crate::check::delay::delay;
-use crate::check::{ClearPath, Explanation, PoseClearance, pairs};
+use crate::check::explanation::Explanation;
+use crate::check::pairs;
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;

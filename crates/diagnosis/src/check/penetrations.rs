@@ -4,10 +4,11 @@ use plan::Problem;
 use serde::Serialize;
 use task::{AssemblyTask, GraspError};
 
-use crate::check::refusal::largest_fit;
-
 /// Penetration (m) that rounding of poses and meshes explains.
 const ROUNDING: f64 = 1e-4;
+/// Penetration at the goal that a fit, rounding and facets explain: at least (m), and in sizes of the body.
+const FIT: f64 = 1e-4;
+const FIT_IN_SIZES: f64 = 2e-3;
 
 /// A pair that penetrates at a pose of the scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -48,6 +49,11 @@ pub fn start_inside(problem: &Problem) -> Option<String> {
 pub fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
     let depths = task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
     depths.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(pair, depth)| (pair.to_string(), depth))
+}
+
+/// Largest penetration at the goal (m) that a fit explains.
+pub fn largest_fit(problem: &Problem) -> f64 {
+    FIT.max(FIT_IN_SIZES * problem.scene().body_size())
 }
 
 /// Pairs that penetrate at the goal and at the actual start: with every offset, and also rotated in the gripper (rad)

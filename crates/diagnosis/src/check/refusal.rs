@@ -5,11 +5,8 @@ use plan::Problem;
 use task::AssemblyTask;
 
 use crate::check::clear_path::{self, ClearPath};
-use crate::check::penetrations::{deepest, start_inside};
+use crate::check::penetrations::{deepest, largest_fit, start_inside};
 
-/// Penetration at the goal that a fit, rounding and facets explain: at least (m), and in sizes of the body.
-const FIT: f64 = 1e-4;
-const FIT_IN_SIZES: f64 = 2e-3;
 /// Distance from the goal within which something must be: in offsets, where something guides the body and where nothing
 /// does, and in sizes of the body.
 const REACH_IN_OFFSETS: f64 = 3.0;
@@ -44,11 +41,6 @@ fn press_fit(problem: &Problem, path: &ClearPath) -> Option<String> {
             1e3 * depth
         )
     })
-}
-
-/// Largest penetration at the goal (m) that a fit explains.
-pub fn largest_fit(problem: &Problem) -> f64 {
-    FIT.max(FIT_IN_SIZES * problem.scene().body_size())
 }
 
 /// The goal lies in the environment, deeper than a fit explains.

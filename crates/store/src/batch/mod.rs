@@ -5,13 +5,14 @@
 //! while a process holds the lock on its log ([`CellState`]). So any number of runs, on one machine or many, share one
 //! folder, and each can be killed at any moment and started again. [`collect`] makes one table of all cells.
 
+pub mod cells;
 mod expand;
 mod matrix;
 mod state;
 
+pub use cells::collect;
 pub use expand::expand;
 pub use matrix::{Matrix, Starts};
 pub use state::{CellFiles, CellState};
 
-pub use crate::cells::collect;
 pub use crate::{Cell, Manifest};

@@ -57,7 +57,7 @@ def record_motions(arguments: argparse.Namespace) -> None:
     """Records motions of arms."""
     from lab.recording import motions
 
-    motions.write(ARMS, ROOT / "crates/simulation/tests/rollouts/arms")
+    motions.write(ARMS, ROOT / "crates/simulation/tests/arms")
 
 
 def record_traces(arguments: argparse.Namespace) -> None:
@@ -71,7 +71,7 @@ def record_executions(arguments: argparse.Namespace) -> None:
     """Records logs of players."""
     from lab.recording import executions
 
-    executions.write(ROOT / "crates/calibration/tests/fits/logs", arguments.names)
+    executions.write(ROOT / "crates/calibration/tests/logs", arguments.names)
 
 
 def record_plans(arguments: argparse.Namespace) -> None:

@@ -1,0 +1,23 @@
+//! What the user can say about a page.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Folder that `solve`, `batch` or `simulate` wrote
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Also show an execution, as the player of an export logged it, beside a rollout that has the same grasp error;
+    /// can be given several times
+    #[arg(long, value_name = "LOG")]
+    pub executed: Vec<PathBuf>,
+    /// HTML file to write; it needs no network and no other file [default: DIR/report.html]
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Also write SVG figures for papers and slides into this folder: sections through the parts at six moments, contact
+    /// forces, convergence, success rates
+    #[arg(long, value_name = "DIR")]
+    pub figures: Option<PathBuf>,
+}

@@ -1,0 +1,4 @@
+//! What robots read of plans.
+
+mod frames;
+mod trajectory;

@@ -1,0 +1,5 @@
+//! Factorisations: inertia, accuracy and fallbacks.
+
+mod fallback;
+mod inertia;
+mod support;

@@ -1,0 +1,69 @@
+//! A refinement under way: its parts, and what all of its stages ask for.
+
+use plan::Event;
+use simulation::Reference;
+
+use crate::candidate::Candidate;
+use crate::evaluation::Judgement;
+use crate::found::Found;
+use crate::judge::Judge;
+use crate::origin::Solved;
+use crate::schedule::{Deadline, Schedule};
+use crate::setting::Setting;
+use crate::training::Training;
+
+/// A refinement under way.
+pub struct Search<'run> {
+    pub setting: Setting<'run>,
+    pub schedule: Schedule<'run>,
+    pub judge: Judge<'run>,
+    pub training: Training<'run>,
+    pub found: Found,
+}
+
+impl<'run> Search<'run> {
+    /// Before its first reference.
+    pub fn new(setting: Setting<'run>) -> Self {
+        let Setting { target, session, .. } = setting;
+        Self {
+            setting,
+            schedule: Schedule::new(session, target.time_limit, target.parameters.time),
+            judge: Judge::new(setting),
+            training: Training::new(setting),
+            found: Found::nothing(),
+        }
+    }
+
+    /// Whether there is something to do and time to do it.
+    pub fn goes_on(&self, until: Deadline) -> bool {
+        !self.found.is_robust() && self.training.may_change() && !self.schedule.is_over(until)
+    }
+
+    /// Whether the best plan so far fails seldom.
+    pub fn is_nearly_robust(&self) -> bool {
+        self.found.best.is_some() && self.found.rate() >= self.setting.target.parameters.training.nearly_robust
+    }
+
+    /// Evaluates a reference at new grasp errors.
+    pub fn judge(&mut self, reference: &Reference, until: Deadline) -> Judgement {
+        self.judge.judge(reference, &|| self.schedule.is_over(until))
+    }
+
+    /// Tells the success rate of a refined reference, if any rollout has shown it.
+    pub fn tell_refined(&self, judgement: &Judgement) {
+        if judgement.rates.rollouts() > 0 {
+            self.setting.session.tell(Event::Refined { rate: judgement.rates.overall() });
+        }
+    }
+
+    /// The candidate of a solved problem: of the homotopy steps with all time steps, the one whose reference passes most of
+    /// the training set; of equals the later, which is smoothed less. `None` without such homotopy steps or time.
+    pub fn candidate(&self, solved: Solved, until: Deadline) -> Option<Candidate<'run>> {
+        let fine = solved.with_all_steps();
+        let references: Vec<Reference> =
+            fine.iter().map(|&index| Reference::from(&solved.iterations[index].trajectory)).collect();
+        let best = self.training.best_of(&references, &|| self.schedule.is_over(until))?;
+        let chosen = fine[best.winner.index] + 1;
+        Some(self.training.candidate(best, Solved { chosen, ..solved }))
+    }
+}
