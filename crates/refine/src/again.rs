@@ -7,13 +7,13 @@ use crate::refining::refine;
 use crate::schedule::Deadline;
 use crate::search::Search;
 
-/// Resumes the best plan so far, where it fails so seldom that this helps more than another plan.
+/// Refines the best plan so far again, if it fails so rarely that this helps more than another plan.
 pub fn refine_if_nearly_robust(search: &mut Search) -> Result<(), PlannerError> {
     if search.is_nearly_robust() { refine_again(search) } else { Ok(()) }
 }
 
-/// Refines the best plan so far as long as this helps: other changes often help where some did not, and they cost less than
-/// another problem.
+/// Refines the best plan so far again as long as this helps: other perturbations often help where some did not, and
+/// they cost less than another problem.
 pub fn refine_again(search: &mut Search) -> Result<(), PlannerError> {
     let (mut before, until) = (-1.0, search.schedule.end());
     while search.found.rate() > before && search.goes_on(until) {
@@ -23,7 +23,7 @@ pub fn refine_again(search: &mut Search) -> Result<(), PlannerError> {
     Ok(())
 }
 
-/// Refines the best plan so far, with other changes than before.
+/// Refines the best plan so far again, with other perturbations than before.
 pub fn refine_best(search: &mut Search, until: Deadline) -> Result<(), PlannerError> {
     let Some(best) = search.found.best.clone().filter(|_| search.goes_on(until)) else { return Ok(()) };
     let Evaluated { mut solved, reference, .. } = best;

@@ -1,4 +1,4 @@
-//! Plans on the way to a robust one.
+//! Candidates for a robust plan.
 
 use plan::{Round, SuccessRates};
 use simulation::{Reference, Refinement, TestCase, TestResult};
@@ -19,11 +19,11 @@ pub struct Evaluated {
     pub solved: Solved,
     pub reference: Reference,
     pub rates: SuccessRates,
-    /// Whether they are what is wanted, after a whole evaluation.
+    /// Whether they reach the target, after a whole evaluation.
     pub reached: bool,
     /// The evaluation that they are of.
     pub evaluation: Drawn,
-    /// Rollouts that this lacks because the time was over; 0 where it is decided.
+    /// Rollouts that were not played for lack of time; 0 where it is decided.
     pub unplayed: usize,
     /// Test cases that it fails.
     pub failing: Vec<TestCase>,
@@ -34,7 +34,7 @@ pub struct Evaluated {
 }
 
 impl Evaluated {
-    /// A reference of a round after so many changes, with what its evaluation has shown.
+    /// A reference of a round after a number of accepted perturbations, with the judgement of its evaluation.
     pub fn new(solved: Solved, reference: Reference, judgement: &Judgement, round: usize, changes: usize) -> Self {
         Self {
             solved,

@@ -1,4 +1,4 @@
-//! What an unfinished refinement leaves behind so that another one can resume its best plan.
+//! The checkpoint of an unfinished refinement, from which another one resumes its best plan.
 
 use plan::records::GraspRecord;
 use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
@@ -12,7 +12,7 @@ use crate::origin::{Marks, Origin};
 /// Name of the record.
 const REFINEMENT: &str = "refinement.json";
 
-/// The best plan so far of a refinement, and its knowledge.
+/// The best plan so far of a refinement, with its training set.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RefinementCheckpoint {
@@ -30,7 +30,7 @@ pub struct RefinementCheckpoint {
     pub delay_s: f64,
     /// Largest radius of edges that it must tolerate.
     pub edge_radius_m: f64,
-    /// What steered the search.
+    /// Parameters of the search.
     pub parameters: RobustParameters,
     /// Tolerances of success: distance (m) and angle (rad).
     pub tolerance: [f64; 2],
@@ -42,7 +42,7 @@ pub struct RefinementCheckpoint {
     pub before: SuccessRates,
     /// The training set.
     pub training: Vec<TestCaseRecord>,
-    /// Rounds so far, the one under way included.
+    /// Rounds so far, including the unfinished one.
     pub rounds: Vec<Round>,
     /// The best plan.
     pub best: BestRecord,
@@ -52,9 +52,9 @@ pub struct RefinementCheckpoint {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BestRecord {
-    /// Where it comes from.
+    /// Its origin.
     pub origin: Origin,
-    /// What was done to it since.
+    /// Its processing since.
     pub marks: Marks,
     /// Its planned grasp errors.
     pub scenarios: Vec<GraspRecord>,
@@ -76,11 +76,11 @@ pub struct BestRecord {
     pub reference: Vec<[f64; 13]>,
     /// Its success rates.
     pub rates: SuccessRates,
-    /// Whether they are what was wanted, after a whole evaluation.
+    /// Whether they reach the target, after a whole evaluation.
     pub reached: bool,
     /// The evaluation that they are of.
     pub evaluation: Drawn,
-    /// Rollouts that this lacks.
+    /// Rollouts that were not played.
     pub unplayed: usize,
     /// Test cases that it fails.
     pub failing: Vec<TestCaseRecord>,
@@ -96,23 +96,23 @@ pub struct BestRecord {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct WeightsRecord {
-    /// Of the squared velocity.
+    /// Weight of the squared velocity.
     pub translational_velocity: f64,
-    /// Of the squared angular velocity.
+    /// Weight of the squared angular velocity.
     pub rotational_velocity: f64,
-    /// Of the squared position error at the end.
+    /// Weight of the squared position error at the end.
     pub terminal_position: f64,
-    /// Of the squared rotation error at the end.
+    /// Weight of the squared rotation error at the end.
     pub terminal_orientation: f64,
 }
 
-/// What variants change in a homotopy.
+/// Settings of a homotopy that variants change.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HomotopyRecord {
     /// Number of homotopy steps, if all of them run.
     pub iterations: usize,
-    /// So many of the first have half of the time steps.
+    /// Number of first ones with half of the time steps.
     pub coarse_iterations: usize,
     /// First smoothing of the distances (N m).
     pub tau_nm: f64,
@@ -128,7 +128,7 @@ pub struct HomotopyRecord {
 pub struct TestCaseRecord {
     /// Index into the frictions.
     pub friction: usize,
-    /// Of the part in the gripper.
+    /// Grasp error.
     pub grasp: GraspRecord,
     /// Relative error of the inertia.
     pub inertia_error: f64,
@@ -164,7 +164,7 @@ impl From<&HomotopySettings> for HomotopyRecord {
 }
 
 impl HomotopyRecord {
-    /// These settings with what the record says of them.
+    /// These settings with the values of the record.
     pub fn applied_to(self, settings: HomotopySettings) -> HomotopySettings {
         let Self { iterations, coarse_iterations, tau_nm: tau, sigma_nm: sigma, mu_init } = self;
         HomotopySettings { iterations, coarse_iterations, tau, sigma, mu_init, ..settings }
@@ -199,8 +199,8 @@ impl From<&TestCaseRecord> for TestCase {
 }
 
 impl RefinementCheckpoint {
-    /// The checkpoint that is kept: none where nothing is; `Err` with the reason where it was cut or changed, or is of another
-    /// problem.
+    /// The stored checkpoint, if there is one; `Err` with the reason where it is truncated or modified, or belongs to
+    /// another problem.
     pub fn load(keeper: &dyn Keeper, identity: &str) -> Result<Option<Self>, Unusable> {
         let Some(text) = keeper.record(REFINEMENT) else { return Ok(None) };
         let checkpoint: Self = unseal(&text, Unusable::DamagedRefinement)?;

@@ -1,7 +1,7 @@
-//! The last word: the latest references, compared in the same test cases.
+//! The final comparison of the latest references in the same test cases.
 //!
-//! An evaluation ends as soon as it is decided, mostly after few test cases of its own. So its rate says whether a reference
-//! is good enough, but hardly which of two is better.
+//! An evaluation ends as soon as it is decided, mostly after few test cases of its own. Its rate shows whether a
+//! reference is good enough, but hardly which of two is better.
 
 use plan::PlannerError;
 use simulation::Reference;
@@ -37,8 +37,8 @@ pub fn compare_latest(search: &mut Search) -> Result<(), PlannerError> {
     keep(search, best, search.found.rounds.clone())
 }
 
-/// The winner after a whole evaluation: the few test cases of the comparison decide against a reference, not for it. Where
-/// the time ends before that is decided, with the evaluation that knows most.
+/// The winner after a whole evaluation: the few test cases of the comparison decide against a reference, not for it. If
+/// the time ends before that is decided, with the evaluation of more rollouts.
 fn decided(search: &mut Search, winner: Evaluated, few: Judgement) -> Evaluated {
     let whole = search.judge(&winner.reference, search.schedule.limit());
     let played = whole.rates.rollouts();
@@ -64,7 +64,7 @@ mod tests {
     use crate::origin::Solved;
     use crate::tests::{in_corner, of_scene};
 
-    /// What is kept after a comparison of a motion that stays at the start with a push to the goal.
+    /// The result of a comparison of a motion that stays at the start with a push to the goal.
     fn kept_in(time_limit: Duration) -> Evaluated {
         in_corner(time_limit, |search| {
             let task = search.setting.problem.task();

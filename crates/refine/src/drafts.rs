@@ -52,8 +52,8 @@ pub fn refine_better<'run>(
     }
 }
 
-/// Refines `first`. Where its first evaluation is not promising, refines `second`, then the other drafts, the best first;
-/// where none is, resumes the best so far. Leaves a second one that was not needed.
+/// Refines `first`. If its first evaluation is not promising, refines `second`, then the other drafts, the best first;
+/// if none is, continues with the best so far. An unused `second` is left in place.
 fn refine_promising<'run>(
     search: &mut Search<'run>,
     first: Candidate<'run>,
@@ -73,8 +73,8 @@ fn refine_promising<'run>(
 }
 
 impl Drafts {
-    /// Solves drafts until a time, each with one thread. Of one that is interrupted, the homotopy steps count that it has
-    /// finished; those that have none with all time steps are left out.
+    /// Solves drafts until a time, each with one thread. An interrupted draft keeps its finished homotopy steps; drafts
+    /// without a step on all time steps are dropped.
     fn solve(search: &Search, until: Deadline) -> Result<Self, PlannerError> {
         let Setting { problem, target, session, .. } = search.setting;
         let scene = Variant::of_scene(problem);

@@ -38,7 +38,7 @@ pub fn best_end(
             ends.push(end);
         }
     }
-    // Of equals the later wins.
+    // The later of equals wins.
     places.extend((0..references.len()).map(|index| (index, false)));
     ends.extend_from_slice(references);
     let winner = race(trainer, &ends, heats, stop)?;

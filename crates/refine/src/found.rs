@@ -1,4 +1,4 @@
-//! What a refinement has found so far.
+//! Results of a refinement so far.
 
 use std::collections::VecDeque;
 
@@ -6,7 +6,7 @@ use plan::{PlannerError, Round, SuccessRates};
 
 use crate::candidate::Evaluated;
 
-/// The best plan so far, the latest ones, and what was tried.
+/// The best plan so far, the latest ones, and the rounds.
 pub struct Found {
     /// Success rates of the first reference, before any change.
     pub before: SuccessRates,
@@ -40,7 +40,7 @@ impl Found {
         self.latest.push_back(evaluated);
     }
 
-    /// The best plan so far, which is no longer here then.
+    /// Takes out the best plan so far.
     pub fn take_best(&mut self) -> Result<Evaluated, PlannerError> {
         self.best.take().ok_or(PlannerError::Internal("no plan was evaluated"))
     }

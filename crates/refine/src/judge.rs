@@ -33,12 +33,12 @@ impl<'run> Judge<'run> {
         self.evaluation(Drawn { random: count, seed: self.seed() })
     }
 
-    /// What was drawn before, once more.
+    /// An evaluation that was drawn before, once more.
     pub fn evaluation(&self, Drawn { random, seed }: Drawn) -> Evaluation {
         Evaluation::new(self.setting.problem.task(), &self.range, &self.setting.target.frictions, random, seed)
     }
 
-    /// Where the random numbers of the latest evaluation begin.
+    /// Seed of the latest evaluation.
     pub fn seed(&self) -> u64 {
         let seeds = self.setting.target.parameters.seeds;
         seeds.first + seeds.stride * self.evaluations

@@ -1,4 +1,4 @@
-//! The best plan so far, kept in memory and in the folder of the session.
+//! Storage of the best plan so far, in memory and in the folder of the session.
 
 use plan::{PlannerError, Round};
 use task::Trajectory;
@@ -7,7 +7,7 @@ use crate::candidate::Evaluated;
 use crate::resume::checkpoint;
 use crate::search::Search;
 
-/// Keeps a plan if it is better than the best so far; its `round` is still under way.
+/// Stores a plan if it is better than the best so far; its `round` is not finished.
 pub fn keep_if_best(search: &mut Search, evaluated: Evaluated, round: &Round) -> Result<(), PlannerError> {
     if search.found.best.as_ref().is_some_and(|best| !evaluated.is_better_than(best)) {
         return Ok(());
@@ -16,7 +16,7 @@ pub fn keep_if_best(search: &mut Search, evaluated: Evaluated, round: &Round) ->
     keep(search, evaluated, rounds)
 }
 
-/// Keeps a plan as the best, with the rounds so far.
+/// Stores a plan as the best, with the rounds so far.
 pub fn keep(search: &mut Search, evaluated: Evaluated, rounds: Vec<Round>) -> Result<(), PlannerError> {
     if let Some(folder) = search.setting.session.folder {
         let are_kept = search.found.best.as_ref().is_some_and(|best| best.round == evaluated.round);

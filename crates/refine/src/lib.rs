@@ -1,15 +1,15 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of a solved problem's homotopy steps the one whose reference passes most training cases is taken, with an oscillation at
-//! its end where these help. Random changes of this reference are kept when more test cases pass ([`simulation::Refinement`]).
-//! Then an evaluation at grasp errors that were never trained on decides; what fails there is trained on next. When this
-//! does not help any more, a straight push is refined instead, which needs no plan; then other problems are solved, the
-//! promising first, and their plans are refined. The plan with the best evaluation is kept; where none is robust in the
-//! end, the latest are compared in the same test cases. With an arm, the best of several drafts takes the place of a plan that
+//! Of the homotopy steps of a solved problem, the one whose reference passes most of the training set is chosen, with a final
+//! oscillation where that helps. Random perturbations of this reference are kept when more test cases pass
+//! ([`simulation::Refinement`]). Then an evaluation at new grasp errors decides; its failures join the training set. When
+//! this stalls, a straight push is refined instead, which needs no plan; then variants of the problem are solved, the
+//! promising first, and their plans are refined. The plan with the best evaluation is kept; if no plan is robust, the winner
+//! of a final comparison of the latest references is returned. With an arm, the best of several drafts replaces a plan that
 //! fails too often, no push is refined, and a robust plan is refined with margins while there is time.
 //!
-//! Time goes where it decides: evaluations end when they are decided, homotopy steps are compared in few test cases,
-//! and every problem has its share of the time.
+//! Time goes where it matters: evaluations end when they are decided, homotopy steps are compared in few test cases, and
+//! every problem has its share of the time.
 
 mod again;
 mod candidate;
@@ -88,7 +88,7 @@ pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Resul
     // The environment is the problem's; only the time grid comes from the reference.
     world.horizon = best.reference.horizon();
     let tau = best.solved.iterations[best.solved.iterations.len() - 1].record.tau;
-    // What is shown is the least friction that is tolerated, not the one that was planned with.
+    // The report shows the smallest tolerated friction, not the planned one.
     let mut shown = world.clone();
     if let [friction] = &mut shown.frictions[..] {
         *friction = target.least_friction();
@@ -153,7 +153,7 @@ fn run(search: &mut Search, plan: Plan) -> Result<Evaluated, PlannerError> {
     search.found.take_best()
 }
 
-/// What a refinement has found, and how a straight push does in the same evaluation.
+/// Report of a refinement, and of a straight push in the same evaluation.
 fn report(search: &Search, best: &Evaluated) -> RobustnessReport {
     let Setting { problem, target, evaluator, .. } = search.setting;
     let stop = || search.schedule.is_over(search.schedule.limit());
@@ -190,7 +190,7 @@ pub(crate) mod tests {
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml")
     }
 
-    /// The scene as it is, of which nothing was solved.
+    /// The scene as it is, not solved.
     pub(crate) fn of_scene(search: &Search) -> Solved {
         Solved::new(Origin::Scene, Variant::of_scene(search.setting.problem), Vec::new())
     }

@@ -1,4 +1,4 @@
-//! What the best plan loses most, found by playing some of its failures again.
+//! The worst group of rollouts of the best plan, found by playing some of its failures again.
 
 use plan::directions::direction;
 use plan::records::{GraspRecord, LossRecord, MotionEnd};
@@ -11,12 +11,12 @@ use crate::candidate::Evaluated;
 
 /// Failing test cases that are played again.
 const PLAYED: usize = 8;
-/// Smoothing of the distances in rollouts, which say nothing here (N m).
+/// Smoothing of the distances in rollouts, which are not used here (N m).
 const TAU: f64 = 1e-6;
 /// Length of the mean of unit vectors from which on they have a direction in common.
 const COMMON: f64 = 0.5;
 
-/// What the best plan loses most. `None` where no rollout failed, as when time ended before any.
+/// The worst group of rollouts of the best plan. `None` where no rollout failed, as when time ended before any.
 pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Evaluated) -> Option<LossRecord> {
     let groups = best.rates.by_friction().min_by(|one, other| rate(one).total_cmp(&rate(other)))?;
     let rate_of = |group: &SuccessRate| rate(std::slice::from_ref(group));

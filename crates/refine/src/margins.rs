@@ -1,8 +1,8 @@
-//! Robust plans that tolerate more than they must.
+//! Robust plans with margins beyond the requirements.
 //!
-//! Simulators differ, and reality differs from them: what barely succeeds in one fails in another. So a robust plan for an
-//! arm is refined in a hardened environment while there is time: with more friction, the largest rotation errors only, and
-//! contact forces of contacts that yield a little.
+//! Simulators differ, and reality differs from them: what barely succeeds in one fails in another. A robust plan for an
+//! arm is therefore refined in a hardened environment while there is time: with more friction, the largest rotation
+//! errors only, and upper estimates of contact forces for compliant contacts.
 
 use plan::{PlannerError, Round, Session};
 use simulation::Evaluator;
@@ -15,7 +15,7 @@ use crate::schedule::Deadline;
 use crate::search::Search;
 use crate::setting::Setting;
 
-/// Refines a robust plan for an arm in the hardened environment, in at most as much time as it has taken so far.
+/// Refines a robust plan for an arm in the hardened environment, for at most as long as it has taken so far.
 pub fn add_margins(search: &mut Search) -> Result<(), PlannerError> {
     let Setting { problem, target, evaluator, trainer, .. } = search.setting;
     let is_wanted = |best: &Evaluated| best.reached && !best.solved.marks.has_margins;
@@ -27,8 +27,8 @@ pub fn add_margins(search: &mut Search) -> Result<(), PlannerError> {
     refine_in(search, &worlds, robust, search.schedule.margins())
 }
 
-/// Refines a robust plan in another world, of evaluations and of training, until a time. What comes of it is kept if it is
-/// robust in this world, too.
+/// Refines a robust plan with other evaluations and another training set, until a time. The result is kept if it is
+/// robust in these, too.
 fn refine_in(
     search: &mut Search,
     [evaluator, trainer]: &[Evaluator; 2],
@@ -54,8 +54,8 @@ fn refine_in(
     keep(search, Evaluated { round, ..refined.judged(&judgement) }, search.found.rounds.clone())
 }
 
-/// Refines a plan that is robust in another world, until it is robust in this one or the time is over. The best, with its
-/// round; `None` if nothing is better than the plan as it is.
+/// Refines a plan until it is robust in this environment or the time is over. The best, with its round; `None` if
+/// nothing is better than the plan as it is.
 fn refine_robust(search: &mut Search, mut plan: Evaluated) -> Result<Option<(Evaluated, Round)>, PlannerError> {
     plan.solved.marks.has_margins = true;
     let until = search.schedule.end();
@@ -81,8 +81,8 @@ mod tests {
     use crate::first::judge_first;
     use crate::tests::{in_corner_for, of_scene};
 
-    /// A push of the corner scene, which is robust there, after so many changes in a world where it has to end within a
-    /// distance (m) of the goal: what is kept, and its rounds.
+    /// A push of the corner scene, which is robust there, after a number of perturbations with the requirement to end
+    /// within a distance (m) of the goal: the kept plan, and its rounds.
     fn kept_after(max_perturbations: usize, position: f64) -> (Evaluated, Vec<Round>) {
         let (max_perturbations, time_limit) = (Some(max_perturbations), Duration::from_secs(100_000));
         in_corner_for(RobustnessTarget { max_perturbations, time_limit, ..RobustnessTarget::default() }, |search| {

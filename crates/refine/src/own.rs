@@ -11,8 +11,8 @@ use crate::origin::{Origin, Solved};
 use crate::resume::{earlier_work, restore};
 use crate::search::Search;
 
-/// Evaluates the plan of the scene and refines it unless it is good enough: refinement knows nothing of margins. Or resumes
-/// what an earlier run has left. `solving` is the time that the plan took.
+/// Evaluates the plan of the scene, and refines it unless it is good enough; margins follow later. Or resumes an
+/// earlier run. `solving` is the time that the plan took.
 pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<(), PlannerError> {
     if let Some(best) = earlier_work(search)?.and_then(|checkpoint| restore(search, checkpoint, &plan)) {
         let count = plan.iterations.len();
@@ -27,7 +27,7 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
     if search.goes_on(until)
         && let Some(candidate) = search.candidate(solved, until)
     {
-        // The round of the candidate takes the place of the first evaluation's.
+        // The round of the candidate replaces that of the first evaluation.
         search.found.rounds.clear();
         refine_better(search, candidate, solving)?;
     }

@@ -23,8 +23,8 @@ pub fn refine_push(search: &mut Search, homotopy: Vec<PlanIteration>) -> Result<
     refine(search, candidate, until, 0.0)
 }
 
-/// How a straight push of a problem does in an evaluation, of which it is wanted to pass a share (0 to 1) at each friction.
-/// `None` where `stop` returned true before that was decided.
+/// The judgement of a straight push in an evaluation with a target rate (0 to 1) at each friction. `None` where `stop`
+/// returned true before it was decided.
 pub fn judge_push(
     problem: &Problem,
     evaluator: &Evaluator,

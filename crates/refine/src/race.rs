@@ -15,9 +15,9 @@ pub struct Winner {
 /// The test cases of a race.
 #[derive(Clone, Copy)]
 pub struct Heats<'cases> {
-    /// Those that the winner is played in.
+    /// Test cases of the winner.
     pub cases: &'cases [TestCase],
-    /// So many of them are played before references are dropped.
+    /// Number of them that are played before references are dropped.
     pub first: usize,
 }
 

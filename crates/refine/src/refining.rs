@@ -25,7 +25,7 @@ pub fn refine<'run>(
     let mut refining = Refining::begin(search, candidate, until);
     loop {
         refining.train(search);
-        // Whatever the share of the time: an evaluation that takes long is one that may succeed.
+        // Not limited by the share of the time: a long evaluation is one that may succeed.
         let judgement = search.judge(refining.refinement.reference(), search.schedule.end());
         let evaluated = refining.evaluated(&judgement);
         search.found.remember(evaluated.clone(), search.setting.target.parameters.comparison.latest);
@@ -66,7 +66,7 @@ struct Refining<'run> {
 }
 
 impl<'run> Refining<'run> {
-    /// With the whole training set.
+    /// Starts with the whole training set.
     fn begin(search: &Search<'run>, candidate: Candidate<'run>, until: Deadline) -> Self {
         let begin = Instant::now();
         let Candidate { solved, mut refinement, round } = candidate;
@@ -97,7 +97,7 @@ impl<'run> Refining<'run> {
         self.round.rate = Some(self.round.rate.map_or(rate, |best: f64| best.max(rate)));
     }
 
-    /// What is the best so far and still becomes better, or is nearly robust, may take more than its share of the time.
+    /// The best plan so far may exceed its share of the time while it improves or is nearly robust.
     fn extend(&mut self, search: &Search) {
         let is_best = search.found.best.as_ref().is_some_and(|best| best.round == self.number);
         if is_best && (self.stalled == 0 || search.is_nearly_robust()) && search.schedule.is_over(self.until) {

@@ -14,7 +14,7 @@ use crate::schedule::Schedule;
 use crate::search::Search;
 use crate::setting::Setting;
 
-/// What is to be kept of the refinement.
+/// The checkpoint of the refinement.
 pub fn checkpoint(search: &Search, best: &Evaluated, rounds: Vec<Round>) -> RefinementCheckpoint {
     let Setting { problem, target, .. } = search.setting;
     let (success, variant) = (problem.success(), &best.solved.variant);
@@ -57,7 +57,7 @@ pub fn checkpoint(search: &Search, best: &Evaluated, rounds: Vec<Round>) -> Refi
     }
 }
 
-/// What another run has left, if it was refined for the same target.
+/// The checkpoint of an earlier run, if it was refined for the same target.
 pub fn earlier_work(search: &Search) -> Result<Option<RefinementCheckpoint>, PlannerError> {
     let Setting { problem, target, session, .. } = search.setting;
     let Some(folder) = session.folder else { return Ok(None) };

@@ -1,4 +1,4 @@
-//! A refinement under way: its parts, and what all of its stages ask for.
+//! The state of a refinement: its parts, and questions that all of its stages ask.
 
 use plan::Event;
 use simulation::Reference;
@@ -12,7 +12,7 @@ use crate::schedule::{Deadline, Schedule};
 use crate::setting::Setting;
 use crate::training::Training;
 
-/// A refinement under way.
+/// The state of a refinement.
 pub struct Search<'run> {
     pub setting: Setting<'run>,
     pub schedule: Schedule<'run>,

@@ -1,9 +1,9 @@
-//! What a refinement is about.
+//! The setting of a refinement.
 
 use plan::{Problem, RobustnessTarget, Session};
 use simulation::Evaluator;
 
-/// What stays the same during a refinement: whose plan it is, what it must tolerate, and what plays references.
+/// The constant data of a refinement: the problem, its requirements, and its evaluators.
 #[derive(Clone, Copy)]
 pub struct Setting<'run> {
     pub problem: &'run Problem,

@@ -11,7 +11,7 @@ use crate::candidate::{Evaluated, round};
 use crate::keep::keep;
 use crate::search::Search;
 
-/// Simplifies a robust plan for a free body. What comes of it is kept if it succeeds as often in a new evaluation.
+/// Simplifies a robust plan for a free body. The result is kept if it succeeds as often in a new evaluation.
 pub fn simplify(search: &mut Search) -> Result<(), PlannerError> {
     let target = search.setting.target;
     let parameters = target.parameters.simplification;
@@ -69,7 +69,7 @@ mod tests {
     use crate::first::judge_first;
     use crate::tests::{in_corner, of_scene};
 
-    /// A push of the corner scene, which is robust there, with a rotation (rad) in its first half that nothing needs.
+    /// A push of the corner scene, which is robust there, with an unnecessary rotation (rad) in its first half.
     fn twisted(search: &Search, rotation: f64) -> Reference {
         let task = search.setting.problem.task();
         let push = Reference::straight(&task.start, &task.goal, task.horizon);

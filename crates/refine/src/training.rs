@@ -15,13 +15,13 @@ use crate::setting::Setting;
 /// Test cases that every reference is refined in, and what refinement in them has come to.
 pub struct Training<'run> {
     setting: Setting<'run>,
-    /// Where dry friction may hold the body short of its goal.
+    /// The oscillation, where dry friction may hold the body short of its goal.
     oscillation: Option<FinalOscillation>,
     /// The training set; what fails in evaluations is added.
     pub cases: Vec<TestCase>,
     /// Changes of references that were tried.
     pub tried: usize,
-    /// Of the changes of references.
+    /// Seed of the perturbations.
     pub seed: u64,
     /// Smallest fraction of the training set that failed after a refinement.
     pub least_failing: f64,
@@ -44,7 +44,7 @@ impl<'run> Training<'run> {
         }
     }
 
-    /// Whether changes are wanted, and not all of them have been tried.
+    /// Whether perturbations are requested, and not all of them have been tried.
     pub fn may_change(&self) -> bool {
         let target = self.setting.target;
         target.stall_limit > 0 && target.max_perturbations.is_none_or(|most| self.tried < most)
@@ -82,8 +82,8 @@ impl<'run> Training<'run> {
         refinement.add(new.into_iter().zip(results.into_iter().flatten()));
     }
 
-    /// Improves a reference until the whole training set passes, nothing helps, all changes have been tried, or the time is
-    /// over. `changes` counts those that were kept.
+    /// Improves a reference until the whole training set passes, it stalls, all perturbations have been tried, or the
+    /// time is over. `changes` counts accepted perturbations.
     pub fn improve(
         &mut self,
         refinement: &mut Refinement,

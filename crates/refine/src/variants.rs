@@ -45,7 +45,7 @@ pub fn refine_variants(search: &mut Search, solving: Duration) -> Result<(), Pla
     Ok(())
 }
 
-/// Solves a variant. `None` when nothing of its homotopy was finished in time.
+/// Solves a variant. `None` when no homotopy step was finished in time.
 fn solve_variant<'run>(
     search: &Search<'run>,
     recipe: Recipe,
@@ -58,7 +58,7 @@ fn solve_variant<'run>(
     let variant = recipe.variant(&scene, &best.reference, &failing, &target.parameters.portfolio);
     let solving = search.schedule.solving(until);
     let run = HomotopyRun { threads: session.threads, ..HomotopyRun::new(&variant) };
-    // What has finished until then may do.
+    // Homotopy steps that are finished by then are used.
     let iterations = run.finished(session, || search.schedule.is_over(solving))?;
     let status = iterations.last().map_or("no homotopy step in time", |last| &last.record.status);
     session.tell(Event::VariantSolved { status });
