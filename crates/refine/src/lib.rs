@@ -1,15 +1,26 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of a solved problem's homotopy iterations the one whose reference passes most training trials is taken, with strokes at
-//! its end where these help. Random changes of this reference are kept when more trials pass ([`simulation::Refinement`]).
-//! Then an evaluation at grasp errors that were never trained on decides; what fails there is trained on next. When this
-//! does not help any more, a straight push is refined instead, which needs no plan; then other problems are solved, the
-//! promising first, and their plans are refined. The plan with the best evaluation is kept; where none is robust in the
-//! end, the latest are compared in the same trials. With an arm, the best of several drafts takes the place of a plan that
-//! fails too often, no push is refined, and a robust plan is refined with margins while there is time.
+//! `run` is the method. Among the homotopy steps of a solved problem it takes the one whose reference passes most of the
+//! training set, with strokes at its end where these help. Random perturbations of this reference are kept when more test
+//! cases pass ([`simulation::Refinement`]). An evaluation at grasp errors outside the training set then decides; its failures
+//! join the training set. When this stalls, a straight push is refined instead, which needs no plan; then other problems are
+//! solved, the promising first, and their plans are refined. The plan with the best evaluation is kept; if none is robust,
+//! the latest are compared in the same test cases. With an arm, the best of several drafts replaces a plan that fails too
+//! often, no push is refined, and a robust plan is refined with margins while there is time.
 //!
-//! Time goes where it decides: evaluations end when they are decided, homotopy iterations are compared in few trials,
-//! and every problem has its share of the time.
+//! Evaluations end when they are decided, homotopy steps are compared in few test cases, and every problem has its share of
+//! the time.
+//!
+//! | file | part |
+//! |---|---|
+//! | `setting` | what stays the same: problem, target, session, evaluators |
+//! | `schedule` | the clock and who gets how much of the time |
+//! | `judge`, `evaluation` | evaluations, each with test cases of its own |
+//! | `training` | the training set, and perturbations in it |
+//! | `found` | the best plan so far, the latest ones, the rounds |
+//! | `search` | all of these together |
+//! | `refining` | one reference: trained, evaluated, trained again |
+//! | `own`, `drafts`, `push`, `variants`, `again`, `comparison`, `simplify`, `margins` | the stages of `run` |
 
 mod again;
 mod candidate;
