@@ -1,15 +1,26 @@
 //! A robust plan: play the plan, refine what fails, play again.
 //!
-//! Of the homotopy steps of a solved problem, the one whose reference passes most of the training set is chosen, with a final
-//! oscillation where that helps. Random perturbations of this reference are kept when more test cases pass
-//! ([`simulation::Refinement`]). Then an evaluation at new grasp errors decides; its failures join the training set. When
-//! this stalls, a straight push is refined instead, which needs no plan; then variants of the problem are solved, the
-//! promising first, and their plans are refined. The plan with the best evaluation is kept; if no plan is robust, the winner
-//! of a final comparison of the latest references is returned. With an arm, the best of several drafts replaces a plan that
-//! fails too often, no push is refined, and a robust plan is refined with margins while there is time.
+//! `run` is the method. Among the homotopy steps of a solved problem it takes the one whose reference passes most of the
+//! training set, with a final oscillation where that helps. Random perturbations of this reference are kept when more test
+//! cases pass ([`simulation::Refinement`]). An evaluation at grasp errors outside the training set then decides; its failures
+//! join the training set. When this stalls, a straight push is refined instead, which needs no plan; then other problems are
+//! solved, the promising first, and their plans are refined. The plan with the best evaluation is kept; if none is robust,
+//! the latest are compared in the same test cases. With an arm, the best of several drafts replaces a plan that fails too
+//! often, no push is refined, and a robust plan is refined with margins while there is time.
 //!
-//! Time goes where it matters: evaluations end when they are decided, homotopy steps are compared in few test cases, and
-//! every problem has its share of the time.
+//! Evaluations end when they are decided, homotopy steps are compared in few test cases, and every problem has its share of
+//! the time.
+//!
+//! | file | part |
+//! |---|---|
+//! | `setting` | what stays the same: problem, target, session, evaluators |
+//! | `schedule` | the clock and the shares of the time |
+//! | `judge`, `evaluation` | evaluations, each with test cases of its own |
+//! | `training` | the training set, and perturbations in it |
+//! | `found` | the best plan so far, the latest ones, the rounds |
+//! | `search` | all of these together |
+//! | `refining` | one reference: trained, evaluated, trained again |
+//! | `own`, `drafts`, `push`, `variants`, `again`, `comparison`, `simplify`, `margins` | the stages of `run` |
 
 mod again;
 mod candidate;
