@@ -187,7 +187,7 @@ fn require_free(arguments: &SimulateArguments, folder: &Path) -> Result<(), Plan
     arguments.trace.iter().filter_map(|file| file.parent()).try_for_each(require_folder)?;
     match &arguments.trace {
         Some(file) if file.symlink_metadata().is_ok() => {
-            Err(PlannerError::file(file, "exists, and a trace replaces no file; choose another name for --trace"))
+            Err(PlannerError::file(file, "exists, and a trace replaces nothing; choose another name for --trace"))
         }
         Some(file) if arguments.progress.log.as_ref() == Some(file) => {
             Err(PlannerError::file(file, "is the file of --log as well; choose another name for --trace"))
