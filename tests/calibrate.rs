@@ -70,7 +70,7 @@ fn a_dry_run_that_was_stopped_is_used_up_to_there() {
     let (dir, text) = log();
     dir.write("stopped.csv", text.lines().take(130).map(|line| line.to_owned() + "\n").collect::<String>());
     let run = dir.run("calibrate corner.toml stopped.csv").code(0);
-    run.says("used up to where it was stopped (the log ends before the plan does)");
+    run.says("used until it was stopped (the log ends before the plan does)");
 }
 
 #[test]

@@ -111,7 +111,9 @@ fn listen(py: Python, progress: Option<&Bound<PyAny>>, mut heard: Receiver<Messa
 }
 
 fn warn(py: Python, warning: String) -> PyResult<()> {
-    /// From the planner through the method of the package to whom has called that.
-    const LEVEL: i32 = 2;
-    PyErr::warn(py, &py.get_type::<SceneWarning>(), &CString::new(warning)?, LEVEL)
+    // From the planner through the method of the package, and what reads its former names, to whom has called that.
+    let caller = py.import("sys")?.call_method1("_getframe", (1,))?;
+    let file: String = caller.getattr("f_code")?.getattr("co_filename")?.extract()?;
+    let level = if file.ends_with("_renamed.py") { 3 } else { 2 };
+    PyErr::warn(py, &py.get_type::<SceneWarning>(), &CString::new(warning)?, level)
 }

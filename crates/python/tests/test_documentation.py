@@ -79,7 +79,7 @@ def test_python_in_pages_runs(page: str, tmp_path: Path) -> None:
         (["scene_in_code.py"], "offsets of 20 mm: planned"),
         (["refine.py", CORNER, "--friction", 0], "friction 0: "),
         (["play.py", CORNER, "--friction", 0], "straight push, friction 0, offset 0 0 0.01 m"),
-        (["distances.py", CORNER], "100 %: box/floor 1.00 mm"),
+        (["distances.py", CORNER], "1.00 mm (smoothed 8.88 mm)"),
     ],
 )
 def test_small_examples_run(words: list[object], expected: str, tmp_path: Path) -> None:

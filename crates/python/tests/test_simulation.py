@@ -15,7 +15,12 @@ def test_rollouts_are_those_of_the_command(scene: Scene, plan: Plan, tmp_path: P
     run = command("simulate", CORNER, tmp_path / "plan", *options, "--out", tmp_path / "command")
     assert run.returncode == 0
     played = scene.simulate(
-        Plan.load(tmp_path / "plan"), random=7, seed=3, magnitude=[0.005, 0.01], friction=[0.0, 0.3], rotation_error=0.02
+        Plan.load(tmp_path / "plan"),
+        random=7,
+        seed=3,
+        magnitude=[0.005, 0.01],
+        friction=[0.0, 0.3],
+        rotation_error=0.02,
     )
     played.save(tmp_path / "python")
     for table in ("rollouts.csv", "success.csv"):
@@ -73,7 +78,7 @@ def test_wrong_requests_are_refused(scene: Scene, plan: Plan) -> None:
         ({"random": 0}, "number of offsets = 0: must lie between 1 and 1000000"),
         ({"random": 2, "grid": 2}, "offsets: at most one of random, grid and offsets"),
         ({"ball": True}, "ball: needs random"),
-        ({"random": 2, "ball": True, "disc": True}, "random: at most one of hull, disc and ball"),
+        ({"random": 2, "ball": True, "disc": True}, "random: give at most one of hull, disc and ball"),
         ({"offsets": [[0.0, 0.0]]}, r"offsets: has shape \(1, 2\)"),
         ({"offsets": [[0.0, 0.0, 0.0]], "magnitude": [0.01]}, "magnitude: does not scale"),
         ({"friction": [-0.5]}, "friction = -0.5: must lie between 0 and 10"),

@@ -266,7 +266,7 @@ async function testPlan(name) {
   await changesPicture(page, "the homotopy", async () => {
     await page.getByText("How the plan was found").click();
     await page.getByRole("button", { name: "Homotopy", exact: true }).click();
-    await page.getByRole("slider", { name: "Homotopy iteration" }).fill("1");
+    await page.getByRole("slider", { name: "Homotopy step" }).fill("1");
   });
   await changesPicture(page, "smoothed shapes", () => page.getByLabel("Smoothed shapes").uncheck());
   await changesPicture(page, "a rollout", () => page.getByRole("button", { name: /^Hard contact, friction 0\.1/ }).click());
@@ -296,7 +296,7 @@ async function testArm(name) {
   await changesPicture(page, "the arm", () => page.getByLabel("Arm").uncheck());
   await page.getByText("How the plan was found").click();
   await page.getByRole("button", { name: "Homotopy", exact: true }).click();
-  assert.ok(await page.getByLabel("Arm").isHidden(), "nobody computes joints of homotopy iterations");
+  assert.ok(await page.getByLabel("Arm").isHidden(), "nobody computes joints of homotopy steps");
   await page.close();
 }
 

@@ -117,5 +117,5 @@ fn what_a_log_does_not_tell_is_held_and_said() {
     let entries = Entries::new(&calibration, &workshop.problem);
     assert!(entries.is_empty());
     let record = CalibrationRecord::new(&calibration, &entries, &workshop.problem);
-    assert!(record.parameters.iter().all(|parameter| parameter.remark.starts_with("not known: ")), "{record:?}");
+    assert!(record.parameters.iter().all(|parameter| parameter.remark.starts_with("not identified: ")), "{record:?}");
 }

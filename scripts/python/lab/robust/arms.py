@@ -19,13 +19,13 @@ TURN = "0.02"
 TIME_LIMIT = "60"
 
 PAGE = """\
-Starts of the scenes, planned by `solve --robust --friction {frictions} --rotation-error {turn} --time-limit {limit}` for an arm
-with a contact force of at most 60 N (`[limits]`), with gains that the program chose for it, and then played in MuJoCo
-by the whole arm: rotor inertia, gravity, joint friction, torques held for a control period. Each plan is played with
-{count} random offsets in the hull of the planned ones at each of 0, 50 and 95 % of delta-hat, the part turned in the
-gripper by up to {turn} rad about any axis (`scripts/lab validate --arm --seed {seed}`:
-[validation.md](../guide/validation.md#the-whole-arm)). The push is an unplanned straight motion with the same gains and
-in the same time, without contact friction. `scripts/lab robust{arms}` repeats all of it and writes this page.
+Starts of the scenes, planned by `solve --robust --friction {frictions} --rotation-error {turn} --time-limit {limit}`
+for an arm with a contact force of at most 60 N (`[limits]`), with gains that the program chose for it, and then
+played in MuJoCo by the whole arm: rotor inertia, gravity, joint friction, torques held for a control period. Each
+plan is played with {count} random offsets in the hull of the planned ones at each of 0, 50 and 95 % of delta-hat,
+the part turned in the gripper by up to {turn} rad about any axis (`scripts/lab validate --arm --seed {seed}`:
+[validation.md](../guide/validation.md#the-whole-arm)). The push is an unplanned straight motion with the same gains
+and in the same time, without contact friction. `scripts/lab robust{arms}` repeats all of it and writes this page.
 
 Own rollouts are those of the evaluation, of all plans of a scene together. Forces are the largest of all motions of a
 scene's plans, as means over 10 ms, and how many of the motions stay below 60 N. Seconds are the median of
