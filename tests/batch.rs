@@ -257,6 +257,12 @@ fn a_cell_that_has_lost_a_file_is_no_finished_one() {
     batch(&dir, "status runs", 0).says("reference.csv: was changed since the plan was written");
     batch(&dir, "run runs", 1).says("was changed since the plan was written");
     assert_eq!(dir.read(cell.join("reference.csv")), "mine");
+    // A file is no folder.
+    dir.remove(cell);
+    dir.write(cell, "");
+    let words = "is a file, where the plan's folder should be; remove it";
+    batch(&dir, "status runs", 0).says("1 failed").says(words);
+    batch(&dir, "run runs", 1).says("failed: cell 1").says(cell.file_name().unwrap().to_str().unwrap());
 }
 
 #[test]

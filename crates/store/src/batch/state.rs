@@ -91,10 +91,13 @@ impl CellFiles {
     /// # Errors
     /// In the user's words.
     pub fn result(&self) -> Result<Option<PlanResult>, String> {
+        let folder = self.folder.display();
+        if self.folder.exists() && !self.folder.is_dir() {
+            return Err(format!("{folder} is a file, where the plan's folder should be; remove it, to solve the cell"));
+        }
         if !self.folder.join(RESULT).exists() {
             return Ok(None);
         }
-        let folder = self.folder.display();
         let result = match StoredPlan::open(&self.folder) {
             Ok(plan) => plan.result,
             Err(error) => return Err(format!("{error}; or remove {folder}, to solve the cell again")),
