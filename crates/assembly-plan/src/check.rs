@@ -163,6 +163,19 @@ fn print_meshes(explanation: &Explanation, is_verbose: bool) {
             [] => {}
         }
     }
+    if let Some(goal) = explanation.gaps.first() {
+        let gap =
+            |given: f64| if given == 0.0 { "in contact".to_owned() } else { format!("{:.4} mm apart", 1e3 * given) };
+        say!("\nat the goal: meshes {}, convex parts {:.4} mm", gap(goal.given_m), 1e3 * goal.parts_m);
+        for place in &explanation.gaps[1..] {
+            say!(
+                "{:.2} mm from it: meshes {}, convex parts {:.4} mm",
+                1e3 * place.from_goal_m,
+                gap(place.given_m),
+                1e3 * place.parts_m
+            );
+        }
+    }
     if let Some(fit) = explanation.fit {
         say!(
             "\ntightest round fit: hole of radius {:.3} mm, gap {:.4} mm, of which facets take {:.4} mm ({:.1} %) and \

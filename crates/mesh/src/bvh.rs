@@ -85,18 +85,27 @@ impl BoxTree {
 
     /// The smallest of the squared distances of items from a point, `INFINITY` without items.
     pub fn nearest(&self, point: &Vector, squared_distance: impl Fn(usize) -> f64) -> f64 {
-        let mut nearest = f64::INFINITY;
+        self.nearest_item(point, squared_distance).1
+    }
+
+    /// The item with the smallest squared distance from a point, and that.
+    pub fn nearest_item(&self, point: &Vector, squared_distance: impl Fn(usize) -> f64) -> (usize, f64) {
+        let mut nearest = (0, f64::INFINITY);
         let to_box = |bounds: &[Vector; 2]| (point - point.sup(&bounds[0]).inf(&bounds[1])).norm_squared();
         let mut waiting: Vec<(usize, f64)> =
             self.nodes.first().map(|root| (0, to_box(&root.bounds))).into_iter().collect();
         while let Some((index, distance)) = waiting.pop() {
-            if distance >= nearest {
+            if distance >= nearest.1 {
                 continue;
             }
             let node = &self.nodes[index];
             let Some(second) = node.second else {
-                let items = self.order[node.items.clone()].iter();
-                nearest = items.map(|&item| squared_distance(item)).fold(nearest, f64::min);
+                for &item in &self.order[node.items.clone()] {
+                    let distance = squared_distance(item);
+                    if distance < nearest.1 {
+                        nearest = (item, distance);
+                    }
+                }
                 continue;
             };
             let mut children = [index + 1, second].map(|child| (child, to_box(&self.nodes[child].bounds)));

@@ -1,5 +1,6 @@
 //! Convex pieces that cover a part.
 
+use crate::body::Body;
 use crate::cell::{Bound, Cell};
 use crate::coarsen::coarsen;
 use crate::curved_surface::CurvedSurface;
@@ -7,11 +8,13 @@ use crate::elements::Elements;
 use crate::error::MeshError;
 use crate::facets::facet_counts;
 use crate::facing::{Place, Places, surface_on};
-use crate::geometry::Vector;
+use crate::geometry::{Plane, Vector};
 use crate::merge::merge;
 use crate::partition::partition;
+use crate::passing::{self, Budget, Passage};
 use crate::settings::CoverSettings;
 use crate::solid::Solid;
+use crate::touch::Touched;
 
 /// Covers with more pieces are refused.
 pub const MOST_PIECES: usize = 1000;
@@ -64,6 +67,9 @@ impl Cover {
     /// As [`Cover::of`].
     pub fn facing(solid: &Solid, settings: &CoverSettings, places: &[Place]) -> Result<Self, MeshError> {
         settings.check()?;
+        if let Some(reason) = &solid.undecided {
+            return Err(reason.clone());
+        }
         let whole_solid = Elements::of(solid, &CoverSettings { crop: None, ..*settings })?;
         let is_convex = whole_solid.is_convex();
         // A convex part is one piece: cut at a box it would have more halfspaces.
@@ -72,7 +78,7 @@ impl Cover {
         let (leaves, merged) = if is_convex {
             (Vec::new(), whole(&elements)?.into_iter().collect())
         } else {
-            let mut partition = partition(&elements, solid, settings.tolerance)?;
+            let mut partition = partition(&elements, solid, settings.tolerance, settings.most_cells)?;
             partition.solid.retain(|cell| places.face(cell, &elements));
             let merged = merge(&partition, &elements.root, elements.tolerance);
             let merged = merged.ok_or_else(|| MeshError::too_many_pieces(solid))?;
@@ -97,6 +103,65 @@ impl Cover {
         for cell in merged {
             cover.add(&cell, &elements, settings);
         }
+        if cover.pieces.is_empty() { Err(MeshError::NothingLeft) } else { Ok(cover) }
+    }
+
+    /// Covers a solid exactly where others pass it, within a budget, and with few pieces elsewhere: what nothing enters is
+    /// filled.
+    ///
+    /// # Errors
+    /// When it needs too many pieces.
+    pub fn touching(solid: &Solid, passages: &[Passage], budget: Budget) -> Result<Self, MeshError> {
+        let body = Body::of(solid);
+        let places = passing::places(&body, passages, budget);
+        let touched = Touched::new(solid, &body, &places);
+        let [low, high] = solid.bounds();
+        let margin = 0.01 * (high - low).amax() + 100.0 * solid.tolerance;
+        let box_ = [low.add_scalar(-margin), high.add_scalar(margin)];
+        let sides = std::array::from_fn(|face| {
+            let (axis, side) = (face % 3, face / 3);
+            let normal = Vector::ith(axis, if side == 0 { -1.0 } else { 1.0 });
+            Bound { id: face, is_flipped: false, plane: Plane::through(&box_[side], normal) }
+        });
+        let root = Cell::of_box(&box_, sides);
+        let hulls = touched.pieces(root.clone()).ok_or_else(|| MeshError::too_many_pieces(solid))?;
+        if hulls.len() > MOST_PIECES {
+            return Err(MeshError::too_many_pieces(solid));
+        }
+        let hulls = touched.join(hulls);
+        let cells: Vec<Cell> = hulls.iter().map(|hull| touched.trim(hull, &root)).collect();
+        let mut cover = Self {
+            pieces: Vec::new(),
+            surfaces: Vec::new(),
+            growth: 0.0,
+            vanished: 0,
+            cells: Vec::new(),
+            leaves: Vec::new(),
+            places: Places::new(&[], solid.tolerance),
+            crop_planes: Vec::new(),
+            box_,
+            tolerance: solid.tolerance,
+        };
+        for cell in cells {
+            let mut vertices: Vec<Vector> = Vec::new();
+            for corner in cell.corners() {
+                if vertices.iter().all(|other| (other - corner).norm() > 1e-9 * margin) {
+                    vertices.push(*corner);
+                }
+            }
+            cover.pieces.push(Piece {
+                normals: cell.bounds.iter().map(|bound| bound.plane.normal.into()).collect(),
+                offsets: cell.bounds.iter().map(|bound| bound.plane.offset).collect(),
+                vertices: vertices.into_iter().map(Into::into).collect(),
+                is_surface: vec![true; cell.bounds.len()],
+            });
+            cover.cells.push(cell);
+        }
+        // What is filled, too.
+        let middles = cover.cells.iter().flat_map(|cell| &cell.polygons).map(crate::geometry::mean);
+        let corners = cover.cells.iter().flat_map(Cell::corners).copied();
+        let reached = middles.chain(corners).filter(|point| !body.contains(point));
+        cover.growth = reached.map(|point| body.distance(&point).1).fold(0.0, f64::max);
         if cover.pieces.is_empty() { Err(MeshError::NothingLeft) } else { Ok(cover) }
     }
 

@@ -172,4 +172,18 @@ impl MeshError {
     pub(crate) fn too_many_pieces(solid: &Solid) -> Self {
         Self::TooManyPieces { most: MOST_PIECES, curved: solid.curved.len() }
     }
+
+    /// What was found, without what to do.
+    pub(crate) fn finding(&self) -> String {
+        let text = self.to_string();
+        text.split(';').next().unwrap_or_default().to_owned()
+    }
+
+    /// Whether winding numbers may decide in spite of it.
+    pub(crate) fn is_undecided(&self) -> bool {
+        matches!(
+            self,
+            Self::Open { .. } | Self::NonManifold { .. } | Self::OneSided { .. } | Self::SelfIntersecting { .. }
+        )
+    }
 }

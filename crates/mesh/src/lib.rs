@@ -17,6 +17,19 @@
 //! | coarsen | halfspaces are dropped | outward, [`Cover::growth`], at most the tolerance that is asked for |
 //! | clearance | surfaces, not cuts, move into the material | exactly the clearance |
 //!
+//! A surface that crosses itself or does not quite close has no such cover: winding numbers say what is inside
+//! ([`Solid::is_rough`]). [`Cover::touching`] covers it, and any other, within a budget where something passes it:
+//!
+//! | step | what it does | error |
+//! |---|---|---|
+//! | places | points of the other part along its way, with their distances from the surface | none |
+//! | cut | the hull is cut by planes of the surface while pieces come too close to places | [`Budget`] |
+//! | join | pieces are joined as long as their hull is not too close | the same |
+//! | trim | bounding boxes of pieces are cut by planes of their hulls until they are not too close | the same |
+//!
+//! [`Gauge`] measures the gap between meshes, to compare it with that between pieces, and [`Separation`] how far one can
+//! be moved past another.
+//!
 //! Facets of full turns have normals at multiples of 2 pi/N from +x (from +y around an axis along x), so that a peg and a
 //! hole that are mated in one frame have facets face to face, and surfaces around one axis share them. Arcs that planes
 //! continue, such as fillets, are divided evenly between these. Spheres, tori and free forms stay facets of the mesh,
@@ -26,6 +39,7 @@
 //! countersink adds a halfspace to each wall and no piece, since wall and countersink meet in a convex edge of the
 //! material. A counterbore has a concave edge and needs N more pieces.
 
+mod body;
 mod bvh;
 mod cell;
 mod coarsen;
@@ -34,6 +48,7 @@ mod cover;
 mod crossing;
 mod curved;
 mod curved_surface;
+mod decide;
 mod deviation;
 mod edges;
 mod elements;
@@ -42,16 +57,21 @@ mod faces;
 mod facets;
 mod facing;
 mod foreign;
+mod gap;
 mod geometry;
+mod hull;
 mod mass;
 mod merge;
+mod nearest;
 mod obj;
 mod partition;
+mod passing;
 mod planes;
 mod precision;
 mod primitives;
 mod read;
 mod repair;
+mod separation;
 mod set_cover;
 mod settings;
 mod shells;
@@ -61,16 +81,22 @@ mod strips;
 mod superfluous;
 mod surface;
 mod text;
+mod touch;
 mod triangulate;
 mod weld;
+mod winding;
 
 pub use cover::{Cover, Piece};
 pub use curved_surface::{CurvedKind, CurvedSurface};
 pub use deviation::Deviation;
 pub use error::MeshError;
 pub use facing::Place;
+pub use gap::Gauge;
+pub use hull::hull_triangles;
 pub use mass::MassProperties;
+pub use passing::{Budget, Passage};
 pub use read::{Format, TriangleMesh};
+pub use separation::Separation;
 pub use settings::CoverSettings;
 pub use solid::Solid;
 pub use surface::Repair;

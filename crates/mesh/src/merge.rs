@@ -12,7 +12,7 @@ const INSIDE: f64 = 2.0;
 const FEW: usize = 200;
 
 /// Polygons of cells that are compared with bounds while these grow: more take too long.
-const MOST_WORK: usize = 300_000_000;
+const MOST_WORK: usize = 100_000_000;
 
 /// A piece that falls into more parts counts as not covered.
 const MOST_PARTS: usize = 300;

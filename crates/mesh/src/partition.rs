@@ -9,8 +9,6 @@ use crate::geometry::{Vector, area_vector, clip};
 use crate::shells::winding_number;
 use crate::solid::Solid;
 
-/// More cells take too long to merge.
-pub const MOST_CELLS: usize = 2500;
 /// Planes that are compared, and elements by which they are, at each split.
 const CANDIDATES: usize = 32;
 const SAMPLE: usize = 400;
@@ -41,8 +39,8 @@ struct Node<'a> {
 /// Splits until no cell has surface in it other than within its slack, or `rough` (m), behind a plane that splits.
 ///
 /// # Errors
-/// When there are too many cells.
-pub fn partition(elements: &Elements, solid: &Solid, rough: f64) -> Result<Partition, MeshError> {
+/// When there are more cells than the most.
+pub fn partition(elements: &Elements, solid: &Solid, rough: f64, most_cells: usize) -> Result<Partition, MeshError> {
     let mut partition = Partition { solid: Vec::new(), free: Vec::new(), used: Vec::new() };
     let fragments = elements.elements.iter();
     let fragments = fragments
@@ -52,7 +50,7 @@ pub fn partition(elements: &Elements, solid: &Solid, rough: f64) -> Result<Parti
     let mut waiting = vec![Node { cell: elements.root.clone(), fragments }];
     let mut used = BTreeSet::new();
     while let Some(node) = waiting.pop() {
-        if waiting.len() + partition.solid.len() + partition.free.len() > MOST_CELLS {
+        if waiting.len() + partition.solid.len() + partition.free.len() > most_cells {
             return Err(MeshError::too_many_pieces(solid));
         }
         match choose(&node.fragments, elements) {

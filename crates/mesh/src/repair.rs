@@ -72,7 +72,7 @@ struct Neighbor {
 }
 
 /// Winds triangles like their neighbours, each component as most of it was. Returns the number of those turned around.
-fn wind(surface: &mut Surface, scale: f64) -> Result<usize, MeshError> {
+pub fn wind(surface: &mut Surface, scale: f64) -> Result<usize, MeshError> {
     let edges = edges(&surface.triangles);
     let place = |edge: (usize, usize)| (0.5 * (surface.vertices[edge.0] + surface.vertices[edge.1]) / scale).into();
     let mut neighbors: Vec<Vec<Neighbor>> = vec![Vec::new(); surface.triangles.len()];

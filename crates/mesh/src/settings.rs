@@ -21,11 +21,13 @@ pub struct CoverSettings {
     pub crop: Option<[[f64; 3]; 2]>,
     /// Distance (m) by which all surfaces are moved into the material.
     pub clearance: f64,
+    /// More cells than this are given up: a part that falls into so many takes long to cover.
+    pub most_cells: usize,
 }
 
 impl Default for CoverSettings {
     fn default() -> Self {
-        Self { facets: 24, error: 0.0, tolerance: 0.0, crop: None, clearance: 0.0 }
+        Self { facets: 24, error: 0.0, tolerance: 0.0, crop: None, clearance: 0.0, most_cells: 2500 }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::curved::{Curved, Mesh, recognise};
 use crate::curved_surface::CurvedSurface;
+use crate::decide::decide;
 use crate::edges::edges;
 use crate::error::MeshError;
 use crate::faces::Faces;
@@ -20,6 +21,8 @@ pub struct Solid {
     pub(crate) curved: Vec<Curved>,
     /// Distance (m) within which points of the file are on the same plane.
     pub(crate) tolerance: f64,
+    /// Why its surface is not that of a solid everywhere: only winding numbers say what is inside.
+    pub(crate) undecided: Option<MeshError>,
     repairs: Vec<Repair>,
     mass_properties: MassProperties,
 }
@@ -28,27 +31,34 @@ impl Solid {
     /// Repairs a mesh where it is certain how and recognises its surfaces.
     ///
     /// # Errors
-    /// When the surface is open, crosses itself or does not separate inside from outside.
+    /// When the surface does not separate inside from outside.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, MeshError> {
-        let surface = repair(mesh)?;
+        let (surface, undecided) = match repair(mesh) {
+            Err(reason) if reason.is_undecided() => (decide(mesh, reason.clone())?, Some(reason)),
+            surface => (surface?, None),
+        };
         let tolerance = SAME * mesh.rounding;
         let corners: Vec<[Vector; 3]> =
             surface.triangles.iter().map(|triangle| triangle.map(|corner| surface.vertices[corner])).collect();
         let edges = edges(&surface.triangles);
         let faces = Faces::of(&surface.vertices, &surface.triangles, &edges, tolerance);
-        let curved = recognise(&Mesh {
+        let mesh = Mesh {
             vertices: &surface.vertices,
             triangles: &surface.triangles,
             edges: &edges,
             faces: &faces,
             tolerance,
-        });
+        };
+        let curved = if undecided.is_none() { recognise(&mesh) } else { Vec::new() };
+        let mass_properties =
+            if undecided.is_none() { MassProperties::of(&corners) } else { MassProperties::along_lines(&corners) };
         Ok(Self {
             faces,
             curved,
             tolerance,
+            undecided,
             repairs: surface.repairs,
-            mass_properties: MassProperties::of(&corners),
+            mass_properties,
             vertices: surface.vertices,
             triangles: surface.triangles,
         })
@@ -82,6 +92,17 @@ impl Solid {
     /// Corners of its triangles (m).
     pub fn points(&self) -> impl Iterator<Item = [f64; 3]> {
         self.vertices.iter().map(|vertex| (*vertex).into())
+    }
+
+    /// Whether its surface crosses itself or has cracks, so that [`Cover::of`](crate::Cover::of) refuses it and only
+    /// [`Cover::touching`](crate::Cover::touching) covers it.
+    pub fn is_rough(&self) -> bool {
+        self.undecided.is_some()
+    }
+
+    /// Its triangles (m), anticlockwise seen from outside.
+    pub fn corner_triangles(&self) -> impl Iterator<Item = [[f64; 3]; 3]> {
+        (0..self.triangles.len()).map(|triangle| self.corners(triangle).map(Into::into))
     }
 
     /// Lower and upper corner (m).

@@ -1,6 +1,7 @@
 //! The surface of a mesh as triangles, and the repairs that closed it and wound it consistently.
 
 use crate::edges::{components, edges};
+use crate::error::MeshError;
 use crate::geometry::Vector;
 
 /// What was changed in a mesh. Places are in the unit of the file.
@@ -48,6 +49,17 @@ pub enum Repair {
         /// Its area (m^2).
         area: f64,
     },
+    /// The surface crosses itself or does not quite close. Winding numbers say what is inside; no surface was moved.
+    Decided {
+        /// Why the surface cannot be taken as it is.
+        reason: Box<MeshError>,
+        /// Edges at which it does not close.
+        open: usize,
+        /// Cracks there are narrower than this (m).
+        crack: f64,
+        /// Triangles that separate nothing, and were dropped.
+        hidden: usize,
+    },
 }
 
 impl std::fmt::Display for Repair {
@@ -66,6 +78,16 @@ impl std::fmt::Display for Repair {
                 "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed by a flat cap of {:.3} mm^2",
                 1e6 * area
             ),
+            Self::Decided { reason, open, crack, hidden } => {
+                write!(formatter, "inside and outside decided by winding numbers ({})", reason.finding())?;
+                if *open > 0 {
+                    write!(formatter, ", {open} edges open with cracks of less than {:.4} mm", 1e3 * crack)?;
+                }
+                if *hidden > 0 {
+                    write!(formatter, ", {hidden} triangles that separate nothing dropped")?;
+                }
+                Ok(())
+            }
         }
     }
 }

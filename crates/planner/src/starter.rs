@@ -3,12 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use diagnosis::check::refusal;
-use nalgebra::Vector3;
-use plan::clearance::{Clearance, position};
+use mesh::Separation;
 use plan::{Choices, PlannerError, Problem};
 use scene::{Scene, Source};
-use scene_templates::{Axis, FilePair, StarterPoses, StarterValues, probe_scene, starter_scene};
-use task::AssemblyTask;
+use scene_templates::{Axis, FilePair, PartPair, StarterPoses, StarterValues, starter_scene};
 
 /// Height (m) of the goal above the place in the files, where parts touch; at most this share of the body's height.
 const LIFT: f64 = 2e-4;
@@ -61,11 +59,12 @@ pub fn starter(
         return Ok(Starter { text, problem, fit: None });
     };
     let standing = in_standing_folder(file);
-    let (poses, fit) = fit(&standing, files, axis, values)?;
-    let problem = read(&standing, &starter_scene(&standing, Some((files, &poses)), values)?, &Choices::default())?;
+    let parts = files.read()?;
+    let (poses, fit) = fit(&files.body, &parts, axis, values)?;
+    let problem = read(&standing, &starter_scene(&standing, Some((&parts, &poses)), values)?, &Choices::default())?;
     match refusal(&problem) {
         Some(reason) => Err(PlannerError::file(&files.body, reason)),
-        None => Ok(Starter { text: starter_scene(file, Some((files, &poses)), values)?, problem, fit: Some(fit) }),
+        None => Ok(Starter { text: starter_scene(file, Some((&parts, &poses)), values)?, problem, fit: Some(fit) }),
     }
 }
 
@@ -95,30 +94,25 @@ fn read(file: &Path, text: &str, choices: &Choices) -> Result<Problem, PlannerEr
     Problem::choose(Scene::parse(Source { file, text })?, file, choices)
 }
 
-/// Direction, depth and start of the body, found in a scene in which it leaves its place along every axis.
+/// Direction, depth and start of the body, found by moving its surface past that of the environment.
 fn fit(
     file: &Path,
-    files: &FilePair,
+    parts: &PartPair,
     axis: Option<Axis>,
     values: &StarterValues,
 ) -> Result<(StarterPoses, StarterFit), PlannerError> {
-    let [body, environment] = files.bounds()?;
+    let [body, environment] = [&parts.body, &parts.environment].map(|part| part.bounds());
     let height = |axis: Axis| body.edges()[axis.index];
     let apart = |axis: Axis| body.distance_apart(&environment, axis).max(height(axis)) + BEYOND;
-    let starts = Axis::ALL.map(|axis| axis.times(apart(axis))).to_vec();
-    let text = probe_scene(file, files, &StarterPoses { starts, goal: [0.0; 3] }, values)?;
-    let scene = Scene::parse(Source { file, text: &text })?;
-    let task = AssemblyTask { pairs: scene.all_pairs(), ..scene.task(None, None)? };
-    let mut clearance = Clearance::new(&task);
-    let place = position(&task.goal);
-    let free = Axis::ALL.map(|axis| clearance.travel(&place, &Vector3::from(axis.times(1.0)), apart(axis)).is_none());
+    let separation = Separation::new(parts.body.triangles().to_vec(), parts.environment.triangles());
+    let free = Axis::ALL.map(|axis| separation.travel(&[0.0; 3], &axis.times(1.0), apart(axis)).is_none());
     let is_free = |axis: &Axis| Axis::ALL.iter().zip(free).any(|(other, is_free)| other == axis && is_free);
     // A body that is put in ends at a stop: it can be moved no farther.
     let ways: Vec<Axis> = Axis::ALL.into_iter().filter(is_free).collect();
     let ends: Vec<Axis> = ways.iter().copied().filter(|axis| !is_free(&axis.opposite())).collect();
     let out = axis.or_else(|| ends.first().or(ways.first()).copied()).ok_or_else(|| {
         PlannerError::file(
-            &files.body,
+            file,
             "the body gets out of the environment along no axis of the files, whichever way: export both files in the assembled \
              pose, with an axis along the insertion; where a motion of several parts leads out, name the axis of the last \
              (--axis)",
@@ -130,14 +124,14 @@ fn fit(
             "the body does not get out of the environment along {out}, but along {}: name such a direction (--axis), or none",
             names.join(", ")
         );
-        return Err(PlannerError::file(&files.body, problem));
+        return Err(PlannerError::file(file, problem));
     }
     // Where the environment also blocks the path out, the body is lifted to the middle between both.
     let lift = LIFT.min(LARGEST_LIFT * height(out));
-    let room_above = clearance.travel(&place, &Vector3::from(out.times(1.0)), 2.0 * lift);
+    let room_above = separation.travel(&[0.0; 3], &out.times(1.0), 2.0 * lift);
     let lift = room_above.map_or(lift, |room| lift.min(0.5 * room));
-    let room = ROOM * scene.offset_magnitude;
-    let has_room = |distance: &f64| clearance.at(&(place + Vector3::from(out.times(*distance)))) >= room;
+    let room = ROOM * values.offset_magnitude();
+    let has_room = |distance: &f64| separation.at(&out.times(*distance)) >= room;
     let steps = (0..).map(|step| height(out) * (1.0 + STEP * f64::from(step)));
     let farthest = apart(out) + room;
     let distance = steps.take_while(|distance| *distance < farthest).find(has_room).unwrap_or(farthest);

@@ -71,17 +71,6 @@ impl Draft {
         text
     }
 
-    /// Text with the parts, the poses and the offset alone, on a grid of one step.
-    pub fn shapes_and_poses(&self) -> String {
-        let mut text = "[body]\n".to_owned();
-        self.body.iter().for_each(|part| part.write("body", &mut text));
-        self.environment.iter().for_each(|part| part.write("environment", &mut text));
-        self.write_poses(&mut text);
-        // All pairs count: looking for those that are too far apart takes longer than their distances.
-        text += &format!("[contact]\npairs = [[{}, {}]]\n", name(&self.body), name(&self.environment));
-        text + &format!("[robustness]\noffset_magnitude = {}\n[horizon]\nsteps = 1\n", number(self.offset))
-    }
-
     fn write_parts(&self, text: &mut String) {
         *text += "\n[body]\n";
         entry(text, "body", "mass", &number(MASS), "0.5 to 20");

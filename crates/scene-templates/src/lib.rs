@@ -5,4 +5,4 @@ mod generate;
 mod starter;
 
 pub use generate::{Peg, PegError, PegKey, PegSection};
-pub use starter::{Axis, BoundingBox, FilePair, StarterPoses, StarterValues, probe_scene, starter_scene};
+pub use starter::{Axis, BoundingBox, FilePair, FilePart, PartPair, StarterPoses, StarterValues, starter_scene};

@@ -31,6 +31,8 @@ pub struct Fit {
     pub gap: f64,
     /// Largest distance (m) between flat sides of the hole's mesh and the hole.
     pub mesh_error: f64,
+    /// The same of hole and part together (m): as much as meshes say of the gap.
+    pub chord_errors: f64,
 }
 
 impl Fit {
@@ -111,7 +113,8 @@ impl Cylinder {
             && along.abs() < 0.5 * (self.length + hole.length) - TOUCHING
             && aside < 0.1 * hole.radius
             && (-LARGEST_INTERFERENCE * hole.radius..LARGEST_GAP * hole.radius).contains(&gap);
-        is_around.then_some(Fit { hole: hole.radius, gap: gap - aside, mesh_error: hole.mesh_error })
+        let chord_errors = self.mesh_error + hole.mesh_error;
+        is_around.then_some(Fit { hole: hole.radius, gap: gap - aside, mesh_error: hole.mesh_error, chord_errors })
     }
 }
 

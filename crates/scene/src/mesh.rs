@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use collision::Polytope;
-use mesh::{Cover, CoverSettings, MeshError, Place, Solid, TriangleMesh};
+use mesh::{Budget, Cover, CoverSettings, MeshError, Passage, Place, Solid, TriangleMesh};
 use nalgebra::Isometry3;
 
 use crate::boxes::{corners_of, in_frame};
@@ -116,6 +116,7 @@ impl<'text> GivenMesh<'text> {
         placement: &Isometry3<f64>,
         chosen: ChosenFacets,
         region: Option<&MotionRegion>,
+        most_cells: usize,
     ) -> Result<(MeshPart, Vec<Polytope>), SceneError> {
         let ChosenFacets { facets, error } =
             self.making.facets.map_or(chosen, |facets| ChosenFacets { facets, error: 0.0 });
@@ -126,6 +127,7 @@ impl<'text> GivenMesh<'text> {
             tolerance: COARSENING * errors.reduce(f64::min).unwrap_or(0.0),
             crop: region.map(|region| in_frame(&region.extent, placement)),
             clearance: self.making.clearance,
+            most_cells,
         };
         let places = region.iter().flat_map(|region| region.places.iter().flatten());
         let places: Vec<Place> = places.map(|place| place_in_frame(place, placement)).collect();
@@ -136,11 +138,35 @@ impl<'text> GivenMesh<'text> {
             }
             cover => cover,
         };
-        let cover = cover.map_err(|error| self.refuse(error))?;
+        self.made(name, placement, settings, cover.map_err(|error| self.refuse(error))?)
+    }
+
+    /// The convex parts that stand for the mesh where the other side passes it.
+    pub fn touching_cover(
+        &self,
+        name: &str,
+        placement: &Isometry3<f64>,
+        passages: &[Passage],
+        budget: Budget,
+    ) -> Result<(MeshPart, Vec<Polytope>), SceneError> {
+        let cover = Cover::touching(&self.solid, passages, budget).map_err(|error| self.refuse(error))?;
+        self.made(name, placement, CoverSettings::default(), cover)
+    }
+
+    /// A part of a cover.
+    fn made(
+        &self,
+        name: &str,
+        placement: &Isometry3<f64>,
+        settings: CoverSettings,
+        cover: Cover,
+    ) -> Result<(MeshPart, Vec<Polytope>), SceneError> {
         let rotation = placement.rotation.quaternion();
         let orientation = [rotation.w, rotation.i, rotation.j, rotation.k];
         let piece = |(number, piece): (usize, &mesh::Piece)| {
+            // Halfspaces of a thin piece may be too alike to tell its corners, which are known.
             let shape = Polytope::from_halfspaces(&piece.normals, &piece.offsets)
+                .or_else(|_| Polytope::from_vertices(&piece.vertices))
                 .map_err(|error| self.refuse(format!("piece {number}: {error}")))?;
             Ok(shape.placed(placement.translation.vector.into(), orientation))
         };

@@ -53,11 +53,12 @@ pub fn link_shapes<'text>(
     Ok(shapes)
 }
 
-/// Points (m) in whose convex hull a link of a model lies that has collision shapes: the one of a name, or the only one.
+/// Triangles (m) of the collision shapes of a link of a model, in its frame: the one of a name, or the only one that has
+/// collision shapes.
 ///
 /// # Errors
 /// When the model cannot be read, has no such link, has several and none is named, or a shape is not supported.
-pub fn points_of_link(file: &Path, name: Option<&str>) -> Result<Vec<[f64; 3]>, SceneError> {
+pub fn triangles_of_link(file: &Path, name: Option<&str>) -> Result<Vec<[[f64; 3]; 3]>, SceneError> {
     let text = read_text(file, "model")?;
     let source = Source { file, text: &text };
     let in_model = |error: ModelError| source.error(error.span(), error.to_string());
@@ -68,13 +69,13 @@ pub fn points_of_link(file: &Path, name: Option<&str>) -> Result<Vec<[f64; 3]>, 
         None => only(&links, file, "--link"),
     };
     let link = link.map_err(|message| SceneError::about(file, message))?;
-    let mut points = Vec::new();
+    let mut triangles = Vec::new();
     for shape in link.shapes().map_err(in_model)? {
         let solid = solid(&shape).map_err(|error| source.error(shape.span.clone(), error))?;
-        let corners = corners_of(&solid.bounding_box());
-        points.extend(corners.map(|corner| <[f64; 3]>::from((shape.pose * Point3::from(corner)).coords)));
+        let placed = |corner: [f64; 3]| <[f64; 3]>::from((shape.pose * Point3::from(corner)).coords);
+        triangles.extend(solid.corner_triangles().map(|triangle| triangle.map(placed)));
     }
-    Ok(points)
+    Ok(triangles)
 }
 
 /// The only link; where there are several, one has to be chosen by a key or flag.

@@ -9,6 +9,8 @@ use crate::pose::{StartPose, between, of_pose};
 
 /// Poses between a start and the goal that are looked at.
 const SAMPLES: usize = 9;
+/// Poses of the path along which both sides are compared.
+const PATH_SAMPLES: usize = 17;
 /// Turn (rad) of the body away from these poses, further than in the gripper.
 const ROTATION: f64 = 0.1;
 /// Offsets by which the body may move away from these poses.
@@ -34,6 +36,9 @@ pub struct MotionRegion {
 /// Straight motions from all starts to the goal, and how far the body may leave them.
 pub struct Motions {
     poses: Vec<Isometry3<f64>>,
+    /// The same paths in smaller steps.
+    path: Vec<Isometry3<f64>>,
+    size: f64,
     margin: f64,
     rotation_error: f64,
     surroundings: f64,
@@ -48,17 +53,42 @@ impl Motions {
         body: &[[f64; 3]],
     ) -> Self {
         let goal = of_pose(goal);
-        let poses = starts.iter().flat_map(|start| {
-            let start = of_pose(&start.pose);
-            (0..SAMPLES).map(move |sample| between(&start, &goal, sample as f64 / (SAMPLES - 1) as f64))
-        });
+        let paths = |samples: usize| -> Vec<Isometry3<f64>> {
+            let path = |start: &StartPose| {
+                let start = of_pose(&start.pose);
+                (0..samples).map(move |sample| between(&start, &goal, sample as f64 / (samples - 1) as f64))
+            };
+            starts.iter().flat_map(path).collect()
+        };
         let size = body.iter().map(|point| norm(point)).fold(0.0, f64::max);
         Self {
-            poses: poses.collect(),
+            poses: paths(SAMPLES),
+            path: paths(PATH_SAMPLES),
+            size,
             margin: OFFSETS * magnitude + MARGIN * size,
             rotation_error: ROTATION + rotation_error,
             surroundings: SURROUNDINGS * size,
         }
+    }
+
+    /// Poses on the straight path from each start to the goal, one path after the other.
+    pub fn path(&self) -> impl Iterator<Item = Isometry3<f64>> {
+        self.path.iter().copied()
+    }
+
+    /// Those from the first start.
+    pub fn first_path(&self) -> impl Iterator<Item = Isometry3<f64>> {
+        self.path.iter().take(PATH_SAMPLES).copied()
+    }
+
+    /// Largest distance of a point of the body from its origin (m).
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// How far a point of the body may get away from the straight paths (m): offsets and rotation errors of the grasp.
+    pub fn reach(&self) -> f64 {
+        self.margin + (self.rotation_error - ROTATION) * self.size
     }
 
     /// The region of a body whose parts are the convex hulls of some points (m, body frame).

@@ -70,7 +70,7 @@ impl Scene {
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let spec = sections::robustness_spec(&robustness)?;
         let motions = Motions::new(&starts, &goal, (offset_magnitude, spec.rotation_error), &points);
-        let Shapes { body, environment, body_meshes, environment_meshes, fit, region } =
+        let Shapes { body, environment, body_meshes, environment_meshes, fit, region, gaps } =
             shapes(&body, &environment, &motions, &goal)?;
         let (pairs, culled_pairs) = pairs(
             table,
@@ -99,6 +99,7 @@ impl Scene {
             environment_meshes,
             fit,
             region,
+            gaps,
             pairs,
             culled_pairs,
             frictions: sections::frictions(table)?,

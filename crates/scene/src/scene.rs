@@ -16,6 +16,7 @@ use crate::part::{Extent, Part};
 use crate::pose::StartPose;
 use crate::robot::Robot;
 use crate::task_error::TaskError;
+use crate::touching::Gap;
 use crate::words::nearest;
 
 /// What a robust plan must tolerate besides offsets. Errors are relative, in both directions.
@@ -66,6 +67,8 @@ pub struct Scene {
     /// Region that the body can reach: only pieces of environment meshes with surface in it are parts. `None` without
     /// such meshes.
     pub region: Option<MotionRegion>,
+    /// How far convex parts and the shapes as they are given are apart along the straight way, if there are meshes.
+    pub gaps: Vec<Gap>,
     /// Pairs that may touch, as indices into body and environment.
     pub pairs: Vec<(usize, usize)>,
     /// Pairs that are left out because no motion from start to goal comes near to them.

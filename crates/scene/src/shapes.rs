@@ -1,14 +1,16 @@
 //! From parts as the scene gives them to convex parts.
 
 use collision::Polytope;
+use mesh::CoverSettings;
 use nalgebra::{Isometry3, Vector3};
 
 use crate::error::SceneError;
 use crate::facets::{ChosenFacets, Fit, LARGEST_SHARE, Placed, chosen_facets, tightest_fit};
-use crate::mesh::MeshPart;
+use crate::mesh::{GivenMesh, MeshPart};
 use crate::motion_region::{MotionRegion, Motions};
 use crate::part::{GivenPart, Part, Shape};
 use crate::pose::of_pose;
+use crate::touching::{Gap, Sides};
 
 /// Distance (m) that is no more than rounding.
 const ROUNDING: f64 = 1e-9;
@@ -23,7 +25,14 @@ pub struct Shapes {
     /// Region that the body can reach: only pieces of environment meshes with surface in it are parts. `None` without
     /// such meshes.
     pub region: Option<MotionRegion>,
+    /// How both sides compare with the shapes as they are given, if there are meshes.
+    pub gaps: Vec<Gap>,
 }
+
+/// With more pairs than this, meshes are covered where something can touch only.
+const FEW_PAIRS: usize = 300;
+/// Meshes that fall into more cells are covered likewise, unless the scene says how fine they shall be.
+const FEW_CELLS: usize = 600;
 
 /// Makes all parts convex.
 pub fn shapes(
@@ -32,15 +41,100 @@ pub fn shapes(
     motions: &Motions,
     goal: &[f64; 7],
 ) -> Result<Shapes, SceneError> {
+    let given_meshes = || body.iter().chain(environment).filter_map(GivenPart::mesh);
     let fit = tightest_fit(&meshes(body, &of_pose(goal)), &meshes(environment, &Isometry3::identity()));
     let chosen = chosen_facets(fit);
-    require_fine(fit, chosen.facets, body.iter().chain(environment))?;
-    let (body, body_meshes) = convex(body, chosen, None)?;
+    let exact = |most_cells: usize| {
+        require_fine(fit, chosen.facets, given_meshes())?;
+        exact_shapes(body, environment, motions, (fit, chosen), most_cells)
+    };
+    let is_stated = |mesh: &GivenMesh| mesh.making.clearance > 0.0 || mesh.making.facets.is_some();
+    let Some(mesh) = given_meshes().next().filter(|_| !given_meshes().any(is_stated)) else {
+        return exact(CoverSettings::default().most_cells);
+    };
+    let sides = Sides::new(body, environment, motions);
+    let compared = |shapes: Shapes, chord_errors: f64| {
+        let gaps = sides.gaps(&polytopes(&shapes.body), &polytopes(&shapes.environment));
+        let worst = gaps
+            .iter()
+            .filter(|gap| !gap.agrees(chord_errors))
+            .max_by(|one, other| one.error().total_cmp(&other.error()));
+        worst.map(|gap| disagreement(gap, mesh)).map_or(Ok(Shapes { gaps, ..shapes }), Err)
+    };
+    // Exact shapes are round where meshes are it but for their flat sides.
+    let chord_errors = fit.map_or(0.0, |fit| fit.chord_errors);
+    let exact = exact(FEW_CELLS).and_then(|shapes| compared(shapes, chord_errors));
+    if exact.as_ref().is_ok_and(|exact| exact.pairs() <= FEW_PAIRS) {
+        return exact;
+    }
+    let touching = touching_shapes(body, environment, &sides, motions).and_then(|shapes| compared(shapes, 0.0));
+    match (exact, touching) {
+        (Ok(exact), Ok(touching)) if touching.pairs() < exact.pairs() => Ok(touching),
+        (Ok(exact), _) => Ok(exact),
+        (Err(_), touching) => touching,
+    }
+}
+
+impl Shapes {
+    fn pairs(&self) -> usize {
+        self.body.len() * self.environment.len()
+    }
+}
+
+fn polytopes(parts: &[Part]) -> Vec<Polytope> {
+    parts.iter().map(|part| part.shape.clone()).collect()
+}
+
+/// That convex parts do not stand for the meshes.
+fn disagreement(gap: &Gap, mesh: &GivenMesh) -> SceneError {
+    mesh.refuse(format!(
+        "{:.3} mm from the goal its convex parts are {:.4} mm from the other side, and the shapes as given {:.4} mm: they do \
+         not stand for it; export a plainer part",
+        1e3 * gap.from_goal,
+        1e3 * gap.parts,
+        1e3 * gap.given
+    ))
+}
+
+/// Exact shapes, but for facets of round surfaces.
+fn exact_shapes(
+    body: &[GivenPart],
+    environment: &[GivenPart],
+    motions: &Motions,
+    (fit, chosen): (Option<Fit>, ChosenFacets),
+    most_cells: usize,
+) -> Result<Shapes, SceneError> {
+    let cover = |region: Option<&MotionRegion>, mesh: &GivenMesh, given: &GivenPart| {
+        mesh.cover(&given.name, &given.placement(), chosen, region, most_cells)
+    };
+    let (body, body_meshes) = convex(body, |mesh, given| cover(None, mesh, given))?;
     let has_meshes = environment.iter().any(|given| given.mesh().is_some());
     let points = || body.iter().map(|part| part.shape.vertices().to_vec()).collect::<Vec<_>>();
     let region = has_meshes.then(|| motions.region(&points()));
-    let (environment, environment_meshes) = convex(environment, chosen, region.as_ref())?;
-    Ok(Shapes { body, environment, body_meshes, environment_meshes, fit, region })
+    let (environment, environment_meshes) = convex(environment, |mesh, given| cover(region.as_ref(), mesh, given))?;
+    Ok(Shapes { body, environment, body_meshes, environment_meshes, fit, region, gaps: Vec::new() })
+}
+
+/// Shapes that are exact where both sides pass each other.
+fn touching_shapes(
+    body: &[GivenPart],
+    environment: &[GivenPart],
+    sides: &Sides,
+    motions: &Motions,
+) -> Result<Shapes, SceneError> {
+    let cover = |is_body: bool| {
+        move |mesh: &GivenMesh, given: &GivenPart| {
+            let placement = given.placement();
+            sides.passing(is_body, &placement, |passages, budget| {
+                mesh.touching_cover(&given.name, &placement, passages, budget)
+            })
+        }
+    };
+    let (body, body_meshes) = convex(body, cover(true))?;
+    let points: Vec<Vec<[f64; 3]>> = body.iter().map(|part| part.shape.vertices().to_vec()).collect();
+    let region = environment.iter().any(|given| given.mesh().is_some()).then(|| motions.region(&points));
+    let (environment, environment_meshes) = convex(environment, cover(false))?;
+    Ok(Shapes { body, environment, body_meshes, environment_meshes, fit: None, region, gaps: Vec::new() })
 }
 
 /// The meshes among some parts, whose parent has a place in the world.
@@ -56,9 +150,8 @@ fn meshes<'given>(given_parts: &'given [GivenPart], parent: &Isometry3<f64>) -> 
 fn require_fine<'given>(
     fit: Option<Fit>,
     chosen: usize,
-    given_parts: impl Iterator<Item = &'given GivenPart<'given>>,
+    meshes: impl Iterator<Item = &'given GivenMesh<'given>>,
 ) -> Result<(), SceneError> {
-    let meshes = given_parts.filter_map(GivenPart::mesh);
     let coarsest = meshes.map(|mesh| (mesh.making.facets.unwrap_or(chosen), mesh)).min_by_key(|(facets, _)| *facets);
     let (Some(fit), Some((facets, mesh))) = (fit.filter(|fit| fit.gap > 0.0), coarsest) else { return Ok(()) };
     if fit.lost(facets) <= LARGEST_SHARE * fit.gap {
@@ -75,8 +168,7 @@ fn require_fine<'given>(
 
 fn convex(
     given_parts: &[GivenPart],
-    chosen: ChosenFacets,
-    region: Option<&MotionRegion>,
+    cover: impl Fn(&GivenMesh, &GivenPart) -> Result<(MeshPart, Vec<Polytope>), SceneError>,
 ) -> Result<(Vec<Part>, Vec<MeshPart>), SceneError> {
     let (mut parts, mut meshes) = (Vec::new(), Vec::new());
     for group in given_parts.chunk_by(|one, other| one.name == other.name) {
@@ -85,7 +177,7 @@ fn convex(
             shapes.push(match &given.shape {
                 Shape::Convex(shape) => vec![shape.placed(given.position, given.orientation)],
                 Shape::Mesh(mesh) => {
-                    let (mesh, pieces) = mesh.cover(&given.name, &given.placement(), chosen, region)?;
+                    let (mesh, pieces) = cover(mesh, given)?;
                     own_meshes.push(mesh);
                     pieces
                 }

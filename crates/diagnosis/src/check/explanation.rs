@@ -25,6 +25,9 @@ pub struct Explanation {
     pub meshes: Vec<MeshReport>,
     /// The tightest fit of a round part in a round hole, of meshes.
     pub fit: Option<FitReport>,
+    /// How far both sides are apart along the straight path, as given and as convex parts; empty where the scene states
+    /// facets or clearances of meshes, and without meshes.
+    pub gaps: Vec<GapReport>,
     /// Pairs that may touch.
     pub pairs: usize,
     /// Pairs that are left out because no motion from start to goal comes near to them.
@@ -72,6 +75,23 @@ pub struct FitReport {
     pub lost_m: f64,
     /// Largest additional loss by the mesh of the hole: its flat sides lie inside the hole.
     pub mesh_lost_m: f64,
+}
+
+/// The distance of both sides at a pose of the straight path.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GapReport {
+    /// Distance from the goal.
+    pub from_goal_m: f64,
+    /// Between meshes and shapes as they are given, zero where they meet.
+    pub given_m: f64,
+    /// Between convex parts, negative where they penetrate.
+    pub parts_m: f64,
+}
+
+impl From<&scene::Gap> for GapReport {
+    fn from(gap: &scene::Gap) -> Self {
+        Self { from_goal_m: gap.from_goal, given_m: gap.given, parts_m: gap.parts }
+    }
 }
 
 /// Size of an optimal control problem, and what solving it needs on a common processor: estimates.

@@ -22,7 +22,7 @@ use crate::check::penetrations::penetrations;
 use crate::warnings;
 
 pub use clear_path::ClearPath;
-pub use explanation::{Explanation, FitReport, SizeReport};
+pub use explanation::{Explanation, FitReport, GapReport, SizeReport};
 pub(crate) use oddities::{first_smoothing, rest, step};
 pub use parts::{DeviationReport, MeshReport, PartReport, RoundSurface};
 pub use penetrations::PosePenetration;
@@ -97,6 +97,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
             lost_m: fit.lost(facets),
             mesh_lost_m: fit.mesh_error,
         }),
+        gaps: scene.gaps.iter().map(GapReport::from).collect(),
         pairs: task.pairs.len(),
         culled_pairs: scene.culled_pairs.iter().map(name).collect(),
         insertion: along_insertion(task),

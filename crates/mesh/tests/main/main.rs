@@ -7,3 +7,4 @@ mod reading;
 mod recognise;
 mod repair;
 mod shapes;
+mod touching;

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::shapes::{
     CROSS, Shape, block_with_hole, chamfered_peg, countersunk_block, cube, prism, rotation, square, stack,
 };
-use mesh::{CoverSettings, Deviation, MeshError, Repair, Solid, TriangleMesh};
+use mesh::{Cover, CoverSettings, Deviation, MeshError, Repair, Solid, TriangleMesh};
 
 fn assert_volume(solid: &Solid, cubic_millimetres: f64) {
     let volume = solid.mass_properties().volume;
@@ -123,28 +123,36 @@ fn the_mouth_of_a_lost_pocket_is_told_and_refused_where_it_is_large() {
 }
 
 #[test]
-fn crossing_bodies_are_refused_with_a_place_of_both() {
+fn exact_covers_of_crossing_bodies_are_refused_with_a_place_of_both() {
     let other = cube(10.0).moved([5.0, 4.0, 3.0]);
-    let MeshError::SelfIntersecting { place } = refused(&cube(10.0).and(&other)) else { panic!() };
+    let solid = cube(10.0).and(&other).solid();
+    let refused = Cover::of(&solid, &CoverSettings::default()).unwrap_err();
+    let MeshError::SelfIntersecting { place } = refused else { panic!() };
     let inside = |low: f64, coordinate: f64| coordinate >= low - 1e-6 && coordinate <= 10.0 + 1e-6;
     assert!(inside(5.0, place[0]) && inside(4.0, place[1]) && inside(3.0, place[2]), "{place:?}");
 }
 
 /// Edges may run into the diagonal between two triangles of a face, and faces may lie in one plane.
 #[test]
-fn bodies_that_cross_at_special_places_are_refused() {
+fn bodies_that_cross_at_special_places_are_counted_once() {
     for place in [[5.0, 5.0, 5.0], [5.0, 5.0, 0.0], [5.0, 0.0, 0.0], [2.0, 8.0, 5.0], [9.0, 9.0, 9.0]] {
-        let error = refused(&cube(10.0).and(&cube(10.0).moved(place)));
-        assert!(matches!(error, MeshError::SelfIntersecting { .. }), "{place:?}: {error}");
+        let solid = cube(10.0).and(&cube(10.0).moved(place)).solid();
+        assert!(solid.is_rough(), "{place:?}");
+        let common: f64 = place.iter().map(|by| 10.0 - by).product();
+        let volume = 1e9 * solid.mass_properties().volume;
+        assert!((volume - (2000.0 - common)).abs() < 0.01 * volume, "{place:?}: {volume}");
     }
 }
 
 #[test]
-fn folds_are_refused() {
+fn folds_are_told_and_refused_by_exact_covers() {
     // A corner of the rim pulled through the wall of the hole below it.
     let mut shape = countersunk_block(20);
     shape.vertices[29][2] = 0.0;
-    assert!(matches!(refused(&shape), MeshError::SelfIntersecting { .. }), "{}", refused(&shape));
+    let solid = shape.solid();
+    assert!(matches!(solid.repairs(), [Repair::Decided { .. }]));
+    let refused = Cover::of(&solid, &CoverSettings::default()).unwrap_err();
+    assert!(matches!(refused, MeshError::SelfIntersecting { .. }), "{refused}");
 }
 
 #[test]

@@ -1,9 +1,4 @@
-//! Bounding boxes of meshes and links.
-
-use std::path::Path;
-
-use mesh::{Solid, TriangleMesh};
-use scene::{SceneError, points_of_link};
+//! Boxes around parts.
 
 use crate::starter::Axis;
 
@@ -15,28 +10,13 @@ pub struct BoundingBox {
 }
 
 impl BoundingBox {
-    /// The box of the mesh in an STL or OBJ file, whose unit is `scale` metres.
-    ///
-    /// # Errors
-    /// When it cannot be read or is not a closed surface.
-    pub fn of_mesh(path: &Path, scale: f64) -> Result<Self, SceneError> {
-        let solid = TriangleMesh::read(path, scale).and_then(|mesh| Solid::of(&mesh));
-        let [low, high] = solid.map_err(|error| SceneError::about(path, format!("mesh: {error}")))?.bounding_box();
-        Ok(Self { low, high })
-    }
-
-    /// The box of a link with collision shapes in an SDF, URDF or MJCF file: the named one, or the only one.
-    ///
-    /// # Errors
-    /// When it cannot be read, has no such link, or several and none is named.
-    pub fn of_model(path: &Path, link: Option<&str>) -> Result<Self, SceneError> {
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for point in points_of_link(path, link)? {
-            for axis in 0..3 {
-                (low[axis], high[axis]) = (low[axis].min(point[axis]), high[axis].max(point[axis]));
-            }
-        }
-        Ok(Self { low, high })
+    /// Around triangles (m).
+    pub fn around(triangles: &[[[f64; 3]; 3]]) -> Self {
+        let start = Self { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] };
+        triangles.iter().flatten().fold(start, |bounds, point| Self {
+            low: std::array::from_fn(|axis| bounds.low[axis].min(point[axis])),
+            high: std::array::from_fn(|axis| bounds.high[axis].max(point[axis])),
+        })
     }
 
     /// Edge lengths (m).

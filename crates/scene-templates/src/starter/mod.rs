@@ -1,17 +1,18 @@
 //! Starter scenes: they can be solved as they are, and adapted.
 
 mod bounding_box;
+mod file_part;
 mod relative;
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use relative::relative_path;
-use scene::{SCALES, SceneError, UNITS, USUAL_SIZES};
+use scene::SceneError;
 
 use crate::draft::{Draft, DraftPart, DraftShape};
 
 pub use bounding_box::BoundingBox;
+pub use file_part::{FilePart, PartPair};
 
 /// Two meshes or links in one frame, in the assembled pose. Links are those of SDF, URDF and MJCF files.
 #[derive(Debug, Clone, Default)]
@@ -48,6 +49,13 @@ pub struct StarterValues {
     pub contact_force: f64,
 }
 
+impl StarterValues {
+    /// Offset magnitude (m) of a scene with parts of files.
+    pub fn offset_magnitude(&self) -> f64 {
+        self.offset.unwrap_or(OFFSET)
+    }
+}
+
 impl Default for StarterValues {
     fn default() -> Self {
         Self { offset: None, position_tolerance: None, contact_force: 60.0 }
@@ -56,9 +64,6 @@ impl Default for StarterValues {
 
 /// Offset magnitude (m) of a common gripper.
 const OFFSET: f64 = 1e-3;
-
-/// Extensions of model files.
-const MODELS: [&str; 3] = ["sdf", "urdf", "xml"];
 
 /// Names of the axes.
 const NAMES: [&str; 3] = ["x", "y", "z"];
@@ -114,29 +119,16 @@ impl fmt::Display for Axis {
 /// Text of a scene that is written to `file`: with two files, or with a square shaft and its hole.
 ///
 /// # Errors
-/// When a file cannot be read.
+/// When the path of a part's file cannot be told relative to the scene.
 pub fn starter_scene(
     file: &Path,
-    files: Option<(&FilePair, &StarterPoses)>,
+    parts: Option<(&PartPair, &StarterPoses)>,
     values: &StarterValues,
 ) -> Result<String, SceneError> {
-    match files {
-        Some((files, poses)) => file_draft(file, files, poses, values).map(|draft| draft.text()),
+    match parts {
+        Some((parts, poses)) => file_draft(file, parts, poses, values).map(|draft| draft.text()),
         None => Ok(shaft_draft(values).text()),
     }
-}
-
-/// Text of a minimal scene with two files, as if written to `file`: for measuring how they fit.
-///
-/// # Errors
-/// When a file cannot be read.
-pub fn probe_scene(
-    file: &Path,
-    files: &FilePair,
-    poses: &StarterPoses,
-    values: &StarterValues,
-) -> Result<String, SceneError> {
-    file_draft(file, files, poses, values).map(|draft| draft.shapes_and_poses())
 }
 
 /// A square shaft goes into a square hole.
@@ -181,19 +173,15 @@ fn shaft_draft(values: &StarterValues) -> Draft {
 
 fn file_draft(
     file: &Path,
-    files: &FilePair,
+    parts: &PartPair,
     poses: &StarterPoses,
     values: &StarterValues,
 ) -> Result<Draft, SceneError> {
-    let [body, environment] =
-        [("body", &files.body, &files.body_link), ("environment", &files.environment, &files.environment_link)].map(
-            |(name, source, link)| -> Result<(DraftPart, BoundingBox), SceneError> {
-                let (shape, bounds) = shape(source, link.as_deref(), files.unit.as_deref(), file)?;
-                Ok((DraftPart { name: name.to_owned(), shape, position: None }, bounds))
-            },
-        );
-    let ((body_part, body), (environment, _)) = (body?, environment?);
-    let place = body.center();
+    let draft = |name: &str, part: &FilePart| -> Result<DraftPart, SceneError> {
+        Ok(DraftPart { name: name.to_owned(), shape: part.shape(file)?, position: None })
+    };
+    let (body_part, environment) = (draft("body", &parts.body)?, draft("environment", &parts.environment)?);
+    let place = parts.body.bounds().center();
     let moved = |by: &[f64; 3]| [place[0] + by[0], place[1] + by[1], place[2] + by[2], 1.0, 0.0, 0.0, 0.0];
     let lines = [
         "The body goes to where its file has it in the frame of both files. Check what was found and chosen:",
@@ -211,75 +199,21 @@ fn file_draft(
         starts: poses.starts.iter().map(moved).collect(),
         goal: moved(&poses.goal),
         position_tolerance: values.position_tolerance,
-        offset: values.offset.unwrap_or(OFFSET),
+        offset: values.offset_magnitude(),
         contact_force: Some(values.contact_force),
     })
 }
 
 impl FilePair {
-    /// Bounds of the body and of the environment, in the frame of both files.
+    /// Reads both files.
     ///
     /// # Errors
-    /// When a file cannot be read, a mesh has no unit, or a model has several links and none is named.
-    pub fn bounds(&self) -> Result<[BoundingBox; 2], SceneError> {
+    /// When a file cannot be read, a mesh has no unit or an unusual size, or a model has several links and none is named.
+    pub fn read(&self) -> Result<PartPair, SceneError> {
         let unit = self.unit.as_deref();
-        Ok([
-            bounds(&self.body, self.body_link.as_deref(), unit)?,
-            bounds(&self.environment, self.environment_link.as_deref(), unit)?,
-        ])
+        Ok(PartPair {
+            body: FilePart::read(&self.body, self.body_link.as_deref(), unit)?,
+            environment: FilePart::read(&self.environment, self.environment_link.as_deref(), unit)?,
+        })
     }
-}
-
-/// Whether a file is that of a model.
-fn is_model(source: &Path) -> bool {
-    let extension = source.extension().map(|extension| extension.to_string_lossy().to_lowercase());
-    extension.is_some_and(|extension| MODELS.contains(&extension.as_str()))
-}
-
-/// The bounds of a part that is a file.
-fn bounds(source: &Path, link: Option<&str>, unit: Option<&str>) -> Result<BoundingBox, SceneError> {
-    if is_model(source) {
-        return BoundingBox::of_model(source, link);
-    }
-    if let Some(link) = link {
-        return Err(SceneError::about(
-            source,
-            format!("a mesh has no links, such as `{link}`: name a model, or no link"),
-        ));
-    }
-    let unit = mesh_unit(source, unit)?;
-    let bounds = BoundingBox::of_mesh(source, SCALES[unit])?;
-    let size = bounds.edges().into_iter().fold(0.0, f64::max);
-    if USUAL_SIZES.contains(&size) {
-        return Ok(bounds);
-    }
-    let message = format!("the mesh is {} m long: is `--unit {}` right?", (1e9 * size).round() / 1e9, UNITS[unit]);
-    Err(SceneError::about(source, message))
-}
-
-/// Index of the unit of a mesh.
-fn mesh_unit(source: &Path, unit: Option<&str>) -> Result<usize, SceneError> {
-    let Some(unit) = unit else {
-        return Err(SceneError::about(source, format!("a mesh needs its unit (--unit): {}", UNITS.join(", "))));
-    };
-    UNITS
-        .iter()
-        .position(|known| *known == unit)
-        .ok_or_else(|| SceneError::about(source, format!("unknown unit `{unit}`: choose one of {}", UNITS.join(", "))))
-}
-
-/// The shape of a part that is a file, named relative to the scene, and its bounds.
-fn shape(
-    source: &Path,
-    link: Option<&str>,
-    unit: Option<&str>,
-    scene: &Path,
-) -> Result<(DraftShape, BoundingBox), SceneError> {
-    let bounds = bounds(source, link, unit)?;
-    let file = relative_path(source, scene)?;
-    let shape = match is_model(source) {
-        true => DraftShape::Model(file, link.map(str::to_owned)),
-        false => DraftShape::Mesh(file, UNITS[mesh_unit(source, unit)?]),
-    };
-    Ok((shape, bounds))
 }

@@ -48,7 +48,7 @@ fn out(axis: &str) -> StarterPoses {
 }
 
 fn written(file: &Path, files: &FilePair, poses: &StarterPoses) -> Result<String, SceneError> {
-    starter_scene(file, Some((files, poses)), &StarterValues::default())
+    starter_scene(file, Some((&files.read()?, poses)), &StarterValues::default())
 }
 
 fn example() -> String {

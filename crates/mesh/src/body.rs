@@ -1,0 +1,68 @@
+//! Inside and outside of a surface, and distances from it.
+
+use crate::bvh::BoxTree;
+use crate::geometry::{Vector, bounds};
+use crate::nearest::nearest;
+use crate::solid::Solid;
+use crate::winding::Winding;
+
+/// A solid that can be asked for distances.
+pub struct Body {
+    triangles: Vec<[Vector; 3]>,
+    tree: BoxTree,
+    winding: Winding,
+    /// Whether it neither crosses itself nor lies within itself.
+    is_sound: bool,
+}
+
+impl Body {
+    /// Of a surface that may cross itself.
+    pub fn new(triangles: Vec<[Vector; 3]>) -> Self {
+        Self::with(triangles, false)
+    }
+
+    /// Of the surface of a solid.
+    pub fn of(solid: &Solid) -> Self {
+        let corners = (0..solid.triangles.len()).map(|triangle| solid.corners(triangle));
+        Self::with(corners.collect(), !solid.is_rough())
+    }
+
+    fn with(triangles: Vec<[Vector; 3]>, is_sound: bool) -> Self {
+        let tree = BoxTree::new(&triangles.iter().map(bounds).collect::<Vec<_>>());
+        Self { winding: Winding::new(triangles.clone()), triangles, tree, is_sound }
+    }
+
+    /// The triangle nearest to a point, and its distance (m).
+    pub fn distance(&self, point: &Vector) -> (usize, f64) {
+        let to = |triangle: usize| (nearest(point, &self.triangles[triangle]) - point).norm_squared();
+        let (triangle, squared) = self.tree.nearest_item(point, to);
+        (triangle, squared.sqrt())
+    }
+
+    /// How often the surface runs around a point, within some hundredths.
+    pub fn winding_number(&self, point: &Vector) -> f64 {
+        self.winding.number(point)
+    }
+
+    /// Whether a point is outside whose nearest triangle is known: in front of the middle of a triangle that tells it,
+    /// unless the surface crosses itself.
+    pub fn is_beyond(&self, point: &Vector, triangle: usize) -> bool {
+        let [a, b, c] = &self.triangles[triangle];
+        let normal = (b - a).cross(&(c - a));
+        let is_left = |from: &Vector, to: &Vector| normal.cross(&(to - from)).dot(&(point - from)) > 0.0;
+        let height = normal.dot(&(point - a));
+        if self.is_sound && height != 0.0 && is_left(a, b) && is_left(b, c) && is_left(c, a) {
+            return height > 0.0;
+        }
+        !self.contains(point)
+    }
+
+    /// Whether a point is inside: the surface runs around it more often than not.
+    pub fn contains(&self, point: &Vector) -> bool {
+        self.winding.number(point) > 0.5
+    }
+
+    pub fn triangles(&self) -> &[[Vector; 3]] {
+        &self.triangles
+    }
+}

@@ -1,0 +1,149 @@
+//! Inside and outside of surfaces that cross themselves or do not quite close.
+
+use crate::body::Body;
+use crate::edges::{components, edges};
+use crate::error::MeshError;
+use crate::geometry::{Vector, area_vector, bounds, mean};
+use crate::read::TriangleMesh;
+use crate::repair::{SAME, wind};
+use crate::superfluous::without_copies;
+use crate::surface::{Repair, Surface};
+use crate::weld::weld;
+use crate::winding::Winding;
+
+/// Both sides of triangles are asked this many tolerances away.
+const NEAR: f64 = 10.0;
+/// Cracks must be narrower than this share of the part's size.
+const CRACK: f64 = 2e-4;
+/// A winding number that is farther than this from a whole number says nothing.
+const UNDECIDED: f64 = 0.25;
+/// Triangles are asked in the middle, and this far towards their corners.
+const NEARLY: f64 = 0.98;
+/// Share of the surface that may be folded over.
+const REVERSED: f64 = 1e-3;
+/// More shells with a negative volume are no oversight; each is looked at in so many places.
+const MOST_NEGATIVE: usize = 64;
+const WITNESSES: usize = 32;
+/// More open edges are no cracks.
+const MOST_OPEN: usize = 20_000;
+
+/// The surface between inside and outside: winding numbers say which is which.
+///
+/// # Errors
+/// With `reason`, why the surface cannot be taken as it is, when it leaves a place undecided.
+pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshError> {
+    let tolerance = SAME * mesh.rounding;
+    let (vertices, index) = weld(&mesh.vertices, tolerance);
+    let welded = mesh.triangles.iter().map(|corners| corners.map(|corner| index[corner]));
+    let whole: Vec<[usize; 3]> = welded.filter(|[a, b, c]| a != b && b != c && c != a).collect();
+    let mut surface = Surface { vertices, triangles: without_copies(whole), repairs: Vec::new() };
+    // One side only: then as the file has it.
+    let _ = wind(&mut surface, mesh.scale);
+    let Surface { vertices, mut triangles, .. } = surface;
+    let corners = |triangle: &[usize; 3]| triangle.map(|corner| vertices[corner]);
+    let Some(turned) = outward(&mut triangles, &vertices) else { return Err(reason) };
+    let body = Body::new(triangles.iter().map(corners).collect());
+    let [low, high] = bounds(&vertices);
+    let crack = CRACK * (high - low).amax() + NEAR * tolerance;
+    let is_undecided = |point: &Vector| {
+        let number = body.winding_number(point);
+        (number - number.round()).abs() > UNDECIDED
+    };
+    let mut open = Vec::new();
+    for (edge, sides) in edges(&triangles) {
+        if 2 * sides.iter().filter(|side| side.is_forward).count() != sides.len() {
+            open.push((edge, sides[0].triangle));
+        }
+    }
+    // In the four directions between the triangle and its normal, where points are on no surface that ends there.
+    let around = |((from, to), triangle): &((usize, usize), usize)| {
+        let [from, to] = [vertices[*from], vertices[*to]];
+        let normal = area_vector(&corners(&triangles[*triangle])).try_normalize(0.0);
+        let along = (to - from).try_normalize(0.0);
+        let (Some(normal), Some(along)) = (normal, along) else { return false };
+        let across = normal.cross(&along);
+        let steps = [normal + across, normal - across, across - normal, -normal - across];
+        steps.iter().any(|step| is_undecided(&(0.5 * (from + to) + step * crack)))
+    };
+    if open.len() > MOST_OPEN || open.iter().any(around) {
+        return Err(reason);
+    }
+    let (mut reversed, mut sound) = (0.0, 0.0);
+    let (mut hidden, mut kept) = (0, Vec::with_capacity(triangles.len()));
+    for triangle in triangles {
+        let corners = corners(&triangle);
+        let Some(normal) = area_vector(&corners).try_normalize(0.0) else { continue };
+        let middle = mean(&corners);
+        let [behind, before] = [-1.0, 1.0].map(|side| body.contains(&(middle + normal * (side * NEAR * tolerance))));
+        match (behind, before) {
+            (false, true) => {
+                reversed += area_vector(&corners).norm();
+                kept.push(triangle);
+            }
+            (true, false) => {
+                sound += area_vector(&corners).norm();
+                kept.push(triangle);
+            }
+            // Part of it may be outside: triangles that cross others stay.
+            _ if corners.iter().any(|corner| {
+                let point = middle + NEARLY * (corner - middle);
+                let side = |side: f64| body.contains(&(point + normal * (side * NEAR * tolerance)));
+                side(-1.0) != side(1.0)
+            }) =>
+            {
+                kept.push(triangle)
+            }
+            _ => hidden += 1,
+        }
+    }
+    if kept.is_empty() || reversed > REVERSED * sound {
+        return Err(reason);
+    }
+    let mut repairs = Vec::new();
+    if turned > 0 {
+        repairs.push(Repair::Inverted { shells: turned });
+    }
+    repairs.push(Repair::Decided {
+        reason: Box::new(reason),
+        open: open.len(),
+        crack: if open.is_empty() { 0.0 } else { crack },
+        hidden,
+    });
+    Ok(Surface { vertices, triangles: kept, repairs })
+}
+
+/// Turns shells inside out that enclose a negative volume and lie in no other; those inside of others are voids. `None`
+/// where such a shell crosses others: nobody knows which of both it is.
+fn outward(triangles: &mut [[usize; 3]], vertices: &[Vector]) -> Option<usize> {
+    let shells = components(triangles.len(), &edges(triangles));
+    let corners = |triangles: &[[usize; 3]], triangle: usize| triangles[triangle].map(|corner| vertices[corner]);
+    let mut negative = Vec::new();
+    for shell in &shells {
+        let own = shell.iter().map(|&triangle| corners(triangles, triangle).map(|corner| corner - vertices[0]));
+        if own.map(|[a, b, c]| a.dot(&b.cross(&c))).sum::<f64>() < 0.0 {
+            negative.push(shell);
+        }
+    }
+    if negative.len() > MOST_NEGATIVE {
+        return None;
+    }
+    let mut turned = 0;
+    for shell in negative {
+        let mut is_own = vec![false; triangles.len()];
+        shell.iter().for_each(|&triangle| is_own[triangle] = true);
+        let others = (0..triangles.len()).filter(|&triangle| !is_own[triangle]);
+        let others = Winding::new(others.map(|triangle| corners(triangles, triangle)).collect());
+        let stride = shell.len().div_ceil(WITNESSES);
+        let witnesses: Vec<&usize> = shell.iter().step_by(stride).collect();
+        let is_inside = |triangle: &&&usize| others.number(&mean(&corners(triangles, ***triangle))) > 0.5;
+        match witnesses.iter().filter(is_inside).count() {
+            0 => {
+                shell.iter().for_each(|&triangle| triangles[triangle].swap(1, 2));
+                turned += 1;
+            }
+            inside if inside == witnesses.len() => {}
+            _ => return None,
+        }
+    }
+    Some(turned)
+}

@@ -1,0 +1,147 @@
+//! The distance between two surfaces.
+
+use nalgebra::{Isometry3, Point3};
+
+use crate::bvh::BoxTree;
+use crate::geometry::{Plane, Vector, area_vector, bounds};
+use crate::nearest::nearest;
+use crate::solid::Solid;
+use crate::winding::Winding;
+
+/// Corners that are asked whether one surface is inside the other.
+const WITNESSES: usize = 16;
+
+/// A surface to which distances are measured.
+pub struct Gauge {
+    triangles: Vec<[Vector; 3]>,
+    boxes: Vec<[Vector; 2]>,
+    tree: BoxTree,
+    winding: Winding,
+}
+
+impl Gauge {
+    /// Of triangles (m).
+    pub fn new(triangles: &[[[f64; 3]; 3]]) -> Self {
+        let triangles: Vec<[Vector; 3]> = triangles.iter().map(|triangle| triangle.map(Vector::from)).collect();
+        let boxes: Vec<[Vector; 2]> = triangles.iter().map(bounds).collect();
+        Self { tree: BoxTree::new(&boxes), winding: Winding::new(triangles.clone()), triangles, boxes }
+    }
+
+    /// Of a solid.
+    pub fn of(solid: &Solid) -> Self {
+        Self::new(&solid.corner_triangles().collect::<Vec<_>>())
+    }
+
+    /// Distance (m) to other triangles in a pose; zero where the surfaces meet or the one lies inside the other.
+    pub fn gap(&self, others: &[[[f64; 3]; 3]], pose: &Isometry3<f64>) -> f64 {
+        let placed = |corner: [f64; 3]| pose.transform_point(&Point3::from(corner)).coords;
+        if is_around(&self.winding, others.iter().map(|triangle| placed(triangle[0]))) {
+            return 0.0;
+        }
+        let mut gap = f64::INFINITY;
+        for other in others {
+            let other = other.map(placed);
+            let around = bounds(&other);
+            let is_near = |bounds: &[Vector; 2], gap: f64| apart(&around, bounds) < gap * gap;
+            let limit = std::cell::Cell::new(gap);
+            self.tree.visit(
+                |bounds| is_near(bounds, limit.get()),
+                |item| {
+                    if is_near(&self.boxes[item], limit.get()) {
+                        limit.set(limit.get().min(distance(&self.triangles[item], &other)));
+                    }
+                },
+            );
+            gap = limit.get();
+            if gap == 0.0 {
+                break;
+            }
+        }
+        let is_inside = |winding: &Winding| {
+            let points = self.triangles.iter().map(|triangle| triangle[0]);
+            is_around(winding, points)
+        };
+        let others = || Winding::new(others.iter().map(|triangle| triangle.map(placed)).collect());
+        if gap > 0.0 && is_inside(&others()) { 0.0 } else { gap }
+    }
+}
+
+/// Whether a surface is around some of the points.
+fn is_around(winding: &Winding, points: impl ExactSizeIterator<Item = Vector>) -> bool {
+    let stride = points.len().div_ceil(WITNESSES).max(1);
+    points.step_by(stride).any(|point| winding.number(&point) > 0.5)
+}
+
+/// Squared distance of two boxes (m^2).
+fn apart([low, high]: &[Vector; 2], [other_low, other_high]: &[Vector; 2]) -> f64 {
+    (0..3).map(|axis| (low[axis] - other_high[axis]).max(other_low[axis] - high[axis]).max(0.0).powi(2)).sum()
+}
+
+/// Distance of two triangles (m).
+fn distance(one: &[Vector; 3], other: &[Vector; 3]) -> f64 {
+    if pierces(one, other) || pierces(other, one) {
+        return 0.0;
+    }
+    let corners = |from: &[Vector; 3], to: &[Vector; 3]| {
+        from.iter().map(|corner| (nearest(corner, to) - corner).norm()).fold(f64::INFINITY, f64::min)
+    };
+    let sides = |triangle: &[Vector; 3]| [0, 1, 2].map(|at| (triangle[at], triangle[(at + 1) % 3]));
+    let edges =
+        sides(one).iter().flat_map(|one| sides(other).map(|other| between(one, &other))).fold(f64::INFINITY, f64::min);
+    corners(one, other).min(corners(other, one)).min(edges)
+}
+
+/// Distance of two line segments (m).
+fn between((a, b): &(Vector, Vector), (c, d): &(Vector, Vector)) -> f64 {
+    let (u, v, w) = (b - a, d - c, a - c);
+    let (uu, uv, vv, uw, vw) = (u.dot(&u), u.dot(&v), v.dot(&v), u.dot(&w), v.dot(&w));
+    let determinant = uu * vv - uv * uv;
+    let on = |share: f64| if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    let s = on((uv * vw - vv * uw) / determinant);
+    // Of the one segment the nearest to a point of the other, and back.
+    let t = on((uv * s + vw) / vv);
+    let s = on((uv * t - uw) / uu);
+    (w + u * s - v * t).norm()
+}
+
+/// Whether a side of a triangle passes through another one.
+fn pierces(triangle: &[Vector; 3], by: &[Vector; 3]) -> bool {
+    let Some(normal) = area_vector(triangle).try_normalize(0.0) else { return false };
+    let plane = Plane::through(&triangle[0], normal);
+    let heights = by.map(|corner| plane.height(&corner));
+    (0..3).map(|at| (at, (at + 1) % 3)).filter(|&(from, to)| heights[from] * heights[to] < 0.0).any(|(from, to)| {
+        let point = by[from] + (by[to] - by[from]) * (heights[from] / (heights[from] - heights[to]));
+        let is_left = |at: usize| {
+            let (start, end) = (triangle[at], triangle[(at + 1) % 3]);
+            normal.dot(&(end - start).cross(&(point - start))) >= 0.0
+        };
+        (0..3).all(is_left)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cube(low: f64, high: f64) -> Vec<[[f64; 3]; 3]> {
+        let corner = |index: usize| [0, 1, 2].map(|axis| if index >> axis & 1 == 0 { low } else { high });
+        crate::hull::hull_triangles(&(0..8).map(corner).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn gaps_between_cubes_are_those_of_faces_edges_and_corners() {
+        let gauge = Gauge::new(&cube(0.0, 1.0));
+        let gap = |x: f64, y: f64, z: f64| gauge.gap(&cube(0.0, 1.0), &Isometry3::translation(x, y, z));
+        assert!((gap(1.25, 0.3, 0.2) - 0.25).abs() < 1e-12);
+        assert!((gap(1.3, 1.4, 0.2) - 0.5).abs() < 1e-12);
+        assert!((gap(1.2, 1.4, 1.4) - 0.6).abs() < 1e-12);
+        assert_eq!(gap(0.7, 0.6, 0.2), 0.0);
+        // One inside the other.
+        assert_eq!(gauge.gap(&cube(0.4, 0.5), &Isometry3::identity()), 0.0);
+        assert_eq!(gauge.gap(&cube(-2.0, 3.0), &Isometry3::identity()), 0.0);
+        // Edges across each other: a cube on its edge above an edge of the other.
+        let turned = Isometry3::rotation(nalgebra::Vector3::x() * std::f64::consts::FRAC_PI_4);
+        let above = nalgebra::Translation3::new(0.5, 0.5, 1.1) * turned;
+        assert!((gauge.gap(&cube(0.0, 1.0), &above) - 0.1).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,364 @@
+//! Convex pieces that are exact where something passes, and large elsewhere.
+//!
+//! The part is cut only where the hull of what is in a cell comes too close to a place where the other part passes. What
+//! the other part cannot enter is filled.
+
+use std::collections::{BTreeMap, HashSet, VecDeque};
+
+use crate::body::Body;
+use crate::cell::{Bound, Cell};
+use crate::edges::edges;
+use crate::faces::NONE;
+use crate::geometry::{Plane, Vector, area_vector, boxes_meet, clip};
+use crate::hull::Hull;
+use crate::passing::Place;
+use crate::solid::Solid;
+use crate::strips::LARGEST_ANGLE;
+
+/// More cells take too long.
+const MOST_CELLS: usize = 6000;
+/// Places by which planes are chosen, and planes that are compared.
+const SAMPLE: usize = 200;
+const CANDIDATES: usize = 12;
+/// Share of what is allowed that is spent on cells, and on cells that are joined; the rest is for fewer halfspaces.
+const CUTTING: f64 = 0.5;
+const JOINING: f64 = 0.75;
+/// Share of it by which planes of curved surfaces are moved into the open.
+const MOVED: f64 = 0.4;
+
+/// Places that were in the way of joined hulls, asked first.
+const RECENT: usize = 64;
+
+/// The surface of a part as the cutting sees it.
+pub struct Touched<'a> {
+    pub body: &'a Body,
+    /// The planar face of each triangle.
+    pub face_of: &'a [usize],
+    /// The planes of faces, and whether they are parts of curved surfaces.
+    pub faces: Vec<(Plane, bool)>,
+    pub places: &'a [Place],
+    /// Distance below which points are the same (m).
+    pub tolerance: f64,
+}
+
+struct Node {
+    cell: Cell,
+    fragments: Vec<(usize, Vec<Vector>)>,
+    /// Places that the hull may come close to.
+    places: Vec<usize>,
+}
+
+impl<'a> Touched<'a> {
+    pub fn new(solid: &'a Solid, body: &'a Body, places: &'a [Place]) -> Self {
+        let mut faces: Vec<(Plane, bool)> = solid.faces.faces.iter().map(|face| (face.plane, false)).collect();
+        for sides in edges(&solid.triangles).values() {
+            for pair in sides.windows(2) {
+                let [one, other] = [pair[0], pair[1]].map(|side| solid.faces.of_triangle[side.triangle]);
+                if one == NONE || other == NONE || one == other {
+                    continue;
+                }
+                if faces[one].0.normal.dot(&faces[other].0.normal) > LARGEST_ANGLE.cos() {
+                    faces[one].1 = true;
+                    faces[other].1 = true;
+                }
+            }
+        }
+        Self { body, face_of: &solid.faces.of_triangle, faces, places, tolerance: solid.tolerance }
+    }
+
+    /// Convex hulls that contain the part and keep their distance from all places; `None` when that takes too long.
+    pub fn pieces(&self, root: Cell) -> Option<Vec<Hull>> {
+        let fragments: Vec<(usize, Vec<Vector>)> =
+            self.body.triangles().iter().map(|triangle| triangle.to_vec()).enumerate().collect();
+        let mut waiting = vec![Node { cell: root, fragments, places: (0..self.places.len()).collect() }];
+        let mut hulls = Vec::new();
+        let mut count = 0;
+        let mut next_id = 6;
+        while let Some(node) = waiting.pop() {
+            count += 1;
+            if count > MOST_CELLS {
+                return None;
+            }
+            let Some(hull) = self.hull(&node) else { continue };
+            let close = self.close(&hull, node.places.iter().copied(), CUTTING);
+            if close.is_empty() {
+                hulls.push(hull);
+                continue;
+            }
+            let bound = self.choose(&node, &hull, &close, next_id);
+            next_id += 1;
+            let Some(bound) = bound else {
+                hulls.push(hull);
+                continue;
+            };
+            for side in [bound, bound.flipped()] {
+                let Some(cell) = node.cell.cut(&side, self.tolerance) else { continue };
+                let cut = |(triangle, polygon): &(usize, Vec<Vector>)| {
+                    // Surface in the plane belongs to the side with its material.
+                    let is_on = polygon.iter().all(|corner| side.plane.height(corner).abs() <= self.tolerance);
+                    if is_on && area_vector(&self.body.triangles()[*triangle]).dot(&side.plane.normal) < 0.0 {
+                        return None;
+                    }
+                    let polygon = clip(polygon, &side.plane, 0.1 * self.tolerance);
+                    (polygon.len() >= 3).then_some((*triangle, polygon))
+                };
+                let fragments = node.fragments.iter().filter_map(cut).collect();
+                waiting.push(Node { cell, fragments, places: close.clone() });
+            }
+        }
+        Some(hulls)
+    }
+
+    /// The hull of what is in a cell.
+    fn hull(&self, node: &Node) -> Option<Hull> {
+        let mut points: Vec<Vector> = node.fragments.iter().flat_map(|(_, polygon)| polygon).copied().collect();
+        if points.is_empty() {
+            if !self.body.contains(&node.cell.center()) {
+                return None;
+            }
+            points.extend(node.cell.corners());
+        } else {
+            let mut known: Vec<Vector> = Vec::new();
+            for corner in node.cell.corners() {
+                if known.iter().all(|other| (other - corner).norm() > self.tolerance) {
+                    known.push(*corner);
+                    if self.body.contains(corner) {
+                        points.push(*corner);
+                    }
+                }
+            }
+        }
+        let hull = Hull::of(&points, self.tolerance)?;
+        let thickness = |plane: &Plane| -plane.heights(&hull.points).0;
+        let is_thick = hull.planes.iter().all(|plane| thickness(plane) > 2.0 * self.tolerance);
+        is_thick.then_some(hull)
+    }
+
+    /// Places that a hull comes too close to when it may take a share of what is allowed.
+    fn close(&self, hull: &Hull, among: impl Iterator<Item = usize>, share: f64) -> Vec<usize> {
+        among.filter(|&place| !hull.is_beyond(&self.places[place].point, self.places[place].within(share))).collect()
+    }
+
+    /// The plane that separates most places from the part and cuts little of it.
+    fn choose(&self, node: &Node, hull: &Hull, close: &[usize], id: usize) -> Option<Bound> {
+        let here: HashSet<usize> = node.fragments.iter().map(|(triangle, _)| *triangle).collect();
+        let stride = close.len().div_ceil(SAMPLE).max(1);
+        let mut votes: BTreeMap<usize, (f64, f64)> = BTreeMap::new();
+        let mut total_votes = 0.0;
+        for &place in close.iter().step_by(stride) {
+            let place = &self.places[place];
+            let triangle = if here.contains(&place.nearest) {
+                Some(place.nearest)
+            } else {
+                let to = |(triangle, polygon): &(usize, Vec<Vector>)| {
+                    let apart = polygon.iter().map(|corner| (corner - place.point).norm_squared());
+                    (*triangle, apart.fold(f64::INFINITY, f64::min))
+                };
+                node.fragments
+                    .iter()
+                    .map(to)
+                    .min_by(|one, other| one.1.total_cmp(&other.1))
+                    .map(|(triangle, _)| triangle)
+            };
+            let Some(face) = triangle.map(|triangle| self.face_of[triangle]).filter(|&face| face != NONE) else {
+                continue;
+            };
+            if self.faces[face].0.height(&place.point) <= 0.0 {
+                continue;
+            }
+            // Close places matter most.
+            let weight = 1.0 / (place.distance + 10.0 * self.tolerance);
+            total_votes += weight;
+            let allowed = place.distance - place.enough;
+            let vote = votes.entry(face).or_insert((0.0, f64::INFINITY));
+            *vote = (vote.0 + weight, vote.1.min(allowed));
+        }
+        let mut votes: Vec<(usize, (f64, f64))> = votes.into_iter().collect();
+        votes.sort_by(|one, other| other.1.0.total_cmp(&one.1.0).then(one.0.cmp(&other.0)));
+        votes.truncate(CANDIDATES);
+        let stride = node.fragments.len().div_ceil(400).max(1);
+        let sample: Vec<(&Vec<Vector>, f64)> =
+            node.fragments.iter().step_by(stride).map(|(_, polygon)| (polygon, area_vector(polygon).norm())).collect();
+        let total: f64 = sample.iter().map(|(_, area)| area).sum();
+        let cost = |plane: &Plane, own: f64| {
+            let (mut split, mut balance) = (0.0, 0.0_f64);
+            for (polygon, area) in &sample {
+                let (low, high) = plane.heights(*polygon);
+                if low < -self.tolerance && high > self.tolerance {
+                    split += area;
+                } else if high > self.tolerance || low < -self.tolerance {
+                    balance += if high > -low { *area } else { -area };
+                }
+            }
+            3.0 * split / total - own / total_votes + 0.2 * balance.abs() / total
+        };
+        let separates = |plane: &Plane| {
+            let (low, high) = plane.heights(node.cell.corners());
+            low < -2.0 * self.tolerance && high > 2.0 * self.tolerance
+        };
+        let best = votes
+            .iter()
+            .map(|(face, (weight, allowed))| {
+                let (plane, is_curved) = self.faces[*face];
+                (plane.moved(if is_curved { MOVED * allowed } else { 0.0 }), *weight)
+            })
+            .filter(|(plane, _)| separates(plane))
+            .map(|(plane, weight)| (plane, cost(&plane, weight)))
+            .min_by(|one, other| one.1.total_cmp(&other.1));
+        let plane = best.map(|(plane, _)| plane).or_else(|| {
+            // Nothing of the surface separates: the cell is halved.
+            let [low, high] = hull.bounds;
+            let axis = (high - low).imax();
+            let plane = Plane::through(&(0.5 * (low + high)), Vector::ith(axis, 1.0));
+            ((high - low)[axis] > 20.0 * self.tolerance).then_some(plane)
+        });
+        plane.map(|plane| Bound { id, is_flipped: false, plane })
+    }
+
+    /// Joins hulls as long as the hulls of both keep their distance.
+    pub fn join(&self, hulls: Vec<Hull>) -> Vec<Hull> {
+        let mut hulls: Vec<Option<Hull>> = hulls.into_iter().map(Some).collect();
+        // What was in the way is often in the way again.
+        let mut recent = VecDeque::new();
+        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+        let mut add = |hulls: &[Option<Hull>], pairs: &mut Vec<_>, new: usize| {
+            for one in 0..new {
+                let (Some(a), Some(b)) = (&hulls[one], &hulls[new]) else { continue };
+                if let Some(joined) = self.joined(a, b, &mut recent) {
+                    pairs.push(((joined.volume() - a.volume() - b.volume()) / joined.volume(), one, new));
+                }
+            }
+        };
+        (0..hulls.len()).for_each(|new| add(&hulls, &mut pairs, new));
+        loop {
+            // Those that fill least first.
+            pairs.sort_by(|one, other| other.0.total_cmp(&one.0).then(other.1.cmp(&one.1)));
+            let Some((_, one, other)) = pairs.pop() else { break };
+            let (Some(a), Some(b)) = (&hulls[one], &hulls[other]) else { continue };
+            let points: Vec<Vector> = a.points.iter().chain(&b.points).copied().collect();
+            let Some(joined) = Hull::of(&points, self.tolerance) else { continue };
+            (hulls[one], hulls[other]) = (None, None);
+            pairs.retain(|pair| ![pair.1, pair.2].iter().any(|at| *at == one || *at == other));
+            hulls.push(Some(joined));
+            add(&hulls, &mut pairs, hulls.len() - 1);
+        }
+        hulls.into_iter().flatten().collect()
+    }
+
+    /// The hull of two hulls, if it keeps its distance from the places that are known.
+    fn joined(&self, one: &Hull, other: &Hull, recent: &mut VecDeque<usize>) -> Option<Hull> {
+        if !boxes_meet(&one.bounds, &other.bounds, 4.0 * self.tolerance) {
+            return None;
+        }
+        let points: Vec<Vector> = one.points.iter().chain(&other.points).copied().collect();
+        let joined = Hull::of(&points, self.tolerance)?;
+        let is_close = |place: &usize| {
+            let place = &self.places[*place];
+            !joined.is_beyond(&place.point, place.within(JOINING))
+        };
+        if recent.iter().any(is_close) {
+            return None;
+        }
+        let Some(place) = (0..self.places.len()).find(is_close) else { return Some(joined) };
+        recent.push_back(place);
+        if recent.len() > RECENT {
+            recent.pop_front();
+        }
+        None
+    }
+
+    /// A cell around a hull with few halfspaces that keeps its distance from all places.
+    pub fn trim(&self, hull: &Hull, root: &Cell) -> Cell {
+        let facets = hull.facets(2.0 * self.tolerance);
+        let mut cell = root.clone();
+        let mut id = 1000;
+        let tolerance = 0.1 * self.tolerance;
+        let cut = |cell: &Cell, plane: Plane, id: usize| {
+            let bound = Bound { id, is_flipped: false, plane };
+            cell.cut(&bound, tolerance).unwrap_or_else(|| cell.clone())
+        };
+        // The box around the hull first.
+        for axis in 0..3 {
+            for side in 0..2 {
+                let normal = Vector::ith(axis, if side == 0 { -1.0 } else { 1.0 });
+                cell = cut(&cell, Plane::through(&hull.bounds[side], normal), id);
+                id += 1;
+            }
+        }
+        let mut waiting: Vec<usize> = (0..self.places.len()).collect();
+        let mut used: HashSet<usize> = HashSet::new();
+        for _ in 0..500 {
+            let outer = OuterCell::new(&cell);
+            waiting.retain(|&place| !outer.is_beyond(&self.places[place].point, self.places[place].enough));
+            let depth = |place: &usize| self.places[*place].enough - outer.height(&self.places[*place].point);
+            let Some(worst) = waiting.iter().copied().max_by(|one, other| depth(one).total_cmp(&depth(other))) else {
+                break;
+            };
+            let place = &self.places[worst];
+            let separating = facets
+                .iter()
+                .enumerate()
+                .filter(|(index, (plane, _))| !used.contains(index) && plane.height(&place.point) >= place.enough)
+                .max_by(|one, other| one.1.1.total_cmp(&other.1.1));
+            let plane = match separating {
+                Some((index, (plane, _))) => {
+                    used.insert(index);
+                    Some(*plane)
+                }
+                None => hull.nearest(&place.point).and_then(|nearest| {
+                    let normal = (place.point - nearest).try_normalize(1e-3 * self.tolerance)?;
+                    let plane = Plane::through(&nearest, normal);
+                    Some(plane.moved(plane.heights(&hull.points).1.max(0.0)))
+                }),
+            };
+            match plane {
+                Some(plane) => cell = cut(&cell, plane, id),
+                None => waiting.retain(|&other| other != worst),
+            }
+            id += 1;
+        }
+        cell
+    }
+}
+
+/// Triangles of a convex polygon.
+fn fan(polygon: &[Vector]) -> impl Iterator<Item = [Vector; 3]> {
+    (2..polygon.len()).map(|at| [polygon[0], polygon[at - 1], polygon[at]])
+}
+
+/// A cell that is asked for distances.
+struct OuterCell<'a> {
+    cell: &'a Cell,
+    bounds: [Vector; 2],
+}
+
+impl<'a> OuterCell<'a> {
+    fn new(cell: &'a Cell) -> Self {
+        Self { cell, bounds: cell.bounding_box() }
+    }
+
+    fn height(&self, point: &Vector) -> f64 {
+        self.cell.bounds.iter().map(|bound| bound.plane.height(point)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn is_beyond(&self, point: &Vector, distance: f64) -> bool {
+        let [low, high] = &self.bounds;
+        let to_box = (point - point.sup(low).inf(high)).norm_squared();
+        if distance > 0.0 && to_box >= distance * distance {
+            return true;
+        }
+        let height = self.height(point);
+        height >= distance || (height > 0.0 && self.distance(point) >= distance)
+    }
+
+    fn distance(&self, point: &Vector) -> f64 {
+        let ahead =
+            self.cell.bounds.iter().zip(&self.cell.polygons).filter(|(bound, _)| bound.plane.height(point) > 0.0);
+        let to = |polygon: &Vec<Vector>| {
+            fan(polygon)
+                .map(|triangle| (crate::nearest::nearest(point, &triangle) - point).norm())
+                .fold(f64::INFINITY, f64::min)
+        };
+        ahead.map(|(_, polygon)| to(polygon)).fold(f64::INFINITY, f64::min)
+    }
+}

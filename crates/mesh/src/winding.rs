@@ -1,0 +1,80 @@
+//! How often a surface runs around points, fast: of triangles far away only their sum counts.
+
+use crate::geometry::{Vector, area_vector, mean};
+use crate::shells::solid_angle;
+
+/// Triangles per leaf.
+const LEAF: usize = 8;
+/// A group counts as far away from this many of its radii on.
+const FAR: f64 = 3.0;
+
+struct Node {
+    center: Vector,
+    radius: f64,
+    /// Sum of the area vectors (m^2).
+    area: Vector,
+    items: std::ops::Range<usize>,
+    second: Option<usize>,
+}
+
+/// Triangles whose winding numbers are asked for.
+pub struct Winding {
+    triangles: Vec<[Vector; 3]>,
+    nodes: Vec<Node>,
+}
+
+impl Winding {
+    pub fn new(triangles: Vec<[Vector; 3]>) -> Self {
+        let mut winding = Self { triangles, nodes: Vec::new() };
+        if !winding.triangles.is_empty() {
+            winding.build(0..winding.triangles.len());
+        }
+        winding
+    }
+
+    fn build(&mut self, items: std::ops::Range<usize>) {
+        let own = &self.triangles[items.clone()];
+        let weights: Vec<f64> = own.iter().map(|triangle| area_vector(triangle).norm()).collect();
+        let total: f64 = weights.iter().sum();
+        let middle = |(triangle, weight): (&[Vector; 3], &f64)| mean(triangle) * *weight;
+        let center = own.iter().zip(&weights).map(middle).sum::<Vector>() / total.max(f64::MIN_POSITIVE);
+        let radius = own.iter().flatten().map(|corner| (corner - center).norm()).fold(0.0, f64::max);
+        let area = own.iter().map(|triangle| area_vector(triangle)).sum();
+        let node = self.nodes.len();
+        self.nodes.push(Node { center, radius, area, items: items.clone(), second: None });
+        if items.len() <= LEAF {
+            return;
+        }
+        let [low, high] = crate::geometry::bounds(self.triangles[items.clone()].iter().flatten());
+        let axis = (high - low).imax();
+        let half = items.len() / 2;
+        let along = |triangle: &[Vector; 3]| triangle[0][axis] + triangle[1][axis] + triangle[2][axis];
+        self.triangles[items.clone()].select_nth_unstable_by(half, |one, other| along(one).total_cmp(&along(other)));
+        self.build(items.start..items.start + half);
+        self.nodes[node].second = Some(self.nodes.len());
+        self.build(items.start + half..items.end);
+    }
+
+    /// The winding number of the surface around a point, within some hundredths.
+    pub fn number(&self, point: &Vector) -> f64 {
+        let mut sum = 0.0;
+        let mut waiting: Vec<usize> = (!self.nodes.is_empty()).then_some(0).into_iter().collect();
+        while let Some(index) = waiting.pop() {
+            let node = &self.nodes[index];
+            let to = node.center - point;
+            let distance = to.norm();
+            if distance > FAR * node.radius {
+                sum += node.area.dot(&to) / distance.powi(3);
+                continue;
+            }
+            match node.second {
+                Some(second) => waiting.extend([second, index + 1]),
+                None => {
+                    let own = self.triangles[node.items.clone()].iter();
+                    sum += own.map(|triangle| solid_angle(point, triangle)).sum::<f64>();
+                }
+            }
+        }
+        sum / (4.0 * std::f64::consts::PI)
+    }
+}
