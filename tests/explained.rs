@@ -58,6 +58,14 @@ fn flat_sides_of_a_hole_that_take_much_of_a_gap_are_warned_of() {
 }
 
 #[test]
+fn a_tight_round_fit_is_read_and_keeps_its_gap() {
+    let dir = Dir::new();
+    // No number of facets keeps a gap of 0.01 mm, which the meshes have all around.
+    add_round_fit(&dir, &round::cylinders(4.09, 20.0, &[[0.0, 0.0]]), 0.001);
+    dir.run("check fit.toml").code(0).says("at the goal: meshes 0.0099 mm apart, convex parts 0.009");
+}
+
+#[test]
 #[ignore = "slow: scripts/test and CI run it"]
 fn a_pose_that_overlaps_is_one_line_whatever_the_number_of_pairs() {
     let dir = Dir::new();
