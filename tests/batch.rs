@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use crate::support::{Dir, Run, Running, TestCommand};
 
-/// A folder with the corner scene, with a scene of so many steps that a homotopy step takes a moment, and with a
+/// A folder with the corner scene, with a scene of enough steps that a homotopy step takes a moment, and with a
 /// homotopy that ends too early.
 fn folder() -> Dir {
     let dir = Dir::new();
@@ -108,7 +108,7 @@ fn a_finished_batch_is_collected_and_not_solved_again() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a batch that is killed again and again: scripts/test and CI run it"]
 fn a_killed_batch_is_completed_by_a_rerun() {
     let dir = folder();
     let line = "slow.toml --starts all --deltas 0.01,0.02 --jobs 2 --out";

@@ -130,7 +130,7 @@ fn commands_are_accepted_and_cheap_ones_succeed() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, whole solves, one of them robust: scripts/test and CI run it"]
 fn the_commands_of_the_readme_run() {
     let sandbox = sandbox();
     let commands = commands(&page("README.md"));

@@ -196,7 +196,7 @@ fn peg1_enters_the_hole_in_every_scenario() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, several whole homotopies of a clamp: scripts/test and CI run it"]
 fn where_the_default_misses_the_goal_another_homotopy_is_tried() {
     let dir = Dir::new();
     let scene = std::fs::read_to_string(project("scenes/clamp1.toml")).unwrap();

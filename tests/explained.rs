@@ -66,7 +66,7 @@ fn a_tight_round_fit_is_read_and_keeps_its_gap() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a mesh without a fit is covered in two ways: scripts/test and CI run it"]
 fn a_pose_that_overlaps_is_one_line_whatever_the_number_of_pairs() {
     let dir = Dir::new();
     // A peg that is a little too large penetrates many pieces of the hole.
@@ -94,7 +94,7 @@ fn a_body_that_begins_inside_with_every_offset_is_refused() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a whole solve: scripts/test and CI run it"]
 fn a_body_that_begins_inside_with_some_offset_is_warned_of() {
     let dir = Dir::new();
     add_box(&dir, 0.025);

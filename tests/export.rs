@@ -161,7 +161,7 @@ fn only_earlier_exports_are_replaced() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a whole solve and its rollouts: scripts/test and CI run it"]
 fn a_plan_that_fails_in_rollouts_is_exported_only_anyway() {
     let dir = Dir::new();
     dir.add_scene("peg1");

@@ -292,25 +292,25 @@ fn go_on(folder: &Path) -> Result<(), PlannerError> {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, hundreds of mutants: scripts/test and CI run it"]
 fn a_mutated_scene_or_homotopy_is_explained_or_refused() {
     run("scenes and homotopies", &["scene.toml", "homotopy.toml"], 150, check);
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, hundreds of mutants: scripts/test and CI run it"]
 fn a_mutated_model_is_a_part_or_refused() {
     run("models", &["model.sdf", "model.urdf", "model.xml"], 150, look_at_models);
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, hundreds of mutants: scripts/test and CI run it"]
 fn a_mutated_log_of_a_robot_is_compared_or_refused() {
     run("logs", &["log.csv"], 100, compare_log);
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, hundreds of mutants: scripts/test and CI run it"]
 fn a_mutated_plan_is_played_or_refused() {
     const FILES: &[&str] =
         &["plan/result.json", "plan/reference.csv", "plan/stages/1/reference.csv", "plan/resolved.toml", "scene.toml"];
@@ -318,14 +318,14 @@ fn a_mutated_plan_is_played_or_refused() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, hundreds of mutants: scripts/test and CI run it"]
 fn a_mutated_batch_is_looked_at_or_refused() {
     const FILES: &[&str] = &["runs/manifest.jsonl", "runs/cells/*/result.json", "runs/cells.csv"];
     run("batches", FILES, 150, look_at_batch);
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, hundreds of mutants: scripts/test and CI run it"]
 fn mutated_unfinished_work_is_gone_on_with_or_set_aside() {
     const FILES: &[&str] = &[
         ".work.unfinished/checkpoint.json",

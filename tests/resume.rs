@@ -9,7 +9,7 @@ use crate::support::{Dir, Run, Running, list, sealed};
 /// The folder of unfinished work beside `out`.
 const UNFINISHED: &str = ".out.unfinished";
 
-/// A folder with the corner scene, with so many steps that each of its homotopy steps takes a moment.
+/// A folder with the corner scene, with enough steps that each of its homotopy steps takes a moment.
 fn folder() -> Dir {
     let dir = Dir::new();
     dir.add_variant("slow.toml", &[("steps = 20\ntime_step = 0.08", "steps = 30\ntime_step = 0.053")]);
@@ -99,7 +99,7 @@ fn unfinished_work_is_used_only_when_asked() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a solve for each kind of damage: scripts/test and CI run it"]
 fn unfinished_work_of_another_problem_or_with_damage_is_left_with_a_word() {
     let dir = folder();
     stop(&dir, "solve slow.toml --out out", "INT").code(130);

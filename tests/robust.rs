@@ -121,7 +121,7 @@ fn where_friction_holds_the_body_the_reference_goes_past_the_goal_and_back() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, several solves and refinements: scripts/test and CI run it"]
 fn where_refinement_is_given_up_other_problems_are_solved() {
     let dir = Dir::new();
     // Nothing ends a hundredth of a millimetre from the goal, so that a straight push and all problems are tried, and then

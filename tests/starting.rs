@@ -11,7 +11,7 @@ fn solved(dir: &Dir, scene: &str) {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a whole solve of a peg: scripts/test and CI run it"]
 fn the_starter_scene_is_solved_as_it_is() {
     let dir = Dir::new();
     dir.run("new begun/starter.toml").code(0).says("written to begun/starter.toml");
@@ -86,7 +86,7 @@ fn a_rectangular_peg_is_solved() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a whole solve of a peg: scripts/test and CI run it"]
 fn a_keyed_peg_is_solved() {
     let dir = Dir::new();
     dir.run("generate keyed --width 0.008 --depth 0.008 --key-width 0.003 --out peg.toml").code(0);
@@ -94,7 +94,7 @@ fn a_keyed_peg_is_solved() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a whole solve of a peg: scripts/test and CI run it"]
 fn a_random_peg_is_solved() {
     let dir = Dir::new();
     dir.run("generate random --seed 2 --facets 5 --out peg.toml").code(0);

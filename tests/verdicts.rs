@@ -108,7 +108,7 @@ fn parts_that_are_not_assembled_are_refused() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a fine search for a path: scripts/test and CI run it"]
 fn a_goal_inside_of_the_wall_is_refused() {
     let dir = plug(8.0, 0.2, here);
     dir.run(&format!("new s.toml {FILES}")).code(0);

@@ -115,7 +115,7 @@ fn refused_as_listed(rows: &'static [Row]) {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a run of the program for each row: scripts/test and CI run it"]
 fn what_the_rows_change_is_right() {
     let dir = folder(&[]);
     for line in [
@@ -138,7 +138,7 @@ fn what_the_rows_change_is_right() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a run of every command for each row: scripts/test and CI run it"]
 fn a_wrong_scene_is_refused_by_every_command() {
     let lines = [
         "check scene.toml",
@@ -163,7 +163,7 @@ fn a_wrong_homotopy_is_refused_by_every_command_that_takes_one() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, a run of the program for each row: scripts/test and CI run it"]
 fn a_wrong_value_of_a_flag_is_refused() {
     let rows = flags::ROWS.iter().flat_map(|(line, flag, values, words)| {
         values.iter().map(move |value| {

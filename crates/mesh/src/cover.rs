@@ -35,6 +35,24 @@ pub struct Piece {
     pub is_surface: Vec<bool>,
 }
 
+impl Piece {
+    /// Of a cell, whose corners are different points where they are farther apart than the tolerance (m).
+    fn new(cell: &Cell, is_surface: Vec<bool>, tolerance: f64) -> Self {
+        let mut vertices: Vec<Vector> = Vec::new();
+        for corner in cell.corners() {
+            if vertices.iter().all(|other| (other - corner).norm() > tolerance) {
+                vertices.push(*corner);
+            }
+        }
+        Self {
+            normals: cell.bounds.iter().map(|bound| bound.plane.normal.into()).collect(),
+            offsets: cell.bounds.iter().map(|bound| bound.plane.offset).collect(),
+            vertices: vertices.into_iter().map(Into::into).collect(),
+            is_surface,
+        }
+    }
+}
+
 /// Convex pieces that overlap and together contain a part.
 #[derive(Debug, Clone)]
 pub struct Cover {
@@ -143,18 +161,8 @@ impl Cover {
             tolerance: solid.tolerance,
         };
         for cell in cells {
-            let mut vertices: Vec<Vector> = Vec::new();
-            for corner in cell.corners() {
-                if vertices.iter().all(|other| (other - corner).norm() > 1e-9 * margin) {
-                    vertices.push(*corner);
-                }
-            }
-            cover.pieces.push(Piece {
-                normals: cell.bounds.iter().map(|bound| bound.plane.normal.into()).collect(),
-                offsets: cell.bounds.iter().map(|bound| bound.plane.offset).collect(),
-                vertices: vertices.into_iter().map(Into::into).collect(),
-                is_surface: vec![true; cell.bounds.len()],
-            });
+            let is_surface = vec![true; cell.bounds.len()];
+            cover.pieces.push(Piece::new(&cell, is_surface, 1e-9 * margin));
             cover.cells.push(cell);
         }
         // What is filled, too.
@@ -187,18 +195,7 @@ impl Cover {
             .bounds
             .iter()
             .map(|bound| cell.bounds.iter().zip(&is_surface).any(|(other, is_surface)| other.is(bound) && *is_surface));
-        let mut vertices: Vec<Vector> = Vec::new();
-        for corner in shrunk.corners() {
-            if vertices.iter().all(|other| (other - corner).norm() > self.tolerance) {
-                vertices.push(*corner);
-            }
-        }
-        self.pieces.push(Piece {
-            normals: shrunk.bounds.iter().map(|bound| bound.plane.normal.into()).collect(),
-            offsets: shrunk.bounds.iter().map(|bound| bound.plane.offset).collect(),
-            vertices: vertices.into_iter().map(Into::into).collect(),
-            is_surface: flags.collect(),
-        });
+        self.pieces.push(Piece::new(&shrunk, flags.collect(), self.tolerance));
         self.cells.push(shrunk);
     }
 

@@ -21,10 +21,11 @@ const UNDECIDED: f64 = 0.25;
 const NEARLY: f64 = 0.98;
 /// Share of the surface that may be folded over.
 const REVERSED: f64 = 1e-3;
-/// More shells with a negative volume are no oversight; each is looked at in so many places.
+/// Surfaces with more shells of negative volume are refused.
 const MOST_NEGATIVE: usize = 64;
+/// Triangles of such a shell at which its location is tested.
 const WITNESSES: usize = 32;
-/// More open edges are no cracks.
+/// Surfaces with more open edges are refused.
 const MOST_OPEN: usize = 20_000;
 
 /// The surface between inside and outside: winding numbers say which is which.
@@ -45,27 +46,8 @@ pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshErr
     let body = Body::new(triangles.iter().map(corners).collect());
     let [low, high] = bounds(&vertices);
     let crack = CRACK * (high - low).amax() + NEAR * tolerance;
-    let is_undecided = |point: &Vector| {
-        let number = body.winding_number(point);
-        (number - number.round()).abs() > UNDECIDED
-    };
-    let mut open = Vec::new();
-    for (edge, sides) in edges(&triangles) {
-        if 2 * sides.iter().filter(|side| side.is_forward).count() != sides.len() {
-            open.push((edge, sides[0].triangle));
-        }
-    }
-    // In the four directions between the triangle and its normal, where points are on no surface that ends there.
-    let around = |((from, to), triangle): &((usize, usize), usize)| {
-        let [from, to] = [vertices[*from], vertices[*to]];
-        let normal = area_vector(&corners(&triangles[*triangle])).try_normalize(0.0);
-        let along = (to - from).try_normalize(0.0);
-        let (Some(normal), Some(along)) = (normal, along) else { return false };
-        let across = normal.cross(&along);
-        let steps = [normal + across, normal - across, across - normal, -normal - across];
-        steps.iter().any(|step| is_undecided(&(0.5 * (from + to) + step * crack)))
-    };
-    if open.len() > MOST_OPEN || open.iter().any(around) {
+    let open = open_edges(&triangles);
+    if open.len() > MOST_OPEN || open.iter().any(|edge| is_undecided(edge, &triangles, &vertices, &body, crack)) {
         return Err(reason);
     }
     let (mut reversed, mut sound) = (0.0, 0.0);
@@ -110,6 +92,37 @@ pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshErr
         hidden,
     });
     Ok(Surface { vertices, triangles: kept, repairs })
+}
+
+/// Edges that do not have as many triangles on the one side as on the other, each with one of its triangles.
+fn open_edges(triangles: &[[usize; 3]]) -> Vec<((usize, usize), usize)> {
+    let mut open = Vec::new();
+    for (edge, sides) in edges(triangles) {
+        if 2 * sides.iter().filter(|side| side.is_forward).count() != sides.len() {
+            open.push((edge, sides[0].triangle));
+        }
+    }
+    open
+}
+
+/// Whether the winding number is no whole number at a distance (m) from an open edge: in the four directions between its
+/// triangle and the normal of that, where points are on no surface that ends there.
+fn is_undecided(
+    ((from, to), triangle): &((usize, usize), usize),
+    triangles: &[[usize; 3]],
+    vertices: &[Vector],
+    body: &Body,
+    distance: f64,
+) -> bool {
+    let [from, to] = [vertices[*from], vertices[*to]];
+    let normal = area_vector(&triangles[*triangle].map(|corner| vertices[corner])).try_normalize(0.0);
+    let (Some(normal), Some(along)) = (normal, (to - from).try_normalize(0.0)) else { return false };
+    let across = normal.cross(&along);
+    let steps = [normal + across, normal - across, across - normal, -normal - across];
+    steps.iter().any(|step| {
+        let number = body.winding_number(&(0.5 * (from + to) + step * distance));
+        (number - number.round()).abs() > UNDECIDED
+    })
 }
 
 /// Turns shells inside out that enclose a negative volume and lie in no other; those inside of others are voids. `None`

@@ -1,5 +1,7 @@
 //! The distance between two surfaces.
 
+use std::cell::Cell;
+
 use nalgebra::{Isometry3, Point3};
 
 use crate::bvh::BoxTree;
@@ -32,23 +34,26 @@ impl Gauge {
         Self::new(&solid.corner_triangles().collect::<Vec<_>>())
     }
 
-    /// Distance (m) to other triangles in a pose; zero where the surfaces meet or the one lies inside the other.
-    pub fn gap(&self, others: &[[[f64; 3]; 3]], pose: &Isometry3<f64>) -> f64 {
-        let placed = |corner: [f64; 3]| pose.transform_point(&Point3::from(corner)).coords;
-        if is_around(&self.winding, others.iter().map(|triangle| placed(triangle[0]))) {
+    /// Distance (m) to another surface in a pose; zero where they meet or the one lies inside the other.
+    pub fn gap(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
+        let placed = |corner: Vector| pose.transform_point(&Point3::from(corner)).coords;
+        let back = |corner: Vector| pose.inverse_transform_point(&Point3::from(corner)).coords;
+        if self.is_around(other.triangles.iter().map(|triangle| placed(triangle[0])))
+            || other.is_around(self.triangles.iter().map(|triangle| back(triangle[0])))
+        {
             return 0.0;
         }
         let mut gap = f64::INFINITY;
-        for other in others {
-            let other = other.map(placed);
-            let around = bounds(&other);
+        for triangle in &other.triangles {
+            let triangle = triangle.map(placed);
+            let around = bounds(&triangle);
             let is_near = |bounds: &[Vector; 2], gap: f64| apart(&around, bounds) < gap * gap;
-            let limit = std::cell::Cell::new(gap);
+            let limit = Cell::new(gap);
             self.tree.visit(
                 |bounds| is_near(bounds, limit.get()),
                 |item| {
                     if is_near(&self.boxes[item], limit.get()) {
-                        limit.set(limit.get().min(distance(&self.triangles[item], &other)));
+                        limit.set(limit.get().min(distance(&self.triangles[item], &triangle)));
                     }
                 },
             );
@@ -57,19 +62,14 @@ impl Gauge {
                 break;
             }
         }
-        let is_inside = |winding: &Winding| {
-            let points = self.triangles.iter().map(|triangle| triangle[0]);
-            is_around(winding, points)
-        };
-        let others = || Winding::new(others.iter().map(|triangle| triangle.map(placed)).collect());
-        if gap > 0.0 && is_inside(&others()) { 0.0 } else { gap }
+        gap
     }
-}
 
-/// Whether a surface is around some of the points.
-fn is_around(winding: &Winding, points: impl ExactSizeIterator<Item = Vector>) -> bool {
-    let stride = points.len().div_ceil(WITNESSES).max(1);
-    points.step_by(stride).any(|point| winding.number(&point) > 0.5)
+    /// Whether the surface is around some of the points.
+    fn is_around(&self, points: impl ExactSizeIterator<Item = Vector>) -> bool {
+        let stride = points.len().div_ceil(WITNESSES).max(1);
+        points.step_by(stride).any(|point| self.winding.number(&point) > 0.5)
+    }
 }
 
 /// Squared distance of two boxes (m^2).
@@ -131,17 +131,17 @@ mod tests {
     #[test]
     fn gaps_between_cubes_are_those_of_faces_edges_and_corners() {
         let gauge = Gauge::new(&cube(0.0, 1.0));
-        let gap = |x: f64, y: f64, z: f64| gauge.gap(&cube(0.0, 1.0), &Isometry3::translation(x, y, z));
+        let gap = |x: f64, y: f64, z: f64| gauge.gap(&Gauge::new(&cube(0.0, 1.0)), &Isometry3::translation(x, y, z));
         assert!((gap(1.25, 0.3, 0.2) - 0.25).abs() < 1e-12);
         assert!((gap(1.3, 1.4, 0.2) - 0.5).abs() < 1e-12);
         assert!((gap(1.2, 1.4, 1.4) - 0.6).abs() < 1e-12);
         assert_eq!(gap(0.7, 0.6, 0.2), 0.0);
         // One inside the other.
-        assert_eq!(gauge.gap(&cube(0.4, 0.5), &Isometry3::identity()), 0.0);
-        assert_eq!(gauge.gap(&cube(-2.0, 3.0), &Isometry3::identity()), 0.0);
+        assert_eq!(gauge.gap(&Gauge::new(&cube(0.4, 0.5)), &Isometry3::identity()), 0.0);
+        assert_eq!(gauge.gap(&Gauge::new(&cube(-2.0, 3.0)), &Isometry3::identity()), 0.0);
         // Edges across each other: a cube on its edge above an edge of the other.
         let turned = Isometry3::rotation(nalgebra::Vector3::x() * std::f64::consts::FRAC_PI_4);
         let above = nalgebra::Translation3::new(0.5, 0.5, 1.1) * turned;
-        assert!((gauge.gap(&cube(0.0, 1.0), &above) - 0.1).abs() < 1e-12);
+        assert!((gauge.gap(&Gauge::new(&cube(0.0, 1.0)), &above) - 0.1).abs() < 1e-12);
     }
 }

@@ -16,13 +16,12 @@ const MOST_POINTS: usize = 2000;
 const ROUNDING: f64 = 1e-9;
 /// Shortest step along a direction, as a share of the travel that is looked at.
 const STEP: f64 = 1e-2;
-/// Penetration that is rounding, likewise.
+/// Penetration that is rounding, as a share of the same travel.
 const TOUCHING: f64 = 1e-4;
 
 /// Two surfaces in one frame, of which the first is moved without turning.
 pub struct Separation {
-    moved: Vec<[[f64; 3]; 3]>,
-    gauge: Gauge,
+    gauges: [Gauge; 2],
     sides: [Side; 2],
 }
 
@@ -36,20 +35,20 @@ struct Side {
 
 impl Separation {
     /// Of triangles (m), anticlockwise seen from outside.
-    pub fn new(moved: Vec<[[f64; 3]; 3]>, fixed: &[[[f64; 3]; 3]]) -> Self {
-        let sides = [Side::new(&moved), Side::new(fixed)];
-        Self { gauge: Gauge::new(fixed), moved, sides }
+    pub fn new(moved: &[[[f64; 3]; 3]], fixed: &[[[f64; 3]; 3]]) -> Self {
+        Self { gauges: [moved, fixed].map(Gauge::new), sides: [moved, fixed].map(Side::new) }
     }
 
     /// How far the surfaces are apart when the first is moved by a vector (m): exact where they do not meet; where they do,
     /// the depth of their penetration as a negative number, of points of both surfaces.
     pub fn at(&self, by: &[f64; 3]) -> f64 {
         let by = Vector::from(*by);
-        let gap = self.gauge.gap(&self.moved, &Isometry3::from_parts(Translation3::from(by), nalgebra::one()));
-        let [moved, fixed] = &self.sides;
+        let [moved, fixed] = &self.gauges;
+        let gap = fixed.gap(moved, &Isometry3::from_parts(Translation3::from(by), nalgebra::one()));
         if gap > 0.0 {
             return gap;
         }
+        let [moved, fixed] = &self.sides;
         let depth = fixed.depth(moved, &by).max(moved.depth(fixed, &-by));
         if depth > ROUNDING { -depth } else { gap }
     }
@@ -127,7 +126,7 @@ mod tests {
     #[test]
     fn a_block_on_a_plate_slides_and_rises_and_sinks_nowhere() {
         let plate = block([-1.0, -1.0, -0.2], [1.0, 1.0, 0.0]);
-        let separation = Separation::new(block([-0.1, -0.1, 0.0], [0.1, 0.1, 0.3]), &plate);
+        let separation = Separation::new(&block([-0.1, -0.1, 0.0], [0.1, 0.1, 0.3]), &plate);
         assert_eq!(separation.at(&[0.0; 3]), 0.0);
         assert!((separation.at(&[0.0, 0.0, 0.25]) - 0.25).abs() < 1e-9);
         assert!((separation.at(&[0.0, 0.0, -0.05]) + 0.05).abs() < 1e-9);
@@ -141,7 +140,7 @@ mod tests {
     #[test]
     fn a_bar_through_a_thin_wall_is_seen_although_no_corner_is_inside() {
         let wall = block([-1.0, -1.0, -0.05], [1.0, 1.0, 0.05]);
-        let separation = Separation::new(block([-0.1, -0.1, -0.5], [0.1, 0.1, 0.5]), &wall);
+        let separation = Separation::new(&block([-0.1, -0.1, -0.5], [0.1, 0.1, 0.5]), &wall);
         let depth = -separation.at(&[0.0; 3]);
         assert!((0.04..=0.11).contains(&depth), "{depth}");
     }

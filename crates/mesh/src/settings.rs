@@ -21,7 +21,7 @@ pub struct CoverSettings {
     pub crop: Option<[[f64; 3]; 2]>,
     /// Distance (m) by which all surfaces are moved into the material.
     pub clearance: f64,
-    /// More cells than this are given up: a part that falls into so many takes long to cover.
+    /// Largest number of cells of the partition; covering a part with more takes too long.
     pub most_cells: usize,
 }
 

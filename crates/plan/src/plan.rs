@@ -196,7 +196,7 @@ impl Plan {
             (record.converged, record.converged && self.problem.success().reached(position, orientation))
         };
         let count = self.iterations.len();
-        // The last of equals.
+        // Of equally good steps, the last.
         (self.variant.settings.iterations..=count).max_by_key(worth).unwrap_or(count)
     }
 

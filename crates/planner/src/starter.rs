@@ -104,7 +104,7 @@ fn fit(
     let [body, environment] = [&parts.body, &parts.environment].map(|part| part.bounds());
     let height = |axis: Axis| body.edges()[axis.index];
     let apart = |axis: Axis| body.distance_apart(&environment, axis).max(height(axis)) + BEYOND;
-    let separation = Separation::new(parts.body.triangles().to_vec(), parts.environment.triangles());
+    let separation = Separation::new(parts.body.triangles(), parts.environment.triangles());
     let free = Axis::ALL.map(|axis| separation.travel(&[0.0; 3], &axis.times(1.0), apart(axis)).is_none());
     let is_free = |axis: &Axis| Axis::ALL.iter().zip(free).any(|(other, is_free)| other == axis && is_free);
     // A body that is put in ends at a stop: it can be moved no farther.

@@ -29,9 +29,9 @@ pub struct Shapes {
     pub gaps: Vec<Gap>,
 }
 
-/// With more pairs than this, meshes are covered where something can touch only.
+/// With more pairs than this, meshes are covered accurately only where something can touch.
 const FEW_PAIRS: usize = 300;
-/// Meshes that fall into more cells are covered likewise, unless the scene says how fine they shall be.
+/// The same holds for meshes that divide into more cells, unless the scene states `facets` or `clearance`.
 const FEW_CELLS: usize = 600;
 
 /// Makes all parts convex.
@@ -61,7 +61,7 @@ pub fn shapes(
             .max_by(|one, other| one.error().total_cmp(&other.error()));
         worst.map(|gap| disagreement(gap, mesh)).map_or(Ok(Shapes { gaps, ..shapes }), Err)
     };
-    // Exact shapes are round where meshes are it but for their flat sides.
+    // Exact shapes are round where the meshes approximate round surfaces by flat sides.
     let chord_errors = fit.map_or(0.0, |fit| fit.chord_errors);
     let exact = exact(FEW_CELLS).and_then(|shapes| compared(shapes, chord_errors));
     if exact.as_ref().is_ok_and(|exact| exact.pairs() <= FEW_PAIRS) {

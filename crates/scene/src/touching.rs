@@ -85,12 +85,11 @@ impl<'given> Sides<'given> {
 
     /// Gaps at the goal and on the path from it to the first start.
     pub fn gaps(&self, body: &[Polytope], environment: &[Polytope]) -> Vec<Gap> {
-        let gauge = Gauge::new(&self.environment);
-        let part_triangles =
-            |parts: &[Polytope]| parts.iter().flat_map(|part| hull_triangles(part.vertices())).collect();
-        let (body_triangles, environment_triangles): (Triangles, Triangles) =
-            (part_triangles(body), part_triangles(environment));
-        let part_gauge = Gauge::new(&environment_triangles);
+        let given = [&self.body, &self.environment].map(|triangles| Gauge::new(triangles));
+        let parts = [body, environment].map(|parts| {
+            Gauge::new(&parts.iter().flat_map(|part| hull_triangles(part.vertices())).collect::<Triangles>())
+        });
+        let apart = |[body, environment]: &[Gauge; 2], pose: &Isometry3<f64>| environment.gap(body, pose);
         let pairs: Vec<Pair> = body
             .iter()
             .flat_map(|part| environment.iter().map(|other| Pair::new(part.clone(), other.clone())))
@@ -102,14 +101,15 @@ impl<'given> Sides<'given> {
             let rotation = pose.rotation.quaternion();
             let [x, y, z] = pose.translation.vector.into();
             let coordinates = [x, y, z, rotation.w, rotation.i, rotation.j, rotation.k];
+            // What cannot be computed counts as penetration.
             let distances = pairs.iter().map(|pair| pair.exact_distance(&coordinates));
-            // Between edges and corners, distances of the problem are those of halfspaces, which are smaller.
-            let least = distances.fold(f64::INFINITY, f64::min);
-            let parts = if least > 0.0 { part_gauge.gap(&body_triangles, &pose) } else { least };
+            let least = distances.map(|distance| if distance.is_nan() { f64::NEG_INFINITY } else { distance });
+            let least = least.fold(f64::INFINITY, f64::min);
             Gap {
                 from_goal: (pose.translation.vector - goal.translation.vector).norm(),
-                given: gauge.gap(&self.body, &pose),
-                parts,
+                given: apart(&given, &pose),
+                // Between edges and corners, distances of the problem are those of halfspaces, which are smaller.
+                parts: if least > 0.0 { apart(&parts, &pose) } else { least },
             }
         };
         COMPARED.into_iter().map(gap).collect()

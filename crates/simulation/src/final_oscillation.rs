@@ -15,34 +15,34 @@ use crate::success::Success;
 pub struct FinalOscillation {
     goal: Vector3<f64>,
     direction: Unit<Vector3<f64>>,
-    /// By how much the amplitude of each stroke is smaller than that of the one before (m).
+    /// By how much the amplitude of each half-cycle is smaller than that of the one before (m).
     decrease: f64,
-    /// Duration of each stroke (s).
+    /// Duration of each half-cycle (s).
     duration: f64,
 }
 
-/// Number of strokes beyond the goal, alternately along the direction, as the first, and against it; one more ends at
+/// Number of half-cycles beyond the goal, alternately along the direction, as the first, and against it; one more ends at
 /// the goal.
 const COUNT: usize = 5;
-/// Decrease of the amplitude from stroke to stroke, as a part of the position tolerance. A body in any band that the
-/// first stroke overcomes ends within half of that from the goal.
+/// Decrease of the amplitude from half-cycle to half-cycle, as a part of the position tolerance. A body in any band that the
+/// first half-cycle overcomes ends within half of that from the goal.
 const DECREASE: f64 = 0.8;
-/// Largest stroke back as a part of the engagement depth: strokes must not take the body out.
+/// Largest half-cycle back as a part of the engagement depth: half-cycles must not take the body out.
 const DEPTH: f64 = 0.5;
-/// Duration of a stroke as a multiple of `sqrt(mass / stiffness)`, the time in which the body follows.
+/// Duration of a half-cycle as a multiple of `sqrt(mass / stiffness)`, the time in which the body follows.
 const RESPONSES: f64 = 4.0;
-/// Largest velocity and acceleration of a smooth stroke of one metre in one second.
+/// Largest velocity and acceleration of a smooth half-cycle of one metre in one second.
 const PEAKS: [f64; 2] = [1.5, 6.0];
 
 impl FinalOscillation {
     /// For a task and tolerances of success, where the environment guides the body up to some depth (m) from the goal,
-    /// infinite where nothing does. Strokes stay within half of that, and keep the limits of translational velocity and
+    /// infinite where nothing does. Half-cycles stay within half of that, and keep the limits of translational velocity and
     /// acceleration. `None` where start and goal are at the same place, the depth is zero, or a value is not finite.
     pub fn new(task: &AssemblyTask, success: &Success, depth: f64) -> Option<Self> {
         let position = |pose: &[f64; 7]| Vector3::new(pose[0], pose[1], pose[2]);
         let goal = position(&task.goal);
         let direction = Unit::try_new(goal - position(&task.start), success.position)?;
-        // The longest stroke back is the second.
+        // The longest half-cycle back is the second.
         let decrease = (DECREASE * success.position).min(DEPTH * depth / (COUNT - 1) as f64);
         let mass = direction.dot(&(task.inertia.translational() * *direction));
         let response = RESPONSES * (mass / task.impedance.translational_stiffness).sqrt();
@@ -59,13 +59,13 @@ impl FinalOscillation {
     /// further knot.
     fn shifts(&self, last: &Vector3<f64>, time_step: f64) -> impl Iterator<Item = Vector3<f64>> {
         let ahead = self.direction.dot(&(self.goal - last));
-        let turning = move |stroke: usize| {
-            let reach = (COUNT - stroke) as f64 * self.decrease;
-            ahead + if stroke.is_multiple_of(2) { reach } else { -reach }
+        let turning = move |half_cycle: usize| {
+            let reach = (COUNT - half_cycle) as f64 * self.decrease;
+            ahead + if half_cycle.is_multiple_of(2) { reach } else { -reach }
         };
         let knots = (self.duration / time_step).ceil().max(1.0) as usize;
-        (0..=COUNT).flat_map(move |stroke| {
-            let (from, to) = (if stroke == 0 { 0.0 } else { turning(stroke - 1) }, turning(stroke));
+        (0..=COUNT).flat_map(move |half_cycle| {
+            let (from, to) = (if half_cycle == 0 { 0.0 } else { turning(half_cycle - 1) }, turning(half_cycle));
             (1..=knots).map(move |knot| {
                 let part = knot as f64 / knots as f64;
                 *self.direction * (from + (to - from) * part * part * (3.0 - 2.0 * part))
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn strokes_go_on_from_a_reference_and_end_at_the_goal() {
+    fn an_oscillation_continues_a_reference_and_ends_at_the_goal() {
         // It ends 5 mm short of the goal and 1 mm beside it.
         let mut states = push().states();
         let last = states.len() - 1;

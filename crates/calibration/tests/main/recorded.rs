@@ -16,7 +16,7 @@ fn workshop() -> Workshop {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, fits of minutes of logs: scripts/test and CI run it"]
 fn the_arm_of_mujoco_is_found_from_its_logs() {
     let workshop = workshop();
     let calibration = workshop.calibrate(&["free_air.csv", "contact.csv"], false);
@@ -53,7 +53,7 @@ fn within_two_errors(calibration: &Calibration, truth: &serde_json::Value) -> (u
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, fifteen fits: scripts/test and CI run it"]
 fn fourteen_of_fifteen_truths_are_within_two_errors() {
     let workshop = workshop();
     let truths = fs::read_to_string(project("crates/calibration/tests/logs/truths.json")).unwrap();
@@ -71,7 +71,7 @@ fn fourteen_of_fifteen_truths_are_within_two_errors() {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, fits of minutes of logs: scripts/test and CI run it"]
 fn runs_that_were_stopped_give_their_motion_in_free_air() {
     let workshop = workshop();
     let stop = |name: &str, rows: usize| {

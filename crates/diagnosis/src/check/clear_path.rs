@@ -36,7 +36,7 @@ pub enum ClearPath {
         /// How near to the start the search has come.
         nearest_m: f64,
     },
-    /// There is none without rotations: the environment encloses the body at its goal.
+    /// No path without rotations exists: the environment encloses the body at its goal.
     Enclosed {
         /// Largest distance from the goal that the body reaches.
         farthest_m: f64,

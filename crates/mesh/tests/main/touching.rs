@@ -40,13 +40,13 @@ fn assert_contained(solid: &Solid, cover: &Cover) {
 /// The gap between pieces, and that between meshes, at each way out.
 fn assert_gaps_agree(body: &Solid, other: &Solid, [body_cover, other_cover]: &[Cover; 2]) {
     let gauge = Gauge::of(other);
-    let hulls = |cover: &Cover| -> Vec<Vec<[[f64; 3]; 3]>> {
-        cover.pieces().iter().map(|piece| hull_triangles(&piece.vertices)).collect()
+    let hulls = |cover: &Cover| -> Vec<Gauge> {
+        cover.pieces().iter().map(|piece| Gauge::new(&hull_triangles(&piece.vertices))).collect()
     };
     let (bodies, others) = (hulls(body_cover), hulls(other_cover));
-    let others: Vec<Gauge> = others.iter().map(|hull| Gauge::new(hull)).collect();
+    let body = Gauge::of(body);
     for pose in ways() {
-        let given = gauge.gap(&triangles(body), &pose);
+        let given = gauge.gap(&body, &pose);
         let pairs = bodies.iter().flat_map(|hull| others.iter().map(|other| other.gap(hull, &pose)));
         let pieces = pairs.fold(f64::INFINITY, f64::min);
         assert!((pieces - given).abs() <= 0.25 * given, "{pieces} {given} at {pose}");

@@ -10,7 +10,7 @@ use std::time::Duration;
 use planner::{Choices, Event, RobustnessTarget, Session, refine, solve};
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, eight drafts for an arm: scripts/test and CI run it"]
 fn the_best_draft_is_refined_where_the_plan_of_an_arm_fails() {
     // Nothing is as accurate as that: every plan fails.
     let accurate = Choices { position_tolerance: Some(1e-6), ..Choices::default() };

@@ -13,7 +13,7 @@ fn clamp() -> Problem {
     Problem::load(&scene, &Choices::default()).unwrap()
 }
 
-/// Solves in a folder; stops after so many homotopy steps of the second attempt.
+/// Solves in a folder; stops after the given number of homotopy steps of the second attempt.
 fn solved(problem: &Problem, folder: &Path, stop_after: Option<usize>) -> Plan {
     let (stopped, attempt) = (AtomicBool::new(false), Mutex::new(Cell::new(1)));
     let observer = |event: &Event| match event {
@@ -32,7 +32,7 @@ fn solved(problem: &Problem, folder: &Path, stop_after: Option<usize>) -> Plan {
 }
 
 #[test]
-#[ignore = "slow: scripts/test and CI run it"]
+#[ignore = "slow, three solves of a clamp: scripts/test and CI run it"]
 fn an_interrupted_attempt_goes_on_where_it_was() {
     let problem = clamp();
     let parent = tempfile::tempdir().unwrap();

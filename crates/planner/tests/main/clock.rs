@@ -21,7 +21,7 @@ fn corner() -> Problem {
 /// The limit of every run here: a stand-in of time reaches it or does not.
 const LIMIT: Duration = Duration::from_secs(100);
 
-/// Solves in a folder; the time is over as soon as so many homotopy steps are finished.
+/// Solves in a folder; the time expires once the given number of homotopy steps is finished.
 fn solved_until(problem: &Problem, folder: Option<&PlanFolder>, last: Option<usize>) -> Result<Plan, PlannerError> {
     let (begin, passed, stopped) = (Instant::now(), AtomicU64::new(0), AtomicBool::new(false));
     let now = || begin + Duration::from_secs(passed.load(Ordering::Relaxed));

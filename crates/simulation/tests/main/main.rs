@@ -3,10 +3,10 @@
 mod absurd;
 mod arms;
 mod convergence;
+mod final_oscillation;
 mod joint_ranges;
 mod physics;
 mod properties;
 mod refinement;
-mod strokes;
 mod trajectories;
 mod world;

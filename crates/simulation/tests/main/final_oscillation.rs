@@ -36,7 +36,7 @@ fn a_block_that_walls_hold_back_reaches_its_goal_with_an_oscillation() {
 }
 
 #[test]
-fn strokes_keep_the_limits() {
+fn oscillations_keep_the_limits() {
     let mut world = insertion();
     let kept_with = |world: &AssemblyTask| {
         let oscillation = FinalOscillation::new(world, &Success::default(), f64::INFINITY).unwrap();
