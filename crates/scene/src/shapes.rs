@@ -10,7 +10,7 @@ use crate::mesh::{GivenMesh, MeshPart};
 use crate::motion_region::{MotionRegion, Motions};
 use crate::part::{GivenPart, Part, Shape};
 use crate::pose::of_pose;
-use crate::touching::{Gap, Sides};
+use crate::touching::{Gap, SPACINGS, Sides};
 
 /// Distance (m) that is no more than rounding.
 const ROUNDING: f64 = 1e-9;
@@ -67,8 +67,19 @@ pub fn shapes(
     if exact.as_ref().is_ok_and(|exact| exact.pairs() <= FEW_PAIRS) {
         return exact;
     }
-    let touching = touching_shapes(body, environment, &sides, motions).and_then(|shapes| compared(shapes, 0.0));
-    match (exact, touching) {
+    let touching_at = |spacing: f64| touching_shapes(body, environment, &sides, motions, spacing);
+    let touching = || {
+        // Only pieces that lose the gap between their places are worth more places.
+        let [first, finer @ ..] = SPACINGS;
+        let mut touching = compared(touching_at(first)?, 0.0);
+        for spacing in finer {
+            if touching.is_err() {
+                touching = compared(touching_at(spacing)?, 0.0);
+            }
+        }
+        touching
+    };
+    match (exact, touching()) {
         (Ok(exact), Ok(touching)) if touching.pairs() < exact.pairs() => Ok(touching),
         (Ok(exact), _) => Ok(exact),
         (Err(_), touching) => touching,
@@ -121,11 +132,12 @@ fn touching_shapes(
     environment: &[GivenPart],
     sides: &Sides,
     motions: &Motions,
+    spacing: f64,
 ) -> Result<Shapes, SceneError> {
     let cover = |is_body: bool| {
         move |mesh: &GivenMesh, given: &GivenPart| {
             let placement = given.placement();
-            sides.passing(is_body, &placement, |passages, budget| {
+            sides.passing(is_body, &placement, spacing, |passages, budget| {
                 mesh.touching_cover(&given.name, &placement, passages, budget)
             })
         }

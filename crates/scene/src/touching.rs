@@ -11,9 +11,10 @@ use crate::part::{GivenPart, Shape};
 /// What pieces may take of the local gap, and no more than this where something can touch (m).
 const SHARE: f64 = 0.05;
 const MOST: f64 = 5e-5;
-/// Smaller errors are not worth a piece: this (m), and in sizes of the body.
+/// Smaller errors are not worth a piece (m).
 const LEAST: f64 = 2e-6;
-const SPACING_IN_SIZES: f64 = 0.008;
+/// Distances between places (sizes of the body), of which the first is taken with which pieces keep the gap.
+pub const SPACINGS: [f64; 3] = [8e-3, 4e-3, 2e-3];
 /// Poses at which gaps are compared, along the path.
 const COMPARED: [usize; 4] = [0, 1, 3, 6];
 
@@ -59,28 +60,30 @@ impl<'given> Sides<'given> {
         Self { body: triangles(body), environment: triangles(environment), motions }
     }
 
-    fn budget(&self) -> Budget {
+    fn budget(&self, spacing: f64) -> Budget {
         Budget {
             share: SHARE,
             most: MOST,
             least: LEAST,
             reach: self.motions.reach(),
-            spacing: SPACING_IN_SIZES * self.motions.size(),
+            spacing: spacing * self.motions.size(),
         }
     }
 
-    /// Calls `cover` with what passes a part of the body, or of the environment, in the part's own frame.
+    /// Calls `cover` with what passes a part of the body, or of the environment, in the part's own frame, at places this far
+    /// apart (sizes of the body).
     pub fn passing<T>(
         &self,
         is_body: bool,
         placement: &Isometry3<f64>,
+        spacing: f64,
         cover: impl FnOnce(&[Passage], Budget) -> T,
     ) -> T {
         let poses = self.motions.path();
         let poses: Vec<Isometry3<f64>> =
             poses.map(|pose| placement.inverse() * if is_body { pose.inverse() } else { pose }).collect();
         let triangles = if is_body { &self.environment } else { &self.body };
-        cover(&[Passage { triangles, poses: &poses }], self.budget())
+        cover(&[Passage { triangles, poses: &poses }], self.budget(spacing))
     }
 
     /// Gaps at the goal and on the path from it to the first start.
