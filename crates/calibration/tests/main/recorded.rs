@@ -85,7 +85,7 @@ fn runs_that_were_stopped_give_their_motion_in_free_air() {
         let calibration = workshop.calibrate(&["stopped.csv"], false);
         let entries = Entries::new(&calibration, &workshop.problem);
         let record = CalibrationRecord::new(&calibration, &entries, &workshop.problem);
-        assert!(record.warnings[0].contains("up to where it was stopped"), "{:?}", record.warnings);
+        assert!(record.warnings[0].contains("until it was stopped"), "{:?}", record.warnings);
         assert!(!record.logs[0].has_contact && record.covariance.parameters.len() >= known, "{record:?}");
     }
 }
