@@ -4,11 +4,11 @@ use planner::check::{
     ClearPath, Explanation, MeshReport, PairReport, PosePenetration, RoundSurface, explain, pair_reports,
 };
 use planner::{Problem, axis_name, warnings};
+use task::Pose;
 
 use crate::arguments::CheckArguments;
 use crate::console::{print_json, say, tell};
 use crate::exit::{CommandError, Exit};
-use crate::values::Pose;
 
 /// Relative difference of radii that are alike.
 const ALIKE: f64 = 1e-3;
@@ -23,7 +23,7 @@ pub fn run(arguments: &CheckArguments) -> Result<Exit, CommandError> {
     let problem = Problem::load(&arguments.task.scene, &arguments.task.choices())?;
     let tau = arguments.tau.unwrap_or(problem.homotopy().tau);
     let (is_refused, warnings) = match arguments.pose {
-        Some(Pose(pose)) => {
+        Some(pose) => {
             let warnings = warnings::of_problem(&problem);
             warnings.iter().for_each(|warning| tell!("warning: {warning}"));
             let reports = pair_reports(&problem, &pose, tau)?;
@@ -92,7 +92,7 @@ fn print_verdict(explanation: &Explanation) {
 fn print_sizes(problem: &Problem, explanation: &Explanation) {
     let (scene, task) = (problem.scene(), problem.task());
     let edges = |[x, y, z]: [f64; 3]| format!("{:.2} x {:.2} x {:.2} mm", 1e3 * x, 1e3 * y, 1e3 * z);
-    let position = |pose: &[f64; 7]| format!("{:.2}, {:.2}, {:.2} mm", 1e3 * pose[0], 1e3 * pose[1], 1e3 * pose[2]);
+    let position = |pose: &Pose| format!("{:.2}, {:.2}, {:.2} mm", 1e3 * pose[0], 1e3 * pose[1], 1e3 * pose[2]);
     say!(
         "\nbody: {}, {}, mass {} kg",
         edges(explanation.body_edges_m),
@@ -103,14 +103,15 @@ fn print_sizes(problem: &Problem, explanation: &Explanation) {
     say!("pairs: {} may touch{}", explanation.pairs, left_out(explanation));
     let names: Vec<&str> = scene.starts.iter().map(|start| start.name.as_str()).take(LISTED).collect();
     let more = if scene.starts.len() > LISTED { ", ..." } else { "" };
-    let (distance, turn) = task::pose::errors(&task.start, &task.goal);
+    let path = task.start.error(&task.goal);
     say!(
-        "start \"{}\" of {} ({}{more}): at {}, {:.2} mm and {turn:.3} rad from the goal",
+        "start \"{}\" of {} ({}{more}): at {}, {:.2} mm and {:.3} rad from the goal",
         explanation.start,
         scene.starts.len(),
         names.join(", "),
         position(&task.start),
-        1e3 * distance
+        1e3 * path.position,
+        path.orientation
     );
     say!("goal: at {}", position(&task.goal));
     say!("offset: {:.2} mm, planned in {} scenarios", 1e3 * explanation.delta_m, explanation.size.scenarios);

@@ -13,7 +13,7 @@ use planner::{
     Choices, Ending, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable,
     simulate,
 };
-use simulation::{Reference, TimedState};
+use simulation::Reference;
 
 use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
@@ -172,12 +172,9 @@ fn course(
     friction: f64,
     grasp: task::GraspError,
 ) -> Result<Vec<StateRow>, PlannerError> {
-    let start = grasp.actual(&reference.start());
-    let at_rest = TimedState { time: 0.0, pose: start, velocity: [0.0; 3], angular_velocity: [0.0; 3] };
-    let row = |state: &TimedState| StateRow::new(state.time, &state.state());
-    let mut rows = vec![row(&at_rest)];
+    let mut rows = vec![StateRow::new(0.0, &grasp.actual(&reference.start()).at_rest())];
     let rollout = problem.rollout(request.settings(friction))?;
-    rollout.play(reference, grasp, |state, _| rows.push(row(state)));
+    rollout.play(reference, grasp, |state, _| rows.push(StateRow::new(state.time, &state.state())));
     Ok(rows)
 }
 

@@ -5,27 +5,17 @@ use std::ops::RangeInclusive;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use export::Target;
 use scene_templates::Axis;
-use task::LinearSolver;
+use task::{LinearSolver, Pose};
 
-/// A pose from the command line, its quaternion scaled to unit norm.
-#[derive(Debug, Clone, Copy)]
-pub struct Pose(pub [f64; 7]);
-
-/// A pose: position (m) and quaternion (w x y z) of any norm but zero.
+/// A pose: position (m) and quaternion (w x y z) of any norm but zero, which is scaled to unit norm.
 pub fn pose(text: &str) -> Result<Pose, String> {
-    const LARGEST: f64 = 1e6;
     let words = text.split([' ', ',']).filter(|word| !word.is_empty());
     let values: Result<Vec<f64>, String> =
         words.map(|word| word.parse().map_err(|_| format!("`{word}` is not a number"))).collect();
-    let values = values?;
-    let pose: [f64; 7] = values
+    let numbers = values?
         .try_into()
         .map_err(|values: Vec<f64>| format!("a pose has 7 numbers, x y z qw qx qy qz; got {}", values.len()))?;
-    let norm = pose[3..].iter().map(|component| component * component).sum::<f64>().sqrt();
-    if !(norm > 0.0 && pose.iter().all(|value| value.abs() <= LARGEST)) {
-        return Err("a pose needs finite numbers and a quaternion that is not zero".to_owned());
-    }
-    Ok(Pose(task::pose::normalised(&pose)))
+    Pose::given(numbers).map_err(str::to_owned)
 }
 
 /// A linear solver by its name.

@@ -7,9 +7,8 @@ use plan::PlannerError;
 use plan::records::ImpedanceRecord;
 use scene::Scene;
 use serde::Deserialize;
-use simulation::isometry;
 use store::{PLAYING, RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
-use task::{STATE, pose_of};
+use task::{Pose, State};
 
 /// Longest time between two rows (s): the motion between them is unknown.
 const LONGEST_GAP: f64 = 0.1;
@@ -22,9 +21,9 @@ const SAME: f64 = 1e-5;
 #[derive(Debug, Clone, Deserialize)]
 struct Header {
     scene: String,
-    base: [f64; 7],
-    grasp: [f64; 7],
-    goal: [f64; 7],
+    base: Pose,
+    grasp: Pose,
+    goal: Pose,
     delta_m: f64,
     dry_run_m: f64,
     impedance: ImpedanceRecord,
@@ -53,8 +52,8 @@ struct FollowedRow {
 }
 
 impl FollowedRow {
-    fn state(&self) -> [f64; STATE] {
-        [
+    fn state(&self) -> State {
+        let numbers = [
             self.reference_px_m,
             self.reference_py_m,
             self.reference_pz_m,
@@ -68,8 +67,8 @@ impl FollowedRow {
             self.reference_wx_rad_s,
             self.reference_wy_rad_s,
             self.reference_wz_rad_s,
-        ]
-        .map(|value| value.0)
+        ];
+        State(numbers.map(|value| value.0))
     }
 }
 
@@ -81,7 +80,7 @@ pub struct Row {
     /// Where the robot believed the part.
     pub believed: Isometry3<f64>,
     /// Reference from then on: pose and twist.
-    pub reference: [f64; STATE],
+    pub reference: State,
 }
 
 /// One execution of a plan.
@@ -123,7 +122,7 @@ impl Log {
             .zip(&followed)
             .map(|(state, followed)| Row {
                 time: followed.elapsed_s.0,
-                believed: isometry(&pose_of(&state.state())),
+                believed: state.state().pose().isometry(),
                 reference: followed.state(),
             })
             .take(kept)
@@ -159,7 +158,7 @@ impl Header {
         if self.scene != scene.title {
             return refuse(format!("its title is `{}`, that of the scene `{}`", self.scene, scene.title));
         }
-        let is_same = |one: &[f64; 7], other: &[f64; 7]| {
+        let is_same = |one: &Pose, other: &Pose| {
             let near =
                 |sign: f64| one[3..].iter().zip(&other[3..]).all(|(one, other)| (one - sign * other).abs() < SAME);
             one[..3].iter().zip(&other[..3]).all(|(one, other)| (one - other).abs() < SAME) && (near(1.0) || near(-1.0))

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use faer::Mat;
 use nalgebra::Matrix6;
 use plan::Problem;
-use simulation::{ArmModel, Rollout, Settings, isometry};
+use simulation::{ArmModel, Rollout, Settings};
 use task::{AssemblyTask, GraspError, Inertia};
 use workers::Workers;
 
@@ -55,7 +55,7 @@ impl<'work> Comparison<'work> {
         let settings = Settings { friction, settling_time: 0.0, ..Settings::default() };
         let mut rollout = Rollout::new(&task, settings).with_even_steps();
         if let Some(arm) = &arm {
-            rollout = rollout.with_arm(arm).ok()?.with_gains_set_for(isometry(&task.goal).rotation);
+            rollout = rollout.with_arm(arm).ok()?.with_gains_set_for(task.goal.isometry().rotation);
         }
         let believed = grasp.believed();
         let mut deviations = Vec::with_capacity(run.samples.len());
@@ -65,7 +65,7 @@ impl<'work> Comparison<'work> {
             if let Some((time, measured)) = run.samples.get(deviations.len())
                 && state.time >= time - ROUNDING
             {
-                deviations.push(deviation(&(isometry(&state.pose) * believed), measured));
+                deviations.push(deviation(&(state.pose.isometry() * believed), measured));
             }
         });
         (!outcome.diverged && deviations.len() == run.samples.len()).then_some(deviations)

@@ -2,8 +2,9 @@
 
 use nalgebra::{Isometry3, Vector3};
 use plan::{Millimetres, PlannerError, Problem};
-use simulation::{Reference, coordinates, interpolate, isometry};
-use task::{AssemblyTask, GraspError, Impedance, STATE};
+use simulation::Reference;
+use task::pose::interpolate;
+use task::{AssemblyTask, GraspError, Impedance, Pose, State};
 
 use crate::deviation::{COMPONENTS, deviation};
 use crate::log::{Log, Row};
@@ -87,7 +88,7 @@ impl Run {
 /// Once the part is at its goal, believed pose minus goal is the grasp error.
 fn grasp_at_end(log: &Log, problem: &Problem) -> Result<GraspError, PlannerError> {
     let end = log.rows.last().map_or_else(Isometry3::identity, |row| row.believed);
-    let grasp = GraspError::of_believed(&(isometry(&problem.scene().goal).inverse() * end));
+    let grasp = GraspError::of_believed(&(problem.scene().goal.isometry().inverse() * end));
     let (length, most) = (Vector3::from(grasp.offset).norm(), log.delta + problem.success().position);
     if length > most {
         let problem = format!(
@@ -112,16 +113,16 @@ fn median_gap(log: &Log) -> f64 {
 /// where rollouts start at rest.
 fn reference(rows: &[Row], time_step: f64) -> Reference {
     let last = rows.last().map_or(0.0, |row| row.time);
-    let mut states: Vec<[f64; STATE]> = Vec::new();
+    let mut states: Vec<State> = Vec::new();
     for knot in 0..=(last / time_step).ceil() as usize {
         let mut state = rows[row_at(rows, knot as f64 * time_step)].reference;
         // The twist of a knot leads to it from the one before.
         if let Some(before) = knot.checked_sub(1) {
-            state[7..].copy_from_slice(&rows[row_at(rows, before as f64 * time_step)].reference[7..]);
+            state = State::new(&state.pose(), &rows[row_at(rows, before as f64 * time_step)].reference.twist());
         }
         states.push(state);
     }
-    states[0][..7].copy_from_slice(&coordinates(&rows[0].believed));
+    states[0] = State::new(&Pose::from(&rows[0].believed), &states[0].twist());
     Reference::new(time_step, &states)
 }
 

@@ -6,9 +6,9 @@ use plan::{ArmCourse, PlannerError, Problem};
 use robot::{Joint, JointKind, JointVector};
 use scene::Robot;
 use serde::Serialize;
-use simulation::{Reference, coordinates, isometry};
+use simulation::Reference;
 use store::{CoverageRecord, StoredPlan};
-use task::Limits;
+use task::{Limits, Pose};
 
 use crate::expectation::{Expectation, PhaseGuards};
 use crate::frames::Frames;
@@ -57,11 +57,11 @@ pub struct Document {
     /// Frame of the trajectory: `robot base` or `world`.
     pub frame: &'static str,
     /// The robot's base in the world.
-    pub base: [f64; 7],
+    pub base: Pose,
     /// The part in the tool, as the robot believes it.
-    pub grasp: [f64; 7],
+    pub grasp: Pose,
     /// Goal of the part in the world.
-    pub goal: [f64; 7],
+    pub goal: Pose,
     /// Largest final distance of a success (m).
     pub position_tolerance_m: Option<f64>,
     /// Largest final angle of a success (rad).
@@ -94,7 +94,7 @@ pub struct ArmRecord {
     /// From the base to the tool.
     pub joints: Vec<JointRecord>,
     /// The tool in the frame of the last joint's link.
-    pub tool: [f64; 7],
+    pub tool: Pose,
     /// Joint positions at the start of the reference (rad or m).
     pub start_configuration: Vec<f64>,
     /// Time between two commands of the controller (s).
@@ -109,7 +109,7 @@ pub struct JointRecord {
     /// Whether the joint is prismatic.
     pub slides: bool,
     /// Its frame in that of the link before, at position zero.
-    pub frame: [f64; 7],
+    pub frame: Pose,
     /// Its axis in that frame.
     pub axis: [f64; 3],
     /// Lowest position (rad or m), if there is one.
@@ -163,7 +163,7 @@ impl Document {
         let kept: Limits = reference.limits_kept();
         let error_of_plan = tracking_error(impedance, kept.translational_velocity, kept.rotational_velocity);
         let error_of_approach = tracking_error(impedance, APPROACH[0], APPROACH[1]);
-        let gains = frames.tool_gains(&isometry(&scene.goal), impedance);
+        let gains = frames.tool_gains(&scene.goal.isometry(), impedance);
         Ok(Self {
             format: FORMAT,
             scene: plain(&scene.title),
@@ -179,8 +179,8 @@ impl Document {
             turn_rad: scene.robustness.rotation_error,
             rate_hz: rate,
             frame: if robot.is_some() { "robot base" } else { "world" },
-            base: coordinates(&frames.base),
-            grasp: coordinates(&frames.grasp),
+            base: Pose::from(&frames.base),
+            grasp: Pose::from(&frames.grasp),
             goal: scene.goal,
             position_tolerance_m: scene.position_tolerance,
             angle_tolerance_rad: scene.angle_tolerance,
@@ -214,7 +214,7 @@ impl ArmRecord {
             tip: plain(&robot.tip),
             urdf: plain(&robot.urdf.file_name().unwrap_or_default().to_string_lossy()),
             joints: robot.arm.joints().iter().map(JointRecord::new).collect(),
-            tool: coordinates(&robot.arm.tip_frame()),
+            tool: Pose::from(&robot.arm.tip_frame()),
             start_configuration: course.configurations.first().map_or_else(Vec::new, positions),
             control_period_s: robot.control_period,
         }
@@ -227,7 +227,7 @@ impl JointRecord {
         Self {
             name: joint.name.clone(),
             slides: joint.kind == JointKind::Prismatic,
-            frame: coordinates(&joint.frame()),
+            frame: Pose::from(&joint.frame()),
             axis: joint.axis().into(),
             lower: finite(joint.lower),
             upper: finite(joint.upper),

@@ -2,10 +2,9 @@
 
 use plan::PlannerError;
 use serde::Serialize;
-use simulation::isometry;
 use store::trajectory::read_tables;
 use store::{MotionTables, StoredPlan};
-use task::{GraspError, pose_of};
+use task::GraspError;
 
 use crate::frames::Frames;
 use crate::joints::Held;
@@ -86,14 +85,14 @@ impl Expectation {
         let mut largest = Self::default();
         for (scenario, grasp) in tables.scenarios.iter().zip(grasps) {
             for (index, (state, reference)) in scenario.states.iter().zip(&tables.reference).enumerate() {
-                let believed = isometry(&pose_of(state)) * grasp.believed();
-                let (tool, wanted) = (frames.tool(&believed), frames.tool(&isometry(&pose_of(reference))));
+                let believed = state.pose().isometry() * grasp.believed();
+                let (tool, wanted) = (frames.tool(&believed), frames.tool(&reference.pose().isometry()));
                 let distance = (tool.translation.vector - wanted.translation.vector).norm();
                 largest.deviation_m = largest.deviation_m.max(distance);
                 largest.deviation_rad = largest.deviation_rad.max(tool.rotation.angle_to(&wanted.rotation));
                 // There is a wrench for every step but the first.
                 let Some(wrench) = index.checked_sub(1).and_then(|step| scenario.wrenches.get(step)) else { continue };
-                let wrench = frames.tool_wrench(&isometry(&pose_of(state)), wrench);
+                let wrench = frames.tool_wrench(&state.pose().isometry(), wrench);
                 largest.force_n = largest.force_n.max(wrench.fixed_rows::<3>(0).norm());
                 largest.torque_nm = largest.torque_nm.max(wrench.fixed_rows::<3>(3).norm());
             }

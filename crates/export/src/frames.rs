@@ -2,8 +2,8 @@
 
 use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3, Vector6};
 use scene::Scene;
-use simulation::{Knot, isometry};
-use task::Impedance;
+use simulation::Knot;
+use task::{Impedance, Pose, Wrench};
 
 /// The robot's base and the grasp of its tool. Without an arm in the scene both are the identity: the tool is the part,
 /// and the base is the world.
@@ -42,7 +42,7 @@ pub struct ToolGains {
 impl Frames {
     /// The frames of a scene.
     pub fn of(scene: &Scene) -> Self {
-        let pose = |pose: Option<&[f64; 7]>| pose.map_or_else(Isometry3::identity, isometry);
+        let pose = |pose: Option<&Pose>| pose.map_or_else(Isometry3::identity, Pose::isometry);
         let robot = scene.robot.as_ref();
         Self { base: pose(robot.map(|robot| &robot.base)), grasp: pose(robot.map(|robot| &robot.grasp)) }
     }
@@ -63,11 +63,10 @@ impl Frames {
 
     /// A wrench on the part (N in the world, Nm in the part's frame, about its origin) as one at the tool point, along the axes
     /// of the base: the force acts at the part, so it has the moment `r x F` about the tool point.
-    pub fn tool_wrench(&self, part: &Isometry3<f64>, wrench: &[f64; 6]) -> Vector6<f64> {
+    pub fn tool_wrench(&self, part: &Isometry3<f64>, wrench: &Wrench) -> Vector6<f64> {
         let to_base = self.base.rotation.inverse();
-        let [fx, fy, fz, tx, ty, tz] = *wrench;
-        let force = to_base * Vector3::new(fx, fy, fz);
-        let torque = to_base * part.rotation * Vector3::new(tx, ty, tz);
+        let force = to_base * wrench.force();
+        let torque = to_base * part.rotation * wrench.torque();
         stacked(&force, &(torque + self.lever(&self.tool(part)).cross(&force)))
     }
 

@@ -4,8 +4,7 @@ use nalgebra::{Isometry3, Vector3};
 use plan::Problem;
 use plan::carried::{CarriedWorld, Frames};
 use serde::Serialize;
-use simulation::{coordinates, isometry};
-use task::{AssemblyTask, POSE, STATE, pose_of};
+use task::{AssemblyTask, Pose, State};
 
 use crate::joints::{Held, course, shifted};
 
@@ -36,30 +35,30 @@ pub struct FreeAir {
 
 impl FreeAir {
     /// Around the reference of a problem; `grasp` is the part in the tool.
-    pub fn new(problem: &Problem, states: &[[f64; STATE]], time_step: f64, grasp: &Isometry3<f64>) -> Self {
+    pub fn new(problem: &Problem, states: &[State], time_step: f64, grasp: &Isometry3<f64>) -> Self {
         let world = problem.world();
         let radius_m = farthest_point(&world, &grasp.inverse());
         let rotation = problem.scene().robustness.rotation_error * farthest_point(&world, &Isometry3::identity());
         let margin_m = problem.delta() + rotation + MARGIN;
-        let poses: Vec<[f64; POSE]> = states.iter().map(pose_of).collect();
+        let poses: Vec<Pose> = states.iter().map(State::pose).collect();
         let Some(out) = way_out(&poses, grasp) else {
             let clearance = world.clearance(&poses[0]) - margin_m;
             return Self { heights_m: Vec::new(), margin_m, radius_m, start_clearance_m: vec![[0.0, clearance]] };
         };
-        let at = |pose: &[f64; POSE], height: f64| {
-            let mut isometry = isometry(pose);
+        let at = |pose: &Pose, height: f64| {
+            let mut isometry = pose.isometry();
             isometry.translation.vector += height * out;
-            coordinates(&isometry)
+            Pose::from(&isometry)
         };
         let room = |height: f64| {
-            let room_at = |pose: &[f64; POSE]| world.clearance(&at(pose, height)) - margin_m;
+            let room_at = |pose: &Pose| world.clearance(&at(pose, height)) - margin_m;
             poses.iter().map(room_at).fold(f64::INFINITY, f64::min)
         };
         let carried = CarriedWorld::new(problem.scene());
         let is_free = |frames: Vec<Frames>| carried.as_ref().is_none_or(|carried| carried.is_free(&frames, margin_m));
         let can_move = |height: f64| {
             let Some(robot) = &problem.scene().robot else {
-                return is_free(poses.iter().map(|pose| Frames::of_body(isometry(&at(pose, height)))).collect());
+                return is_free(poses.iter().map(|pose| Frames::of_body(at(pose, height).isometry())).collect());
             };
             let states = shifted(states, &(height * out));
             course(robot, time_step, &states).is_ok_and(|course| {
@@ -83,10 +82,10 @@ impl FreeAir {
 }
 
 /// Direction of dry runs in the world, from the tool's last pose to its first.
-pub fn way_out(poses: &[[f64; POSE]], grasp: &Isometry3<f64>) -> Option<Vector3<f64>> {
+pub fn way_out(poses: &[Pose], grasp: &Isometry3<f64>) -> Option<Vector3<f64>> {
     /// A reference that ends closer to its start (m) has none.
     const SHORTEST: f64 = 1e-6;
-    let tool = |pose: &[f64; POSE]| (isometry(pose) * grasp.inverse()).translation.vector;
+    let tool = |pose: &Pose| (pose.isometry() * grasp.inverse()).translation.vector;
     (tool(poses.first()?) - tool(poses.last()?)).try_normalize(SHORTEST)
 }
 

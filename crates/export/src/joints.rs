@@ -4,7 +4,7 @@ use nalgebra::{Vector3, Vector6};
 use plan::ArmCourse;
 use robot::JointVector;
 use scene::Robot;
-use task::{GraspError, Impedance, STATE};
+use task::{GraspError, Impedance, State};
 
 use crate::smooth::SmoothReference;
 
@@ -86,7 +86,7 @@ pub fn largest_torque_step(
 ///
 /// # Errors
 /// When the arm does not reach one of them.
-pub fn course(robot: &Robot, time_step: f64, states: &[[f64; STATE]]) -> Result<ArmCourse, robot::FollowError> {
+pub fn course(robot: &Robot, time_step: f64, states: &[State]) -> Result<ArmCourse, robot::FollowError> {
     ArmCourse::new(robot, time_step, &GraspError::default(), states, &[])
 }
 
@@ -100,10 +100,10 @@ pub fn tracking_error(impedance: &Impedance, speed: f64, turning: f64) -> Held {
 }
 
 /// States of the part, all shifted by a vector (m, world frame).
-pub fn shifted(states: &[[f64; STATE]], way: &Vector3<f64>) -> Vec<[f64; STATE]> {
-    let moved = |state: &[f64; STATE]| {
+pub fn shifted(states: &[State], way: &Vector3<f64>) -> Vec<State> {
+    let moved = |state: &State| {
         let mut moved = *state;
-        (0..3).for_each(|axis| moved[axis] += way[axis]);
+        (0..3).for_each(|axis| moved.0[axis] += way[axis]);
         moved
     };
     states.iter().map(moved).collect()

@@ -1,5 +1,7 @@
 //! The README of an export: the text of its target with the numbers of a plan.
 
+use task::Pose;
+
 use crate::document::{ArmRecord, Document};
 use crate::expectation::Guards;
 use crate::target::Target;
@@ -118,7 +120,7 @@ fn configuration(arm: &ArmRecord) -> String {
     joints.map(|(joint, position)| format!("`{}` {position:.4}", joint.name)).collect::<Vec<_>>().join(", ")
 }
 
-fn pose([x, y, z, qw, qx, qy, qz]: &[f64; 7]) -> String {
+fn pose(Pose([x, y, z, qw, qx, qy, qz]): &Pose) -> String {
     format!("({x:.4}, {y:.4}, {z:.4}) m, quaternion (w x y z) ({qw:.4}, {qx:.4}, {qy:.4}, {qz:.4})")
 }
 

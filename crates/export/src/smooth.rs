@@ -2,7 +2,8 @@
 //! each: damping makes a step of the torques of it.
 
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
-use simulation::{Knot, Reference, coordinates};
+use simulation::{Knot, Reference};
+use task::{Pose, State, Twist};
 
 /// A cubic Hermite curve through the knots of a reference, at rest at both ends. Its tangents are the harmonic means of the
 /// velocities before and after a knot, so that no component overshoots.
@@ -78,10 +79,9 @@ impl SmoothReference {
             let (from, to) = (&knots[index.saturating_sub(1)].pose, &knots[index].pose);
             let velocity = (to.translation.vector - from.translation.vector) / step;
             let spin = (from.rotation.inverse() * to.rotation).scaled_axis() / step;
-            let [x, y, z, w, i, j, k] = coordinates(to);
-            [x, y, z, w, i, j, k, velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z]
+            State::new(&Pose::from(to), &Twist::new(&velocity, &spin))
         };
-        let states: Vec<[f64; 13]> = (0..=last).map(state).collect();
+        let states: Vec<State> = (0..=last).map(state).collect();
         Reference::new(step, &states)
     }
 }

@@ -1,8 +1,8 @@
 //! The reference at the rate of a robot.
 
 use plan::PlannerError;
-use simulation::coordinates;
 use store::{StateRow, to_csv};
+use task::{Pose, State, Twist};
 
 use crate::frames::{Frames, ToolState};
 use crate::smooth::SmoothReference;
@@ -35,14 +35,15 @@ pub fn resample(reference: &SmoothReference, frames: &Frames, rate: f64) -> Resu
 pub fn trajectory_csv(states: &[ToolState], rate: f64) -> Result<Vec<u8>, PlannerError> {
     let mut before = [0.0; 4];
     let mut row = |(index, state): (usize, &ToolState)| {
-        let [x, y, z, mut quaternion @ ..] = coordinates(&state.pose);
+        let pose = Pose::from(&state.pose);
+        let mut quaternion = pose.quaternion();
         let jumps = before.iter().zip(&quaternion).map(|(one, other)| one * other).sum::<f64>() < 0.0;
         if jumps {
             quaternion = quaternion.map(|component| -component);
         }
         before = quaternion;
-        let ([qw, qx, qy, qz], v, w) = (quaternion, state.velocity, state.angular_velocity);
-        StateRow::new(index as f64 / rate, &[x, y, z, qw, qx, qy, qz, v.x, v.y, v.z, w.x, w.y, w.z])
+        let pose = Pose::new(pose.position().into(), quaternion);
+        StateRow::new(index as f64 / rate, &State::new(&pose, &Twist::new(&state.velocity, &state.angular_velocity)))
     };
     to_csv(states.iter().enumerate().map(&mut row).collect::<Vec<_>>())
 }

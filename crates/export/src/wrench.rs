@@ -1,10 +1,9 @@
 //! `wrench.csv`: what the controller is expected to do at the tool point.
 
 use plan::PlannerError;
-use simulation::isometry;
 use store::trajectory::{WrenchRow, read_tables};
 use store::{StoredPlan, to_csv};
-use task::pose_of;
+use task::Wrench;
 
 use crate::frames::Frames;
 
@@ -18,8 +17,8 @@ pub fn wrench_csv(plan: &StoredPlan, frames: &Frames) -> Result<Vec<u8>, Planner
     let rows = tables.scenarios.iter().zip(1..).flat_map(|(motion, scenario)| {
         let steps = motion.states[1..].iter().zip(&motion.wrenches).zip(1_u32..);
         steps.map(move |((state, wrench), step)| {
-            let wrench: [f64; 6] = frames.tool_wrench(&isometry(&pose_of(state)), wrench).into();
-            WrenchRow::new(f64::from(step) * tables.time_step, scenario, &wrench)
+            let wrench = frames.tool_wrench(&state.pose().isometry(), wrench);
+            WrenchRow::new(f64::from(step) * tables.time_step, scenario, &Wrench(wrench.into()))
         })
     });
     to_csv(rows)

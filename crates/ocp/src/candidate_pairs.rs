@@ -5,7 +5,7 @@
 //! added and the solve continues.
 
 use nlp::Iterate;
-use task::{AssemblyTask, ContactPair, POSE, Trajectory, pose_of};
+use task::{AssemblyTask, ContactPair, Trajectory};
 
 use crate::layout::Member;
 use crate::transcription::Transcription;
@@ -26,7 +26,7 @@ impl CandidatePairs {
     pub fn at(x: &[f64], transcription: &Transcription) -> Self {
         let pairs = &transcription.task().pairs;
         let largest = pairs.iter().map(|pair| pair.shapes.body().size()).fold(0.0, f64::max);
-        let poses: Vec<[f64; POSE]> = transcription.compliant_states(x).iter().flatten().map(pose_of).collect();
+        let poses: Vec<_> = transcription.compliant_states(x).iter().flatten().map(|state| state.pose().0).collect();
         let is_candidate = |pair: &ContactPair| {
             let is_far = |distance: &f64| *distance >= NEAR * largest;
             !pair.shapes.exact_distances(&poses).iter().all(is_far)

@@ -4,7 +4,7 @@
 use autodiff::{Expression, Tape};
 use kkt::Owner;
 use task::algebra::{dot, rotation};
-use task::{AssemblyTask, CostWeights, POSE, TWIST};
+use task::{AssemblyTask, CostWeights, POSE, Pose, TWIST};
 
 use crate::block::Owners;
 use crate::function::PointFunction;
@@ -57,12 +57,12 @@ fn running_residuals() -> Tape {
 
 /// Residuals of the terminal cost: inputs pose (7) and the square roots of two weights; outputs the weighted position
 /// error (3) and rotation matrix error (9).
-fn terminal_residuals(goal: &[f64; POSE]) -> Tape {
+fn terminal_residuals(goal: &Pose) -> Tape {
     Tape::record(POSE + 2, |inputs| {
         let (pose, roots) = inputs.split_at(POSE);
         let mut residuals: Vec<Expression> = (0..3).map(|axis| (pose[axis] - goal[axis]) * roots[0]).collect();
         let actual = rotation(&normalised(&pose[3..]));
-        let target = task::pose::rotation_matrix(&[goal[3], goal[4], goal[5], goal[6]]);
+        let target = goal.rotation_matrix();
         for (row, actual_row) in actual.iter().enumerate() {
             for (column, &entry) in actual_row.iter().enumerate() {
                 residuals.push((entry - target[(row, column)]) * roots[1]);

@@ -7,7 +7,7 @@
 
 use kkt::{Class, Label, Owner};
 use nlp::Iterate;
-use task::{AssemblyTask, CostWeights, Horizon, STATE, at_rest};
+use task::{AssemblyTask, CostWeights, Horizon, STATE};
 
 use crate::block::Owners;
 use crate::layout::Layout;
@@ -110,10 +110,10 @@ fn initial_stage(transcription: &Transcription, mut variables: Vec<f64>) -> Vec<
     let layout: &Layout = transcription.layout();
     for (stage, owner) in layout.stages_of(Owners::All).take_while(|&(stage, _)| stage == 1) {
         let state = match owner {
-            Owner::Reference => at_rest(&transcription.task().start),
+            Owner::Reference => transcription.task().start.at_rest(),
             Owner::Scenario(scenario) => transcription.initial_compliant()[scenario],
         };
-        variables[layout.state(stage, owner)..][..STATE].copy_from_slice(&state);
+        variables[layout.state(stage, owner)..][..STATE].copy_from_slice(&state[..]);
     }
     variables
 }

@@ -1,7 +1,7 @@
 //! Conversion between points of the transcription and trajectories.
 
 use kkt::Owner;
-use task::{POSE, STATE, Scenario, ScenarioTrajectory, Trajectory, at_rest};
+use task::{POSE, STATE, Scenario, ScenarioTrajectory, State, Trajectory};
 
 use crate::block::Owners;
 use crate::terms::CONTACT_FORCE;
@@ -12,7 +12,7 @@ impl Transcription {
     pub fn motion(&self, x: &[f64], tau: f64) -> Trajectory {
         let (task, layout) = (self.task(), self.layout());
         let (time_step, unit) = (task.horizon.time_step, task.impedance.force_unit());
-        let reference = self.states(x, &at_rest(&task.start), Owner::Reference);
+        let reference = self.states(x, &task.start.at_rest(), Owner::Reference);
         let compliant = self.compliant_states(x);
         let drift = compliant.iter().map(|states| norm_drift(states)).fold(norm_drift(&reference), f64::max);
         let scenarios = compliant
@@ -38,11 +38,11 @@ impl Transcription {
         for (stage, owner) in layout.stages_of(Owners::All) {
             let state = &mut x[layout.state(stage, owner)..][..STATE];
             let Owner::Scenario(scenario) = owner else {
-                state.copy_from_slice(&motion.reference[stage]);
+                state.copy_from_slice(&motion.reference[stage][..]);
                 continue;
             };
             let scenario_motion = &motion.scenarios[scenario];
-            state.copy_from_slice(&scenario_motion.states[stage]);
+            state.copy_from_slice(&scenario_motion.states[stage][..]);
             let forces = &mut x[layout.variable(CONTACT_FORCE, stage, owner)..][..layout.pairs];
             for (force, contact) in forces.iter_mut().zip(&scenario_motion.contacts[stage - 1]) {
                 *force = (contact.force / unit).max(INITIAL_CONTACT_FORCE);
@@ -52,21 +52,22 @@ impl Transcription {
     }
 
     /// States of the body at k = 0..N, of every scenario.
-    pub(crate) fn compliant_states(&self, x: &[f64]) -> Vec<Vec<[f64; STATE]>> {
+    pub(crate) fn compliant_states(&self, x: &[f64]) -> Vec<Vec<State>> {
         let states = |(scenario, initial)| self.states(x, initial, Owner::Scenario(scenario));
         self.initial_compliant().iter().enumerate().map(states).collect()
     }
 
     /// States of a trajectory at k = 0..N.
-    fn states(&self, x: &[f64], initial: &[f64; STATE], owner: Owner) -> Vec<[f64; STATE]> {
+    fn states(&self, x: &[f64], initial: &State, owner: Owner) -> Vec<State> {
         let start = |stage| self.layout().state(stage, owner);
-        let later = (1..=self.layout().steps).map(|stage| std::array::from_fn(|component| x[start(stage) + component]));
+        let state = |stage| State(std::array::from_fn(|component| x[start(stage) + component]));
+        let later = (1..=self.layout().steps).map(state);
         std::iter::once(*initial).chain(later).collect()
     }
 }
 
 /// Largest `| |xi| - 1 |`, the drift of Euler's method.
-fn norm_drift(states: &[[f64; STATE]]) -> f64 {
-    let norm = |state: &[f64; STATE]| state[3..POSE].iter().map(|c| c * c).sum::<f64>().sqrt();
+fn norm_drift(states: &[State]) -> f64 {
+    let norm = |state: &State| state[3..POSE].iter().map(|c| c * c).sum::<f64>().sqrt();
     states.iter().map(|state| (norm(state) - 1.0).abs()).fold(0.0, f64::max)
 }

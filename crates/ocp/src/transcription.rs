@@ -1,8 +1,7 @@
 //! The multi-scenario optimal control problem (Eq. discretizedOCP) as a sparse nonlinear program.
 
 use nlp::{Bounds, EvaluationError, Pattern, Problem};
-use task::{AssemblyTask, Complementarity, HessianKind, POSE, STATE, at_rest, pose_of};
-
+use task::{AssemblyTask, Complementarity, HessianKind, STATE, State};
 use workers::Workers;
 
 use crate::block::Owners;
@@ -29,7 +28,7 @@ pub struct Transcription {
     costs: [LeastSquares; 2],
     jacobian: Pattern,
     hessian: Pattern,
-    initial_compliant: Vec<[f64; STATE]>,
+    initial_compliant: Vec<State>,
     workers: Workers,
 }
 
@@ -43,7 +42,7 @@ impl Transcription {
     pub fn with_terms(task: &AssemblyTask, terms: Vec<Box<dyn StepTerm>>, hessian_kind: HessianKind) -> Self {
         let layout = Layout::new(task, &blocks(&terms));
         let initial_compliant = initial_states(task);
-        let initial_poses: Vec<[f64; POSE]> = initial_compliant.iter().map(pose_of).collect();
+        let initial_poses: Vec<_> = initial_compliant.iter().map(|state| state.pose().0).collect();
         let mut distances = Distances::new(task, &layout, &initial_poses);
         let mut patterns = Patterns::default();
         let functions = terms.iter().map(|term| TermFunction::new(&**term, &layout, &mut distances, &mut patterns));
@@ -96,7 +95,7 @@ impl Transcription {
     }
 
     /// Compliant states at the start, one per scenario.
-    pub fn initial_compliant(&self) -> &[[f64; STATE]] {
+    pub fn initial_compliant(&self) -> &[State] {
         &self.initial_compliant
     }
 
@@ -110,10 +109,10 @@ impl Transcription {
         let mut x = vec![INITIAL_CONTACT_FORCE; self.layout.variable_count()];
         for (stage, owner) in self.layout.stages_of(Owners::All) {
             let state = match owner {
-                kkt::Owner::Reference => at_rest(&self.task.start),
+                kkt::Owner::Reference => self.task.start.at_rest(),
                 kkt::Owner::Scenario(scenario) => self.initial_compliant[scenario],
             };
-            x[self.layout.state(stage, owner)..][..STATE].copy_from_slice(&state);
+            x[self.layout.state(stage, owner)..][..STATE].copy_from_slice(&state[..]);
         }
         x
     }

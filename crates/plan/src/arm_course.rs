@@ -3,8 +3,7 @@
 use nalgebra::{Isometry3, Vector3, Vector6};
 use robot::{FollowError, JointVector};
 use scene::Robot;
-use simulation::isometry;
-use task::{GraspError, STATE, TWIST, pose_of};
+use task::{GraspError, State, Wrench};
 
 /// Gravity (m/s^2, world frame).
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
@@ -30,20 +29,18 @@ impl ArmCourse {
         robot: &Robot,
         time_step: f64,
         grasp: &GraspError,
-        states: &[[f64; STATE]],
-        wrenches: &[[f64; TWIST]],
+        states: &[State],
+        wrenches: &[Wrench],
     ) -> Result<Self, FollowError> {
         let believed = grasp.believed();
-        let timed = |(knot, state)| (knot as f64 * time_step, isometry(&pose_of(state)) * believed);
+        let timed = |(knot, state): (usize, &State)| (knot as f64 * time_step, state.pose().isometry() * believed);
         let motion: Vec<(f64, Isometry3<f64>)> = states.iter().enumerate().map(timed).collect();
         // At the goal the scene names the arm's branch.
         let configurations = robot.arm.follow_back(&motion, &robot.configuration)?.configurations;
-        let at_rest = [0.0; TWIST];
-        let wrenches = std::iter::once(&at_rest).chain(wrenches);
-        let torque = |(configuration, wrench): (&JointVector, &[f64; TWIST])| {
-            let mut wrench = Vector6::from(*wrench);
-            let torque = believed.rotation.inverse() * wrench.fixed_rows::<3>(3);
-            wrench.fixed_rows_mut::<3>(3).copy_from(&torque);
+        let wrenches = std::iter::once(&Wrench::ZERO).chain(wrenches);
+        let torque = |(configuration, wrench): (&JointVector, &Wrench)| {
+            let torque = believed.rotation.inverse() * wrench.torque();
+            let wrench = Vector6::from(Wrench::new(&wrench.force(), &torque).0);
             let configured = robot.arm.at(configuration);
             configured.gravity(&GRAVITY) + configured.jacobian().tr_mul(&wrench)
         };

@@ -68,7 +68,7 @@ pub fn record(change: Change, plan: &Plan) -> AttemptRecord {
             }
             false => plan.status().to_string(),
         },
-        position_error_m: plan.trajectory.worst_errors().0,
+        position_error_m: plan.trajectory.worst_error().position,
         iterations: records().map(|record| record.iterations).sum(),
         wall_s: records().map(|record| record.wall_s).sum(),
     }
@@ -78,7 +78,7 @@ pub fn record(change: Change, plan: &Plan) -> AttemptRecord {
 /// which grows with less smoothing.
 pub fn leads_away(problem: &Problem, iterations: &[PlanIteration]) -> bool {
     let [.., before, last] = iterations else { return false };
-    let error = |iteration: &PlanIteration| iteration.trajectory.worst_errors().0;
+    let error = |iteration: &PlanIteration| iteration.trajectory.worst_error().position;
     let explained = problem.success().position.max(problem.task().smoothing_gap(last.record.tau));
     iterations.len() >= EARLIEST_MISS && last.record.converged && error(last) > explained.max(error(before))
 }
@@ -89,7 +89,7 @@ pub fn is_better(plan: &Plan, other: &Plan) -> bool {
         let is_planned = plan.status() == PlanStatus::Planned;
         (is_planned, plan.is_converged(), !plan.is_coarse(), !is_given_up(plan))
     };
-    let error = |plan: &Plan| plan.trajectory.worst_errors().0;
+    let error = |plan: &Plan| plan.trajectory.worst_error().position;
     worth(plan).cmp(&worth(other)).then(error(other).total_cmp(&error(plan))).is_gt()
 }
 

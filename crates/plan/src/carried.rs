@@ -6,7 +6,7 @@ use collision::Pair;
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot::JointVector;
 use scene::{Carrier, Scene};
-use simulation::coordinates;
+use task::Pose;
 
 use crate::clearance::bounds;
 
@@ -42,7 +42,7 @@ pub struct Frames {
 impl Frames {
     /// For the arm of a scene at joint positions (rad or m).
     fn of_arm(robot: &scene::Robot, configuration: &JointVector) -> Self {
-        let grasp = simulation::isometry(&robot.grasp);
+        let grasp = robot.grasp.isometry();
         Self { links: robot.arm.link_poses(configuration), tip: robot.arm.pose(configuration) * grasp.inverse() }
     }
 
@@ -141,7 +141,7 @@ impl<'scene> CarriedWorld<'scene> {
                 if pair.is_apart(frame, margin) {
                     continue;
                 }
-                let distance = pair.shapes.exact_distance(&coordinates(frame));
+                let distance = pair.shapes.exact_distance(&Pose::from(frame));
                 let distance = if distance.is_nan() { f64::NEG_INFINITY } else { distance };
                 if nearest.is_none_or(|(least, ..)| distance < least) {
                     nearest = Some((distance, index, at));

@@ -1,7 +1,7 @@
 //! Clearance of a body that moves without rotation.
 
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use task::{AssemblyTask, ContactPair};
+use nalgebra::Vector3;
+use task::{AssemblyTask, ContactPair, Pose};
 
 /// Rounding of exact distances (m).
 const ROUNDING: f64 = 1e-9;
@@ -32,13 +32,12 @@ struct Known {
 impl<'task> Clearance<'task> {
     /// For a task.
     pub fn new(task: &'task AssemblyTask) -> Self {
-        let [_, _, _, w, i, j, k] = task.goal;
-        let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+        let rotation = task.goal.orientation();
         let known = |pair: &ContactPair| {
             let [low, high] = bounds(pair.shapes.body().vertices(), |vertex| rotation * vertex);
             let [other_low, other_high] = bounds(pair.shapes.environment().vertices(), |vertex| vertex);
             let boxes = [low - other_high, other_low - high];
-            Known { boxes, at: position(&task.goal), distance: f64::NEG_INFINITY }
+            Known { boxes, at: task.goal.position(), distance: f64::NEG_INFINITY }
         };
         Self { task, pairs: task.pairs.iter().map(known).collect(), nearest: 0 }
     }
@@ -69,8 +68,7 @@ impl<'task> Clearance<'task> {
     }
 
     fn compute(&mut self, index: usize, position: &Vector3<f64>) -> f64 {
-        let mut pose = self.task.goal;
-        pose[..3].copy_from_slice(position.as_slice());
+        let pose = Pose::new((*position).into(), self.task.goal.quaternion());
         let distance = self.task.pairs[index].shapes.exact_distance(&pose);
         // Distances that cannot be computed count as penetration.
         let distance = if distance.is_nan() { f64::NEG_INFINITY } else { distance };
@@ -105,9 +103,4 @@ pub fn bounds(points: &[[f64; 3]], place: impl Fn(Vector3<f64>) -> Vector3<f64>)
         .iter()
         .map(|point| place(Vector3::from(*point)))
         .fold(start, |[low, high], point| [low.inf(&point), high.sup(&point)])
-}
-
-/// Position of a pose (m).
-pub fn position(pose: &[f64; 7]) -> Vector3<f64> {
-    Vector3::new(pose[0], pose[1], pose[2])
 }

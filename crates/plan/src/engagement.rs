@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use serde::Serialize;
 use task::AssemblyTask;
 
-use crate::clearance::{Clearance, position};
+use crate::clearance::Clearance;
 use crate::pose_clearance::longest_travel;
 
 /// Axes across the insertion along which clearance is measured at first.
@@ -67,7 +67,7 @@ impl Travels {
 
 /// Finds what guides the body of a task at its goal, and how deep.
 pub fn engagement(task: &AssemblyTask) -> Engagement {
-    Search { clearance: Clearance::new(task), goal: position(&task.goal), longest: longest_travel(task) }.run(task)
+    Search { clearance: Clearance::new(task), goal: task.goal.position(), longest: longest_travel(task) }.run(task)
 }
 
 struct Search<'task> {
@@ -78,7 +78,7 @@ struct Search<'task> {
 
 impl Search<'_> {
     fn run(mut self, task: &AssemblyTask) -> Engagement {
-        let path = position(&task.start) - self.goal;
+        let path = task.start.position() - self.goal;
         let Some(out) = self.out(&path) else {
             return Engagement { out: [0.0; 3], depth_m: None, free: Vec::new(), clearance_m: None, rest_m: None };
         };

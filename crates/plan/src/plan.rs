@@ -192,8 +192,8 @@ impl Plan {
     pub fn chosen_stage(&self) -> usize {
         let worth = |&number: &usize| {
             let PlanIteration { record, trajectory, .. } = &self.iterations[number - 1];
-            let (position, orientation) = trajectory.worst_errors();
-            (record.converged, record.converged && self.problem.success().reached(position, orientation))
+            let error = trajectory.worst_error();
+            (record.converged, record.converged && self.problem.success().reached(error.position, error.orientation))
         };
         let count = self.iterations.len();
         // Of equally good steps, the last.
@@ -226,10 +226,10 @@ impl Plan {
 
     /// Whether every planned offset reaches the goal; for a refined plan at every friction.
     pub fn reaches_goal(&self) -> bool {
-        let (position, orientation) = self.trajectory.worst_errors();
+        let error = self.trajectory.worst_error();
         match &self.robustness {
             Some(report) => report.planned_offsets_succeed(),
-            None => self.problem.success().reached(position, orientation),
+            None => self.problem.success().reached(error.position, error.orientation),
         }
     }
 

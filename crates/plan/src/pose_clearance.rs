@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 use serde::Serialize;
-use task::AssemblyTask;
+use task::{AssemblyTask, Pose};
 
-use crate::clearance::{Clearance, position};
+use crate::clearance::Clearance;
 
 /// Directions along which clearance is measured: the axes of the world, both ways.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -60,23 +60,23 @@ pub fn along_insertion(task: &AssemblyTask) -> Vec<PoseClearance> {
 }
 
 /// The pose at a share of the path from the goal to the start, oriented as the goal.
-pub fn between(task: &AssemblyTask, share: f64) -> [f64; 7] {
+pub fn between(task: &AssemblyTask, share: f64) -> Pose {
     let mut pose = task.goal;
-    (0..3).for_each(|axis| pose[axis] += share * (task.start[axis] - task.goal[axis]));
+    (0..3).for_each(|axis| pose.0[axis] += share * (task.start[axis] - task.goal[axis]));
     pose
 }
 
 /// Clearance at a share of the path from the goal to the start.
 fn at(task: &AssemblyTask, clearance: &mut Clearance, share: f64) -> PoseClearance {
     let (pose, longest) = (between(task, share), longest_travel(task));
-    let from = position(&pose);
+    let from = pose.position();
     let axes = AXES.iter().enumerate().map(|(axis, name)| {
         let mut along = |sign: f64| clearance.travel(&from, &(sign * Vector3::ith(axis, 1.0)), longest);
         AxisClearance { axis: name, backward_m: along(-1.0), forward_m: along(1.0) }
     });
     let axes = axes.collect();
     PoseClearance {
-        distance_from_goal_m: (from - position(&task.goal)).norm(),
+        distance_from_goal_m: (from - task.goal.position()).norm(),
         clearance_m: task.clearance(&pose),
         axes,
     }

@@ -172,6 +172,6 @@ impl Finished {
 }
 
 fn announce(session: &Session, number: usize, most: usize, iteration: &PlanIteration) {
-    let (position_error, _) = iteration.trajectory.worst_errors();
+    let position_error = iteration.trajectory.worst_error().position;
     session.tell(Event::HomotopyStep { number, most, record: &iteration.record, position_error });
 }

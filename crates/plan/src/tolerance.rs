@@ -2,11 +2,10 @@
 
 use std::fmt;
 
-use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{DMatrix, Vector3};
 use scene::Scene;
 use task::{AssemblyTask, Coverage};
 
-use crate::clearance::position;
 use crate::engagement::Engagement;
 
 /// Largest chosen tolerance (m), also in sizes of the body, in distances of the start from the goal and in engagement
@@ -44,7 +43,7 @@ enum Reason {
 impl ChosenTolerance {
     /// From a task's size, engagement and clearance.
     pub fn new(scene: &Scene, task: &AssemblyTask, engagement: &Engagement) -> Self {
-        let (size, path) = (scene.body_size(), (position(&task.start) - position(&task.goal)).norm());
+        let (size, path) = (scene.body_size(), (task.start.position() - task.goal.position()).norm());
         let of_depth = engagement.depth_m.map(|depth| (IN_DEPTHS * depth, Reason::Depth(depth)));
         let of_rest = engagement.rest_m.map(|rest| (IN_RESTS * rest, Reason::Rest(rest)));
         let smallest = |one: (f64, Reason), other: (f64, Reason)| if other.0 < one.0 { other } else { one };
@@ -91,8 +90,7 @@ impl fmt::Display for ChosenTolerance {
 impl Engagement {
     /// Longest part of the covered offsets along free directions (m).
     pub fn free_offset(&self, task: &AssemblyTask, coverage: &Coverage) -> f64 {
-        let [_, _, _, w, i, j, k] = task.goal;
-        let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+        let rotation = task.goal.orientation();
         let along_free = |offset: Vector3<f64>| -> Vec<f64> {
             self.free.iter().map(|axis| (rotation * offset).dot(&Vector3::from(*axis))).collect()
         };

@@ -10,7 +10,8 @@ fn main() -> Result<(), PlannerError> {
     let plan = plan(Path::new(&scene))?;
     println!("{}", plan.status());
     println!("time (s)  position (m)");
-    for (knot, [x, y, z, ..]) in plan.trajectory.reference.iter().enumerate() {
+    for (knot, state) in plan.trajectory.reference.iter().enumerate() {
+        let [x, y, z, ..] = **state;
         println!("{:8.2}  {x:.4} {y:.4} {z:.4}", knot as f64 * plan.trajectory.time_step);
     }
     Ok(())

@@ -28,9 +28,9 @@ impl<'py> Motion<'py> {
             steps: reference.len() - 1,
             scenarios: scenarios.len(),
             pairs: pairs.clone(),
-            reference: bytes(py, reference.as_flattened().iter().copied()),
-            states: bytes(py, scenarios.iter().flat_map(|scenario| scenario.states.as_flattened()).copied()),
-            wrenches: bytes(py, scenarios.iter().flat_map(|scenario| scenario.wrenches.as_flattened()).copied()),
+            reference: bytes(py, reference.iter().flat_map(|state| state.0)),
+            states: bytes(py, scenarios.iter().flat_map(|scenario| &scenario.states).flat_map(|state| state.0)),
+            wrenches: bytes(py, scenarios.iter().flat_map(|scenario| &scenario.wrenches).flat_map(|wrench| wrench.0)),
             distances: bytes(py, contacts().map(|contact| contact.distance)),
             forces: bytes(py, contacts().map(|contact| contact.force)),
         }

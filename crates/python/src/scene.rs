@@ -9,6 +9,7 @@ use planner::{Keeper, PlannerError, RobustnessTarget, RunClock, Session, Stop, r
 use pyo3::prelude::*;
 use serde::Serialize;
 use serde_json::json;
+use task::Pose;
 
 use crate::background::{self, Watch};
 use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, toml_text};
@@ -144,17 +145,8 @@ fn part(part: &Part) -> serde_json::Value {
 }
 
 /// A pose whose quaternion has unit norm.
-fn unit(pose: [f64; 7]) -> Result<[f64; 7], PlannerError> {
-    /// Largest value that means anything (m).
-    const LARGEST: f64 = 1e6;
-    let is_finite = pose.iter().all(|value| value.abs() <= LARGEST);
-    match is_finite && pose[3..].iter().any(|component| *component != 0.0) {
-        true => Ok(task::pose::normalised(&pose)),
-        false => {
-            let rule = "a pose needs finite numbers and a quaternion that is not zero";
-            Err(PlannerError::value("pose", format!("{pose:?}"), rule))
-        }
-    }
+fn unit(pose: [f64; 7]) -> Result<Pose, PlannerError> {
+    Pose::given(pose).map_err(|rule| PlannerError::value("pose", format!("{pose:?}"), rule))
 }
 
 fn text(value: &impl Serialize) -> Result<String, PlannerError> {

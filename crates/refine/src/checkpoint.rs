@@ -4,7 +4,7 @@ use plan::records::GraspRecord;
 use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, FrictionIndex, TestCase};
-use task::{CostWeights, GraspError, HomotopySettings};
+use task::{CostWeights, GraspError, HomotopySettings, State};
 
 use crate::evaluation::Drawn;
 use crate::origin::{Marks, Origin};
@@ -73,7 +73,7 @@ pub struct BestRecord {
     /// Its homotopy steps.
     pub iterations: Vec<IterationRecord>,
     /// States (pose, twist) of its reference.
-    pub reference: Vec<[f64; 13]>,
+    pub reference: Vec<State>,
     /// Its success rates.
     pub rates: SuccessRates,
     /// Whether they reach the target, after a whole evaluation.

@@ -57,7 +57,6 @@ mod tests {
 
     use plan::parameters::ComparisonParameters;
     use plan::{OffsetRegion, SuccessRate, SuccessRates};
-    use task::at_rest;
 
     use super::*;
     use crate::evaluation::Drawn;
@@ -84,7 +83,7 @@ mod tests {
                 round: 1,
                 changes,
             };
-            let resting = lucky(Reference::new(0.1, &[at_rest(&task.start); 3]), 1, 2);
+            let resting = lucky(Reference::new(0.1, &[task.start.at_rest(); 3]), 1, 2);
             search.found.best = Some(resting.clone());
             let latest = search.setting.target.parameters.comparison.latest;
             let push = Reference::straight(&task.start, &task.goal, task.horizon);

@@ -121,7 +121,7 @@ impl Drafts {
 #[cfg(test)]
 mod tests {
     use plan::parameters::DraftParameters;
-    use task::{Horizon, at_rest};
+    use task::Horizon;
 
     use super::*;
     use crate::tests::{in_corner, of_scene};
@@ -147,7 +147,7 @@ mod tests {
             let solved = HomotopyRun::new(&scene).finished(search.setting.session, || false).unwrap();
             let draft = Draft::random(&mut Rng::with_seed(1), 0.0, &DraftParameters::default());
             let mut drafts = Drafts(vec![Solved::new(Origin::Draft(draft), scene.clone(), solved)]);
-            let resting = Reference::new(0.1, &[at_rest(&search.setting.problem.task().start); 3]);
+            let resting = Reference::new(0.1, &[search.setting.problem.task().start.at_rest(); 3]);
             let best = search.training.best_of(&[resting], &|| false).unwrap();
             let own = search.training.candidate(best, of_scene(search));
             refine_promising(search, own, &mut None, &mut drafts).unwrap();

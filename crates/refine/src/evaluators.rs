@@ -60,7 +60,7 @@ mod tests {
         let unlimited = with_limit(f64::INFINITY);
         let task = unlimited.task();
         let mut below = task.goal;
-        below[2] -= 3e-3;
+        below.0[2] -= 3e-3;
         let pressing = Reference::straight(&task.start, &below, task.horizon);
         let case =
             TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };

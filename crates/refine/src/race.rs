@@ -56,7 +56,7 @@ pub fn race(
 mod tests {
     use plan::{Choices, Problem};
     use simulation::{Disturbance, FrictionIndex, Success};
-    use task::{GraspError, at_rest};
+    use task::{GraspError, Pose};
 
     use super::*;
     use crate::tests::corner;
@@ -66,7 +66,7 @@ mod tests {
         let problem = Problem::load(&corner(), &Choices::default()).unwrap();
         let task = problem.task();
         let evaluator = Evaluator::new(&problem.world(), &[0.0], Success::default());
-        let resting = Reference::new(0.1, &[at_rest(&task.start); 3]);
+        let resting = Reference::new(0.1, &[task.start.at_rest(); 3]);
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
         let cases = [TestCase {
             friction: FrictionIndex(0),
@@ -86,7 +86,7 @@ mod tests {
             "of equals the later"
         );
         // A push that ends halfway misses the goal by less than rest.
-        let halfway = std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index]));
+        let halfway = Pose(std::array::from_fn(|index| 0.5 * (task.start[index] + task.goal[index])));
         let failing = [Reference::straight(&task.start, &halfway, task.horizon), references[0].clone()];
         assert_eq!(
             race(&evaluator, &failing, Heats { cases: &cases, first: 6 }, &|| false).unwrap().index,

@@ -64,6 +64,7 @@ mod tests {
     use std::time::Duration;
 
     use simulation::Reference;
+    use task::{Pose, State};
 
     use super::*;
     use crate::first::judge_first;
@@ -74,16 +75,13 @@ mod tests {
         let task = search.setting.problem.task();
         let push = Reference::straight(&task.start, &task.goal, task.horizon);
         let steps = push.intervals();
-        let twist = |(knot, mut state): (usize, [f64; 13])| {
+        let twist = |(knot, state): (usize, State)| {
             let bend = (std::f64::consts::TAU * knot as f64 / steps as f64).sin().max(0.0);
-            let pose = task::pose::isometry(&task::pose_of(&state));
-            let turned =
-                pose.rotation * nalgebra::UnitQuaternion::from_scaled_axis(nalgebra::Vector3::z() * rotation * bend);
-            let quaternion = turned.into_inner().coords;
-            state[3..7].copy_from_slice(&[quaternion.w, quaternion.x, quaternion.y, quaternion.z]);
-            state
+            let mut pose = state.pose().isometry();
+            pose.rotation *= nalgebra::UnitQuaternion::from_scaled_axis(nalgebra::Vector3::z() * rotation * bend);
+            State::new(&Pose::from(&pose), &state.twist())
         };
-        let states: Vec<[f64; 13]> = push.states().into_iter().enumerate().map(twist).collect();
+        let states: Vec<State> = push.states().into_iter().enumerate().map(twist).collect();
         Reference::new(push.time_step(), &states)
     }
 
@@ -91,7 +89,7 @@ mod tests {
     fn rotation(search: &Search, reference: &Reference) -> f64 {
         let task = search.setting.problem.task();
         let straight = StraightMotion::new(&task.start, &task.goal);
-        let angles = reference.states().into_iter().map(|state| straight.departure(&task::pose_of(&state)).rotation);
+        let angles = reference.states().into_iter().map(|state| straight.departure(&state.pose()).rotation);
         angles.fold(0.0, f64::max)
     }
 

@@ -3,6 +3,7 @@
 
 use serde::Serialize;
 use store::{PlanResult, SimulationRecord, SuccessRow, Versions};
+use task::Pose;
 
 /// The data of one page.
 #[derive(Debug, Clone, Serialize)]
@@ -22,7 +23,7 @@ pub struct PlanData {
     /// `result.json`, without the hashes of files.
     pub result: PlanResult,
     /// Goal of the body: position, unit quaternion w x y z.
-    pub goal: [f64; 7],
+    pub goal: Pose,
     /// Tolerances of success: distance (m) and angle (rad).
     pub tolerance: [f64; 2],
     /// Steps of the horizon and parts, in words.

@@ -1,7 +1,7 @@
 //! Scenes as text that people read and change: every key has a comment with its meaning, unit and usual values.
 
 use scene::{duration, horizon, key, rotational_stiffness, translational_stiffness};
-use task::Horizon;
+use task::{Horizon, Pose};
 use toml::Value;
 
 /// The individual content of a scene to be written. Lengths are in metres.
@@ -13,9 +13,9 @@ pub struct Draft {
     /// Parts of the environment, in the world frame.
     pub environment: Vec<DraftPart>,
     /// Start poses (position, unit quaternion w x y z), named by their numbers.
-    pub starts: Vec<[f64; 7]>,
+    pub starts: Vec<Pose>,
     /// Goal pose.
-    pub goal: [f64; 7],
+    pub goal: Pose,
     /// Position tolerance, where it is not to be chosen.
     pub position_tolerance: Option<f64>,
     /// Offset magnitude, above zero; the stiffness is chosen for it.
@@ -175,7 +175,7 @@ fn comment(text: &mut String, table: &str, name: &str, usual: &str) {
     *text += &format!("# {}{unit}; usual: {usual}\n", key.meaning);
 }
 
-fn pose_lines(pose: &[f64; 7]) -> String {
+fn pose_lines(pose: &Pose) -> String {
     format!("position = {}\norientation = {}\n", numbers(&pose[..3]), numbers(&pose[3..]))
 }
 

@@ -4,11 +4,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use task::algebra::norm;
-use task::{Coverage, Horizon, Limits};
+use task::{Coverage, Horizon, Limits, Pose};
 
 use crate::error::SceneError;
 use crate::keys::key;
-use crate::pose::of_pose;
 use crate::scene::Scene;
 use crate::table::Table;
 
@@ -45,8 +44,8 @@ pub fn rotational_stiffness(translational: f64, mass: f64) -> f64 {
 }
 
 /// A duration (s) in which the controlled body settles and covers the longest path from its starts to the goal.
-pub fn duration<'start>(starts: impl Iterator<Item = &'start [f64; 7]>, goal: &[f64; 7], time_constant: f64) -> f64 {
-    let way = |start: &[f64; 7]| norm(&[0, 1, 2].map(|axis| start[axis] - goal[axis]));
+pub fn duration<'start>(starts: impl Iterator<Item = &'start Pose>, goal: &Pose, time_constant: f64) -> f64 {
+    let way = |start: &Pose| norm(&[0, 1, 2].map(|axis| start[axis] - goal[axis]));
     let path = starts.map(way).fold(0.0, f64::max);
     let far = (path - NEAR).max(0.0) / SPEED;
     SHORTEST.max(TIME_CONSTANTS * time_constant) + far
@@ -98,8 +97,8 @@ pub fn remarks(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError> 
 
 /// The axis (body frame) along which the body is inserted: the straight line from start to goal; where they are one
 /// place, the body's z axis.
-pub fn insertion_axis(start: &[f64; 7], goal: &[f64; 7]) -> [f64; 3] {
-    let (start, goal) = (of_pose(start), of_pose(goal));
+pub fn insertion_axis(start: &Pose, goal: &Pose) -> [f64; 3] {
+    let (start, goal) = (start.isometry(), goal.isometry());
     let way = goal.rotation.inverse() * (start.translation.vector - goal.translation.vector);
     way.try_normalize(f64::EPSILON).unwrap_or(Vector3::z()).map(rounded).into()
 }
@@ -131,7 +130,7 @@ mod tests {
     fn the_first_peg_of_the_paper_is_chosen_as_published() {
         let stiffness = translational_stiffness(0.02, 1.0);
         assert_eq!((stiffness, rotational_stiffness(stiffness, 1.0)), (50.0, 5.0));
-        let [start, goal] = [0.09, 0.0].map(|z| [0.0, 0.0, z, 1.0, 0.0, 0.0, 0.0]);
+        let [start, goal] = [0.09, 0.0].map(|z| Pose([0.0, 0.0, z, 1.0, 0.0, 0.0, 0.0]));
         let duration = duration([&start].into_iter(), &goal, (1.0 / stiffness).sqrt());
         let horizon = horizon(duration, None, None);
         assert_eq!(horizon, Horizon { steps: 99, time_step: 0.04 });
@@ -146,13 +145,12 @@ mod tests {
 
     #[test]
     fn directions_are_unit_vectors_across_the_insertion() {
-        let goal = [0.0, 0.0, 0.0, 0.6, 0.0, 0.8, 0.0];
+        let goal = Pose([0.0, 0.0, 0.0, 0.6, 0.0, 0.8, 0.0]);
         for start in [[0.1, 0.2, -0.3], [0.0, 0.0, 0.1], [0.0; 3]] {
-            let [x, y, z] = start;
-            let axis = insertion_axis(&[x, y, z, 1.0, 0.0, 0.0, 0.0], &goal);
+            let axis = insertion_axis(&Pose::new(start, [1.0, 0.0, 0.0, 0.0]), &goal);
             let directions = directions(&Coverage::Disc { axis });
             let directions: Vec<Vector3<f64>> = directions.into_iter().map(Vector3::from).collect();
-            let way = of_pose(&goal).rotation.inverse() * Vector3::from(start);
+            let way = goal.isometry().rotation.inverse() * Vector3::from(start);
             let sum: Vector3<f64> = directions.iter().sum();
             assert!(sum.norm() < 1e-9, "{directions:?}");
             for direction in directions {

@@ -1,7 +1,7 @@
 //! The apparent inertia of the body: the robot's, else that of the body's own mass.
 
 use nalgebra::{Matrix3, Matrix6, SMatrix, SymmetricEigen};
-use task::Inertia;
+use task::{Inertia, Pose};
 
 use crate::entry::Entry;
 use crate::error::SceneError;
@@ -20,7 +20,7 @@ pub fn inertia(
     scene: &Table,
     robot: Option<&Robot>,
     (material, parts): (Option<&Material>, &[GivenPart]),
-    goal: &[f64; 7],
+    goal: &Pose,
 ) -> Result<Inertia, SceneError> {
     let table = scene.table("robot")?;
     match (table.find("apparent_inertia"), robot) {
@@ -53,12 +53,7 @@ fn apparent(entry: &Entry) -> Result<Inertia, SceneError> {
 }
 
 /// Mass and rotational inertia: those given, else of the density of the parts, else the defaults.
-fn of_body(
-    body: &Table,
-    material: Option<&Material>,
-    parts: &[GivenPart],
-    goal: &[f64; 7],
-) -> Result<Inertia, SceneError> {
+fn of_body(body: &Table, material: Option<&Material>, parts: &[GivenPart], goal: &Pose) -> Result<Inertia, SceneError> {
     match (material, body.find("mass"), body.find("inertia")) {
         (Some(material), None, None) => Ok(material.inertia(parts, goal)),
         (Some(_), Some(given), _) | (Some(_), None, Some(given)) => {

@@ -1,6 +1,6 @@
 //! Limits, and whether the goal can be reached within them.
 
-use task::{FORCE_WINDOW, Horizon, Inertia, Limits, pose};
+use task::{FORCE_WINDOW, Horizon, Inertia, Limits, Pose};
 
 use crate::error::SceneError;
 use crate::pose::StartPose;
@@ -13,7 +13,7 @@ const HASTE: f64 = 12.0;
 /// Data from which limits of velocities follow where the scene does not give them.
 pub struct Motion<'scene> {
     pub starts: &'scene [StartPose],
-    pub goal: &'scene [f64; 7],
+    pub goal: &'scene Pose,
     pub horizon: Horizon,
     pub inertia: &'scene Inertia,
     /// Largest distance of a point of the body from its origin (m).
@@ -53,8 +53,8 @@ impl Motion<'_> {
     fn necessary(&self) -> [f64; 2] {
         let duration = self.horizon.steps as f64 * self.horizon.time_step;
         self.starts.iter().fold([0.0_f64; 2], |[velocity, angular], start| {
-            let (distance, angle) = pose::errors(&start.pose, self.goal);
-            [velocity.max(distance / duration), angular.max(angle / duration)]
+            let error = start.pose.error(self.goal);
+            [velocity.max(error.position / duration), angular.max(error.orientation / duration)]
         })
     }
 }
@@ -115,12 +115,12 @@ struct Path {
 /// The limit that is too small.
 pub fn check_reach(
     limits: &Limits,
-    (start, pose): (&str, &[f64; 7]),
-    goal: &[f64; 7],
+    (start, pose): (&str, &Pose),
+    goal: &Pose,
     horizon: Horizon,
 ) -> Result<(), OutOfReach> {
     let farthest = (0..3).map(|axis| (pose[axis] - goal[axis]).abs()).fold(0.0, f64::max);
-    let (_, angle) = pose::errors(pose, goal);
+    let angle = pose.error(goal).orientation;
     let translational = Path {
         velocity_key: "translational_velocity",
         acceleration_key: "translational_acceleration",

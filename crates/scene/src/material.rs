@@ -1,12 +1,11 @@
 //! Mass, centre of mass and inertia of parts with known density.
 
 use nalgebra::{Matrix3, Vector3};
-use task::Inertia;
 use task::algebra::norm;
+use task::{Inertia, Pose};
 
 use crate::error::SceneError;
 use crate::part::GivenPart;
-use crate::pose::of_pose;
 
 /// Distance of the centre of mass from the origin, in sizes of the body, that counts as rounding.
 const CENTERED: f64 = 1e-6;
@@ -45,11 +44,11 @@ impl Material {
 
     /// About the origin of the body's frame. Beside its centre of mass `c`, the momentum `m (nu + R (omega x c))` depends
     /// on the angular velocity and, as the apparent inertia is constant, on the orientation `R` at the goal.
-    pub fn inertia(&self, parts: &[GivenPart], goal: &[f64; 7]) -> Inertia {
+    pub fn inertia(&self, parts: &[GivenPart], goal: &Pose) -> Inertia {
         let mut matrix = *Inertia::of_body(self.mass, self.rotational).matrix();
         let size = parts.iter().flat_map(GivenPart::points).map(|point| norm(&point)).fold(0.0, f64::max);
         if self.center.norm() > CENTERED * size {
-            let rotation = of_pose(goal).rotation.to_rotation_matrix();
+            let rotation = goal.isometry().rotation.to_rotation_matrix();
             let coupling = rotation.matrix() * self.center.cross_matrix() * -self.mass;
             matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&coupling);
             matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&coupling.transpose());

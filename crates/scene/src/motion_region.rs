@@ -2,10 +2,12 @@
 
 use collision::{Pair, Polytope};
 use nalgebra::{Isometry3, Point3};
+use task::Pose;
 use task::algebra::norm;
+use task::pose::interpolate;
 
 use crate::boxes::corners_of;
-use crate::pose::{StartPose, between, of_pose};
+use crate::pose::StartPose;
 
 /// Poses between a start and the goal that are looked at.
 const SAMPLES: usize = 9;
@@ -46,17 +48,12 @@ pub struct Motions {
 
 impl Motions {
     /// For a body with points at these coordinates (m), with offsets of a magnitude (m) and a rotation error (rad).
-    pub fn new(
-        starts: &[StartPose],
-        goal: &[f64; 7],
-        (magnitude, rotation_error): (f64, f64),
-        body: &[[f64; 3]],
-    ) -> Self {
-        let goal = of_pose(goal);
+    pub fn new(starts: &[StartPose], goal: &Pose, (magnitude, rotation_error): (f64, f64), body: &[[f64; 3]]) -> Self {
+        let goal = goal.isometry();
         let paths = |samples: usize| -> Vec<Isometry3<f64>> {
             let path = |start: &StartPose| {
-                let start = of_pose(&start.pose);
-                (0..samples).map(move |sample| between(&start, &goal, sample as f64 / (samples - 1) as f64))
+                let start = start.pose.isometry();
+                (0..samples).map(move |sample| interpolate(&start, &goal, sample as f64 / (samples - 1) as f64))
             };
             starts.iter().flat_map(path).collect()
         };
@@ -140,7 +137,7 @@ mod tests {
 
     #[test]
     fn a_region_grows_with_offsets_and_turns_in_the_gripper() {
-        let (goal, tip) = ([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -0.2]);
+        let (goal, tip) = (Pose::IDENTITY, [0.0, 0.0, -0.2]);
         let start = StartPose { name: "1".to_owned(), pose: goal };
         let reach = |errors: (f64, f64)| {
             let motions = Motions::new(std::slice::from_ref(&start), &goal, errors, &[tip]);

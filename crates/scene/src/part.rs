@@ -2,6 +2,7 @@
 
 use collision::Polytope;
 use nalgebra::Isometry3;
+use task::Pose;
 use task::algebra::norm;
 use toml::Spanned;
 
@@ -9,7 +10,7 @@ use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::mesh::GivenMesh;
 use crate::model::link_shapes;
-use crate::pose::{isometry, orientation};
+use crate::pose::orientation;
 use crate::table::Table;
 
 /// A named convex part, placed in its parent's frame.
@@ -69,7 +70,7 @@ pub fn given_parts<'text>(parent: &Table<'text>) -> Result<Vec<GivenPart<'text>>
         let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
         let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
         let own = match entry.key().name {
-            "model" => of_link(&table, &name, &isometry(&position, &orientation))?,
+            "model" => of_link(&table, &name, &Pose::new(position, orientation).isometry())?,
             _ => vec![GivenPart { shape: shape(&entry, &table, &name)?, name, position, orientation }],
         };
         own.iter().try_for_each(|given| check(given, &entry))?;
@@ -123,7 +124,7 @@ impl GivenPart<'_> {
 
     /// From the part's frame to its parent's.
     pub fn placement(&self) -> Isometry3<f64> {
-        isometry(&self.position, &self.orientation)
+        Pose::new(self.position, self.orientation).isometry()
     }
 
     /// Its mesh, if it has one.

@@ -1,6 +1,6 @@
 //! Positions, orientations and directions.
 
-use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
+use task::Pose;
 use task::algebra::norm;
 use toml::Spanned;
 
@@ -16,15 +16,14 @@ pub const NORM_TOLERANCE: f64 = 1e-3;
 pub struct StartPose {
     /// Unique name.
     pub name: String,
-    /// Position (m) and unit quaternion (w x y z).
-    pub pose: [f64; 7],
+    /// With a unit quaternion.
+    pub pose: Pose,
 }
 
-/// Position (m) and unit quaternion of a start or goal.
-pub fn pose(table: &Table) -> Result<[f64; 7], SceneError> {
-    let [x, y, z] = table.require("position")?.vector()?;
-    let [w, i, j, k] = orientation(&table.require("orientation")?)?;
-    Ok([x, y, z, w, i, j, k])
+/// Pose of a start or goal, with a unit quaternion.
+pub fn pose(table: &Table) -> Result<Pose, SceneError> {
+    let position = table.require("position")?.vector()?;
+    Ok(Pose::new(position, orientation(&table.require("orientation")?)?))
 }
 
 /// A unit quaternion (w x y z), scaled to exact norm.
@@ -61,24 +60,6 @@ pub fn direction(entry: &Entry) -> Result<[f64; 3], SceneError> {
     }
     let path = entry.path();
     Err(entry.refuse(format!("{path}: a direction has norm 1; this one has norm {norm:.4}")))
-}
-
-/// From a frame to the one in which it has this position (m) and unit quaternion (w x y z).
-pub fn isometry(position: &[f64; 3], &[w, x, y, z]: &[f64; 4]) -> Isometry3<f64> {
-    let rotation = UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z));
-    Isometry3::from_parts(Vector3::from(*position).into(), rotation)
-}
-
-/// The frame that has a pose (position m, quaternion w x y z).
-pub fn of_pose(pose: &[f64; 7]) -> Isometry3<f64> {
-    let [x, y, z, quaternion @ ..] = task::pose::normalised(pose);
-    isometry(&[x, y, z], &quaternion)
-}
-
-/// The frame at a share (0 to 1) of the straight path between two.
-pub fn between(from: &Isometry3<f64>, to: &Isometry3<f64>, share: f64) -> Isometry3<f64> {
-    let rotation = from.rotation.try_slerp(&to.rotation, share, 1e-9).unwrap_or(to.rotation);
-    Isometry3::from_parts(from.translation.vector.lerp(&to.translation.vector, share).into(), rotation)
 }
 
 fn is_unit(norm: f64) -> bool {

@@ -1,7 +1,7 @@
 //! Writes a scene and a homotopy into one file that reproduces a run.
 
 use nalgebra::{Matrix3, SMatrix};
-use task::{CostWeights, Coverage, HomotopySettings, Limits};
+use task::{CostWeights, Coverage, HomotopySettings, Limits, Pose};
 use toml::{Table, Value};
 
 use crate::homotopy;
@@ -186,7 +186,7 @@ fn shortest(matrix: &Matrix3<f64>) -> Value {
     if *matrix == Matrix3::from_diagonal_element(first) { first.into() } else { axes_or_rows(matrix) }
 }
 
-fn pose(pose: &[f64; 7]) -> Table {
+fn pose(pose: &Pose) -> Table {
     table([("position", numbers(&pose[..3])), ("orientation", numbers(&pose[3..]))])
 }
 

@@ -1,7 +1,7 @@
 //! A validated scene.
 
 use task::{
-    AssemblyTask, ContactPair, Coverage, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits,
+    AssemblyTask, ContactPair, Coverage, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits, Pose,
     TrajectoryCost,
 };
 
@@ -78,7 +78,7 @@ pub struct Scene {
     /// Start poses; the first is the default.
     pub starts: Vec<StartPose>,
     /// Goal pose.
-    pub goal: [f64; 7],
+    pub goal: Pose,
     /// Largest final distance (m) from the goal of a success, if the scene gives it.
     pub position_tolerance: Option<f64>,
     /// Largest final angle (rad) to the goal of a success.

@@ -1,6 +1,6 @@
 //! The tables of a scene that are not shapes.
 
-use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, POSE, TrajectoryCost};
+use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, Pose, TrajectoryCost};
 
 use crate::chosen;
 use crate::error::SceneError;
@@ -29,10 +29,10 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
 }
 
 /// Refuses a start that is the goal.
-pub fn require_motions(scene: &Table, starts: &[StartPose], goal: &[f64; POSE]) -> Result<(), SceneError> {
+pub fn require_motions(scene: &Table, starts: &[StartPose], goal: &Pose) -> Result<(), SceneError> {
     for (table, StartPose { name, pose }) in scene.tables("start", "start")?.iter().zip(starts) {
-        let (distance, angle) = task::pose::errors(pose, goal);
-        if distance.max(angle) < SAME_POSE {
+        let error = pose.error(goal);
+        if error.position.max(error.orientation) < SAME_POSE {
             let problem =
                 format!("start `{name}` is the goal: there is nothing to plan; move it to where the motion begins");
             return Err(table.require("position")?.refuse(problem));
@@ -83,7 +83,7 @@ pub fn robustness_spec(robustness: &Table) -> Result<RobustnessSpec, SceneError>
 /// The time grid: that of the scene, or one in which the controlled body can cover the longest path to the goal.
 pub fn horizon(
     scene: &Table,
-    (starts, goal): (&[StartPose], &[f64; 7]),
+    (starts, goal): (&[StartPose], &Pose),
     (inertia, impedance): (&Inertia, &Impedance),
 ) -> Result<Horizon, SceneError> {
     let table = scene.table("horizon")?;
@@ -95,7 +95,7 @@ pub fn horizon(
 }
 
 /// Which offsets are covered: the hull of those whose directions the scene gives, else a disc or a ball.
-pub fn coverage(robustness: &Table, (start, goal): (&StartPose, &[f64; 7])) -> Result<Coverage, SceneError> {
+pub fn coverage(robustness: &Table, (start, goal): (&StartPose, &Pose)) -> Result<Coverage, SceneError> {
     let (given, axis) = (robustness.find("coverage"), robustness.find("insertion_axis"));
     if robustness.find("offset_directions").is_some() {
         return match given.as_ref().or(axis.as_ref()) {

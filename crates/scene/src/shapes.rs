@@ -3,13 +3,13 @@
 use collision::Polytope;
 use mesh::CoverSettings;
 use nalgebra::{Isometry3, Vector3};
+use task::Pose;
 
 use crate::error::SceneError;
 use crate::facets::{ChosenFacets, Fit, LARGEST_SHARE, Placed, chosen_facets, tightest_fit};
 use crate::mesh::{GivenMesh, MeshPart};
 use crate::motion_region::{MotionRegion, Motions};
 use crate::part::{GivenPart, Part, Shape};
-use crate::pose::of_pose;
 use crate::touching::{Gap, SPACINGS, Sides};
 
 /// Distance (m) that is no more than rounding.
@@ -39,10 +39,10 @@ pub fn shapes(
     body: &[GivenPart],
     environment: &[GivenPart],
     motions: &Motions,
-    goal: &[f64; 7],
+    goal: &Pose,
 ) -> Result<Shapes, SceneError> {
     let given_meshes = || body.iter().chain(environment).filter_map(GivenPart::mesh);
-    let fit = tightest_fit(&meshes(body, &of_pose(goal)), &meshes(environment, &Isometry3::identity()));
+    let fit = tightest_fit(&meshes(body, &goal.isometry()), &meshes(environment, &Isometry3::identity()));
     let chosen = chosen_facets(fit);
     let exact = |most_cells: usize| {
         require_fine(fit, chosen.facets, given_meshes())?;

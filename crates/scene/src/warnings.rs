@@ -1,6 +1,7 @@
 //! Remarks on what looks like a mistake.
 
 use mesh::Repair;
+use task::Pose;
 use task::algebra::norm;
 
 use crate::error::SceneError;
@@ -32,7 +33,7 @@ pub fn warnings(table: &Table, scene: &Scene) -> Result<Vec<String>, SceneError>
         warnings.push(table.require("body")?.refuse(message).headline());
     }
     let radius = scene.body.iter().flat_map(|part| part.shape.vertices()).map(|v| norm(v)).fold(0.0, f64::max);
-    let mut check = |table: &Table, name: &str, pose: &[f64; 7]| {
+    let mut check = |table: &Table, name: &str, pose: &Pose| {
         let distance = environment.distance(&pose[..3]) - radius;
         if distance > far {
             let message = format!("{name} is {distance:.3} m away from the environment: are these metres?");

@@ -4,8 +4,9 @@ use std::ops::RangeInclusive;
 
 use robot::{Arm, ArmError, InverseError, JointVector};
 use task::AssemblyTask;
+use task::pose::interpolate;
 
-use crate::reference::{Reference, interpolate, isometry};
+use crate::reference::Reference;
 use crate::settings_error::{SettingsError, check};
 
 /// An arm under an impedance controller that knows its kinematics and dynamics. The controller reads positions and
@@ -86,7 +87,7 @@ impl ArmModel {
         }
         check("control_period", self.control_period, &Self::CONTROL_PERIODS, "s")?;
         check("delay", self.delay, &Self::DELAYS, "s")?;
-        let (goal, start) = (isometry(&task.goal), isometry(&task.start));
+        let (goal, start) = (task.goal.isometry(), task.start.isometry());
         let start = (0..=PARTS).try_fold(configuration, |near, part| {
             let pose = interpolate(&goal, &start, part as f64 / PARTS as f64);
             let reached = self.arm.inverse_kinematics(&pose, &near);

@@ -2,11 +2,11 @@
 
 use nalgebra::{Isometry3, Matrix6, Vector3};
 use robot::{Arm, Jacobian, JointMatrix, JointVector, MOST_JOINTS};
-use task::{GraspError, Impedance};
+use task::{GraspError, Impedance, Pose, State, Twist};
 
 use crate::arm_mobility::ArmMobility;
 use crate::least_distance::Vector6;
-use crate::reference::{Knot, coordinates};
+use crate::reference::Knot;
 
 /// The terms of the equations of motion at joint positions, for a part in its real place in the gripper.
 #[derive(Debug, Clone)]
@@ -68,11 +68,9 @@ impl ArmTerms {
         velocity: &JointVector,
         target: &Knot,
     ) -> JointVector {
-        let mut state = [0.0; 13];
-        state[..7].copy_from_slice(&coordinates(believed));
-        state[7..].copy_from_slice((self.tracked * velocity).as_slice());
+        let state = State::new(&Pose::from(believed), &Twist((self.tracked * velocity).into()));
         let wrench = impedance.wrench(&target.state(), &state, &GraspError::default().pose());
-        self.tracked.tr_mul(&Vector6::from(wrench))
+        self.tracked.tr_mul(&Vector6::from(wrench.0))
     }
 
     /// An inertia, damping or stiffness of the believed part in joint space.

@@ -115,7 +115,7 @@ impl Near {
 
 #[cfg(test)]
 mod tests {
-    use task::at_rest;
+    use task::Pose;
 
     use super::*;
 
@@ -123,8 +123,8 @@ mod tests {
     fn along(positions: &[f64]) -> Reference {
         let mut before = positions[0];
         let mut knot = |&x: &f64| {
-            let mut state = at_rest(&[x, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
-            state[7] = x - std::mem::replace(&mut before, x);
+            let mut state = Pose([x, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]).at_rest();
+            state.0[7] = x - std::mem::replace(&mut before, x);
             state
         };
         Reference::new(1.0, &positions.iter().map(&mut knot).collect::<Vec<_>>())
@@ -140,14 +140,14 @@ mod tests {
         assert!(!bounds.allow(&along(&[0.0, 0.1, 0.26])), "too far");
         assert!(!bounds.allow(&wide));
         let mut turning = along(&[0.0, 0.1, 0.2]).states();
-        turning[1][12] = 0.39;
+        turning[1].0[12] = 0.39;
         assert!(bounds.allow(&Reference::new(1.0, &turning)), "corners 0.5 m away are as fast as the body may be");
-        turning[1][12] = 0.41;
+        turning[1].0[12] = 0.41;
         assert!(!bounds.allow(&Reference::new(1.0, &turning)), "rotates too fast");
         let mut rotated = along(&[0.0, 0.1, 0.2]).states();
         // The farthest corner may be shifted by 0.05 m as well.
         for (angle, allowed) in [(0.099_f64, true), (0.101, false)] {
-            rotated[1][3..7].copy_from_slice(&[(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0]);
+            rotated[1].0[3..7].copy_from_slice(&[(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0]);
             assert_eq!(bounds.allow(&Reference::new(1.0, &rotated)), allowed, "rotated by {angle} rad");
         }
         assert!(bounds.including(&Reference::new(1.0, &rotated)).allow(&Reference::new(1.0, &rotated)));

@@ -11,7 +11,7 @@ use crate::arm_model::{ArmModel, ArmModelError};
 use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
 use crate::overshoot::Overshoot;
-use crate::reference::{Reference, isometry};
+use crate::reference::Reference;
 use crate::rollout::{Outcome, Rollout, Snapshot};
 use crate::settings::Settings;
 use crate::success::Success;
@@ -119,7 +119,7 @@ impl Evaluator {
         let rollout = |&friction: &f64| Rollout::new(task, Settings { friction, ..Settings::default() });
         let bounds = Bounds::new(task.limits);
         let rollouts = frictions.iter().map(rollout).collect();
-        Self { rollouts, success, goal: isometry(&task.goal), limits: task.limits, bounds, workers: Workers::default() }
+        Self { rollouts, success, goal: task.goal.isometry(), limits: task.limits, bounds, workers: Workers::default() }
     }
 
     /// With references that stay near some others: [`Bounds::near`].
@@ -198,7 +198,7 @@ impl Evaluator {
         }
         let shift = outcome.position_error + outcome.unblocked.norm();
         let violation = shift / self.success.position + outcome.orientation_error / self.success.orientation + excess;
-        let end = isometry(&outcome.pose);
+        let end = outcome.pose.isometry();
         let surplus = 1.0 - self.limits.contact_force / contact_force;
         TestResult {
             passed: false,

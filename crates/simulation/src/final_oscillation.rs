@@ -39,9 +39,8 @@ impl FinalOscillation {
     /// infinite where nothing does. Half-cycles stay within half of that, and keep the limits of translational velocity and
     /// acceleration. `None` where start and goal are at the same place, the depth is zero, or a value is not finite.
     pub fn new(task: &AssemblyTask, success: &Success, depth: f64) -> Option<Self> {
-        let position = |pose: &[f64; 7]| Vector3::new(pose[0], pose[1], pose[2]);
-        let goal = position(&task.goal);
-        let direction = Unit::try_new(goal - position(&task.start), success.position)?;
+        let goal = task.goal.position();
+        let direction = Unit::try_new(goal - task.start.position(), success.position)?;
         // The longest half-cycle back is the second.
         let decrease = (DECREASE * success.position).min(DEPTH * depth / (COUNT - 1) as f64);
         let mass = direction.dot(&(task.inertia.translational() * *direction));
@@ -87,11 +86,11 @@ impl Reference {
 #[cfg(test)]
 mod tests {
     use nalgebra::Matrix3;
-    use task::{CostWeights, GraspError, Horizon, Impedance, Inertia, Limits, TrajectoryCost, at_rest};
+    use task::{CostWeights, GraspError, Horizon, Impedance, Inertia, Limits, Pose, TrajectoryCost};
 
     use super::*;
 
-    const GOAL: [f64; 7] = [0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    const GOAL: Pose = Pose([0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
 
     /// Of 12, 9.6, 7.2, 4.8 and 2.4 mm along x.
     fn oscillation() -> FinalOscillation {
@@ -101,7 +100,7 @@ mod tests {
 
     fn push() -> Reference {
         let mut start = GOAL;
-        start[0] = 0.0;
+        start.0[0] = 0.0;
         Reference::straight(&start, &GOAL, Horizon { steps: 20, time_step: 0.02 })
     }
 
@@ -125,7 +124,7 @@ mod tests {
         // It ends 5 mm short of the goal and 1 mm beside it.
         let mut states = push().states();
         let last = states.len() - 1;
-        (states[last][0], states[last][1]) = (GOAL[0] - 5e-3, 1e-3);
+        (states[last].0[0], states[last].0[1]) = (GOAL[0] - 5e-3, 1e-3);
         let plain = Reference::new(0.02, &states);
         let reference = plain.with_oscillation(&oscillation());
         assert_eq!(reference.intervals(), 20 + 6 * 15);
@@ -150,7 +149,7 @@ mod tests {
         };
         let inertia = Inertia::of_body(1.0, Matrix3::from_diagonal_element(0.1));
         let mut start = GOAL;
-        start[0] = 0.0;
+        start.0[0] = 0.0;
         AssemblyTask {
             impedance: Impedance::critically_damped(1000.0, 20.0, &inertia),
             inertia,
@@ -182,7 +181,7 @@ mod tests {
 
     #[test]
     fn they_start_from_rest_as_well() {
-        let rest = Reference::new(0.02, &[at_rest(&GOAL)]);
+        let rest = Reference::new(0.02, &[GOAL.at_rest()]);
         assert_eq!(rest.with_oscillation(&oscillation()).intervals(), 90);
     }
 }

@@ -108,7 +108,7 @@ pub use final_oscillation::FinalOscillation;
 pub use loads::Loads;
 pub use overshoot::Overshoot;
 pub use perturbation::Perturbation;
-pub use reference::{Knot, Reference, coordinates, interpolate, isometry};
+pub use reference::{Knot, Reference};
 pub use refinement::Refinement;
 pub use rollout::{Outcome, Rollout};
 pub use settings::Settings;

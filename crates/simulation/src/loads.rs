@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use task::{FORCE_WINDOW, Limits};
+use task::{FORCE_WINDOW, Limits, Wrench};
 
 /// A window that lacks less than this part of itself is full: steps do not add up exactly.
 const ROUNDING: f64 = 1e-6;
@@ -51,7 +51,7 @@ impl LoadMeter {
 
     /// Adds a step: its duration (s), the normal impulse (Ns) of every pair, whose force is constant within the step,
     /// and the controller's wrench after it. Returns whether the contact force is larger than ever before.
-    pub fn add(&mut self, duration: f64, impulses: &[f64], wrench: &[f64; 6]) -> bool {
+    pub fn add(&mut self, duration: f64, impulses: &[f64], wrench: &Wrench) -> bool {
         let mut pushing = self.spare.pop().unwrap_or_default();
         pushing.extend(impulses.iter().copied().enumerate().filter(|(_, impulse)| *impulse != 0.0));
         for (pair, impulse) in &pushing {
@@ -104,7 +104,7 @@ impl LoadMeter {
 mod tests {
     use super::*;
 
-    const STILL: [f64; 6] = [0.0; 6];
+    const STILL: Wrench = Wrench::ZERO;
 
     #[test]
     fn a_constant_force_is_its_own_mean_for_any_steps() {
@@ -130,7 +130,7 @@ mod tests {
     #[test]
     fn every_excess_counts() {
         let mut meter = LoadMeter::new(0);
-        meter.add(0.001, &[], &[1.0, -30.0, 2.0, 0.1, 0.2, -0.3]);
+        meter.add(0.001, &[], &Wrench([1.0, -30.0, 2.0, 0.1, 0.2, -0.3]));
         let loads = meter.largest();
         assert_eq!(loads, Loads { contact_force: 0.0, force: 30.0, torque: 0.3 });
         let limits = Limits { force: 20.0, torque: 0.2, ..Limits::NONE };

@@ -29,7 +29,7 @@ impl Rollout {
     fn scenario(&self, reference: &Reference, injection: &Injection, tau: f64) -> ScenarioTrajectory {
         let Injection { grasp, disturbance } = injection;
         let (_, substeps) = self.settings.divide(reference.time_step());
-        let mut states = vec![task::at_rest(&grasp.actual(&reference.start()))];
+        let mut states = vec![grasp.actual(&reference.start()).at_rest()];
         let mut forces: Vec<Vec<f64>> = Vec::with_capacity(reference.intervals());
         let mut steps = 0;
         let outcome = self.play(reference, *injection, |body, impulses| {

@@ -1,9 +1,8 @@
 //! Reference motions, given at knots.
 
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-
-pub use task::pose::{interpolate, isometry};
-use task::{GraspError, Horizon, Limits, StraightMotion, Trajectory};
+use task::pose::interpolate;
+use task::{GraspError, Horizon, Limits, Pose, State, StraightMotion, Trajectory, Twist};
 
 use crate::perturbation::Perturbation;
 
@@ -27,20 +26,14 @@ pub struct Knot {
 }
 
 impl Knot {
-    /// From a state: position, quaternion w x y z, velocity (world frame), angular velocity (body frame).
-    fn new(state: &[f64; 13]) -> Self {
-        let [x, y, z, w, i, j, k, vx, vy, vz, p, q, r] = *state;
-        Self {
-            pose: isometry(&[x, y, z, w, i, j, k]),
-            velocity: [vx, vy, vz].into(),
-            angular_velocity: [p, q, r].into(),
-        }
+    fn new(state: &State) -> Self {
+        let twist = state.twist();
+        Self { pose: state.pose().isometry(), velocity: twist.velocity(), angular_velocity: twist.angular_velocity() }
     }
 
-    /// Position, quaternion w x y z, velocity (world frame), angular velocity (body frame).
-    pub(crate) fn state(&self) -> [f64; 13] {
-        let ([x, y, z, w, i, j, k], v, omega) = (coordinates(&self.pose), self.velocity, self.angular_velocity);
-        [x, y, z, w, i, j, k, v.x, v.y, v.z, omega.x, omega.y, omega.z]
+    /// Pose and twist as plain numbers.
+    pub fn state(&self) -> State {
+        State::new(&Pose::from(&self.pose), &Twist::new(&self.velocity, &self.angular_velocity))
     }
 }
 
@@ -56,15 +49,15 @@ impl Reference {
     ///
     /// # Panics
     /// When there are no states.
-    pub fn new(time_step: f64, states: &[[f64; 13]]) -> Self {
+    pub fn new(time_step: f64, states: &[State]) -> Self {
         assert!(!states.is_empty(), "a reference has at least one state");
         Self { time_step, knots: states.iter().map(Knot::new).collect() }
     }
 
     /// The straight motion from start to goal, rotating about one axis, at constant velocity. The horizon has at least
     /// one step.
-    pub fn straight(start: &[f64; 7], goal: &[f64; 7], horizon: Horizon) -> Self {
-        let (start, goal) = (isometry(start), isometry(goal));
+    pub fn straight(start: &Pose, goal: &Pose, horizon: Horizon) -> Self {
+        let (start, goal) = (start.isometry(), goal.isometry());
         let duration = horizon.steps as f64 * horizon.time_step;
         let velocity = (goal.translation.vector - start.translation.vector) / duration;
         let rotation = start.rotation.rotation_to(&goal.rotation).scaled_axis();
@@ -150,7 +143,7 @@ impl Reference {
     }
 
     /// States (pose, twist) at the knots.
-    pub fn states(&self) -> Vec<[f64; 13]> {
+    pub fn states(&self) -> Vec<State> {
         self.knots.iter().map(Knot::state).collect()
     }
 
@@ -184,9 +177,9 @@ impl Reference {
         self.knots.len() - 1
     }
 
-    /// The first pose (position m, unit quaternion w x y z).
-    pub fn start(&self) -> [f64; 7] {
-        coordinates(&self.knots[0].pose)
+    /// The first pose, with a unit quaternion.
+    pub fn start(&self) -> Pose {
+        Pose::from(&self.knots[0].pose)
     }
 
     /// At a fraction (0 to 1) of an interval; after the last interval the last pose is held at rest.
@@ -216,10 +209,4 @@ fn inside(fraction: f64, [from, to]: [f64; 2]) -> f64 {
     let begin = if from > 0.0 { ramp(fraction - from) } else { 1.0 };
     let end = if to < 1.0 { ramp(to - fraction) } else { 1.0 };
     begin * end
-}
-
-/// A pose as position and quaternion w x y z.
-pub fn coordinates(pose: &Isometry3<f64>) -> [f64; 7] {
-    let (position, rotated) = (pose.translation.vector, pose.rotation);
-    [position.x, position.y, position.z, rotated.w, rotated.i, rotated.j, rotated.k]
 }

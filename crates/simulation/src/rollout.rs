@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot::JointVector;
-use task::AssemblyTask;
+use task::{AssemblyTask, Pose};
 use workers::Workers;
 
 use crate::arm_dynamics::ArmStepper;
@@ -17,7 +17,7 @@ use crate::dynamics::Stepper;
 use crate::loads::{LoadMeter, Loads};
 use crate::overshoot::Overshoot;
 use crate::plant::Plant;
-use crate::reference::{Reference, coordinates, isometry};
+use crate::reference::Reference;
 use crate::rollout_state::RolloutState;
 use crate::settings::Settings;
 use crate::step_length::{STEADY, Steps};
@@ -52,7 +52,7 @@ pub struct Rollout {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
     /// Final pose of the body (position m, unit quaternion w x y z).
-    pub pose: [f64; 7],
+    pub pose: Pose,
     /// Distance of the final position from the goal (m).
     pub position_error: f64,
     /// Angle between the final orientation and the goal (rad).
@@ -196,7 +196,7 @@ impl Rollout {
     /// The rollout before its first step. `None` if it cannot be simulated.
     fn begin(&self, reference: &Reference, injection: &Injection) -> Option<RolloutState<'_>> {
         let Injection { grasp, disturbance } = injection;
-        let pose = isometry(&grasp.actual(&reference.start()));
+        let pose = grasp.actual(&reference.start()).isometry();
         let mut finder = ContactFinder::new(&self.shapes, disturbance.edge_radius);
         let pairs = self.task.pairs.len();
         Some(RolloutState {
@@ -265,18 +265,18 @@ impl Rollout {
 
     /// The outcome of a rollout that cannot be simulated.
     fn impossible(&self, reference: &Reference, injection: &Injection) -> Outcome {
-        let pose = isometry(&injection.grasp.actual(&reference.start()));
+        let pose = injection.grasp.actual(&reference.start()).isometry();
         Outcome { diverged: true, ..self.outcome(&pose, 0.0, LoadMeter::new(0).largest(), Overshoot::NONE) }
     }
 
     fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, overshoot: Overshoot) -> Outcome {
-        let remaining = isometry(&self.task.goal).translation.vector - pose.translation.vector;
-        let pose = coordinates(pose);
-        let (position_error, orientation_error) = task::pose::errors(&pose, &self.task.goal);
+        let remaining = self.task.goal.isometry().translation.vector - pose.translation.vector;
+        let pose = Pose::from(pose);
+        let error = pose.error(&self.task.goal);
         Outcome {
             pose,
-            position_error,
-            orientation_error,
+            position_error: error.position,
+            orientation_error: error.orientation,
             max_penetration,
             loads,
             overshoot,

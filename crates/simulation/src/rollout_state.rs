@@ -1,13 +1,13 @@
 //! The state of a rollout.
 
-use task::Impedance;
+use task::{Impedance, Pose};
 
 use crate::body::Body;
 use crate::contact::ContactFinder;
 use crate::loads::LoadMeter;
 use crate::overshoot::Overshoot;
 use crate::plant::Plant;
-use crate::reference::{Reference, coordinates};
+use crate::reference::Reference;
 use crate::timed_state::TimedState;
 
 /// The state of a rollout after some intervals of its reference. The rest depends on nothing but this and the rest of
@@ -19,7 +19,7 @@ pub struct RolloutState<'rollout> {
     pub finder: ContactFinder<'rollout>,
     /// The controller's impedance, and the pose of the believed part in the frame of the part.
     pub impedance: Impedance,
-    pub grasp: [f64; 7],
+    pub grasp: Pose,
     /// Length of the shortest steps (s), and their number in an interval.
     pub steps: (f64, usize),
     /// Intervals so far.
@@ -73,7 +73,7 @@ impl RolloutState<'_> {
     /// Whether the state is finite.
     pub fn is_finite(&self) -> bool {
         let Body { pose, velocity, angular_velocity } = &self.body;
-        let pose = coordinates(pose);
+        let pose = Pose::from(pose);
         pose.iter().chain(velocity).chain(angular_velocity).all(|component| component.is_finite())
     }
 }

@@ -88,9 +88,11 @@ impl Settings {
 
 #[cfg(test)]
 mod tests {
+    use task::Pose;
+
     use super::*;
 
-    const REST: [f64; 13] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    const REST: Pose = Pose::IDENTITY;
 
     #[test]
     fn fields_out_of_range_are_named_with_value_and_range() {
@@ -109,7 +111,7 @@ mod tests {
 
     #[test]
     fn rollouts_of_too_many_steps_are_refused() {
-        let reference = |interval: f64| Reference::new(interval, &[REST; 11]);
+        let reference = |interval: f64| Reference::new(interval, &[REST.at_rest(); 11]);
         let finest = Settings { time_step: 1e-6, settling_time: 0.0, ..Settings::default() };
         assert_eq!(finest.validate_for(&reference(1.0)), Ok(()));
         let error = finest.validate_for(&reference(2.0)).unwrap_err().to_string();

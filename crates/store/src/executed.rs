@@ -9,8 +9,9 @@ use nalgebra::{Isometry3, Vector3};
 use plan::records::GraspRecord;
 use plan::{Millimetres, PlannerError, Problem};
 use serde::Deserialize;
-use simulation::{Reference, Settings, coordinates, interpolate, isometry};
-use task::{GraspError, POSE, pose_of};
+use simulation::{Reference, Settings};
+use task::pose::interpolate;
+use task::{GraspError, Pose, State};
 
 use crate::{ExecutedState, PlayedRows, StoredPlan, read_log_header, read_played_rows};
 
@@ -106,7 +107,7 @@ impl Execution {
     ) -> Result<Self, PlannerError> {
         let mut believed = Vec::new();
         let outcome = problem.rollout(settings)?.play(reference, grasp, |state, _| {
-            believed.push((state.time, isometry(&state.pose) * grasp.believed()));
+            believed.push((state.time, state.pose.isometry() * grasp.believed()));
         });
         Ok(Self {
             ending: ending.clone(),
@@ -143,8 +144,8 @@ impl Execution {
         let fraction = ((time - from.time) / (to.time - from.time).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         let nearest = if fraction < 0.5 { before } else { after };
         let mut state = ExecutedState { time, ..self.course[nearest] };
-        let [from, to] = [from, to].map(|state| isometry(&pose_of(&state.believed)));
-        state.believed[..POSE].copy_from_slice(&coordinates(&interpolate(&from, &to, fraction)));
+        let [from, to] = [from, to].map(|state| state.believed.pose().isometry());
+        state.believed = State::new(&Pose::from(&interpolate(&from, &to, fraction)), &state.believed.twist());
         (state, self.distances[nearest])
     }
 
@@ -241,8 +242,8 @@ fn ending(problem: &Problem, course: &[ExecutedState]) -> Ending {
 
 /// A part at its goal is believed beside it by the grasp error.
 fn grasp_at_end(problem: &Problem, course: &[ExecutedState]) -> GraspError {
-    let end = course.last().map_or_else(Isometry3::identity, |state| isometry(&pose_of(&state.believed)));
-    GraspError::of_believed(&(isometry(&problem.scene().goal).inverse() * end))
+    let end = course.last().map_or_else(Isometry3::identity, |state| state.believed.pose().isometry());
+    GraspError::of_believed(&(problem.scene().goal.isometry().inverse() * end))
 }
 
 /// Distance (m) to the first pose of a rollout at or after the time of a state. At its end, a rollout rests.

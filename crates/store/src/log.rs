@@ -5,7 +5,7 @@ use std::path::Path;
 use plan::PlannerError;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
-use task::{STATE, TWIST};
+use task::{State, Wrench};
 
 use crate::atomic::read_text;
 use crate::table::{Value, read_csv};
@@ -38,9 +38,9 @@ struct MeasuredRow {
 }
 
 impl MeasuredRow {
-    fn wrench(&self) -> Option<[f64; TWIST]> {
+    fn wrench(&self) -> Option<Wrench> {
         let &Self { fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm, .. } = self;
-        Some([fx_n?, fy_n?, fz_n?, tx_nm?, ty_nm?, tz_nm?].map(|value| value.0))
+        Some(Wrench([fx_n?, fy_n?, fz_n?, tx_nm?, ty_nm?, tz_nm?].map(|value| value.0)))
     }
 }
 
@@ -50,9 +50,9 @@ pub struct ExecutedState {
     /// Time since the plan was started (s).
     pub time: f64,
     /// Believed pose and twist.
-    pub believed: [f64; STATE],
+    pub believed: State,
     /// Force (N) and torque (Nm) at the tool point as measured by the robot, along the axes of its base.
-    pub wrench: Option<[f64; TWIST]>,
+    pub wrench: Option<Wrench>,
 }
 
 /// The part of a log in which the plan was executed.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use plan::{Choices, PlannerError, Problem, hash};
 use scene::{Scene, Source};
 use simulation::Reference;
-use task::POSE;
+use task::Pose;
 
 use crate::atomic::{read_bytes, read_text};
 use crate::result::{PlanResult, RESULT, problem_of_seal};
@@ -124,7 +124,7 @@ impl StoredPlan {
     /// Checks that the errors at the end, which `result.json` states, are those of the tables to a goal: files that are whole
     /// each may still be of several plans. A refined plan is judged later, after its end was held, and one that was made by hand
     /// may have no scenarios.
-    fn require_goal(&self, goal: &[f64; POSE]) -> Result<(), PlannerError> {
+    fn require_goal(&self, goal: &Pose) -> Result<(), PlannerError> {
         /// How far a stated error may be from that of the table (m, rad).
         const SAME: f64 = 1e-5;
         if self.result.robust.is_some() || !self.result.files.contains_key(SCENARIOS) {
@@ -138,14 +138,16 @@ impl StoredPlan {
             return Err(PlannerError::file(&file, problem));
         }
         for ((end, stated), number) in ends.iter().zip(stated).zip(1..) {
-            let (position, angle) = task::pose::errors(end, goal);
+            let error = end.error(goal);
             let differs = |found: f64, stated: f64| stated.is_finite() && !((found - stated).abs() <= SAME);
-            if differs(position, stated.position_error_m) || differs(angle, stated.orientation_error_rad) {
+            if differs(error.position, stated.position_error_m)
+                || differs(error.orientation, stated.orientation_error_rad)
+            {
                 let problem = format!(
                     "scenario {number} ends {:.3} mm and {:.3} rad from the goal of {RESOLVED}, {RESULT} says {:.3} mm and \
                      {:.3} rad: the files are not of one plan; solve again",
-                    1e3 * position,
-                    angle,
+                    1e3 * error.position,
+                    error.orientation,
                     1e3 * stated.position_error_m,
                     stated.orientation_error_rad
                 );
@@ -197,11 +199,11 @@ fn difference(plan: &Scene, problem: &Problem) -> Option<String> {
             }
         }
     }
-    if !same(&plan.goal, &scene.goal) {
+    if !same(&plan.goal[..], &scene.goal[..]) {
         return Some("its goal is another pose".to_owned());
     }
     let name = &problem.start().name;
-    (!same(&plan.starts[0].pose, &problem.start().pose)).then(|| format!("its start `{name}` is another pose"))
+    (!same(&plan.starts[0].pose[..], &problem.start().pose[..])).then(|| format!("its start `{name}` is another pose"))
 }
 
 /// `result.json` of a folder.

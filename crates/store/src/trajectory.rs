@@ -6,7 +6,7 @@ use plan::PlannerError;
 use serde::{Deserialize, Serialize};
 use simulation::Reference;
 use task::{
-    AssemblyTask, Contact, Limits, POSE, Quality, STATE, Scenario, ScenarioTrajectory, TWIST, Trajectory, pose_of,
+    AssemblyTask, Contact, Limits, POSE, Pose, Quality, Scenario, ScenarioTrajectory, State, Trajectory, Wrench,
 };
 
 use crate::atomic::write_file;
@@ -48,7 +48,7 @@ macro_rules! row_of_state {
 
         impl $name {
             /// At a time (s), with the columns of its own.
-            pub fn new(time: f64, $($own: $of,)* state: &[f64; STATE]) -> Self {
+            pub fn new(time: f64, $($own: $of,)* state: &State) -> Self {
                 let time_s = seconds(time);
                 let [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s] =
                     state.map(Value);
@@ -63,11 +63,11 @@ macro_rules! row_of_state {
             }
 
             /// Pose and twist.
-            pub fn state(&self) -> [f64; STATE] {
+            pub fn state(&self) -> State {
                 let Self { px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, .. } =
                     *self;
-                [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s]
-                    .map(|value| value.0)
+                let numbers = [px_m, py_m, pz_m, qw, qx, qy, qz, vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s];
+                State(numbers.map(|value| value.0))
             }
 
             /// Why the row is no state of a body, if so. The norm of its quaternion may differ from 1 by `norm_error`.
@@ -117,7 +117,7 @@ const NORM: f64 = 1e-6;
 const ABSURD: &str = "a value is out of any reasonable range";
 
 /// Why a time (s) and numbers are no state of a body, if so. The norm of its quaternion may differ from 1 by `norm_error`.
-fn timed_state_problem(time: f64, state: &[f64; STATE], norm_error: f64) -> Option<&'static str> {
+fn timed_state_problem(time: f64, state: &State, norm_error: f64) -> Option<&'static str> {
     /// Longest time that means anything (s).
     const LONGEST: f64 = 1e6;
     match time.abs() <= LONGEST {
@@ -127,7 +127,7 @@ fn timed_state_problem(time: f64, state: &[f64; STATE], norm_error: f64) -> Opti
 }
 
 /// Why numbers are no state of a body (pose, twist), if so. The norm of its quaternion may differ from 1 by `norm_error`.
-pub fn state_problem(state: &[f64; STATE], norm_error: f64) -> Option<&'static str> {
+pub fn state_problem(state: &State, norm_error: f64) -> Option<&'static str> {
     /// Largest value that means anything (m, m/s, rad/s).
     const LARGEST: f64 = 1e3;
     let norm = state[3..POSE].iter().map(|component| component * component).sum::<f64>().sqrt();
@@ -140,7 +140,7 @@ pub fn state_problem(state: &[f64; STATE], norm_error: f64) -> Option<&'static s
 
 impl WrenchRow {
     /// At a time (s), of a scenario (from 1).
-    pub fn new(time: f64, scenario: usize, wrench: &[f64; TWIST]) -> Self {
+    pub fn new(time: f64, scenario: usize, wrench: &Wrench) -> Self {
         let [fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm] = wrench.map(Value);
         Self { time_s: seconds(time), scenario, fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm }
     }
@@ -188,7 +188,7 @@ pub fn read_reference(file: &Path) -> Result<Reference, PlannerError> {
 }
 
 /// Time step (s) and states of a reference.
-fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
+fn read_states(file: &Path) -> Result<(f64, Vec<State>), PlannerError> {
     /// How far a position may be from where the velocity leads (m).
     const JUMP: f64 = 1e-6;
     let rows: Vec<StateRow> = read_csv(file)?;
@@ -220,11 +220,11 @@ fn read_states(file: &Path) -> Result<(f64, Vec<[f64; STATE]>), PlannerError> {
 ///
 /// # Errors
 /// When the table of scenarios is missing or wrong.
-pub fn read_ends(file: &Path) -> Result<Vec<[f64; POSE]>, PlannerError> {
+pub fn read_ends(file: &Path) -> Result<Vec<Pose>, PlannerError> {
     let rows: Vec<ScenarioRow> = read_csv(file)?;
     let is_end =
         |(index, row): &(usize, &ScenarioRow)| rows.get(index + 1).is_none_or(|next| next.scenario != row.scenario);
-    Ok(rows.iter().enumerate().filter(is_end).map(|(_, row)| pose_of(&row.state())).collect())
+    Ok(rows.iter().enumerate().filter(is_end).map(|(_, row)| row.state().pose()).collect())
 }
 
 /// The four tables of a motion as they stand in a folder, whatever task they are of.
@@ -233,7 +233,7 @@ pub struct MotionTables {
     /// Length of a step (s).
     pub time_step: f64,
     /// Reference states (pose, twist) at k = 0..N.
-    pub reference: Vec<[f64; STATE]>,
+    pub reference: Vec<State>,
     /// Names of the pairs, `BODY PART/ENVIRONMENT PART`, in the order of the contacts.
     pub pairs: Vec<String>,
     /// One per scenario.
@@ -244,9 +244,9 @@ pub struct MotionTables {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScenarioTables {
     /// States of the body at k = 0..N.
-    pub states: Vec<[f64; STATE]>,
+    pub states: Vec<State>,
     /// Wrenches of the impedance controller at k = 1..N: force (N, world frame), torque (Nm, body frame).
-    pub wrenches: Vec<[f64; TWIST]>,
+    pub wrenches: Vec<Wrench>,
     /// Contacts at k = 1..N, one per pair.
     pub contacts: Vec<Vec<Contact>>,
 }
@@ -329,7 +329,7 @@ fn misplaced(scenario: usize, time: Value, (expected, at): (usize, f64)) -> Opti
 }
 
 /// Why numbers are no wrench, if so.
-fn absurd(wrench: &[f64; TWIST]) -> Option<&'static str> {
+fn absurd(wrench: &Wrench) -> Option<&'static str> {
     /// Largest value that means anything (N, Nm).
     const LARGEST: f64 = 1e9;
     (!wrench.iter().all(|value| value.abs() <= LARGEST)).then_some(ABSURD)
@@ -369,7 +369,7 @@ pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory,
     }
     let scenario = |(tables, Scenario { grasp, .. }): (ScenarioTables, Scenario)| {
         let ScenarioTables { states, wrenches, contacts } = tables;
-        let poses: Vec<_> = states.iter().map(pose_of).collect();
+        let poses: Vec<_> = states.iter().map(State::pose).collect();
         let quality = Quality::new(task, &poses, &contacts);
         let keeps = Limits::kept_by(&states, time_step, &wrenches, quality.max_force);
         ScenarioTrajectory { grasp, states, wrenches, contacts, quality, keeps }
@@ -383,9 +383,9 @@ pub fn read_trajectory(folder: &Path, task: &AssemblyTask) -> Result<Trajectory,
     })
 }
 
-fn wrench(row: &WrenchRow) -> [f64; TWIST] {
+fn wrench(row: &WrenchRow) -> Wrench {
     let WrenchRow { fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm, .. } = *row;
-    [fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm].map(|value| value.0)
+    Wrench([fx_n, fy_n, fz_n, tx_nm, ty_nm, tz_nm].map(|value| value.0))
 }
 
 fn contact(row: &ContactRow) -> Contact {

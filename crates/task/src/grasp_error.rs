@@ -6,8 +6,7 @@ use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 
 use crate::algebra::{conjugate, product};
 use crate::impedance::Impedance;
-use crate::pose;
-use crate::state::POSE;
+use crate::pose::Pose;
 
 /// Where the part really sits in the gripper, relative to where the robot believes it to be: the perturbation `q^` of
 /// `P_q(q, q^)` (Sec. ocp:ocp). The robot believes a part at the pose `(rho, xi)` to be at
@@ -40,19 +39,18 @@ impl GraspError {
         Self { offset: believed.translation.vector.into(), rotation: believed.rotation.scaled_axis().into() }
     }
 
-    /// The same as position (m) and unit quaternion (w x y z).
-    pub fn pose(&self) -> [f64; POSE] {
-        let ([x, y, z], quaternion) = (self.offset, self.quaternion());
-        [x, y, z, quaternion.w, quaternion.i, quaternion.j, quaternion.k]
+    /// The pose of the believed part in the frame of the part, with a unit quaternion.
+    pub fn pose(&self) -> Pose {
+        Pose::from(&self.believed())
     }
 
-    /// The inverse perturbation `P_q^-1(q, q^)` (Sec. ocp:ocp): the pose of the part (position m, quaternion w x y z) when
-    /// the robot believes it to be at `believed`.
-    pub fn actual(&self, believed: &[f64; POSE]) -> [f64; POSE] {
-        let [x, y, z, orientation @ ..] = *believed;
-        let [w, i, j, k] = product(&orientation, &conjugate(&self.pose()[3..]));
-        let shift = pose::rotation_matrix(&[w, i, j, k]) * Vector3::from(self.offset);
-        [x - shift.x, y - shift.y, z - shift.z, w, i, j, k]
+    /// The inverse perturbation `P_q^-1(q, q^)` (Sec. ocp:ocp): the pose of the part when the robot believes it to be at
+    /// `believed`.
+    pub fn actual(&self, believed: &Pose) -> Pose {
+        let quaternion = product(&believed.quaternion(), &conjugate(&self.pose()[3..]));
+        let position = believed.position();
+        let shift = Pose::new(position.into(), quaternion).rotation_matrix() * Vector3::from(self.offset);
+        Pose::new((position - shift).into(), quaternion)
     }
 
     /// The offset and the rotation times a factor.
@@ -124,23 +122,16 @@ mod tests {
         for _ in 0..100 {
             let mut vector = |size: f64| std::array::from_fn(|_| size * (2.0 * random.f64() - 1.0));
             let grasp = GraspError { offset: vector(0.02), rotation: vector(1.0) };
-            let [x, y, z] = vector(0.1);
-            let orientation = UnitQuaternion::from_scaled_axis(Vector3::from(vector(2.0)));
-            let start = [x, y, z, orientation.w, orientation.i, orientation.j, orientation.k];
-            let [x, y, z, w, i, j, k] = grasp.actual(&start);
-            let part = Isometry3::from_parts(
-                Vector3::new(x, y, z).into(),
-                UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, i, j, k)),
-            );
-            let believed = part * grasp.believed();
-            assert!((believed.translation.vector - Vector3::new(start[0], start[1], start[2])).norm() < 1e-15);
-            assert!(believed.rotation.angle_to(&orientation) < 1e-7);
+            let start = Isometry3::new(Vector3::from(vector(0.1)), Vector3::from(vector(2.0)));
+            let believed = grasp.actual(&Pose::from(&start)).isometry() * grasp.believed();
+            assert!((believed.translation.vector - start.translation.vector).norm() < 1e-15);
+            assert!(believed.rotation.angle_to(&start.rotation) < 1e-7);
         }
     }
 
     #[test]
     fn without_an_error_the_part_is_where_it_is_believed() {
-        let start = [0.1, -0.2, 0.3, 0.6, 0.0, 0.8, 0.0];
+        let start = Pose([0.1, -0.2, 0.3, 0.6, 0.0, 0.8, 0.0]);
         assert_eq!(GraspError::default().actual(&start), start);
     }
 

@@ -4,7 +4,8 @@ use nalgebra::Matrix3;
 
 use crate::algebra::{Number, apply, conjugate, dot, product, rotation};
 use crate::inertia::Inertia;
-use crate::state::{POSE, TWIST};
+use crate::pose::{POSE, Pose};
+use crate::state::{State, TWIST, Wrench};
 
 /// Isotropic stiffness, and damping, of the Cartesian impedance controller.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,11 +45,15 @@ impl Impedance {
         }
     }
 
-    /// Force (N, world frame) and torque (Nm, body frame) of the controller (Eq. impedancewrench) while it tracks the
-    /// state `reference` (13 numbers) with a body in `state` (13 numbers). The controller believes the body to be at
-    /// `P_q(q, grasp)` (7 numbers: [`crate::GraspError::pose`]), and damps it in the frame that it believes to be that of the
-    /// body. Quaternions may have any norm; the conjugate is used as the inverse.
-    pub fn wrench<T: Number>(&self, reference: &[T], state: &[T], grasp: &[T]) -> [T; TWIST] {
+    /// Wrench of the controller (Eq. impedancewrench) while it tracks the state `reference` with a body in `state`. The
+    /// controller believes the body to be at `P_q(q, grasp)`, of [`crate::GraspError::pose`], and damps it in the frame that
+    /// it believes to be that of the body. Quaternions may have any norm; the conjugate is used as the inverse.
+    pub fn wrench(&self, reference: &State, state: &State, grasp: &Pose) -> Wrench {
+        Wrench(self.law(&reference[..], &state[..], &grasp[..]))
+    }
+
+    /// [`Impedance::wrench`] of expressions: two states (13 each) and a pose (7).
+    pub fn law<T: Number>(&self, reference: &[T], state: &[T], grasp: &[T]) -> [T; TWIST] {
         let (offset, quaternion) = grasp.split_at(3);
         let orientation = rotation(&state[3..POSE]);
         let velocity: [T; 3] = std::array::from_fn(|axis| reference[POSE + axis] - state[POSE + axis]);

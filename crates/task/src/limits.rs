@@ -1,6 +1,7 @@
 //! Limits of velocity, acceleration, contact force and wrench.
 
-use crate::state::{POSE, STATE, TWIST};
+use crate::pose::POSE;
+use crate::state::{State, TWIST, Wrench};
 
 /// Largest absolute value of each component, infinite where there is no limit. The reference and every scenario satisfy
 /// the limits at every step. As in robot controllers, limits are per axis: the speed along a diagonal may be larger by
@@ -46,15 +47,15 @@ impl Limits {
 
     /// The tightest limits that a motion satisfies, from its states at k = 0..N, the wrenches of its steps, and its
     /// largest contact force (N).
-    pub fn kept_by(states: &[[f64; STATE]], time_step: f64, wrenches: &[[f64; TWIST]], contact_force: f64) -> Self {
-        let velocity = |state: &[f64; STATE], axis: usize| state[POSE + axis];
+    pub fn kept_by(states: &[State], time_step: f64, wrenches: &[Wrench], contact_force: f64) -> Self {
+        let velocity = |state: &State, axis: usize| state[POSE + axis];
         let velocities = states.iter().map(|state| std::array::from_fn(|axis| velocity(state, axis)));
         let accelerations = states
             .windows(2)
             .map(|pair| std::array::from_fn(|axis| (velocity(&pair[1], axis) - velocity(&pair[0], axis)) / time_step));
         let [translational_velocity, rotational_velocity] = largest(velocities);
         let [translational_acceleration, rotational_acceleration] = largest(accelerations);
-        let [force, torque] = largest(wrenches.iter().copied());
+        let [force, torque] = largest(wrenches.iter().map(|wrench| wrench.0));
         Self {
             translational_velocity,
             rotational_velocity,

@@ -1,7 +1,6 @@
 //! Measures of a scenario: final errors, contact forces, penetration, and deviation from hard contact.
 
-use crate::pose;
-use crate::state::POSE;
+use crate::pose::{self, Pose};
 use crate::task::AssemblyTask;
 
 /// Contact of one pair at one instant.
@@ -43,8 +42,9 @@ pub struct Peak {
 
 impl Quality {
     /// Measures of a motion with poses at k = 0..N and contacts at k = 1..N.
-    pub fn new(task: &AssemblyTask, poses: &[[f64; POSE]], contacts: &[Vec<Contact>]) -> Self {
-        let distances: Vec<Vec<f64>> = task.pairs.iter().map(|pair| pair.shapes.exact_distances(poses)).collect();
+    pub fn new(task: &AssemblyTask, poses: &[Pose], contacts: &[Vec<Contact>]) -> Self {
+        let arrays = pose::arrays(poses);
+        let distances: Vec<Vec<f64>> = task.pairs.iter().map(|pair| pair.shapes.exact_distances(&arrays)).collect();
         let penetrations = distances.iter().enumerate().flat_map(|(pair, distances)| {
             distances.iter().enumerate().map(move |(step, distance)| Peak { value: -distance, step, pair })
         });
@@ -55,10 +55,10 @@ impl Quality {
                 pair,
             })
         });
-        let (position_error, orientation_error) = pose::errors(&poses[poses.len() - 1], &task.goal);
+        let error = poses[poses.len() - 1].error(&task.goal);
         Self {
-            position_error,
-            orientation_error,
+            position_error: error.position,
+            orientation_error: error.orientation,
             penetration: Peak::largest(penetrations),
             complementarity: Peak::largest(products),
             max_force: contacts.iter().flatten().map(|contact| contact.force).fold(0.0, f64::max),

@@ -2,8 +2,7 @@
 
 use nalgebra::Isometry3;
 
-use crate::pose::{interpolate, isometry};
-use crate::state::POSE;
+use crate::pose::{Pose, interpolate};
 
 /// Straight from one pose to another, rotating about one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,9 +24,9 @@ pub struct Departure {
 const LEAST: f64 = 1e-12;
 
 impl StraightMotion {
-    /// Between two poses (position m, quaternion w x y z of any norm).
-    pub fn new(start: &[f64; POSE], goal: &[f64; POSE]) -> Self {
-        Self { start: isometry(start), goal: isometry(goal) }
+    /// Between two poses, with quaternions of any norm.
+    pub fn new(start: &Pose, goal: &Pose) -> Self {
+        Self { start: start.isometry(), goal: goal.isometry() }
     }
 
     /// The pose with the nearest position; where start and goal are at the same place, the one that is as far from the goal
@@ -45,9 +44,9 @@ impl StraightMotion {
         interpolate(&self.start, &self.goal, fraction.clamp(0.0, 1.0))
     }
 
-    /// How far a pose (position m, quaternion w x y z of any norm) is from the nearest one.
-    pub fn departure(&self, pose: &[f64; POSE]) -> Departure {
-        let pose = isometry(pose);
+    /// How far a pose, with a quaternion of any norm, is from the nearest one.
+    pub fn departure(&self, pose: &Pose) -> Departure {
+        let pose = pose.isometry();
         let nearest = self.nearest(&pose);
         Departure {
             distance: (pose.translation.vector - nearest.translation.vector).norm(),
@@ -61,11 +60,11 @@ mod tests {
     use super::*;
 
     /// At a height (m), shifted aside (m) and rotated about z (rad).
-    fn pose(height: f64, aside: f64, turn: f64) -> [f64; POSE] {
-        [aside, 0.0, height, (0.5 * turn).cos(), 0.0, 0.0, (0.5 * turn).sin()]
+    fn pose(height: f64, aside: f64, turn: f64) -> Pose {
+        Pose([aside, 0.0, height, (0.5 * turn).cos(), 0.0, 0.0, (0.5 * turn).sin()])
     }
 
-    fn assert_departs(motion: &StraightMotion, pose: &[f64; POSE], distance: f64, rotation: f64) {
+    fn assert_departs(motion: &StraightMotion, pose: &Pose, distance: f64, rotation: f64) {
         let departure = motion.departure(pose);
         assert!((departure.distance - distance).abs() < 1e-12, "{departure:?}");
         assert!((departure.rotation - rotation).abs() < 1e-9, "{departure:?}");

@@ -4,6 +4,7 @@ use crate::grasp_error::GraspError;
 use crate::impedance::Impedance;
 use crate::inertia::Inertia;
 use crate::limits::Limits;
+use crate::pose::Pose;
 
 /// The moved body, its environment, and everything else that defines the optimal control problem.
 #[derive(Debug, Clone)]
@@ -15,10 +16,10 @@ pub struct AssemblyTask {
     /// Coulomb's coefficients of friction of all pairs in the plan, 0 to 2, each for scenarios of its own; 0 is the
     /// frictionless contact of the paper.
     pub frictions: Vec<f64>,
-    /// Start pose of the reference (position m, unit quaternion w x y z).
-    pub start: [f64; 7],
-    /// Goal pose of the body (position m, unit quaternion w x y z).
-    pub goal: [f64; 7],
+    /// Start pose of the reference, with a unit quaternion.
+    pub start: Pose,
+    /// Goal pose of the body, with a unit quaternion.
+    pub goal: Pose,
     /// The Cartesian impedance controller that tracks the reference (Eq. impedancewrench).
     pub impedance: Impedance,
     /// Grasp errors `q^(l)` (Sec. ocp:ocp).
@@ -48,7 +49,7 @@ impl AssemblyTask {
     }
 
     /// Smallest exact distance of all pairs (m) at a pose, negative where parts penetrate; infinite without pairs.
-    pub fn clearance(&self, pose: &[f64; 7]) -> f64 {
+    pub fn clearance(&self, pose: &Pose) -> f64 {
         self.pairs.iter().map(|pair| pair.shapes.exact_distance(pose)).fold(f64::INFINITY, f64::min)
     }
 

@@ -2,9 +2,9 @@
 
 use crate::grasp_error::GraspError;
 use crate::limits::Limits;
-use crate::pose;
+use crate::pose::{self, Pose, PoseError};
 use crate::quality::{Contact, Quality};
-use crate::state::{POSE, STATE, TWIST, pose_of};
+use crate::state::{State, Wrench};
 use crate::task::{AssemblyTask, ContactPair};
 
 /// A reference trajectory, and the motion of the body in every scenario while the robot tracks it. Quaternions have
@@ -14,7 +14,7 @@ pub struct Trajectory {
     /// Length of a step (s).
     pub time_step: f64,
     /// Reference states (pose, twist) at k = 0..N.
-    pub reference: Vec<[f64; STATE]>,
+    pub reference: Vec<State>,
     /// One per grasp error.
     pub scenarios: Vec<ScenarioTrajectory>,
     /// Largest `| |xi| - 1 |` before normalisation: the drift of Euler's method.
@@ -29,10 +29,9 @@ pub struct ScenarioTrajectory {
     /// Where the body sits in the gripper.
     pub grasp: GraspError,
     /// Compliant states at k = 0..N.
-    pub states: Vec<[f64; STATE]>,
-    /// Impedance wrenches at k = 1..N (Eq. impedancewrench): force in the world frame (N), torque in the body frame
-    /// (Nm).
-    pub wrenches: Vec<[f64; TWIST]>,
+    pub states: Vec<State>,
+    /// Impedance wrenches at k = 1..N (Eq. impedancewrench).
+    pub wrenches: Vec<Wrench>,
     /// Contacts at k = 1..N, one per pair.
     pub contacts: Vec<Vec<Contact>>,
     /// Final errors, and extremes of force and penetration.
@@ -44,21 +43,22 @@ pub struct ScenarioTrajectory {
 impl Trajectory {
     /// A trajectory from the raw states of the reference at k = 0..N, whose quaternions may have drifted from unit
     /// norm, and from the scenarios. `drift` is the largest deviation from unit norm.
-    pub fn new(time_step: f64, reference: &[[f64; STATE]], scenarios: Vec<ScenarioTrajectory>, drift: f64) -> Self {
+    pub fn new(time_step: f64, reference: &[State], scenarios: Vec<ScenarioTrajectory>, drift: f64) -> Self {
         Self {
             time_step,
             reference_keeps: Limits::kept_by(reference, time_step, &[], 0.0),
-            reference: reference.iter().map(normalised).collect(),
+            reference: reference.iter().map(State::normalised).collect(),
             scenarios,
             quaternion_drift: drift,
         }
     }
 
-    /// Largest final position error (m) and orientation error (rad) of all scenarios.
-    pub fn worst_errors(&self) -> (f64, f64) {
+    /// Largest final position error and orientation error of all scenarios.
+    pub fn worst_error(&self) -> PoseError {
         let qualities = self.scenarios.iter().map(|scenario| &scenario.quality);
-        qualities.fold((0.0, 0.0), |(position, orientation), quality| {
-            (quality.position_error.max(position), quality.orientation_error.max(orientation))
+        qualities.fold(PoseError { position: 0.0, orientation: 0.0 }, |worst, quality| PoseError {
+            position: quality.position_error.max(worst.position),
+            orientation: quality.orientation_error.max(worst.orientation),
         })
     }
 
@@ -75,14 +75,15 @@ impl ScenarioTrajectory {
         task: &AssemblyTask,
         grasp: GraspError,
         time_step: f64,
-        reference: &[[f64; STATE]],
-        raw: &[[f64; STATE]],
+        reference: &[State],
+        raw: &[State],
         forces: impl Fn(usize) -> Forces,
         tau: f64,
     ) -> Self {
-        let states: Vec<[f64; STATE]> = raw.iter().map(normalised).collect();
-        let poses: Vec<[f64; POSE]> = states.iter().map(pose_of).collect();
-        let smoothed = |pair: &ContactPair| pair.shapes.smoothed_distances(&poses[1..], tau);
+        let states: Vec<State> = raw.iter().map(State::normalised).collect();
+        let poses: Vec<Pose> = states.iter().map(State::pose).collect();
+        let after_steps = pose::arrays(&poses[1..]);
+        let smoothed = |pair: &ContactPair| pair.shapes.smoothed_distances(&after_steps, tau);
         let distances: Vec<Vec<f64>> = task.pairs.iter().map(smoothed).collect();
         let contacts: Vec<Vec<Contact>> = (1..poses.len())
             .map(|step| {
@@ -97,18 +98,7 @@ impl ScenarioTrajectory {
     }
 }
 
-fn wrenches(
-    task: &AssemblyTask,
-    grasp: &GraspError,
-    reference: &[[f64; STATE]],
-    states: &[[f64; STATE]],
-) -> Vec<[f64; TWIST]> {
+fn wrenches(task: &AssemblyTask, grasp: &GraspError, reference: &[State], states: &[State]) -> Vec<Wrench> {
     let (grasp, tracked) = (grasp.pose(), reference.iter().zip(states));
     tracked.map(|(reference, state)| task.impedance.wrench(reference, state, &grasp)).collect()
-}
-
-fn normalised(state: &[f64; STATE]) -> [f64; STATE] {
-    let mut unit = *state;
-    unit[..POSE].copy_from_slice(&pose::normalised(&pose_of(state)));
-    unit
 }

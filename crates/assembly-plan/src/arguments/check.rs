@@ -1,9 +1,10 @@
 //! What the user can say about a check.
 
 use clap::Args;
+use task::Pose;
 
 use crate::arguments::task::TaskArguments;
-use crate::values::{self, Pose};
+use crate::values;
 
 #[derive(Debug, Args)]
 pub struct CheckArguments {

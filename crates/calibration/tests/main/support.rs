@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use calibration::{Calibration, Estimate, Log, Parameter, calibrate};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use plan::{Choices, Problem};
-use simulation::{ArmModel, Reference, Rollout, Settings, coordinates, isometry};
-use task::{AssemblyTask, GraspError};
+use simulation::{ArmModel, Reference, Rollout, Settings};
+use task::{AssemblyTask, GraspError, Pose, State, Twist};
 use tempfile::TempDir;
 use workers::Workers;
 
@@ -80,12 +80,12 @@ impl Workshop {
         let settings = Settings { friction: truth.friction, settling_time: 0.0, ..Settings::default() };
         let mut rollout = Rollout::new(&task, settings);
         if let Some(arm) = &truth.arm {
-            rollout = rollout.with_arm(arm).unwrap().with_gains_set_for(isometry(&task.goal).rotation);
+            rollout = rollout.with_arm(arm).unwrap().with_gains_set_for(task.goal.isometry().rotation);
         }
-        let mut poses = vec![isometry(&reference.start())];
+        let mut poses = vec![reference.start().isometry()];
         rollout.play(reference, truth.grasp, |state, _| {
             if state.time >= poses.len() as f64 * reference.time_step() - 1e-9 {
-                poses.push(isometry(&state.pose) * truth.grasp.believed());
+                poses.push(state.pose.isometry() * truth.grasp.believed());
             }
         });
         let mut text = format!("# {}\n{}\n", self.header(dry_run), columns());
@@ -102,7 +102,7 @@ impl Workshop {
             );
             let phase = if knot + 2 == states.len() { "resting" } else { "playing" };
             let numbers =
-                [&[time][..], &coordinates(&noisy), &[0.0; 6], &[time], &states[knot][..7], &states[knot + 1][7..]];
+                [&[time][..], &Pose::from(&noisy)[..], &[0.0; 6], &[time], &states[knot][..7], &states[knot + 1][7..]];
             for number in numbers.concat() {
                 write!(text, "{number},").unwrap();
             }
@@ -113,8 +113,7 @@ impl Workshop {
 
     fn header(&self, dry_run: f64) -> serde_json::Value {
         let scene = self.problem.scene();
-        let identity = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
-        let [base, grasp] = scene.robot.as_ref().map_or([identity; 2], |robot| [robot.base, robot.grasp]);
+        let [base, grasp] = scene.robot.as_ref().map_or([Pose::IDENTITY; 2], |robot| [robot.base, robot.grasp]);
         serde_json::json!({
             "format": 1, "scene": scene.title, "base": base, "grasp": grasp, "goal": scene.goal,
             "delta_m": scene.offset_magnitude, "dry_run_m": dry_run,
@@ -152,18 +151,14 @@ pub fn through(poses: &[Isometry3<f64>], seconds: f64) -> Reference {
     for pair in poses.windows(2) {
         path.extend((1..=count).map(|step| {
             let fraction = (step as f64 / (MOVING * count as f64)).min(1.0);
-            simulation::interpolate(&pair[0], &pair[1], fraction)
+            task::pose::interpolate(&pair[0], &pair[1], fraction)
         }));
     }
     let state = |knot: usize| {
         let (now, before) = (&path[knot], &path[knot.saturating_sub(1)]);
         let velocity = (now.translation.vector - before.translation.vector) / TIME_STEP;
         let angular = (before.rotation.inverse() * now.rotation).scaled_axis() / TIME_STEP;
-        let mut state = [0.0; 13];
-        state[..7].copy_from_slice(&coordinates(now));
-        state[7..10].copy_from_slice(velocity.as_slice());
-        state[10..].copy_from_slice(angular.as_slice());
-        state
+        State::new(&Pose::from(now), &Twist::new(&velocity, &angular))
     };
     Reference::new(TIME_STEP, &(0..path.len()).map(state).collect::<Vec<_>>())
 }

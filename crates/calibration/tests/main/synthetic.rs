@@ -2,7 +2,6 @@
 
 use calibration::{CalibrationRecord, Entries, Parameter};
 use nalgebra::{Isometry3, Vector3};
-use simulation::isometry;
 use task::{GraspError, Inertia};
 
 use crate::support::{Workshop, arm_scene, estimate, found, project, test_motion, through};
@@ -13,7 +12,7 @@ fn corner() -> String {
 
 /// The goal shifted into free air.
 fn above_goal(workshop: &Workshop) -> Isometry3<f64> {
-    Isometry3::translation(0.05, 0.0, 0.05) * isometry(&workshop.problem.scene().goal)
+    Isometry3::translation(0.05, 0.0, 0.05) * workshop.problem.scene().goal.isometry()
 }
 
 #[test]
@@ -52,7 +51,7 @@ fn an_arm_is_found_in_free_air() {
 #[test]
 fn friction_and_grasp_are_found_where_the_part_slides() {
     let workshop = Workshop::new(&corner());
-    let goal = isometry(&workshop.problem.scene().goal);
+    let goal = workshop.problem.scene().goal.isometry();
     let mut truth = workshop.truth();
     truth.friction = 0.22;
     truth.grasp = GraspError { offset: [0.004, 0.0, 0.006], rotation: [0.0; 3] };

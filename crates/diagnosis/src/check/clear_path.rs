@@ -4,7 +4,7 @@
 use std::collections::{BTreeSet, VecDeque};
 
 use nalgebra::Vector3;
-use plan::clearance::{Clearance, position};
+use plan::clearance::Clearance;
 use serde::Serialize;
 use task::AssemblyTask;
 
@@ -45,7 +45,7 @@ pub enum ClearPath {
 
 /// Searches for a path.
 pub fn find(task: &AssemblyTask) -> ClearPath {
-    let (goal, path) = (position(&task.goal), position(&task.start) - position(&task.goal));
+    let (goal, path) = (task.goal.position(), task.start.position() - task.goal.position());
     let (length, step_m) = (path.norm(), path.norm() / CELLS);
     let mut clearance = Clearance::new(task);
     let straight = path.try_normalize(0.0).unwrap_or_default();

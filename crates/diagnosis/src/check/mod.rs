@@ -15,7 +15,7 @@ use plan::ranges::require;
 use plan::{PlannerError, Problem};
 use scene::Part;
 use serde::Serialize;
-use task::ContactPair;
+use task::{ContactPair, Pose};
 
 use crate::check::oddities::oddities;
 use crate::check::penetrations::penetrations;
@@ -54,7 +54,7 @@ pub struct PairReport {
 ///
 /// # Errors
 /// When `tau` is out of its range, or a distance cannot be computed.
-pub fn pair_reports(problem: &Problem, pose: &[f64; 7], tau: f64) -> Result<Vec<PairReport>, PlannerError> {
+pub fn pair_reports(problem: &Problem, pose: &Pose, tau: f64) -> Result<Vec<PairReport>, PlannerError> {
     require((1e-9..=1.0).contains(&tau), "tau", tau, "must lie between 1e-9 and 1")?;
     let report = |pair: &ContactPair| {
         let distance = pair

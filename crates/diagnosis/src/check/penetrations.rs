@@ -2,7 +2,7 @@
 
 use plan::Problem;
 use serde::Serialize;
-use task::{AssemblyTask, GraspError};
+use task::{AssemblyTask, GraspError, Pose};
 
 /// Penetration (m) that rounding of poses and meshes explains.
 const ROUNDING: f64 = 1e-4;
@@ -46,7 +46,7 @@ pub fn start_inside(problem: &Problem) -> Option<String> {
 }
 
 /// The pair that penetrates most at a pose, and how deep (m); negative where none does.
-pub fn deepest(task: &AssemblyTask, pose: &[f64; 7]) -> Option<(String, f64)> {
+pub fn deepest(task: &AssemblyTask, pose: &Pose) -> Option<(String, f64)> {
     let depths = task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
     depths.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(pair, depth)| (pair.to_string(), depth))
 }

@@ -21,7 +21,7 @@ const TURNED: f64 = 1e-3;
 pub fn refusal(problem: &Problem) -> Option<String> {
     start_inside(problem).or_else(|| goal_inside(problem)).or_else(|| not_assembled(problem)).or_else(|| {
         // With strong smoothing and rotations there may be a plan that the search does not find.
-        let (_, rotation) = task::pose::errors(&problem.task().start, &problem.task().goal);
+        let rotation = problem.task().start.error(&problem.task().goal).orientation;
         if rotation > TURNED {
             return None;
         }

@@ -5,7 +5,7 @@ use plan::pose_clearance::along_insertion;
 use plan::{Millimetres, Plan, Stop};
 use scene::Part;
 use task::algebra::norm;
-use task::{POSE, STATE, pose_of};
+use task::{Pose, State};
 
 use crate::check::{first_smoothing, rest, step};
 use crate::explain::limits::ActiveLimitRecord;
@@ -80,7 +80,7 @@ struct Case<'plan> {
 
 impl Case<'_> {
     /// The pair that penetrates most at a pose, with its penetration (m), if any does.
-    fn penetration(&self, pose: &[f64; POSE]) -> Option<(String, f64)> {
+    fn penetration(&self, pose: &Pose) -> Option<(String, f64)> {
         let pairs = self.plan.task.pairs.iter().map(|pair| (pair, -pair.shapes.exact_distance(pose)));
         let (pair, penetration) = pairs.max_by(|one, other| one.1.total_cmp(&other.1))?;
         (penetration > PENETRATION).then(|| (pair.to_string(), penetration))
@@ -97,7 +97,7 @@ impl Case<'_> {
     fn penetration_at_start(&self) -> Option<String> {
         let starts = self.plan.trajectory.scenarios.iter().map(|motion| &motion.states[0]);
         let penetrations =
-            (1..).zip(starts).filter_map(|(number, state)| Some((number, self.penetration(&pose_of(state))?)));
+            (1..).zip(starts).filter_map(|(number, state)| Some((number, self.penetration(&state.pose())?)));
         let (scenario, (pair, penetration)) = penetrations.max_by(|(_, one), (_, other)| one.1.total_cmp(&other.1))?;
         Some(format!(
             "[[start]] \"{}\": with the grasp error of scenario {scenario}, {pair} penetrate there by {:.2} mm: move the start \
@@ -209,11 +209,11 @@ impl Case<'_> {
         }
         let blocked = |stuck: &StuckScenario| {
             let states = &self.plan.trajectory.scenarios[stuck.scenario - 1].states;
-            let end = pose_of(states.last()?);
+            let end = states.last()?.pose();
             let between = |place: usize| {
                 let share = place as f64 / POSES as f64;
                 let mut pose = *goal;
-                (0..3).for_each(|axis| pose[axis] = end[axis] + share * (goal[axis] - end[axis]));
+                (0..3).for_each(|axis| pose.0[axis] = end[axis] + share * (goal[axis] - end[axis]));
                 self.penetration(&pose)
             };
             let (pair, penetration) = (1..POSES).filter_map(between).max_by(|one, other| one.1.total_cmp(&other.1))?;
@@ -256,7 +256,7 @@ impl Case<'_> {
     }
 }
 
-fn position_error(state: &[f64; STATE], goal: &[f64; POSE]) -> f64 {
+fn position_error(state: &State, goal: &Pose) -> f64 {
     norm(&[0, 1, 2].map(|axis| state[axis] - goal[axis]))
 }
 

@@ -1,7 +1,7 @@
 //! Limits that a plan reaches.
 
 use serde::{Deserialize, Serialize};
-use task::{Limits, STATE, Trajectory};
+use task::{Limits, State, Trajectory};
 
 /// Share of a limit from which on it is reached.
 const REACHED: f64 = 0.99;
@@ -39,7 +39,7 @@ pub fn active(limits: &Limits, usable: &Limits, motion: &Trajectory) -> Vec<Acti
 
 /// The tightest limits that reference and scenarios satisfy in a step.
 fn kept_in(motion: &Trajectory, step: usize) -> Limits {
-    let window = |states: &[[f64; STATE]]| states.get(step - 1..=step).unwrap_or_default().to_vec();
+    let window = |states: &[State]| states.get(step - 1..=step).unwrap_or_default().to_vec();
     let reference = Limits::kept_by(&window(&motion.reference), motion.time_step, &[], 0.0);
     motion.scenarios.iter().fold(reference, |limits, scenario| {
         let contacts = scenario.contacts.get(step - 1).into_iter().flatten();

@@ -3,8 +3,7 @@
 use plan::carried::{CarriedWorld, Frames};
 use plan::{ArmCourse, Plan};
 use scene::Robot;
-use simulation::isometry;
-use task::{ScenarioTrajectory, pose_of};
+use task::ScenarioTrajectory;
 
 /// Poses, speeds and torques that the arm cannot have, in the motions of all scenarios, and where it or the gripper meets the
 /// environment.
@@ -12,7 +11,7 @@ pub fn warnings(plan: &Plan) -> Vec<String> {
     let Some(robot) = &plan.problem.scene().robot else {
         let believed = |scenario: &ScenarioTrajectory| {
             let grasp = scenario.grasp.believed();
-            scenario.states.iter().map(|state| Frames::of_body(isometry(&pose_of(state)) * grasp)).collect()
+            scenario.states.iter().map(|state| Frames::of_body(state.pose().isometry() * grasp)).collect()
         };
         return meeting(plan, plan.trajectory.scenarios.iter().map(believed)).into_iter().collect();
     };

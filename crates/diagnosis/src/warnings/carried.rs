@@ -3,7 +3,6 @@
 use nalgebra::Isometry3;
 use plan::Problem;
 use plan::carried::{CarriedWorld, Frames};
-use simulation::isometry;
 use task::pose::interpolate;
 
 /// Poses between goal and start that are looked at without an arm.
@@ -20,7 +19,7 @@ pub fn warning(problem: &Problem) -> Option<String> {
         0 => "at the goal".to_owned(),
         at if at == last => "at the start".to_owned(),
         at => {
-            let [goal, start] = [&scene.goal, &problem.start().pose].map(|pose| isometry(pose).translation.vector);
+            let [goal, start] = [&scene.goal, &problem.start().pose].map(|pose| pose.isometry().translation.vector);
             let distance = (goal - start).norm() * at as f64 / last as f64;
             format!("{:.1} mm from the goal on the straight path to the start", 1e3 * distance)
         }
@@ -35,7 +34,7 @@ fn straight(problem: &Problem) -> Option<Vec<Frames>> {
     match &scene.robot {
         Some(robot) => Some(Frames::along(robot, &robot.ways.get(index)?.configurations)),
         None => {
-            let [goal, start]: [Isometry3<f64>; 2] = [isometry(&scene.goal), isometry(&start.pose)];
+            let [goal, start]: [Isometry3<f64>; 2] = [scene.goal.isometry(), start.pose.isometry()];
             let pose = |index: usize| interpolate(&goal, &start, index as f64 / (POSES - 1) as f64);
             Some((0..POSES).map(|index| Frames::of_body(pose(index))).collect())
         }

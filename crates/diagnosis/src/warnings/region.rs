@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use plan::Plan;
 use scene::{MeshPart, MotionRegion};
-use task::pose_of;
+use task::Pose;
 
 /// A warning with the time at which the body of some scenario first leaves the region.
 pub fn warning(plan: &Plan) -> Option<String> {
@@ -12,16 +12,16 @@ pub fn warning(plan: &Plan) -> Option<String> {
     let is_lost = |point: Point3<f64>| {
         !contains(region, &point) && scene.environment_meshes.iter().any(|mesh| is_near(mesh, &point))
     };
-    let leaves = |&[x, y, z, w, i, j, k]: &[f64; 7]| {
-        let placed = scene.body.iter().map(|part| part.shape.placed([x, y, z], [w, i, j, k]));
+    let leaves = |pose: &Pose| {
+        let placed = scene.body.iter().map(|part| part.shape.placed(pose.position().into(), pose.quaternion()));
         placed.flat_map(|shape| shape.vertices().to_vec()).any(|vertex| is_lost(vertex.into()))
     };
     let steps = plan.trajectory.scenarios.iter().enumerate().filter_map(|(scenario, motion)| {
-        let step = motion.states.iter().position(|state| leaves(&pose_of(state)))?;
+        let step = motion.states.iter().position(|state| leaves(&state.pose()))?;
         Some((step, scenario + 1))
     });
     let (step, scenario) = steps.min()?;
-    let pose = pose_of(&plan.trajectory.scenarios[scenario - 1].states[step]);
+    let pose = plan.trajectory.scenarios[scenario - 1].states[step].pose();
     let numbers = |numbers: &[f64]| numbers.iter().map(|number| format!("{number:.4}")).collect::<Vec<_>>().join(", ");
     Some(format!(
         "in scenario {scenario} the body leaves at {:.2} s the region around the straight motions from start to goal, \

@@ -11,12 +11,12 @@ pub fn warnings(problem: &Problem) -> Vec<String> {
 
 fn success_at_start(problem: &Problem) -> Option<String> {
     let (tolerance, task) = (problem.success().position, problem.task());
-    let (way, rotation) = task::pose::errors(&task.start, &task.goal);
-    (way <= tolerance && rotation <= problem.success().orientation).then(|| {
+    let path = task.start.error(&task.goal);
+    (path.position <= tolerance && path.orientation <= problem.success().orientation).then(|| {
         format!(
             "the start is {:.2} mm from the goal, within the tolerance of {:.2} mm, so that a body that never moves is a \
              success: move the start, or lower position_tolerance in [goal] or --position-tolerance",
-            1e3 * way,
+            1e3 * path.position,
             1e3 * tolerance
         )
     })

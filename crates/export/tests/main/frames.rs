@@ -4,7 +4,7 @@ use export::Frames;
 use nalgebra::{Isometry3, Matrix3, Matrix6, Translation3, UnitQuaternion, Vector3, Vector6};
 use proptest::prelude::*;
 use simulation::Knot;
-use task::Impedance;
+use task::{Impedance, Pose, State, Twist, Wrench};
 
 /// Poses within a metre, of any orientation.
 fn pose() -> impl Strategy<Value = Isometry3<f64>> {
@@ -70,7 +70,7 @@ proptest! {
     /// A wrench has the same power at the part and at the tool.
     #[test]
     fn wrenches_keep_their_power(frames in frames(), knot in knot(), force in vector(50.0), torque in vector(5.0)) {
-        let wrench = [force.x, force.y, force.z, torque.x, torque.y, torque.z];
+        let wrench = Wrench::new(&force, &torque);
         let state = frames.tool_state(&knot);
         let at_tool = frames.tool_wrench(&knot.pose, &wrench).dot(&stacked(state.velocity, state.angular_velocity));
         let at_part = force.dot(&knot.velocity) + torque.dot(&knot.angular_velocity);
@@ -81,7 +81,7 @@ proptest! {
     #[test]
     fn a_force_at_the_part_has_a_moment_about_the_tool(grasp in vector(0.3), force in vector(50.0)) {
         let frames = Frames { base: Isometry3::identity(), grasp: Translation3::from(grasp).into() };
-        let wrench = frames.tool_wrench(&Isometry3::identity(), &[force.x, force.y, force.z, 0.0, 0.0, 0.0]);
+        let wrench = frames.tool_wrench(&Isometry3::identity(), &Wrench([force.x, force.y, force.z, 0.0, 0.0, 0.0]));
         let moment: Vector3<f64> = wrench.fixed_rows::<3>(3).into();
         prop_assert!((moment - grasp.cross(&force)).norm() < 1e-12);
     }
@@ -105,13 +105,11 @@ proptest! {
         let small = 1e-6;
         let motion = Knot { pose: goal, ..knot };
         let state = |pose: &Isometry3<f64>, velocity: Vector3<f64>, angular: Vector3<f64>| {
-            let [x, y, z, w, i, j, k] = simulation::coordinates(pose);
-            [x, y, z, w, i, j, k, velocity.x, velocity.y, velocity.z, angular.x, angular.y, angular.z]
+            State::new(&Pose::from(pose), &Twist::new(&velocity, &angular))
         };
         let zero = Vector3::zeros();
-        let here = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
         let reference = state(&moved(&motion, small), small * motion.velocity, small * motion.angular_velocity);
-        let law = impedance.wrench(&reference, &state(&goal, zero, zero), &here);
+        let law = impedance.wrench(&reference, &state(&goal, zero, zero), &Pose::IDENTITY);
         let expected = frames.tool_wrench(&goal, &law) / small;
 
         let gains = frames.tool_gains(&goal, &impedance);

@@ -3,8 +3,9 @@
 use export::{Frames, SmoothReference, resample, trajectory_csv};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use simulation::{Reference, coordinates};
+use simulation::Reference;
 use store::{StateRow, read_csv, write_file};
+use task::{Pose, State};
 
 /// A robot whose tool is the part and whose base is the world.
 fn here() -> Frames {
@@ -13,7 +14,7 @@ fn here() -> Frames {
 
 /// Two to ten knots.
 fn reference() -> impl Strategy<Value = Reference> {
-    let knot = prop::array::uniform13(-1.0..1.0).prop_filter("a quaternion is not zero", |knot: &[f64; 13]| {
+    let knot = prop::array::uniform13(-1.0..1.0).prop_map(State).prop_filter("a quaternion is not zero", |knot| {
         knot[3..7].iter().map(|component| component * component).sum::<f64>() > 0.01
     });
     (prop::collection::vec(knot, 2..10), 0.01..0.2).prop_map(|(knots, time_step)| Reference::new(time_step, &knots))
@@ -32,12 +33,11 @@ fn planned() -> impl Strategy<Value = Reference> {
     let step = prop::array::uniform6(-0.02..0.02_f64);
     (prop::collection::vec(step, 2..8), 0.02..0.2).prop_map(|(steps, time_step)| {
         let mut pose = Isometry3::identity();
-        let mut states = vec![[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]];
+        let mut states = vec![Pose::IDENTITY.at_rest()];
         for [x, y, z, a, b, c] in steps {
             pose.translation.vector += Vector3::new(x, y, z);
             pose.rotation *= UnitQuaternion::from_scaled_axis(Vector3::new(a, b, c));
-            let [x, y, z, w, i, j, k] = coordinates(&pose);
-            states.push([x, y, z, w, i, j, k, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+            states.push(Pose::from(&pose).at_rest());
         }
         Reference::new(time_step, &states)
     })
@@ -91,11 +91,11 @@ proptest! {
 /// A sample at a knot is the knot, the reference begins and ends at rest, and on the way at constant speed it keeps it.
 #[test]
 fn samples_at_knots_are_the_knots() {
-    let states: Vec<[f64; 13]> = (0..4)
+    let states: Vec<State> = (0..4)
         .map(|step| {
             let angle = 0.3 * f64::from(step);
             let (x, qw, qx) = (0.01 * f64::from(step), (angle / 2.0).cos(), (angle / 2.0).sin());
-            [x, 0.0, 0.2, qw, qx, 0.0, 0.0, 0.25, 0.0, 0.0, 7.5, 0.0, 0.0]
+            State([x, 0.0, 0.2, qw, qx, 0.0, 0.0, 0.25, 0.0, 0.0, 7.5, 0.0, 0.0])
         })
         .collect();
     let rows = read(&Reference::new(0.04, &states), 500.0);
@@ -116,7 +116,7 @@ fn samples_at_knots_are_the_knots() {
 /// Nobody waits for a trajectory that is longer than an hour at 1 kHz.
 #[test]
 fn too_many_samples_are_refused() {
-    let still = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let still = Pose::IDENTITY.at_rest();
     let error =
         resample(&SmoothReference::new(&Reference::new(1e4, &[still, still])), &here(), 1e3).unwrap_err().to_string();
     assert!(error.contains("choose a lower rate"), "{error}");

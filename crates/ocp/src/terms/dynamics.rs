@@ -4,7 +4,7 @@ use autodiff::{Expression, Tape};
 use kkt::{Class, Owner};
 use nlp::Bounds;
 use task::algebra::apply;
-use task::{AssemblyTask, Impedance, Inertia, Limits, POSE, STATE, TWIST, at_rest};
+use task::{AssemblyTask, Impedance, Inertia, Limits, POSE, Pose, STATE, State, TWIST};
 
 use crate::block::{Block, Owners, POSE_VARIABLES, TWIST_VARIABLES};
 use crate::layout::Layout;
@@ -22,14 +22,14 @@ pub const VELOCITY_DYNAMICS: &str = "velocity dynamics";
 /// States and kinematics of the reference.
 pub struct ReferenceKinematics {
     time_step: f64,
-    start: [f64; STATE],
+    start: State,
     limits: Limits,
 }
 
 impl ReferenceKinematics {
     /// The kinematics of a task.
     pub fn new(task: &AssemblyTask) -> Self {
-        Self { time_step: task.horizon.time_step, start: at_rest(&task.start), limits: task.limits }
+        Self { time_step: task.horizon.time_step, start: task.start.at_rest(), limits: task.limits }
     }
 }
 
@@ -74,9 +74,9 @@ pub struct CompliantDynamics {
     inertia: Inertia,
     impedance: Impedance,
     /// Where the body sits in the gripper, one pose per scenario.
-    grasps: Vec<[f64; POSE]>,
+    grasps: Vec<Pose>,
     /// Compliant states at the start.
-    initial: Vec<[f64; STATE]>,
+    initial: Vec<State>,
     limits: Limits,
 }
 
@@ -122,7 +122,7 @@ impl StepTerm for CompliantDynamics {
             let (reference, grasp) = rest.split_at(STATE);
             let (pose, twist) = state.split_at(POSE);
             let mut defects = kinematic_defect(&previous[..POSE], pose, pose, twist, self.time_step);
-            let wrench = self.impedance.wrench(reference, state, grasp);
+            let wrench = self.impedance.law(reference, state, grasp);
             let acceleration = accelerate(&self.inertia, &wrench);
             for axis in 0..TWIST {
                 defects.push(twist[axis] - previous[POSE + axis] - acceleration[axis] * self.time_step);
@@ -151,12 +151,12 @@ impl StepTerm for CompliantDynamics {
 }
 
 /// Compliant states at the start, one per scenario: at rest at the pose `P_q^-1(start, grasp)`.
-pub fn initial_states(task: &AssemblyTask) -> Vec<[f64; STATE]> {
-    task.scenarios().iter().map(|scenario| at_rest(&scenario.grasp.actual(&task.start))).collect()
+pub fn initial_states(task: &AssemblyTask) -> Vec<State> {
+    task.scenarios().iter().map(|scenario| scenario.grasp.actual(&task.start).at_rest()).collect()
 }
 
 /// Where the body sits in the gripper, one pose per scenario.
-pub fn grasps(task: &AssemblyTask) -> Vec<[f64; POSE]> {
+pub fn grasps(task: &AssemblyTask) -> Vec<Pose> {
     task.scenarios().iter().map(|scenario| scenario.grasp.pose()).collect()
 }
 

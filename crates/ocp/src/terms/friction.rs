@@ -4,7 +4,7 @@
 
 use autodiff::{Expression, Tape};
 use task::algebra::{cross, dot, rotation};
-use task::{AssemblyTask, Inertia, POSE, STATE, TWIST};
+use task::{AssemblyTask, Inertia, POSE, State, TWIST};
 
 use super::contacts::CONTACT_FORCE;
 use super::dynamics::{VELOCITY_DYNAMICS, accelerate, initial_states};
@@ -37,7 +37,7 @@ pub struct Friction {
     /// In the unit of force.
     inertia: Inertia,
     /// Compliant states at the start.
-    initial: Vec<[f64; STATE]>,
+    initial: Vec<State>,
 }
 
 impl Friction {

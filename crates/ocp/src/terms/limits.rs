@@ -3,7 +3,7 @@
 use autodiff::Tape;
 use kkt::Class;
 use nlp::Bounds;
-use task::{AssemblyTask, Impedance, POSE, STATE, TWIST};
+use task::{AssemblyTask, Impedance, POSE, Pose, STATE, TWIST};
 
 use crate::block::{Block, Owners};
 use crate::layout::Layout;
@@ -66,7 +66,7 @@ impl StepTerm for AccelerationLimits {
 pub struct WrenchLimits {
     impedance: Impedance,
     /// Where the body sits in the gripper, one pose per scenario.
-    grasps: Vec<[f64; POSE]>,
+    grasps: Vec<Pose>,
     /// Limited axes of the wrench, each with its largest absolute value.
     limits: Vec<(usize, f64)>,
 }
@@ -93,7 +93,7 @@ impl StepTerm for WrenchLimits {
         Tape::record(2 * STATE + POSE, |inputs| {
             let (reference, rest) = inputs.split_at(STATE);
             let (state, grasp) = rest.split_at(STATE);
-            let wrench = self.impedance.wrench(reference, state, grasp);
+            let wrench = self.impedance.law(reference, state, grasp);
             self.limits.iter().map(|&(axis, _)| wrench[axis]).collect()
         })
     }

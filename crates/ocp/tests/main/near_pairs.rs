@@ -42,7 +42,7 @@ fn a_far_pair_changes_nothing_and_exerts_no_force() {
         (solve(&corner(), scene::default_homotopy(), None), solve(&with_a_far_pair(), scene::default_homotopy(), None));
     assert!((without.objective - with.objective).abs() < 1e-6 * without.objective, "{without:?}");
     for (one, other) in without.trajectory.reference.iter().zip(&with.trajectory.reference) {
-        assert!(one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-4));
+        assert!(one.iter().zip(other.iter()).all(|(one, other)| (one - other).abs() < 1e-4));
     }
     for contacts in with.trajectory.scenarios.iter().flat_map(|scenario| &scenario.contacts) {
         assert_eq!(contacts.len(), FAR + 1, "all pairs are in the result");

@@ -24,7 +24,7 @@ fn transcribe(reference: &Value, hessian: HessianKind) -> Transcription {
     let scene = scene::Scene::load(&path).unwrap();
     let mut task = scene.task(None, None).unwrap();
     task.horizon.steps = reference["steps"].as_u64().unwrap() as usize;
-    task.start.copy_from_slice(&numbers(&reference["x0"])[..7]);
+    task.start.0.copy_from_slice(&numbers(&reference["x0"])[..7]);
     let mut transcription = Transcription::new(&task, Complementarity::Relaxation, hessian);
     transcription.set_smoothing(reference["tau"].as_f64().unwrap(), reference["sigma"].as_f64().unwrap());
     transcription
@@ -45,7 +45,7 @@ fn check(file: &str) {
     let direction = numbers(&reference["direction"]);
     let mut problem = transcribe(&reference, HessianKind::Exact);
     for (scenario, expected) in reference["x0_compliant"].as_array().unwrap().iter().enumerate() {
-        assert_close(&problem.initial_compliant()[scenario], &numbers(expected), "x0_compliant");
+        assert_close(&problem.initial_compliant()[scenario][..], &numbers(expected), "x0_compliant");
     }
     problem.set_point(&x).unwrap();
     assert_close(&[problem.objective().unwrap()], &[reference["f"].as_f64().unwrap()], "f");

@@ -1,7 +1,7 @@
 //! Duration, forces and departures of a plan: the section `motion` of `result.json`.
 
 use serde::{Deserialize, Serialize};
-use task::{AssemblyTask, Contact, Departure, STATE, ScenarioTrajectory, StraightMotion, Trajectory, pose_of};
+use task::{AssemblyTask, Contact, Departure, ScenarioTrajectory, State, StraightMotion, Trajectory};
 
 use crate::or_null;
 
@@ -73,9 +73,9 @@ impl Extreme {
 }
 
 /// How far states at k = 0..N are from the straight motion from the first of them to the goal.
-fn departures(states: &[[f64; STATE]], task: &AssemblyTask) -> Vec<Departure> {
-    let straight = StraightMotion::new(&pose_of(&states[0]), &task.goal);
-    states.iter().map(|state| straight.departure(&pose_of(state))).collect()
+fn departures(states: &[State], task: &AssemblyTask) -> Vec<Departure> {
+    let straight = StraightMotion::new(&states[0].pose(), &task.goal);
+    states.iter().map(|state| straight.departure(&state.pose())).collect()
 }
 
 /// Whether no contact pushes the body in the steps that end and begin at a state; contacts are those at k = 1..N.
@@ -86,19 +86,19 @@ fn is_free(step: usize, contacts: &[Vec<Contact>]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use task::{GraspError, at_rest};
+    use task::{GraspError, Pose};
 
     use super::*;
     use crate::problem::{Choices, Problem};
     use crate::testing::corner;
 
     /// At a height above the goal of the corner scene and beside the straight path (m), rotated about it (rad).
-    fn state(goal: &[f64; 7], height: f64, aside: f64, turn: f64) -> [f64; STATE] {
+    fn state(goal: &Pose, height: f64, aside: f64, turn: f64) -> State {
         let mut pose = *goal;
-        pose[1] += aside;
-        pose[2] += height;
-        pose[3..].copy_from_slice(&[(0.5 * turn).cos(), 0.0, 0.0, (0.5 * turn).sin()]);
-        at_rest(&pose)
+        pose.0[1] += aside;
+        pose.0[2] += height;
+        pose.0[3..].copy_from_slice(&[(0.5 * turn).cos(), 0.0, 0.0, (0.5 * turn).sin()]);
+        pose.at_rest()
     }
 
     #[test]

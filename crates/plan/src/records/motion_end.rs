@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 use simulation::Success;
 use task::algebra::norm;
-use task::{AssemblyTask, POSE, STATE, ScenarioTrajectory, pose, pose_of};
+use task::{AssemblyTask, Pose, ScenarioTrajectory, State};
 
 use crate::directions::direction;
 use crate::or_null;
@@ -69,7 +69,7 @@ impl MotionEnd {
         let later = motion.contacts.iter().skip(from);
         let force = |pair: usize| mean(later.clone().map(|contacts| contacts[pair].force));
         let forces: Vec<f64> = (0..task.pairs.len()).map(force).collect();
-        let end = pose_of(&motion.states[last]);
+        let end = motion.states[last].pose();
         let missing: [f64; 3] = std::array::from_fn(|axis| task.goal[axis] - end[axis]);
         let holding = holding(task, &end, &forces, &missing);
         let contact = contact_force(task, &end, &holding, &forces);
@@ -90,7 +90,7 @@ impl MotionEnd {
 
 /// Indices of the pairs that hold a body at a pose, the largest force (N) first: those that push, those that penetrate, and
 /// those that touch on the side of the goal, which lies in the direction `missing`.
-fn holding(task: &AssemblyTask, pose: &[f64; POSE], forces: &[f64], missing: &[f64; 3]) -> Vec<usize> {
+fn holding(task: &AssemblyTask, pose: &Pose, forces: &[f64], missing: &[f64; 3]) -> Vec<usize> {
     let largest = forces.iter().copied().fold(0.0, f64::max);
     let is_in_the_way = |pair: usize| {
         let distance = task.pairs[pair].shapes.exact_distance(pose);
@@ -105,10 +105,10 @@ fn holding(task: &AssemblyTask, pose: &[f64; POSE], forces: &[f64], missing: &[f
 }
 
 /// The step from which on the motion comes no nearer to its goal.
-fn stuck_step(task: &AssemblyTask, states: &[[f64; STATE]], success: &Success) -> usize {
-    let miss = |state: &[f64; STATE]| {
-        let (position, orientation) = pose::errors(&pose_of(state), &task.goal);
-        position / success.position + orientation / success.orientation
+fn stuck_step(task: &AssemblyTask, states: &[State], success: &Success) -> usize {
+    let miss = |state: &State| {
+        let error = state.pose().error(&task.goal);
+        error.position / success.position + error.orientation / success.orientation
     };
     let misses: Vec<f64> = states.iter().map(miss).collect();
     let least = misses.iter().copied().fold(f64::INFINITY, f64::min);
@@ -116,7 +116,7 @@ fn stuck_step(task: &AssemblyTask, states: &[[f64; STATE]], success: &Success) -
 }
 
 /// Sum of the normal forces of some pairs on the body at a pose (N, world frame).
-fn contact_force(task: &AssemblyTask, pose: &[f64; POSE], pairs: &[usize], forces: &[f64]) -> [f64; 3] {
+fn contact_force(task: &AssemblyTask, pose: &Pose, pairs: &[usize], forces: &[f64]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for &pair in pairs {
         let normal = normal(task, pose, pair);
@@ -126,7 +126,7 @@ fn contact_force(task: &AssemblyTask, pose: &[f64; POSE], pairs: &[usize], force
 }
 
 /// Direction in which a pair pushes the body at a pose (world frame); zero where there is no distance.
-fn normal(task: &AssemblyTask, pose: &[f64; POSE], pair: usize) -> [f64; 3] {
+fn normal(task: &AssemblyTask, pose: &Pose, pair: usize) -> [f64; 3] {
     /// Smoothing with which normals hardly differ from those of the exact shapes (N m).
     const TAU: f64 = 1e-6;
     let distance = task.pairs[pair].shapes.distance(pose, TAU);

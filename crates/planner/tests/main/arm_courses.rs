@@ -1,13 +1,13 @@
 //! Joints of an arm along a motion of the body.
 
-use crate::support;
-
 use nalgebra::{Isometry3, Vector3, Vector6};
 use planner::{ArmCourse, Choices, Problem};
 use robot::JointVector;
 use scene::Robot;
-use simulation::{Reference, Settings, isometry};
-use task::{GraspError, pose_of};
+use simulation::{Reference, Settings};
+use task::{GraspError, Pose, State, Wrench};
+
+use crate::support;
 
 const KNOTS: usize = 21;
 const TIME_STEP: f64 = 0.1;
@@ -22,26 +22,18 @@ fn problem() -> Problem {
 }
 
 /// States of a body that is believed to move straight from the start to the goal.
-fn states(problem: &Problem, grasp: &GraspError) -> Vec<[f64; 13]> {
+fn states(problem: &Problem, grasp: &GraspError) -> Vec<State> {
     let (start, goal) = (problem.start().pose, problem.task().goal);
     let at = |knot: usize| {
         let share = knot as f64 / (KNOTS - 1) as f64;
-        let believed: [f64; 7] = std::array::from_fn(|index| start[index] + share * (goal[index] - start[index]));
-        let mut state = [0.0; 13];
-        state[..7].copy_from_slice(&grasp.actual(&believed));
-        state
+        let believed = Pose(std::array::from_fn(|index| start[index] + share * (goal[index] - start[index])));
+        grasp.actual(&believed).at_rest()
     };
     (0..KNOTS).map(at).collect()
 }
 
 /// Power (W) of a wrench at the body while the joints move.
-fn power(
-    robot: &Robot,
-    configuration: &JointVector,
-    speeds: &JointVector,
-    grasp: &GraspError,
-    wrench: &[f64; 6],
-) -> f64 {
+fn power(robot: &Robot, configuration: &JointVector, speeds: &JointVector, grasp: &GraspError, wrench: &Wrench) -> f64 {
     let step = 1e-6;
     let [before, after] = [-step, step].map(|step| robot.arm.pose(&(configuration + speeds * step)));
     // The force acts where the body is believed to be, the torque in the frame of the body.
@@ -49,7 +41,7 @@ fn power(
     let [from, to] = [before, after].map(|pose: Isometry3<f64>| pose.rotation * grasp.quaternion().inverse());
     let turning = (from.inverse() * to).scaled_axis() / (2.0 * step);
     let twist = Vector6::new(velocity.x, velocity.y, velocity.z, turning.x, turning.y, turning.z);
-    twist.dot(&Vector6::from(*wrench))
+    twist.dot(&Vector6::from(wrench.0))
 }
 
 #[test]
@@ -58,11 +50,11 @@ fn an_arm_is_where_it_believes_the_body_to_be_and_its_torques_do_the_work_of_the
     let robot = problem.scene().robot.as_ref().unwrap();
     let grasp = GraspError { offset: [0.01, -0.02, 0.005], rotation: [0.2, -0.1, 0.3] };
     let states = states(&problem, &grasp);
-    let wrench = [3.0, -2.0, 5.0, 0.4, -0.3, 0.2];
+    let wrench = Wrench([3.0, -2.0, 5.0, 0.4, -0.3, 0.2]);
     let course = ArmCourse::new(robot, TIME_STEP, &grasp, &states, &[wrench; KNOTS - 1]).unwrap();
     let joints = robot.arm.joints().len();
     for (knot, (configuration, torque)) in course.configurations.iter().zip(&course.torques).enumerate() {
-        let believed = isometry(&pose_of(&states[knot])) * grasp.believed();
+        let believed = states[knot].pose().isometry() * grasp.believed();
         let pose = robot.arm.pose(configuration);
         assert!((pose.translation.vector - believed.translation.vector).norm() < 1e-8, "knot {knot}");
         assert!(pose.rotation.angle_to(&believed.rotation) < 1e-7, "knot {knot}");
@@ -86,8 +78,8 @@ fn a_pose_out_of_reach_is_named_by_its_time() {
     let robot = problem.scene().robot.as_ref().unwrap();
     let grasp = GraspError::default();
     let mut states = states(&problem, &grasp);
-    states[3][2] += 5.0;
-    let error = ArmCourse::new(robot, TIME_STEP, &grasp, &states, &[[0.0; 6]; KNOTS - 1]).unwrap_err();
+    states[3].0[2] += 5.0;
+    let error = ArmCourse::new(robot, TIME_STEP, &grasp, &states, &[Wrench::ZERO; KNOTS - 1]).unwrap_err();
     assert!((error.time - 3.0 * TIME_STEP).abs() < 1e-9, "{error}");
 }
 

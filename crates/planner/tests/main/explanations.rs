@@ -127,7 +127,7 @@ fn a_horizon_that_is_too_short_is_named_and_the_advised_one_is_long_enough() {
     let after = advice.split("set steps = ").nth(1).unwrap();
     let steps = format!("steps = {}", after.split(' ').next().unwrap());
     let longer = plan_with(&[("steps = 10", &steps)], limits);
-    assert!(longer.trajectory.worst_errors().0 < 0.7 * plan.trajectory.worst_errors().0, "{advice}");
+    assert!(longer.trajectory.worst_error().position < 0.7 * plan.trajectory.worst_error().position, "{advice}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ use planner::{
     Choices, Cut, Event, Plan, PlanStatus, Problem, RobustnessTarget, Session, Stop, refine, refine_reference, solve,
 };
 use simulation::{Reference, Success};
-use task::{STATE, TWIST};
+use task::State;
 
 fn corner(success: Success) -> Problem {
     let choices = Choices {
@@ -56,7 +56,7 @@ fn result(plan: &Plan) -> PlanResult {
 }
 
 /// The states of a table: one list per scenario, or a single one.
-fn states(folder: &Path, name: &str) -> Vec<Vec<[f64; STATE]>> {
+fn states(folder: &Path, name: &str) -> Vec<Vec<State>> {
     let file = folder.join(name);
     let text = std::fs::read_to_string(&file).unwrap();
     let rows: Vec<StateRow> = read_csv(&file).unwrap();
@@ -69,10 +69,9 @@ fn states(folder: &Path, name: &str) -> Vec<Vec<[f64; STATE]>> {
 }
 
 /// Largest finite difference of the velocities in the components from one to another.
-fn largest_acceleration(motions: &[Vec<[f64; STATE]>], time_step: f64, axes: std::ops::Range<usize>) -> f64 {
-    let twist = |state: &[f64; STATE]| -> [f64; TWIST] { std::array::from_fn(|axis| state[STATE - TWIST + axis]) };
+fn largest_acceleration(motions: &[Vec<State>], time_step: f64, axes: std::ops::Range<usize>) -> f64 {
     let pairs = motions.iter().flat_map(|motion| motion.windows(2));
-    let change = |pair: &[[f64; STATE]], axis: usize| (twist(&pair[1])[axis] - twist(&pair[0])[axis]).abs() / time_step;
+    let change = |pair: &[State], axis: usize| (pair[1].twist()[axis] - pair[0].twist()[axis]).abs() / time_step;
     pairs.flat_map(|pair| axes.clone().map(move |axis| change(pair, axis))).fold(0.0, f64::max)
 }
 
@@ -177,7 +176,7 @@ fn any_reference_can_be_refined_without_a_plan() {
     let problem = corner(Success::default());
     let task = problem.task();
     let mut beside = task.goal;
-    beside[0] += 0.005;
+    beside.0[0] += 0.005;
     let push = Reference::straight(&task.start, &beside, task.horizon);
     let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
     let (refined, report) = quietly(|session| refine_reference(&problem, push.clone(), &target, session)).unwrap();

@@ -1,6 +1,8 @@
 //! Sections through the parts at some moments: one outline of the body per scenario, the reference dashed.
 
-use super::section::{isometry, others, section};
+use task::Pose;
+
+use super::section::{others, section};
 use super::svg::{Anchor, COLOURS, Drawing};
 use crate::model::{MotionData, PartData, PlanData};
 
@@ -88,26 +90,32 @@ impl Frame {
     }
 }
 
+/// The pose of a step, from seven numbers for each.
+fn pose(poses: &[f64], step: usize) -> Option<Pose> {
+    poses.as_chunks().0.get(step).copied().map(Pose)
+}
+
 fn panel(drawing: &mut Drawing, plan: &PlanData, motion: &MotionData, step: usize, frame: &Frame) {
-    let parts = |parts: &[PartData], pose: &[f64], style: &str, drawing: &mut Drawing| {
+    let parts = |parts: &[PartData], pose: &Pose, style: &str, drawing: &mut Drawing| {
         for part in parts {
-            let polygon = section(part, &isometry(pose), frame.axis, frame.at);
+            let polygon = section(part, &pose.isometry(), frame.axis, frame.at);
             if polygon.len() > 2 {
                 drawing.points("polygon", polygon.into_iter().map(|point| frame.pixel(point)), style);
             }
         }
     };
-    let at_rest = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
-    parts(&plan.environment, &at_rest, "fill=\"#b4bac4\" stroke=\"#808894\" stroke-width=\"0.5\"", drawing);
+    parts(&plan.environment, &Pose::IDENTITY, "fill=\"#b4bac4\" stroke=\"#808894\" stroke-width=\"0.5\"", drawing);
     for (index, scenario) in motion.scenarios.iter().enumerate() {
-        let Some(pose) = scenario.poses.get(7 * step..7 * step + 7) else { continue };
+        let Some(pose) = pose(&scenario.poses, step) else { continue };
         // Fills cover the strokes between parts, and the group is transparent as a whole: one outline per body.
         drawing.push(&format!("<g opacity=\"0.5\" fill=\"{}\">", COLOURS[index % COLOURS.len()]));
         for style in ["stroke=\"#303030\" stroke-width=\"2\"", ""] {
-            parts(&plan.body, pose, style, drawing);
+            parts(&plan.body, &pose, style, drawing);
         }
         drawing.push("</g>");
     }
     let dashed = "fill=\"none\" stroke=\"#000000\" stroke-dasharray=\"4 3\"";
-    parts(&plan.body, &motion.reference[7 * step..7 * step + 7], dashed, drawing);
+    if let Some(reference) = pose(&motion.reference, step) {
+        parts(&plan.body, &reference, dashed, drawing);
+    }
 }

@@ -1,6 +1,6 @@
 //! Sections through convex parts.
 
-use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Vector3};
 
 use crate::model::PartData;
 
@@ -37,12 +37,6 @@ fn around_their_centre(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points
 }
 
-/// A pose of seven numbers.
-pub fn isometry(pose: &[f64]) -> Isometry3<f64> {
-    let rotation = UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
-    Isometry3::from_parts(Translation3::new(pose[0], pose[1], pose[2]), rotation)
-}
-
 #[cfg(test)]
 mod tests {
     use simulation::Solid;
@@ -57,7 +51,7 @@ mod tests {
             vertices: solid.vertices.iter().flatten().copied().collect(),
             facets: solid.facets.iter().map(|facet| facet.corners.clone()).collect(),
         };
-        let turned = isometry(&[1.0, 0.0, 0.0, 0.5_f64.sqrt(), 0.0, 0.0, 0.5_f64.sqrt()]);
+        let turned = task::Pose([1.0, 0.0, 0.0, 0.5_f64.sqrt(), 0.0, 0.0, 0.5_f64.sqrt()]).isometry();
         let polygon = section(&part, &turned, 2, 0.05);
         assert_eq!(polygon.len(), 4);
         for [x, y] in &polygon {

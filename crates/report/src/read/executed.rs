@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use nalgebra::Vector3;
 use plan::{PlannerError, Problem, RobustnessTarget};
-use simulation::{Reference, Settings, coordinates, isometry};
+use simulation::{Reference, Settings};
 use store::{Ending, ExecutedState, Execution, StoredPlan};
-use task::{GraspError, POSE, STATE, ScenarioTrajectory, Trajectory, at_rest, pose_of};
+use task::{GraspError, Pose, ScenarioTrajectory, State, Trajectory, Twist, Wrench};
 
 use super::motion::{HARD, Measures, World};
 use crate::model::{ExecutionData, MotionData, Source};
@@ -82,7 +81,7 @@ fn motion(
 fn with_rest(reference: &Reference, time: f64) -> Reference {
     let mut states = reference.states();
     let knots = 1 + (time / reference.time_step()).ceil() as usize;
-    let end = at_rest(&pose_of(&states[states.len() - 1]));
+    let end = states[states.len() - 1].pose().at_rest();
     states.resize(knots.max(states.len()), end);
     Reference::new(reference.time_step(), &states)
 }
@@ -95,7 +94,7 @@ fn robot(
     beside: &Trajectory,
     states: &[(ExecutedState, f64)],
 ) -> ScenarioTrajectory {
-    let actual: Vec<[f64; STATE]> = states.iter().map(|(state, _)| actual(grasp, &state.believed)).collect();
+    let actual: Vec<State> = states.iter().map(|(state, _)| actual(grasp, &state.believed)).collect();
     let world = problem.world();
     let unknown = |_| std::iter::repeat_n(0.0, world.pairs.len());
     let reference = &beside.reference[..actual.len()];
@@ -103,25 +102,20 @@ fn robot(
 }
 
 /// State of a part that is believed to be in another one.
-fn actual(grasp: &GraspError, believed: &[f64; STATE]) -> [f64; STATE] {
-    let pose = grasp.actual(&pose_of(believed));
-    let [vx, vy, vz, wx, wy, wz] = [7, 8, 9, 10, 11, 12].map(|index| believed[index]);
-    let believed = isometry(&pose_of(believed));
-    let spin = believed.rotation * Vector3::new(wx, wy, wz);
-    let lever = isometry(&pose).translation.vector - believed.translation.vector;
-    let velocity = Vector3::new(vx, vy, vz) + spin.cross(&lever);
-    let spin = grasp.quaternion() * Vector3::new(wx, wy, wz);
-    let mut state = [0.0; STATE];
-    state[..POSE].copy_from_slice(&coordinates(&isometry(&pose)));
-    state[POSE..POSE + 3].copy_from_slice(velocity.as_slice());
-    state[POSE + 3..].copy_from_slice(spin.as_slice());
-    state
+fn actual(grasp: &GraspError, believed: &State) -> State {
+    let pose = grasp.actual(&believed.pose());
+    let twist = believed.twist();
+    let spin = believed.pose().orientation() * twist.angular_velocity();
+    let lever = pose.position() - believed.pose().position();
+    let velocity = twist.velocity() + spin.cross(&lever);
+    let twist = Twist::new(&velocity, &(grasp.quaternion() * twist.angular_velocity()));
+    State::new(&Pose::from(&pose.isometry()), &twist)
 }
 
 /// Wrenches from the first step on, none if the log has no column for them.
 fn measured(states: &[(ExecutedState, f64)]) -> Vec<f64> {
-    let wrenches: Option<Vec<[f64; 6]>> = states[1..].iter().map(|(state, _)| state.wrench).collect();
-    wrenches.unwrap_or_default().iter().flatten().map(|&component| rounded(component, FORCE)).collect()
+    let wrenches: Option<Vec<Wrench>> = states[1..].iter().map(|(state, _)| state.wrench).collect();
+    wrenches.unwrap_or_default().iter().flat_map(|wrench| wrench.0).map(|component| rounded(component, FORCE)).collect()
 }
 
 #[cfg(test)]
@@ -140,8 +134,8 @@ mod tests {
     #[test]
     fn the_part_moves_with_the_gripper() {
         let grasp = GraspError { offset: [0.0, 0.1, 0.0], rotation: [0.0; 3] };
-        let mut believed = at_rest(&[1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0]);
-        believed[12] = 0.5;
+        let mut believed = Pose([1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0]).at_rest();
+        believed.0[12] = 0.5;
         let actual = actual(&grasp, &believed);
         assert_eq!(actual[..3], [1.0, 1.9, 3.0]);
         // Turning about z, a part below the believed one moves along x.

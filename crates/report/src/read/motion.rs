@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 
 use collision::Solutions;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 use plan::PlannerError;
 use simulation::Success;
 use store::{MotionTables, ScenarioTables};
-use task::{Contact, ContactPair, Quality, ScenarioTrajectory, Trajectory, pose_of};
+use task::{Contact, ContactPair, Pose, Quality, ScenarioTrajectory, State, Trajectory};
 
 use crate::model::{MotionData, ScenarioData, Source};
 use crate::rounded::{ANGLE, FORCE, LENGTH, all, pose, rounded};
@@ -23,7 +23,7 @@ const SMALLEST: f64 = 1e-3;
 pub struct World {
     pairs: Vec<ContactPair>,
     indices: HashMap<String, usize>,
-    goal: [f64; 7],
+    goal: Pose,
     success: Success,
 }
 
@@ -45,7 +45,7 @@ impl From<&Quality> for Measures {
 /// Data that the scenarios of a motion share.
 struct Shown {
     /// Pose of the reference at the start.
-    believed: [f64; 7],
+    believed: Pose,
     /// Indices of the pairs of its tables.
     pairs: Vec<usize>,
     /// Smoothing of the distances (N m).
@@ -59,7 +59,7 @@ struct Shown {
 
 impl World {
     /// For the pairs of a scene.
-    pub fn new(pairs: Vec<ContactPair>, goal: [f64; 7], success: Success) -> Self {
+    pub fn new(pairs: Vec<ContactPair>, goal: Pose, success: Success) -> Self {
         let indices = pairs.iter().enumerate().map(|(index, pair)| (pair.to_string(), index)).collect();
         Self { pairs, indices, goal, success }
     }
@@ -85,8 +85,11 @@ impl World {
 
     /// How every scenario of a motion ends at its last knot, and the largest force of its steps.
     pub fn measures(&self, tables: &MotionTables) -> Vec<Measures> {
-        let last = |scenario: &ScenarioTables| scenario.states.last().map_or(self.goal, pose_of);
-        let errors = |pose: [f64; 7]| <[f64; 2]>::from(task::pose::errors(&pose, &self.goal));
+        let last = |scenario: &ScenarioTables| scenario.states.last().map_or(self.goal, State::pose);
+        let errors = |pose: Pose| {
+            let error = pose.error(&self.goal);
+            [error.position, error.orientation]
+        };
         let max_force = |scenario: &ScenarioTables| {
             scenario.contacts.iter().map(|contacts| largest_force(contacts)).fold(0.0, f64::max)
         };
@@ -112,7 +115,7 @@ impl World {
         let forces = tables.scenarios.iter().flat_map(|scenario| scenario.contacts.iter().flatten());
         let least = SMALLEST.max(SHOWN * forces.map(|contact| contact.force).fold(0.0, f64::max));
         let in_full = !matches!(source, Source::Iteration { .. });
-        let shown = Shown { believed: pose_of(&tables.reference[0]), pairs, tau, least, in_full };
+        let shown = Shown { believed: tables.reference[0].pose(), pairs, tau, least, in_full };
         let scenarios = tables.scenarios.iter().zip(measures);
         Ok(MotionData {
             source,
@@ -125,15 +128,15 @@ impl World {
     }
 
     fn scenario(&self, scenario: &ScenarioTables, measures: Measures, shown: &Shown) -> ScenarioData {
-        let (offset, rotation) = grasp_error(&shown.believed, &pose_of(&scenario.states[0]));
+        let (offset, rotation) = grasp_error(&shown.believed, &scenario.states[0].pose());
         let smallest =
             |contacts: &Vec<Contact>| contacts.iter().map(|contact| contact.distance).fold(f64::NAN, f64::min);
         let distances = scenario.contacts.iter().map(smallest);
-        let distances = std::iter::once(self.distance(&pose_of(&scenario.states[0]), shown)).chain(distances);
-        let pushing = |(contacts, state): (&Vec<Contact>, &[f64; 13])| {
+        let distances = std::iter::once(self.distance(&scenario.states[0].pose(), shown)).chain(distances);
+        let pushing = |(contacts, state): (&Vec<Contact>, &State)| {
             let pushing = contacts.iter().zip(&shown.pairs).filter(|(contact, _)| contact.force >= shown.least);
             pushing
-                .filter_map(|(contact, &pair)| self.arrow(pair, contact.force, &pose_of(state), shown.tau))
+                .filter_map(|(contact, &pair)| self.arrow(pair, contact.force, &state.pose(), shown.tau))
                 .flatten()
                 .collect()
         };
@@ -147,7 +150,7 @@ impl World {
             errors: all(measures.errors, LENGTH),
             success: self.success.reached(measures.errors[0], measures.errors[1]),
             poses: scenario.states.iter().flat_map(|state| pose(&state[..7])).collect(),
-            wrenches: wrenches.flatten().map(|&component| rounded(component, FORCE)).collect(),
+            wrenches: wrenches.flat_map(|wrench| wrench.0).map(|component| rounded(component, FORCE)).collect(),
             distances: distances.map(|distance| rounded(distance, LENGTH)).collect(),
             forces: scenario.contacts.iter().map(|contacts| rounded(largest_force(contacts), FORCE)).collect(),
             max_force: rounded(measures.max_force, FORCE),
@@ -157,13 +160,13 @@ impl World {
     }
 
     /// Smallest distance of all pairs at a pose; not a number where none can be computed.
-    fn distance(&self, pose: &[f64; 7], shown: &Shown) -> f64 {
+    fn distance(&self, pose: &Pose, shown: &Shown) -> f64 {
         let contacts = shown.pairs.iter().filter_map(|&pair| self.contact(pair, pose, shown.tau));
         contacts.map(|[distance, ..]| distance).fold(f64::NAN, f64::min)
     }
 
     /// Pair, force, point and direction of a contact force on the body; none where the distance cannot be computed.
-    fn arrow(&self, pair: usize, force: f64, pose: &[f64; 7], tau: f64) -> Option<[f64; 8]> {
+    fn arrow(&self, pair: usize, force: f64, pose: &Pose, tau: f64) -> Option<[f64; 8]> {
         let [_, nx, ny, nz, _, _, _, x, y, z] = self.contact(pair, pose, tau)?;
         // A smoothed normal may be shorter than one.
         let normal = Vector3::new(nx, ny, nz).try_normalize(0.0)?;
@@ -172,10 +175,9 @@ impl World {
     }
 
     /// Distance, contact normal and contact point of a pair; none where they cannot be computed.
-    fn contact(&self, pair: usize, pose: &[f64; 7], tau: f64) -> Option<[f64; 10]> {
+    fn contact(&self, pair: usize, pose: &Pose, tau: f64) -> Option<[f64; 10]> {
         let mut contact = [[0.0; 10]];
-        let (poses, solutions) = (std::slice::from_ref(pose), &mut Solutions::default());
-        self.pairs[pair].shapes.contacts(poses, tau, solutions, &mut contact).ok()?;
+        self.pairs[pair].shapes.contacts(&[pose.0], tau, &mut Solutions::default(), &mut contact).ok()?;
         Some(contact[0])
     }
 }
@@ -186,11 +188,10 @@ fn largest_force(contacts: &[Contact]) -> f64 {
 }
 
 /// Offset (m, body frame) and rotation error (rad) of a body with an actual and a believed pose.
-fn grasp_error(believed: &[f64; 7], actual: &[f64; 7]) -> ([f64; 3], [f64; 3]) {
-    let rotation = |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
-    let shift = Vector3::from_fn(|axis, _| believed[axis] - actual[axis]);
-    let offset = rotation(actual).inverse() * shift;
-    let rotation = (rotation(actual).inverse() * rotation(believed)).scaled_axis();
+fn grasp_error(believed: &Pose, actual: &Pose) -> ([f64; 3], [f64; 3]) {
+    let to_body = actual.orientation().inverse();
+    let offset = to_body * (believed.position() - actual.position());
+    let rotation = (to_body * believed.orientation()).scaled_axis();
     (offset.into(), rotation.into())
 }
 
@@ -202,11 +203,9 @@ mod tests {
 
     #[test]
     fn grasp_errors_are_read_from_where_the_body_starts() {
-        let mut state = [0.0; 13];
-        state[..7].copy_from_slice(&[0.1, 0.2, 0.3, 0.6, 0.0, 0.8, 0.0]);
+        let believed = Pose([0.1, 0.2, 0.3, 0.6, 0.0, 0.8, 0.0]);
         let grasp = GraspError { offset: [0.01, -0.02, 0.03], rotation: [0.1, 0.05, -0.2] };
-        let start = grasp.actual(&pose_of(&state));
-        let (offset, rotation) = grasp_error(&pose_of(&state), &start);
+        let (offset, rotation) = grasp_error(&believed, &grasp.actual(&believed));
         for axis in 0..3 {
             assert!((offset[axis] - grasp.offset[axis]).abs() < 1e-12, "{offset:?}");
             assert!((rotation[axis] - grasp.rotation[axis]).abs() < 1e-12, "{rotation:?}");

@@ -11,6 +11,7 @@ mod section;
 mod walls;
 
 use fastrand::Rng;
+use task::Pose;
 
 use crate::draft::{Draft, DraftPart, DraftShape, rounded};
 pub use kind::{PegKey, PegSection};
@@ -76,7 +77,7 @@ impl Peg {
             body: self.body(&section)?,
             environment: self.environment(&section)?,
             starts: self.starts(&section, &mut rng),
-            goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+            goal: Pose([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]),
             position_tolerance: None,
             offset,
             contact_force: None,
@@ -152,9 +153,9 @@ impl Peg {
         }
     }
 
-    fn starts(&self, section: &Section, rng: &mut Rng) -> Vec<[f64; 7]> {
+    fn starts(&self, section: &Section, rng: &mut Rng) -> Vec<Pose> {
         let height = 0.5 * self.length + LIFT * self.length.max(section.diameter());
-        let turned = |[w, x, y, z]: [f64; 4]| [0.0, 0.0, height, w, x, y, z];
+        let turned = |quaternion| Pose::new([0.0, 0.0, height], quaternion);
         match self.section {
             PegSection::Random { .. } => {
                 (0..RANDOM_STARTS).map(|_| turned(random::orientation(rng, RANDOM_TILTS))).collect()

@@ -8,6 +8,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use scene::SceneError;
+use task::Pose;
 
 use crate::draft::{Draft, DraftPart, DraftShape};
 
@@ -163,8 +164,8 @@ fn shaft_draft(values: &StarterValues) -> Draft {
             wall("front", long, [0.0, -middle]),
             wall("back", long, [0.0, middle]),
         ],
-        starts: vec![[0.0, 0.0, LENGTH, 1.0, 0.0, 0.0, 0.0]],
-        goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+        starts: vec![Pose([0.0, 0.0, LENGTH, 1.0, 0.0, 0.0, 0.0])],
+        goal: Pose([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]),
         position_tolerance: values.position_tolerance,
         offset: values.offset.unwrap_or(OFFSET),
         contact_force: Some(values.contact_force),
@@ -182,7 +183,7 @@ fn file_draft(
     };
     let (body_part, environment) = (draft("body", &parts.body)?, draft("environment", &parts.environment)?);
     let place = parts.body.bounds().center();
-    let moved = |by: &[f64; 3]| [place[0] + by[0], place[1] + by[1], place[2] + by[2], 1.0, 0.0, 0.0, 0.0];
+    let moved = |by: &[f64; 3]| Pose([place[0] + by[0], place[1] + by[1], place[2] + by[2], 1.0, 0.0, 0.0, 0.0]);
     let lines = [
         "The body goes to where its file has it in the frame of both files. Check what was found and chosen:",
         "  1. goal: the pose of the body's centre when it is assembled, lifted a little so that it touches nothing",

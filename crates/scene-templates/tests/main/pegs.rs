@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use proptest::prelude::*;
 use scene::{Scene, scene_schema};
 use scene_templates::{Peg, PegKey, PegSection};
+use task::Pose;
 
 use crate::parse;
 
@@ -96,7 +97,7 @@ fn to_segment([x, y]: Point, ([x1, y1], [x2, y2]): (Point, Point)) -> f64 {
 
 /// Smallest distance with the peg moved away from its goal.
 fn clearance_at(scene: &Scene, [x, y, z]: [f64; 3]) -> f64 {
-    scene.task(None, None).unwrap().clearance(&[x, y, z, 1.0, 0.0, 0.0, 0.0])
+    scene.task(None, None).unwrap().clearance(&Pose([x, y, z, 1.0, 0.0, 0.0, 0.0]))
 }
 
 fn around() -> impl Iterator<Item = Point> {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use scene::{Scene, SceneError, keys, scene_schema};
 use scene_templates::{Axis, FilePair, StarterPoses, StarterValues, starter_scene};
-use task::Coverage;
+use task::{Coverage, Pose};
 
 use crate::parse;
 
@@ -100,7 +100,7 @@ fn keys_in_comments_can_be_used() {
 fn poses_of_meshes_are_those_of_their_boxes() {
     let folder = folder();
     let scene = from_meshes(&folder.path().join("my.toml"), &pair(folder.path())).unwrap();
-    let near = |pose: &[f64; 7], position: [f64; 3]| {
+    let near = |pose: &Pose, position: [f64; 3]| {
         let close = pose.iter().zip(position).all(|(one, other)| (one - other).abs() < 1e-9);
         assert!(close && pose[3..] == [1.0, 0.0, 0.0, 0.0], "{pose:?}");
     };
@@ -108,7 +108,7 @@ fn poses_of_meshes_are_those_of_their_boxes() {
     near(&scene.starts[0].pose, [0.1, 0.015, 0.076]);
     let task = scene.task(None, None).unwrap();
     let mut mated = scene.goal;
-    mated[2] -= 2e-4;
+    mated.0[2] -= 2e-4;
     assert!((task.clearance(&mated) - 0.001).abs() < 1e-6, "the body is where its mesh is, but for a little lift");
     assert!(scene.body[0].shape.center().iter().all(|coordinate| coordinate.abs() < 1e-6));
     assert_eq!((scene.offset_magnitude, scene.limits.contact_force, scene.position_tolerance), (0.001, 60.0, None));
@@ -188,7 +188,7 @@ fn models_need_no_unit() {
     let scene = from_meshes(&folder.path().join("my.toml"), &body("body.urdf")).unwrap();
     let of_mesh = from_meshes(&folder.path().join("mesh.toml"), &right).unwrap();
     for (one, other) in [(scene.goal, of_mesh.goal), (scene.starts[0].pose, of_mesh.starts[0].pose)] {
-        assert!(one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-9), "{one:?} {other:?}");
+        assert!(one.iter().zip(other.iter()).all(|(one, other)| (one - other).abs() < 1e-9), "{one:?} {other:?}");
     }
     let without_unit = FilePair { unit: None, environment: folder.path().join("body.urdf"), ..body("body.urdf") };
     from_meshes(&folder.path().join("models.toml"), &without_unit).unwrap();

@@ -9,11 +9,13 @@ use std::path::PathBuf;
 use ::robot::gains::FrictionWrench;
 use ::robot::{Arm, JointPath, JointVector, RigidInertia};
 use nalgebra::{Isometry3, Matrix3, Matrix6};
+use task::Pose;
+use task::pose::interpolate;
 
 use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::material::Material;
-use crate::pose::{StartPose, between, of_pose, orientation};
+use crate::pose::{StartPose, orientation};
 use crate::table::Table;
 
 pub use stiffness::{Stiffness, stiffness};
@@ -34,9 +36,9 @@ pub struct Robot {
     /// Link that holds the body.
     pub tip: String,
     /// Pose of the body's frame in that of the tip (position m, unit quaternion w x y z).
-    pub grasp: [f64; 7],
+    pub grasp: Pose,
     /// Pose of the arm's base in the world frame, likewise.
-    pub base: [f64; 7],
+    pub base: Pose,
     /// The arm, with base, grasp, rotors and payload.
     pub arm: Arm,
     /// Joint positions (rad or m) near the goal, as the scene gives them.
@@ -59,7 +61,7 @@ impl Robot {
     pub fn read(
         table: &Table,
         material: Option<&Material>,
-        (starts, goal): (&[StartPose], &[f64; 7]),
+        (starts, goal): (&[StartPose], &Pose),
     ) -> Result<Option<Self>, SceneError> {
         let Some(urdf) = table.find("urdf") else {
             return match ARM_KEYS.iter().find_map(|key| table.find(key)) {
@@ -83,7 +85,7 @@ impl Robot {
         }
         let rotor_inertia = per_joint(table, "rotor_inertia", count)?;
         let payload = material.map_or(Ok(RigidInertia::zero()), payload).map_err(|error| urdf.refuse(error))?;
-        let arm = arm.with_base(&of_pose(&base)).with_grasp(&of_pose(&grasp)).with_payload(payload);
+        let arm = arm.with_base(&base.isometry()).with_grasp(&grasp.isometry()).with_payload(payload);
         let arm = arm.with_rotor_inertia(&rotor_inertia).map_err(|error| urdf.refuse(error.to_string()))?;
         let given = table.require("configuration")?;
         let near = arm.configuration(&given.numbers()?).map_err(|error| given.refuse(error.to_string()))?;
@@ -93,7 +95,7 @@ impl Robot {
             ))
         };
         let configuration = arm
-            .inverse_kinematics(&of_pose(goal), &near)
+            .inverse_kinematics(&goal.isometry(), &near)
             .map_err(|error| unreachable("the goal".into(), error.to_string()))?;
         let way = |start: &StartPose| {
             let what = format!("start `{}` on the straight path from the goal", start.name);
@@ -144,10 +146,10 @@ impl Robot {
 }
 
 /// A pose that a table gives in part: the identity where it does not.
-fn placement(table: &Table) -> Result<[f64; 7], SceneError> {
-    let [x, y, z] = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
-    let [w, i, j, k] = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
-    Ok([x, y, z, w, i, j, k])
+fn placement(table: &Table) -> Result<Pose, SceneError> {
+    let position = table.find("position").map_or(Ok([0.0; 3]), |entry| entry.vector())?;
+    let orientation = table.find("orientation").map_or(Ok([1.0, 0.0, 0.0, 0.0]), |entry| orientation(&entry))?;
+    Ok(Pose::new(position, orientation))
 }
 
 /// One number for each joint: the same where the scene gives one only.
@@ -174,8 +176,8 @@ fn payload(material: &Material) -> Result<RigidInertia, String> {
 }
 
 /// Poses on the straight path between two, a second apart.
-fn straight(from: &[f64; 7], to: &[f64; 7]) -> Vec<(f64, Isometry3<f64>)> {
-    let (from, to) = (of_pose(from), of_pose(to));
-    let pose = |index: usize| (index as f64, between(&from, &to, index as f64 / (POSES - 1) as f64));
+fn straight(from: &Pose, to: &Pose) -> Vec<(f64, Isometry3<f64>)> {
+    let (from, to) = (from.isometry(), to.isometry());
+    let pose = |index: usize| (index as f64, interpolate(&from, &to, index as f64 / (POSES - 1) as f64));
     (0..POSES).map(pose).collect()
 }

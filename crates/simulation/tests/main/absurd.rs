@@ -52,7 +52,7 @@ fn references_tasks_and_grasps_with_absurd_values_end() {
     for value in ABSURD {
         for component in 0..13 {
             let mut state = at_rest([0.0, 0.0, 0.05]);
-            state[component] = value;
+            state.0[component] = value;
             let reference = Reference::new(0.01, &[at_rest([0.0, 0.0, 0.05]), state, state]);
             let outcome = rollout.play(&reference, [0.0; 3], |_, _| {});
             assert!(outcome.diverged || outcome.pose.iter().all(|component| component.is_finite()));

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use nalgebra::{Isometry3, Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Isometry3, Matrix3, Vector3, Vector6};
 use proptest::prelude::*;
 use robot::gains::FrictionWrench;
 use robot::{Arm, JointVector, RigidInertia};
@@ -11,7 +11,7 @@ use simulation::{
     ArmModel, Disturbance, Evaluator, FrictionIndex, Injection, Reference, Refinement, Rollout, Settings, Success,
     TestCase, TimedState,
 };
-use task::{AssemblyTask, GraspError, Impedance, Inertia};
+use task::{AssemblyTask, GraspError, Impedance, Inertia, Pose, State};
 use workers::Workers;
 
 use crate::refinement::assert_records_are_whole_rollouts;
@@ -40,11 +40,11 @@ impl Record {
 
     /// With the arm of a URDF.
     pub fn of(content: &Value, urdf: &Path) -> Self {
-        let states: Vec<[f64; 13]> = content["reference"].as_array().unwrap().iter().map(array).collect();
+        let states: Vec<State> = content["reference"].as_array().unwrap().iter().map(array).map(State).collect();
         let part = block(array(&content["edges"]), [0.0; 3]);
         let floors = content["floor_height"].as_f64().map(|height| block([4.0, 4.0, 0.2], [0.0, 0.0, height - 0.1]));
         let mut task = task(&part, floors.as_slice());
-        (task.start, task.goal) = (pose_of(&states[0]), pose_of(&states[0]));
+        (task.start, task.goal) = (states[0].pose(), states[0].pose());
         let [translational_stiffness, rotational_stiffness] = array(&content["stiffness"]);
         let [translational, rotational] = array(&content["damping"]).map(Matrix3::from_diagonal_element);
         task.impedance = Impedance {
@@ -55,7 +55,7 @@ impl Record {
         };
         let poses = content["poses"].as_array().unwrap().iter().map(|row| {
             let [time, pose @ ..]: [f64; 8] = array(row);
-            (time, isometry(&pose))
+            (time, Pose(pose).isometry())
         });
         Self {
             model: model(content, urdf),
@@ -77,7 +77,7 @@ impl Record {
         let states = states(rollout, &self.reference, self.grasp);
         self.poses.iter().fold((0.0, 0.0), |(distance, angle), (time, expected)| {
             let state = states.iter().find(|state| (state.time - time).abs() < 1e-9).unwrap();
-            let pose = isometry(&state.pose);
+            let pose = state.pose.isometry();
             (
                 distance.max((pose.translation.vector - expected.translation.vector).norm()),
                 angle.max(pose.rotation.angle_to(&expected.rotation)),
@@ -98,7 +98,7 @@ pub fn urdf(content: &Value) -> PathBuf {
 fn model(content: &Value, urdf: &Path) -> ArmModel {
     let frame = |name: &str| {
         let ([x, y, z], [w, i, j, k]) = (array(&content[name]["position"]), array(&content[name]["orientation"]));
-        isometry(&[x, y, z, w, i, j, k])
+        Pose([x, y, z, w, i, j, k]).isometry()
     };
     let payload = &content["payload"];
     let [xx, yy, zz, xy, xz, yz] = array(&payload["inertia"]);
@@ -131,15 +131,6 @@ fn numbers(value: &Value) -> Vec<f64> {
 
 fn array<const N: usize>(value: &Value) -> [f64; N] {
     numbers(value).try_into().unwrap()
-}
-
-pub fn pose_of(state: &[f64; 13]) -> [f64; 7] {
-    std::array::from_fn(|index| state[index])
-}
-
-pub fn isometry([x, y, z, w, i, j, k]: &[f64; 7]) -> Isometry3<f64> {
-    let rotation = UnitQuaternion::new_normalize(Quaternion::new(*w, *i, *j, *k));
-    Isometry3::from_parts(Vector3::new(*x, *y, *z).into(), rotation)
 }
 
 /// Of MuJoCo in the records (s).
@@ -181,11 +172,11 @@ impl Record {
     /// A rollout, and a reference that jumps at once from the start by a distance (m) and rests for
     /// `seconds`.
     fn jump(&self, shift: Vector3<f64>, seconds: f64) -> (Rollout, Reference) {
-        let mut states = [[0.0; 13]; 2];
-        for (state, shift) in states.iter_mut().zip([Vector3::zeros(), shift]) {
-            *state = self.reference.states()[0];
-            (0..3).for_each(|axis| state[axis] += shift[axis]);
-        }
+        let states = [Vector3::zeros(), shift].map(|shift| {
+            let mut state = self.reference.states()[0];
+            (0..3).for_each(|axis| state.0[axis] += shift[axis]);
+            state
+        });
         let settings = Settings { friction: self.friction, settling_time: seconds, ..Settings::default() };
         (Rollout::new(&self.task, settings).with_arm(&self.model).unwrap(), Reference::new(1e-3, &states))
     }
@@ -208,11 +199,11 @@ fn short_motions_are_those_of_a_body_with_the_apparent_inertia() {
         let expected = states(&body, &reference, [0.0; 3]);
         let actual = states(&arm, &reference, [0.0; 3]);
         let deviation = |(one, other): (&TimedState, &TimedState)| {
-            (isometry(&one.pose).translation.vector - isometry(&other.pose).translation.vector).norm()
+            (one.pose.isometry().translation.vector - other.pose.isometry().translation.vector).norm()
         };
         let largest = expected.iter().zip(&actual).map(deviation).fold(0.0, f64::max);
         assert!(largest < 1e-5, "{largest} m of 1e-3 m");
-        let moved = isometry(&expected[3499].pose).translation.vector - isometry(&expected[0].pose).translation.vector;
+        let moved = expected[3499].pose.isometry().translation.vector - expected[0].pose.isometry().translation.vector;
         assert!(moved.norm() > 5e-4, "it moves");
     }
 }
@@ -231,15 +222,14 @@ proptest! {
         record.model.joint_friction.fill(joint_friction);
         record.friction = friction;
         let (rollout, reference) = record.jump(Vector3::from(shift) - Vector3::z() * 0.02, 0.3);
-        let target = isometry(&pose_of(&reference.states()[1]));
+        let target = reference.states()[1].pose().isometry();
         let (mut near, mut before) = (record.start(), f64::INFINITY);
         let first = 0.5 * record.task.impedance.translational_stiffness * 0.03_f64.powi(2);
         for state in states(&rollout, &reference, [0.0; 3]) {
-            let pose = isometry(&state.pose);
+            let pose = state.pose.isometry();
             near = record.model.arm.inverse_kinematics(&pose, &near).unwrap();
             let inertia = record.model.arm.at(&near).apparent_inertia().unwrap();
-            let [v, w] = [state.velocity, state.angular_velocity];
-            let twist = Vector6::new(v[0], v[1], v[2], w[0], w[1], w[2]);
+            let twist = Vector6::from(state.twist.0);
             let lag = (pose.translation.vector - target.translation.vector).norm_squared();
             let angle = (0.5 * pose.rotation.angle_to(&target.rotation)).sin().powi(2);
             let springs = 0.5 * record.task.impedance.translational_stiffness * lag
@@ -267,7 +257,7 @@ proptest! {
         let moved = |shift: f64| {
             let (rollout, reference) = record.jump(direction * shift, 4.0);
             let pose = rollout.play(&reference, [0.0; 3], |_, _| {}).pose;
-            (isometry(&pose).translation.vector - isometry(&reference.start()).translation.vector).norm()
+            (pose.isometry().translation.vector - reference.start().isometry().translation.vector).norm()
         };
         prop_assert!(moved(0.99 * largest) < 1e-9, "{}", moved(0.99 * largest));
         prop_assert!(moved(1.05 * largest) > 1e-6, "{}", moved(1.05 * largest));
@@ -279,18 +269,18 @@ fn an_arm_with_joint_friction_comes_to_rest_within_its_deadband() {
     let record = Record::read("joint_friction");
     let (rollout, reference) = record.jump(Vector3::new(0.02, -0.03, 0.01), 6.0);
     let states = states(&rollout, &reference, [0.0; 3]);
-    let (last, earlier) = (isometry(&states[6000].pose), isometry(&states[5000].pose));
+    let (last, earlier) = (states[6000].pose.isometry(), states[5000].pose.isometry());
     // It comes there as `exp(-4 t)` with the time (s), as stiffness and damping are.
     let crept = (last.translation.vector - earlier.translation.vector).norm();
     assert!(crept < 1e-8, "{crept} m");
     let configuration = record.model.arm.inverse_kinematics(&last, &record.start()).unwrap();
-    let target = isometry(&pose_of(&reference.states()[1]));
+    let target = reference.states()[1].pose().isometry();
     let wrench = record.task.impedance.wrench(
         &reference.states()[1],
-        &task::at_rest(&states[6000].pose),
+        &states[6000].pose.at_rest(),
         &GraspError::default().pose(),
     );
-    let torque = record.model.arm.at(&configuration).jacobian().tr_mul(&Vector6::from(wrench));
+    let torque = record.model.arm.at(&configuration).jacobian().tr_mul(&Vector6::from(wrench.0));
     assert!(torque.amax() < 2.0 * (1.0 + 1e-4), "{torque}");
     assert!((last.translation.vector - target.translation.vector).norm() > 1e-3, "friction leaves an error");
 }
@@ -370,7 +360,7 @@ fn evaluations_trajectories_and_any_number_of_threads_see_the_same_arm() {
 fn rollouts_of_an_arm_that_go_on_from_earlier_ones_are_like_whole_ones() {
     let record = Record::read("rubbing");
     let mut task = record.task.clone();
-    task.goal[0] += 0.03;
+    task.goal.0[0] += 0.03;
     let evaluator = Evaluator::new(&task, &[0.0, 0.3], Success::default()).with_arm(&record.model).unwrap();
     let cases = [0, 1].map(|friction| TestCase {
         friction: FrictionIndex(friction),
@@ -414,7 +404,7 @@ fn absurd_references_and_disturbances_of_an_arm_end() {
     for value in [-1.0, 1e-300, 1e150, 1e300, f64::INFINITY, f64::NAN] {
         for component in 0..13 {
             let mut state = start;
-            state[component] = value;
+            state.0[component] = value;
             rollout.play(&Reference::new(0.01, &[start, state, state]), [0.0; 3], |_, _| {});
             rollout.play(&Reference::new(0.01, &[state, start]), [0.0; 3], |_, _| {});
         }

@@ -29,7 +29,7 @@ fn differences(world: &AssemblyTask, reference: &Reference, friction: f64, offse
 }
 
 fn difference(one: &Outcome, other: &Outcome) -> [f64; 3] {
-    let (_, angle) = task::pose::errors(&one.pose, &other.pose);
+    let angle = one.pose.error(&other.pose).orientation;
     let position = |outcome: &Outcome| Vector3::new(outcome.pose[0], outcome.pose[1], outcome.pose[2]);
     [(position(one) - position(other)).norm(), angle, (one.loads.contact_force - other.loads.contact_force).abs()]
 }
@@ -41,7 +41,7 @@ fn a_sliding_body_hardly_depends_on_the_time_step() {
     let knot = |index: usize| {
         let time = index as f64 / 20.0;
         let mut state = at_rest([0.1 * time * time, 0.03 * time, 0.03 - 0.02 * time]);
-        (state[3], state[6]) = ((0.3 * time).cos(), (0.3 * time).sin());
+        (state.0[3], state.0[6]) = ((0.3 * time).cos(), (0.3 * time).sin());
         state
     };
     let reference = Reference::new(0.04, &(0..=20).map(knot).collect::<Vec<_>>());

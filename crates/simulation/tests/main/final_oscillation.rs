@@ -11,7 +11,7 @@ const WIDTH: f64 = 0.04;
 /// A block in a hole, 3 cm above its goal.
 fn insertion() -> AssemblyTask {
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.001));
-    world.start[2] = 0.03;
+    world.start.0[2] = 0.03;
     world
 }
 

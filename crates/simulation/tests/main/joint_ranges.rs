@@ -9,7 +9,7 @@ use crate::arms::{self, Record};
 /// Positions (rad) of the elbow along a reference.
 fn elbow(model: &ArmModel, reference: &Reference) -> Vec<f64> {
     let poses = reference.states().into_iter().enumerate();
-    let motion: Vec<_> = poses.map(|(index, state)| (index as f64, arms::isometry(&arms::pose_of(&state)))).collect();
+    let motion: Vec<_> = poses.map(|(index, state)| (index as f64, state.pose().isometry())).collect();
     let path = model.arm.follow_back(&motion, &model.arm.configuration(&model.configuration).unwrap()).unwrap();
     path.configurations.iter().map(|configuration| configuration[2]).collect()
 }
@@ -28,7 +28,7 @@ fn refinement_keeps_the_ranges_of_joints() {
     std::fs::write(&file, narrow).unwrap();
     let refined = |held: Record| {
         let mut task = held.task.clone();
-        task.goal[0] += 0.03;
+        task.goal.0[0] += 0.03;
         let evaluator = Evaluator::new(&task, &[0.0], Success::default()).with_arm(&held.model).unwrap();
         let cases = [TestCase { friction: FrictionIndex(0), grasp: held.grasp, disturbance: Disturbance::default() }];
         let results = evaluator.evaluate_all(&held.reference, &cases, &|| false).unwrap();

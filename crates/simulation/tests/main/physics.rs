@@ -1,9 +1,9 @@
 //! Rollouts compared with closed-form mechanics.
 
 use collision::Polytope;
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3, Vector6};
 use simulation::{Disturbance, Injection, Reference, Rollout, Settings, TimedState};
-use task::{AssemblyTask, GraspError, Impedance, Inertia};
+use task::{AssemblyTask, GraspError, Impedance, Inertia, State};
 
 use crate::world::{
     INERTIA, MASS, ROTATIONAL_STIFFNESS, STIFFNESS, at_rest, block, floor, hole, states, task, through,
@@ -21,7 +21,7 @@ fn deviations_in_free_motion(time_step: f64) -> (f64, f64) {
     const ROTATION: f64 = 1e-3;
     let rollout = Rollout::new(&task(&block([0.1; 3], [0.0; 3]), &[]), Settings { time_step, ..Settings::default() });
     let mut target = at_rest([JUMP, 0.0, 0.0]);
-    (target[3], target[5]) = ((0.5 * ROTATION).cos(), (0.5 * ROTATION).sin());
+    (target.0[3], target.0[5]) = ((0.5 * ROTATION).cos(), (0.5 * ROTATION).sin());
     let mut largest = (0.0_f64, 0.0_f64);
     for state in states(&rollout, &Reference::new(time_step, &[at_rest([0.0; 3]), target])) {
         let position = JUMP * (1.0 - critically_damped((STIFFNESS / MASS).sqrt(), state.time));
@@ -104,13 +104,13 @@ fn anisotropic(least: f64, most: f64) -> Matrix3<f64> {
 type FreeBody = (Vector3<f64>, Vector3<f64>, UnitQuaternion<f64>, Vector3<f64>);
 
 /// What a body becomes in some seconds with the velocities and the wrench that it has `at` a time.
-fn advanced(task: &AssemblyTask, target: &[f64; 13], body: FreeBody, at: FreeBody, seconds: f64) -> FreeBody {
+fn advanced(task: &AssemblyTask, target: &State, body: FreeBody, at: FreeBody, seconds: f64) -> FreeBody {
     let (position, velocity, orientation, angular_velocity) = at;
     let mut state = at_rest(position.into());
-    state[3..7].copy_from_slice(&[orientation.w, orientation.i, orientation.j, orientation.k]);
-    state[7..10].copy_from_slice(velocity.as_slice());
-    state[10..].copy_from_slice(angular_velocity.as_slice());
-    let wrench = Vector6::from(task.impedance.wrench(target, &state, &GraspError::default().pose()));
+    state.0[3..7].copy_from_slice(&[orientation.w, orientation.i, orientation.j, orientation.k]);
+    state.0[7..10].copy_from_slice(velocity.as_slice());
+    state.0[10..].copy_from_slice(angular_velocity.as_slice());
+    let wrench = Vector6::from(task.impedance.wrench(target, &state, &GraspError::default().pose()).0);
     let acceleration = task.inertia.inverse().unwrap() * wrench;
     (
         body.0 + velocity * seconds,
@@ -126,7 +126,7 @@ fn deviations_from_the_impedance_law(task: &AssemblyTask, time_step: f64) -> (f6
     const FINER: usize = 20;
     let mut target = at_rest([0.02, -0.01, 0.03]);
     let rotation = UnitQuaternion::from_scaled_axis(Vector3::new(0.1, 0.2, -0.15));
-    target[3..7].copy_from_slice(&[rotation.w, rotation.i, rotation.j, rotation.k]);
+    target.0[3..7].copy_from_slice(&[rotation.w, rotation.i, rotation.j, rotation.k]);
     let rollout = Rollout::new(task, Settings { time_step, ..Settings::default() });
     let step = time_step / FINER as f64;
     let mut body: FreeBody = (Vector3::zeros(), Vector3::zeros(), UnitQuaternion::identity(), Vector3::zeros());
@@ -136,10 +136,8 @@ fn deviations_from_the_impedance_law(task: &AssemblyTask, time_step: f64) -> (f6
             let middle = advanced(task, &target, body, body, 0.5 * step);
             body = advanced(task, &target, body, middle, step);
         }
-        let pose = &state.pose;
-        let orientation = UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
         largest.0 = largest.0.max((position(&state) - body.0).norm());
-        largest.1 = largest.1.max(orientation.angle_to(&body.2));
+        largest.1 = largest.1.max(state.pose.orientation().angle_to(&body.2));
     }
     largest
 }
@@ -185,11 +183,9 @@ fn a_rotated_grasp_is_a_rotated_shape() {
         let held = play(&peg, GraspError { offset: [0.0; 3], rotation });
         let shaped = play(&peg.placed([0.0; 3], [w, i, j, k]), GraspError::default());
         for (held, shaped) in held.iter().zip(&shaped) {
-            let orientation =
-                |pose: &[f64; 7]| UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
             let moved = (0..3).map(|axis| (held[axis] - shaped[axis]).abs()).fold(0.0, f64::max);
             assert!(moved < 1e-8, "{moved}");
-            assert!((orientation(held) * quaternion).angle_to(&orientation(shaped)) < 1e-6);
+            assert!((held.orientation() * quaternion).angle_to(&shaped.orientation()) < 1e-6);
         }
     }
 }
@@ -198,7 +194,7 @@ fn a_rotated_grasp_is_a_rotated_shape() {
 fn bumpy_motion(time_step: f64, friction: f64) -> Vec<Vector3<f64>> {
     let wall = block([0.1, 0.6, 0.4], [-0.05, 0.0, 0.2]);
     let mut start = at_rest([0.1, 0.0, 0.08]);
-    (start[3], start[5]) = (0.15_f64.cos(), 0.15_f64.sin());
+    (start.0[3], start.0[5]) = (0.15_f64.cos(), 0.15_f64.sin());
     let target = at_rest([0.045, 0.0, 0.02]);
     let rollout = Rollout::new(
         &task(&block([0.1, 0.08, 0.06], [0.0; 3]), &[floor(), wall]),

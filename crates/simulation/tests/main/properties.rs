@@ -3,8 +3,8 @@
 use collision::Polytope;
 use nalgebra::Matrix3;
 use proptest::prelude::*;
-use simulation::{Knot, Reference, Rollout, Settings, TimedState, offsets};
-use task::GraspError;
+use simulation::{Reference, Rollout, Settings, TimedState, offsets};
+use task::{GraspError, Pose, State, Twist};
 use workers::Workers;
 
 use crate::world::{at_rest, block, floor, hole, task, through};
@@ -33,13 +33,6 @@ where
     [f64; N]: std::fmt::Debug,
 {
     proptest::collection::vec(-size..size, N).prop_map(|components| components.try_into().expect("N components"))
-}
-
-/// The state (pose, twist) of a knot.
-fn state(Knot { pose, velocity, angular_velocity }: Knot) -> [f64; 13] {
-    let (position, [i, j, k, w]) = (pose.translation.vector, pose.rotation.coords.into());
-    let ([x, y, z], [vx, vy, vz], [p, q, r]) = (position.into(), velocity.into(), angular_velocity.into());
-    [x, y, z, w, i, j, k, vx, vy, vz, p, q, r]
 }
 
 proptest! {
@@ -79,10 +72,7 @@ proptest! {
         let mut task = task(&block([0.04, 0.04, 0.08], [0.0; 3]), &[]);
         let factor = Matrix3::from_row_slice(&factor);
         task.impedance.rotational_damping = factor * factor.transpose();
-        let knot = |([x, y, z], [w, i, j, k]): ([f64; 3], [f64; 4])| {
-            let [a, b, c, p, q, r] = twist;
-            [x, y, z, w, i, j, k, a, b, c, p, q, r]
-        };
+        let knot = |(position, quaternion)| State::new(&Pose::new(position, quaternion), &Twist(twist));
         let reference = Reference::new(STEPS as f64 * TIME_STEP, &[knot(start), knot(end)]);
         let grasp = GraspError { offset, rotation };
         let settings = Settings { time_step: TIME_STEP, settling_time: 0.0, friction: 0.0 };
@@ -91,9 +81,9 @@ proptest! {
         let inverse = task.inertia.inverse().unwrap();
         let pairs = states.windows(2).enumerate().skip(STEPS / 2).step_by(20);
         for (step, pair) in pairs {
-            let target = state(reference.at(0, (step + 2) as f64 / STEPS as f64));
+            let target = reference.at(0, (step + 2) as f64 / STEPS as f64).state();
             let wrench = task.impedance.wrench(&target, &pair[1].state(), &grasp.pose());
-            let expected = inverse * nalgebra::Vector6::from(wrench);
+            let expected = inverse * nalgebra::Vector6::from(wrench.0);
             for axis in 0..6 {
                 let found = (pair[1].state()[7 + axis] - pair[0].state()[7 + axis]) / TIME_STEP;
                 let error = (found - expected[axis]).abs();
@@ -116,7 +106,7 @@ proptest! {
         let task = task(&body, &[place(&first, 0.03), place(&second, -0.03), floor()]);
         let rollout = Rollout::new(&task, Settings { friction, ..Settings::default() });
         let mut target = at_rest([0.01, 0.01, -0.02]);
-        target[3..7].copy_from_slice(&orientation);
+        target.0[3..7].copy_from_slice(&orientation);
         let (mut smallest, mut count) = (f64::INFINITY, 0);
         let reference = Reference::new(0.3, &[at_rest([0.0, 0.0, 0.2]), target]);
         let outcome = rollout.play(&reference, [0.0; 3], |state, _| {

@@ -7,7 +7,7 @@ use simulation::{
     Disturbance, Evaluator, FinalOscillation, FrictionIndex, Perturbation, Reference, Refinement, Rollout, Settings,
     Success, TestCase, TestResult,
 };
-use task::{GraspError, Horizon, StraightMotion, pose_of};
+use task::{GraspError, Horizon, Pose, StraightMotion};
 use workers::Workers;
 
 use crate::world::{STIFFNESS, at_rest, block, floor, hole, task, through};
@@ -138,7 +138,7 @@ fn a_push_beyond_the_limit_is_no_success() {
         TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     const DEPTH: f64 = 1e-3;
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor()]);
-    world.goal[2] = 0.04;
+    world.goal.0[2] = 0.04;
     let pressing = through(&[[0.0, 0.0, 0.04], [0.0, 0.0, 0.04 - DEPTH]], 1.0);
     let mut evaluate = |limit: f64, share: f64| {
         world.limits.contact_force = limit;
@@ -162,7 +162,7 @@ fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_i
         TestCase { friction: FrictionIndex(0), grasp: GraspError::default(), disturbance: Disturbance::default() };
     let wall = block([0.02, WIDTH, 0.2], [-0.5 * WIDTH - 0.01, 0.0, 0.1]);
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &[floor(), wall]);
-    world.goal[2] = 0.04;
+    world.goal.0[2] = 0.04;
     let pressing = through(&[[0.0, 0.0, 0.06], [-0.04, 0.0, 0.06], [-0.04, 0.0, -0.06]], 2.0);
     const FRICTION: f64 = 0.2;
     let rollout = |friction: f64| Rollout::new(&world, Settings { friction, ..Settings::default() });
@@ -185,7 +185,8 @@ fn a_world_with_margins_has_more_friction_and_counts_that_of_other_contacts_as_i
 
 #[test]
 fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
-    let (pose, horizon) = (|height| [0.0, 0.0, height, 1.0, 0.0, 0.0, 0.0], Horizon { steps: 25, time_step: 0.04 });
+    let (pose, horizon) =
+        (|height| Pose([0.0, 0.0, height, 1.0, 0.0, 0.0, 0.0]), Horizon { steps: 25, time_step: 0.04 });
     let straight = Reference::straight(&pose(0.06), &pose(0.0), horizon);
     let mut random = fastrand::Rng::with_seed(5);
     for _ in 0..50 {
@@ -197,7 +198,7 @@ fn a_bent_reference_keeps_its_start_and_moves_as_its_twists_say() {
             let moved =
                 Vector3::from_column_slice(&from[..3]) + Vector3::from_column_slice(&to[7..10]) * bent.time_step();
             assert!((moved - Vector3::from_column_slice(&to[..3])).norm() < 1e-12);
-            let (_, angle) = task::pose::errors(&std::array::from_fn(|i| from[i]), &std::array::from_fn(|i| to[i]));
+            let angle = from.pose().error(&to.pose()).orientation;
             assert!((Vector3::from_column_slice(&to[10..]).norm() * bent.time_step() - angle).abs() < 1e-7);
         }
     }
@@ -243,8 +244,8 @@ fn bent_in_free_air() -> Reference {
     let mut states = down().states();
     for (knot, state) in states.iter_mut().enumerate().take(11) {
         let bend = (std::f64::consts::PI * knot as f64 / 10.0).sin().powi(2);
-        state[0] = 0.01 * bend;
-        (state[3], state[6]) = ((0.3 * bend).cos(), (0.3 * bend).sin());
+        state.0[0] = 0.01 * bend;
+        (state.0[3], state.0[6]) = ((0.3 * bend).cos(), (0.3 * bend).sin());
     }
     Reference::new(down().time_step(), &states)
 }
@@ -256,7 +257,7 @@ fn simplified(reference: Reference, goal: [f64; 3], intervals: usize) -> Referen
     let before = results(&reference);
     assert!(before.iter().all(|result| result.passed), "{before:?}");
     let mut refinement = Refinement::new(&evaluator, reference, cases(), before.clone(), 1);
-    let straight = StraightMotion::new(&pose_of(&down().states()[0]), &pose_of(&at_rest(goal)));
+    let straight = StraightMotion::new(&down().states()[0].pose(), &at_rest(goal).pose());
     refinement.simplify(&straight, intervals, &|| false);
     let simpler = refinement.reference().clone();
     let after = results(&simpler);
@@ -271,8 +272,8 @@ fn largest_force(results: &[TestResult]) -> f64 {
 
 /// The largest rotation (rad) and distance (m) from straight down.
 fn departures(reference: &Reference) -> (f64, f64) {
-    let straight = StraightMotion::new(&pose_of(&down().states()[0]), &pose_of(&at_rest([0.0; 3])));
-    let departures = reference.states().into_iter().map(|state| straight.departure(&pose_of(&state)));
+    let straight = StraightMotion::new(&down().states()[0].pose(), &at_rest([0.0; 3]).pose());
+    let departures = reference.states().into_iter().map(|state| straight.departure(&state.pose()));
     departures.fold((0.0, 0.0), |(rotation, distance), departure| {
         (departure.rotation.max(rotation), departure.distance.max(distance))
     })
@@ -296,7 +297,7 @@ fn bends_that_are_needed_stay() {
 #[test]
 fn oscillations_that_no_case_needs_are_cut_off() {
     let mut world = task(&block([WIDTH, WIDTH, 0.08], [0.0; 3]), &hole(WIDTH + 0.002));
-    world.start[2] = 0.12;
+    world.start.0[2] = 0.12;
     let oscillation = FinalOscillation::new(&world, &Success::default(), 0.04).unwrap();
     let simpler = simplified(down().with_oscillation(&oscillation), [0.0; 3], down().intervals());
     assert_eq!(simpler.intervals(), down().intervals());

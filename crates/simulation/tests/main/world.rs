@@ -3,7 +3,10 @@
 use collision::{Pair, Polytope};
 use nalgebra::{Matrix3, Vector3};
 use simulation::{Reference, Rollout, TimedState};
-use task::{AssemblyTask, ContactPair, CostWeights, GraspError, Horizon, Impedance, Inertia, Limits, TrajectoryCost};
+use task::{
+    AssemblyTask, ContactPair, CostWeights, GraspError, Horizon, Impedance, Inertia, Limits, Pose, State,
+    TrajectoryCost,
+};
 
 /// Translational stiffness (N/m) and mass (kg) of every body.
 pub const STIFFNESS: f64 = 50.0;
@@ -52,8 +55,8 @@ pub fn task(body: &Polytope, obstacles: &[Polytope]) -> AssemblyTask {
     AssemblyTask {
         pairs: obstacles.iter().map(pair).collect(),
         frictions: vec![0.0],
-        start: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
-        goal: [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+        start: Pose([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]),
+        goal: Pose([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]),
         impedance: Impedance::critically_damped(STIFFNESS, ROTATIONAL_STIFFNESS, &inertia),
         inertia,
         grasps: vec![GraspError::default()],
@@ -64,8 +67,8 @@ pub fn task(body: &Polytope, obstacles: &[Polytope]) -> AssemblyTask {
 }
 
 /// The state of an upright body at rest.
-pub fn at_rest([x, y, z]: [f64; 3]) -> [f64; 13] {
-    [x, y, z, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+pub fn at_rest([x, y, z]: [f64; 3]) -> State {
+    Pose([x, y, z, 1.0, 0.0, 0.0, 0.0]).at_rest()
 }
 
 /// A reference through upright poses, `seconds` from each to the next. It commands no velocity, so that damping brakes.

@@ -5,13 +5,13 @@ mod played;
 
 use collision::{Pair, Polytope, Solutions};
 use kkt::Owner;
-use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use nlp::Problem;
 use ocp::{CONTACT_FORCE, Owners, Transcription, VELOCITY_DYNAMICS};
 use simulation::{Reference, Rollout, Settings};
 use task::{
     AssemblyTask, Complementarity, ContactPair, CostWeights, GraspError, HessianKind, Horizon, Impedance, Inertia,
-    Limits, POSE, STATE, TWIST, TrajectoryCost, at_rest,
+    Limits, POSE, Pose, STATE, State, TWIST, TrajectoryCost, Twist,
 };
 
 use crate::friction::played::{ITERATIONS, motions};
@@ -39,7 +39,7 @@ fn block() -> AssemblyTask {
         terminal_position: 0.0,
         terminal_orientation: 0.0,
     };
-    let start = [0.0, 0.0, 0.5 * EDGE + HEIGHT, 1.0, 0.0, 0.0, 0.0];
+    let start = Pose([0.0, 0.0, 0.5 * EDGE + HEIGHT, 1.0, 0.0, 0.0, 0.0]);
     AssemblyTask {
         pairs: vec![ContactPair { body: "block".into(), environment: "floor".into(), shapes }],
         frictions: vec![FRICTION],
@@ -55,27 +55,24 @@ fn block() -> AssemblyTask {
 }
 
 /// Velocities of the reference after every step: down, then along x by a length (m), then zero.
-fn reference_velocities(length: f64) -> Vec<[f64; TWIST]> {
-    let down = [0.0, 0.0, -(HEIGHT + DEPTH) / (PHASES[0] as f64 * STEP), 0.0, 0.0, 0.0];
-    let along = [length / (PHASES[1] as f64 * STEP), 0.0, 0.0, 0.0, 0.0, 0.0];
-    [down, along, [0.0; TWIST]].iter().zip(PHASES).flat_map(|(twist, steps)| vec![*twist; steps]).collect()
+fn reference_velocities(length: f64) -> Vec<Twist> {
+    let down = Twist([0.0, 0.0, -(HEIGHT + DEPTH) / (PHASES[0] as f64 * STEP), 0.0, 0.0, 0.0]);
+    let along = Twist([length / (PHASES[1] as f64 * STEP), 0.0, 0.0, 0.0, 0.0, 0.0]);
+    [down, along, Twist::ZERO].iter().zip(PHASES).flat_map(|(twist, steps)| vec![*twist; steps]).collect()
 }
 
 /// States of the block at the end of every step, one motion per smoothing.
-fn planned(task: &AssemblyTask, length: f64) -> Vec<Vec<[f64; STATE]>> {
+fn planned(task: &AssemblyTask, length: f64) -> Vec<Vec<State>> {
     motions(task, reference_velocities(length))
 }
 
 /// Positions of the block along x at the end of every step in a rollout with hard contact.
 fn rolled_out(task: &AssemblyTask, length: f64) -> Vec<f64> {
-    let mut states = vec![at_rest(&task.start)];
+    let mut states = vec![task.start.at_rest()];
     for twist in reference_velocities(length) {
-        let mut state = *states.last().unwrap();
-        state[POSE..].copy_from_slice(&twist);
-        for axis in 0..3 {
-            state[axis] += STEP * twist[axis];
-        }
-        states.push(state);
+        let mut pose = states[states.len() - 1].pose();
+        (0..3).for_each(|axis| pose.0[axis] += STEP * twist[axis]);
+        states.push(State::new(&pose, &twist));
     }
     let settings = Settings { friction: task.frictions[0], settling_time: 0.0, ..Settings::default() };
     let trajectory = Rollout::new(task, settings).trajectory(&Reference::new(STEP, &states), &[[0.0; 3]], 1e-5);
@@ -85,7 +82,7 @@ fn rolled_out(task: &AssemblyTask, length: f64) -> Vec<f64> {
 /// Largest distances along x between planned motions and the rollout, one per smoothing.
 fn deviations(task: &AssemblyTask, length: f64) -> Vec<f64> {
     let expected = rolled_out(task, length);
-    let deviation = |motion: &Vec<[f64; STATE]>| {
+    let deviation = |motion: &Vec<State>| {
         motion.iter().zip(&expected).map(|(state, expected)| (state[0] - expected).abs()).fold(0.0, f64::max)
     };
     planned(task, length).iter().map(deviation).collect()
@@ -175,16 +172,16 @@ fn a_pair_adds_coulombs_wrench_at_its_contact_point_and_brakes() {
     );
     let owner = Owner::Scenario(0);
     for stage in 1..=task.horizon.steps {
-        let pose: [f64; POSE] = match stage {
+        let pose: Pose = match stage {
             1 => task.start,
-            _ => std::array::from_fn(|index| x[layout.state(stage - 1, owner) + index]),
+            _ => Pose(std::array::from_fn(|index| x[layout.state(stage - 1, owner) + index])),
         };
         let twist = Vector6::from_column_slice(&x[layout.state(stage, owner) + POSE..][..TWIST]);
         let force = x[layout.variable(CONTACT_FORCE, stage, owner)];
         let mut contact = [[0.0; 10]];
-        task.pairs[0].shapes.contacts(&[pose], tau, &mut Solutions::default(), &mut contact).unwrap();
-        let rotation = UnitQuaternion::new_normalize(Quaternion::new(pose[3], pose[4], pose[5], pose[6]));
-        let lever = Vector3::from_column_slice(&contact[0][7..]) - Vector3::from_column_slice(&pose[..3]);
+        task.pairs[0].shapes.contacts(&[pose.0], tau, &mut Solutions::default(), &mut contact).unwrap();
+        let rotation = pose.orientation();
+        let lever = Vector3::from_column_slice(&contact[0][7..]) - pose.position();
         let normal = Vector3::from_column_slice(&contact[0][1..4]);
         let velocity = twist.fixed_rows::<3>(0) + (rotation * twist.fixed_rows::<3>(3)).cross(&lever);
         let sliding = velocity - normal.normalize() * normal.normalize().dot(&velocity);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use scene::Scene;
-use task::{AssemblyTask, Horizon, POSE, STATE, TWIST};
+use task::{AssemblyTask, Horizon, State, Twist};
 
 use crate::friction::played::motions;
 
@@ -13,12 +13,12 @@ const PARTS: usize = 4;
 const RECORD_STEP: f64 = 0.02;
 
 /// Rows of a table in `tests/mujoco`, without their times.
-fn table(plan: &str, name: &str) -> Vec<[f64; STATE]> {
+fn table(plan: &str, name: &str) -> Vec<State> {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/mujoco").join(plan).join(name);
     let text = std::fs::read_to_string(file).unwrap();
     let row = |line: &str| {
         let numbers: Vec<f64> = line.split(',').skip(1).map(|number| number.parse().unwrap()).collect();
-        numbers.try_into().unwrap()
+        State(numbers.try_into().unwrap())
     };
     text.lines().skip(1).map(row).collect()
 }
@@ -36,8 +36,8 @@ fn task(plan: &str, friction: f64) -> AssemblyTask {
 /// friction (m).
 fn deviations(plan: &str) -> [f64; 2] {
     let reference = table(plan, "reference.csv");
-    let velocities = reference[1..].iter().flat_map(|state| [std::array::from_fn(|axis| state[POSE + axis]); PARTS]);
-    let velocities: Vec<[f64; TWIST]> = velocities.collect();
+    let velocities = reference[1..].iter().flat_map(|state| [state.twist(); PARTS]);
+    let velocities: Vec<Twist> = velocities.collect();
     let recorded = table(plan, "friction_0.3.csv");
     [0.3, 0.0].map(|friction| {
         let task = task(plan, friction);
@@ -45,9 +45,8 @@ fn deviations(plan: &str) -> [f64; 2] {
         let motion = motions(&task, velocities.clone()).pop().unwrap();
         let pairs = motion.iter().zip(recorded.iter().skip(every).step_by(every));
         assert_eq!(pairs.len(), task.horizon.steps);
-        let distance = |(one, other): (&[f64; STATE], &[f64; STATE])| {
-            (0..3).map(|axis| (one[axis] - other[axis]).powi(2)).sum::<f64>().sqrt()
-        };
+        let distance =
+            |(one, other): (&State, &State)| (0..3).map(|axis| (one[axis] - other[axis]).powi(2)).sum::<f64>().sqrt();
         pairs.map(distance).fold(0.0, f64::max)
     })
 }

@@ -3,7 +3,7 @@
 use kkt::Owner;
 use nlp::{Bounds, Control, EvaluationError, LinearSystemSolver, Options, Pattern, Problem, Start};
 use ocp::Transcription;
-use task::{AssemblyTask, Complementarity, HessianKind, POSE, STATE, TWIST};
+use task::{AssemblyTask, Complementarity, HessianKind, POSE, State, TWIST, Twist};
 
 /// Homotopy steps.
 pub const ITERATIONS: usize = 5;
@@ -11,7 +11,7 @@ pub const ITERATIONS: usize = 5;
 /// A transcription whose reference has given velocities: what is left to find is the motion of the body.
 struct Played {
     inner: Transcription,
-    velocities: Vec<[f64; TWIST]>,
+    velocities: Vec<Twist>,
 }
 
 impl Problem for Played {
@@ -19,8 +19,8 @@ impl Problem for Played {
         let mut bounds = self.inner.variable_bounds();
         for (index, twist) in self.velocities.iter().enumerate() {
             let first = self.inner.layout().state(index + 1, Owner::Reference) + POSE;
-            bounds.lower[first..][..TWIST].copy_from_slice(twist);
-            bounds.upper[first..][..TWIST].copy_from_slice(twist);
+            bounds.lower[first..][..TWIST].copy_from_slice(&twist[..]);
+            bounds.upper[first..][..TWIST].copy_from_slice(&twist[..]);
         }
         bounds
     }
@@ -64,7 +64,7 @@ impl Problem for Played {
 
 /// States of the body at the end of every step when the reference has given velocities, with less and less smoothing: one
 /// motion per smoothing.
-pub fn motions(task: &AssemblyTask, velocities: Vec<[f64; TWIST]>) -> Vec<Vec<[f64; STATE]>> {
+pub fn motions(task: &AssemblyTask, velocities: Vec<Twist>) -> Vec<Vec<State>> {
     let inner = Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
     let mut problem = Played { velocities, inner };
     let mut start = Start::Cold(problem.inner.initial_guess());

@@ -6,14 +6,14 @@
 use autodiff::{Expression, Tape};
 use ocp::{CONTACT, CONTACT_FORCE, Layout, Point, Points, Source, StepTerm, VELOCITY_DYNAMICS};
 use task::algebra::dot;
-use task::{AssemblyTask, POSE, TWIST};
+use task::{AssemblyTask, POSE, Pose, TWIST};
 
 pub struct RegularisedCoulomb {
     time_step: f64,
     mass: f64,
     /// Diagonal of the rotational inertia (kg m^2).
     rotational: [f64; 3],
-    starts: Vec<[f64; POSE]>,
+    starts: Vec<Pose>,
     coefficient: f64,
     regularisation: f64,
 }
