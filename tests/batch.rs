@@ -221,7 +221,7 @@ fn a_plan_of_another_cell_is_not_taken_for_its_own() {
     for (from, to) in [(&one, "kept"), (&other, one.as_str()), (&"kept".to_owned(), other.as_str())] {
         dir.rename(from, to);
     }
-    let words = "the plan was made for start 1, delta 0.02, and not for this cell";
+    let words = "the plan was made for start 1, offset magnitude 0.02 m, and not for this cell";
     batch(&dir, "status runs", 0).says("0 planned, 0 running, 2 failed").says(words);
     batch(&dir, "collect runs", 0);
     assert_eq!(dir.table("runs/cells.csv").column("state"), ["failed", "failed"]);

@@ -206,7 +206,7 @@ fn play(folder: &Path) -> Result<(), PlannerError> {
     for plan in StoredPlan::find(&folder.join("plan"))? {
         require_finite_result(&plan.result);
         let PlanResult { start, delta_m, .. } = plan.result.clone();
-        let choices = Choices { start: Some(start), delta: Some(delta_m), ..Choices::default() };
+        let choices = Choices { start: Some(start), offset_magnitude: Some(delta_m), ..Choices::default() };
         let problem = Problem::load(&folder.join("scene.toml"), &choices)?;
         plan.require_made_for(&problem)?;
         let mut motions: Vec<_> = (1..).map(Motion::HomotopyStep).zip(plan.iteration_references()?).collect();

@@ -34,7 +34,10 @@ fn print_starter(Starter { problem, fit, .. }: &Starter) {
     row("clearance", &format!("{:.3} mm at the goal", 1e3 * clearance));
     let start = fit.as_ref().map(|fit| format!("{:.2} mm from the goal", 1e3 * fit.distance_m));
     start.iter().for_each(|start| row("start", start));
-    row("offset", &format!("{:.2} mm, how far the body may be off in the gripper (--offset)", 1e3 * problem.delta()));
+    row(
+        "offset",
+        &format!("{:.2} mm, how far the body may be off in the gripper (--offset)", 1e3 * problem.offset_magnitude()),
+    );
     let chosen = problem.chosen_tolerance().map(|chosen| format!(": {}", chosen.reason())).unwrap_or_default();
     row(
         "tolerance",

@@ -125,7 +125,7 @@ fn show_execution(
 fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(StoredPlan, Problem), PlannerError> {
     let choices = Choices {
         start: Some(plan.result.start.clone()),
-        delta: Some(plan.result.delta_m),
+        offset_magnitude: Some(plan.result.delta_m),
         rotation_error: Some(plan.result.turn_rad),
         position_tolerance: arguments.tolerance.position_tolerance,
         angle_tolerance: arguments.tolerance.angle_tolerance,
@@ -148,7 +148,7 @@ fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(Stored
 
 /// Delta-hat of every plan.
 fn magnitudes(played: &[(StoredPlan, Problem)]) -> Vec<f64> {
-    let mut magnitudes: Vec<f64> = played.iter().map(|(_, problem)| problem.delta()).collect();
+    let mut magnitudes: Vec<f64> = played.iter().map(|(_, problem)| problem.offset_magnitude()).collect();
     magnitudes.sort_by(f64::total_cmp);
     magnitudes.dedup();
     magnitudes

@@ -153,7 +153,7 @@ fn group(group: &SuccessRate) -> String {
 
 /// Origin of the kept reference, in words.
 fn changes(report: &RobustnessReport, planned: usize) -> String {
-    let reference = match (report.kept_changes, report.kept_stage) {
+    let reference = match (report.kept_perturbations, report.kept_stage) {
         (0, 0) => "the straight push, unchanged".to_owned(),
         (0, stage) if stage == planned => "the plan was left as it was".to_owned(),
         (0, stage) => format!("the reference of homotopy step {stage}, unchanged"),

@@ -97,7 +97,7 @@ pub struct Log {
     /// Why it ends before its plan does, if so: then it only has rows in free air.
     pub stopped: Option<String>,
     /// Offset magnitude that the plan covers (m).
-    pub delta: f64,
+    pub offset_magnitude: f64,
 }
 
 impl Log {
@@ -136,7 +136,7 @@ impl Log {
         }
         require_rows(file, &rows)?;
         let in_free_air = is_dry || stopped.is_some();
-        Ok(Self { file: file.to_owned(), rows, impedance, in_free_air, stopped, delta: delta_m })
+        Ok(Self { file: file.to_owned(), rows, impedance, in_free_air, stopped, offset_magnitude: delta_m })
     }
 }
 

@@ -89,7 +89,7 @@ impl Run {
 fn grasp_at_end(log: &Log, problem: &Problem) -> Result<GraspError, PlannerError> {
     let end = log.rows.last().map_or_else(Isometry3::identity, |row| row.believed);
     let grasp = GraspError::of_believed(&(problem.scene().goal.isometry().inverse() * end));
-    let (length, most) = (Vector3::from(grasp.offset).norm(), log.delta + problem.success().position);
+    let (length, most) = (Vector3::from(grasp.offset).norm(), log.offset_magnitude + problem.success().position);
     if length > most {
         let problem = format!(
             "the part did not end at its goal, or sat {} mm beside where it was believed, more than the {} mm that the \

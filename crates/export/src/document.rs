@@ -174,7 +174,7 @@ impl Document {
             done: plan.result.done,
             anyway,
             warnings: warnings(plan, &trial, anyway, robot.is_some()),
-            delta_m: problem.delta(),
+            delta_m: problem.offset_magnitude(),
             coverage: CoverageRecord::from(problem),
             turn_rad: scene.robustness.rotation_error,
             rate_hz: rate,

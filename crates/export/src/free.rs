@@ -39,7 +39,7 @@ impl FreeAir {
         let world = problem.world();
         let radius_m = farthest_point(&world, &grasp.inverse());
         let rotation = problem.scene().robustness.rotation_error * farthest_point(&world, &Isometry3::identity());
-        let margin_m = problem.delta() + rotation + MARGIN;
+        let margin_m = problem.offset_magnitude() + rotation + MARGIN;
         let poses: Vec<Pose> = states.iter().map(State::pose).collect();
         let Some(out) = way_out(&poses, grasp) else {
             let clearance = world.clearance(&poses[0]) - margin_m;

@@ -70,7 +70,7 @@ impl TrialRecord {
             let largest = outcomes.iter().map(|outcome| outcome.loads.contact_force).fold(0.0, f64::max);
             contact_force_n = contact_force_n.max(largest);
             let successes = outcomes.iter().filter(|outcome| outcome.reaches_goal(&success)).count();
-            let (magnitude_m, turn_rad) = (problem.delta(), problem.scene().robustness.rotation_error);
+            let (magnitude_m, turn_rad) = (problem.offset_magnitude(), problem.scene().robustness.rotation_error);
             let interval = wilson_interval(successes, outcomes.len());
             rates.push(RateRecord { friction, magnitude_m, turn_rad, rollouts: outcomes.len(), successes, interval });
         }

@@ -35,8 +35,8 @@ impl Event<'_> {
             Self::Discarded { reason } => ("discarded", json!({ "reason": reason.to_string() })),
             Self::Evaluated { rate } => ("evaluated", json!({ "rate": rate })),
             Self::Refining { planned } => ("refining", json!({ "planned": planned })),
-            Self::Change { failing, cases, changes } => {
-                ("change", json!({ "failing": failing, "cases": cases, "changes": changes }))
+            Self::Perturbation { failing, cases, accepted } => {
+                ("perturbation", json!({ "failing": failing, "cases": cases, "accepted": accepted }))
             }
             Self::Refined { rate } => ("refined", json!({ "rate": rate })),
             Self::Variant { name, number, count } => {

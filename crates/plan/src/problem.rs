@@ -22,7 +22,7 @@ pub struct Choices {
     /// Name of the start pose; the scene's first where none is given.
     pub start: Option<String>,
     /// Offset magnitude `delta-hat` (m).
-    pub delta: Option<f64>,
+    pub offset_magnitude: Option<f64>,
     /// Largest rotation error of the part in the gripper (rad).
     pub rotation_error: Option<f64>,
     /// Homotopy file; the scene's own homotopy, else the built-in one where none is given.
@@ -41,7 +41,7 @@ pub struct Choices {
 pub struct Problem {
     scene: Scene,
     start: StartPose,
-    delta: f64,
+    offset_magnitude: f64,
     engagement: Engagement,
     success: Success,
     chosen_tolerance: Option<ChosenTolerance>,
@@ -74,7 +74,7 @@ impl Problem {
         scene.position_tolerance = choices.position_tolerance.or(scene.position_tolerance);
         scene.angle_tolerance = choices.angle_tolerance.unwrap_or(scene.angle_tolerance);
         let size = scene.body_size();
-        Self::new(scene, choices.start.as_deref(), choices.delta, homotopy).map_err(|error| match error {
+        Self::new(scene, choices.start.as_deref(), choices.offset_magnitude, homotopy).map_err(|error| match error {
             PlannerError::Task(source @ TaskError::OutOfReach { magnitude, .. }) if magnitude > size => {
                 let question =
                     format!("an offset of {magnitude} m is larger than the body, {size:.3} m: is it in metres?");
@@ -97,13 +97,13 @@ impl Problem {
     pub fn new(
         mut scene: Scene,
         start: Option<&str>,
-        delta: Option<f64>,
+        offset_magnitude: Option<f64>,
         homotopy: HomotopySettings,
     ) -> Result<Self, PlannerError> {
         let start = scene.start(start)?.clone();
         // The sum has no sign where it is zero: 0 and -0 are one problem.
-        let delta = delta.unwrap_or(scene.offset_magnitude) + 0.0;
-        let task = scene.task(Some(&start.name), Some(delta))?;
+        let offset_magnitude = offset_magnitude.unwrap_or(scene.offset_magnitude) + 0.0;
+        let task = scene.task(Some(&start.name), Some(offset_magnitude))?;
         ocp::check_settings(&homotopy)?;
         let engagement = engagement(&task);
         let chosen_tolerance =
@@ -117,14 +117,14 @@ impl Problem {
         let rotation_error = if scene.has_rotated_scenarios() { scene.robustness.rotation_error } else { 0.0 };
         let spec = RobustnessSpec { rotation_error, ..RobustnessSpec::default() };
         let solved = Scene { position_tolerance: None, angle_tolerance: 0.0, robustness: spec, ..scene.clone() };
-        let solved = resolved(&solved, &start, delta, &homotopy);
+        let solved = resolved(&solved, &start, offset_magnitude, &homotopy);
         let identity = hash(format!("{VERSION}\n{solved}").as_bytes());
         (scene.position_tolerance, scene.angle_tolerance) = (Some(success.position), success.orientation);
-        let resolved = resolved(&scene, &start, delta, &homotopy);
+        let resolved = resolved(&scene, &start, offset_magnitude, &homotopy);
         Ok(Self {
             scene,
             start,
-            delta,
+            offset_magnitude,
             engagement,
             success,
             chosen_tolerance,
@@ -144,7 +144,7 @@ impl Problem {
 
     /// The same problem with another homotopy.
     pub fn with_homotopy(&self, homotopy: HomotopySettings) -> Self {
-        let resolved = resolved(&self.scene, &self.start, self.delta, &homotopy);
+        let resolved = resolved(&self.scene, &self.start, self.offset_magnitude, &homotopy);
         Self { homotopy, resolved, ..self.clone() }
     }
 
@@ -154,7 +154,7 @@ impl Problem {
         for horizon in [&mut problem.scene.horizon, &mut problem.task.horizon] {
             *horizon = Horizon { steps: 2 * horizon.steps, time_step: 0.5 * horizon.time_step };
         }
-        problem.resolved = resolved(&problem.scene, &problem.start, problem.delta, &problem.homotopy);
+        problem.resolved = resolved(&problem.scene, &problem.start, problem.offset_magnitude, &problem.homotopy);
         problem
     }
 
@@ -169,8 +169,8 @@ impl Problem {
     }
 
     /// Offset magnitude `delta-hat` (m).
-    pub fn delta(&self) -> f64 {
-        self.delta
+    pub fn offset_magnitude(&self) -> f64 {
+        self.offset_magnitude
     }
 
     /// How the environment guides the body at its goal, and the engagement depth.
@@ -295,7 +295,7 @@ impl Problem {
     /// Hash (hexadecimal) of everything else: inertia, impedance, friction, grasp errors, horizon, cost, limits, homotopy,
     /// what the joints and the controller of an arm do.
     pub fn settings_hash(&self) -> String {
-        hash(resolved_settings(&self.scene, self.delta, &self.homotopy).as_bytes())
+        hash(resolved_settings(&self.scene, self.offset_magnitude, &self.homotopy).as_bytes())
     }
 }
 

@@ -37,8 +37,9 @@ pub struct RobustnessReport {
     pub kept_round: usize,
     /// Homotopy step of that round whose reference was refined, counted from 1.
     pub kept_stage: usize,
-    /// Changes of that reference.
-    pub kept_changes: usize,
+    /// Accepted perturbations of that reference.
+    #[serde(alias = "kept_changes")]
+    pub kept_perturbations: usize,
     /// All rounds.
     pub rounds: Vec<Round>,
     /// Parameters of the search; missing in older plans.
@@ -101,8 +102,9 @@ pub struct Round {
     pub training_failures: usize,
     /// Wall time of the refinement.
     pub refinement_s: f64,
-    /// Changes of the reference that were kept.
-    pub changes: usize,
+    /// Accepted perturbations of the reference.
+    #[serde(alias = "changes")]
+    pub perturbations: usize,
     /// Failing test cases of evaluations that became training cases.
     #[serde(alias = "added_trials")]
     pub added_cases: usize,
@@ -135,7 +137,7 @@ impl Round {
             training_cases: results.len(),
             training_failures: results.iter().filter(|result| !result.passed).count(),
             refinement_s: 0.0,
-            changes: 0,
+            perturbations: 0,
             added_cases: 0,
             rollouts: 0,
             rate: None,

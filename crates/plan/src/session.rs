@@ -115,14 +115,14 @@ pub enum Event<'event> {
         /// Which problem was planned, in words.
         planned: &'event str,
     },
-    /// A change of the reference has been tried.
-    Change {
+    /// A perturbation of the reference has been tried.
+    Perturbation {
         /// Training rollouts that still fail.
         failing: usize,
         /// How many there are.
         cases: usize,
         /// Perturbations accepted so far.
-        changes: usize,
+        accepted: usize,
     },
     /// A refined plan has been evaluated at grasp errors that it was not trained on.
     Refined {

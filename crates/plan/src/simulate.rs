@@ -138,7 +138,7 @@ pub struct PlayedRollout {
     /// Coulomb's coefficient.
     pub friction: f64,
     /// Modelled magnitude delta-hat (m).
-    pub delta: f64,
+    pub offset_magnitude: f64,
     /// Injected magnitude (m): the largest length of listed offsets.
     pub magnitude: f64,
     /// Injected error.
@@ -234,7 +234,7 @@ pub fn simulate(
                     played.extend(errors.iter().zip(outcomes).map(|(&grasp, outcome)| PlayedRollout {
                         motion: *motion,
                         friction,
-                        delta: problem.delta(),
+                        offset_magnitude: problem.offset_magnitude(),
                         magnitude: *magnitude,
                         grasp,
                         outcome,
@@ -264,7 +264,7 @@ fn injections(problem: &Problem, errors: &GraspErrors) -> Result<Vec<Injection>,
     }
     let mut magnitudes = errors.magnitudes.clone();
     if magnitudes.is_empty() {
-        magnitudes.push(problem.delta());
+        magnitudes.push(problem.offset_magnitude());
     }
     magnitudes.sort_by(f64::total_cmp);
     let of_magnitude = |&magnitude: &f64| {

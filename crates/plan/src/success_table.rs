@@ -15,7 +15,7 @@ pub struct SuccessGroup {
     /// Coulomb's coefficient.
     pub friction: f64,
     /// Modelled magnitude delta-hat (m).
-    pub delta: f64,
+    pub offset_magnitude: f64,
     /// Injected magnitude (m).
     pub magnitude: f64,
     /// Rollouts.
@@ -37,7 +37,7 @@ impl SuccessGroup {
         Self {
             motion: played.motion,
             friction: played.friction,
-            delta: played.delta,
+            offset_magnitude: played.offset_magnitude,
             magnitude: played.magnitude,
             rollouts: 0,
             successes: 0,
@@ -49,8 +49,8 @@ impl SuccessGroup {
     }
 
     fn takes(&self, played: &PlayedRollout) -> bool {
-        let key = (played.motion, played.friction, played.delta, played.magnitude);
-        (self.motion, self.friction, self.delta, self.magnitude) == key
+        let key = (played.motion, played.friction, played.offset_magnitude, played.magnitude);
+        (self.motion, self.friction, self.offset_magnitude, self.magnitude) == key
     }
 
     fn add(&mut self, played: &PlayedRollout) {
@@ -94,7 +94,9 @@ impl SuccessTable {
         };
         groups.sort_by(|one, other| {
             let by_motion = order(one).cmp(&order(other)).then(one.friction.total_cmp(&other.friction));
-            by_motion.then(one.delta.total_cmp(&other.delta)).then(one.magnitude.total_cmp(&other.magnitude))
+            by_motion
+                .then(one.offset_magnitude.total_cmp(&other.offset_magnitude))
+                .then(one.magnitude.total_cmp(&other.magnitude))
         });
         Self { groups }
     }
@@ -106,8 +108,8 @@ impl SuccessTable {
 
     /// The straight push that a group is compared with.
     fn baseline(&self, group: &SuccessGroup) -> Option<&SuccessGroup> {
-        let key = (Motion::StraightPush, group.friction, group.delta, group.magnitude);
-        self.groups.iter().find(|other| (other.motion, other.friction, other.delta, other.magnitude) == key)
+        let key = (Motion::StraightPush, group.friction, group.offset_magnitude, group.magnitude);
+        self.groups.iter().find(|other| (other.motion, other.friction, other.offset_magnitude, other.magnitude) == key)
     }
 
     /// Largest errors, penetration and force of every group, beside the straight push.
@@ -123,7 +125,7 @@ impl SuccessTable {
                 "{:<8} {:>8} {:>5} mm {:>5} mm  {:<20} {:>6.2} mm {:>5.3} rad {:>6.3} mm {:>5.1} N  {}",
                 group.motion,
                 group.friction,
-                Millimetres(group.delta),
+                Millimetres(group.offset_magnitude),
                 Millimetres(group.magnitude),
                 group.rate(),
                 1e3 * group.position_error,
@@ -142,13 +144,19 @@ impl SuccessTable {
         magnitudes.sort_by(f64::total_cmp);
         magnitudes.dedup();
         let same_row = |one: &SuccessGroup, other: &SuccessGroup| {
-            (one.motion, one.friction, one.delta) == (other.motion, other.friction, other.delta)
+            (one.motion, one.friction, one.offset_magnitude) == (other.motion, other.friction, other.offset_magnitude)
         };
         write!(formatter, "{:<14} {:>8} {:>8}", "success in %", "friction", "modelled")?;
         magnitudes.iter().try_for_each(|magnitude| write!(formatter, " {:>5} mm", Millimetres(*magnitude)))?;
         writeln!(formatter)?;
         for row in self.groups.chunk_by(same_row) {
-            write!(formatter, "{:<14} {:>8} {:>5} mm", row[0].motion, row[0].friction, Millimetres(row[0].delta))?;
+            write!(
+                formatter,
+                "{:<14} {:>8} {:>5} mm",
+                row[0].motion,
+                row[0].friction,
+                Millimetres(row[0].offset_magnitude)
+            )?;
             for magnitude in &magnitudes {
                 match row.iter().find(|group| group.magnitude == *magnitude) {
                     Some(group) => {

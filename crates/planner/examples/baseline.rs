@@ -60,10 +60,10 @@ fn row(scene: &Path) -> Result<String, PlannerError> {
 /// Success rate at random offsets and the planned ones, all frictions together, and the largest contact force, as two
 /// cells of a table.
 fn played(problem: &Problem, reference: &Reference, target: &RobustnessTarget) -> Result<String, PlannerError> {
-    let delta = problem.delta();
+    let offset_magnitude = problem.offset_magnitude();
     let random = GraspErrors {
         offsets: OffsetSource::Random(OFFSETS, Region::Hull),
-        magnitudes: FRACTIONS.map(|fraction| fraction * delta).to_vec(),
+        magnitudes: FRACTIONS.map(|fraction| fraction * offset_magnitude).to_vec(),
         seed: SEED,
         rotation_error: 0.0,
     };

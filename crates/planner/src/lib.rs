@@ -11,7 +11,7 @@
 //!
 //! # fn main() -> Result<(), planner::PlannerError> {
 //! let scene = std::path::Path::new("../../scenes/corner.toml");
-//! let problem = Problem::load(scene, &Choices { delta: Some(0.01), ..Choices::default() })?;
+//! let problem = Problem::load(scene, &Choices { offset_magnitude: Some(0.01), ..Choices::default() })?;
 //! let stopped = AtomicBool::new(false);
 //! let session = Session::new(&|_: &Event| {}, &stopped);
 //! let plan = planner::solve(&problem, &session)?;

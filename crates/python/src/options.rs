@@ -44,7 +44,7 @@ impl ChoiceOptions {
         let choices = Choices {
             linear_solver: self.linear_solver.as_deref().map(linear_solver).transpose()?,
             start: self.start,
-            delta: self.delta,
+            offset_magnitude: self.delta,
             rotation_error: self.rotation_error,
             homotopy: self.homotopy,
             position_tolerance: self.position_tolerance,

@@ -79,7 +79,7 @@ pub fn play(
 fn problem(scene: &Scene, file: &Path, plan: &PlayedPlan, options: &PlayOptions) -> Result<Problem, PlannerError> {
     let choices = Choices {
         start: Some(plan.result.start.clone()),
-        delta: Some(plan.result.delta_m),
+        offset_magnitude: Some(plan.result.delta_m),
         rotation_error: Some(plan.result.turn_rad),
         position_tolerance: options.position_tolerance,
         angle_tolerance: options.angle_tolerance,

@@ -30,12 +30,18 @@ pub struct Evaluated {
     /// Number of its round, from 1.
     pub round: usize,
     /// Changes of its reference.
-    pub changes: usize,
+    pub perturbations: usize,
 }
 
 impl Evaluated {
     /// A reference of a round after a number of accepted perturbations, with the judgement of its evaluation.
-    pub fn new(solved: Solved, reference: Reference, judgement: &Judgement, round: usize, changes: usize) -> Self {
+    pub fn new(
+        solved: Solved,
+        reference: Reference,
+        judgement: &Judgement,
+        round: usize,
+        perturbations: usize,
+    ) -> Self {
         Self {
             solved,
             reference,
@@ -45,13 +51,13 @@ impl Evaluated {
             unplayed: judgement.unplayed,
             failing: judgement.failing(),
             round,
-            changes,
+            perturbations,
         }
     }
 
     /// After another evaluation.
     pub fn judged(self, judgement: &Judgement) -> Self {
-        Self::new(self.solved, self.reference, judgement, self.round, self.changes)
+        Self::new(self.solved, self.reference, judgement, self.round, self.perturbations)
     }
 
     /// Whether it is better than another plan: robust before not, then by the rate of all rollouts.

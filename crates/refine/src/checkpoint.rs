@@ -88,8 +88,8 @@ pub struct BestRecord {
     pub round: usize,
     /// Homotopy step whose reference was refined.
     pub chosen_stage: usize,
-    /// Changes of that reference.
-    pub changes: usize,
+    /// Accepted perturbations of that reference.
+    pub perturbations: usize,
 }
 
 /// Weights of the cost of one trajectory.

@@ -19,7 +19,7 @@ pub fn compare_latest(search: &mut Search) -> Result<(), PlannerError> {
     let parameters = target.parameters.comparison;
     let Some(best) = search.found.best.clone().filter(|best| !best.reached) else { return Ok(()) };
     let mut compared = Vec::from(std::mem::take(&mut search.found.latest));
-    if !compared.iter().any(|latest| (latest.round, latest.changes) == (best.round, best.changes)) {
+    if !compared.iter().any(|latest| (latest.round, latest.perturbations) == (best.round, best.perturbations)) {
         compared.insert(0, best);
     }
     if compared.len() < 2 {
@@ -68,7 +68,7 @@ mod tests {
         in_corner(time_limit, |search| {
             let task = search.setting.problem.task();
             let solved = Solved { chosen: 1, ..of_scene(search) };
-            let lucky = |reference: Reference, changes: usize, successes: usize| Evaluated {
+            let lucky = |reference: Reference, perturbations: usize, successes: usize| Evaluated {
                 solved: solved.clone(),
                 reference,
                 rates: SuccessRates(vec![SuccessRate {
@@ -81,15 +81,15 @@ mod tests {
                 unplayed: 0,
                 failing: Vec::new(),
                 round: 1,
-                changes,
+                perturbations,
             };
             let resting = lucky(Reference::new(0.1, &[task.start.at_rest(); 3]), 1, 2);
             search.found.best = Some(resting.clone());
             let latest = search.setting.target.parameters.comparison.latest;
             let push = Reference::straight(&task.start, &task.goal, task.horizon);
             search.found.remember(lucky(push, 2, 0), latest);
-            for changes in 3..latest + 2 {
-                search.found.remember(Evaluated { changes, ..resting.clone() }, latest);
+            for perturbations in 3..latest + 2 {
+                search.found.remember(Evaluated { perturbations, ..resting.clone() }, latest);
             }
             compare_latest(search).unwrap();
             search.found.take_best().unwrap()
@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn what_does_best_in_the_same_trials_is_kept_whatever_its_own_evaluation_said() {
         let kept = kept_in(Duration::from_secs(100));
-        assert_eq!(kept.changes, 2);
+        assert_eq!(kept.perturbations, 2);
         assert!(
             kept.rates.rollouts() > ComparisonParameters::default().first,
             "all cases of the evaluation: {}",
@@ -111,6 +111,6 @@ mod tests {
     #[test]
     fn without_time_the_best_so_far_is_kept() {
         let kept = kept_in(Duration::ZERO);
-        assert_eq!((kept.changes, kept.rates.rollouts()), (1, 2));
+        assert_eq!((kept.perturbations, kept.rates.rollouts()), (1, 2));
     }
 }

@@ -1,6 +1,6 @@
 //! Many drafts instead of one plan.
 //!
-//! A rollout of an arm takes several times as long as one of a free body, so that refinement tries few changes, and it
+//! A rollout of an arm takes several times as long as one of a free body, so that refinement tries few perturbations, and it
 //! matters where it begins. How many test cases plans pass before they are refined differs tenfold with weights and offsets,
 //! and which of them are good differs from scene to scene: so several are made, each by one thread, and compared.
 

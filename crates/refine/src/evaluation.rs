@@ -19,7 +19,7 @@ const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 #[derive(Debug, Clone, Copy)]
 pub struct ErrorRange {
     coverage: Coverage,
-    delta: f64,
+    offset_magnitude: f64,
     rotation_error: f64,
     inertia: f64,
     stiffness: f64,
@@ -34,7 +34,7 @@ impl ErrorRange {
     pub fn new(problem: &Problem, target: &RobustnessTarget) -> Self {
         Self {
             coverage: problem.scene().coverage,
-            delta: problem.delta(),
+            offset_magnitude: problem.offset_magnitude(),
             rotation_error: target.rotation_error,
             inertia: target.inertia_error,
             stiffness: target.stiffness_error,
@@ -57,18 +57,18 @@ impl ErrorRange {
     /// Random offsets of the planned `offsets`' coverage, `count` for each of the fractions, in groups that are counted
     /// together.
     fn groups(&self, offsets: &[[f64; 3]], count: usize, seed: u64) -> Vec<OffsetGroup> {
-        let Self { coverage, delta, evaluation: EvaluationParameters { fractions, .. }, .. } = self;
+        let Self { coverage, offset_magnitude, evaluation: EvaluationParameters { fractions, .. }, .. } = self;
         if *coverage == Coverage::Hull {
             let of_fraction = |(seed, fraction): (u64, &f64)| {
                 let scaled: Vec<[f64; 3]> = offsets.iter().map(|offset| offset.map(|c| c * fraction)).collect();
-                let offsets = offsets::covered(coverage, &scaled, fraction * delta, count, seed);
-                OffsetGroup { region: OffsetRegion::Hull, magnitude: fraction * delta, offsets }
+                let offsets = offsets::covered(coverage, &scaled, fraction * offset_magnitude, count, seed);
+                OffsetGroup { region: OffsetRegion::Hull, magnitude: fraction * offset_magnitude, offsets }
             };
             return (seed..).zip(fractions).map(of_fraction).collect();
         }
-        let mut rim = offsets::covered(coverage, offsets, *delta, fractions.len() * count, seed);
+        let mut rim = offsets::covered(coverage, offsets, *offset_magnitude, fractions.len() * count, seed);
         let inside = rim.split_off(offsets::rim_count(rim.len()));
-        let group = |(region, offsets)| OffsetGroup { region, magnitude: *delta, offsets };
+        let group = |(region, offsets)| OffsetGroup { region, magnitude: *offset_magnitude, offsets };
         [(OffsetRegion::Inside, inside), (OffsetRegion::Rim, rim)].map(group).into()
     }
 
@@ -136,7 +136,7 @@ impl Evaluation {
     /// At most `count` random offsets per friction and fraction of delta-hat, each with a rotation error, errors of
     /// robot and controller and rounded edges, and the planned grasp errors without other errors.
     pub fn new(task: &AssemblyTask, range: &ErrorRange, frictions: &[f64], count: usize, seed: u64) -> Self {
-        let delta = range.delta;
+        let offset_magnitude = range.offset_magnitude;
         let mut random = Rng::with_seed(seed + range.disturbance_seed);
         let (mut groups, mut placed) = (Vec::new(), Vec::new());
         for (index, &friction) in frictions.iter().enumerate() {
@@ -158,7 +158,7 @@ impl Evaluation {
             let group = |region, magnitude, planned| SuccessRate::unplayed(friction, magnitude, region, planned);
             let random_groups = range.groups(&task.offsets(), count, seed);
             for (seed, OffsetGroup { region, magnitude, offsets }) in (seed..).zip(random_groups) {
-                let spread = offsets::ball(range.evaluation.spread * delta, offsets.len(), seed);
+                let spread = offsets::ball(range.evaluation.spread * offset_magnitude, offsets.len(), seed);
                 let turns = range.turns(offsets.len(), seed);
                 let error = |((offset, spread), rotation): (([f64; 3], &[f64; 3]), [f64; 3])| GraspError {
                     offset: std::array::from_fn(|axis| offset[axis] + spread[axis]),
@@ -168,7 +168,7 @@ impl Evaluation {
                 add(group(region, magnitude, false), &mut { errors });
             }
             let region = if range.coverage == Coverage::Hull { OffsetRegion::Hull } else { OffsetRegion::Rim };
-            add(group(region, delta, true), &mut task.grasps.iter().copied());
+            add(group(region, offset_magnitude, true), &mut task.grasps.iter().copied());
         }
         placed.sort_by_key(|&(is_random, place, group, _)| (is_random, place, group));
         let (group, cases) = placed.into_iter().map(|(_, _, group, case)| (group, case)).unzip();
@@ -265,7 +265,7 @@ mod tests {
     fn no_errors() -> ErrorRange {
         ErrorRange {
             coverage: Coverage::Hull,
-            delta: 0.0,
+            offset_magnitude: 0.0,
             rotation_error: 0.0,
             inertia: 0.0,
             stiffness: 0.0,
@@ -306,7 +306,7 @@ mod tests {
     #[test]
     fn a_disc_is_evaluated_inside_and_on_its_rim_with_as_many_offsets_as_a_hull() {
         let axis = [0.0, 0.0, 1.0];
-        let range = ErrorRange { coverage: Coverage::Disc { axis }, delta: 0.01, ..no_errors() };
+        let range = ErrorRange { coverage: Coverage::Disc { axis }, offset_magnitude: 0.01, ..no_errors() };
         let groups = drawn(&range, 100);
         let names: Vec<(f64, OffsetRegion, bool, usize)> = groups
             .iter()
@@ -336,7 +336,7 @@ mod tests {
     #[test]
     fn offsets_in_a_hull_are_drawn_as_in_earlier_versions() {
         // Plans of earlier versions are evaluated with the same offsets as then.
-        let range = ErrorRange { delta: 0.01, ..no_errors() };
+        let range = ErrorRange { offset_magnitude: 0.01, ..no_errors() };
         let groups = drawn(&range, 100);
         let magnitudes: Vec<f64> = groups.iter().map(|(group, _)| group.magnitude_m).collect();
         assert_eq!(magnitudes[..6], [0.0, 0.0025, 0.005, 0.0075, 0.0095, 0.01]);

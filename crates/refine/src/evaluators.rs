@@ -27,7 +27,7 @@ pub fn evaluators(
 fn near(evaluator: Evaluator, problem: &Problem, reference: &Reference, parameters: &NearParameters) -> Evaluator {
     let task = problem.task();
     let straight = Reference::straight(&task.start, &task.goal, task.horizon);
-    let margin = parameters.margin * (problem.delta() + problem.success().position);
+    let margin = parameters.margin * (problem.offset_magnitude() + problem.success().position);
     evaluator.near(&[reference, &straight], margin, parameters.haste, radius(problem))
 }
 

@@ -181,7 +181,7 @@ fn report(search: &Search, best: &Evaluated) -> RobustnessReport {
         push: judge_push(problem, evaluator, &evaluation, target.target_rate, &stop),
         kept_round: best.round,
         kept_stage: best.solved.chosen,
-        kept_changes: best.changes,
+        kept_perturbations: best.perturbations,
         rounds: search.found.rounds.clone(),
         loss: loss(problem, target, best),
         parameters: target.parameters.clone(),

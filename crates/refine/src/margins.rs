@@ -20,7 +20,7 @@ pub fn add_margins(search: &mut Search) -> Result<(), PlannerError> {
     let Setting { problem, target, evaluator, trainer, .. } = search.setting;
     let is_wanted = |best: &Evaluated| best.reached && !best.solved.marks.has_margins;
     let Some(robust) = search.found.best.clone().filter(is_wanted) else { return Ok(()) };
-    if problem.arm().is_none() || !search.training.may_change() {
+    if problem.arm().is_none() || !search.training.may_perturb() {
         return Ok(());
     }
     let worlds = [evaluator, trainer].map(|world| world.clone().hardened(target.parameters.margins.friction));
@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn what_becomes_better_in_a_harder_world_and_stays_robust_is_kept() {
         let (kept, rounds) = kept_after(200, 1e-3);
-        assert!(kept.reached && kept.changes > 0 && kept.solved.marks.has_margins, "{}", kept.solved.planned());
+        assert!(kept.reached && kept.perturbations > 0 && kept.solved.marks.has_margins, "{}", kept.solved.planned());
         let round = &rounds[kept.round - 1];
         assert_eq!((round.planned.as_str(), round.rate), (kept.solved.planned().as_str(), Some(kept.rates.overall())));
     }
@@ -110,12 +110,12 @@ mod tests {
     #[test]
     fn a_plan_that_is_robust_in_a_harder_world_too_stays() {
         let (kept, rounds) = kept_after(200, 0.1);
-        assert_eq!((kept.reached, kept.changes, kept.round, rounds.len()), (true, 0, 1, 1));
+        assert_eq!((kept.reached, kept.perturbations, kept.round, rounds.len()), (true, 0, 1, 1));
     }
 
     #[test]
     fn a_plan_stays_where_no_change_is_tried() {
         let (kept, rounds) = kept_after(0, 1e-9);
-        assert_eq!((kept.reached, kept.changes, kept.round, rounds.len()), (true, 0, 1, 1));
+        assert_eq!((kept.reached, kept.perturbations, kept.round, rounds.len()), (true, 0, 1, 1));
     }
 }

@@ -12,7 +12,7 @@ use crate::origin::Solved;
 use crate::schedule::Deadline;
 use crate::search::Search;
 
-/// Refines a reference and evaluates it, until it is good enough, given up, all changes have been tried, or the time is
+/// Refines a reference and evaluates it, until it is good enough, given up, all perturbations have been tried, or the time is
 /// over, which may be [extended](Refining::extend). It is given up at once if a smaller fraction than `least` of its first
 /// evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What is
 /// robust, but fails in some test cases, is refined in these a few times more: simulators differ, and so does reality.
@@ -78,14 +78,14 @@ impl<'run> Refining<'run> {
 
     fn train(&mut self, search: &mut Search) {
         let until = search.schedule.training(self.until);
-        search.training.improve(&mut self.refinement, &mut self.round.changes, &search.schedule, until);
+        search.training.improve(&mut self.refinement, &mut self.round.perturbations, &search.schedule, until);
         self.round.rollouts = self.chosen_with + self.refinement.rollouts();
         self.round.refinement_s = self.begin.elapsed().as_secs_f64();
     }
 
     fn evaluated(&self, judgement: &Judgement) -> Evaluated {
         let (solved, reference) = (self.solved.clone(), self.refinement.reference().clone());
-        Evaluated::new(solved, reference, judgement, self.number, self.round.changes)
+        Evaluated::new(solved, reference, judgement, self.number, self.round.perturbations)
     }
 
     /// Takes note of how often it has succeeded.
@@ -110,7 +110,7 @@ impl<'run> Refining<'run> {
         let is_good = judgement.reached && (judgement.failures.is_empty() || self.passed > parameters.polishes);
         let is_lost = self.evaluations == 1 && judgement.rates.overall() < least;
         let is_stalled = self.stalled == parameters.given_up;
-        is_good || is_lost || is_stalled || !search.training.may_change() || search.schedule.is_over(self.until)
+        is_good || is_lost || is_stalled || !search.training.may_perturb() || search.schedule.is_over(self.until)
     }
 
     /// Adds failures to the training set.

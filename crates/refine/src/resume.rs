@@ -51,7 +51,7 @@ pub fn checkpoint(search: &Search, best: &Evaluated, rounds: Vec<Round>) -> Refi
             failing: best.failing.iter().map(TestCaseRecord::from).collect(),
             round: best.round,
             chosen_stage: best.solved.chosen,
-            changes: best.changes,
+            perturbations: best.perturbations,
         },
         rounds,
     }
@@ -126,7 +126,7 @@ pub fn restore(search: &mut Search, checkpoint: RefinementCheckpoint, plan: &Pla
         unplayed: best.unplayed,
         failing: best.failing.iter().map(TestCase::from).collect(),
         round: best.round,
-        changes: best.changes,
+        perturbations: best.perturbations,
     })
 }
 

@@ -36,7 +36,7 @@ impl<'run> Search<'run> {
 
     /// Whether there is something to do and time to do it.
     pub fn goes_on(&self, until: Deadline) -> bool {
-        !self.found.is_robust() && self.training.may_change() && !self.schedule.is_over(until)
+        !self.found.is_robust() && self.training.may_perturb() && !self.schedule.is_over(until)
     }
 
     /// Whether the best plan so far fails seldom.

@@ -16,7 +16,7 @@ pub fn simplify(search: &mut Search) -> Result<(), PlannerError> {
     let target = search.setting.target;
     let parameters = target.parameters.simplification;
     let Some(robust) = search.found.best.clone().filter(|best| best.reached) else { return Ok(()) };
-    let is_as_planned = robust.changes == 0 && !robust.has_oscillation();
+    let is_as_planned = robust.perturbations == 0 && !robust.has_oscillation();
     if is_as_planned || search.setting.problem.arm().is_some() || target.stall_limit == 0 {
         return Ok(());
     }
@@ -48,15 +48,16 @@ fn simpler(search: &Search, robust: &Evaluated) -> Option<(Evaluated, Round)> {
     let task = &simpler.solved.variant.task;
     let straight = StraightMotion::new(&task.start, &task.goal);
     let mut refinement = search.training.refinement(simpler.reference, results.clone());
-    let changes = refinement.simplify(&straight, task.horizon.steps, &stop);
+    let perturbations = refinement.simplify(&straight, task.horizon.steps, &stop);
     simpler.reference = refinement.reference().clone();
-    simpler.changes += changes;
+    simpler.perturbations += perturbations;
     let has_oscillation = simpler.has_oscillation();
     let marks = &mut simpler.solved.marks;
     (marks.has_oscillation, marks.is_straightened) = (marks.has_oscillation && has_oscillation, true);
     let rollouts = results.len() + refinement.rollouts();
     let round = round(&simpler.solved, &results);
-    (changes > 0).then_some((simpler, Round { rollouts, changes: robust.changes + changes, ..round }))
+    (perturbations > 0)
+        .then_some((simpler, Round { rollouts, perturbations: robust.perturbations + perturbations, ..round }))
 }
 
 #[cfg(test)]
@@ -95,18 +96,18 @@ mod tests {
 
     #[test]
     fn a_robust_plan_that_was_changed_is_straightened() {
-        for changes in [0, 3] {
+        for perturbations in [0, 3] {
             in_corner(Duration::from_secs(1000), |search| {
                 let reference = twisted(search, 0.3);
                 assert!(rotation(search, &reference) > 0.25);
                 judge_first(search, of_scene(search), reference).unwrap();
                 let best = search.found.best.as_mut().unwrap();
                 assert!(best.reached, "{}", best.rates.overall());
-                best.changes = changes;
+                best.perturbations = perturbations;
                 simplify(search).unwrap();
                 let (best, rounds) = (search.found.best.clone().unwrap(), search.found.rounds.len());
                 let angle = rotation(search, &best.reference);
-                match changes {
+                match perturbations {
                     0 => assert!(angle > 0.25 && rounds == 1, "what was planned stays as it is"),
                     _ => assert!(
                         best.reached && angle < 0.16 && best.round == 2 && best.solved.marks.is_straightened,

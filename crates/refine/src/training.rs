@@ -1,4 +1,4 @@
-//! The training set, and the changes of references in it.
+//! The training set, and the perturbations of references in it.
 
 use plan::parameters::TrainingParameters;
 use plan::{Event, Round};
@@ -45,7 +45,7 @@ impl<'run> Training<'run> {
     }
 
     /// Whether perturbations are requested, and not all of them have been tried.
-    pub fn may_change(&self) -> bool {
+    pub fn may_perturb(&self) -> bool {
         let target = self.setting.target;
         target.stall_limit > 0 && target.max_perturbations.is_none_or(|most| self.tried < most)
     }
@@ -83,27 +83,27 @@ impl<'run> Training<'run> {
     }
 
     /// Improves a reference until the whole training set passes, it stalls, all perturbations have been tried, or the
-    /// time is over. `changes` counts accepted perturbations.
+    /// time is over. `perturbations` counts accepted perturbations.
     pub fn improve(
         &mut self,
         refinement: &mut Refinement,
-        changes: &mut usize,
+        perturbations: &mut usize,
         schedule: &Schedule<'_>,
         until: Deadline,
     ) {
         let Setting { target, session, .. } = self.setting;
         let (mut stalled, mut last) = (0, refinement.score());
-        while refinement.score().0 > 0 && stalled < target.stall_limit && self.may_change() && !schedule.is_over(until)
+        while refinement.score().0 > 0 && stalled < target.stall_limit && self.may_perturb() && !schedule.is_over(until)
         {
             self.tried += 1;
-            *changes += usize::from(refinement.improve(&|| schedule.is_over(until)));
+            *perturbations += usize::from(refinement.improve(&|| schedule.is_over(until)));
             let (failing, violation) = refinement.score();
             if failing < last.0 || violation < self.parameters().creeping * last.1 {
                 (stalled, last) = (0, (failing, violation));
             } else {
                 stalled += 1;
             }
-            session.tell(Event::Change { failing, cases: refinement.cases().len(), changes: *changes });
+            session.tell(Event::Perturbation { failing, cases: refinement.cases().len(), accepted: *perturbations });
         }
     }
 

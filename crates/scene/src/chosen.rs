@@ -45,8 +45,8 @@ pub fn rotational_stiffness(translational: f64, mass: f64) -> f64 {
 
 /// A duration (s) in which the controlled body settles and covers the longest path from its starts to the goal.
 pub fn duration<'start>(starts: impl Iterator<Item = &'start Pose>, goal: &Pose, time_constant: f64) -> f64 {
-    let way = |start: &Pose| norm(&[0, 1, 2].map(|axis| start[axis] - goal[axis]));
-    let path = starts.map(way).fold(0.0, f64::max);
+    let length = |start: &Pose| norm(&[0, 1, 2].map(|axis| start[axis] - goal[axis]));
+    let path = starts.map(length).fold(0.0, f64::max);
     let far = (path - NEAR).max(0.0) / SPEED;
     SHORTEST.max(TIME_CONSTANTS * time_constant) + far
 }

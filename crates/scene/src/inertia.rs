@@ -19,7 +19,8 @@ const WORST_CONDITION: f64 = 1e8;
 pub fn inertia(
     scene: &Table,
     robot: Option<&Robot>,
-    (material, parts): (Option<&Material>, &[GivenPart]),
+    material: Option<&Material>,
+    parts: &[GivenPart],
     goal: &Pose,
 ) -> Result<Inertia, SceneError> {
     let table = scene.table("robot")?;

@@ -108,19 +108,13 @@ struct Path {
     acceleration: f64,
 }
 
-/// Checks that the limits of velocity and acceleration let the body get from `pose`, its pose at the named start, to
-/// the goal.
+/// Checks that the limits of velocity and acceleration let the body get from a start to the goal.
 ///
 /// # Errors
 /// The limit that is too small.
-pub fn check_reach(
-    limits: &Limits,
-    (start, pose): (&str, &Pose),
-    goal: &Pose,
-    horizon: Horizon,
-) -> Result<(), OutOfReach> {
-    let farthest = (0..3).map(|axis| (pose[axis] - goal[axis]).abs()).fold(0.0, f64::max);
-    let angle = pose.error(goal).orientation;
+pub fn check_reach(limits: &Limits, start: &StartPose, goal: &Pose, horizon: Horizon) -> Result<(), OutOfReach> {
+    let farthest = (0..3).map(|axis| (start.pose[axis] - goal[axis]).abs()).fold(0.0, f64::max);
+    let angle = start.pose.error(goal).orientation;
     let translational = Path {
         velocity_key: "translational_velocity",
         acceleration_key: "translational_acceleration",
@@ -138,8 +132,8 @@ pub fn check_reach(
         velocity: limits.rotational_velocity,
         acceleration: limits.rotational_acceleration,
     };
-    translational.check(start, horizon)?;
-    rotational.check(start, horizon)
+    translational.check(&start.name, horizon)?;
+    rotational.check(&start.name, horizon)
 }
 
 impl Path {

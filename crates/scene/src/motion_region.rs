@@ -2,12 +2,11 @@
 
 use collision::{Pair, Polytope};
 use nalgebra::{Isometry3, Point3};
-use task::Pose;
 use task::algebra::norm;
 use task::pose::interpolate;
 
 use crate::boxes::corners_of;
-use crate::pose::StartPose;
+use crate::pose::{Endpoints, StartPose};
 
 /// Poses between a start and the goal that are looked at.
 const SAMPLES: usize = 9;
@@ -48,21 +47,21 @@ pub struct Motions {
 
 impl Motions {
     /// For a body with points at these coordinates (m), with offsets of a magnitude (m) and a rotation error (rad).
-    pub fn new(starts: &[StartPose], goal: &Pose, (magnitude, rotation_error): (f64, f64), body: &[[f64; 3]]) -> Self {
-        let goal = goal.isometry();
+    pub fn new(ends: Endpoints, offset_magnitude: f64, rotation_error: f64, body: &[[f64; 3]]) -> Self {
+        let goal = ends.goal.isometry();
         let paths = |samples: usize| -> Vec<Isometry3<f64>> {
             let path = |start: &StartPose| {
                 let start = start.pose.isometry();
                 (0..samples).map(move |sample| interpolate(&start, &goal, sample as f64 / (samples - 1) as f64))
             };
-            starts.iter().flat_map(path).collect()
+            ends.starts.iter().flat_map(path).collect()
         };
         let size = body.iter().map(|point| norm(point)).fold(0.0, f64::max);
         Self {
             poses: paths(SAMPLES),
             path: paths(PATH_SAMPLES),
             size,
-            margin: OFFSETS * magnitude + MARGIN * size,
+            margin: OFFSETS * offset_magnitude + MARGIN * size,
             rotation_error: ROTATION + rotation_error,
             surroundings: SURROUNDINGS * size,
         }
@@ -133,19 +132,22 @@ pub fn meet(one: &Polytope, other: &Polytope) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use task::Pose;
+
     use super::*;
 
     #[test]
     fn a_region_grows_with_offsets_and_turns_in_the_gripper() {
         let (goal, tip) = (Pose::IDENTITY, [0.0, 0.0, -0.2]);
         let start = StartPose { name: "1".to_owned(), pose: goal };
-        let reach = |errors: (f64, f64)| {
-            let motions = Motions::new(std::slice::from_ref(&start), &goal, errors, &[tip]);
+        let ends = Endpoints { starts: std::slice::from_ref(&start), goal: &goal };
+        let reach = |offset_magnitude: f64, rotation_error: f64| {
+            let motions = Motions::new(ends, offset_magnitude, rotation_error, &[tip]);
             motions.region(&[vec![tip]]).extent[1][0]
         };
-        let exact = reach((0.0, 0.0));
+        let exact = reach(0.0, 0.0);
         assert!((exact - (MARGIN + ROTATION + SURROUNDINGS) * 0.2).abs() < 1e-12, "{exact}");
-        assert!((reach((0.01, 0.0)) - exact - 0.01).abs() < 1e-12);
-        assert!((reach((0.0, 0.05)) - exact - 0.05 * 0.2).abs() < 1e-12);
+        assert!((reach(0.01, 0.0) - exact - 0.01).abs() < 1e-12);
+        assert!((reach(0.0, 0.05) - exact - 0.05 * 0.2).abs() < 1e-12);
     }
 }

@@ -15,7 +15,7 @@ use crate::material::Material;
 use crate::motion_region::Motions;
 use crate::pairs::{Side, pairs};
 use crate::part::{GivenPart, given_parts};
-use crate::pose::pose;
+use crate::pose::{Endpoints, pose};
 use crate::robot::{Robot, stiffness};
 use crate::scene::Scene;
 use crate::sections;
@@ -58,18 +58,19 @@ impl Scene {
         let (body, environment) = (given_parts(&body_table)?, given_parts(&table.require_table("environment")?)?);
         let (starts, goal_table) = (sections::starts(table)?, table.require_table("goal")?);
         let goal = pose(&goal_table)?;
-        sections::require_motions(table, &starts, &goal)?;
+        let ends = Endpoints { starts: &starts, goal: &goal };
+        sections::require_motions(table, ends)?;
         let offset_magnitude = robustness.number("offset_magnitude")?;
-        let coverage = sections::coverage(&robustness, (&starts[0], &goal))?;
+        let coverage = sections::coverage(&robustness, ends)?;
         let offset_directions = sections::offset_directions(&robustness, &coverage)?;
         let rotation_axes = sections::rotation_axes(&robustness, &offset_directions)?;
         let material = Material::of(&body)?;
-        let robot = Robot::read(&table.table("robot")?, material.as_ref(), (&starts, &goal))?;
+        let robot = Robot::read(&table.table("robot")?, material.as_ref(), ends)?;
         let gripper = gripper(table)?;
-        let inertia = inertia(table, robot.as_ref(), (material.as_ref(), &body), &goal)?;
+        let inertia = inertia(table, robot.as_ref(), material.as_ref(), &body, &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
         let spec = sections::robustness_spec(&robustness)?;
-        let motions = Motions::new(&starts, &goal, (offset_magnitude, spec.rotation_error), &points);
+        let motions = Motions::new(ends, offset_magnitude, spec.rotation_error, &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region, gaps } =
             shapes(&body, &environment, &motions, &goal)?;
         let (pairs, culled_pairs) = pairs(
@@ -80,7 +81,7 @@ impl Scene {
         )?;
         let stiffness = stiffness(table, &inertia, offset_magnitude, robot.as_ref())?;
         let impedance = sections::impedance(table, &inertia, stiffness)?;
-        let horizon = sections::horizon(table, (&starts, &goal), (&inertia, &impedance))?;
+        let horizon = sections::horizon(table, ends, &inertia, &impedance)?;
         let radius = points.iter().map(|point| norm(point)).fold(0.0, f64::max);
         let motion = Motion { starts: &starts, goal: &goal, horizon, inertia: &inertia, radius, robot: robot.as_ref() };
         let limits = limits(&table.table("limits")?, &motion)?;

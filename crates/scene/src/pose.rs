@@ -20,6 +20,15 @@ pub struct StartPose {
     pub pose: Pose,
 }
 
+/// Where motions begin and end.
+#[derive(Debug, Clone, Copy)]
+pub struct Endpoints<'scene> {
+    /// Where plans may begin, at least one.
+    pub starts: &'scene [StartPose],
+    /// Where all of them end.
+    pub goal: &'scene Pose,
+}
+
 /// Pose of a start or goal, with a unit quaternion.
 pub fn pose(table: &Table) -> Result<Pose, SceneError> {
     let position = table.require("position")?.vector()?;

@@ -124,7 +124,8 @@ impl Scene {
     /// The limit that is too small.
     pub(crate) fn check_reach(&self, start: &StartPose, magnitude: f64) -> Result<(), OutOfReach> {
         self.grasps_of(magnitude).iter().try_for_each(|grasp| {
-            check_reach(&self.limits, (&start.name, &grasp.actual(&start.pose)), &self.goal, self.horizon)
+            let start = StartPose { name: start.name.clone(), pose: grasp.actual(&start.pose) };
+            check_reach(&self.limits, &start, &self.goal, self.horizon)
         })
     }
 

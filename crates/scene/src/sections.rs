@@ -1,12 +1,12 @@
 //! The tables of a scene that are not shapes.
 
-use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, Pose, TrajectoryCost};
+use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, TrajectoryCost};
 
 use crate::chosen;
 use crate::error::SceneError;
 use crate::inertia::symmetric;
 use crate::keys::COVERAGES;
-use crate::pose::{StartPose, direction, directions, pose};
+use crate::pose::{Endpoints, StartPose, direction, directions, pose};
 use crate::robot::Stiffness;
 use crate::scene::RobustnessSpec;
 use crate::table::Table;
@@ -29,9 +29,9 @@ pub fn starts(scene: &Table) -> Result<Vec<StartPose>, SceneError> {
 }
 
 /// Refuses a start that is the goal.
-pub fn require_motions(scene: &Table, starts: &[StartPose], goal: &Pose) -> Result<(), SceneError> {
-    for (table, StartPose { name, pose }) in scene.tables("start", "start")?.iter().zip(starts) {
-        let error = pose.error(goal);
+pub fn require_motions(scene: &Table, ends: Endpoints) -> Result<(), SceneError> {
+    for (table, StartPose { name, pose }) in scene.tables("start", "start")?.iter().zip(ends.starts) {
+        let error = pose.error(ends.goal);
         if error.position.max(error.orientation) < SAME_POSE {
             let problem =
                 format!("start `{name}` is the goal: there is nothing to plan; move it to where the motion begins");
@@ -83,19 +83,20 @@ pub fn robustness_spec(robustness: &Table) -> Result<RobustnessSpec, SceneError>
 /// The time grid: that of the scene, or one in which the controlled body can cover the longest path to the goal.
 pub fn horizon(
     scene: &Table,
-    (starts, goal): (&[StartPose], &Pose),
-    (inertia, impedance): (&Inertia, &Impedance),
+    ends: Endpoints,
+    inertia: &Inertia,
+    impedance: &Impedance,
 ) -> Result<Horizon, SceneError> {
     let table = scene.table("horizon")?;
     let steps = table.find("steps").map(|entry| entry.integer()).transpose()?.map(|steps| steps as usize);
     let time_step = table.find("time_step").map(|entry| entry.number()).transpose()?;
     let time_constant = (inertia.mean_mass() / impedance.translational_stiffness).sqrt();
-    let duration = chosen::duration(starts.iter().map(|start| &start.pose), goal, time_constant);
+    let duration = chosen::duration(ends.starts.iter().map(|start| &start.pose), ends.goal, time_constant);
     Ok(chosen::horizon(duration, steps, time_step))
 }
 
 /// Which offsets are covered: the hull of those whose directions the scene gives, else a disc or a ball.
-pub fn coverage(robustness: &Table, (start, goal): (&StartPose, &Pose)) -> Result<Coverage, SceneError> {
+pub fn coverage(robustness: &Table, ends: Endpoints) -> Result<Coverage, SceneError> {
     let (given, axis) = (robustness.find("coverage"), robustness.find("insertion_axis"));
     if robustness.find("offset_directions").is_some() {
         return match given.as_ref().or(axis.as_ref()) {
@@ -113,7 +114,7 @@ pub fn coverage(robustness: &Table, (start, goal): (&StartPose, &Pose)) -> Resul
         ))),
         ("ball", None) => Ok(Coverage::Ball),
         (_, Some(axis)) => Ok(Coverage::Disc { axis: direction(&axis)? }),
-        (_, None) => Ok(Coverage::Disc { axis: chosen::insertion_axis(&start.pose, goal) }),
+        (_, None) => Ok(Coverage::Disc { axis: chosen::insertion_axis(&ends.starts[0].pose, ends.goal) }),
     }
 }
 

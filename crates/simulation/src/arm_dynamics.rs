@@ -10,14 +10,14 @@ use crate::arm_terms::ArmTerms;
 use crate::body::{Body, moved};
 use crate::contact::{Contact, ContactFinder};
 use crate::contact_solver::ContactSolver;
-use crate::disturbance::Disturbance;
+use crate::disturbance::Injection;
 use crate::dynamics::LARGEST_PENETRATION;
 use crate::joint_friction::JointFriction;
 use crate::latency::{DOUBLINGS, doublings, effective_mass, late};
 use crate::metric::added_inertia;
 use crate::reference::Knot;
 use crate::sampled_controller::SampledController;
-use crate::step_length::{StepLength, Steps};
+use crate::step_length::{StepLength, Steps, Substeps};
 
 /// Steps of an arm, semi-implicit Euler in joint space: `M (v+ - v) = h (torques - bias) + friction + J' contacts` with
 /// joint speeds `v` and impulses of joint friction and contacts; then positions move with `v+`. Torques hold between
@@ -87,22 +87,22 @@ const STAYING: usize = 5;
 const ROUNDING: f64 = 1e-9;
 
 impl<'arm> ArmStepper<'arm> {
-    /// At rest: `body` is where the part really is, `grasp` the believed part in its frame, and `near` names the IK
-    /// branch. `None` if the arm does not reach that pose, or a value is not finite.
+    /// At rest, with `body` where the part really is; `near` names the IK branch. `None` if the arm does not reach that pose, or a value is not finite.
     pub fn new(
         model: &'arm ArmModel,
         near: &JointVector,
-        (body, grasp): (&Isometry3<f64>, Isometry3<f64>),
-        (impedance, disturbance): (Impedance, &Disturbance),
+        body: &Isometry3<f64>,
+        injection: &Injection,
+        impedance: Impedance,
         steps: &Steps,
         solver: ContactSolver,
     ) -> Option<Self> {
-        let arm = &model.arm;
+        let (arm, disturbance, grasp) = (&model.arm, &injection.disturbance, injection.grasp.believed());
         let configuration = arm.inverse_kinematics(&(body * grasp), near).ok()?;
         let inertia_scale = 1.0 + disturbance.inertia;
         let torques = model.joint_friction.iter().map(|torque| torque * (1.0 + disturbance.joint_friction));
         let velocity = JointVector::zeros();
-        let terms = ArmTerms::new(arm, (&configuration, &velocity), &grasp, inertia_scale)?;
+        let terms = ArmTerms::new(arm, &configuration, &velocity, &grasp, inertia_scale)?;
         let delay = model.delay + disturbance.delay;
         let latency = delay + 0.5 * model.control_period;
         let Steps { time_step, most, .. } = *steps;
@@ -151,24 +151,24 @@ impl<'arm> ArmStepper<'arm> {
         if self.set_for.is_some() { 0.0 } else { 1.0 }
     }
 
-    /// Moves the body by one step, after `done` of the `count` shortest steps of an interval. `target` is the reference
-    /// after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
+    /// Moves the body by one step, after some of the shortest steps of an interval. `target` is the reference after a
+    /// number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
     /// shortest steps this one replaces, and the penetration that the previous step has left. Where the arm is
     /// singular, the velocity of the body becomes NaN.
     pub fn step(
         &mut self,
         body: &mut Body,
-        (done, count): (usize, usize),
+        substeps: Substeps,
         target: impl Fn(f64) -> Knot,
         finder: &mut ContactFinder,
         impulses: &mut [f64],
     ) -> (usize, f64) {
         let (mut state, mut length) = (self.state.clone(), self.length);
-        let (taken, penetration) = length.step(&mut state, (done, count), |state, doublings| {
+        let (taken, penetration) = length.step(&mut state, substeps, |state, doublings| {
             if doublings == 0 {
-                self.advance(state, &target(done as f64), finder)
+                self.advance(state, &target(substeps.done as f64), finder)
             } else {
-                let middle = done as f64 + 0.5 * f64::from(1_u32 << doublings) - self.latency / self.time_step;
+                let middle = substeps.done as f64 + 0.5 * f64::from(1_u32 << doublings) - self.latency / self.time_step;
                 self.advance_far(state, doublings, &target(middle.max(0.0)), finder)
             }
         });
@@ -266,7 +266,7 @@ impl<'arm> ArmStepper<'arm> {
         if is_near && !is_old {
             return;
         }
-        match ArmTerms::new(self.arm, (configuration, velocity), &self.grasp, self.inertia_scale) {
+        match ArmTerms::new(self.arm, configuration, velocity, &self.grasp, self.inertia_scale) {
             Some(terms) => {
                 body.pose = terms.pose;
                 body.set_twist(&(terms.jacobian * *velocity));
@@ -377,7 +377,7 @@ mod tests {
         let mut configuration = JointVector::zeros();
         [0.1, 0.7, 0.9, -0.3, 0.5, 0.2].iter().enumerate().for_each(|(joint, angle)| configuration[joint] = *angle);
         let still = JointVector::zeros();
-        let terms = ArmTerms::new(&arm, (&configuration, &still), &Isometry3::identity(), 1.0).unwrap();
+        let terms = ArmTerms::new(&arm, &configuration, &still, &Isometry3::identity(), 1.0).unwrap();
         let weight = terms.weight;
         assert!(weight.amax() > 1.0, "the weight loads the joint: {weight}");
         for wanted in [1e4, -1e4] {

@@ -37,7 +37,8 @@ impl ArmTerms {
     /// a value is not finite.
     pub fn new(
         arm: &Arm,
-        (configuration, velocity): (&JointVector, &JointVector),
+        configuration: &JointVector,
+        velocity: &JointVector,
         grasp: &Isometry3<f64>,
         inertia_scale: f64,
     ) -> Option<Self> {

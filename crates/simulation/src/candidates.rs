@@ -103,7 +103,8 @@ impl Candidates {
     pub fn better_edges(
         &mut self,
         body: &Solid,
-        (environment, edges): (&Solid, &[StillEdge]),
+        environment: &Solid,
+        edges: &[StillEdge],
         facet: &Axis,
     ) -> Option<Axis> {
         if !self.edges_are_found {

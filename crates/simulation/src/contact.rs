@@ -180,7 +180,7 @@ impl<'shapes> ContactFinder<'shapes> {
             }
             // No axis separates the parts by more than the distance of two of their points.
             let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
-            better = if is_best { None } else { candidates.better_edges(body, (environment, edges), &axis) };
+            better = if is_best { None } else { candidates.better_edges(body, environment, edges, &axis) };
         }
         let is_round = *edge_radius > 0.0 && better.is_none() && axis.separation > -*edge_radius;
         if is_round && patch.is_narrower(*edge_radius, &axis.normal) {

@@ -9,7 +9,7 @@ use crate::contact_solver::ContactSolver;
 use crate::least_distance::Vector6;
 use crate::metric::{Metric, effective_inertia};
 use crate::reference::Knot;
-use crate::step_length::{StepLength, Steps};
+use crate::step_length::{StepLength, Steps, Substeps};
 
 /// Steps of a body under the impedance law (Eq. ts with Eq. impedancewrench). They are linearly implicit in stiffness
 /// and damping, so that stiff controllers and light bodies stay stable. Contacts are hard and without restitution.
@@ -83,21 +83,21 @@ impl Stepper {
         })
     }
 
-    /// Moves the body by one step, after `done` of the `count` shortest steps of an interval. `target` is the reference
-    /// after a number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
+    /// Moves the body by one step, after some of the shortest steps of an interval. `target` is the reference after a
+    /// number of them. Adds the normal impulse (Ns) of every pair to `impulses`. Returns how many of the
     /// shortest steps this one replaces, and the penetration (m) that the previous step has left.
     pub fn step(
         &mut self,
         body: &mut Body,
-        (done, count): (usize, usize),
+        substeps: Substeps,
         target: impl Fn(f64) -> Knot,
         finder: &mut ContactFinder,
         impulses: &mut [f64],
     ) -> (usize, f64) {
         let mut steps = self.steps;
-        let (taken, penetration) = steps.step(body, (done, count), |body, length| {
+        let (taken, penetration) = steps.step(body, substeps, |body, length| {
             let weight = self.lengths[length].weight;
-            self.advance(body, length, &target(done as f64 + weight * f64::from(1_u32 << length)), finder)
+            self.advance(body, length, &target(substeps.done as f64 + weight * f64::from(1_u32 << length)), finder)
         });
         self.steps = steps;
         self.solver.add_impulses(impulses);
@@ -201,7 +201,8 @@ mod tests {
         let mut body = Body { pose: still(0.0).pose, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() };
         let (mut lengths, mut done) = (Vec::new(), 0);
         while done < COUNT {
-            let (taken, _) = stepper.step(&mut body, (done, COUNT), |_| still(lag), &mut finder, &mut []);
+            let (taken, _) =
+                stepper.step(&mut body, Substeps { done, count: COUNT }, |_| still(lag), &mut finder, &mut []);
             lengths.push(taken);
             done += taken;
         }

@@ -12,7 +12,7 @@ use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
 use crate::overshoot::Overshoot;
 use crate::reference::Reference;
-use crate::rollout::{Outcome, Rollout, Snapshot};
+use crate::rollout::{Outcome, Rollout, SharedStart, Snapshot};
 use crate::settings::Settings;
 use crate::success::Success;
 
@@ -247,7 +247,12 @@ impl Evaluator {
         let record = |(case, known): (TestCase, &Record<'evaluator>)| {
             let snapshots = known.snapshots.as_deref().unwrap_or_default();
             let injection = case.injection();
-            let replayed = self.rollouts[case.friction.0].replay(reference, &injection, (snapshots, same), &is_over)?;
+            let replayed = self.rollouts[case.friction.0].replay(
+                reference,
+                &injection,
+                SharedStart { snapshots, intervals: same },
+                &is_over,
+            )?;
             let (outcome, snapshots) = replayed;
             Some(Record { result: self.result(&outcome), snapshots: Some(snapshots) })
         };

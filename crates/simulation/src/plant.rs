@@ -5,6 +5,7 @@ use crate::body::Body;
 use crate::contact::ContactFinder;
 use crate::dynamics::Stepper;
 use crate::reference::Knot;
+use crate::step_length::Substeps;
 
 /// A free body, or an arm that holds one.
 #[derive(Debug, Clone)]
@@ -18,14 +19,14 @@ impl Plant<'_> {
     pub fn step(
         &mut self,
         body: &mut Body,
-        (done, count): (usize, usize),
+        substeps: Substeps,
         target: impl Fn(f64) -> Knot,
         finder: &mut ContactFinder,
         impulses: &mut [f64],
     ) -> (usize, f64) {
         match self {
-            Self::Body(stepper) => stepper.step(body, (done, count), target, finder, impulses),
-            Self::Arm(stepper) => stepper.step(body, (done, count), target, finder, impulses),
+            Self::Body(stepper) => stepper.step(body, substeps, target, finder, impulses),
+            Self::Arm(stepper) => stepper.step(body, substeps, target, finder, impulses),
         }
     }
 }

@@ -27,6 +27,14 @@ use crate::timed_state::TimedState;
 /// The state of a rollout, kept to continue from.
 pub(crate) type Snapshot<'rollout> = Arc<RolloutState<'rollout>>;
 
+/// The rollout of another reference that begins in the same way.
+pub(crate) struct SharedStart<'start, 'rollout> {
+    /// Of that rollout.
+    pub snapshots: &'start [Snapshot<'rollout>],
+    /// Number of the first intervals on which the references are the same.
+    pub intervals: usize,
+}
+
 /// Largest number of snapshots of a rollout.
 const SNAPSHOTS: usize = 10;
 
@@ -163,18 +171,17 @@ impl Rollout {
         self.finish(state, reference, &injection, &mut observe, |_| true)
     }
 
-    /// As [`play`](Self::play), but continues from the last applicable one of the `snapshots` of another reference's
-    /// rollout that is the same on the first `same` intervals. Returns the outcome and new snapshots. `None` when
-    /// `stop` returned true before an interval.
+    /// As [`play`](Self::play), but continues from the last applicable snapshot of another reference's rollout. Returns
+    /// the outcome and new snapshots. `None` when `stop` returned true before an interval.
     pub(crate) fn replay<'rollout>(
         &'rollout self,
         reference: &Reference,
         injection: &Injection,
-        (snapshots, same): (&[Snapshot<'rollout>], usize),
+        start: SharedStart<'_, 'rollout>,
         stop: &dyn Fn() -> bool,
     ) -> Option<(Outcome, Vec<Snapshot<'rollout>>)> {
         let mut snapshots: Vec<Snapshot> =
-            snapshots.iter().filter(|snapshot| snapshot.intervals <= same).cloned().collect();
+            start.snapshots.iter().filter(|snapshot| snapshot.intervals <= start.intervals).cloned().collect();
         let state = match snapshots.last() {
             Some(snapshot) => Some(RolloutState::clone(snapshot)),
             None => self.begin(reference, injection),
@@ -255,8 +262,7 @@ impl Rollout {
                 stepper.map(|stepper| Plant::Body(Box::new(stepper)))
             }
             Some((model, near)) => {
-                let control = (impedance, disturbance);
-                let stepper = ArmStepper::new(model, near, (start, grasp.believed()), control, &steps, solver);
+                let stepper = ArmStepper::new(model, near, start, injection, impedance, &steps, solver);
                 let set = self.set_for.map(|orientation| (orientation, as_set));
                 stepper.map(|stepper| Plant::Arm(Box::new(stepper.with_damping_set_for(set))))
             }

@@ -8,6 +8,7 @@ use crate::loads::LoadMeter;
 use crate::overshoot::Overshoot;
 use crate::plant::Plant;
 use crate::reference::Reference;
+use crate::step_length::Substeps;
 use crate::timed_state::TimedState;
 
 /// The state of a rollout after some intervals of its reference. The rest depends on nothing but this and the rest of
@@ -42,18 +43,18 @@ impl RolloutState<'_> {
         reference: &Reference,
         observe: &mut impl FnMut(&TimedState, &[f64]),
     ) {
-        let (interval, (time_step, substeps)) = (self.intervals, self.steps);
+        let (interval, (time_step, count)) = (self.intervals, self.steps);
         self.impulses.fill(0.0);
         let mut done = 0;
-        while done < substeps {
+        while done < count {
             let Self { body, finder, step_impulses, .. } = self;
-            let target = |count: f64| reference.at(interval, count / substeps as f64);
+            let target = |steps: f64| reference.at(interval, steps / count as f64);
             let before = *body;
             step_impulses.fill(0.0);
-            let (taken, penetration) = self.plant.step(body, (done, substeps), target, finder, step_impulses);
+            let (taken, penetration) = self.plant.step(body, Substeps { done, count }, target, finder, step_impulses);
             self.max_penetration = self.max_penetration.max(penetration);
             self.impulses.iter_mut().zip(&*step_impulses).for_each(|(sum, impulse)| *sum += impulse);
-            let part = (done + taken) as f64 / substeps as f64;
+            let part = (done + taken) as f64 / count as f64;
             let tracked = believed.at(interval, part);
             let wrench = self.impedance.wrench(&tracked.state(), &TimedState::new(0.0, body).state(), &self.grasp);
             if self.loads.add(taken as f64 * time_step, step_impulses, &wrench) {
@@ -61,7 +62,7 @@ impl RolloutState<'_> {
                 self.overshoot = Overshoot::new(fraction, &reference.at(interval, part).pose, &body.pose);
             }
             for moment in 1..=taken {
-                let time = (interval * substeps + done + moment) as f64 * time_step;
+                let time = (interval * count + done + moment) as f64 * time_step;
                 let state = before.towards(body, moment as f64 / taken as f64);
                 observe(&TimedState::new(time, &state), &self.impulses);
             }

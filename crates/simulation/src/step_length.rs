@@ -23,6 +23,15 @@ pub struct Steps {
     pub steady: f64,
 }
 
+/// How far an interval between two knots is, in the shortest steps.
+#[derive(Debug, Clone, Copy)]
+pub struct Substeps {
+    /// Number of those that are done, less than all.
+    pub done: usize,
+    /// Number of all.
+    pub count: usize,
+}
+
 /// The default acceleration (m/s^2) up to which steps may be longer.
 pub const STEADY: f64 = 1.0;
 
@@ -37,16 +46,16 @@ impl StepLength {
         self.largest_change
     }
 
-    /// Takes a step, after `done` of the `count` shortest steps of an interval. `advance` moves a copy of the state by
+    /// Takes a step, after some of the shortest steps of an interval. `advance` moves a copy of the state by
     /// two to some power of them, and returns the penetration (m) that the previous step has left, and the largest
     /// change of velocity (m/s) of any point. Returns how many steps were taken, and the penetration.
     pub fn step<S: Clone>(
         &mut self,
         state: &mut S,
-        (done, count): (usize, usize),
+        substeps: Substeps,
         mut advance: impl FnMut(&mut S, usize) -> (f64, f64),
     ) -> (usize, f64) {
-        let most = self.largest_change;
+        let (most, Substeps { done, count }) = (self.largest_change, substeps);
         let mut doublings = self.longest.min(done.trailing_zeros().min((count - done).ilog2()) as usize);
         loop {
             let mut next = state.clone();

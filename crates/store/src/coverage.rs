@@ -32,11 +32,11 @@ pub enum CoverageKind {
 
 impl From<&Problem> for CoverageRecord {
     fn from(problem: &Problem) -> Self {
-        let delta = problem.delta();
+        let offset_magnitude = problem.offset_magnitude();
         let (kind, axis, radius_m) = match problem.scene().coverage {
             Coverage::Hull => (CoverageKind::Hull, None, offsets::worst_direction(&problem.task().offsets())),
-            Coverage::Disc { axis } => (CoverageKind::Disc, Some(axis), delta),
-            Coverage::Ball => (CoverageKind::Ball, None, delta),
+            Coverage::Disc { axis } => (CoverageKind::Disc, Some(axis), offset_magnitude),
+            Coverage::Ball => (CoverageKind::Ball, None, offset_magnitude),
         };
         Self { kind, axis, radius_m }
     }

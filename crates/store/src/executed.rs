@@ -55,7 +55,7 @@ pub struct Execution {
     /// Distance (m) between where the robot and the rollout believe the part at these times.
     pub distances: Vec<f64>,
     /// Offset magnitude that was planned for (m).
-    delta: f64,
+    offset_magnitude: f64,
 }
 
 impl Execution {
@@ -90,7 +90,7 @@ impl Execution {
         };
         let rollouts = settings.iter().flat_map(|settings| grasps.iter().map(move |grasp| (settings, grasp)));
         let beside = |(settings, grasp): (&Settings, &GraspError)| {
-            Self::beside(&course, &ending, (problem, &reference), *settings, *grasp)
+            Self::beside(&course, &ending, problem, &reference, *settings, *grasp)
         };
         let executions: Vec<Self> = rollouts.map(beside).collect::<Result<_, _>>()?;
         let closest = executions.into_iter().min_by(|one, other| one.mean_distance().total_cmp(&other.mean_distance()));
@@ -101,7 +101,8 @@ impl Execution {
     fn beside(
         course: &[ExecutedState],
         ending: &Ending,
-        (problem, reference): (&Problem, &Reference),
+        problem: &Problem,
+        reference: &Reference,
         settings: Settings,
         grasp: GraspError,
     ) -> Result<Self, PlannerError> {
@@ -116,7 +117,7 @@ impl Execution {
             rollout_succeeds: outcome.reaches_goal(&problem.success()),
             course: course.to_vec(),
             distances: course.iter().map(|state| distance(&believed, state)).collect(),
-            delta: problem.delta(),
+            offset_magnitude: problem.offset_magnitude(),
         })
     }
 
@@ -157,7 +158,7 @@ impl Execution {
                 "{} ({} mm of the {} mm planned for)",
                 GraspRecord::from(grasp),
                 Millimetres(length),
-                Millimetres(self.delta)
+                Millimetres(self.offset_magnitude)
             )
         };
         let mut sentences = match &self.ending {
@@ -236,7 +237,7 @@ fn require_duration(file: &Path, course: &[ExecutedState], reference: &Reference
 /// How a motion ended that was not stopped.
 fn ending(problem: &Problem, course: &[ExecutedState]) -> Ending {
     let grasp = grasp_at_end(problem, course);
-    let is_planned = Vector3::from(grasp.offset).norm() <= problem.delta() + problem.success().position;
+    let is_planned = Vector3::from(grasp.offset).norm() <= problem.offset_magnitude() + problem.success().position;
     if is_planned { Ending::AtGoal } else { Ending::Missed(grasp) }
 }
 

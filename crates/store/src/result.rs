@@ -297,7 +297,7 @@ impl PlanResult {
             goal_reached: plan.reaches_goal(),
             scene: plan.problem.scene().title.clone(),
             start: plan.problem.start().name.clone(),
-            delta_m: plan.problem.delta(),
+            delta_m: plan.problem.offset_magnitude(),
             coverage: CoverageRecord::from(&plan.problem),
             turn_rad: plan.problem.scene().robustness.rotation_error,
             made_from: MadeFrom::from(&plan.problem),

@@ -47,7 +47,7 @@ impl RolloutRow {
         Self {
             plan: plan.display().to_string(),
             start: start.to_owned(),
-            delta_m: Value(rollout.delta),
+            delta_m: Value(rollout.offset_magnitude),
             motion: rollout.motion.to_string(),
             friction: Value(rollout.friction),
             magnitude_m: Value(rollout.magnitude),
@@ -92,7 +92,7 @@ impl From<&SuccessGroup> for SuccessRow {
         Self {
             motion: group.motion.to_string(),
             friction: Value(group.friction),
-            delta_m: Value(group.delta),
+            delta_m: Value(group.offset_magnitude),
             magnitude_m: Value(group.magnitude),
             rollouts: group.rollouts,
             successes: group.successes,

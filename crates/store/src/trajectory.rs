@@ -279,7 +279,10 @@ pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
     let contacts: Vec<ContactRow> = read_csv(&folder.join(CONTACTS))?;
     let steps = reference.len() - 1;
     let scenarios = states.len() / (steps + 1);
-    let place = |index: usize, rows: usize, first: usize| (index / rows + 1, (index % rows + first) as f64 * time_step);
+    let place = |index: usize, rows: usize, first: usize| Place {
+        scenario: index / rows + 1,
+        time: (index % rows + first) as f64 * time_step,
+    };
     for (index, row) in states.iter().enumerate() {
         let problem = row.problem(NORM).or_else(|| misplaced(row.scenario, row.time_s, place(index, steps + 1, 0)));
         require_none(&folder.join(SCENARIOS), index, problem)?;
@@ -321,11 +324,20 @@ fn require_none(file: &Path, row: usize, problem: Option<impl Into<String>>) -> 
     problem.map_or(Ok(()), |problem| Err(PlannerError::line(file, row + 2, problem)))
 }
 
-/// Why a row does not belong where it stands, if so: at a scenario and a time (s).
-fn misplaced(scenario: usize, time: Value, (expected, at): (usize, f64)) -> Option<&'static str> {
+/// Where a row stands in a table.
+struct Place {
+    /// Number of the scenario, from 1.
+    scenario: usize,
+    /// Time (s).
+    time: f64,
+}
+
+/// Why a row does not belong where it stands, if so.
+fn misplaced(scenario: usize, time: Value, place: Place) -> Option<&'static str> {
     /// How far a time may be off (s): it is written in nanoseconds.
     const SAME: f64 = 1e-6;
-    (scenario != expected || !((time.0 - at).abs() <= SAME)).then_some("another scenario or time should be here")
+    (scenario != place.scenario || !((time.0 - place.time).abs() <= SAME))
+        .then_some("another scenario or time should be here")
 }
 
 /// Why numbers are no wrench, if so.

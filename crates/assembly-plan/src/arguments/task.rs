@@ -34,6 +34,6 @@ pub struct ToleranceArguments {
 impl TaskArguments {
     /// Choices for the scene.
     pub fn choices(&self) -> Choices {
-        Choices { start: self.start.clone(), delta: self.delta, ..Choices::default() }
+        Choices { start: self.start.clone(), offset_magnitude: self.delta, ..Choices::default() }
     }
 }

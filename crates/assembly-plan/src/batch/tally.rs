@@ -52,7 +52,7 @@ impl Tally {
         let Self { planned, failed, total, .. } = &self;
         let left =
             self.left(running + waiting).map_or_else(String::new, |left| format!(", about {} left", words(left)));
-        self.progress.show("cells planned", (*planned, *total), &[format!("{running} running, {failed} failed{left}")]);
+        self.progress.show("cells planned", *planned, *total, &[format!("{running} running, {failed} failed{left}")]);
         if self.progress.has_no_bar() {
             self.progress.say(&format!("{planned}/{total} cells planned, {running} running, {failed} failed{left}"));
         }

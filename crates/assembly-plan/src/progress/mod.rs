@@ -86,17 +86,17 @@ impl Progress {
     }
 
     /// Shows what is being done, how far it is and what it has come to, until something else is shown.
-    pub fn show(&self, what: &str, (done, of): (usize, usize), details: &[String]) {
+    pub fn show(&self, what: &str, done: usize, of: usize, details: &[String]) {
         let end = self.deadline.map_or(End::Unknown, End::Deadline);
-        self.draw(what, (done, of), details, end);
+        self.draw(what, done, of, details, end);
     }
 
     /// Likewise, for work whose end can be foretold from what is done.
-    pub fn show_with_end(&self, what: &str, (done, of): (usize, usize)) {
-        self.draw(what, (done, of), &[], End::Foretold);
+    pub fn show_with_end(&self, what: &str, done: usize, of: usize) {
+        self.draw(what, done, of, &[], End::Foretold);
     }
 
-    fn draw(&self, what: &str, (done, of): (usize, usize), details: &[String], end: End) {
+    fn draw(&self, what: &str, done: usize, of: usize, details: &[String], end: End) {
         if self.bar.is_hidden() {
             return;
         }

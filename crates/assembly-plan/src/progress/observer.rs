@@ -23,14 +23,14 @@ impl Observer for Progress {
                     smoothing.tau, progress.iteration, progress.objective, progress.primal_infeasibility
                 );
                 let details = [vec![detail], self.refinement.lines()].concat();
-                self.show("homotopy steps", (*number - 1, *most), &details);
+                self.show("homotopy steps", *number - 1, *most, &details);
             }
-            Event::Change { failing, cases, changes } => {
-                let kept = if *changes == 1 { "change" } else { "changes" };
-                let details = [self.refinement.lines(), vec![format!("{changes} {kept} kept")]].concat();
-                self.show("training rollouts succeed", (cases - failing, *cases), &details);
+            Event::Perturbation { failing, cases, accepted } => {
+                let noun = if *accepted == 1 { "perturbation" } else { "perturbations" };
+                let details = [self.refinement.lines(), vec![format!("{accepted} {noun} kept")]].concat();
+                self.show("training rollouts succeed", cases - failing, *cases, &details);
             }
-            Event::Rollouts { done, count } => self.show_with_end("rollouts", (*done, *count)),
+            Event::Rollouts { done, count } => self.show_with_end("rollouts", *done, *count),
             other => self.say(&line(other)),
         }
     }

@@ -57,6 +57,6 @@ pub fn line(event: &Event) -> String {
         }
         Event::VariantSolved { status } => format!("  {status}"),
         Event::VariantTried { failing, cases } => format!("  {failing} of {cases} training rollouts fail"),
-        Event::Iteration(_) | Event::Change { .. } | Event::Rollouts { .. } => String::new(),
+        Event::Iteration(_) | Event::Perturbation { .. } | Event::Rollouts { .. } => String::new(),
     }
 }

@@ -87,7 +87,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
     let mut explanation = Explanation {
         title: scene.title.clone(),
         start: problem.start().name.clone(),
-        delta_m: problem.delta(),
+        delta_m: problem.offset_magnitude(),
         body: reports(&scene.body),
         environment: reports(&scene.environment),
         meshes: meshes.map(MeshReport::from).collect(),

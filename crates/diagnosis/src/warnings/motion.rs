@@ -10,7 +10,7 @@ const ROTATION: f64 = 15.0;
 
 /// Forces without a limit, rotations, and departures in free air.
 pub fn warnings(plan: &Plan) -> Vec<String> {
-    let reach = plan.problem.delta() + plan.problem.success().position;
+    let reach = plan.problem.offset_magnitude() + plan.problem.success().position;
     of(&plan.motion(), plan.task.limits.contact_force, reach)
 }
 

@@ -7,13 +7,14 @@ const OFFSET: f64 = 0.5;
 
 /// An offset or a position tolerance that is large beside the body.
 pub fn warnings(problem: &Problem) -> Vec<String> {
-    let (size, delta, tolerance) = (problem.scene().body_size(), problem.delta(), problem.success().position);
+    let (size, offset_magnitude, tolerance) =
+        (problem.scene().body_size(), problem.offset_magnitude(), problem.success().position);
     // The scene itself remarks on an offset of its own that is larger than the body.
-    let is_remarked = delta == problem.scene().offset_magnitude && delta > size;
-    let offset = if delta > size && !is_remarked {
-        Some(format!("an offset of {delta} m is larger than the body, {size:.3} m: is it in metres?"))
-    } else if delta > OFFSET * size && !is_remarked {
-        let [offset, size] = [delta, size].map(|length| 1e3 * length);
+    let is_remarked = offset_magnitude == problem.scene().offset_magnitude && offset_magnitude > size;
+    let offset = if offset_magnitude > size && !is_remarked {
+        Some(format!("an offset of {offset_magnitude} m is larger than the body, {size:.3} m: is it in metres?"))
+    } else if offset_magnitude > OFFSET * size && !is_remarked {
+        let [offset, size] = [offset_magnitude, size].map(|length| 1e3 * length);
         Some(format!(
             "an offset of {offset:.2} mm is more than half of the body's size, {size:.2} mm: contact hardly leads a body that \
              far; is robustness.offset_magnitude (--delta) right?"

@@ -163,7 +163,7 @@ fn a_count_of_changes_ends_a_refinement() {
     let plan = Plan { problem: corner(Success { position: 1e-5, ..Success::default() }), ..FINE.clone() };
     let tried = AtomicUsize::new(0);
     let count = |event: &Event| {
-        tried.fetch_add(usize::from(matches!(event, Event::Change { .. })), Ordering::Relaxed);
+        tried.fetch_add(usize::from(matches!(event, Event::Perturbation { .. })), Ordering::Relaxed);
     };
     let target = RobustnessTarget { frictions: vec![0.0], max_perturbations: Some(7), ..RobustnessTarget::default() };
     let plan = refine(plan, &target, &Session::new(&count, &AtomicBool::new(false))).unwrap();
@@ -180,7 +180,7 @@ fn any_reference_can_be_refined_without_a_plan() {
     let push = Reference::straight(&task.start, &beside, task.horizon);
     let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
     let (refined, report) = quietly(|session| refine_reference(&problem, push.clone(), &target, session)).unwrap();
-    assert!(report.is_reached() && report.kept_changes > 0, "{report:?}");
+    assert!(report.is_reached() && report.kept_perturbations > 0, "{report:?}");
     assert_eq!(refined.start(), push.start());
     assert_eq!(report.kept_stage, 0, "no homotopy has run");
 }

@@ -93,12 +93,12 @@ class Refining:
 
 
 @dataclass(frozen=True)
-class Change:
-    """A change of the reference has been tried: `failing` of `cases` training rollouts fail, `changes` were kept."""
+class Perturbation:
+    """A perturbation of the reference has been tried: `failing` of `cases` training rollouts fail, `accepted` were kept."""
 
     failing: int
     cases: int
-    changes: int
+    accepted: int
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,7 @@ Event: TypeAlias = (
     | Discarded
     | Evaluated
     | Refining
-    | Change
+    | Perturbation
     | Refined
     | Variant
     | VariantSolved
@@ -168,7 +168,7 @@ _CLASSES: dict[str, Callable[..., Event]] = {
     "discarded": Discarded,
     "evaluated": Evaluated,
     "refining": Refining,
-    "change": Change,
+    "perturbation": Perturbation,
     "refined": Refined,
     "variant": Variant,
     "variant_solved": VariantSolved,

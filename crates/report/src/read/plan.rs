@@ -178,7 +178,7 @@ fn made_from(problem: &Problem, tables: &MotionTables) -> Vec<[String; 2]> {
         ("environment", count(&scene.environment)),
         ("pairs that may touch", format!("{} of {}", scene.pairs.len(), scene.body.len() * scene.environment.len())),
         ("clearance at the goal", format!("{:.3} mm", 1e3 * task.clearance(&task.goal))),
-        ("planned offsets", format!("{} of {} mm", task.grasps.len(), Millimetres(problem.delta()))),
+        ("planned offsets", format!("{} of {} mm", task.grasps.len(), Millimetres(problem.offset_magnitude()))),
         ("offsets covered", CoverageRecord::from(problem).to_string()),
         ("horizon", format!("{steps} steps of {} s, {time:.2} s", tables.time_step)),
         ("translational stiffness", format!("{:.1} N/m", task.impedance.translational_stiffness)),

@@ -15,7 +15,7 @@ use task::pose::interpolate;
 use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::material::Material;
-use crate::pose::{StartPose, orientation};
+use crate::pose::{Endpoints, StartPose, orientation};
 use crate::table::Table;
 
 pub use stiffness::{Stiffness, stiffness};
@@ -58,11 +58,7 @@ pub struct Robot {
 
 impl Robot {
     /// The arm of a scene, if its robot has a URDF file. Its payload is the body's material.
-    pub fn read(
-        table: &Table,
-        material: Option<&Material>,
-        (starts, goal): (&[StartPose], &Pose),
-    ) -> Result<Option<Self>, SceneError> {
+    pub fn read(table: &Table, material: Option<&Material>, ends: Endpoints) -> Result<Option<Self>, SceneError> {
         let Some(urdf) = table.find("urdf") else {
             return match ARM_KEYS.iter().find_map(|key| table.find(key)) {
                 Some(entry) => Err(entry.refuse_name(format!("{} needs `urdf`", entry.path()))),
@@ -95,14 +91,14 @@ impl Robot {
             ))
         };
         let configuration = arm
-            .inverse_kinematics(&goal.isometry(), &near)
+            .inverse_kinematics(&ends.goal.isometry(), &near)
             .map_err(|error| unreachable("the goal".into(), error.to_string()))?;
         let way = |start: &StartPose| {
             let what = format!("start `{}` on the straight path from the goal", start.name);
-            arm.follow(&straight(goal, &start.pose), &configuration)
+            arm.follow(&straight(ends.goal, &start.pose), &configuration)
                 .map_err(|error| unreachable(what, error.reason.to_string()))
         };
-        let ways = starts.iter().map(way).collect::<Result<_, _>>()?;
+        let ways = ends.starts.iter().map(way).collect::<Result<_, _>>()?;
         let joint_friction = per_joint(table, "joint_friction", count)?;
         let friction_wrench = FrictionWrench::new(&arm.at(&configuration).jacobian(), &joint_friction);
         let (tip, control_period) = (tip.text()?.to_owned(), table.number("control_period")?);

@@ -122,8 +122,9 @@ impl Matrix {
             Ok(LinearSolver::ALL[source.require_known(name, &LinearSolver::ALL.map(LinearSolver::name))?])
         };
         let linear_solver = document.linear_solver.as_ref().map(solver).transpose()?;
-        let magnitude =
-            |delta: &Spanned<f64>| source.require_within(delta, key("robustness", "offset_magnitude"), "deltas");
+        let magnitude = |offset_magnitude: &Spanned<f64>| {
+            source.require_within(offset_magnitude, key("robustness", "offset_magnitude"), "deltas")
+        };
         let deltas = document.deltas.as_ref().map_or(&[][..], |deltas| deltas.get_ref());
         let deltas = deltas.iter().map(magnitude).collect::<Result<_, SceneError>>()?;
         let beside = |files: &[PathBuf]| files.iter().map(|file| path.parent().unwrap_or(path).join(file)).collect();

@@ -47,7 +47,7 @@ def row(case: Case, frictions: tuple[str, ...]) -> list[str]:
     return [
         case.label(),
         tables.rates(robust),
-        f"{kept['changes']}{variant}" if kept["changes"] else "left alone",
+        f"{kept['perturbations']}{variant}" if kept["perturbations"] else "left alone",
         *shares(rows, frictions),
         f"{1e3 * max(float(row['position_error_m']) for row in planned):.1f}",
         f"{max(float(row['force_n']) for row in planned):.0f}",
@@ -63,7 +63,7 @@ def page(arguments: argparse.Namespace, frictions: tuple[str, ...], done: list[C
     columns = [f"friction {friction}" for friction in shown]
     seconds = [json.loads((case.folder / "result.json").read_text())["robust"]["wall_s"] for case in done]
     options = f" --friction {arguments.friction} --count {arguments.count}" if arguments.friction else ""
-    before, after = ["plan", "own rollouts, plain -> robust, %", "changes"], ["push", "largest error, mm", "force, N"]
+    before, after = ["plan", "own rollouts, plain -> robust, %", "perturbations"], ["push", "largest error, mm", "force, N"]
     return PAGE.format(
         asked=f" --friction {','.join(shown)}" if arguments.friction else "",
         frictions=" and ".join([", ".join(shown[:-1]), shown[-1]]),

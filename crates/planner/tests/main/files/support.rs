@@ -13,8 +13,8 @@ pub fn scene() -> PathBuf {
 }
 
 /// One of its problems.
-pub fn problem(delta: f64) -> Problem {
-    Problem::load(&scene(), &Choices { delta: Some(delta), ..Choices::default() }).unwrap()
+pub fn problem(offset_magnitude: f64) -> Problem {
+    Problem::load(&scene(), &Choices { offset_magnitude: Some(offset_magnitude), ..Choices::default() }).unwrap()
 }
 
 /// Its plan, solved once.
@@ -24,10 +24,10 @@ pub fn plan() -> &'static Plan {
 }
 
 /// Solves a problem, with a folder for unfinished work.
-pub fn solve(delta: f64, folder: Option<&PlanFolder>, interrupted: &AtomicBool) -> Plan {
+pub fn solve(offset_magnitude: f64, folder: Option<&PlanFolder>, interrupted: &AtomicBool) -> Plan {
     let folder = folder.map(|folder| folder as &dyn Keeper);
     let session = Session { folder, ..Session::new(&|_: &Event| {}, interrupted) };
-    planner::solve(&problem(delta), &session).unwrap()
+    planner::solve(&problem(offset_magnitude), &session).unwrap()
 }
 
 /// Claims a folder that holds nothing of others.
