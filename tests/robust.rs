@@ -14,7 +14,7 @@ fn a_plan_is_refined_until_unplanned_offsets_succeed() {
     assert!(number(&result, "robust.rate_after") >= 0.99);
     assert_eq!((&result["status"], &result["robust"]["reached"]), (&"done".into(), &true.into()));
     assert_eq!((&result["done"], &result["goal_reached"]), (&true.into(), &true.into()));
-    assert!(number(&result, "robust.rounds.0.changes") > 0.0);
+    assert!(number(&result, "robust.rounds.0.perturbations") > 0.0);
     let groups = list(&result["robust"], "after");
     let magnitudes: Vec<f64> = groups.iter().map(|group| number(group, "magnitude_m")).collect();
     assert_eq!(magnitudes, [0.0, 0.005, 0.01, 0.015, 0.019, 0.02]);

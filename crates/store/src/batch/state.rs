@@ -106,8 +106,8 @@ impl CellFiles {
             return Ok(Some(result));
         }
         Err(format!(
-            "{folder}: the plan was made for start {}, offset magnitude {} m, and not for this cell; move it back to its own folder, or remove \
-             it, to solve the cell again",
+            "{folder}: the plan was made for start {}, offset magnitude {} m, and not for this cell; move it back to its \
+             own folder, or remove it, to solve the cell again",
             result.start, result.delta_m
         ))
     }
