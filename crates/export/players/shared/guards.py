@@ -21,6 +21,8 @@ LONGEST_GAP = 0.1
 # calibrated, and in motion, as the two are not measured at one time.
 SAME_POSITION, SAME_ANGLE = 0.005, 0.02
 MOVING_POSITION, MOVING_ANGLE = 0.010, 0.04
+# In free air, a tool swings by itself that is faster than its reference and these (m/s, rad/s), as a mean over this time (s).
+SWING_TIME, SWING_SPEED, SWING_TURNING = 0.2, 0.05, 0.25
 
 
 @dataclasses.dataclass(frozen=True)
@@ -77,9 +79,13 @@ class Guards:
         self.deadline = at_rest.time + longest
         self.last = at_rest.time
         self.window: collections.deque[tuple[float, np.ndarray, np.ndarray]] = collections.deque()
+        # By how much the tool is faster than its reference (m/s, rad/s).
+        self.swing = np.zeros(2)
 
-    def check(self, measured: Measurement, reference: ToolState, limits: Limits) -> None:
+    def check(self, measured: Measurement, reference: ToolState, limits: Limits, in_free_air: bool) -> None:
         """Raises Stopped at the first thing that is not as planned."""
+        if in_free_air:
+            self.check_swing(measured, reference)
         self.check_time(measured)
         self.check_force(measured, limits)
         self.check_deviation(measured, reference, limits)
@@ -95,6 +101,18 @@ class Guards:
             raise Stopped(f"the time of the robot does not go on: it steps by {gap:.3f} s")
         if not measured.time <= self.deadline:
             raise Stopped("the motion takes longer than it can: the robot may run slower than asked for")
+
+    def check_swing(self, measured: Measurement, reference: ToolState) -> None:
+        """Nothing but its controller moves a tool in free air: one whose torques come late swings."""
+        velocities = ((measured.tool.velocity, reference.velocity), (measured.tool.angular_velocity, reference.angular_velocity))
+        sizes = np.array([(np.linalg.norm(one - other), np.linalg.norm(other)) for one, other in velocities])
+        share = min(1.0, max(0.0, measured.time - self.last) / SWING_TIME)
+        self.swing = (1 - share) * self.swing + share * (sizes[:, 0] - sizes[:, 1])
+        if not (self.swing <= (SWING_SPEED, SWING_TURNING)).all():
+            raise Stopped(
+                f"the tool swings by itself, at {1e3 * self.swing[0]:.0f} mm/s and {self.swing[1]:.2f} rad/s: torques come too late for "
+                "the damping; try --damping-factor 0.7, then also --stiffness-factor 0.7"
+            )
 
     def check_force(self, measured: Measurement, limits: Limits) -> None:
         """Force and torque since the robot was at rest, as means."""

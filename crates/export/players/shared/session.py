@@ -221,13 +221,14 @@ class Session:
 
     def drive(self, phase: str, motion: Callable[[float], ToolState], duration: float, limits: Limits) -> Measurement:
         """Follows a motion for a time (s) under guard; returns the last measurement."""
+        in_free_air = self.settings.dry_run > 0 or limits is self.settings.approach
         measured = self.read()
         begin = measured.time
         self.journal.start(phase, begin)
         while True:
             reference = motion(measured.time - begin)
             self.journal.add(measured, reference)
-            self.guards.check(measured, reference, limits)
+            self.guards.check(measured, reference, limits, in_free_air)
             require_command("reference", [*reference.pose.position, *reference.velocity, *reference.angular_velocity])
             self.robot.track(reference, measured)
             if measured.time - begin >= duration:

@@ -161,7 +161,7 @@ def stopped(plan, at_rest, measured, reference, before=()) -> str:
     limits = Limits.of(plan.document["guards"]["insertion"])
     try:
         for earlier in [*before, measured]:
-            guards.check(earlier, reference, limits)
+            guards.check(earlier, reference, limits, in_free_air=False)
     except Stopped as error:
         return str(error)
     return ""

@@ -108,6 +108,9 @@ def faults() -> list[Fault]:
 
     made("start too far away", 2, "move", WITH_SCRIPT, simulation={"displaced": 0.6})
     made("path to the start of which nobody knows", 2, "path", WITH_SCRIPT, simulation={"displaced": 0.08})
+    # Without gains that are raised: damping times delay over the inertia of such a rotor is too much.
+    late = {"rotor_inertia": 0.05, "joint_friction": 0.3, "delay": 0.008}
+    made("torques that come too late: the robot swings", 1, "swings", WITH_SCRIPT, simulation={"truth": late}, flags=())
     made("joints that stick", 1, "stopped: ", WITH_SCRIPT, simulation={"truth": {"joint_friction": 12.0}}, flags=())
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"):
         made(f"signal {name}", 130, name, interrupted_at="playing", signal=name)
