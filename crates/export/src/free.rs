@@ -6,6 +6,7 @@ use plan::carried::{CarriedWorld, Frames};
 use serde::Serialize;
 use task::{AssemblyTask, Pose, State};
 
+use crate::arm_room::ArmStart;
 use crate::joints::{Held, course, shifted};
 
 /// Largest height of a dry run (m), and how close heights are looked at (m).
@@ -31,6 +32,8 @@ pub struct FreeAir {
     /// Pairs of a height (m) and of how far (m) the part may move from the start of the reference, shifted by it, before
     /// it may touch something.
     pub start_clearance_m: Vec<[f64; 2]>,
+    /// The arm at the start, at several heights from 0 on; none without an arm.
+    pub arm_starts: Vec<ArmStart>,
 }
 
 impl FreeAir {
@@ -41,9 +44,19 @@ impl FreeAir {
         let rotation = problem.scene().robustness.rotation_error * farthest_point(&world, &Isometry3::identity());
         let margin_m = problem.offset_magnitude() + rotation + MARGIN;
         let poses: Vec<Pose> = states.iter().map(State::pose).collect();
-        let Some(out) = way_out(&poses, grasp) else {
+        let out = way_out(&poses, grasp);
+        let arm_start = |height: f64| {
+            let robot = problem.scene().robot.as_ref()?;
+            let states = shifted(states, &(height * out.unwrap_or_default()));
+            let course = course(robot, time_step, &states).ok()?;
+            let first = course.configurations.first()?;
+            Some(ArmStart::new(problem.scene(), robot, (margin_m, radius_m), height, first))
+        };
+        let heights = clearance_heights().take_while(|height| out.is_some() || *height == 0.0);
+        let arm_starts = heights.filter_map(arm_start).collect();
+        let Some(out) = out else {
             let clearance = world.clearance(&poses[0]) - margin_m;
-            return Self { heights_m: Vec::new(), margin_m, radius_m, start_clearance_m: vec![[0.0, clearance]] };
+            return Self { heights_m: Vec::new(), margin_m, radius_m, start_clearance_m: vec![[0.0, clearance]], arm_starts };
         };
         let at = |pose: &Pose, height: f64| {
             let mut isometry = pose.isometry();
@@ -68,17 +81,21 @@ impl FreeAir {
                     && is_free(Frames::along(robot, &course.configurations))
             })
         };
-        let start_clearance_m = (0..=(HIGHEST / CLEARANCES) as usize)
-            .map(|index| index as f64 * CLEARANCES)
+        let start_clearance_m = clearance_heights()
             .map(|height| [height, (world.clearance(&at(&poses[0], height)) - margin_m).min(HIGHEST)])
             .collect();
-        Self { heights_m: intervals(room, can_move), margin_m, radius_m, start_clearance_m }
+        Self { heights_m: intervals(room, can_move), margin_m, radius_m, start_clearance_m, arm_starts }
     }
 
     /// A height for a dry run (m), if there is one.
     pub fn height(&self) -> Option<f64> {
         self.heights_m.first().map(|[low, high]| ((low / 0.005).ceil() * 0.005).min(*high))
     }
+}
+
+/// Heights (m) at which the room around the start is looked at.
+fn clearance_heights() -> impl Iterator<Item = f64> {
+    (0..=(HIGHEST / CLEARANCES) as usize).map(|index| index as f64 * CLEARANCES)
 }
 
 /// Direction of dry runs in the world, from the tool's last pose to its first.

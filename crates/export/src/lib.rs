@@ -19,6 +19,7 @@
 //! `trajectory.csv`. The modules in `players/shared` are the same for all robots; a target adds the communication with its robot.
 //! `scripts/test-players` lets them move an arm in MuJoCo.
 
+mod arm_room;
 mod document;
 mod expectation;
 mod folder;
@@ -35,6 +36,7 @@ mod urscript;
 mod wrench;
 mod write;
 
+pub use arm_room::ArmStart;
 pub use document::{ArmRecord, Document, JointRecord};
 pub use expectation::{Expectation, Guards, PhaseGuards};
 pub use folder::SUMS;

@@ -69,6 +69,7 @@ fn numbers(document: &Document) -> Vec<(&'static str, String)> {
         ("trial_force", force(document)),
         ("dry_run", free.height().map_or("M".to_owned(), |height| format!("{height:.3}"))),
         ("free_words", free_in_words(document)),
+        ("arm_words", arm_in_words(document).to_owned()),
     ]
 }
 
@@ -112,6 +113,21 @@ fn free_in_words(document: &Document) -> String {
             intervals.join(" and "),
             short(5.0)
         ),
+    }
+}
+
+/// What is known of links and gripper.
+fn arm_in_words(document: &Document) -> &'static str {
+    match document.free.arm_starts.first() {
+        None => "The arm's links and the gripper are not looked at: the scene names no arm.",
+        Some(start) if start.clearance_m.is_none() => {
+            "The arm's links and the gripper are not looked at: neither the URDF file nor the scene has their shapes. The player \
+             only refuses to begin where a point of the arm may be more than 300 mm from where it is at the start."
+        }
+        Some(_) => {
+            "Of the arm's links and the gripper, the shapes that the URDF file and the scene have stay as clear, also on the path \
+             to the start and in the test of the frames."
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! `plan.script`: a controller in URScript with the reference in it.
 
+use crate::arm_room::ArmStart;
 use crate::document::{ArmRecord, Document, JointRecord};
 use crate::expectation::Guards;
 use crate::frames::{Frames, ToolState};
@@ -11,6 +12,9 @@ const UNLIMITED: f64 = 1e3;
 
 /// Limits (rad, rad/s) of joints for which the URDF file has none.
 const ANYWHERE: f64 = 1e3;
+
+/// Where nothing is known of the shapes of its links, no point of the arm may be this far (m) from where it is at the start.
+const FARTHEST_ARM: f64 = 0.3;
 
 /// The script of a plan.
 pub fn script(document: &Document, arm: &ArmRecord, reference: &SmoothReference, frames: &Frames) -> String {
@@ -48,9 +52,25 @@ pub fn script(document: &Document, arm: &ArmRecord, reference: &SmoothReference,
         ("clearances", list_of(&free.start_clearance_m, 1)),
         ("clearance_count", free.start_clearance_m.len().to_string()),
         ("part_radius", number(free.radius_m)),
+        ("arm_heights", list(&free.arm_starts.iter().map(|start| start.height_m).collect::<Vec<_>>())),
+        ("arm_joints", rows(&free.arm_starts.iter().map(|start| start.configuration.clone()).collect::<Vec<_>>())),
+        ("arm_reaches", rows(&free.arm_starts.iter().map(|start| start.reach_m.clone()).collect::<Vec<_>>())),
+        ("arm_clearances", list(&free.arm_starts.iter().map(clearance).collect::<Vec<_>>())),
+        ("test_is_free", flags(free.arm_starts.iter().map(|start| start.test_is_free))),
+        ("arm_count", free.arm_starts.len().to_string()),
         ("wrench", wrench(&document.tool_stiffness, &document.tool_damping)),
     ];
     filled(include_str!("../players/urscript/plan.script"), &values)
+}
+
+/// How far links and gripper may move (m).
+fn clearance(start: &ArmStart) -> f64 {
+    start.clearance_m.unwrap_or(FARTHEST_ARM)
+}
+
+fn flags(flags: impl Iterator<Item = bool>) -> String {
+    let words: Vec<&str> = flags.map(|flag| if flag { "True" } else { "False" }).collect();
+    format!("[{}]", words.join(", "))
 }
 
 /// One number of every pair; a list is never empty.

@@ -100,6 +100,10 @@ class ExportedPlan:
         clearances = self.document["free"]["start_clearance_m"]
         return max((clearance - abs(height - raised) for raised, clearance in clearances), default=0.0)
 
+    def arm_start(self, height: float) -> dict[str, Any]:
+        """The arm at the start of the reference, raised by the height of a dry run (m) that is nearest to this one."""
+        return min(self.document["free"]["arm_starts"], key=lambda start: abs(start["height_m"] - height))
+
     def warnings(self) -> list[str]:
         """What whoever plays the plan has to know before."""
         return [str(line) for line in self.document["warnings"]]

@@ -22,7 +22,7 @@ LONGEST_GAP = 0.1
 SAME_POSITION, SAME_ANGLE = 0.005, 0.02
 MOVING_POSITION, MOVING_ANGLE = 0.010, 0.04
 # In free air, a tool swings by itself that is faster than its reference and these (m/s, rad/s), as a mean over this time (s).
-SWING_TIME, SWING_SPEED, SWING_TURNING = 0.2, 0.05, 0.25
+SWING_TIME, SWING_SPEED, SWING_TURNING = 0.2, 0.08, 0.4
 
 
 @dataclasses.dataclass(frozen=True)

@@ -30,6 +30,9 @@ HOLDING_TIME, LARGEST_SAG, LARGEST_TILT = 0.5, 0.002, 0.01
 # be seen, and smallest cosine between the way and what is seen.
 TEST_WAY, TEST_TURN, TEST_TIME, TEST_REST = 0.01, 0.05, 0.8, 0.3
 SEEN, ALIGNED = 0.25, 0.8
+# Where nothing is known of the shapes of its links, no point of the arm may be this far (m) from where it is at the start: the arm
+# would stand otherwise than planned.
+FARTHEST_ARM = 0.3
 # Rest after the end of the reference (s).
 SETTLING_TIME = 1.0
 # The whole session may take this many times as long as planned.
@@ -93,6 +96,7 @@ class Session:
         at_rest = self.rest()
         self.check_ready(at_rest)
         self.check_path(at_rest)
+        self.check_arm(at_rest)
         self.is_begun = True
         self.robot.begin(ToolState.at_rest(at_rest.tool.pose))
         # Changing the mode takes its time.
@@ -173,11 +177,34 @@ class Session:
                 f"{1e3 * free:.0f} mm are known to be free: use --dry-run, or --skip-self-test"
             )
 
+    def check_arm(self, measured: Measurement) -> None:
+        """Links and gripper touch nothing on the path to the start and in the test of the frames, as far as plan.json knows them.
+        A joint moves no point further than its change times its reach, which grows by as much as other joints move the point."""
+        if self.plan.arm is None:
+            return
+        start = self.plan.arm_start(self.settings.dry_run)
+        changes = np.abs(measured.positions - np.array(start["configuration"]))
+        turned, is_known = float(changes.sum()), start["clearance_m"] is not None
+        moved = float(changes @ np.array(start["reach_m"])) / (1 - turned) if turned < 1 else np.inf
+        free = start["clearance_m"] if is_known else FARTHEST_ARM
+        if not (self.settings.path_is_free or moved <= free):
+            joint = int(np.argmax(changes))
+            raise InputError(
+                f"joint `{self.plan.arm.names[joint]}` is {changes[joint]:.2f} from where it is at the start, and on the path there a "
+                f"point of the arm may move by {1e3 * min(moved, 9.999):.0f} mm, while links and gripper "
+                + ("are known to touch nothing" if is_known else "of unknown shape may move")
+                + f" within {1e3 * free:.0f} mm: move the joints closer, or look at the path and say --path-is-free{self.advice()}"
+            )
+        if self.settings.self_test and not start["test_is_free"]:
+            raise InputError(
+                "a link or the gripper may touch something in the test of the frames: use --dry-run, or --skip-self-test"
+            )
+
     def advice(self) -> str:
         """Joint positions of the start."""
         if self.plan.arm is None:
             return ""
-        joints = zip(self.plan.arm.names, self.plan.arm.start)
+        joints = zip(self.plan.arm.names, self.plan.arm_start(self.settings.dry_run)["configuration"])
         return ", for example to " + ", ".join(f"{name} {position:.4f}" for name, position in joints)
 
     def hold(self, pose: Pose) -> None:

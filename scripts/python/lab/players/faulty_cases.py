@@ -1,6 +1,7 @@
 """Faults, and how every player ends with them: the rows of a table in the documentation."""
 
 import dataclasses
+import math
 import pathlib
 
 from lab.players import spoiling
@@ -108,6 +109,24 @@ def faults() -> list[Fault]:
 
     made("start too far away", 2, "move", WITH_SCRIPT, simulation={"displaced": 0.6})
     made("path to the start of which nobody knows", 2, "path", WITH_SCRIPT, simulation={"displaced": 0.08})
+    # The tool is at the start, and the last joint is not.
+    made(
+        "arm that stands otherwise than planned",
+        2,
+        "path",
+        tuple(each for each in WITH_SCRIPT if each != "franka"),
+        simulation={"displaced": (0.0, 0.0, 0.0, 0.0, 0.0, -2 * math.pi)},
+    )
+    made(
+        "link that may touch something on the path to the start",
+        2,
+        "path",
+        WITH_SCRIPT,
+        plan=DRY_RUN_PLAN,
+        simulation={"displaced": 0.018},
+        spoil=spoiling.narrow,
+    )
+    made("link that may touch something in the test of the frames", 2, "test", WITH_SCRIPT, flags=(), spoil=spoiling.narrow)
     # Without gains that are raised: damping times delay over the inertia of such a rotor is too much.
     late = {"rotor_inertia": 0.05, "joint_friction": 0.3, "delay": 0.008}
     made("torques that come too late: the robot swings", 1, "swings", WITH_SCRIPT, simulation={"truth": late}, flags=())

@@ -86,7 +86,7 @@ class Controller:
         own = ("pose_trans", "pose_inv", "zero_ftsensor", "sync", "run", "join", "halt")
         named |= {name: getattr(self, name) for name in (*own, "textmsg", "popup", "direct_torque", "stopj")}
         named |= {name: getattr(self, name) for name in ("socket_open", "socket_send_line", "str_cat", "to_str")}
-        return named | {"sqrt": math.sqrt, "floor": math.floor, "Matrix": Matrix}
+        return named | {"sqrt": math.sqrt, "norm": abs, "floor": math.floor, "Matrix": Matrix}
 
     def tool(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         said, jacobian = self.arm.said(), self.arm.tool()[2]

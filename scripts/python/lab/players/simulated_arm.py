@@ -77,7 +77,7 @@ class Task:
     offset: tuple[float, ...]
     outcome: pathlib.Path
     turn: tuple[float, ...] = (0.0, 0.0, 0.0)
-    displaced: float = 0.0
+    displaced: float | tuple[float, ...] = 0.0
     base_is_turned: bool = False
     truth: Truth = Truth()
     fault: Fault = Fault()

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import re
 import shutil
 from collections.abc import Callable
 from typing import Any
@@ -34,6 +35,20 @@ def stiffer(document: Any) -> None:
 def no_number(document: Any) -> None:
     """A guard that nothing is beyond."""
     document["guards"]["insertion"]["force_n"] = float("nan")
+
+
+def narrow(folder: pathlib.Path) -> None:
+    """Something stands 20 mm from a link at the start, in the way of the test of the frames."""
+
+    def stand(document: Any) -> None:
+        for start in document["free"]["arm_starts"]:
+            start["clearance_m"], start["test_is_free"] = 0.02, False
+
+    edited(stand, sealed=True)(folder)
+    script = folder / "plan.script"
+    if script.exists():
+        text = re.sub(r"global arm_clearances = .*", lambda found: found[0].replace("0.3", "0.02"), script.read_text())
+        script.write_text(re.sub(r"global test_is_free = .*", lambda found: found[0].replace("True", "False"), text))
 
 
 def older(document: Any) -> None:
