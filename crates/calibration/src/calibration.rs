@@ -9,6 +9,7 @@ use crate::least_squares::{Fit, Model, fit, sum_of_squares};
 use crate::log::Log;
 use crate::model::Comparison;
 use crate::parameter::{Parameter, Quantity};
+use crate::profile::Valley;
 use crate::run::Run;
 use crate::statistics::{Information, correlation, standard_error};
 
@@ -52,6 +53,8 @@ pub struct RunResult {
     pub has_contact: bool,
     /// Reason if only a part of it is used.
     pub end: Option<String>,
+    /// Whether rollouts ring otherwise than the robot, which oscillates by itself: it then determines nothing.
+    pub is_unexplained: bool,
     /// Length (s).
     pub duration: f64,
     /// Rollouts of the scene as it is; `None` where they diverge.
@@ -83,6 +86,10 @@ pub struct Calibration {
     /// Whether the search converged.
     pub converged: bool,
 }
+
+/// Rollouts follow a robot closely if their misfit is less than this share of its tracking error. Close to instability there
+/// are many minima; at a wrong one, rollouts ring otherwise than the robot.
+const EXPLAINED: f64 = 0.0075;
 
 /// The start of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -126,7 +133,7 @@ pub fn calibrate(
         // Contacts depend on all parameters: free motions are fitted first.
         comparison.compared = in_air;
         let is_free = |quantity: &Quantity| !quantity.parameter.is_of_contact();
-        let begin = comparison.fitted_from_some_delays(&before, is_free);
+        let begin = comparison.with_best_delay(before.clone(), is_free);
         outcome = comparison.search(&begin, is_free, observe)?;
     }
     if !touching.is_empty() {
@@ -134,16 +141,23 @@ pub fn calibrate(
         let begin = comparison.with_best_friction(outcome.values);
         outcome = comparison.search(&begin, |_| true, observe)?;
     }
-    let results = runs.iter().enumerate().zip(misfits_before).map(|((index, run), before)| RunResult {
-        name: run.name.clone(),
-        has_contact: run.has_contact(),
-        end: run.end.clone(),
-        duration: run.samples.last().map_or(0.0, |(time, _)| *time),
-        before,
-        after: comparison.misfit(index, &outcome.values).unwrap_or(Misfit { distance: f64::NAN, angle: f64::NAN }),
-        tracking_error: Misfit::of(&run.tracking_errors),
+    let results = runs.iter().enumerate().zip(misfits_before).map(|((index, run), before)| {
+        let after = comparison.misfit(index, &outcome.values).unwrap_or(Misfit { distance: f64::NAN, angle: f64::NAN });
+        RunResult {
+            name: run.name.clone(),
+            has_contact: run.has_contact(),
+            end: run.end.clone(),
+            is_unexplained: run.swings && !comparison.explains(index, &outcome.values),
+            duration: run.samples.last().map_or(0.0, |(time, _)| *time),
+            before,
+            after,
+            tracking_error: Misfit::of(&run.tracking_errors),
+        }
     });
-    let results = results.collect();
+    let results: Vec<RunResult> = results.collect();
+    if results.iter().any(|run| run.is_unexplained) {
+        outcome = Outcome::nothing(&before);
+    }
     Ok(Calibration {
         estimates: (0..quantities.len()).map(|index| outcome.estimate(index, &quantities)).collect(),
         covariance: outcome.covariance(&quantities),
@@ -202,7 +216,7 @@ impl Comparison<'_> {
             let jacobian = self.jacobian(&fit.values, &fit.residuals, &all);
             let information = Information::new(&jacobian, &fit.residuals, &self.samples());
             let known = self.known(&information, &all, &free);
-            let covariance = information.covariance(&free, &others(&free, all.len()));
+            let covariance = self.covariance(&information, &free, &all);
             for (place, &index) in fitted.iter().enumerate() {
                 outcome.partners[index] = self.partner(&covariance, &fitted, place);
             }
@@ -217,6 +231,18 @@ impl Comparison<'_> {
             }
             free = known;
         }
+    }
+
+    /// Covariance of free columns while the others are held. The error of the delay is that of its valley, with the same
+    /// correlations: derivatives at one delay tell little of the next.
+    fn covariance(&self, information: &Information, columns: &[usize], all: &[usize]) -> Mat<f64> {
+        let covariance = information.covariance(columns, &others(columns, all.len()));
+        let is_delay = |&column: &usize| self.quantities[all[column]].parameter == Parameter::Delay;
+        let place = columns.iter().position(is_delay);
+        let Some((place, error)) = place.zip(self.delay_error) else { return covariance };
+        let factor = error / self.scale(all[columns[place]]) / standard_error(&covariance, place);
+        let scale = |index: usize| if index == place { factor } else { 1.0 };
+        Mat::from_fn(columns.len(), columns.len(), |row, column| scale(row) * covariance[(row, column)] * scale(column))
     }
 
     /// A covariance in SI units. A motion determines forces relative to the one that is assumed known, so all
@@ -269,7 +295,7 @@ impl Comparison<'_> {
     fn known(&self, information: &Information, all: &[usize], free: &[usize]) -> Vec<usize> {
         let mut columns = free.to_vec();
         loop {
-            let covariance = information.covariance(&columns, &others(&columns, all.len()));
+            let covariance = self.covariance(information, &columns, all);
             let excess = |place: usize| {
                 let quantity = &self.quantities[all[columns[place]]];
                 quantity.scale * standard_error(&covariance, place) / quantity.resolution
@@ -295,26 +321,32 @@ impl Comparison<'_> {
         self.compared.iter().map(|&run| self.runs[run].samples.len()).collect()
     }
 
-    /// The best of some fits that start with several delays, and then with delays beside the best: the sum of squares
-    /// may have several minima over the delay.
-    fn fitted_from_some_delays(&self, begin: &[f64], is_free: impl Fn(&Quantity) -> bool) -> Vec<f64> {
-        const DELAYS: [f64; 3] = [0.0, 0.003, 0.006];
-        const BESIDE: f64 = 5e-4;
-        let Some(place) = self.place(Parameter::Delay) else { return begin.to_vec() };
-        let free: Vec<usize> = (0..self.quantities.len()).filter(|&index| is_free(&self.quantities[index])).collect();
-        let fitted = |from: &[f64], delay: f64| {
-            let mut values = from.to_vec();
-            values[place] = delay.max(0.0);
-            fit(self, &values, &free)
-        };
-        let squares = |fit: &Fit| sum_of_squares(&fit.residuals);
-        let best = |fits: Vec<Fit>| fits.into_iter().min_by(|one, other| squares(one).total_cmp(&squares(other)));
-        let Some(first) = best(DELAYS.iter().filter_map(|&delay| fitted(begin, delay)).collect()) else {
-            return begin.to_vec();
-        };
-        let beside = [-BESIDE, BESIDE].iter().filter_map(|step| fitted(&first.values, first.values[place] + step));
-        let fits: Vec<Fit> = beside.collect();
-        best(fits.into_iter().chain([first]).collect()).map_or_else(|| begin.to_vec(), |fit| fit.values)
+    /// Values at the best delay, from which a search over all free parameters ends at the least sum of squares; keeps the
+    /// error of that delay. While rollouts do not follow the robot closely, it starts with lighter and heavier rotors too.
+    fn with_best_delay(&mut self, begin: Vec<f64>, is_free: impl Fn(&Quantity) -> bool) -> Vec<f64> {
+        const ROTORS: [f64; 2] = [0.5, 2.0];
+        let Some(place) = self.place(Parameter::Delay) else { return begin };
+        let is_other = |&index: &usize| index != place && is_free(&self.quantities[index]);
+        let others: Vec<usize> = (0..self.quantities.len()).filter(is_other).collect();
+        let mut valley = Valley::find(self, &begin, place, &others);
+        for factor in ROTORS {
+            if valley.best().is_some_and(|fit| self.compared.iter().all(|&run| self.explains(run, &fit.values))) {
+                break;
+            }
+            let mut other = begin.clone();
+            for (quantity, value) in self.quantities.iter().zip(&mut other) {
+                *value *= if matches!(quantity.parameter, Parameter::RotorInertia(_)) { factor } else { 1.0 };
+            }
+            valley = valley.or_lower(Valley::find(self, &other, place, &others));
+        }
+        self.delay_error = valley.error(&self.samples());
+        valley.best().map_or(begin, |fit| fit.values.clone())
+    }
+
+    /// Whether rollouts follow a run closely.
+    fn explains(&self, run: usize, values: &[f64]) -> bool {
+        let tracking_error = Misfit::of(&self.runs[run].tracking_errors).distance;
+        self.misfit(run, values).is_some_and(|misfit| misfit.distance < EXPLAINED * tracking_error)
     }
 
     fn place(&self, parameter: Parameter) -> Option<usize> {

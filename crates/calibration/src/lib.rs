@@ -34,6 +34,7 @@ mod least_squares;
 mod log;
 mod model;
 mod parameter;
+mod profile;
 mod record;
 mod run;
 mod statistics;

@@ -27,6 +27,8 @@ pub struct Comparison<'work> {
     pub quantities: &'work [Quantity],
     /// Standard deviations of a component of the position (m) and of the orientation (rad).
     pub noise: [f64; 2],
+    /// Standard error of the delay (s), once its valley is known.
+    pub delay_error: Option<f64>,
     /// Threads that play rollouts.
     pub workers: &'work Workers,
 }
@@ -45,7 +47,7 @@ impl<'work> Comparison<'work> {
         /// Weights of deviations until their noise is estimated.
         const NOISE: [f64; 2] = [1e-3, 5e-3];
         let compared = (0..runs.len()).collect();
-        Self { arm: problem.arm(), runs, compared, quantities, noise: NOISE, workers }
+        Self { arm: problem.arm(), runs, compared, quantities, noise: NOISE, delay_error: None, workers }
     }
 
     /// Deviations in a run (m, rad), one after the other; `None` where the rollout diverges.

@@ -172,8 +172,14 @@ fn warnings(calibration: &Calibration) -> Vec<String> {
     if !calibration.converged {
         warnings.push("the search stopped before it converged: calibrate again from the scene it writes".into());
     }
-    for RunResult { name, end, after, tracking_error, .. } in &calibration.runs {
+    for RunResult { name, end, after, tracking_error, is_unexplained, .. } in &calibration.runs {
         warnings.extend(end.iter().map(|end| format!("{name}: {end}")));
+        if *is_unexplained {
+            warnings.push(format!(
+                "{name}: rollouts ring otherwise than the robot, so nothing is identified: leave this log out"
+            ));
+            continue;
+        }
         let Misfit { distance, .. } = after;
         if *distance > SMALL.max(UNEXPLAINED * tracking_error.distance) {
             warnings.push(format!(

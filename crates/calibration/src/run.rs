@@ -30,6 +30,8 @@ pub struct Run {
     pub grasp: GraspError,
     /// Reason if only a part of the log is used.
     pub end: Option<String>,
+    /// Whether the robot oscillates by itself after that part.
+    pub swings: bool,
 }
 
 impl Run {
@@ -54,7 +56,7 @@ impl Run {
         let samples: Vec<(f64, Isometry3<f64>)> = times.map(|time| (time, believed(&log.rows, time))).collect();
         let end = log.stopped.as_ref().map(|reason| format!("used until it was stopped ({reason})"));
         let name = log.file.display().to_string();
-        let mut run = Self { name, task, reference, samples, tracking_errors: Vec::new(), grasp, end };
+        let mut run = Self { name, task, reference, samples, tracking_errors: Vec::new(), grasp, end, swings: false };
         run.compare_with_reference(every);
         Ok(run)
     }
@@ -67,10 +69,11 @@ impl Run {
             (1..=believed.len()).map(|sample| self.reference.at(sample * every, 0.0).pose).collect();
         if let Some(first) = end_before_swing(&believed, &followed).filter(|_| !self.has_contact()) {
             let swing = format!(
-                "used up to {:.1} s, after which the robot swings by itself: torques come too late for the gains, which should be \
-                 lower, or damp more",
+                "used up to {:.1} s, after which the robot swings by itself: torques come too late for the damping; repeat the \
+                 run with --damping-factor 0.7, then also --stiffness-factor 0.7",
                 self.samples[first].0
             );
+            self.swings = true;
             self.end = Some(self.end.iter().chain([&swing]).map(String::as_str).collect::<Vec<_>>().join("; "));
             self.samples.truncate(first);
             self.reference = self.reference.cut(first * every + 1);

@@ -20,7 +20,7 @@ struct Block {
 }
 
 /// Samples of a block: a quarter of a second, half a second and a second, the correlation times of model errors.
-const LENGTHS: [usize; 3] = [25, 50, 100];
+pub const LENGTHS: [usize; 3] = [25, 50, 100];
 /// Fewest blocks of a run.
 const FEWEST: usize = 4;
 /// Smaller eigenvalues of `J' J`, in squared standard deviations per scale, carry no information.
@@ -101,7 +101,7 @@ impl Block {
 }
 
 /// Rows of blocks of `length` samples. No block spans two runs.
-fn blocks(runs: &[usize], length: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
+pub fn blocks(runs: &[usize], length: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
     let mut first = 0;
     runs.iter().flat_map(move |&samples| {
         let (begin, end) = (first, first + COMPONENTS * samples);
