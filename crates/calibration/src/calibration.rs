@@ -322,23 +322,12 @@ impl Comparison<'_> {
     }
 
     /// Values at the best delay, from which a search over all free parameters ends at the least sum of squares; keeps the
-    /// error of that delay. While rollouts do not follow the robot closely, it starts with lighter and heavier rotors too.
+    /// error of that delay.
     fn with_best_delay(&mut self, begin: Vec<f64>, is_free: impl Fn(&Quantity) -> bool) -> Vec<f64> {
-        const ROTORS: [f64; 2] = [0.5, 2.0];
         let Some(place) = self.place(Parameter::Delay) else { return begin };
         let is_other = |&index: &usize| index != place && is_free(&self.quantities[index]);
         let others: Vec<usize> = (0..self.quantities.len()).filter(is_other).collect();
-        let mut valley = Valley::find(self, &begin, place, &others);
-        for factor in ROTORS {
-            if valley.best().is_some_and(|fit| self.compared.iter().all(|&run| self.explains(run, &fit.values))) {
-                break;
-            }
-            let mut other = begin.clone();
-            for (quantity, value) in self.quantities.iter().zip(&mut other) {
-                *value *= if matches!(quantity.parameter, Parameter::RotorInertia(_)) { factor } else { 1.0 };
-            }
-            valley = valley.or_lower(Valley::find(self, &other, place, &others));
-        }
+        let valley = Valley::find(self, &begin, place, &others);
         self.delay_error = valley.error(&self.samples());
         valley.best().map_or(begin, |fit| fit.values.clone())
     }

@@ -61,11 +61,6 @@ impl Valley {
         Some(&self.points[self.lowest(|point| point.squares)?].fit)
     }
 
-    /// The one of both whose least sum of squares is less.
-    pub fn or_lower(self, other: Self) -> Self {
-        if other.least() < self.least() { other } else { self }
-    }
-
     /// Standard error of the best delay (s) for runs with these numbers of samples: the larger one of the spread of delays
     /// that are the best without one block of samples, and of the width of the valley, which is at least the distance between
     /// its last points. `None` without a valley.

@@ -83,7 +83,7 @@ pub struct ParameterRecord {
 
 /// Rollouts with a misfit above this fraction of the tracking error do not explain a log, unless it is less than this
 /// distance (m).
-const UNEXPLAINED: f64 = 0.1;
+const UNEXPLAINED: f64 = 0.05;
 const SMALL: f64 = 2e-4;
 /// Parameters with a larger correlation cannot be separated.
 const ALIKE: f64 = 0.95;
@@ -184,7 +184,8 @@ fn warnings(calibration: &Calibration) -> Vec<String> {
         if *distance > SMALL.max(UNEXPLAINED * tracking_error.distance) {
             warnings.push(format!(
                 "{name}: the fitted model is still {:.2} mm from the robot, which was {:.2} mm from its reference: something \
-                 else acts, such as a wrong payload, a controller with dynamics of its own, or contact in free air",
+                 else acts, such as a wrong payload, a controller with dynamics of its own, or contact in free air, or the \
+                 search ended at a wrong minimum; standard errors do not hold",
                 1e3 * distance,
                 1e3 * tracking_error.distance
             ));

@@ -3,6 +3,7 @@ Every comparison is written so that what is no number stops."""
 
 import collections
 import dataclasses
+import math
 from typing import Any
 
 import numpy as np
@@ -80,7 +81,7 @@ class Guards:
         self.last = at_rest.time
         self.window: collections.deque[tuple[float, np.ndarray, np.ndarray]] = collections.deque()
         # By how much the tool is faster than its reference (m/s, rad/s).
-        self.swing = np.zeros(2)
+        self.swing = [0.0, 0.0]
 
     def check(self, measured: Measurement, reference: ToolState, limits: Limits, in_free_air: bool) -> None:
         """Raises Stopped at the first thing that is not as planned."""
@@ -104,11 +105,11 @@ class Guards:
 
     def check_swing(self, measured: Measurement, reference: ToolState) -> None:
         """Nothing but its controller moves a tool in free air: one whose torques come late swings."""
-        velocities = ((measured.tool.velocity, reference.velocity), (measured.tool.angular_velocity, reference.angular_velocity))
-        sizes = np.array([(np.linalg.norm(one - other), np.linalg.norm(other)) for one, other in velocities])
         share = min(1.0, max(0.0, measured.time - self.last) / SWING_TIME)
-        self.swing = (1 - share) * self.swing + share * (sizes[:, 0] - sizes[:, 1])
-        if not (self.swing <= (SWING_SPEED, SWING_TURNING)).all():
+        pairs = ((measured.tool.velocity, reference.velocity), (measured.tool.angular_velocity, reference.angular_velocity))
+        excess = [math.dist(one, other) - math.hypot(*other) for one, other in pairs]
+        self.swing = [(1 - share) * before + share * now for before, now in zip(self.swing, excess)]
+        if not (self.swing[0] <= SWING_SPEED and self.swing[1] <= SWING_TURNING):
             raise Stopped(
                 f"the tool swings by itself, at {1e3 * self.swing[0]:.0f} mm/s and {self.swing[1]:.2f} rad/s: torques come too late for "
                 "the damping; try --damping-factor 0.7, then also --stiffness-factor 0.7"
