@@ -167,15 +167,22 @@ mod tests {
         let (start, at) = start(&scene, 0.005);
         let jaw = |at: &JointVector| {
             let tool = robot.arm.pose(at) * robot.grasp.isometry().inverse();
-            scene.carried.shapes[0].shape.vertices().iter().map(|vertex| tool * Point3::from(*vertex)).collect::<Vec<_>>()
+            scene.carried.shapes[0]
+                .shape
+                .vertices()
+                .iter()
+                .map(|vertex| tool * Point3::from(*vertex))
+                .collect::<Vec<_>>()
         };
         let mut largest = 0.0_f64;
         for number in 0..200 {
             let sine = |joint: usize| (1.7 * f64::from(number) + 2.3 * joint as f64 * f64::from(number % 7)).sin();
             let change = JointVector::from_fn(|joint, _| if joint < 6 { 0.05 * sine(joint) } else { 0.0 });
-            let moved = jaw(&at).iter().zip(jaw(&(at + change))).map(|(one, other)| (one - other).norm()).fold(0.0, f64::max);
+            let moved =
+                jaw(&at).iter().zip(jaw(&(at + change))).map(|(one, other)| (one - other).norm()).fold(0.0, f64::max);
             let sum: f64 = change.iter().map(|change| change.abs()).sum();
-            let bound = change.iter().zip(&start.reach_m).map(|(change, reach)| change.abs() * reach).sum::<f64>() / (1.0 - sum);
+            let bound = change.iter().zip(&start.reach_m).map(|(change, reach)| change.abs() * reach).sum::<f64>()
+                / (1.0 - sum);
             assert!(moved <= bound, "{moved} {bound}");
             largest = largest.max(moved / bound);
         }

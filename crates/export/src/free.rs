@@ -56,7 +56,13 @@ impl FreeAir {
         let arm_starts = heights.filter_map(arm_start).collect();
         let Some(out) = out else {
             let clearance = world.clearance(&poses[0]) - margin_m;
-            return Self { heights_m: Vec::new(), margin_m, radius_m, start_clearance_m: vec![[0.0, clearance]], arm_starts };
+            return Self {
+                heights_m: Vec::new(),
+                margin_m,
+                radius_m,
+                start_clearance_m: vec![[0.0, clearance]],
+                arm_starts,
+            };
         };
         let at = |pose: &Pose, height: f64| {
             let mut isometry = pose.isometry();
