@@ -145,10 +145,11 @@ def load(folder: pathlib.Path) -> ExportedPlan:
 
 
 def sealed(folder: pathlib.Path) -> dict[str, bytes]:
-    """The contents of all files of an export, none of which was changed."""
+    """The contents of all files of an export, none of which was changed. Every module beside the player is one: it may be imported."""
     try:
         sums = dict(reversed(line.split("  ", 1)) for line in (folder / SUMS).read_text().splitlines())
-        contents = {name: (folder / name).read_bytes() for name in {*NEEDED, *sums} - {OWN}}
+        modules = {path.name for path in folder.glob("*.py")}
+        contents = {name: (folder / name).read_bytes() for name in {*NEEDED, *sums, *modules} - {OWN}}
     except (OSError, ValueError) as error:
         raise InputError(f"{folder} is not a whole folder of `assembly-plan export`: {error}") from error
     for name, content in contents.items():

@@ -126,7 +126,14 @@ def faults() -> list[Fault]:
         simulation={"displaced": 0.018},
         spoil=spoiling.narrow,
     )
-    made("link that may touch something in the test of the frames", 2, "test", WITH_SCRIPT, flags=(), spoil=spoiling.narrow)
+    made(
+        "link that may touch something in the test of the frames",
+        2,
+        "test",
+        WITH_SCRIPT,
+        flags=(),
+        spoil=spoiling.narrow,
+    )
     # Without gains that are raised: damping times delay over the inertia of such a rotor is too much.
     late = {"rotor_inertia": 0.05, "joint_friction": 0.3, "delay": 0.008}
     made("torques that come too late: the robot swings", 1, "swings", WITH_SCRIPT, simulation={"truth": late}, flags=())
@@ -153,6 +160,8 @@ def faults() -> list[Fault]:
     made("quaternions of norm 1.1, sealed again", 2, "unit norm", spoil=spoiling.rows(spoiling.longer))
     made("seal missing", 2, "not a whole folder", spoil=spoiling.lost("SHA256SUMS"))
     made("player with a guard taken out", 2, "was changed", spoil=spoiling.changed_player)
+    made("the same, and its line of the seal", 2, "was changed", spoil=spoiling.unsealed_player)
+    made("foreign module beside the player", 2, "of another export", spoil=spoiling.foreign_module)
     return found
 
 

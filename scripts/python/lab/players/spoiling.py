@@ -111,6 +111,18 @@ def changed_player(folder: pathlib.Path) -> None:
     file.write_text(file.read_text().replace("LONGEST_GAP = 0.1", "LONGEST_GAP = 10.0"))
 
 
+def unsealed_player(folder: pathlib.Path) -> None:
+    """A guard that was taken out, and the line of the seal that would tell."""
+    changed_player(folder)
+    sums = folder / "SHA256SUMS"
+    sums.write_text("".join(line for line in sums.read_text().splitlines(True) if "guards.py" not in line))
+
+
+def foreign_module(folder: pathlib.Path) -> None:
+    """A module that the player would import instead of Python's own."""
+    (folder / "csv.py").write_text("from _csv import *\nclass DictReader(list): ...\n")
+
+
 def existing_log(folder: pathlib.Path) -> None:
     """A log of an earlier run."""
     (folder / "executed.csv").write_text("mine\n")
