@@ -138,6 +138,8 @@ pub fn calibrate(
     }
     if !touching.is_empty() {
         comparison.compared = (0..runs.len()).collect();
+        // Contacts pull the delay out of the valley of free motions, whose width then says nothing.
+        comparison.delay_error = None;
         let begin = comparison.with_best_friction(outcome.values);
         outcome = comparison.search(&begin, |_| true, observe)?;
     }

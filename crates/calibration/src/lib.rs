@@ -12,8 +12,8 @@
 //! 4. Residuals are differences of believed poses over their noise, which is estimated from the residuals themselves, apart
 //!    for positions and orientations.
 //! 5. The Levenberg-Marquardt method minimises the sum of squares. Derivatives are finite differences with steps of 2 % of a
-//!    scale, as contacts and dry friction are not smooth. Runs in free air are fitted first, then all runs together, with the
-//!    best of several values of contact friction.
+//!    scale, as contacts and dry friction are not smooth. Runs in free air are fitted first, from the valley of the delay, then
+//!    all runs together, with the best of several values of contact friction.
 //! 6. Standard errors come from a jackknife over blocks of time. A parameter whose error exceeds its resolution is held at
 //!    the value of the scene, and the others are fitted again; their errors include the uncertainty of the held one.
 //! 7. [`Entries`] are the new entries of the scene: the values, and two standard errors of them as `[robustness]`.
@@ -24,6 +24,7 @@
 //! | `deviation`, `swing` | distances between poses; robots that oscillate by themselves |
 //! | `parameter`, `model` | parameters, and rollouts with them |
 //! | `least_squares`, `statistics` | the fit and its uncertainty; dense algebra by faer |
+//! | `profile` | the valley of the delay |
 //! | `calibration` | the search |
 //! | `entries`, `record` | output |
 
