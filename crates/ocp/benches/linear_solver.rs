@@ -98,7 +98,7 @@ fn capture(transcription: &mut Transcription) -> Systems {
     options.set("tol", 1e-2);
     options.set("mu_init", 1.0);
     options.set("max_iter", 80);
-    let start = Start::Cold(transcription.initial_guess());
+    let start = Start::Cold(transcription.formulation().initial_guess());
     let own = LinearSystemSolver::Own(&mut capture);
     nlp::solve(transcription, &start, &options, own, &mut |_| Control::Continue).unwrap();
     let mut systems = capture.systems;

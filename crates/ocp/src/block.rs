@@ -27,9 +27,10 @@ pub struct Block {
     /// Class of the variables, or of the multipliers of the rows, in a KKT matrix. Inequalities have the class
     /// [`Class::InequalityMultiplier`]; rows of any other class are equalities, that is, their bounds are equal.
     pub class: Class,
-    /// Whether the members belong to contact pairs: the same number to each pair, those of a pair consecutive.
+    /// Whether the members belong to contact pairs: the same number to each pair, those of a pair consecutive. Bounds are then
+    /// those of a pair.
     pub per_pair: bool,
-    /// Lower and upper bound of each member; their number is the size of the block.
+    /// Lower and upper bound of each member; their number is the size of the block, or of its part for a pair.
     pub bounds: Bounds,
 }
 

@@ -1,6 +1,6 @@
 //! Contact information of every pair at every pose of the problem, evaluated in batches and cached.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::time::{Duration, Instant};
 
 use collision::Solutions;
@@ -8,9 +8,9 @@ use nlp::EvaluationError;
 use task::{AssemblyTask, ContactPair, POSE};
 use workers::Workers;
 
-use crate::block::Owners;
 use crate::layout::{CONTACT, CONTACT_AND_POINT, Layout};
 use crate::pattern::{ABSENT, PatternBuilder, add};
+use crate::point::{Point, Points};
 
 /// Poses of a pair that are evaluated as one piece of work, whole groups of lanes in every instruction set.
 const CHUNK: usize = 64;
@@ -39,16 +39,17 @@ enum Evaluated {
     Jacobians,
 }
 
-/// `W = (Phi_tau, n~_tau)` and its derivatives, per pair and pose, with the contact point `p` where a term asks for it:
-/// `W = (Phi_tau, n~_tau, p)`. Poses are those before each step: pose
-/// `index = (stage - 1) n_s + scenario` belongs to the step that leads to `stage`. Point `pair * poses + index` of
-/// [`Points::Pairs`](crate::Points::Pairs) has the contact information of this pair at this pose.
+/// `W = (Phi_tau, n~_tau)` and its derivatives at every point of [`Points::Pairs`], with the contact point `p` where a term
+/// asks for it: `W = (Phi_tau, n~_tau, p)`. Poses are those before each step.
 pub struct Distances {
     pairs: Vec<ContactPair>,
-    scenarios: usize,
+    points: Vec<Point>,
+    /// Chunks of points, pair by pair.
+    chunks: Vec<Range<usize>>,
     tau: f64,
+    /// Pose of every point.
     poses: Vec<[f64; POSE]>,
-    /// Variables of every pose, [`ABSENT`] for initial poses.
+    /// Variables of the pose of every point, [`ABSENT`] for initial poses.
     variables: Vec<[u32; POSE]>,
     evaluated: Evaluated,
     /// Number of components of `W`: [`CONTACT`] or [`CONTACT_AND_POINT`].
@@ -60,7 +61,7 @@ pub struct Distances {
     hessians: Vec<[[f64; POSE]; POSE]>,
     /// Adjoints of `W`, point by point, summed over all terms.
     seeds: Vec<f64>,
-    /// Of every chunk of poses of every pair.
+    /// Of every chunk.
     solutions: Vec<Solutions>,
     /// Hessian entries (coordinate, coordinate) per point.
     curvature_slots: Vec<[[u32; POSE]; POSE]>,
@@ -68,7 +69,7 @@ pub struct Distances {
     elapsed: Duration,
 }
 
-/// A chunk of poses of a pair, with a slice of a result per point.
+/// Points of a pair that are evaluated together, with a slice of a result per point.
 struct Chunk<'all, T> {
     pair: usize,
     poses: &'all [[f64; POSE]],
@@ -79,33 +80,39 @@ struct Chunk<'all, T> {
 impl Distances {
     /// `initial_poses` are the compliant poses at the start, one per scenario.
     pub fn new(task: &AssemblyTask, layout: &Layout, initial_poses: &[[f64; POSE]]) -> Self {
-        let scenarios = layout.scenarios;
-        let earlier = layout.stages_of(Owners::Scenarios).take((layout.steps - 1) * scenarios);
-        let poses_of_stages = earlier.map(|(stage, owner)| {
-            let start = layout.state(stage, owner);
-            std::array::from_fn(|coordinate| (start + coordinate) as u32)
-        });
-        let mut variables = vec![[ABSENT; POSE]; scenarios];
-        variables.extend(poses_of_stages);
-        let (count, pairs) = (variables.len(), task.pairs.len());
-        let mut poses = vec![[0.0; POSE]; count];
-        poses[..scenarios].copy_from_slice(initial_poses);
+        let points = layout.points(Points::Pairs);
+        let variables = |point: &Point| match point.stage {
+            1 => [ABSENT; POSE],
+            stage => {
+                let start = layout.state(stage - 1, point.owner);
+                std::array::from_fn(|coordinate| (start + coordinate) as u32)
+            }
+        };
+        let mut chunks = Vec::new();
+        let mut start = 0;
+        for of_pair in points.chunk_by(|one, other| one.pair == other.pair) {
+            let end = start + of_pair.len();
+            chunks.extend((start..end).step_by(CHUNK).map(|first| first..end.min(first + CHUNK)));
+            start = end;
+        }
+        let count = points.len();
         Self {
             pairs: task.pairs.clone(),
-            scenarios,
             tau: f64::NAN,
-            poses,
-            variables,
+            poses: points.iter().map(|point| initial_poses[point.scenario()]).collect(),
+            variables: points.iter().map(variables).collect(),
             evaluated: Evaluated::Nothing,
             components: CONTACT,
-            values: vec![0.0; CONTACT * count * pairs],
-            jacobians: vec![[0.0; POSE]; CONTACT * count * pairs],
-            hessians: vec![[[0.0; POSE]; POSE]; count * pairs],
-            seeds: vec![0.0; CONTACT * count * pairs],
-            solutions: vec![Solutions::default(); count.div_ceil(CHUNK) * pairs],
-            curvature_slots: vec![[[ABSENT; POSE]; POSE]; count * pairs],
+            values: vec![0.0; CONTACT * count],
+            jacobians: vec![[0.0; POSE]; CONTACT * count],
+            hessians: vec![[[0.0; POSE]; POSE]; count],
+            seeds: vec![0.0; CONTACT * count],
+            solutions: vec![Solutions::default(); chunks.len()],
+            curvature_slots: vec![[[ABSENT; POSE]; POSE]; count],
             workers: Workers::default(),
             elapsed: Duration::ZERO,
+            points,
+            chunks,
         }
     }
 
@@ -116,7 +123,7 @@ impl Distances {
 
     /// Variables of the pose before the step of a point; [`ABSENT`] if that is an initial pose.
     pub fn pose_variables(&self, point: usize) -> [u32; POSE] {
-        self.variables[point % self.variables.len()]
+        self.variables[point]
     }
 
     /// Adds the entries of `<s, D2W>` at a point to the pattern. Every term that uses the contact information of the
@@ -145,7 +152,7 @@ impl Distances {
 
     /// Takes the compliant poses from `x`.
     pub fn set_point(&mut self, x: &[f64]) {
-        for (pose, variables) in self.poses.iter_mut().zip(&self.variables).skip(self.scenarios) {
+        for (pose, variables) in self.poses.iter_mut().zip(&self.variables).filter(|(_, of)| of[0] != ABSENT) {
             let start = variables[0] as usize;
             pose.copy_from_slice(&x[start..start + POSE]);
         }
@@ -166,7 +173,8 @@ impl Distances {
     fn evaluate_components<const COMPONENTS: usize>(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
         let (pairs, tau) = (&self.pairs, self.tau);
-        let chunks = chunks(&self.poses, &mut self.solutions, records::<_, COMPONENTS>(&mut self.values));
+        let values = in_chunks(records::<_, COMPONENTS>(&mut self.values), &self.chunks);
+        let chunks = chunks(&self.points, &self.poses, &self.chunks, &mut self.solutions, values);
         let failure = in_parallel(&self.workers, chunks, |chunk| {
             pairs[chunk.pair].shapes.contacts(chunk.poses, tau, chunk.solutions, chunk.results)
         });
@@ -186,11 +194,10 @@ impl Distances {
 
     fn evaluate_jacobians_of_components<const COMPONENTS: usize>(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
-        let (pairs, tau, count) = (&self.pairs, self.tau, self.poses.len());
-        let jacobians = records::<_, COMPONENTS>(&mut self.jacobians);
-        let jacobians = jacobians.chunks_mut(count.max(1)).flat_map(|pair| pair.chunks_mut(CHUNK));
-        let values = records::<_, COMPONENTS>(&mut self.values);
-        let chunks = chunks(&self.poses, &mut self.solutions, values).zip(jacobians);
+        let (pairs, tau) = (&self.pairs, self.tau);
+        let jacobians = in_chunks(records::<_, COMPONENTS>(&mut self.jacobians), &self.chunks);
+        let values = in_chunks(records::<_, COMPONENTS>(&mut self.values), &self.chunks);
+        let chunks = chunks(&self.points, &self.poses, &self.chunks, &mut self.solutions, values).zip(jacobians);
         let failure = in_parallel(&self.workers, chunks, |(chunk, jacobians)| {
             let shapes = &pairs[chunk.pair].shapes;
             shapes.contact_jacobians(chunk.poses, tau, chunk.solutions, chunk.results, jacobians)
@@ -208,10 +215,10 @@ impl Distances {
 
     fn evaluate_hessians_of_components<const COMPONENTS: usize>(&mut self) -> Result<(), EvaluationError> {
         let begin = Instant::now();
-        let (pairs, tau, count) = (&self.pairs, self.tau, self.poses.len());
-        let seeds = records::<_, COMPONENTS>(&mut self.seeds);
-        let seeds = seeds.chunks(count.max(1)).flat_map(|pair| pair.chunks(CHUNK));
-        let chunks = chunks(&self.poses, &mut self.solutions, &mut self.hessians).zip(seeds);
+        let (pairs, tau) = (&self.pairs, self.tau);
+        let seeds = in_chunks(records::<_, COMPONENTS>(&mut self.seeds), &self.chunks);
+        let hessians = in_chunks(&mut self.hessians, &self.chunks);
+        let chunks = chunks(&self.points, &self.poses, &self.chunks, &mut self.solutions, hessians).zip(seeds);
         let failure = in_parallel(&self.workers, chunks, |(chunk, seeds)| {
             let shapes = &pairs[chunk.pair].shapes;
             shapes.contact_hessians(chunk.poses, tau, seeds, chunk.solutions, chunk.results)
@@ -297,12 +304,17 @@ impl Distances {
     }
 
     fn describe(&self, chunk: usize, mut source: collision::DistanceError) -> EvaluationError {
-        let chunks_of_pair = self.poses.len().div_ceil(CHUNK);
-        let pair = &self.pairs[chunk / chunks_of_pair];
-        source.index += chunk % chunks_of_pair * CHUNK;
-        let (step, scenario) = (source.index / self.scenarios, source.index % self.scenarios);
+        source.index += self.chunks[chunk].start;
+        let point = &self.points[source.index];
+        let pair = &self.pairs[point.pair];
         let (body, environment) = (pair.body.clone(), pair.environment.clone());
-        EvaluationError::new(MissingDistance { body, environment, scenario, step, source })
+        EvaluationError::new(MissingDistance {
+            body,
+            environment,
+            scenario: point.scenario(),
+            step: point.stage - 1,
+            source,
+        })
     }
 }
 
@@ -311,17 +323,29 @@ fn records<T, const COMPONENTS: usize>(components: &mut [T]) -> &mut [[T; COMPON
     components.as_chunks_mut().0
 }
 
-/// All chunks of all pairs, with their slices of one of the results.
-fn chunks<'all, T>(
+/// Slices of a result, chunk by chunk.
+fn in_chunks<'all, T>(mut results: &'all mut [T], chunks: &[Range<usize>]) -> impl Iterator<Item = &'all mut [T]> {
+    chunks.iter().map(move |chunk| {
+        let (slice, rest) = std::mem::take(&mut results).split_at_mut(chunk.len());
+        results = rest;
+        slice
+    })
+}
+
+/// All chunks, with their slices of one of the results.
+fn chunks<'all, T: 'all>(
+    points: &'all [Point],
     poses: &'all [[f64; POSE]],
+    chunks: &'all [Range<usize>],
     solutions: &'all mut [Solutions],
-    results: &'all mut [T],
+    results: impl Iterator<Item = &'all mut [T]>,
 ) -> impl Iterator<Item = Chunk<'all, T>> {
-    let of_pairs = results.chunks_mut(poses.len().max(1)).enumerate();
-    let results = of_pairs.flat_map(|(pair, results)| results.chunks_mut(CHUNK).map(move |results| (pair, results)));
-    let poses = poses.chunks(CHUNK).cycle();
-    let all = results.zip(poses).zip(solutions);
-    all.map(|(((pair, results), poses), solutions)| Chunk { pair, poses, solutions, results })
+    chunks.iter().zip(solutions).zip(results).map(|((range, solutions), results)| Chunk {
+        pair: points[range.start].pair,
+        poses: &poses[range.clone()],
+        solutions,
+        results,
+    })
 }
 
 /// Evaluates all chunks; number and error of the first that fails.

@@ -10,8 +10,7 @@ use nlp::Iterate;
 use task::{AssemblyTask, CostWeights, Horizon, STATE};
 
 use crate::block::Owners;
-use crate::layout::Layout;
-use crate::transcription::Transcription;
+use crate::formulation::Formulation;
 
 /// Fewest steps of a coarse grid.
 const FEWEST_STEPS: usize = 25;
@@ -40,8 +39,8 @@ fn heavier(weights: &CostWeights, ratio: f64) -> CostWeights {
     }
 }
 
-/// Transfers a primal-dual point of one transcription to the grid of another one of the same task.
-pub fn transferred(point: &Iterate, from: &Transcription, to: &Transcription) -> Iterate {
+/// Transfers a primal-dual point of one formulation to the grid of another one of the same task, both with all contacts.
+pub fn transferred(point: &Iterate, from: &Formulation, to: &Formulation) -> Iterate {
     let (coarse, fine) = (from.layout(), to.layout());
     let share = coarse.steps as f64 / fine.steps as f64;
     let (variables, multipliers) = (fine.variable_labels(), fine.multiplier_labels());
@@ -106,12 +105,12 @@ fn of_multiplier(class: Class) -> Rule {
 }
 
 /// The variables of the first knot with the states before the first step.
-fn initial_stage(transcription: &Transcription, mut variables: Vec<f64>) -> Vec<f64> {
-    let layout: &Layout = transcription.layout();
+fn initial_stage(formulation: &Formulation, mut variables: Vec<f64>) -> Vec<f64> {
+    let layout = formulation.layout();
     for (stage, owner) in layout.stages_of(Owners::All).take_while(|&(stage, _)| stage == 1) {
         let state = match owner {
-            Owner::Reference => transcription.task().start.at_rest(),
-            Owner::Scenario(scenario) => transcription.initial_compliant()[scenario],
+            Owner::Reference => formulation.task().start.at_rest(),
+            Owner::Scenario(scenario) => formulation.initial_compliant()[scenario],
         };
         variables[layout.state(stage, owner)..][..STATE].copy_from_slice(&state[..]);
     }
@@ -120,7 +119,7 @@ fn initial_stage(transcription: &Transcription, mut variables: Vec<f64>) -> Vec<
 
 #[cfg(test)]
 mod tests {
-    use task::{Complementarity, HessianKind};
+    use task::Complementarity;
 
     use super::*;
 
@@ -145,11 +144,11 @@ mod tests {
     fn motions_at_constant_velocity_and_constant_forces_are_carried_over_exactly() {
         let fine_task = task(61);
         let coarse_task = coarsened(&fine_task).unwrap();
-        let transcribe = |task| Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
-        let (from, to) = (transcribe(&coarse_task), transcribe(&fine_task));
+        let formulate = |task| Formulation::new(task, Complementarity::Relaxation);
+        let (from, to) = (formulate(&coarse_task), formulate(&fine_task));
         // Poses and velocities grow with time, everything else is one.
-        let filled = |transcription: &Transcription| -> Vec<f64> {
-            let (layout, start) = (transcription.layout(), initial_stage(transcription, transcription.initial_guess()));
+        let filled = |formulation: &Formulation| -> Vec<f64> {
+            let (layout, start) = (formulation.layout(), initial_stage(formulation, formulation.initial_guess()));
             let labels = layout.variable_labels();
             let length = labels.len() / layout.steps;
             let value = |(index, label): (usize, &Label)| match label.class {

@@ -7,9 +7,9 @@ use nlp::{Control, Progress, SolveError, SolveStatus, Start};
 use task::{AssemblyTask, HomotopySettings, LinearSolver, Penetration, Smoothing, Trajectory};
 use workers::Workers;
 
+use crate::formulation::Formulation;
 use crate::grid::{coarsened, transferred};
 use crate::homotopy_step::{HomotopyStep, IterationSolver, options};
-use crate::transcription::Transcription;
 
 /// Report to the observer of a homotopy at every iteration.
 #[derive(Debug, Clone, Copy)]
@@ -44,29 +44,28 @@ impl<'motion> From<&'motion HomotopyStep> for IterationEnd<'motion> {
 /// A homotopy that is run step by step.
 pub struct Homotopy {
     /// On the grid of the task.
-    fine: Transcription,
+    fine: Formulation,
     /// On a coarser one, for the first homotopy steps.
-    coarse: Option<Transcription>,
+    coarse: Option<Formulation>,
     settings: HomotopySettings,
+    workers: Workers,
 }
 
 impl Homotopy {
-    /// Transcribes the task.
+    /// Of a task.
     pub fn new(task: &AssemblyTask, settings: HomotopySettings) -> Self {
-        let transcribe = |task: &AssemblyTask| Transcription::new(task, settings.complementarity, settings.hessian);
+        let formulate = |task: &AssemblyTask| Formulation::new(task, settings.complementarity);
         let coarse = (settings.coarse_iterations() > 0).then(|| coarsened(task)).flatten();
-        Self { fine: transcribe(task), coarse: coarse.as_ref().map(transcribe), settings }
+        Self { fine: formulate(task), coarse: coarse.as_ref().map(formulate), settings, workers: Workers::default() }
     }
 
     /// Runs with some threads; they do not affect results. The default is one.
     pub fn with_threads(self, threads: usize) -> Self {
-        let workers = Workers::new(threads);
-        let coarse = self.coarse.map(|coarse| coarse.with_workers(workers.clone()));
-        Self { fine: self.fine.with_workers(workers), coarse, ..self }
+        Self { workers: Workers::new(threads), ..self }
     }
 
-    /// The transcribed problem of a homotopy step, counted from 1.
-    pub fn transcription(&self, number: usize) -> &Transcription {
+    /// The problem of a homotopy step, counted from 1, with all contacts.
+    pub fn formulation(&self, number: usize) -> &Formulation {
         match &self.coarse {
             Some(coarse) if number <= self.settings.coarse_iterations() => coarse,
             _ => &self.fine,
@@ -79,11 +78,11 @@ impl Homotopy {
     /// # Errors
     /// When an option or the linear solver is rejected. Numerical failure is a status.
     pub fn run(
-        &mut self,
+        &self,
         observe: impl FnMut(Event) -> Control,
         finished: impl FnMut(usize, &HomotopyStep) -> Control,
     ) -> Result<Vec<HomotopyStep>, SolveError> {
-        self.run_from(&[], Start::Cold(self.transcription(1).initial_guess()), observe, finished)
+        self.run_from(&[], Start::Cold(self.formulation(1).initial_guess()), observe, finished)
     }
 
     /// Runs the homotopy steps after `earlier` ones, which another run has completed with `start` as the final
@@ -92,7 +91,7 @@ impl Homotopy {
     /// # Errors
     /// As [`Homotopy::run`].
     pub fn run_from(
-        &mut self,
+        &self,
         earlier: &[IterationEnd],
         mut start: Start,
         mut observe: impl FnMut(Event) -> Control,
@@ -108,19 +107,14 @@ impl Homotopy {
             let mut observer = |progress: &Progress| {
                 observe(Event { number: index + 1, most: self.settings.most_iterations(), smoothing, progress })
             };
-            let coarse_iterations = self.settings.coarse_iterations();
-            let transcription = match &mut self.coarse {
-                Some(coarse) if index < coarse_iterations => coarse,
-                coarse => {
-                    if let (Some(coarse), Start::Warm(point), true) = (coarse, &start, index == coarse_iterations) {
-                        start = Start::Warm(transferred(point, coarse, &self.fine));
-                    }
-                    &mut self.fine
-                }
-            };
-            transcription.set_smoothing(smoothing.tau, smoothing.sigma);
-            let mut solver = IterationSolver { settings: &self.settings, smoothing, observer: &mut observer };
-            let result = solver.solve(transcription, &start)?;
+            if let (Some(coarse), Start::Warm(point)) = (&self.coarse, &start)
+                && index == self.settings.coarse_iterations()
+            {
+                start = Start::Warm(transferred(point, coarse, &self.fine));
+            }
+            let Self { settings, workers, .. } = &*self;
+            let mut solver = IterationSolver { settings, smoothing, workers, observer: &mut observer };
+            let result = solver.solve(self.formulation(index + 1), &start)?;
             let control = finished(index + 1, &result);
             start = Start::Warm(result.iterate.clone());
             let interrupted = result.status == SolveStatus::Interrupted;

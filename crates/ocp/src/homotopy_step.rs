@@ -2,8 +2,10 @@
 
 use nlp::{Control, Iterate, Options, Progress, SolveError, SolveStatus, Start};
 use task::{HessianKind, HomotopySettings, IpoptValue, LinearSolver, Smoothing, Trajectory};
+use workers::Workers;
 
-use crate::candidate_pairs::CandidatePairs;
+use crate::active_contacts::ActiveContacts;
+use crate::formulation::Formulation;
 use crate::stage_solver::TranscriptionSolver;
 use crate::stagnation::{self, Stagnation};
 use crate::transcription::Transcription;
@@ -81,67 +83,70 @@ pub(crate) struct IterationSolver<'run> {
     pub settings: &'run HomotopySettings,
     /// Smoothing of this one.
     pub smoothing: Smoothing,
+    /// The threads.
+    pub workers: &'run Workers,
     /// Gets every iteration of Ipopt.
     pub observer: &'run mut dyn FnMut(&Progress) -> Control,
 }
 
 impl IterationSolver<'_> {
-    /// From a cold start with all pairs, from a warm one without those that stay far apart.
-    pub fn solve(&mut self, transcription: &mut Transcription, start: &Start) -> Result<HomotopyStep, SolveError> {
-        match start {
-            Start::Warm(point) => self.solve_candidates(transcription, point),
-            Start::Cold(_) => self.attempt(transcription, start),
-        }
-    }
-
-    /// Warm-starts with the candidate pairs only. If a culled pair penetrates in the solution, it is added and the
-    /// solve continues.
-    fn solve_candidates(
-        &mut self,
-        transcription: &mut Transcription,
-        point: &Iterate,
-    ) -> Result<HomotopyStep, SolveError> {
-        let (settings, smoothing) = (self.settings, self.smoothing);
-        let mut candidates = CandidatePairs::at(&point.x, transcription);
+    /// With the contacts that may matter. If a pair without a contact penetrates in the solution, it gets one and the solve
+    /// continues. Points are those of the whole formulation.
+    pub fn solve(&mut self, whole: &Formulation, start: &Start) -> Result<HomotopyStep, SolveError> {
+        let mut formulation = match start {
+            Start::Cold(_) => whole.with_contacts(ActiveContacts::on_straight_paths(whole.task())),
+            Start::Warm(point) => whole.near(&point.x),
+        };
+        let mut start = start.clone();
         let mut before: Option<HomotopyStep> = None;
         loop {
-            let point = before.as_ref().map_or(point, |before| &before.iterate);
-            if candidates.are_all() {
-                let last = self.watch(transcription, point)?;
-                return Ok(last.after(before.as_ref()));
-            }
-            let task = candidates.of_task(transcription.task());
-            let mut of_near = Transcription::new(&task, settings.complementarity, settings.hessian)
-                .with_workers(transcription.workers().clone());
-            of_near.set_smoothing(smoothing.tau, smoothing.sigma);
-            let point = candidates.restrict(point, transcription);
-            let mut last = self.watch(&mut of_near, &point)?;
-            last.iterate = candidates.extend(&last.iterate, transcription);
-            last.trajectory = transcription.motion(&last.iterate.x, smoothing.tau);
+            let mut last = self.solve_with(&formulation, whole, &start)?;
+            last.iterate = whole.point_of(&formulation, &last.iterate);
             let last = last.after(before.as_ref());
-            match candidates.with_missing(&last.trajectory) {
-                Some(more) if last.status != SolveStatus::Interrupted => (candidates, before) = (more, Some(last)),
+            match formulation.layout().contacts().with_missing(&last.trajectory) {
+                Some(more) if last.status != SolveStatus::Interrupted => {
+                    formulation = whole.with_contacts(more);
+                    start = Start::Warm(last.iterate.clone());
+                    before = Some(last);
+                }
                 _ => return Ok(last),
             }
         }
     }
 
+    /// With the contacts of a formulation.
+    fn solve_with(
+        &mut self,
+        formulation: &Formulation,
+        whole: &Formulation,
+        start: &Start,
+    ) -> Result<HomotopyStep, SolveError> {
+        let (settings, Smoothing { tau, sigma, .. }) = (self.settings, self.smoothing);
+        let transcription = Transcription::of(formulation.clone(), settings.complementarity, settings.hessian);
+        let mut transcription = transcription.with_workers(self.workers.clone());
+        transcription.set_smoothing(tau, sigma);
+        match start {
+            Start::Cold(x) => self.attempt(&mut transcription, &Start::Cold(formulation.variables_of(whole, x))),
+            Start::Warm(point) => self.watch(&mut transcription, &formulation.point_of(whole, point)),
+        }
+    }
+
     /// From a warm start. If it stagnates, tries once more with a larger barrier parameter.
     fn watch(&mut self, transcription: &mut Transcription, start: &Iterate) -> Result<HomotopyStep, SolveError> {
-        let Self { settings, smoothing, observer } = self;
+        let Self { settings, smoothing, workers, observer } = self;
         let start = &Start::Warm(start.clone());
         let mut stagnation = Stagnation::default();
         let mut watch = |progress: &Progress| {
             stagnation.see(progress);
             if stagnation.is_found() { Control::Stop } else { observer(progress) }
         };
-        let mut watched = IterationSolver { settings, smoothing: *smoothing, observer: &mut watch };
+        let mut watched = IterationSolver { settings, smoothing: *smoothing, workers, observer: &mut watch };
         let first = watched.attempt(transcription, start)?;
         if !stagnation.is_found() {
             return Ok(first);
         }
         let wider = Smoothing { mu_init: smoothing.mu_init * stagnation::WIDER, ..*smoothing };
-        let mut again = IterationSolver { settings, smoothing: wider, observer: &mut **observer };
+        let mut again = IterationSolver { settings, smoothing: wider, workers, observer: &mut **observer };
         Ok(again.attempt(transcription, start)?.after(Some(&first)))
     }
 
@@ -174,7 +179,7 @@ impl IterationSolver<'_> {
             timing,
             linear_solver: solution.linear_solver,
             stage_solver: stage_solver.report().copied(),
-            trajectory: transcription.motion(&solution.iterate.x, self.smoothing.tau),
+            trajectory: transcription.formulation().motion(&solution.iterate.x, self.smoothing.tau),
             iterate: solution.iterate,
         })
     }

@@ -9,6 +9,7 @@ use kkt::{Class, Label, Owner};
 use nlp::Bounds;
 use task::{AssemblyTask, TWIST};
 
+use crate::active_contacts::ActiveContacts;
 use crate::block::{Block, Blocks, Owners, POSE_VARIABLES};
 use crate::point::{Point, Points};
 
@@ -26,16 +27,19 @@ pub struct Layout {
     pub scenarios: usize,
     /// Number of contact pairs `|Pi|`.
     pub pairs: usize,
+    contacts: ActiveContacts,
     variables: StageOrder,
     rows: StageOrder,
 }
 
-/// Order of a stage's variables or rows.
+/// Order of the variables or rows, stage by stage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct StageOrder {
     reference: TrajectoryOrder,
-    /// The same for every scenario.
+    /// The same for every scenario, but for the number of contacts.
     scenario: TrajectoryOrder,
+    /// Index of the first one of every trajectory of every stage, the reference first; their number at the end.
+    starts: Vec<usize>,
 }
 
 /// Order of the variables or rows that a stage has of one trajectory.
@@ -43,17 +47,18 @@ struct StageOrder {
 struct TrajectoryOrder {
     /// The blocks, one after the other.
     blocks: Vec<PlacedBlock>,
-    /// Class and index of the label at every position.
-    labels: Vec<(Class, usize)>,
 }
 
 /// A block among the variables or rows of a trajectory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct PlacedBlock {
     name: &'static str,
-    start: usize,
-    count: usize,
+    class: Class,
+    /// Number of its members, or of those of a pair.
+    size: usize,
     per_pair: bool,
+    /// Index of the label of the first member, in a leaf without pairs.
+    first_label: usize,
 }
 
 /// The meaning of a variable or constraint row: one of the numbers of a block.
@@ -72,45 +77,66 @@ pub struct Member {
 }
 
 impl Layout {
-    /// Assigns indices to all blocks that the terms of a task declare.
+    /// Assigns indices to all blocks that the terms of a task declare, with all contacts.
     ///
     /// # Panics
     /// When a trajectory has two blocks of the same name.
     pub fn new(task: &AssemblyTask, blocks: &Blocks) -> Self {
         let pairs = task.pairs.len();
-        Self {
+        let layout = Self {
             steps: task.horizon.steps,
             scenarios: task.grasps.len() * task.frictions.len(),
             pairs,
+            contacts: ActiveContacts::all(task),
             variables: StageOrder::new(&blocks.variables, pairs),
             rows: StageOrder::new(&blocks.rows, pairs),
-        }
+        };
+        layout.with_contacts(layout.contacts.clone())
+    }
+
+    /// The same with these contacts.
+    pub fn with_contacts(&self, contacts: ActiveContacts) -> Self {
+        let started = |order: &StageOrder| {
+            let lengths = self.stages_of(Owners::All).map(|(stage, owner)| {
+                order.of(owner).blocks.iter().map(|block| block.count(pairs_of(&contacts, stage, owner))).sum()
+            });
+            let mut starts = vec![0];
+            lengths.for_each(|length: usize| starts.push(starts[starts.len() - 1] + length));
+            StageOrder { starts, ..order.clone() }
+        };
+        let (variables, rows) = (started(&self.variables), started(&self.rows));
+        Self { contacts, variables, rows, ..*self }
+    }
+
+    /// The contacts that it has.
+    pub fn contacts(&self) -> &ActiveContacts {
+        &self.contacts
     }
 
     /// Number of decision variables.
     pub fn variable_count(&self) -> usize {
-        self.steps * self.variables.length(self.scenarios)
+        self.variables.count()
     }
 
     /// Number of constraints.
     pub fn constraint_count(&self) -> usize {
-        self.steps * self.rows.length(self.scenarios)
+        self.rows.count()
     }
 
-    /// Index of the first variable of a block.
+    /// Index of the first variable of a block. Those of pairs follow in the order of the contacts: [`Point::slot`].
     ///
     /// # Panics
     /// When no term declares the block for this trajectory.
     pub fn variable(&self, name: &str, stage: usize, owner: Owner) -> usize {
-        self.variables.index(name, stage, owner, self.scenarios)
+        self.index(&self.variables, name, stage, owner)
     }
 
-    /// Index of the first row of a block.
+    /// Index of the first row of a block. Those of pairs follow in the order of the contacts: [`Point::slot`].
     ///
     /// # Panics
     /// When no term declares the block for this trajectory.
     pub fn row(&self, name: &str, stage: usize, owner: Owner) -> usize {
-        self.rows.index(name, stage, owner, self.scenarios)
+        self.index(&self.rows, name, stage, owner)
     }
 
     /// Index of the first of 13 coordinates of a trajectory's state: pose (7), then twist (6).
@@ -127,12 +153,31 @@ impl Layout {
 
     /// All points of a kind in the order of evaluation: pair by pair, stage by stage, the reference first.
     pub fn points(&self, points: Points) -> Vec<Point> {
-        let (owners, pairs) = match points {
-            Points::Stages(owners) => (owners, 1),
-            Points::Pairs => (Owners::Scenarios, self.pairs),
-        };
-        let stages = |pair| self.stages_of(owners).map(move |(stage, owner)| Point { stage, owner, pair });
-        (0..pairs).flat_map(stages).collect()
+        match points {
+            Points::Stages(owners) => {
+                self.stages_of(owners).map(|(stage, owner)| Point { stage, owner, pair: 0, slot: 0 }).collect()
+            }
+            Points::Pairs => (0..self.pairs).flat_map(|pair| self.contacts_of(pair)).collect(),
+        }
+    }
+
+    /// The contacts of a pair, stage by stage.
+    fn contacts_of(&self, pair: usize) -> impl Iterator<Item = Point> {
+        let scenarios = move |stage| (0..self.scenarios).map(move |scenario| (stage, scenario));
+        (1..=self.steps).flat_map(scenarios).filter_map(move |(stage, scenario)| {
+            let slot = self.contacts.slot(stage, scenario, pair)?;
+            Some(Point { stage, owner: Owner::Scenario(scenario), pair, slot })
+        })
+    }
+
+    /// Values of the variables from those of a layout with other contacts; zero for contacts that are not there.
+    pub fn variables_of(&self, other: &Self, values: &[f64]) -> Vec<f64> {
+        self.values_of(&self.variables, (other, &other.variables), values)
+    }
+
+    /// Values of the rows from those of a layout with other contacts; zero for contacts that are not there.
+    pub fn rows_of(&self, other: &Self, values: &[f64]) -> Vec<f64> {
+        self.values_of(&self.rows, (other, &other.rows), values)
     }
 
     /// Bounds of all variables, from the blocks of the layout.
@@ -166,45 +211,104 @@ impl Layout {
     }
 
     fn bounds(&self, order: &StageOrder, blocks: &[Block]) -> Bounds {
-        let count = self.steps * order.length(self.scenarios);
-        let mut bounds = Bounds { lower: vec![f64::NAN; count], upper: vec![f64::NAN; count] };
-        for Block { name, owners, bounds: declared, .. } in blocks {
+        let mut bounds = Bounds { lower: vec![f64::NAN; order.count()], upper: vec![f64::NAN; order.count()] };
+        for Block { name, owners, bounds: declared, per_pair, .. } in blocks {
             for (stage, owner) in self.stages_of(*owners) {
-                let start = order.index(name, stage, owner, self.scenarios);
-                bounds.lower[start..][..declared.lower.len()].copy_from_slice(&declared.lower);
-                bounds.upper[start..][..declared.upper.len()].copy_from_slice(&declared.upper);
+                let repeated = if *per_pair { pairs_of(&self.contacts, stage, owner).len() } else { 1 };
+                let start = self.index(order, name, stage, owner);
+                let size = declared.lower.len();
+                for part in 0..repeated {
+                    bounds.lower[start + part * size..][..size].copy_from_slice(&declared.lower);
+                    bounds.upper[start + part * size..][..size].copy_from_slice(&declared.upper);
+                }
             }
         }
         bounds
     }
 
     fn labels(&self, order: &StageOrder) -> Vec<Label> {
-        let trajectories = self.stages_of(Owners::All);
         let label = |(stage, owner)| {
-            let labels = order.of(owner).labels.iter();
-            labels.map(move |&(class, index)| Label { stage, owner, class, index })
+            let active = pairs_of(&self.contacts, stage, owner);
+            let blocks = order.of(owner).blocks.iter();
+            blocks.flat_map(move |block| {
+                let labels = (0..block.count(active)).map(|number| block.label(number, active));
+                labels.map(move |index| Label { stage, owner, class: block.class, index })
+            })
         };
-        trajectories.flat_map(label).collect()
+        self.stages_of(Owners::All).flat_map(label).collect()
     }
 
     fn members(&self, order: &StageOrder) -> Vec<Member> {
         let members = |(stage, owner)| {
+            let active = pairs_of(&self.contacts, stage, owner);
             let blocks = order.of(owner).blocks.iter();
             blocks.flat_map(move |block| {
-                (0..block.count).map(move |number| block.member(number, stage, owner, self.pairs))
+                (0..block.count(active)).map(move |number| block.member(number, stage, owner, active))
             })
         };
         self.stages_of(Owners::All).flat_map(members).collect()
     }
+
+    fn values_of(&self, order: &StageOrder, (other, theirs): (&Self, &StageOrder), values: &[f64]) -> Vec<f64> {
+        let mut result = Vec::with_capacity(order.count());
+        for (stage, owner) in self.stages_of(Owners::All) {
+            for PlacedBlock { name, size, per_pair, .. } in &order.of(owner).blocks {
+                let from = &values[other.index(theirs, name, stage, owner)..];
+                if !per_pair {
+                    result.extend_from_slice(&from[..*size]);
+                    continue;
+                }
+                let known = pairs_of(&other.contacts, stage, owner);
+                for pair in pairs_of(&self.contacts, stage, owner) {
+                    match known.binary_search(pair) {
+                        Ok(slot) => result.extend_from_slice(&from[slot * size..][..*size]),
+                        Err(_) => result.extend(std::iter::repeat_n(0.0, *size)),
+                    }
+                }
+            }
+        }
+        result
+    }
+
+    fn index(&self, order: &StageOrder, name: &str, stage: usize, owner: Owner) -> usize {
+        let trajectory = match owner {
+            Owner::Reference => 0,
+            Owner::Scenario(number) => 1 + number,
+        };
+        let active = pairs_of(&self.contacts, stage, owner);
+        order.starts[(stage - 1) * (1 + self.scenarios) + trajectory] + order.of(owner).start(name, active)
+    }
+}
+
+/// The pairs with contacts of a trajectory; none of the reference.
+fn pairs_of(contacts: &ActiveContacts, stage: usize, owner: Owner) -> &[usize] {
+    match owner {
+        Owner::Reference => &[],
+        Owner::Scenario(scenario) => contacts.of(stage, scenario),
+    }
 }
 
 impl PlacedBlock {
-    fn member(&self, number: usize, stage: usize, owner: Owner, pairs: usize) -> Member {
+    /// Number of members, with the pairs that have contacts.
+    fn count(&self, active: &[usize]) -> usize {
+        if self.per_pair { self.size * active.len() } else { self.size }
+    }
+
+    fn member(&self, number: usize, stage: usize, owner: Owner, active: &[usize]) -> Member {
         let (pair, component) = match self.per_pair {
-            true => (Some(number * pairs / self.count), number % (self.count / pairs)),
+            true => (Some(active[number / self.size]), number % self.size),
             false => (None, number),
         };
         Member { block: self.name, stage, owner, pair, component }
+    }
+
+    /// Index of the label of a member.
+    fn label(&self, number: usize, active: &[usize]) -> usize {
+        match (self.class.is_leaf(), self.per_pair) {
+            (true, true) => active[number / self.size],
+            (true, false) => self.first_label + number,
+            (false, _) => number,
+        }
     }
 }
 
@@ -213,6 +317,7 @@ impl StageOrder {
         Self {
             reference: TrajectoryOrder::new(blocks, Owner::Reference, pairs),
             scenario: TrajectoryOrder::new(blocks, Owner::Scenario(0), pairs),
+            starts: Vec::new(),
         }
     }
 
@@ -223,17 +328,9 @@ impl StageOrder {
         }
     }
 
-    /// Number of variables or rows of a stage.
-    fn length(&self, scenarios: usize) -> usize {
-        self.reference.labels.len() + scenarios * self.scenario.labels.len()
-    }
-
-    fn index(&self, name: &str, stage: usize, owner: Owner, scenarios: usize) -> usize {
-        let trajectory = match owner {
-            Owner::Reference => 0,
-            Owner::Scenario(number) => self.reference.labels.len() + number * self.scenario.labels.len(),
-        };
-        (stage - 1) * self.length(scenarios) + trajectory + self.of(owner).start(name)
+    /// Number of variables or rows.
+    fn count(&self) -> usize {
+        self.starts[self.starts.len() - 1]
     }
 }
 
@@ -243,28 +340,22 @@ impl TrajectoryOrder {
         blocks.sort_by_key(|block| (block.class.is_leaf(), !block.per_pair));
         let mut order = Self::default();
         // Rows of a leaf are eliminated in the order of their indices, those of pairs first.
-        let mut next = pairs;
-        for block in blocks {
-            let known = order.blocks.iter().any(|known| known.name == block.name);
-            assert!(!known, "two terms declare the block \"{}\"", block.name);
-            let count = block.bounds.lower.len();
-            let start = order.labels.len();
-            order.blocks.push(PlacedBlock { name: block.name, start, count, per_pair: block.per_pair });
-            let index = |member: usize| match (block.class.is_leaf(), block.per_pair) {
-                (true, true) => member * pairs / count,
-                (true, false) => next + member,
-                (false, _) => member,
-            };
-            order.labels.extend((0..count).map(|member| (block.class, index(member))));
-            if block.class.is_leaf() && !block.per_pair {
-                next += count;
+        let mut first_label = pairs;
+        for &Block { name, class, per_pair, ref bounds, .. } in blocks {
+            let known = order.blocks.iter().any(|known| known.name == name);
+            assert!(!known, "two terms declare the block \"{name}\"");
+            let size = bounds.lower.len();
+            order.blocks.push(PlacedBlock { name, class, size, per_pair, first_label });
+            if class.is_leaf() && !per_pair {
+                first_label += size;
             }
         }
         order
     }
 
-    fn start(&self, name: &str) -> usize {
-        let found = self.blocks.iter().find(|block| block.name == name);
-        found.unwrap_or_else(|| panic!("no term declares the block \"{name}\"")).start
+    fn start(&self, name: &str, active: &[usize]) -> usize {
+        let place = self.blocks.iter().position(|block| block.name == name);
+        let place = place.unwrap_or_else(|| panic!("no term declares the block \"{name}\""));
+        self.blocks[..place].iter().map(|block| block.count(active)).sum()
     }
 }

@@ -38,17 +38,17 @@
 //!
 //! Limits of velocities, accelerations, forces and wrenches ([`task::Limits`]) are an addition.
 
+mod active_contacts;
 mod block;
-mod candidate_pairs;
 mod cost;
 mod distances;
+mod formulation;
 mod function;
 mod grid;
 mod homotopy;
 mod homotopy_step;
 mod layout;
 mod least_squares;
-mod motion;
 mod pattern;
 mod point;
 mod residuals;
@@ -59,8 +59,10 @@ mod term_function;
 mod terms;
 mod transcription;
 
+pub use active_contacts::ActiveContacts;
 pub use block::{Block, Blocks, Owners, POSE_VARIABLES, TWIST_VARIABLES};
 pub use distances::MissingDistance;
+pub use formulation::Formulation;
 pub use grid::coarsened;
 pub use homotopy::{Event, Homotopy, IterationEnd, check_settings};
 pub use homotopy_step::{HomotopyStep, IterationTiming};

@@ -9,7 +9,7 @@ use crate::block::Owners;
 pub enum Points {
     /// Every stage of these trajectories.
     Stages(Owners),
-    /// Every contact pair at every stage of every scenario.
+    /// Every contact: the pairs that have one, at every stage of every scenario.
     Pairs,
 }
 
@@ -22,6 +22,8 @@ pub struct Point {
     pub owner: Owner,
     /// Contact pair; 0 unless the points are [`Points::Pairs`].
     pub pair: usize,
+    /// Number of the pair among those with a contact there; 0 unless the points are [`Points::Pairs`].
+    pub slot: usize,
 }
 
 impl Point {

@@ -1,67 +1,69 @@
 //! The multi-scenario optimal control problem (Eq. discretizedOCP) as a sparse nonlinear program.
 
 use nlp::{Bounds, EvaluationError, Pattern, Problem};
-use task::{AssemblyTask, Complementarity, HessianKind, STATE, State};
+use task::{AssemblyTask, Complementarity, HessianKind};
 use workers::Workers;
 
-use crate::block::Owners;
 use crate::cost::{running_cost, terminal_cost};
 use crate::distances::Distances;
+use crate::formulation::Formulation;
 use crate::layout::Layout;
 use crate::least_squares::LeastSquares;
 use crate::pattern::Patterns;
 use crate::term::{StepTerm, blocks};
 use crate::term_function::TermFunction;
-use crate::terms::{initial_states, standard_terms};
-
-/// Contact force in the initial guess (in the unit of force), and the value of all variables that are not states.
-pub const INITIAL_CONTACT_FORCE: f64 = 1e-3;
+use crate::terms::standard_terms;
 
 /// Layout, tapes and patterns of a task, built once. The smoothing is set before each homotopy step.
 pub struct Transcription {
-    task: AssemblyTask,
+    formulation: Formulation,
     hessian_kind: HessianKind,
     terms: Vec<Box<dyn StepTerm>>,
-    layout: Layout,
     distances: Distances,
     functions: Vec<TermFunction>,
     costs: [LeastSquares; 2],
     jacobian: Pattern,
     hessian: Pattern,
-    initial_compliant: Vec<State>,
     workers: Workers,
 }
 
 impl Transcription {
-    /// Records all tapes and patterns of a task.
+    /// Records all tapes and patterns of a task, with all contacts.
     pub fn new(task: &AssemblyTask, complementarity: Complementarity, hessian_kind: HessianKind) -> Self {
         Self::with_terms(task, standard_terms(task, complementarity), hessian_kind)
     }
 
     /// [`Transcription::new`] with other terms than [`standard_terms`].
     pub fn with_terms(task: &AssemblyTask, terms: Vec<Box<dyn StepTerm>>, hessian_kind: HessianKind) -> Self {
-        let layout = Layout::new(task, &blocks(&terms));
-        let initial_compliant = initial_states(task);
-        let initial_poses: Vec<_> = initial_compliant.iter().map(|state| state.pose().0).collect();
-        let mut distances = Distances::new(task, &layout, &initial_poses);
+        Self::record(Formulation::with_blocks(task, &blocks(&terms)), terms, hessian_kind)
+    }
+
+    /// With the contacts of a formulation, which has been made with the same `complementarity`.
+    pub fn of(formulation: Formulation, complementarity: Complementarity, hessian_kind: HessianKind) -> Self {
+        let terms = standard_terms(formulation.task(), complementarity);
+        Self::record(formulation, terms, hessian_kind)
+    }
+
+    fn record(formulation: Formulation, terms: Vec<Box<dyn StepTerm>>, hessian_kind: HessianKind) -> Self {
+        let (task, layout) = (formulation.task(), formulation.layout());
+        let initial_poses: Vec<_> = formulation.initial_compliant().iter().map(|state| state.pose().0).collect();
+        let mut distances = Distances::new(task, layout, &initial_poses);
         let mut patterns = Patterns::default();
-        let functions = terms.iter().map(|term| TermFunction::new(&**term, &layout, &mut distances, &mut patterns));
+        let functions = terms.iter().map(|term| TermFunction::new(&**term, layout, &mut distances, &mut patterns));
         // Limits have no outputs where nothing is limited.
         let functions = functions.filter(|function| function.outputs() > 0).collect();
         let costs =
-            [running_cost(task, &layout, &mut patterns.hessian), terminal_cost(task, &layout, &mut patterns.hessian)];
+            [running_cost(task, layout, &mut patterns.hessian), terminal_cost(task, layout, &mut patterns.hessian)];
         Self {
-            task: task.clone(),
             hessian_kind,
             terms,
-            layout,
             distances,
             functions,
             costs,
             jacobian: patterns.jacobian.finish(),
             hessian: patterns.hessian.finish(),
-            initial_compliant,
             workers: Workers::default(),
+            formulation,
         }
     }
 
@@ -84,47 +86,34 @@ impl Transcription {
         self.terms.iter_mut().for_each(|term| term.set_sigma(sigma));
     }
 
+    /// What is transcribed.
+    pub fn formulation(&self) -> &Formulation {
+        &self.formulation
+    }
+
     /// Indices of variables and constraints.
     pub fn layout(&self) -> &Layout {
-        &self.layout
+        self.formulation.layout()
     }
 
     /// The task that was transcribed.
     pub fn task(&self) -> &AssemblyTask {
-        &self.task
-    }
-
-    /// Compliant states at the start, one per scenario.
-    pub fn initial_compliant(&self) -> &[State] {
-        &self.initial_compliant
+        self.formulation.task()
     }
 
     /// The distances of all pairs.
     pub(crate) fn distances(&mut self) -> &mut Distances {
         &mut self.distances
     }
-
-    /// The trivial guess: all trajectories rest at the start pose, with small positive contact forces.
-    pub fn initial_guess(&self) -> Vec<f64> {
-        let mut x = vec![INITIAL_CONTACT_FORCE; self.layout.variable_count()];
-        for (stage, owner) in self.layout.stages_of(Owners::All) {
-            let state = match owner {
-                kkt::Owner::Reference => self.task.start.at_rest(),
-                kkt::Owner::Scenario(scenario) => self.initial_compliant[scenario],
-            };
-            x[self.layout.state(stage, owner)..][..STATE].copy_from_slice(&state[..]);
-        }
-        x
-    }
 }
 
 impl Problem for Transcription {
     fn variable_bounds(&self) -> Bounds {
-        self.layout.variable_bounds(&blocks(&self.terms))
+        self.layout().variable_bounds(&blocks(&self.terms))
     }
 
     fn constraint_bounds(&self) -> Bounds {
-        self.layout.constraint_bounds(&blocks(&self.terms))
+        self.layout().constraint_bounds(&blocks(&self.terms))
     }
 
     fn jacobian_pattern(&self) -> Pattern {

@@ -154,12 +154,12 @@ fn solve(
     start: Option<Start>,
     line: &Line,
 ) -> Result<(), SolveError> {
-    let mut homotopy = Homotopy::new(&variant.task, variant.settings.clone()).with_threads(threads);
-    let transcription = homotopy.transcription(earlier.len() + 1);
+    let homotopy = Homotopy::new(&variant.task, variant.settings.clone()).with_threads(threads);
+    let formulation = homotopy.formulation(earlier.len() + 1);
     let start = start.unwrap_or_else(|| {
         Start::Cold(match &variant.near {
-            None => transcription.initial_guess(),
-            Some(motion) => transcription.point_at(motion),
+            None => formulation.initial_guess(),
+            Some(motion) => formulation.point_at(motion),
         })
     });
     let ends: Vec<IterationEnd> = earlier.iter().map(PlanIteration::end).collect();

@@ -9,7 +9,7 @@ mod residuals;
 mod stuck;
 mod words;
 
-use ocp::{Residual, Transcription};
+use ocp::{Formulation, Residual, Transcription};
 use plan::{Cut, Plan, PlanStatus, Stop};
 use serde::{Deserialize, Serialize};
 
@@ -81,7 +81,10 @@ fn constraints(plan: &Plan) -> Option<(Vec<ResidualRecord>, Vec<DependencyRecord
     let chosen = plan.chosen();
     let (point, record, settings) = (chosen.point.as_deref()?, &chosen.record, &plan.variant.settings);
     let task = record.task(&plan.variant.task);
-    let mut transcription = Transcription::new(&task, settings.complementarity, settings.hessian);
+    let whole = Formulation::new(&task, settings.complementarity);
+    let near = whole.near(&point.x);
+    let point = &near.point_of(&whole, point);
+    let mut transcription = Transcription::of(near, settings.complementarity, settings.hessian);
     transcription.set_smoothing(record.tau, record.sigma);
     let residuals: Vec<Residual> = transcription.residuals(point).ok()?;
     let dependencies = match record.converged {

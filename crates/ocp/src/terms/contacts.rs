@@ -25,7 +25,6 @@ pub struct Contacts {
     time_step: f64,
     /// In the unit of force.
     inertia: Inertia,
-    pairs: usize,
     /// In the unit of force.
     largest_force: f64,
     complementarity: Complementarity,
@@ -39,7 +38,6 @@ impl Contacts {
         Self {
             time_step: task.horizon.time_step,
             inertia: task.inertia.in_units_of(unit),
-            pairs: task.pairs.len(),
             largest_force: task.limits.contact_force / unit,
             complementarity,
             sigma: f64::NAN,
@@ -47,7 +45,7 @@ impl Contacts {
     }
 
     fn block(&self, name: &'static str, class: Class, lower: f64, upper: f64) -> Block {
-        let bounds = Bounds::uniform(self.pairs, lower, upper);
+        let bounds = Bounds::uniform(1, lower, upper);
         Block { name, owners: Owners::Scenarios, class, per_pair: true, bounds }
     }
 }
@@ -95,20 +93,20 @@ impl StepTerm for Contacts {
     }
 
     fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source {
-        let &Point { stage, owner, pair } = point;
+        let &Point { stage, owner, slot, .. } = point;
         match input {
             0..TWIST => Source::Variable(layout.state(stage, owner) + POSE + input),
-            TWIST => Source::Variable(layout.variable(CONTACT_FORCE, stage, owner) + pair),
+            TWIST => Source::Variable(layout.variable(CONTACT_FORCE, stage, owner) + slot),
             _ => Source::Contact(input - TWIST - 1),
         }
     }
 
     fn row(&self, output: usize, point: &Point, layout: &Layout) -> usize {
-        let &Point { stage, owner, pair } = point;
+        let &Point { stage, owner, slot, .. } = point;
         match output {
             0..TWIST => layout.row(VELOCITY_DYNAMICS, stage, owner) + output,
-            TWIST => layout.row(GAP, stage, owner) + pair,
-            _ => layout.row(PRODUCT, stage, owner) + pair,
+            TWIST => layout.row(GAP, stage, owner) + slot,
+            _ => layout.row(PRODUCT, stage, owner) + slot,
         }
     }
 }

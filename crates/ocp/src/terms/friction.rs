@@ -97,12 +97,12 @@ impl StepTerm for Friction {
     }
 
     fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source {
-        let &Point { stage, owner, pair } = point;
+        let &Point { stage, owner, slot, .. } = point;
         match input {
             ..TWIST_END => Source::Variable(layout.state(stage, owner) + POSE + input),
             TWIST_END..POSE_END if stage == 1 => Source::Constant(self.initial[point.scenario()][input - TWIST_END]),
             TWIST_END..POSE_END => Source::Variable(layout.state(stage - 1, owner) + input - TWIST_END),
-            POSE_END..FORCE_END => Source::Variable(layout.variable(CONTACT_FORCE, stage, owner) + pair),
+            POSE_END..FORCE_END => Source::Variable(layout.variable(CONTACT_FORCE, stage, owner) + slot),
             FORCE_END..NORMAL_END => Source::Contact(NORMAL + input - FORCE_END),
             NORMAL_END..POINT_END => Source::Contact(POINT + input - NORMAL_END),
             POINT_END => Source::Smoothing,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use nalgebra::{Matrix3, Matrix6};
 use nlp::{Problem, check_derivatives};
-use ocp::Transcription;
+use ocp::{ActiveContacts, Formulation, Transcription};
 use task::{AssemblyTask, Complementarity, GraspError, HessianKind, Inertia, Limits};
 
 /// A deterministic number in (-1, 1).
@@ -21,10 +21,14 @@ fn task(scene: &str, steps: usize, pairs: usize) -> AssemblyTask {
 }
 
 fn check(task: &AssemblyTask) {
-    let mut problem = Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
+    check_with(Formulation::new(task, Complementarity::Relaxation));
+}
+
+fn check_with(formulation: Formulation) {
+    let mut problem = Transcription::of(formulation, Complementarity::Relaxation, HessianKind::Exact);
     problem.set_smoothing(0.0025, 0.00125);
     let x: Vec<f64> =
-        problem.initial_guess().iter().enumerate().map(|(index, value)| value + 0.02 * noise(index)).collect();
+        problem.formulation().initial_guess().iter().enumerate().map(|(index, value)| value + 0.02 * noise(index)).collect();
     let constraints = problem.constraint_bounds().lower.len();
     let multipliers: Vec<f64> = (0..constraints).map(|index| noise(index + 1000)).collect();
     check_derivatives(&mut problem, &x, &multipliers, 1e-6).unwrap().assert_within(1e-5);
@@ -43,6 +47,14 @@ fn one_step() {
 #[test]
 fn no_contacts() {
     check(&task("corner", 2, 0));
+}
+
+#[test]
+fn some_contacts_at_some_steps() {
+    for task in [task("corner", 3, 2), AssemblyTask { frictions: vec![0.3], ..task("clamp1", 2, 3) }] {
+        let contacts = ActiveContacts::from_fn(&task, |stage, scenario, pair| (stage + scenario + pair) % 2 == 0);
+        check_with(Formulation::new(&task, Complementarity::Relaxation).with_contacts(contacts));
+    }
 }
 
 #[test]

@@ -14,7 +14,7 @@ fn a_distance_that_cannot_be_computed_is_named_by_pair_scenario_and_step() {
     task.horizon.steps = 3;
     let mut problem = Transcription::new(&task, Complementarity::Relaxation, HessianKind::Exact);
     problem.set_smoothing(0.0025, 0.00125);
-    let mut x = problem.initial_guess();
+    let mut x = problem.formulation().initial_guess();
     let (stage, owner) = problem.layout().stages_of(Owners::Scenarios).nth(1).unwrap();
     x[problem.layout().state(stage, owner)] = f64::NAN;
     problem.set_point(&x).unwrap();
@@ -29,7 +29,7 @@ fn a_distance_that_cannot_be_computed_is_named_by_pair_scenario_and_step() {
         let problem = Transcription::new(&task, Complementarity::Relaxation, HessianKind::Exact);
         let mut problem = problem.with_workers(Workers::new(threads));
         problem.set_smoothing(0.0025, 0.00125);
-        let mut x = problem.initial_guess();
+        let mut x = problem.formulation().initial_guess();
         let (stage, owner) = problem.layout().stages_of(Owners::Scenarios).nth(150).unwrap();
         x[problem.layout().state(stage, owner)] = f64::NAN;
         problem.set_point(&x).unwrap();

@@ -150,7 +150,7 @@ fn compare_on(task: &AssemblyTask, case: Case) -> (Compared, kkt::Report) {
     for &(name, value) in case.options {
         options.set(name, value);
     }
-    let start = Start::Cold(transcription.initial_guess());
+    let start = Start::Cold(transcription.formulation().initial_guess());
     let chosen = LinearSystemSolver::Own(&mut solver);
     nlp::solve(&mut transcription, &start, &options, chosen, &mut |_| Control::Continue).unwrap();
     let report = *solver.stage.report().unwrap();
@@ -246,7 +246,7 @@ fn solve_corner() -> (SolveStatus, Vec<u64>) {
     let complementarity = Complementarity::Relaxation;
     let mut transcription = transcribe(&task("corner", 20), complementarity, HessianKind::Exact);
     let mut solver = TranscriptionSolver::new(transcription.layout(), Workers::default());
-    let start = Start::Cold(transcription.initial_guess());
+    let start = Start::Cold(transcription.formulation().initial_guess());
     let chosen = LinearSystemSolver::Own(&mut solver);
     let solution = nlp::solve(&mut transcription, &start, &options(), chosen, &mut |_| Control::Continue).unwrap();
     (solution.status, solution.iterate.x.iter().map(|value| value.to_bits()).collect())

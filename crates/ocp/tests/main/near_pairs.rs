@@ -1,10 +1,11 @@
-//! Homotopy steps without the pairs that stay far apart.
+//! Homotopy steps without contacts of pairs that are far apart.
 
 use std::path::Path;
 
+use kkt::Owner;
 use nlp::{Control, Iterate, Start};
-use ocp::{Homotopy, HomotopyStep};
-use task::{AssemblyTask, ContactPair, HomotopySettings};
+use ocp::{ActiveContacts, Formulation, Homotopy, HomotopyStep, Member};
+use task::{AssemblyTask, Complementarity, ContactPair, HomotopySettings};
 
 /// Index of the pair that [`with_a_far_pair`] adds.
 const FAR: usize = 2;
@@ -29,8 +30,8 @@ fn with_a_far_pair() -> AssemblyTask {
 const UNTURNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
 fn solve(task: &AssemblyTask, settings: HomotopySettings, start: Option<Start>) -> HomotopyStep {
-    let mut homotopy = Homotopy::new(task, settings);
-    let start = start.unwrap_or_else(|| Start::Cold(homotopy.transcription(1).initial_guess()));
+    let homotopy = Homotopy::new(task, settings);
+    let start = start.unwrap_or_else(|| Start::Cold(homotopy.formulation(1).initial_guess()));
     let iterations = homotopy.run_from(&[], start, |_| Control::Continue, |_, _| Control::Continue).unwrap();
     assert!(iterations.iter().all(|iteration| iteration.status.is_success()));
     iterations.into_iter().next_back().unwrap()
@@ -58,7 +59,7 @@ fn pairs_that_come_near_are_added() {
         HomotopySettings { iterations: 1, further_iterations: 0, tau: 1e-5, sigma: 1e-5, ..scene::default_homotopy() };
     let transcription = ocp::Transcription::new(&task, settings.complementarity, settings.hessian);
     // At rest at the start, where all pairs are far apart.
-    let x = transcription.initial_guess();
+    let x = transcription.formulation().initial_guess();
     let multipliers = |count: usize| vec![settings.mu_init; count];
     let rest = Iterate {
         constraint_multipliers: multipliers(transcription.layout().constraint_count()),
@@ -70,4 +71,62 @@ fn pairs_that_come_near_are_added() {
     assert!(end.trajectory.max_penetration() < 1e-3, "{}", end.trajectory.max_penetration());
     let forces = end.trajectory.scenarios.iter().map(|scenario| scenario.quality.max_force);
     assert!(forces.fold(0.0, f64::max) > 0.1, "walls push");
+}
+
+/// The corner with its floor in strips side by side: many pairs, of which few are near in any step.
+fn with_strips() -> AssemblyTask {
+    const STRIPS: usize = 24;
+    const WIDTH: f64 = 0.6 / STRIPS as f64;
+    let mut task = corner();
+    let body = task.pairs[0].shapes.body().clone();
+    let strips = (0..STRIPS).map(|strip| {
+        let floor = collision::Polytope::from_box([WIDTH, 0.6, 0.1]).unwrap();
+        let floor = floor.placed([-0.3 + (strip as f64 + 0.5) * WIDTH, 0.0, -0.05], UNTURNED);
+        let shapes = collision::Pair::new(body.clone(), floor);
+        ContactPair { body: "box".to_owned(), environment: format!("floor {strip}"), shapes }
+    });
+    task.pairs.splice(0..1, strips);
+    task
+}
+
+#[test]
+fn of_many_pairs_those_that_are_near_have_contacts_and_the_plan_is_that_of_one_part() {
+    let (task, settings) = (with_strips(), scene::default_homotopy());
+    let (whole, strips) = (solve(&corner(), settings.clone(), None), solve(&task, settings.clone(), None));
+    let difference = (whole.objective - strips.objective).abs();
+    assert!(difference < 2e-2 * whole.objective, "{} instead of {}", strips.objective, whole.objective);
+    assert!(strips.trajectory.max_penetration() < 1e-3, "{}", strips.trajectory.max_penetration());
+    let formulation = Formulation::new(&task, settings.complementarity);
+    let near = formulation.near(&strips.iterate.x);
+    let (all, active) = (formulation.layout().contacts().count(), near.layout().contacts().count());
+    assert!(active > 0 && 2 * active < all, "{active} of {all}");
+}
+
+#[test]
+fn points_keep_their_values_with_fewer_contacts_and_back() {
+    let task = with_strips();
+    let whole = Formulation::new(&task, Complementarity::Relaxation);
+    let few = whole.with_contacts(ActiveContacts::on_straight_paths(&task));
+    let count = few.layout().contacts().count();
+    assert!(count > 0 && count < whole.layout().contacts().count(), "{count}");
+    let numbered = |count: usize| (1..=count).map(|number| number as f64).collect::<Vec<_>>();
+    let point = Iterate {
+        x: numbered(few.layout().variable_count()),
+        constraint_multipliers: numbered(few.layout().constraint_count()),
+        lower_multipliers: numbered(few.layout().variable_count()),
+        upper_multipliers: numbered(few.layout().variable_count()),
+    };
+    let extended = whole.point_of(&few, &point);
+    assert_eq!(extended.x.len(), whole.layout().variable_count());
+    assert_eq!(few.point_of(&whole, &extended), point);
+    let members = whole.layout().variable_members();
+    let has_contact = |member: &Member| match (member.pair, member.owner) {
+        (Some(pair), Owner::Scenario(scenario)) => few.layout().contacts().slot(member.stage, scenario, pair).is_some(),
+        _ => true,
+    };
+    for (value, member) in extended.x.iter().zip(&members) {
+        assert_eq!(*value != 0.0, has_contact(member), "{member:?}");
+    }
+    let motion = few.motion(&few.initial_guess(), 1e-3);
+    assert_eq!(motion.scenarios[0].contacts[0].len(), task.pairs.len(), "all pairs are in the motion");
 }

@@ -45,7 +45,7 @@ fn check(file: &str) {
     let direction = numbers(&reference["direction"]);
     let mut problem = transcribe(&reference, HessianKind::Exact);
     for (scenario, expected) in reference["x0_compliant"].as_array().unwrap().iter().enumerate() {
-        assert_close(&problem.initial_compliant()[scenario][..], &numbers(expected), "x0_compliant");
+        assert_close(&problem.formulation().initial_compliant()[scenario][..], &numbers(expected), "x0_compliant");
     }
     problem.set_point(&x).unwrap();
     assert_close(&[problem.objective().unwrap()], &[reference["f"].as_f64().unwrap()], "f");

@@ -50,7 +50,7 @@ fn find(residuals: &[Residual], block: &str, stage: usize, owner: Owner, pair: O
 #[test]
 fn a_state_that_jumps_violates_the_rows_of_its_own_stage_and_axis() {
     let mut transcription = transcription();
-    let mut x = transcription.initial_guess();
+    let mut x = transcription.formulation().initial_guess();
     let owner = Owner::Scenario(1);
     // The pose of the reference at stage 3, and the velocity of scenario 2 at the last stage, both along y.
     let reference = transcription.layout().state(3, Owner::Reference);
@@ -83,7 +83,7 @@ fn a_state_that_jumps_violates_the_rows_of_its_own_stage_and_axis() {
 #[test]
 fn rows_and_bounds_of_contacts_are_those_of_their_pair() {
     let mut transcription = transcription();
-    let mut x = transcription.initial_guess();
+    let mut x = transcription.formulation().initial_guess();
     let owner = Owner::Scenario(0);
     let before = transcription.residuals(&point(&transcription, x.clone())).unwrap();
     x[transcription.layout().variable(CONTACT_FORCE, 2, owner) + 1] = 7.0;

@@ -38,7 +38,7 @@ fn transcription(task: &AssemblyTask) -> Transcription {
 
 /// A point that is no solution.
 fn point(transcription: &Transcription) -> Vec<f64> {
-    let guess = transcription.initial_guess();
+    let guess = transcription.formulation().initial_guess();
     guess.iter().zip(1..).map(|(value, index)| value + 0.01 * f64::sin(index as f64).abs()).collect()
 }
 
@@ -72,7 +72,7 @@ fn heavy_and_stiff_is_the_same_problem_as_light_and_soft() {
 fn motions_and_residuals_have_forces_in_newtons() {
     let [light, heavy] = [light(), heavy()].map(|task| transcription(&task));
     let x = point(&light);
-    let [light_motion, heavy_motion] = [&light, &heavy].map(|transcription| transcription.motion(&x, 1e-3));
+    let [light_motion, heavy_motion] = [&light, &heavy].map(|transcription| transcription.formulation().motion(&x, 1e-3));
     for (light, heavy) in light_motion.scenarios.iter().zip(&heavy_motion.scenarios) {
         for (light, heavy) in light.contacts.iter().flatten().zip(heavy.contacts.iter().flatten()) {
             assert_eq!(light.force * FACTOR, heavy.force);
@@ -80,7 +80,7 @@ fn motions_and_residuals_have_forces_in_newtons() {
         let wrenches: Vec<f64> = light.wrenches.iter().flat_map(|wrench| wrench.map(|c| c * FACTOR)).collect();
         assert_close(&wrenches, &heavy.wrenches.iter().flat_map(|wrench| wrench.0).collect::<Vec<_>>());
     }
-    assert_close(&light.point_at(&light_motion), &heavy.point_at(&heavy_motion));
+    assert_close(&light.formulation().point_at(&light_motion), &heavy.formulation().point_at(&heavy_motion));
     let members = light.layout().variable_members();
     let multiplied = |Member { block, .. }: &Member| [CONTACT_FORCE, PRODUCT].contains(block);
     let [(light, light_gradients), (heavy, heavy_gradients)] = [light, heavy].map(|mut transcription| {

@@ -67,7 +67,7 @@ impl Problem for Played {
 pub fn motions(task: &AssemblyTask, velocities: Vec<Twist>) -> Vec<Vec<State>> {
     let inner = Transcription::new(task, Complementarity::Relaxation, HessianKind::Exact);
     let mut problem = Played { velocities, inner };
-    let mut start = Start::Cold(problem.inner.initial_guess());
+    let mut start = Start::Cold(problem.inner.formulation().initial_guess());
     let settings = scene::default_homotopy();
     let mut motions = Vec::new();
     for smoothing in settings.schedule().take(ITERATIONS) {
@@ -81,7 +81,7 @@ pub fn motions(task: &AssemblyTask, velocities: Vec<Twist>) -> Vec<Vec<State>> {
         let solver = LinearSystemSolver::Named("mumps");
         let solution = nlp::solve(&mut problem, &start, &options, solver, &mut |_| Control::Continue).unwrap();
         assert!(solution.status.is_success(), "{smoothing:?}: {:?}", solution.status);
-        motions.push(problem.inner.motion(&solution.iterate.x, smoothing.tau).scenarios.remove(0).states[1..].to_vec());
+        motions.push(problem.inner.formulation().motion(&solution.iterate.x, smoothing.tau).scenarios.remove(0).states[1..].to_vec());
         start = Start::Warm(solution.iterate);
     }
     motions

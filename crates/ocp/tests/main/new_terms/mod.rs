@@ -35,7 +35,7 @@ fn transcribe(task: &AssemblyTask, new: Option<Box<dyn StepTerm>>) -> Transcript
 /// The initial guess, disturbed by up to 0.02.
 fn disturbed_guess(problem: &Transcription) -> Vec<f64> {
     let noise = |index: usize| 0.02 * (index as f64 * 12.9898).sin();
-    problem.initial_guess().iter().enumerate().map(|(index, value)| value + noise(index)).collect()
+    problem.formulation().initial_guess().iter().enumerate().map(|(index, value)| value + noise(index)).collect()
 }
 
 fn assert_derivatives(mut problem: Transcription) {
@@ -51,7 +51,7 @@ fn solve(mut problem: Transcription) -> f64 {
     options.set("tol", 1e-2);
     options.set("mu_init", 1.0);
     let mut solver = TranscriptionSolver::new(problem.layout(), Workers::default());
-    let start = Start::Cold(problem.initial_guess());
+    let start = Start::Cold(problem.formulation().initial_guess());
     let own = LinearSystemSolver::Own(&mut solver);
     let solution = nlp::solve(&mut problem, &start, &options, own, &mut |_| Control::Continue).unwrap();
     assert_eq!(solution.status, SolveStatus::Solved);

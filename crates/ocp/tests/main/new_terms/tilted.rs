@@ -19,7 +19,6 @@ const DIRECTION: [f64; 3] = [0.36, 0.48, 0.8];
 pub struct TiltedContacts {
     time_step: f64,
     mass: f64,
-    pairs: usize,
     coefficient: f64,
     sigma: f64,
 }
@@ -27,12 +26,12 @@ pub struct TiltedContacts {
 impl TiltedContacts {
     /// With a coefficient of friction.
     pub fn new(task: &AssemblyTask, coefficient: f64) -> Self {
-        let (time_step, mass, pairs) = (task.horizon.time_step, task.inertia.mass().unwrap(), task.pairs.len());
-        Self { time_step, mass, pairs, coefficient, sigma: f64::NAN }
+        let (time_step, mass) = (task.horizon.time_step, task.inertia.mass().unwrap());
+        Self { time_step, mass, coefficient, sigma: f64::NAN }
     }
 
     fn block(&self, name: &'static str, class: Class, lower: f64, upper: f64) -> Block {
-        let bounds = Bounds::uniform(SIDES * self.pairs, lower, upper);
+        let bounds = Bounds::uniform(SIDES, lower, upper);
         Block { name, owners: Owners::Scenarios, class, per_pair: true, bounds }
     }
 }
@@ -82,20 +81,20 @@ impl StepTerm for TiltedContacts {
 
     fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source {
         const FORCES_END: usize = TWIST + SIDES;
-        let &Point { stage, owner, pair } = point;
+        let &Point { stage, owner, slot, .. } = point;
         match input {
             0..TWIST => Source::Variable(layout.state(stage, owner) + POSE + input),
-            TWIST..FORCES_END => Source::Variable(layout.variable(FORCE, stage, owner) + SIDES * pair + input - TWIST),
+            TWIST..FORCES_END => Source::Variable(layout.variable(FORCE, stage, owner) + SIDES * slot + input - TWIST),
             _ => Source::Contact(input - FORCES_END),
         }
     }
 
     fn row(&self, output: usize, point: &Point, layout: &Layout) -> usize {
-        let &Point { stage, owner, pair } = point;
+        let &Point { stage, owner, slot, .. } = point;
         match output {
             0..3 => layout.row(VELOCITY_DYNAMICS, stage, owner) + output,
-            3 | 4 => layout.row(GAP, stage, owner) + SIDES * pair + output - 3,
-            _ => layout.row(PRODUCT, stage, owner) + SIDES * pair + output - 5,
+            3 | 4 => layout.row(GAP, stage, owner) + SIDES * slot + output - 3,
+            _ => layout.row(PRODUCT, stage, owner) + SIDES * slot + output - 5,
         }
     }
 }

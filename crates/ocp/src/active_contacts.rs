@@ -1,0 +1,137 @@
+//! Broad phase: which pairs may touch before which step of which scenario.
+//!
+//! Most pairs of parts with many pieces never touch, and the others touch for a part of the motion only, but each contact
+//! costs variables, constraints and distances. A homotopy step has the contacts that come near in the motion it starts
+//! from. If a pair penetrates where it has no contact in the solution, its contacts are added and the solve continues, so
+//! that no contact that matters is left out.
+
+use std::ops::{Range, RangeInclusive};
+
+use task::{AssemblyTask, ContactPair, Pose, Trajectory, pose};
+
+/// Contacts come closer than this fraction of the size of the largest part of the body.
+const NEAR: f64 = 0.0125;
+/// Up to this number of pairs, a pair that comes near at all has contacts in all steps: as the motion shifts, contacts
+/// come and go between homotopy steps, and few pairs save less than the repeated solves cost.
+const FEW_PAIRS: usize = 16;
+/// Contacts begin this number of steps earlier and end as much later than pairs are near: motions shift in time, too.
+const STEPS_AROUND: usize = 4;
+/// Number of poses on a straight path.
+const PATH_POSES: usize = 64;
+
+/// The pairs that have a contact in each step of each scenario.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ActiveContacts {
+    pairs: usize,
+    scenarios: usize,
+    /// The pairs, ascending, of every stage and scenario: at `(stage - 1) n_s + scenario`.
+    active: Vec<Vec<usize>>,
+}
+
+impl ActiveContacts {
+    /// Every pair at every stage.
+    pub fn all(task: &AssemblyTask) -> Self {
+        Self::from_fn(task, |_, _, _| true)
+    }
+
+    /// Those that a motion from a rest at the start may have: pairs that come near on the straight paths of all scenarios,
+    /// at every stage, as it is unknown when. Of few pairs, all.
+    pub fn on_straight_paths(task: &AssemblyTask) -> Self {
+        if task.pairs.len() <= FEW_PAIRS {
+            return Self::all(task);
+        }
+        let believed = |share: f64| Pose::from(&pose::interpolate(&task.start.isometry(), &task.goal.isometry(), share));
+        let shares = (0..=PATH_POSES).map(|index| index as f64 / PATH_POSES as f64);
+        let grasps = || task.grasps.iter();
+        let poses: Vec<_> = shares.flat_map(|share| grasps().map(move |grasp| grasp.actual(&believed(share)).0)).collect();
+        // The body may deviate from its path as far as it is off in the gripper.
+        let offset = task.offsets().into_iter().map(|offset| task::algebra::norm(&offset)).fold(0.0, f64::max);
+        let is_near = nearness(task, &poses, offset);
+        let near: Vec<bool> = is_near.iter().map(|near| near.contains(&true)).collect();
+        Self::from_fn(task, |_, _, pair| near[pair])
+    }
+
+    /// Those near a motion, from the poses of every scenario at k = 0..N: the contact of a stage is at the pose before its
+    /// step.
+    pub fn near(task: &AssemblyTask, motions: &[Vec<Pose>]) -> Self {
+        let poses = pose::arrays(&motions.concat());
+        let is_near = nearness(task, &poses, 0.0);
+        let (steps, length) = (task.horizon.steps, task.horizon.steps + 1);
+        let any: Vec<bool> = is_near.iter().map(|near| near.contains(&true)).collect();
+        Self::from_fn(task, |stage, scenario, pair| {
+            let before = stage - 1;
+            let motion = &is_near[pair][scenario * length..][..length];
+            let around = before.saturating_sub(STEPS_AROUND)..=(before + STEPS_AROUND).min(steps);
+            any[pair] && (task.pairs.len() <= FEW_PAIRS || motion[around].contains(&true))
+        })
+    }
+
+    /// These and those of other pairs that penetrate in a motion. `None` when there are none.
+    pub fn with_missing(&self, motion: &Trajectory) -> Option<Self> {
+        let mut more = self.clone();
+        for (scenario, motion) in motion.scenarios.iter().enumerate() {
+            // Contacts of a trajectory are at the end of its steps. The last one has no step after it.
+            let stages = motion.contacts.len();
+            for (index, contacts) in motion.contacts[..stages - 1].iter().enumerate() {
+                let stage = index + 2;
+                let penetrating = (0..self.pairs).filter(|&pair| !(contacts[pair].distance >= 0.0));
+                for pair in penetrating.filter(|&pair| self.slot(stage, scenario, pair).is_none()) {
+                    match self.pairs {
+                        ..=FEW_PAIRS => more.add(pair, 1..=stages, 0..self.scenarios),
+                        _ => {
+                            let around = stage.saturating_sub(STEPS_AROUND).max(1)..=(stage + STEPS_AROUND).min(stages);
+                            more.add(pair, around, scenario..scenario + 1);
+                        }
+                    }
+                }
+            }
+        }
+        (more != *self).then_some(more)
+    }
+
+    /// The pairs with a contact at a stage (from 1) of a scenario, ascending.
+    pub fn of(&self, stage: usize, scenario: usize) -> &[usize] {
+        &self.active[(stage - 1) * self.scenarios + scenario]
+    }
+
+    /// The number of a pair among those with a contact there, from 0.
+    pub fn slot(&self, stage: usize, scenario: usize, pair: usize) -> Option<usize> {
+        self.of(stage, scenario).binary_search(&pair).ok()
+    }
+
+    /// Number of contacts.
+    pub fn count(&self) -> usize {
+        self.active.iter().map(Vec::len).sum()
+    }
+
+    fn add(&mut self, pair: usize, stages: RangeInclusive<usize>, scenarios: Range<usize>) {
+        for stage in stages {
+            for scenario in scenarios.clone() {
+                let pairs = &mut self.active[(stage - 1) * self.scenarios + scenario];
+                if let Err(slot) = pairs.binary_search(&pair) {
+                    pairs.insert(slot, pair);
+                }
+            }
+        }
+    }
+
+    /// Where a function of stage (from 1), scenario and pair (from 0) says so.
+    pub fn from_fn(task: &AssemblyTask, is_active: impl Fn(usize, usize, usize) -> bool) -> Self {
+        let (pairs, scenarios) = (task.pairs.len(), task.grasps.len() * task.frictions.len());
+        let stages = (1..=task.horizon.steps).flat_map(|stage| (0..scenarios).map(move |scenario| (stage, scenario)));
+        let of_stage = |(stage, scenario)| (0..pairs).filter(|&pair| is_active(stage, scenario, pair)).collect();
+        Self { pairs, scenarios, active: stages.map(of_stage).collect() }
+    }
+}
+
+/// Whether every pair comes nearer than a distance at each of some poses: a fraction of the body's size and an extra
+/// length (m). Exact shapes decide: smoothed distances are longer, with much smoothing even between parts that penetrate.
+fn nearness(task: &AssemblyTask, poses: &[[f64; task::POSE]], extra: f64) -> Vec<Vec<bool>> {
+    let largest = task.pairs.iter().map(|pair| pair.shapes.body().size()).fold(0.0, f64::max);
+    let reach = NEAR * largest + extra;
+    let is_near = |pair: &ContactPair| {
+        // A distance that cannot be computed counts as near.
+        pair.shapes.exact_distances(poses).iter().map(|distance| !(*distance >= reach)).collect()
+    };
+    task.pairs.iter().map(is_near).collect()
+}
