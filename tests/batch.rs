@@ -231,7 +231,9 @@ fn a_plan_of_another_cell_is_not_taken_for_its_own() {
     // A manifest that was edited is not believed either.
     let manifest = dir.read("runs/manifest.jsonl").replace("\"delta_m\":0.01", "\"delta_m\":0.03");
     dir.write("runs/manifest.jsonl", manifest);
-    batch(&dir, "status runs", 0).says("1 planned, 0 running, 1 failed").says("offset magnitude 0.01 m, and not for this cell");
+    batch(&dir, "status runs", 0)
+        .says("1 planned, 0 running, 1 failed")
+        .says("offset magnitude 0.01 m, and not for this cell");
 }
 
 #[test]

@@ -40,10 +40,12 @@ impl ActiveContacts {
         if task.pairs.len() <= FEW_PAIRS {
             return Self::all(task);
         }
-        let believed = |share: f64| Pose::from(&pose::interpolate(&task.start.isometry(), &task.goal.isometry(), share));
+        let believed =
+            |share: f64| Pose::from(&pose::interpolate(&task.start.isometry(), &task.goal.isometry(), share));
         let shares = (0..=PATH_POSES).map(|index| index as f64 / PATH_POSES as f64);
         let grasps = || task.grasps.iter();
-        let poses: Vec<_> = shares.flat_map(|share| grasps().map(move |grasp| grasp.actual(&believed(share)).0)).collect();
+        let poses: Vec<_> =
+            shares.flat_map(|share| grasps().map(move |grasp| grasp.actual(&believed(share)).0)).collect();
         // The body may deviate from its path as far as it is off in the gripper.
         let offset = task.offsets().into_iter().map(|offset| task::algebra::norm(&offset)).fold(0.0, f64::max);
         let is_near = nearness(task, &poses, offset);

@@ -27,8 +27,13 @@ fn check(task: &AssemblyTask) {
 fn check_with(formulation: Formulation) {
     let mut problem = Transcription::of(formulation, Complementarity::Relaxation, HessianKind::Exact);
     problem.set_smoothing(0.0025, 0.00125);
-    let x: Vec<f64> =
-        problem.formulation().initial_guess().iter().enumerate().map(|(index, value)| value + 0.02 * noise(index)).collect();
+    let x: Vec<f64> = problem
+        .formulation()
+        .initial_guess()
+        .iter()
+        .enumerate()
+        .map(|(index, value)| value + 0.02 * noise(index))
+        .collect();
     let constraints = problem.constraint_bounds().lower.len();
     let multipliers: Vec<f64> = (0..constraints).map(|index| noise(index + 1000)).collect();
     check_derivatives(&mut problem, &x, &multipliers, 1e-6).unwrap().assert_within(1e-5);

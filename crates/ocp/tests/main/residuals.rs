@@ -109,6 +109,7 @@ fn gradients_are_those_of_differences() {
     const STEP: f64 = 1e-6;
     let mut transcription = transcription();
     let x: Vec<f64> = transcription
+        .formulation()
         .initial_guess()
         .iter()
         .zip(1..)

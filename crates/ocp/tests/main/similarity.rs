@@ -72,7 +72,8 @@ fn heavy_and_stiff_is_the_same_problem_as_light_and_soft() {
 fn motions_and_residuals_have_forces_in_newtons() {
     let [light, heavy] = [light(), heavy()].map(|task| transcription(&task));
     let x = point(&light);
-    let [light_motion, heavy_motion] = [&light, &heavy].map(|transcription| transcription.formulation().motion(&x, 1e-3));
+    let [light_motion, heavy_motion] =
+        [&light, &heavy].map(|transcription| transcription.formulation().motion(&x, 1e-3));
     for (light, heavy) in light_motion.scenarios.iter().zip(&heavy_motion.scenarios) {
         for (light, heavy) in light.contacts.iter().flatten().zip(heavy.contacts.iter().flatten()) {
             assert_eq!(light.force * FACTOR, heavy.force);

@@ -14,7 +14,7 @@ fn threads_change_no_bit_of_a_homotopy() {
     task.horizon.steps = 30;
     let settings = HomotopySettings { iterations: 1, ..scene::default_homotopy() };
     let run = |threads: usize| {
-        let mut homotopy = Homotopy::new(&task, settings.clone()).with_threads(threads);
+        let homotopy = Homotopy::new(&task, settings.clone()).with_threads(threads);
         // A part of a solve has all that a whole one has.
         let observe = |event: ocp::Event| if event.progress.iteration < 40 { Control::Continue } else { Control::Stop };
         let iteration = homotopy.run(observe, |_, _| Control::Continue).unwrap().remove(0);

@@ -81,7 +81,10 @@ pub fn motions(task: &AssemblyTask, velocities: Vec<Twist>) -> Vec<Vec<State>> {
         let solver = LinearSystemSolver::Named("mumps");
         let solution = nlp::solve(&mut problem, &start, &options, solver, &mut |_| Control::Continue).unwrap();
         assert!(solution.status.is_success(), "{smoothing:?}: {:?}", solution.status);
-        motions.push(problem.inner.formulation().motion(&solution.iterate.x, smoothing.tau).scenarios.remove(0).states[1..].to_vec());
+        motions.push(
+            problem.inner.formulation().motion(&solution.iterate.x, smoothing.tau).scenarios.remove(0).states[1..]
+                .to_vec(),
+        );
         start = Start::Warm(solution.iterate);
     }
     motions

@@ -63,12 +63,12 @@ impl StepTerm for RegularisedCoulomb {
 
     fn source(&self, input: usize, point: &Point, layout: &Layout) -> Source {
         const POSITION_END: usize = TWIST + 3;
-        let &Point { stage, owner, pair } = point;
+        let &Point { stage, owner, slot, .. } = point;
         match input {
             0..TWIST => Source::Variable(layout.state(stage, owner) + POSE + input),
             TWIST..POSITION_END if stage == 1 => Source::Constant(self.starts[point.scenario()][input - TWIST]),
             TWIST..POSITION_END => Source::Variable(layout.state(stage - 1, owner) + input - TWIST),
-            POSITION_END => Source::Variable(layout.variable(CONTACT_FORCE, stage, owner) + pair),
+            POSITION_END => Source::Variable(layout.variable(CONTACT_FORCE, stage, owner) + slot),
             _ => Source::Contact(input - POSITION_END - 1),
         }
     }
