@@ -112,7 +112,7 @@ impl Homotopy {
             {
                 start = Start::Warm(transferred(point, coarse, &self.fine));
             }
-            let Self { settings, workers, .. } = &*self;
+            let Self { settings, workers, .. } = self;
             let mut solver = IterationSolver { settings, smoothing, workers, observer: &mut observer };
             let result = solver.solve(self.formulation(index + 1), &start)?;
             let control = finished(index + 1, &result);

@@ -63,7 +63,8 @@ def page(arguments: argparse.Namespace, frictions: tuple[str, ...], done: list[C
     columns = [f"friction {friction}" for friction in shown]
     seconds = [json.loads((case.folder / "result.json").read_text())["robust"]["wall_s"] for case in done]
     options = f" --friction {arguments.friction} --count {arguments.count}" if arguments.friction else ""
-    before, after = ["plan", "own rollouts, plain -> robust, %", "perturbations"], ["push", "largest error, mm", "force, N"]
+    before = ["plan", "own rollouts, plain -> robust, %", "perturbations"]
+    after = ["push", "largest error, mm", "force, N"]
     return PAGE.format(
         asked=f" --friction {','.join(shown)}" if arguments.friction else "",
         frictions=" and ".join([", ".join(shown[:-1]), shown[-1]]),
