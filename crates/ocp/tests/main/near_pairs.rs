@@ -73,15 +73,14 @@ fn pairs_that_come_near_are_added() {
     assert!(forces.fold(0.0, f64::max) > 0.1, "walls push");
 }
 
-/// The corner with its floor in strips side by side: many pairs, of which few are near in any step.
-fn with_strips() -> AssemblyTask {
-    const STRIPS: usize = 24;
-    const WIDTH: f64 = 0.6 / STRIPS as f64;
+/// The corner with its floor in strips side by side, of which few are near in any step.
+fn with_strips(count: usize) -> AssemblyTask {
+    let width = 0.6 / count as f64;
     let mut task = corner();
     let body = task.pairs[0].shapes.body().clone();
-    let strips = (0..STRIPS).map(|strip| {
-        let floor = collision::Polytope::from_box([WIDTH, 0.6, 0.1]).unwrap();
-        let floor = floor.placed([-0.3 + (strip as f64 + 0.5) * WIDTH, 0.0, -0.05], UNTURNED);
+    let strips = (0..count).map(|strip| {
+        let floor = collision::Polytope::from_box([width, 0.6, 0.1]).unwrap();
+        let floor = floor.placed([-0.3 + (strip as f64 + 0.5) * width, 0.0, -0.05], UNTURNED);
         let shapes = collision::Pair::new(body.clone(), floor);
         ContactPair { body: "box".to_owned(), environment: format!("floor {strip}"), shapes }
     });
@@ -89,12 +88,16 @@ fn with_strips() -> AssemblyTask {
     task
 }
 
+/// With sixteen pairs, those that come near have contacts at all steps; with one more, only where they are near.
 #[test]
-fn of_many_pairs_those_that_are_near_have_contacts_and_the_plan_is_that_of_one_part() {
-    let (task, settings) = (with_strips(), scene::default_homotopy());
-    let (whole, strips) = (solve(&corner(), settings.clone(), None), solve(&task, settings.clone(), None));
-    let difference = (whole.objective - strips.objective).abs();
-    assert!(difference < 2e-2 * whole.objective, "{} instead of {}", strips.objective, whole.objective);
+fn of_many_pairs_those_that_are_near_have_contacts_and_the_plan_is_the_same() {
+    let (task, settings) = (with_strips(16), scene::default_homotopy());
+    let mut fewer = task.clone();
+    // A strip that the body never comes near.
+    fewer.pairs.remove(0);
+    let (few, strips) = (solve(&fewer, settings.clone(), None), solve(&task, settings.clone(), None));
+    let difference = (few.objective - strips.objective).abs();
+    assert!(difference < 1e-2 * few.objective, "{} instead of {}", strips.objective, few.objective);
     assert!(strips.trajectory.max_penetration() < 1e-3, "{}", strips.trajectory.max_penetration());
     let formulation = Formulation::new(&task, settings.complementarity);
     let near = formulation.near(&strips.iterate.x);
@@ -104,7 +107,7 @@ fn of_many_pairs_those_that_are_near_have_contacts_and_the_plan_is_that_of_one_p
 
 #[test]
 fn points_keep_their_values_with_fewer_contacts_and_back() {
-    let task = with_strips();
+    let task = with_strips(24);
     let whole = Formulation::new(&task, Complementarity::Relaxation);
     let few = whole.with_contacts(ActiveContacts::on_straight_paths(&task));
     let count = few.layout().contacts().count();
