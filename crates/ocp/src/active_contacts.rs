@@ -7,10 +7,13 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use task::{AssemblyTask, ContactPair, Pose, Trajectory, pose};
+use task::{AssemblyTask, Pose, Trajectory, pose};
 
-/// Contacts come closer than this fraction of the size of the largest part of the body.
+/// Pairs that come nearer than this fraction of the size of the largest part of the body may touch.
 const NEAR: f64 = 0.0125;
+/// They have contacts where they are nearer than this multiple of that distance: motions shift from one homotopy step to the
+/// next, and contacts that were missing are found by solving again.
+const AROUND: f64 = 8.0;
 /// Up to this number of pairs, a pair that comes near at all has contacts in all steps: as the motion shifts, contacts
 /// come and go between homotopy steps, and few pairs save less than the repeated solves cost.
 const FEW_PAIRS: usize = 16;
@@ -48,8 +51,9 @@ impl ActiveContacts {
             shares.flat_map(|share| grasps().map(move |grasp| grasp.actual(&believed(share)).0)).collect();
         // The body may deviate from its path as far as it is off in the gripper.
         let offset = task.offsets().into_iter().map(|offset| task::algebra::norm(&offset)).fold(0.0, f64::max);
-        let is_near = nearness(task, &poses, offset);
-        let near: Vec<bool> = is_near.iter().map(|near| near.contains(&true)).collect();
+        let reach = reach(task) + offset;
+        let near: Vec<bool> =
+            task.pairs.iter().map(|pair| comes_near(&pair.shapes.exact_distances(&poses), reach)).collect();
         Self::from_fn(task, |_, _, pair| near[pair])
     }
 
@@ -57,14 +61,14 @@ impl ActiveContacts {
     /// step.
     pub fn near(task: &AssemblyTask, motions: &[Vec<Pose>]) -> Self {
         let poses = pose::arrays(&motions.concat());
-        let is_near = nearness(task, &poses, 0.0);
-        let (steps, length) = (task.horizon.steps, task.horizon.steps + 1);
-        let any: Vec<bool> = is_near.iter().map(|near| near.contains(&true)).collect();
+        let (steps, length, reach) = (task.horizon.steps, task.horizon.steps + 1, reach(task));
+        let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distances(&poses));
+        let distances: Vec<_> = distances.map(|distances| comes_near(&distances, reach).then_some(distances)).collect();
         Self::from_fn(task, |stage, scenario, pair| {
+            let Some(distances) = &distances[pair] else { return false };
             let before = stage - 1;
-            let motion = &is_near[pair][scenario * length..][..length];
             let around = before.saturating_sub(STEPS_AROUND)..=(before + STEPS_AROUND).min(steps);
-            any[pair] && (task.pairs.len() <= FEW_PAIRS || motion[around].contains(&true))
+            task.pairs.len() <= FEW_PAIRS || comes_near(&distances[scenario * length..][around], AROUND * reach)
         })
     }
 
@@ -126,14 +130,13 @@ impl ActiveContacts {
     }
 }
 
-/// Whether every pair comes nearer than a distance at each of some poses: a fraction of the body's size and an extra
-/// length (m). Exact shapes decide: smoothed distances are longer, with much smoothing even between parts that penetrate.
-fn nearness(task: &AssemblyTask, poses: &[[f64; task::POSE]], extra: f64) -> Vec<Vec<bool>> {
-    let largest = task.pairs.iter().map(|pair| pair.shapes.body().size()).fold(0.0, f64::max);
-    let reach = NEAR * largest + extra;
-    let is_near = |pair: &ContactPair| {
-        // A distance that cannot be computed counts as near.
-        pair.shapes.exact_distances(poses).iter().map(|distance| !(*distance >= reach)).collect()
-    };
-    task.pairs.iter().map(is_near).collect()
+/// Distance (m) below which exact shapes are near. Smoothed distances are longer, with much smoothing even between parts that
+/// penetrate.
+fn reach(task: &AssemblyTask) -> f64 {
+    NEAR * task.pairs.iter().map(|pair| pair.shapes.body().size()).fold(0.0, f64::max)
+}
+
+/// Whether one of some distances (m) is below another one. A distance that cannot be computed counts as near.
+fn comes_near(distances: &[f64], reach: f64) -> bool {
+    !distances.iter().all(|distance| *distance >= reach)
 }
