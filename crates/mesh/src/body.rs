@@ -62,6 +62,30 @@ impl Body {
         self.winding.number(point) > 0.5
     }
 
+    /// Where the line from a point along a direction passes the surface, ahead and behind: coordinates along it (m, for a unit
+    /// vector) in rising order, each with whether the line leaves the inside there.
+    pub fn crossings(&self, point: &Vector, direction: &Vector) -> Vec<(f64, bool)> {
+        let meets = |[low, high]: &[Vector; 2]| {
+            let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
+            for axis in 0..3 {
+                let [one, other] = [low, high].map(|side| (side[axis] - point[axis]) / direction[axis]);
+                from = from.max(one.min(other));
+                to = to.min(one.max(other));
+            }
+            from <= to
+        };
+        let mut crossings = Vec::new();
+        self.tree.visit(meets, |triangle| {
+            let [a, b, c] = self.triangles[triangle].map(|corner| corner - point);
+            let [u, v, w] = [a.cross(&b), b.cross(&c), c.cross(&a)].map(|normal| direction.dot(&normal));
+            if (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0) {
+                crossings.push((a.dot(&b.cross(&c)) / (u + v + w), u > 0.0));
+            }
+        });
+        crossings.sort_by(|one, other| one.0.total_cmp(&other.0));
+        crossings
+    }
+
     pub fn triangles(&self) -> &[[Vector; 3]] {
         &self.triangles
     }

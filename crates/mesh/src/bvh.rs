@@ -83,6 +83,44 @@ impl BoxTree {
         None
     }
 
+    /// The least that `distance` returns of pairs of an item of this tree and one of another (m), which is not asked for pairs
+    /// in boxes farther apart than the least so far, its third argument.
+    pub fn least_between(&self, other: &Self, mut distance: impl FnMut(usize, usize, f64) -> f64) -> f64 {
+        let mut least = f64::INFINITY;
+        if self.nodes.is_empty() || other.nodes.is_empty() {
+            return least;
+        }
+        let apart = |one: usize, two: usize| squared_gap(&self.nodes[one].bounds, &other.nodes[two].bounds);
+        let extent = |[low, high]: &[Vector; 2]| (high - low).norm_squared();
+        let mut waiting = vec![(0, 0, apart(0, 0))];
+        while let Some((one, two, between)) = waiting.pop() {
+            if between >= least * least {
+                continue;
+            }
+            let (node, against) = (&self.nodes[one], &other.nodes[two]);
+            let halves = match (node.second, against.second) {
+                (None, None) => {
+                    for &item in &self.order[node.items.clone()] {
+                        for &against in &other.order[against.items.clone()] {
+                            least = least.min(distance(item, against, least));
+                        }
+                    }
+                    continue;
+                }
+                (Some(second), None) => [(one + 1, two), (second, two)],
+                (None, Some(second)) => [(one, two + 1), (one, second)],
+                (Some(second), Some(_)) if extent(&node.bounds) > extent(&against.bounds) => {
+                    [(one + 1, two), (second, two)]
+                }
+                (Some(_), Some(second)) => [(one, two + 1), (one, second)],
+            };
+            let mut halves = halves.map(|(one, two)| (one, two, apart(one, two)));
+            halves.sort_by(|one, two| two.2.total_cmp(&one.2));
+            waiting.extend(halves);
+        }
+        least
+    }
+
     /// The smallest of the squared distances of items from a point, `INFINITY` without items.
     pub fn nearest(&self, point: &Vector, squared_distance: impl Fn(usize) -> f64) -> f64 {
         self.nearest_item(point, squared_distance).1
@@ -114,4 +152,9 @@ impl BoxTree {
         }
         nearest
     }
+}
+
+/// Squared distance of two boxes (m^2).
+pub fn squared_gap([low, high]: &[Vector; 2], [other_low, other_high]: &[Vector; 2]) -> f64 {
+    (0..3).map(|axis| (low[axis] - other_high[axis]).max(other_low[axis] - high[axis]).max(0.0).powi(2)).sum()
 }

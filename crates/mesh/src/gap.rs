@@ -1,10 +1,8 @@
 //! The distance between two surfaces.
 
-use std::cell::Cell;
-
 use nalgebra::{Isometry3, Point3};
 
-use crate::bvh::BoxTree;
+use crate::bvh::{BoxTree, squared_gap};
 use crate::geometry::{Plane, Vector, area_vector, bounds};
 use crate::nearest::nearest;
 use crate::solid::Solid;
@@ -36,31 +34,22 @@ impl Gauge {
 
     /// Distance (m) to another surface in a pose; zero where they meet or the one lies inside the other.
     pub fn gap(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
-        let placed = |corner: Vector| pose.transform_point(&Point3::from(corner)).coords;
+        let placed: Vec<[Vector; 3]> = other
+            .triangles
+            .iter()
+            .map(|triangle| triangle.map(|corner| pose.transform_point(&Point3::from(corner)).coords))
+            .collect();
+        let boxes: Vec<[Vector; 2]> = placed.iter().map(bounds).collect();
+        let gap = self.tree.least_between(&BoxTree::new(&boxes), |own, other, least| {
+            let is_near = squared_gap(&self.boxes[own], &boxes[other]) < least * least;
+            if is_near { distance(&self.triangles[own], &placed[other]) } else { least }
+        });
         let back = |corner: Vector| pose.inverse_transform_point(&Point3::from(corner)).coords;
-        if self.is_around(other.triangles.iter().map(|triangle| placed(triangle[0])))
-            || other.is_around(self.triangles.iter().map(|triangle| back(triangle[0])))
+        if gap > 0.0
+            && (self.is_around(placed.iter().map(|triangle| triangle[0]))
+                || other.is_around(self.triangles.iter().map(|triangle| back(triangle[0]))))
         {
             return 0.0;
-        }
-        let mut gap = f64::INFINITY;
-        for triangle in &other.triangles {
-            let triangle = triangle.map(placed);
-            let around = bounds(&triangle);
-            let is_near = |bounds: &[Vector; 2], gap: f64| apart(&around, bounds) < gap * gap;
-            let limit = Cell::new(gap);
-            self.tree.visit(
-                |bounds| is_near(bounds, limit.get()),
-                |item| {
-                    if is_near(&self.boxes[item], limit.get()) {
-                        limit.set(limit.get().min(distance(&self.triangles[item], &triangle)));
-                    }
-                },
-            );
-            gap = limit.get();
-            if gap == 0.0 {
-                break;
-            }
         }
         gap
     }
@@ -70,11 +59,6 @@ impl Gauge {
         let stride = points.len().div_ceil(WITNESSES).max(1);
         points.step_by(stride).any(|point| self.winding.number(&point) > 0.5)
     }
-}
-
-/// Squared distance of two boxes (m^2).
-fn apart([low, high]: &[Vector; 2], [other_low, other_high]: &[Vector; 2]) -> f64 {
-    (0..3).map(|axis| (low[axis] - other_high[axis]).max(other_low[axis] - high[axis]).max(0.0).powi(2)).sum()
 }
 
 /// Distance of two triangles (m).

@@ -105,7 +105,7 @@ fn fit(
     let height = |axis: Axis| body.edges()[axis.index];
     let apart = |axis: Axis| body.distance_apart(&environment, axis).max(height(axis)) + BEYOND;
     let separation = Separation::new(parts.body.triangles(), parts.environment.triangles());
-    let free = Axis::ALL.map(|axis| separation.travel(&[0.0; 3], &axis.times(1.0), apart(axis)).is_none());
+    let free = Axis::ALL.map(|axis| separation.travel(&axis.times(1.0), apart(axis)).is_none());
     let is_free = |axis: &Axis| Axis::ALL.iter().zip(free).any(|(other, is_free)| other == axis && is_free);
     // A body that is put in ends at a stop: it can be moved no farther.
     let ways: Vec<Axis> = Axis::ALL.into_iter().filter(is_free).collect();
@@ -128,7 +128,7 @@ fn fit(
     }
     // Where the environment also blocks the path out, the body is lifted to the middle between both.
     let lift = LIFT.min(LARGEST_LIFT * height(out));
-    let room_above = separation.travel(&[0.0; 3], &out.times(1.0), 2.0 * lift);
+    let room_above = separation.travel(&out.times(1.0), 2.0 * lift);
     let lift = room_above.map_or(lift, |room| lift.min(0.5 * room));
     let room = ROOM * values.offset_magnitude();
     let has_room = |distance: &f64| separation.at(&out.times(*distance)) >= room;

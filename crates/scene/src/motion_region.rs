@@ -1,11 +1,14 @@
 //! The region that the motion of the body can reach; parts beyond cannot be touched.
 
+use std::cmp::Ordering;
+
 use collision::{Pair, Polytope};
+use mesh::hull_triangles;
 use nalgebra::{Isometry3, Point3};
 use task::algebra::norm;
 use task::pose::interpolate;
 
-use crate::boxes::corners_of;
+use crate::boxes::{around, boxes_meet, corners_of};
 use crate::pose::{Endpoints, StartPose};
 
 /// Poses between a start and the goal that are looked at.
@@ -108,7 +111,11 @@ impl Motions {
             self.reaches(pose, points).flat_map(|place| corners_of(&place)).collect()
         };
         let of_start = |poses: &[Isometry3<f64>]| -> Vec<Polytope> {
-            let hull = |pair: &[Isometry3<f64>]| Polytope::from_vertices(&[at(&pair[0]), at(&pair[1])].concat()).ok();
+            let hull = |pair: &[Isometry3<f64>]| {
+                // Most corners of boxes are inside.
+                let corners = hull_triangles(&[at(&pair[0]), at(&pair[1])].concat());
+                Polytope::from_vertices(&distinct(corners.into_flattened())).ok()
+            };
             poses.windows(2).filter_map(hull).collect()
         };
         self.poses.chunks(SAMPLES).flat_map(of_start).collect()
@@ -124,8 +131,18 @@ impl Motions {
     }
 }
 
+/// Points without copies.
+fn distinct(mut points: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+    points.sort_by(|one, other| one.partial_cmp(other).unwrap_or(Ordering::Equal));
+    points.dedup();
+    points
+}
+
 /// Whether two parts, both in the world frame, have a point in common.
 pub fn meet(one: &Polytope, other: &Polytope) -> bool {
+    if !boxes_meet(&around(one.vertices()), &around(other.vertices())) {
+        return false;
+    }
     let pair = Pair::new(one.clone(), other.clone());
     pair.exact_distance(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]) <= 0.0
 }

@@ -4,8 +4,9 @@ use collision::{Pair, Polytope};
 use mesh::{Budget, Gauge, Passage, hull_triangles};
 use nalgebra::{Isometry3, Point3};
 
+use crate::boxes::{around, boxes_meet, in_frame};
 use crate::facets::LARGEST_SHARE;
-use crate::motion_region::Motions;
+use crate::motion_region::{Extent, Motions};
 use crate::part::{GivenPart, Shape};
 
 /// What pieces may take of the local gap, and no more than this where something can touch (m).
@@ -53,11 +54,18 @@ pub struct Sides<'given> {
     body: Triangles,
     environment: Triangles,
     motions: &'given Motions,
+    /// Poses of the body at which gaps are compared, and what they are between the sides as given (m).
+    compared: Vec<(Isometry3<f64>, f64)>,
 }
 
 impl<'given> Sides<'given> {
     pub fn new(body: &[GivenPart], environment: &[GivenPart], motions: &'given Motions) -> Self {
-        Self { body: triangles(body), environment: triangles(environment), motions }
+        let (body, environment) = (triangles(body), triangles(environment));
+        let gauges = [&body, &environment].map(|triangles| Gauge::new(triangles));
+        let path: Vec<Isometry3<f64>> = motions.first_path().collect();
+        let poses = COMPARED.into_iter().map(|back| path[path.len() - 1 - back]);
+        let compared = poses.map(|pose| (pose, apart(&gauges, &pose))).collect();
+        Self { body, environment, motions, compared }
     }
 
     fn budget(&self, spacing: f64) -> Budget {
@@ -88,35 +96,42 @@ impl<'given> Sides<'given> {
 
     /// Gaps at the goal and on the path from it to the first start.
     pub fn gaps(&self, body: &[Polytope], environment: &[Polytope]) -> Vec<Gap> {
-        let given = [&self.body, &self.environment].map(|triangles| Gauge::new(triangles));
-        let parts = [body, environment].map(|parts| {
+        let gauges = [body, environment].map(|parts| {
             Gauge::new(&parts.iter().flat_map(|part| hull_triangles(part.vertices())).collect::<Triangles>())
         });
-        let apart = |[body, environment]: &[Gauge; 2], pose: &Isometry3<f64>| environment.gap(body, pose);
-        let pairs: Vec<Pair> = body
+        let boxes = [body, environment].map(|parts| parts.iter().map(|part| around(part.vertices())).collect::<Vec<Extent>>());
+        let pairs: Vec<(Pair, [&Extent; 2])> = body
             .iter()
-            .flat_map(|part| environment.iter().map(|other| Pair::new(part.clone(), other.clone())))
+            .zip(&boxes[0])
+            .flat_map(|(part, own)| {
+                let others = environment.iter().zip(&boxes[1]);
+                others.map(move |(other, its)| (Pair::new(part.clone(), other.clone()), [own, its]))
+            })
             .collect();
-        let path: Vec<Isometry3<f64>> = self.motions.first_path().collect();
-        let goal = path[path.len() - 1];
-        let gap = |back: usize| {
-            let pose = path[path.len() - 1 - back];
+        let goal = self.compared[0].0;
+        let gap = |(pose, given): &(Isometry3<f64>, f64)| {
+            // Only parts whose boxes meet can penetrate; what cannot be computed counts as penetration.
+            let near = pairs.iter().filter(|(_, [own, other])| boxes_meet(&in_frame(own, &pose.inverse()), other));
             let rotation = pose.rotation.quaternion();
             let [x, y, z] = pose.translation.vector.into();
             let coordinates = [x, y, z, rotation.w, rotation.i, rotation.j, rotation.k];
-            // What cannot be computed counts as penetration.
-            let distances = pairs.iter().map(|pair| pair.exact_distance(&coordinates));
+            let distances = near.map(|(pair, _)| pair.exact_distance(&coordinates));
             let least = distances.map(|distance| if distance.is_nan() { f64::NEG_INFINITY } else { distance });
             let least = least.fold(f64::INFINITY, f64::min);
             Gap {
                 from_goal: (pose.translation.vector - goal.translation.vector).norm(),
-                given: apart(&given, &pose),
+                given: *given,
                 // Between edges and corners, distances of the problem are those of halfspaces, which are smaller.
-                parts: if least > 0.0 { apart(&parts, &pose) } else { least },
+                parts: if least > 0.0 { apart(&gauges, pose) } else { least },
             }
         };
-        COMPARED.into_iter().map(gap).collect()
+        self.compared.iter().map(gap).collect()
     }
+}
+
+/// Distance (m) of body and environment with the body in a pose.
+fn apart([body, environment]: &[Gauge; 2], pose: &Isometry3<f64>) -> f64 {
+    environment.gap(body, pose)
 }
 
 fn triangles(given_parts: &[GivenPart]) -> Triangles {
