@@ -6,6 +6,9 @@ use crate::nearest::nearest;
 use crate::solid::Solid;
 use crate::winding::Winding;
 
+/// Error of computed distances (m).
+const ROUNDING: f64 = 1e-12;
+
 /// A solid that can be asked for distances.
 pub struct Body {
     triangles: Vec<[Vector; 3]>,
@@ -34,8 +37,13 @@ impl Body {
 
     /// The triangle nearest to a point, and its distance (m).
     pub fn distance(&self, point: &Vector) -> (usize, f64) {
+        self.distance_within(point, f64::INFINITY)
+    }
+
+    /// The same where the distance is known to be no more than this (m).
+    pub fn distance_within(&self, point: &Vector, most: f64) -> (usize, f64) {
         let to = |triangle: usize| (nearest(point, &self.triangles[triangle]) - point).norm_squared();
-        let (triangle, squared) = self.tree.nearest_item(point, to);
+        let (triangle, squared) = self.tree.nearest_item(point, most + ROUNDING, to);
         (triangle, squared.sqrt())
     }
 

@@ -123,12 +123,12 @@ impl BoxTree {
 
     /// The smallest of the squared distances of items from a point, `INFINITY` without items.
     pub fn nearest(&self, point: &Vector, squared_distance: impl Fn(usize) -> f64) -> f64 {
-        self.nearest_item(point, squared_distance).1
+        self.nearest_item(point, f64::INFINITY, squared_distance).1
     }
 
-    /// The item with the smallest squared distance from a point, and that.
-    pub fn nearest_item(&self, point: &Vector, squared_distance: impl Fn(usize) -> f64) -> (usize, f64) {
-        let mut nearest = (0, f64::INFINITY);
+    /// The item with the smallest squared distance from a point, which is no more than a distance (m), and that.
+    pub fn nearest_item(&self, point: &Vector, most: f64, squared_distance: impl Fn(usize) -> f64) -> (usize, f64) {
+        let mut nearest = (0, most * most);
         let to_box = |bounds: &[Vector; 2]| (point - point.sup(&bounds[0]).inf(&bounds[1])).norm_squared();
         let mut waiting: Vec<(usize, f64)> =
             self.nodes.first().map(|root| (0, to_box(&root.bounds))).into_iter().collect();

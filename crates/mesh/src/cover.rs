@@ -98,7 +98,7 @@ impl Cover {
         } else {
             let mut partition = partition(&elements, solid, settings.tolerance, settings.most_cells)?;
             partition.solid.retain(|cell| places.face(cell, &elements));
-            let merged = merge(&partition, &elements.root, elements.tolerance);
+            let merged = merge(&partition, &elements.root, elements.tolerance, settings.most_cells);
             let merged = merged.ok_or_else(|| MeshError::too_many_pieces(solid))?;
             (partition.solid, merged)
         };

@@ -20,7 +20,7 @@ const UNDECIDED: f64 = 0.25;
 /// Triangles are asked in the middle, and this far towards their corners.
 const NEARLY: f64 = 0.98;
 /// Share of the surface that may be folded over.
-const REVERSED: f64 = 1e-3;
+const REVERSED: f64 = 1e-2;
 /// Surfaces with more shells of negative volume are refused.
 const MOST_NEGATIVE: usize = 64;
 /// Triangles of such a shell at which its location is tested.

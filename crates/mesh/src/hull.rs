@@ -179,12 +179,6 @@ impl Hull {
         corners.map(|[a, b, c]| a.dot(&b.cross(&c)) / 6.0).sum()
     }
 
-    /// A lower bound of the distance of a point (m): exact where it is nearest to the inside of a triangle; negative
-    /// inside.
-    pub fn height(&self, point: &Vector) -> f64 {
-        self.planes.iter().map(|plane| plane.height(point)).fold(f64::NEG_INFINITY, f64::max)
-    }
-
     /// Whether a point is at least so far (m) from the hull.
     pub fn is_beyond(&self, point: &Vector, distance: f64) -> bool {
         let [low, high] = &self.bounds;
@@ -192,19 +186,18 @@ impl Hull {
         if distance > 0.0 && to_box >= distance * distance {
             return true;
         }
-        if self.planes.iter().any(|plane| plane.height(point) >= distance) {
-            return true;
+        let mut height = f64::NEG_INFINITY;
+        for plane in &self.planes {
+            height = plane.height(point).max(height);
+            if height >= distance {
+                return true;
+            }
         }
-        self.height(point) > 0.0 && self.distance(point) >= distance
-    }
-
-    /// Distance of a point outside (m).
-    fn distance(&self, point: &Vector) -> f64 {
-        let to = |(triangle, plane): (&[usize; 3], &Plane)| {
-            (plane.height(point) > 0.0)
-                .then(|| (nearest(point, &triangle.map(|corner| self.points[corner])) - point).norm())
+        let is_far = |(triangle, plane): (&[usize; 3], &Plane)| {
+            let to = || (nearest(point, &triangle.map(|corner| self.points[corner])) - point).norm_squared();
+            plane.height(point) <= 0.0 || to() >= distance * distance
         };
-        self.triangles.iter().zip(&self.planes).filter_map(to).fold(f64::INFINITY, f64::min)
+        height > 0.0 && self.triangles.iter().zip(&self.planes).all(is_far)
     }
 
     /// The point of the hull nearest to one outside.

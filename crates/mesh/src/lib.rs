@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | read | STL, OBJ with polygons of any shape, all of it or an error ([`MeshError`]); lengths in metres | the rounding of the file: half its last digit, or of single precision; at most 1e-5 of the size |
 //! | weld | vertices within 4 roundings are one | the same |
-//! | repair | drops, rewinds, closes what is certain ([`Repair`]), refuses the rest ([`MeshError`]) | caps are planar within 8 roundings |
+//! | repair | drops, joins, rewinds, closes what is certain ([`Repair`]), refuses the rest ([`MeshError`]) | caps are planar within 8 roundings |
 //! | planes | triangles within 4 roundings of the plane of a larger one join it; equal planes within 8 are one | [`Cover::tolerance`] |
 //! | curves | strips that turn by less than 25 degrees and have their vertices on a cylinder or cone | [`CurvedSurface::mesh_error`] |
 //! | facets | N per turn, outside of the material: r (1 / cos(pi/N) - 1) if convex, r (1 - cos(pi/N)) if concave | [`CurvedSurface::error`] |
@@ -60,6 +60,7 @@ mod foreign;
 mod gap;
 mod geometry;
 mod hull;
+mod loose;
 mod mass;
 mod merge;
 mod nearest;
@@ -96,7 +97,7 @@ pub use hull::hull_triangles;
 pub use mass::MassProperties;
 pub use passing::{Budget, Passage};
 pub use read::{Format, TriangleMesh};
-pub use separation::Separation;
+pub use separation::{Penetration, Separation};
 pub use settings::CoverSettings;
 pub use solid::Solid;
 pub use surface::Repair;

@@ -11,15 +11,17 @@ const INSIDE: f64 = 2.0;
 /// With more cells than this there is no time to try several ways.
 const FEW: usize = 200;
 
-/// Polygons of cells that are compared with bounds while these grow: more take too long.
+/// Polygons of cells that are compared with bounds while these grow: more take too long. Fewer for the most cells that
+/// there may be.
 const MOST_WORK: usize = 100_000_000;
+const WORK_PER_CELL: usize = 100_000;
 
 /// A piece that falls into more parts counts as not covered.
 const MOST_PARTS: usize = 300;
 
 /// Enlarges cells with material into whatever has material and leaves out those that others cover. Pieces overlap. `None`
 /// when that takes too long.
-pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Option<Vec<Cell>> {
+pub fn merge(partition: &Partition, root: &Cell, tolerance: f64, most_cells: usize) -> Option<Vec<Cell>> {
     let free: Vec<(&Cell, [Vector; 2])> = partition.free.iter().map(|cell| (cell, cell.bounding_box())).collect();
     let mut leaves: Vec<(&Cell, f64)> = partition.solid.iter().map(|cell| (cell, cell.volume())).collect();
     leaves.sort_by(|one, other| other.1.total_cmp(&one.1));
@@ -32,7 +34,7 @@ pub fn merge(partition: &Partition, root: &Cell, tolerance: f64) -> Option<Vec<C
         // A leaf that several pieces cover needs no more of them.
         for order in orders.iter().skip(known[index]) {
             let piece = grower.grow(leaf, *order);
-            if grower.work > MOST_WORK {
+            if grower.work > MOST_WORK.min(WORK_PER_CELL * most_cells) {
                 return None;
             }
             let is_covered = |other: &usize| *other == index || contains(&piece, leaves[*other].0, INSIDE * tolerance);

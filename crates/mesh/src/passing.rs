@@ -117,19 +117,28 @@ fn halves(&[a, b, c]: &[Vector; 3]) -> [[Vector; 3]; 2] {
     [[a, middle, c], [middle, b, c]]
 }
 
+/// A point whose distance from the solid is known.
+struct Asked {
+    point: Vector,
+    /// m
+    distance: f64,
+    /// Whether it is outside, if somebody wanted to know.
+    is_outside: Option<bool>,
+}
+
 /// Finds places that represent all of some passages.
 struct Finder<'a> {
     body: &'a Body,
     budget: Budget,
     known: HashSet<(i32, [i64; 3])>,
-    /// Distances (m) of the first points that were asked for in cells as large as the smallest spacing.
-    distances: HashMap<[i64; 3], f64>,
+    /// The first points that were asked for in cells as large as the smallest spacing.
+    asked: HashMap<[i64; 3], Asked>,
     places: Vec<Place>,
 }
 
 /// The places where other parts pass a body: close together where they pass closely.
 pub fn places(body: &Body, passages: &[Passage], budget: Budget) -> Vec<Place> {
-    let mut finder = Finder { body, budget, known: HashSet::new(), distances: HashMap::new(), places: Vec::new() };
+    let mut finder = Finder { body, budget, known: HashSet::new(), asked: HashMap::new(), places: Vec::new() };
     for passage in passages {
         let balls = Balls::new(passage.triangles);
         for pose in passage.poses {
@@ -172,21 +181,36 @@ impl Finder<'_> {
         }
     }
 
-    /// Distance from the solid within two spacings.
+    /// What is known of a point in the same cell as this one: its distance is that of this point within two spacings.
+    fn near(&mut self, point: &Vector) -> &mut Asked {
+        let body = self.body;
+        let asked = || Asked { point: *point, distance: body.distance(point).1, is_outside: None };
+        self.asked.entry(cell(point, self.budget.spacing)).or_insert_with(asked)
+    }
+
     fn distance(&mut self, point: &Vector) -> f64 {
-        let key = cell(point, self.budget.spacing);
-        *self.distances.entry(key).or_insert_with(|| self.body.distance(point).1)
+        self.near(point).distance
     }
 
     fn add(&mut self, point: &Vector) {
         let size = (0.5 * SPACING * self.distance(point)).max(self.budget.spacing);
         let level = size.log2().round() as i32;
-        if self.known.insert((level, cell(point, 2f64.powi(level)))) {
-            let (nearest, distance) = self.body.distance(point);
-            if self.body.is_beyond(point, nearest) {
-                let enough = distance - self.budget.allowed(distance);
-                self.places.push(Place { point: *point, distance, enough, nearest });
-            }
+        if !self.known.insert((level, cell(point, 2f64.powi(level)))) {
+            return;
+        }
+        let body = self.body;
+        let near = self.near(point);
+        let apart = (point - near.point).norm();
+        let (nearest, distance) = body.distance_within(point, near.distance + apart);
+        let is_outside = if apart < near.distance {
+            // No surface is between both points.
+            *near.is_outside.get_or_insert_with(|| body.is_beyond(point, nearest))
+        } else {
+            body.is_beyond(point, nearest)
+        };
+        if is_outside {
+            let enough = distance - self.budget.allowed(distance);
+            self.places.push(Place { point: *point, distance, enough, nearest });
         }
     }
 }

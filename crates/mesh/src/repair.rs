@@ -6,6 +6,7 @@ use crate::crossing::refuse_crossings;
 use crate::edges::{Edges, edges, undirected};
 use crate::error::MeshError;
 use crate::geometry::{Plane, Vector, area_vector, mean};
+use crate::loose::{drop_sheets, join_rims};
 use crate::read::TriangleMesh;
 use crate::shells::{Oriented, orient};
 use crate::superfluous::{without_copies, without_slivers};
@@ -36,6 +37,8 @@ pub fn repair(mesh: &TriangleMesh) -> Result<Surface, MeshError> {
     note(&mut repairs, collapsed, |triangles| Repair::Collapsed { triangles });
     note(&mut repairs, whole.len() - single.len(), |triangles| Repair::Duplicates { triangles });
     let mut surface = Surface { vertices, triangles, repairs };
+    drop_sheets(&mut surface, mesh.scale);
+    join_rims(&mut surface, mesh.scale);
     let rewound = wind(&mut surface, mesh.scale)?;
     note(&mut surface.repairs, rewound, |triangles| Repair::Rewound { triangles });
     close(&mut surface, mesh.scale, tolerance)?;
@@ -162,7 +165,7 @@ fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshEr
 }
 
 /// Loops of vertices that close the surface, in the direction of the missing triangles.
-fn holes(edges: &Edges) -> Vec<Vec<usize>> {
+pub fn holes(edges: &Edges) -> Vec<Vec<usize>> {
     let mut next: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (&(low, high), sides) in edges {
         if let [side] = sides[..] {

@@ -31,6 +31,15 @@ pub struct Separation {
     apart: f64,
 }
 
+/// How deep two surfaces penetrate each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Penetration {
+    /// Distance of the deepest point from the other surface (m), zero where none is inside.
+    pub depth: f64,
+    /// That point, in the frame of the surface that is not moved (m).
+    pub place: [f64; 3],
+}
+
 /// A surface, with points of it.
 struct Side {
     body: Body,
@@ -57,9 +66,21 @@ impl Separation {
         if gap > 0.0 {
             return gap;
         }
-        let [moved, fixed] = &self.sides;
-        let depth = fixed.depth(moved, &by).max(moved.depth(fixed, &-by));
+        let depth = self.penetration(&by.into()).depth;
         if depth > ROUNDING { -depth } else { gap }
+    }
+
+    /// The deepest of the points of both surfaces that are inside of the other one when the first is moved by a vector (m).
+    pub fn penetration(&self, by: &[f64; 3]) -> Penetration {
+        let by = Vector::from(*by);
+        let [moved, fixed] = &self.sides;
+        let (depth, point) = fixed.depth(moved, &by);
+        let (other_depth, other_point) = moved.depth(fixed, &-by);
+        if depth >= other_depth {
+            Penetration { depth, place: point.into() }
+        } else {
+            Penetration { depth: other_depth, place: (other_point + by).into() }
+        }
     }
 
     /// How far the surface is moved along a unit vector until it meets the other one, if it does within the longest travel
@@ -82,15 +103,15 @@ impl Side {
         Self { points: points(&triangles, spacing), body: Body::new(triangles), bounds }
     }
 
-    /// The largest depth of points of another surface in this one, when that is moved by a vector (m).
-    fn depth(&self, other: &Self, by: &Vector) -> f64 {
+    /// The largest depth of points of another surface in this one, when that is moved by a vector (m), and the deepest point.
+    fn depth(&self, other: &Self, by: &Vector) -> (f64, Vector) {
         let [low, high] = &self.bounds;
         let is_near = |point: &Vector| (0..3).all(|axis| (low[axis]..=high[axis]).contains(&point[axis]));
-        let mut deepest = 0.0;
+        let mut deepest = (0.0, Vector::zeros());
         for point in other.points.iter().map(|point| point + by).filter(is_near) {
             let depth = self.body.distance(&point).1;
-            if depth > deepest && self.body.contains(&point) {
-                deepest = depth;
+            if depth > deepest.0 && self.body.contains(&point) {
+                deepest = (depth, point);
             }
         }
         deepest

@@ -49,6 +49,22 @@ pub enum Repair {
         /// Its area (m^2).
         area: f64,
     },
+    /// A sheet without thickness across a hole, or inside of the material, was dropped.
+    Sheet {
+        /// Middle of its corners.
+        place: [f64; 3],
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// Two rims that lie side by side were joined.
+    Joined {
+        /// Middle of one of them.
+        place: [f64; 3],
+        /// Number of its edges.
+        edges: usize,
+        /// How far the other one was moved at most (m).
+        moved: f64,
+    },
     /// The surface crosses itself or does not quite close. Winding numbers say what is inside; no surface was moved.
     Decided {
         /// Why the surface cannot be taken as it is.
@@ -77,6 +93,14 @@ impl std::fmt::Display for Repair {
                 formatter,
                 "hole of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) closed by a flat cap of {:.3} mm^2",
                 1e6 * area
+            ),
+            Self::Sheet { place: [x, y, z], triangles } => {
+                write!(formatter, "sheet without thickness, {triangles} triangles, at ({x:.6}, {y:.6}, {z:.6}) dropped")
+            }
+            Self::Joined { place: [x, y, z], edges, moved } => write!(
+                formatter,
+                "rims of {edges} edges at ({x:.6}, {y:.6}, {z:.6}) joined, moved by up to {:.4} mm",
+                1e3 * moved
             ),
             Self::Decided { reason, open, crack, hidden } => {
                 write!(formatter, "inside and outside decided by winding numbers ({})", reason.finding())?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use diagnosis::check::refusal;
-use mesh::Separation;
+use mesh::{Penetration, Separation};
 use plan::{Choices, PlannerError, Problem};
 use scene::{Scene, Source};
 use scene_templates::{Axis, FilePair, PartPair, StarterPoses, StarterValues, starter_scene};
@@ -17,6 +17,13 @@ const ROOM: f64 = 3.0;
 const STEP: f64 = 0.1;
 /// Distance (m) beyond the place where both boxes are apart.
 const BEYOND: f64 = 1e-3;
+
+/// Parts that penetrate by less (m) than this do so by rounding, and by more than this share of their shortest edge since
+/// they are not assembled; in between they are press or snap fits.
+const ROUNDING: f64 = 1e-5;
+const ELASTIC: f64 = 0.1;
+/// Places on the way out at which the penetration of snap fits is looked at.
+const SNAP_STEPS: u32 = 25;
 
 /// A starter scene, and how the parts of its files fit.
 #[derive(Debug)]
@@ -60,10 +67,14 @@ pub fn starter(
     };
     let standing = in_standing_folder(file);
     let parts = files.read()?;
-    let (poses, fit) = fit(&files.body, &parts, axis, values)?;
+    let separation = Separation::new(parts.body.triangles(), parts.environment.triangles());
+    let (poses, fit) = fit(&files.body, &parts, &separation, axis, values)?;
     let problem = read(&standing, &starter_scene(&standing, Some((&parts, &poses)), values)?, &Choices::default())?;
     match refusal(&problem) {
-        Some(reason) => Err(PlannerError::file(&files.body, reason)),
+        Some(reason) => {
+            let press = press_fit(&parts, &separation, &poses, fit.out);
+            Err(PlannerError::file(&files.body, press.unwrap_or(reason)))
+        }
         None => Ok(Starter { text: starter_scene(file, Some((&parts, &poses)), values)?, problem, fit: Some(fit) }),
     }
 }
@@ -98,19 +109,23 @@ fn read(file: &Path, text: &str, choices: &Choices) -> Result<Problem, PlannerEr
 fn fit(
     file: &Path,
     parts: &PartPair,
+    separation: &Separation,
     axis: Option<Axis>,
     values: &StarterValues,
 ) -> Result<(StarterPoses, StarterFit), PlannerError> {
     let [body, environment] = [&parts.body, &parts.environment].map(|part| part.bounds());
     let height = |axis: Axis| body.edges()[axis.index];
     let apart = |axis: Axis| body.distance_apart(&environment, axis).max(height(axis)) + BEYOND;
-    let separation = Separation::new(parts.body.triangles(), parts.environment.triangles());
     let free = Axis::ALL.map(|axis| separation.travel(&axis.times(1.0), apart(axis)).is_none());
     let is_free = |axis: &Axis| Axis::ALL.iter().zip(free).any(|(other, is_free)| other == axis && is_free);
     // A body that is put in ends at a stop: it can be moved no farther.
     let ways: Vec<Axis> = Axis::ALL.into_iter().filter(is_free).collect();
     let ends: Vec<Axis> = ways.iter().copied().filter(|axis| !is_free(&axis.opposite())).collect();
     let out = axis.or_else(|| ends.first().or(ways.first()).copied()).ok_or_else(|| {
+        let snap = Axis::ALL.iter().find_map(|axis| snap_fit(parts, separation, *axis, apart(*axis)));
+        if let Some(snap) = snap {
+            return PlannerError::file(file, snap);
+        }
         PlannerError::file(
             file,
             "the body gets out of the environment along no axis of the files, whichever way: export both files in the assembled \
@@ -118,6 +133,11 @@ fn fit(
              (--axis)",
         )
     })?;
+    if !ways.contains(&out)
+        && let Some(snap) = snap_fit(parts, separation, out, apart(out))
+    {
+        return Err(PlannerError::file(file, snap));
+    }
     if !ways.is_empty() && !ways.contains(&out) {
         let names: Vec<String> = ways.iter().map(Axis::to_string).collect();
         let problem = format!(
@@ -139,4 +159,47 @@ fn fit(
     let others = ways.into_iter().filter(|way| *way != out).collect();
     let edges_m = [body.edges(), environment.edges()];
     Ok((poses, StarterFit { edges_m, out, others, distance_m: distance - lift }))
+}
+
+/// That the parts are larger than the room for them, and where.
+fn press_fit(parts: &PartPair, separation: &Separation, poses: &StarterPoses, out: Axis) -> Option<String> {
+    let Penetration { depth, place } = separation.penetration(&poses.goal);
+    (ROUNDING < depth && depth <= ELASTIC * smallest_edge(parts)).then(|| {
+        format!(
+            "a press fit: body and environment, as given, penetrate by {:.3} mm at {} when assembled, and nowhere deeper on \
+             the way out along {out}. Parts need clearance: a press fit cannot be planned; where CAD draws parts as large \
+             as their holes, `clearance` of a mesh states the fit",
+            1e3 * depth,
+            millimetres(&place)
+        )
+    })
+}
+
+/// That only elastic parts would let the body pass, and where.
+fn snap_fit(parts: &PartPair, separation: &Separation, out: Axis, longest: f64) -> Option<String> {
+    let steps = (0..=SNAP_STEPS).map(|step| longest * f64::from(step) / f64::from(SNAP_STEPS));
+    let penetrations = steps.map(|travelled| (travelled, separation.penetration(&out.times(travelled))));
+    let (travelled, Penetration { depth, place }) =
+        penetrations.max_by(|one, other| one.1.depth.total_cmp(&other.1.depth))?;
+    (ROUNDING < depth && depth <= ELASTIC * smallest_edge(parts)).then(|| {
+        format!(
+            "a snap fit: on the way out along {out}, body and environment, as given, penetrate by {:.3} mm at {}, {:.3} mm \
+             from the assembled pose. Parts are rigid here, so that a snap fit cannot be planned: export them without \
+             hooks, or name another direction (--axis)",
+            1e3 * depth,
+            millimetres(&place),
+            1e3 * travelled
+        )
+    })
+}
+
+/// Shortest edge (m) of the boxes around both parts.
+fn smallest_edge(parts: &PartPair) -> f64 {
+    let edges = [&parts.body, &parts.environment].map(|part| part.bounds().edges());
+    edges.iter().flatten().copied().fold(f64::INFINITY, f64::min)
+}
+
+fn millimetres(place: &[f64; 3]) -> String {
+    let [x, y, z] = place.map(|coordinate| 1e3 * coordinate);
+    format!("({x:.2}, {y:.2}, {z:.2}) mm")
 }

@@ -7,6 +7,7 @@ use mesh::hull_triangles;
 use nalgebra::{Isometry3, Point3};
 use task::algebra::norm;
 use task::pose::interpolate;
+use workers::Workers;
 
 use crate::boxes::{around, boxes_meet, corners_of};
 use crate::pose::{Endpoints, StartPose};
@@ -102,7 +103,8 @@ impl Motions {
         let [low, high] = &mut extent;
         low.iter_mut().for_each(|coordinate| *coordinate -= self.surroundings);
         high.iter_mut().for_each(|coordinate| *coordinate += self.surroundings);
-        MotionRegion { extent, places: parts.iter().map(|part| self.swept(part)).collect() }
+        let workers = Workers::new(std::thread::available_parallelism().map_or(1, Into::into));
+        MotionRegion { extent, places: workers.map(parts.iter(), |part| self.swept(part)) }
     }
 
     /// The places that the convex hull of points reaches: for each pair of neighbouring poses their convex hull.

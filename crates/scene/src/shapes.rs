@@ -1,5 +1,7 @@
 //! From parts as the scene gives them to convex parts.
 
+use std::panic::resume_unwind;
+
 use collision::Polytope;
 use mesh::CoverSettings;
 use nalgebra::{Isometry3, Vector3};
@@ -31,8 +33,10 @@ pub struct Shapes {
 
 /// With more pairs than this, meshes are covered accurately only where something can touch.
 const FEW_PAIRS: usize = 300;
-/// The same holds for meshes that divide into more cells, unless the scene states `facets` or `clearance`.
+/// The same holds where the cells into which meshes divide make more pairs with the pieces of the body, or where the body
+/// divides into more, unless the scene states `facets` or `clearance`.
 const FEW_CELLS: usize = 600;
+const FEW_BODY_CELLS: usize = 100;
 
 /// Makes all parts convex.
 pub fn shapes(
@@ -44,13 +48,13 @@ pub fn shapes(
     let given_meshes = || body.iter().chain(environment).filter_map(GivenPart::mesh);
     let fit = tightest_fit(&meshes(body, &goal.isometry()), &meshes(environment, &Isometry3::identity()));
     let chosen = chosen_facets(fit);
-    let exact = |most_cells: usize| {
+    let exact = |most_cells: MostCells| {
         require_fine(fit, chosen.facets, given_meshes())?;
         exact_shapes(body, environment, motions, (fit, chosen), most_cells)
     };
     let is_stated = |mesh: &GivenMesh| mesh.making.clearance > 0.0 || mesh.making.facets.is_some();
     let Some(mesh) = given_meshes().next().filter(|_| !given_meshes().any(is_stated)) else {
-        return exact(CoverSettings::default().most_cells);
+        return exact(|_| CoverSettings::default().most_cells);
     };
     let sides = Sides::new(body, environment, motions);
     let compared = |shapes: Shapes, chord_errors: f64| {
@@ -63,8 +67,10 @@ pub fn shapes(
     };
     // Exact shapes are round where the meshes approximate round surfaces by flat sides.
     let chord_errors = fit.map_or(0.0, |fit| fit.chord_errors);
-    let exact = exact(FEW_CELLS).and_then(|shapes| compared(shapes, chord_errors));
-    if exact.as_ref().is_ok_and(|exact| exact.pairs() <= FEW_PAIRS) {
+    let compared_exact = |most_cells: MostCells| exact(most_cells).and_then(|shapes| compared(shapes, chord_errors));
+    let exact = compared_exact(few_cells);
+    let is_close = |exact: &Shapes| exact.pairs() <= FEW_PAIRS && exact.gaps.iter().all(|gap| gap.agrees(0.0));
+    if exact.as_ref().is_ok_and(is_close) {
         return exact;
     }
     let touching_at = |spacing: f64| touching_shapes(body, environment, &sides, motions, spacing);
@@ -82,8 +88,17 @@ pub fn shapes(
     match (exact, touching()) {
         (Ok(exact), Ok(touching)) if touching.pairs() < exact.pairs() => Ok(touching),
         (Ok(exact), _) => Ok(exact),
-        (Err(_), touching) => touching,
+        (Err(_), Ok(touching)) => Ok(touching),
+        (Err(_), Err(reason)) => compared_exact(|_| FEW_CELLS).or(Err(reason)),
     }
+}
+
+/// How many cells a mesh may divide into. Its argument is the number of pieces on the other side, none before the body is
+/// divided.
+type MostCells = fn(usize) -> usize;
+
+fn few_cells(others: usize) -> usize {
+    FEW_CELLS.checked_div(others).unwrap_or(FEW_BODY_CELLS)
 }
 
 impl Shapes {
@@ -113,16 +128,17 @@ fn exact_shapes(
     environment: &[GivenPart],
     motions: &Motions,
     (fit, chosen): (Option<Fit>, ChosenFacets),
-    most_cells: usize,
+    most_cells: MostCells,
 ) -> Result<Shapes, SceneError> {
-    let cover = |region: Option<&MotionRegion>, mesh: &GivenMesh, given: &GivenPart| {
-        mesh.cover(&given.name, &given.placement(), chosen, region, most_cells)
+    let cover = |region: Option<&MotionRegion>, others: usize, mesh: &GivenMesh, given: &GivenPart| {
+        mesh.cover(&given.name, &given.placement(), chosen, region, most_cells(others))
     };
-    let (body, body_meshes) = convex(body, |mesh, given| cover(None, mesh, given))?;
+    let (body, body_meshes) = convex(body, |mesh, given| cover(None, 0, mesh, given))?;
     let has_meshes = environment.iter().any(|given| given.mesh().is_some());
     let points = || body.iter().map(|part| part.shape.vertices().to_vec()).collect::<Vec<_>>();
     let region = has_meshes.then(|| motions.region(&points()));
-    let (environment, environment_meshes) = convex(environment, |mesh, given| cover(region.as_ref(), mesh, given))?;
+    let (environment, environment_meshes) =
+        convex(environment, |mesh, given| cover(region.as_ref(), body.len(), mesh, given))?;
     Ok(Shapes { body, environment, body_meshes, environment_meshes, fit, region, gaps: Vec::new() })
 }
 
@@ -142,10 +158,13 @@ fn touching_shapes(
             })
         }
     };
-    let (body, body_meshes) = convex(body, cover(true))?;
+    let (body, environment) = std::thread::scope(|scope| {
+        let environment = scope.spawn(|| convex(environment, cover(false)));
+        (convex(body, cover(true)), environment.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    });
+    let ((body, body_meshes), (environment, environment_meshes)) = (body?, environment?);
     let points: Vec<Vec<[f64; 3]>> = body.iter().map(|part| part.shape.vertices().to_vec()).collect();
-    let region = environment.iter().any(|given| given.mesh().is_some()).then(|| motions.region(&points));
-    let (environment, environment_meshes) = convex(environment, cover(false))?;
+    let region = (!environment_meshes.is_empty()).then(|| motions.region(&points));
     Ok(Shapes { body, environment, body_meshes, environment_meshes, fit: None, region, gaps: Vec::new() })
 }
 

@@ -99,7 +99,8 @@ impl<'given> Sides<'given> {
         let gauges = [body, environment].map(|parts| {
             Gauge::new(&parts.iter().flat_map(|part| hull_triangles(part.vertices())).collect::<Triangles>())
         });
-        let boxes = [body, environment].map(|parts| parts.iter().map(|part| around(part.vertices())).collect::<Vec<Extent>>());
+        let boxes =
+            [body, environment].map(|parts| parts.iter().map(|part| around(part.vertices())).collect::<Vec<Extent>>());
         let pairs: Vec<(Pair, [&Extent; 2])> = body
             .iter()
             .zip(&boxes[0])
