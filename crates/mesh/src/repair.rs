@@ -31,13 +31,14 @@ pub fn repair(mesh: &TriangleMesh) -> Result<Surface, MeshError> {
     let welded: Vec<[usize; 3]> = mesh.triangles.iter().map(|corners| corners.map(|corner| index[corner])).collect();
     let whole: Vec<[usize; 3]> = welded.iter().copied().filter(|[a, b, c]| a != b && b != c && c != a).collect();
     let single = without_copies(whole.clone());
-    let triangles = without_slivers(single.clone(), &vertices, tolerance);
     let mut repairs = Vec::new();
-    let collapsed = welded.len() - whole.len() + single.len() - triangles.len();
-    note(&mut repairs, collapsed, |triangles| Repair::Collapsed { triangles });
     note(&mut repairs, whole.len() - single.len(), |triangles| Repair::Duplicates { triangles });
-    let mut surface = Surface { vertices, triangles, repairs };
+    let mut surface = Surface { vertices, triangles: single, repairs };
     drop_sheets(&mut surface, mesh.scale);
+    let with_slivers = surface.triangles.len();
+    surface.triangles = without_slivers(surface.triangles, &surface.vertices, tolerance);
+    let collapsed = welded.len() - whole.len() + with_slivers - surface.triangles.len();
+    note(&mut surface.repairs, collapsed, |triangles| Repair::Collapsed { triangles });
     join_rims(&mut surface, mesh.scale);
     let rewound = wind(&mut surface, mesh.scale)?;
     note(&mut surface.repairs, rewound, |triangles| Repair::Rewound { triangles });

@@ -22,8 +22,10 @@ const BEYOND: f64 = 1e-3;
 /// they are not assembled; in between they are press or snap fits.
 const ROUNDING: f64 = 1e-5;
 const ELASTIC: f64 = 0.1;
-/// Places on the way out at which the penetration of snap fits is looked at.
-const SNAP_STEPS: u32 = 25;
+/// Parts that penetrate by this share of the deepest penetration on the way out when assembled are pressed in.
+const PRESSED: f64 = 0.8;
+/// Places on the way out at which penetrations are looked at.
+const WAY_STEPS: u32 = 25;
 
 /// A starter scene, and how the parts of its files fit.
 #[derive(Debug)]
@@ -72,8 +74,8 @@ pub fn starter(
     let problem = read(&standing, &starter_scene(&standing, Some((&parts, &poses)), values)?, &Choices::default())?;
     match refusal(&problem) {
         Some(reason) => {
-            let press = press_fit(&parts, &separation, &poses, fit.out);
-            Err(PlannerError::file(&files.body, press.unwrap_or(reason)))
+            let tight = tight_fit(&parts, &separation, fit.out, fit.distance_m);
+            Err(PlannerError::file(&files.body, tight.unwrap_or(reason)))
         }
         None => Ok(Starter { text: starter_scene(file, Some((&parts, &poses)), values)?, problem, fit: Some(fit) }),
     }
@@ -122,9 +124,9 @@ fn fit(
     let ways: Vec<Axis> = Axis::ALL.into_iter().filter(is_free).collect();
     let ends: Vec<Axis> = ways.iter().copied().filter(|axis| !is_free(&axis.opposite())).collect();
     let out = axis.or_else(|| ends.first().or(ways.first()).copied()).ok_or_else(|| {
-        let snap = Axis::ALL.iter().find_map(|axis| snap_fit(parts, separation, *axis, apart(*axis)));
-        if let Some(snap) = snap {
-            return PlannerError::file(file, snap);
+        let tight = Axis::ALL.iter().find_map(|axis| tight_fit(parts, separation, *axis, apart(*axis)));
+        if let Some(tight) = tight {
+            return PlannerError::file(file, tight);
         }
         PlannerError::file(
             file,
@@ -134,9 +136,9 @@ fn fit(
         )
     })?;
     if !ways.contains(&out)
-        && let Some(snap) = snap_fit(parts, separation, out, apart(out))
+        && let Some(tight) = tight_fit(parts, separation, out, apart(out))
     {
-        return Err(PlannerError::file(file, snap));
+        return Err(PlannerError::file(file, tight));
     }
     if !ways.is_empty() && !ways.contains(&out) {
         let names: Vec<String> = ways.iter().map(Axis::to_string).collect();
@@ -161,35 +163,31 @@ fn fit(
     Ok((poses, StarterFit { edges_m, out, others, distance_m: distance - lift }))
 }
 
-/// That the parts are larger than the room for them, and where.
-fn press_fit(parts: &PartPair, separation: &Separation, poses: &StarterPoses, out: Axis) -> Option<String> {
-    let Penetration { depth, place } = separation.penetration(&poses.goal);
-    (ROUNDING < depth && depth <= ELASTIC * smallest_edge(parts)).then(|| {
-        format!(
-            "a press fit: body and environment, as given, penetrate by {:.3} mm at {} when assembled, and nowhere deeper on \
-             the way out along {out}. Parts need clearance: a press fit cannot be planned; where CAD draws parts as large \
-             as their holes, `clearance` of a mesh states the fit",
-            1e3 * depth,
-            millimetres(&place)
-        )
-    })
-}
-
-/// That only elastic parts would let the body pass, and where.
-fn snap_fit(parts: &PartPair, separation: &Separation, out: Axis, longest: f64) -> Option<String> {
-    let steps = (0..=SNAP_STEPS).map(|step| longest * f64::from(step) / f64::from(SNAP_STEPS));
-    let penetrations = steps.map(|travelled| (travelled, separation.penetration(&out.times(travelled))));
-    let (travelled, Penetration { depth, place }) =
-        penetrations.max_by(|one, other| one.1.depth.total_cmp(&other.1.depth))?;
-    (ROUNDING < depth && depth <= ELASTIC * smallest_edge(parts)).then(|| {
-        format!(
-            "a snap fit: on the way out along {out}, body and environment, as given, penetrate by {:.3} mm at {}, {:.3} mm \
-             from the assembled pose. Parts are rigid here, so that a snap fit cannot be planned: export them without \
-             hooks, or name another direction (--axis)",
-            1e3 * depth,
-            millimetres(&place),
-            1e3 * travelled
-        )
+/// Why parts that penetrate on the way out along an axis, as given, cannot be planned, and where: a press fit does so when
+/// assembled, a snap fit on its way there. `None` for parts that do not, or that are not assembled.
+fn tight_fit(parts: &PartPair, separation: &Separation, out: Axis, longest: f64) -> Option<String> {
+    let is_fit = |depth: f64| ROUNDING < depth && depth <= ELASTIC * smallest_edge(parts);
+    let assembled = separation.penetration(&[0.0; 3]);
+    let steps = (0..=WAY_STEPS).map(|step| longest * f64::from(step) / f64::from(WAY_STEPS));
+    let way = steps.map(|travelled| (travelled, separation.penetration(&out.times(travelled))));
+    let (travelled, deepest) = way.max_by(|one, other| one.1.depth.total_cmp(&other.1.depth))?;
+    let is_press = assembled.depth >= PRESSED * deepest.depth;
+    let Penetration { depth, place } = if is_press { assembled } else { deepest };
+    is_fit(deepest.depth).then(|| {
+        let place = place.map(|coordinate| format!("{:.2}", 1e3 * coordinate)).join(", ");
+        let found = format!("body and environment, as given, penetrate by {:.3} mm at ({place}) mm", 1e3 * depth);
+        if is_press {
+            format!(
+                "a press fit: {found} when assembled. Parts need clearance; where CAD draws parts as large as their holes, \
+                 `clearance` of a mesh states the fit"
+            )
+        } else {
+            format!(
+                "a snap fit: {found} {:.3} mm from the assembled pose, on the way out along {out}. Parts are rigid here: \
+                 export them without hooks, or name another direction (--axis)",
+                1e3 * travelled
+            )
+        }
     })
 }
 
@@ -197,9 +195,4 @@ fn snap_fit(parts: &PartPair, separation: &Separation, out: Axis, longest: f64) 
 fn smallest_edge(parts: &PartPair) -> f64 {
     let edges = [&parts.body, &parts.environment].map(|part| part.bounds().edges());
     edges.iter().flatten().copied().fold(f64::INFINITY, f64::min)
-}
-
-fn millimetres(place: &[f64; 3]) -> String {
-    let [x, y, z] = place.map(|coordinate| 1e3 * coordinate);
-    format!("({x:.2}, {y:.2}, {z:.2}) mm")
 }
