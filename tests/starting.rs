@@ -56,6 +56,44 @@ fn a_scene_of_two_meshes_is_read_as_it_was_written() {
     dir.run(&format!("new scenes/under.toml {meshes} --axis -z")).code(2).says("does not get out").says("+z");
 }
 
+/// OBJ (mm) of a profile in the x-z plane, swept along y.
+fn swept(profile: &[[f64; 2]], [low, high]: [f64; 2]) -> String {
+    let count = profile.len();
+    let corners = [low, high].map(|y| profile.iter().map(move |[x, z]| format!("v {x} {y} {z}\n")).collect::<String>());
+    let face = |corners: Vec<usize>| {
+        format!("f {}\n", corners.iter().map(|corner| (corner + 1).to_string()).collect::<Vec<_>>().join(" "))
+    };
+    let sides = (0..count).map(|at| face(vec![at, at + count, (at + 1) % count + count, (at + 1) % count]));
+    corners.concat()
+        + &face((0..count).collect())
+        + &face((count..2 * count).rev().collect())
+        + &sides.collect::<String>()
+}
+
+#[test]
+fn press_and_snap_fits_are_named_with_depth_and_place() {
+    let dir = Dir::new();
+    let groove =
+        [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [20.0, 20.0], [20.0, 8.0], [10.0, 8.0], [10.0, 20.0], [0.0, 20.0]];
+    let lips = [
+        [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [19.5, 20.0]],
+        [[19.5, 18.0], [20.0, 18.0], [20.0, 8.0], [10.0, 8.0]],
+        [[10.0, 18.0], [10.5, 18.0], [10.5, 20.0], [0.0, 20.0]],
+    ];
+    let peg = |aside: f64, top: f64| {
+        swept(&[[10.0 + aside, 8.1], [20.0 - aside, 8.1], [20.0 - aside, top], [10.0 + aside, top]], [2.0, 18.0])
+    };
+    dir.write("groove.obj", swept(&groove, [0.0, 20.0]));
+    dir.write("lips.obj", swept(&lips.concat(), [0.0, 20.0]));
+    dir.write("wide.obj", peg(-0.1, 30.0));
+    dir.write("low.obj", peg(0.1, 17.0));
+    let new = |body: &str, environment: &str| {
+        dir.run(&format!("new s.toml --body {body} --environment {environment} --unit mm --axis z")).code(2)
+    };
+    new("wide.obj", "groove.obj").says("a press fit").says("penetrate by 0.100 mm at (").says("when assembled");
+    new("low.obj", "lips.obj").says("a snap fit").says("penetrate by 0.400 mm at (").says("on the way out along +z");
+}
+
 #[test]
 fn a_start_that_overlaps_only_when_the_body_is_turned_in_the_gripper_is_shown() {
     let dir = Dir::new();

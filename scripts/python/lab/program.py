@@ -16,11 +16,12 @@ RESULTS = (0, 1)
 
 @dataclasses.dataclass(frozen=True)
 class Usage:
-    """What a process took: wall and processor time (s), of user and system, and its peak memory (MB)."""
+    """What a process took: wall and processor time (s), of user and system, its peak memory (MB) and its exit code."""
 
     wall_s: float
     cpu_s: float
     peak_memory_mb: float
+    code: int
 
 
 def build() -> None:
@@ -38,10 +39,15 @@ def run(*arguments: object, output: int | None = None, accepted: tuple[int, ...]
     return done.stdout
 
 
-def measured(*arguments: object, log: pathlib.Path | None = None) -> Usage:
-    """Runs the program, with everything that it says in a log if there is one, and measures it. Times contain starting,
+def measured(
+    *arguments: object,
+    log: pathlib.Path | None = None,
+    program: pathlib.Path = PROGRAM,
+    accepted: tuple[int, ...] = RESULTS,
+) -> Usage:
+    """Runs a program, with everything that it says in a log if there is one, and measures it. Times contain starting,
     reading and writing. Peak memory counts from what this process had when the program began."""
-    command = [PROGRAM, *map(str, arguments)]
+    command = [program, *map(str, arguments)]
     begin = time.perf_counter()
     if log is None:
         child = subprocess.Popen(command)
@@ -51,9 +57,9 @@ def measured(*arguments: object, log: pathlib.Path | None = None) -> Usage:
     _, status, usage = os.wait4(child.pid, 0)
     wall = time.perf_counter() - begin
     child.returncode = os.waitstatus_to_exitcode(status)
-    if child.returncode not in RESULTS:
+    if child.returncode not in accepted:
         raise failure(command, child.returncode, log)
-    return Usage(wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024 / 1e6)
+    return Usage(wall, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024 / 1e6, child.returncode)
 
 
 def failure(command: list[object], code: int, log: pathlib.Path | None = None) -> Failure:

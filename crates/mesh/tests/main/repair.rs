@@ -165,6 +165,41 @@ fn three_triangles_at_an_edge_are_refused() {
 }
 
 #[test]
+fn a_sheet_across_a_hole_is_dropped_and_told() {
+    let open = block_with_hole(12, 0.0);
+    let mut shut = open.clone();
+    // Over the mouth, with its other side out.
+    shut.polygons.push((8..20).rev().collect());
+    let solid = shut.solid();
+    let [Repair::Sheet { place, triangles: 10 }] = solid.repairs() else { panic!("{:?}", solid.repairs()) };
+    assert!((place[2] - 20.0).abs() < 1e-9 && place[0].abs() < 1e-6, "{place:?}");
+    assert!(!solid.is_rough());
+    assert_volume(&solid, 1e9 * open.solid().mass_properties().volume);
+}
+
+#[test]
+fn the_wall_of_a_hole_that_was_moved_aside_is_joined_and_told() {
+    let whole = block_with_hole(12, 0.0);
+    let wall_moved_by = |aside: f64| {
+        let mut shape = whole.clone();
+        let own: Vec<[f64; 3]> = shape.vertices[8..].iter().map(|[x, y, z]| [x + aside, *y, *z]).collect();
+        let first = shape.add(&own)[0];
+        let is_wall = |polygon: &Vec<usize>| polygon.len() == 3 && polygon.iter().all(|&corner| corner >= 8);
+        let wall = shape.polygons.iter_mut().filter(|polygon| is_wall(polygon));
+        wall.flatten().for_each(|corner| *corner += first - 8);
+        shape
+    };
+    let solid = wall_moved_by(0.04).solid();
+    let [Repair::Joined { edges: 12, moved, .. }, Repair::Joined { .. }] = solid.repairs() else {
+        panic!("{:?}", solid.repairs())
+    };
+    assert!((moved - 4e-5).abs() < 1e-8, "{moved}");
+    assert!(!solid.is_rough());
+    assert_volume(&solid, 1e9 * whole.solid().mass_properties().volume);
+    let MeshError::Open { .. } = refused(&wall_moved_by(0.4)) else { panic!() };
+}
+
+#[test]
 fn bodies_may_be_apart_touch_or_lie_in_voids() {
     let apart = cube(10.0).and(&cube(5.0).moved([20.0, 0.0, 0.0]));
     assert_volume(&apart.solid(), 1125.0);

@@ -1,0 +1,1 @@
+"""Pairs of plugs and sockets: read, planned and played."""
