@@ -9,12 +9,18 @@ const WITNESSES: usize = 16;
 /// They are asked this many tolerances away from the surface.
 const NEAR: f64 = 10.0;
 
-/// The solid angle under which a triangle is seen from a point, positive from behind (sr).
-pub fn solid_angle(point: &Vector, triangle: &[Vector; 3]) -> f64 {
+/// Half the solid angle under which a triangle is seen from a point, positive from behind: its cosine and its sine, both
+/// times the same positive number.
+pub fn half_solid_angle(point: &Vector, triangle: &[Vector; 3]) -> (f64, f64) {
     let [a, b, c] = triangle.map(|corner| corner - point);
     let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
-    let volume = a.dot(&b.cross(&c));
-    2.0 * volume.atan2(la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb)
+    (la * lb * lc + a.dot(&b) * lc + b.dot(&c) * la + c.dot(&a) * lb, a.dot(&b.cross(&c)))
+}
+
+/// The solid angle (sr).
+fn solid_angle(point: &Vector, triangle: &[Vector; 3]) -> f64 {
+    let (cosine, sine) = half_solid_angle(point, triangle);
+    2.0 * sine.atan2(cosine)
 }
 
 /// How often a closed surface runs around a point.

@@ -34,9 +34,12 @@ pub struct Shapes {
 /// With more pairs than this, meshes are covered accurately only where something can touch.
 const FEW_PAIRS: usize = 300;
 /// The same holds where the cells into which meshes divide make more pairs with the pieces of the body, or where the body
-/// divides into more, unless the scene states `facets` or `clearance`.
+/// divides into more, unless there is a round fit or the scene states `facets` or `clearance`.
 const FEW_CELLS: usize = 600;
 const FEW_BODY_CELLS: usize = 100;
+
+/// Share of the gap that exact pieces keep; where they keep less, pieces that are exact where something can touch are tried.
+const LEAST_KEPT: f64 = 0.5;
 
 /// Makes all parts convex.
 pub fn shapes(
@@ -68,9 +71,10 @@ pub fn shapes(
     // Exact shapes are round where the meshes approximate round surfaces by flat sides.
     let chord_errors = fit.map_or(0.0, |fit| fit.chord_errors);
     let compared_exact = |most_cells: MostCells| exact(most_cells).and_then(|shapes| compared(shapes, chord_errors));
-    let exact = compared_exact(few_cells);
-    let is_close = |exact: &Shapes| exact.pairs() <= FEW_PAIRS && exact.gaps.iter().all(|gap| gap.agrees(0.0));
-    if exact.as_ref().is_ok_and(is_close) {
+    // Round fits are worth more time: only exact pieces know them.
+    let exact = compared_exact(if fit.is_some() { |_| FEW_CELLS } else { few_cells });
+    let is_good = |exact: &Shapes| exact.pairs() <= FEW_PAIRS && exact.gaps.iter().all(|gap| gap.kept() >= LEAST_KEPT);
+    if exact.as_ref().is_ok_and(is_good) {
         return exact;
     }
     let touching_at = |spacing: f64| touching_shapes(body, environment, &sides, motions, spacing);

@@ -39,6 +39,11 @@ impl Gap {
         (self.given - self.parts).abs()
     }
 
+    /// The share of the gap that convex parts keep; one where shapes meet.
+    pub fn kept(&self) -> f64 {
+        if self.given > 0.0 { self.parts / self.given } else { 1.0 }
+    }
+
     /// Whether convex parts take no more of the gap than facets may, besides what flat sides of the meshes of round surfaces
     /// are away from these (m).
     pub fn agrees(&self, chord_errors: f64) -> bool {

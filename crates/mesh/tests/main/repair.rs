@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::shapes::{
-    CROSS, Shape, block_with_hole, chamfered_peg, countersunk_block, cube, prism, rotation, square, stack,
+    CROSS, Shape, block_with_hole, chamfered_peg, countersunk_block, cube, prism, rotation, square, stack, tube,
 };
 use mesh::{Cover, CoverSettings, Deviation, MeshError, Repair, Solid, TriangleMesh};
 
@@ -166,15 +166,22 @@ fn three_triangles_at_an_edge_are_refused() {
 
 #[test]
 fn a_sheet_across_a_hole_is_dropped_and_told() {
-    let open = block_with_hole(12, 0.0);
+    let open = tube(12);
     let mut shut = open.clone();
-    // Over the mouth, with its other side out.
-    shut.polygons.push((8..20).rev().collect());
+    // Over the upper mouth, with its other side out.
+    shut.polygons.push((24..36).rev().collect());
     let solid = shut.solid();
     let [Repair::Sheet { place, triangles: 10 }] = solid.repairs() else { panic!("{:?}", solid.repairs()) };
     assert!((place[2] - 20.0).abs() < 1e-9 && place[0].abs() < 1e-6, "{place:?}");
     assert!(!solid.is_rough());
     assert_volume(&solid, 1e9 * open.solid().mass_properties().volume);
+}
+
+#[test]
+fn a_lid_on_a_blind_hole_which_may_as_well_be_a_void_is_refused() {
+    let mut shape = block_with_hole(12, 0.0);
+    shape.polygons.push((8..20).collect());
+    assert!(matches!(refused(&shape), MeshError::NonManifold { count: 3, .. }), "{}", refused(&shape));
 }
 
 #[test]

@@ -119,12 +119,15 @@ fn a_crack_is_no_opening_and_a_missing_face_is_one() {
         let mut shape = cube(100.0);
         let lid = shape.polygons.pop().unwrap();
         let corners: Vec<[f64; 3]> = lid.iter().map(|&corner| shape.vertices[corner]).collect();
-        let raised: Vec<[f64; 3]> = corners.iter().map(|[x, y, z]| [*x, *y, z + gap]).collect();
+        let mut raised: Vec<[f64; 3]> = corners.iter().map(|[x, y, z]| [*x, *y, z + gap]).collect();
+        // A corner in the middle of a side of its own.
+        let middle = std::array::from_fn(|axis| 0.5 * (raised[0][axis] + raised[1][axis]));
+        raised.insert(1, middle);
         let lid = shape.add(&raised);
         shape.polygons.push(lid);
         shape.mesh()
     };
     let narrow = Solid::of(&gap(0.004)).unwrap();
-    assert!(matches!(narrow.repairs(), [Repair::Decided { open: 8, .. }]), "{:?}", narrow.repairs());
+    assert!(matches!(narrow.repairs(), [Repair::Decided { open: 9, .. }]), "{:?}", narrow.repairs());
     assert!(Solid::of(&gap(0.5)).unwrap_err().to_string().contains("open"));
 }
