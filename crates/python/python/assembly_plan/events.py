@@ -94,7 +94,7 @@ class Refining:
 
 @dataclass(frozen=True)
 class Perturbation:
-    """A perturbation of the reference has been tried: `failing` of `cases` training rollouts fail, `accepted` were kept."""
+    """A perturbation of the reference was tried: `failing` of `cases` training rollouts fail, `accepted` were kept."""
 
     failing: int
     cases: int
