@@ -4,6 +4,7 @@ import json
 import pathlib
 import shutil
 import subprocess
+from collections.abc import Sequence
 
 import pytest
 
@@ -12,7 +13,7 @@ PROFILE = [(0, 0), (30, 0), (30, 20), (20, 20), (20, 8), (10, 8), (10, 20), (0, 
 FACES = [(0, 1, 4, 5), (1, 2, 3, 4), (0, 5, 6, 7)]
 
 
-def prism(profile: list[tuple[float, float]], faces: list[tuple[int, ...]], low: float, high: float) -> str:
+def prism(profile: Sequence[tuple[float, float]], faces: Sequence[tuple[int, ...]], low: float, high: float) -> str:
     """OBJ (m) of a profile (mm) in the x-z plane along y, divided into convex faces."""
     count = len(profile)
     corners = [(x, y, z) for y in (low, high) for x, z in profile]
@@ -40,7 +41,8 @@ def folder(tmp_path: pathlib.Path) -> pathlib.Path:
 def run(folder: pathlib.Path, program: str) -> subprocess.CompletedProcess[str]:
     """Reads all assemblies."""
     out = folder.parent / "out"
-    command = [LAB, "assemblies", folder, "--only", "read", "--program", program, "--out", out]
+    command: list[str | pathlib.Path] = [LAB, "assemblies", folder, "--only", "read"]
+    command += ["--program", program, "--out", out]
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 

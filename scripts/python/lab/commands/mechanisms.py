@@ -6,7 +6,7 @@ Every scene is planned by every search with several seeds, each plan in one thre
 import argparse
 import pathlib
 
-from lab.paths import OUT
+from lab.paths import OUT, PROGRAM
 
 EPILOG = """\
 Examples:
@@ -23,6 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--seeds", type=int, default=3, metavar="N", help="number of seeds [default: 3]")
     add("--friction", default="0,0.1,0.3", help="friction that plans must tolerate [default: 0,0.1,0.3]")
     add("--jobs", type=int, default=2, metavar="N", help="plans at a time [default: 2]")
+    add("--program", type=pathlib.Path, metavar="FILE", help=f"run this one instead of building {PROGRAM.name}")
     add("--out", type=pathlib.Path, default=OUT / "mechanisms", metavar="DIR", help="folder of results")
 
 
@@ -31,5 +32,7 @@ def run(arguments: argparse.Namespace) -> None:
     from lab import program
     from lab.robust import mechanisms
 
-    program.build()
+    if arguments.program is None:
+        program.build()
+        arguments.program = PROGRAM
     print(mechanisms.study(arguments))

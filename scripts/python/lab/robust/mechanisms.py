@@ -57,7 +57,7 @@ def plan(arguments: argparse.Namespace, case: Case) -> dict:
         parameters.write_text(toml.text(SEARCHES[case.search] | {"seeds": {"first": 1000 * case.seed + 1}}))
         options = ["--friction", arguments.friction, "--time-limit", arguments.time, "--robust-parameters", parameters]
         command = ["solve", scene, "--robust", "--jobs", 1, "--out", folder / "plan", *options]
-        program.measured(*command, log=folder / "log.txt")
+        program.measured(*command, log=folder / "log.txt", program=arguments.program)
     return json.loads((folder / "plan/result.json").read_text())
 
 
