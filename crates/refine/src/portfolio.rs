@@ -161,7 +161,56 @@ fn add_failures(grasps: &mut Vec<GraspError>, failing: &[GraspError], count: usi
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
+    use plan::{Choices, Problem};
+
     use super::*;
+
+    /// Every recipe changes what it is named after, and nothing else of time, scenarios, weights and smoothing.
+    #[test]
+    fn recipes_change_what_they_are_named_after() {
+        let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/corner.toml");
+        let problem = Problem::load(&scene, &Choices::default()).unwrap();
+        let (scene, parameters) = (Variant::of_scene(&problem), PortfolioParameters::default());
+        let task = &scene.task;
+        let refined = Reference::straight(&task.start, &task.goal, task.horizon);
+        let failing = [GraspError::from([0.0, 0.005, 0.0])];
+        let offsets =
+            |variant: &Variant| -> Vec<f64> { variant.task.grasps.iter().map(|grasp| norm(&grasp.offset)).collect() };
+        let duration = |variant: &Variant| variant.task.horizon.steps as f64 * variant.task.horizon.time_step;
+        for recipe in PORTFOLIO {
+            let variant = recipe.variant(&scene, &refined, &failing, &parameters);
+            let ratio = |of: fn(&Variant) -> f64| of(&variant) / of(&scene);
+            let measured = [
+                duration(&variant) / duration(&scene),
+                ratio(|variant| variant.task.horizon.time_step),
+                ratio(|variant| variant.task.cost.compliant.translational_velocity),
+                ratio(|variant| variant.settings.tau),
+            ];
+            let [half, twice, slow] = [0.5, 2.0, parameters.slowness];
+            let first = scene.settings.iterations - parameters.resolved_iterations;
+            let end = scene.settings.schedule().nth(first).unwrap().tau / scene.settings.tau;
+            let (expected, grasps, begins_from_motion) = match recipe {
+                Recipe::HalfTheTimeStep => ([1.0, half, 1.0, 1.0], 2, false),
+                Recipe::StraightFirstGuess => ([1.0; 4], 2, true),
+                Recipe::FailingOffsetsFromRefinedPlan => ([1.0, 1.0, 1.0, end], 3, true),
+                Recipe::FailingOffsets => ([1.0; 4], 3, false),
+                Recipe::NoneAndHalfOffsets => ([1.0; 4], 5, false),
+                Recipe::MoreOffset => ([1.0; 4], 2, false),
+                Recipe::TwiceTheTime => ([twice, 1.0, 1.0, 1.0], 2, false),
+                Recipe::SlowMotion => ([1.0, 1.0, slow, 1.0], 2, false),
+                Recipe::HalfTheFirstSmoothing => ([1.0, 1.0, 1.0, half], 2, false),
+                Recipe::TwiceTheFirstSmoothing => ([1.0, 1.0, 1.0, twice], 2, false),
+            };
+            let is_same = measured.iter().zip(expected).all(|(one, other)| (one - other).abs() < 1e-12);
+            assert!(is_same, "{recipe}: {measured:?}");
+            assert_eq!((variant.task.grasps.len(), variant.near.is_some()), (grasps, begins_from_motion), "{recipe}");
+            let largest = offsets(&variant).into_iter().fold(0.0, f64::max);
+            let factor = if recipe == Recipe::MoreOffset { parameters.offset_margin } else { 1.0 };
+            assert!((largest - 0.02 * factor).abs() < 1e-12, "{recipe}: {largest}");
+        }
+    }
 
     #[test]
     fn failures_that_are_turned_are_far_from_scenarios_that_are_not() {
