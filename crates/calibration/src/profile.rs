@@ -38,7 +38,7 @@ impl Valley {
         let delays = (0..).map(|index| range.start() + APART * f64::from(index));
         for delay in delays.take_while(|delay| range.contains(delay)) {
             let former = valley.least();
-            values = valley.add(model, values, (place, delay), others);
+            values = valley.add(model, values, place, delay, others);
             worse = if valley.least() < former { 0 } else { worse + 1 };
             if worse == WORSE {
                 break;
@@ -49,7 +49,7 @@ impl Valley {
             for step in [-APART, APART] {
                 let delay = values[place] + step * 0.5_f64.powi(halving);
                 if range.contains(&delay) {
-                    valley.add(model, values.clone(), (place, delay), others);
+                    valley.add(model, values.clone(), place, delay, others);
                 }
             }
         }
@@ -69,12 +69,13 @@ impl Valley {
         Some(LENGTHS.iter().map(|&length| self.spread(runs, length)).fold(width, f64::max))
     }
 
-    /// Adds a fit from values at another delay, and returns its values; where there is none, the values themselves.
+    /// Adds a fit at a delay that begins at some values. Returns the fitted values, or those where the fit fails.
     fn add(
         &mut self,
         model: &impl Model,
         mut values: Vec<f64>,
-        (place, delay): (usize, f64),
+        place: usize,
+        delay: f64,
         others: &[usize],
     ) -> Vec<f64> {
         values[place] = delay;

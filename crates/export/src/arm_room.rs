@@ -14,7 +14,7 @@ const RESOLUTION: f64 = 0.001;
 
 /// The arm at the start of a reference that is raised for a dry run.
 ///
-/// On the way from other joint positions, no point of it moves further than `s / (1 - a)`, where `a` sums the changes of the
+/// On the path from other joint positions, no point of it moves further than `s / (1 - a)`, where `a` sums the changes of the
 /// joints (rad or m) and `s` these times the reach of each.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ArmStart {
@@ -31,20 +31,28 @@ pub struct ArmStart {
 }
 
 impl ArmStart {
-    /// With a margin (m) around links and gripper. `radius` is the farthest point of the part from the tool (m).
-    pub fn new(scene: &Scene, robot: &Robot, (margin, radius): (f64, f64), height_m: f64, at: &JointVector) -> Self {
-        let carried = CarriedWorld::new(scene);
+    /// With a margin (m) around links and gripper, of which `carried` has the shapes that are known. `radius` is the farthest
+    /// point of the part from the tool (m).
+    pub fn new(
+        scene: &Scene,
+        carried: Option<&CarriedWorld>,
+        margin: f64,
+        radius: f64,
+        height_m: f64,
+        at: &JointVector,
+    ) -> Option<Self> {
+        let robot = scene.robot.as_ref()?;
         let frames = Frames::along(robot, std::slice::from_ref(at));
-        let test_is_free = carried.as_ref().is_none_or(|carried| {
+        let test_is_free = carried.is_none_or(|carried| {
             tested(robot, at).is_some_and(|course| carried.is_free(&Frames::along(robot, &course), margin))
         });
-        Self {
+        Some(Self {
             height_m,
             configuration: at.as_slice()[..robot.arm.joints().len()].to_vec(),
             reach_m: reach(scene, robot, at, radius),
-            clearance_m: carried.as_ref().map(|carried| clearance(carried, &frames, margin)),
+            clearance_m: carried.map(|carried| clearance(carried, &frames, margin)),
             test_is_free,
-        }
+        })
     }
 }
 
@@ -148,7 +156,7 @@ mod tests {
         let robot = scene.robot.as_ref().unwrap();
         let near = &robot.configuration;
         let at = robot.arm.inverse_kinematics(&scene.goal.isometry(), near).unwrap();
-        (ArmStart::new(scene, robot, (margin, 0.01), 0.0, &at), at)
+        (ArmStart::new(scene, CarriedWorld::new(scene).as_ref(), margin, 0.01, 0.0, &at).unwrap(), at)
     }
 
     #[test]

@@ -45,12 +45,13 @@ impl FreeAir {
         let margin_m = problem.offset_magnitude() + rotation + MARGIN;
         let poses: Vec<Pose> = states.iter().map(State::pose).collect();
         let out = way_out(&poses, grasp);
+        let carried = CarriedWorld::new(problem.scene());
         let arm_start = |height: f64| {
             let robot = problem.scene().robot.as_ref()?;
             let states = shifted(states, &(height * out.unwrap_or_default()));
             let course = course(robot, time_step, &states).ok()?;
             let first = course.configurations.first()?;
-            Some(ArmStart::new(problem.scene(), robot, (margin_m, radius_m), height, first))
+            ArmStart::new(problem.scene(), carried.as_ref(), margin_m, radius_m, height, first)
         };
         let heights = clearance_heights().take_while(|height| out.is_some() || *height == 0.0);
         let arm_starts = heights.filter_map(arm_start).collect();
@@ -73,7 +74,6 @@ impl FreeAir {
             let room_at = |pose: &Pose| world.clearance(&at(pose, height)) - margin_m;
             poses.iter().map(room_at).fold(f64::INFINITY, f64::min)
         };
-        let carried = CarriedWorld::new(problem.scene());
         let is_free = |frames: Vec<Frames>| carried.as_ref().is_none_or(|carried| carried.is_free(&frames, margin_m));
         let can_move = |height: f64| {
             let Some(robot) = &problem.scene().robot else {

@@ -1,6 +1,6 @@
 //! A tree of boxes for finding triangles near a point, a line or each other.
 
-use crate::geometry::Vector;
+use crate::geometry::{Vector, bounds};
 
 /// Boxes per leaf.
 const LEAF: usize = 4;
@@ -157,4 +157,14 @@ impl BoxTree {
 /// Squared distance of two boxes (m^2).
 pub fn squared_gap([low, high]: &[Vector; 2], [other_low, other_high]: &[Vector; 2]) -> f64 {
     (0..3).map(|axis| (low[axis] - other_high[axis]).max(other_low[axis] - high[axis]).max(0.0).powi(2)).sum()
+}
+
+/// Sorts triangles so that those before the returned number lie below the others along the longest edge of their box.
+pub fn divide(triangles: &mut [[Vector; 3]]) -> usize {
+    let [low, high] = bounds(triangles.iter().flatten());
+    let axis = (high - low).imax();
+    let half = triangles.len() / 2;
+    let along = |triangle: &[Vector; 3]| triangle[0][axis] + triangle[1][axis] + triangle[2][axis];
+    triangles.select_nth_unstable_by(half, |one, other| along(one).total_cmp(&along(other)));
+    half
 }

@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use nalgebra::{Isometry3, Point3};
 
 use crate::body::Body;
+use crate::bvh::divide;
 use crate::geometry::{Vector, area_vector, mean};
 
 /// Places where another part passes are no farther apart than this share of their distance from the solid.
@@ -96,10 +97,7 @@ impl Balls {
         if items.len() == 1 {
             return;
         }
-        let axis = (high - low).imax();
-        let half = items.len() / 2;
-        let along = |triangle: &[Vector; 3]| triangle[0][axis] + triangle[1][axis] + triangle[2][axis];
-        self.triangles[items.clone()].select_nth_unstable_by(half, |one, other| along(one).total_cmp(&along(other)));
+        let half = divide(&mut self.triangles[items.clone()]);
         self.build(items.start..items.start + half);
         self.nodes[node].second = Some(self.nodes.len());
         self.build(items.start + half..items.end);

@@ -16,7 +16,7 @@ const MOST_POINTS: usize = 2000;
 const ROUNDING: f64 = 1e-9;
 /// Longest step of a point inside of the other surface, as a share of the travel that is looked at.
 const STEP: f64 = 1e-2;
-/// A point takes at least so many steps in it.
+/// Least number of steps of a point in the other surface.
 const LEAST_STEPS: f64 = 8.0;
 /// Penetration that is rounding, as a share of the same travel.
 const TOUCHING: f64 = 1e-4;

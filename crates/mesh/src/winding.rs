@@ -1,5 +1,6 @@
 //! How often a surface runs around points, fast: of triangles far away only their sum counts.
 
+use crate::bvh::divide;
 use crate::geometry::{Vector, area_vector, mean};
 use crate::shells::half_solid_angle;
 
@@ -45,11 +46,7 @@ impl Winding {
         if items.len() <= LEAF {
             return;
         }
-        let [low, high] = crate::geometry::bounds(self.triangles[items.clone()].iter().flatten());
-        let axis = (high - low).imax();
-        let half = items.len() / 2;
-        let along = |triangle: &[Vector; 3]| triangle[0][axis] + triangle[1][axis] + triangle[2][axis];
-        self.triangles[items.clone()].select_nth_unstable_by(half, |one, other| along(one).total_cmp(&along(other)));
+        let half = divide(&mut self.triangles[items.clone()]);
         self.build(items.start..items.start + half);
         self.nodes[node].second = Some(self.nodes.len());
         self.build(items.start + half..items.end);

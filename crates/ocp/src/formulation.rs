@@ -35,7 +35,8 @@ impl Formulation {
 
     /// With these contacts only.
     pub fn with_contacts(&self, contacts: ActiveContacts) -> Self {
-        Self { layout: self.layout.with_contacts(contacts), ..self.clone() }
+        let (task, initial_compliant) = (self.task.clone(), self.initial_compliant.clone());
+        Self { task, layout: self.layout.with_contacts(contacts), initial_compliant }
     }
 
     /// With the contacts that come near at a point.

@@ -172,12 +172,12 @@ impl Layout {
 
     /// Values of the variables from those of a layout with other contacts; zero for contacts that are not there.
     pub fn variables_of(&self, other: &Self, values: &[f64]) -> Vec<f64> {
-        self.values_of(&self.variables, (other, &other.variables), values)
+        self.values_of(&self.variables, other, &other.variables, values)
     }
 
     /// Values of the rows from those of a layout with other contacts; zero for contacts that are not there.
     pub fn rows_of(&self, other: &Self, values: &[f64]) -> Vec<f64> {
-        self.values_of(&self.rows, (other, &other.rows), values)
+        self.values_of(&self.rows, other, &other.rows, values)
     }
 
     /// Bounds of all variables, from the blocks of the layout.
@@ -249,7 +249,7 @@ impl Layout {
         self.stages_of(Owners::All).flat_map(members).collect()
     }
 
-    fn values_of(&self, order: &StageOrder, (other, theirs): (&Self, &StageOrder), values: &[f64]) -> Vec<f64> {
+    fn values_of(&self, order: &StageOrder, other: &Self, theirs: &StageOrder, values: &[f64]) -> Vec<f64> {
         let mut result = Vec::with_capacity(order.count());
         for (stage, owner) in self.stages_of(Owners::All) {
             for PlacedBlock { name, size, per_pair, .. } in &order.of(owner).blocks {

@@ -29,6 +29,13 @@ def build() -> None:
     subprocess.run([ROOT / "scripts/plan", "--version"], stdout=sys.stderr, check=True)
 
 
+def given_or_built(file: pathlib.Path | None) -> pathlib.Path:
+    """The program that is given, or else that of this repository, built."""
+    if file is None:
+        build()
+    return file or PROGRAM
+
+
 def run(*arguments: object, output: int | None = None, accepted: tuple[int, ...] = RESULTS) -> str | None:
     """Runs the program; returns what it prints if `output` is a pipe. An exit code that is not accepted is a
     failure."""

@@ -37,9 +37,7 @@ def run(arguments: argparse.Namespace) -> None:
     from lab.assemblies import stages, table
     from lab.errors import InputError
 
-    if arguments.program is None:
-        program.build()
-        arguments.program = PROGRAM
+    arguments.program = program.given_or_built(arguments.program)
     found = sorted(file.parent.name for file in arguments.folder.glob("*/plug.obj"))
     names = arguments.name or found
     if not names or not set(names) <= set(found):

@@ -32,7 +32,5 @@ def run(arguments: argparse.Namespace) -> None:
     from lab import program
     from lab.robust import mechanisms
 
-    if arguments.program is None:
-        program.build()
-        arguments.program = PROGRAM
+    arguments.program = program.given_or_built(arguments.program)
     print(mechanisms.study(arguments))
