@@ -167,7 +167,7 @@ fn runs(strips: &[Strip], is_closed: bool, mesh: &Mesh) -> Vec<Vec<Strip>> {
         // Begin where a surface begins.
         let doubled = [&strips[..], &strips[..LEAST_FACETS.min(strips.len())]].concat();
         let begins = |start: &usize| !fits(&doubled, *start - 1, *start - 1 + LEAST_FACETS);
-        if let Some(start) = (1..strips.len().saturating_sub(1)).find(|start| begins(start)) {
+        if let Some(start) = (1..strips.len().saturating_sub(1)).find(begins) {
             strips.rotate_left(start);
         }
     }

@@ -7,7 +7,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use task::{AssemblyTask, Pose, Trajectory, pose};
+use task::{AssemblyTask, Pose, Scenario, Trajectory, pose};
 
 /// Pairs that come nearer than this fraction of the size of the largest part of the body may touch.
 const NEAR: f64 = 0.0125;
@@ -19,8 +19,8 @@ const AROUND: f64 = 8.0;
 const FEW_PAIRS: usize = 16;
 /// Contacts begin this number of steps earlier and end as much later than pairs are near: motions shift in time, too.
 const STEPS_AROUND: usize = 4;
-/// Number of poses on a straight path.
-const PATH_POSES: usize = 64;
+/// A motion from rest may be earlier or later than one of constant speed by one of this many parts of all steps.
+const FIRST_STEPS_AROUND: usize = 4;
 
 /// The pairs that have a contact in each step of each scenario.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -38,37 +38,41 @@ impl ActiveContacts {
     }
 
     /// Those that a motion from a rest at the start may have: pairs that come near on the straight paths of all scenarios,
-    /// at every stage, as it is unknown when. Of few pairs, all.
+    /// around the time at which a motion of constant speed is there. Of few pairs, all.
     pub fn on_straight_paths(task: &AssemblyTask) -> Self {
         if task.pairs.len() <= FEW_PAIRS {
             return Self::all(task);
         }
-        let believed =
-            |share: f64| Pose::from(&pose::interpolate(&task.start.isometry(), &task.goal.isometry(), share));
-        let shares = (0..=PATH_POSES).map(|index| index as f64 / PATH_POSES as f64);
-        let grasps = || task.grasps.iter();
-        let poses: Vec<_> =
-            shares.flat_map(|share| grasps().map(move |grasp| grasp.actual(&believed(share)).0)).collect();
+        let steps = task.horizon.steps;
+        let share = |step: usize| step as f64 / steps as f64;
+        let believed = |step| Pose::from(&pose::interpolate(&task.start.isometry(), &task.goal.isometry(), share(step)));
+        let path: Vec<Pose> = (0..=steps).map(believed).collect();
+        let motion = |scenario: Scenario| path.iter().map(|pose| scenario.grasp.actual(pose)).collect();
+        let motions: Vec<Vec<Pose>> = task.scenarios().into_iter().map(motion).collect();
         // The body may deviate from its path as far as it is off in the gripper.
-        let offset = task.offsets().into_iter().map(|offset| task::algebra::norm(&offset)).fold(0.0, f64::max);
-        let reach = reach(task) + offset;
-        let near: Vec<bool> =
-            task.pairs.iter().map(|pair| comes_near(&pair.shapes.exact_distances(&poses), reach)).collect();
-        Self::from_fn(task, |_, _, pair| near[pair])
+        let deviation = task.offsets().into_iter().map(|offset| task::algebra::norm(&offset)).fold(0.0, f64::max);
+        Self::around(task, &motions, deviation, steps / FIRST_STEPS_AROUND)
     }
 
-    /// Those near a motion, from the poses of every scenario at k = 0..N: the contact of a stage is at the pose before its
-    /// step.
+    /// Those near a motion, from the poses of every scenario at k = 0..N.
     pub fn near(task: &AssemblyTask, motions: &[Vec<Pose>]) -> Self {
+        Self::around(task, motions, 0.0, STEPS_AROUND)
+    }
+
+    /// Those near motions from which the body may deviate by a distance (m) and a number of steps. The contact of a stage is
+    /// at the pose before its step.
+    fn around(task: &AssemblyTask, motions: &[Vec<Pose>], deviation: f64, steps_around: usize) -> Self {
         let poses = pose::arrays(&motions.concat());
         let (steps, length, reach) = (task.horizon.steps, task.horizon.steps + 1, reach(task));
         let distances = task.pairs.iter().map(|pair| pair.shapes.exact_distances(&poses));
-        let distances: Vec<_> = distances.map(|distances| comes_near(&distances, reach).then_some(distances)).collect();
+        let is_near = |distances: &Vec<f64>| comes_near(distances, reach + deviation);
+        let distances: Vec<_> = distances.map(|distances| is_near(&distances).then_some(distances)).collect();
         Self::from_fn(task, |stage, scenario, pair| {
             let Some(distances) = &distances[pair] else { return false };
             let before = stage - 1;
-            let around = before.saturating_sub(STEPS_AROUND)..=(before + STEPS_AROUND).min(steps);
-            task.pairs.len() <= FEW_PAIRS || comes_near(&distances[scenario * length..][around], AROUND * reach)
+            let around = before.saturating_sub(steps_around)..=(before + steps_around).min(steps);
+            let of_scenario = &distances[scenario * length..][around];
+            task.pairs.len() <= FEW_PAIRS || comes_near(of_scenario, AROUND * reach + deviation)
         })
     }
 
