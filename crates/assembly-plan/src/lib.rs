@@ -12,6 +12,7 @@ mod generate;
 mod interrupt;
 mod manual;
 mod new;
+mod played;
 mod program;
 mod progress;
 mod report;
@@ -19,6 +20,7 @@ mod schema;
 mod simulate;
 mod solve;
 mod summary;
+mod tolerance;
 mod usage;
 mod values;
 
@@ -44,6 +46,7 @@ pub fn run(program: Program, arguments: impl IntoIterator<Item = OsString>) -> u
         Command::Solve(arguments) => solve::run(arguments, clock),
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Batch(arguments) => batch::run(arguments),
+        Command::Tolerance(arguments) => tolerance::run(arguments, clock),
         Command::Report(arguments) => report::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Calibrate(arguments) => calibrate::run(arguments),

@@ -5,19 +5,19 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use planner::files::{
-    RESOLVED, RolloutRow, SimulationRecord, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
+    RolloutRow, SimulationRecord, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
     require_rollout_tables, to_csv, write_file, write_rollout_tables,
 };
 use planner::simulate::{force_warning, penetration_warning};
 use planner::{
-    Choices, Ending, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable,
-    simulate,
+    Ending, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable, simulate,
 };
 use simulation::Reference;
 
 use crate::arguments::SimulateArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
+use crate::played::problem_of;
 use crate::progress::Progress;
 use crate::report;
 use crate::values::threads;
@@ -27,8 +27,10 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let mut request = arguments.request()?;
     require_order(arguments)?;
     let plans = StoredPlan::find(&arguments.folder)?;
-    let played: Vec<(StoredPlan, Problem)> =
-        plans.into_iter().map(|plan| problem_of(arguments, plan)).collect::<Result<_, _>>()?;
+    let played: Vec<(StoredPlan, Problem)> = plans
+        .into_iter()
+        .map(|plan| problem_of(arguments.scene.as_deref(), &arguments.tolerance, plan))
+        .collect::<Result<_, _>>()?;
     if let Some(log) = &arguments.executed {
         return show_execution(&played, &request, log);
     }
@@ -119,31 +121,6 @@ fn show_execution(
     let execution = Execution::read(log, problem, plan, &[request.settings(*friction)])?;
     execution.sentences().iter().for_each(|sentence| say!("{sentence}"));
     Ok(if execution.ending == Ending::AtGoal { Exit::Done } else { Exit::NoPlan })
-}
-
-/// The problem of a plan in the given scene, which must have the plan's shapes, start and goal.
-fn problem_of(arguments: &SimulateArguments, plan: StoredPlan) -> Result<(StoredPlan, Problem), PlannerError> {
-    let choices = Choices {
-        start: Some(plan.result.start.clone()),
-        offset_magnitude: Some(plan.result.delta_m),
-        rotation_error: Some(plan.result.turn_rad),
-        position_tolerance: arguments.tolerance.position_tolerance,
-        angle_tolerance: arguments.tolerance.angle_tolerance,
-        ..Choices::default()
-    };
-    let scene = arguments.scene.clone().unwrap_or_else(|| plan.folder.join(RESOLVED));
-    let problem = Problem::load(&scene, &choices)
-        .map_err(|error| PlannerError::file(&plan.folder, format!("the plan does not fit the scene: {error}")))?;
-    let folder = plan.folder.display();
-    if arguments.scene.is_none() {
-        plan.problem()?;
-    } else if !plan.require_made_for(&problem)? {
-        tell!("warning: {folder}: the plan was made with other settings than {} has", scene.display());
-    }
-    if !plan.result.converged {
-        tell!("warning: {folder}: the plan did not converge");
-    }
-    Ok((plan, problem))
 }
 
 /// Delta-hat of every plan.

@@ -134,7 +134,8 @@ fn inputs(arguments: &SolveArguments) -> Vec<&Path> {
     std::iter::once(&arguments.task.scene).chain(&arguments.homotopy).map(PathBuf::as_path).collect()
 }
 
-fn default_folder(problem: &Problem) -> PathBuf {
+/// The folder of a plan for which no other is named.
+pub fn default_folder(problem: &Problem) -> PathBuf {
     let is_plain = |letter: char| letter.is_alphanumeric() || "-_".contains(letter);
     let name: String = format!("{}-{}", problem.scene().title, problem.start().name)
         .chars()

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use export::Target;
 use scene_templates::Axis;
 use task::{LinearSolver, Pose};
+use tolerance::Quantity;
 
 /// A pose: position (m) and quaternion (w x y z) of any norm but zero, which is scaled to unit norm.
 pub fn pose(text: &str) -> Result<Pose, String> {
@@ -34,6 +35,35 @@ pub fn axis() -> impl TypedValueParser<Value = Axis> {
     let negative = ["-x", "-y", "-z"].map(PossibleValue::new);
     let known = PossibleValuesParser::new(names.into_iter().chain(negative));
     known.try_map(|name| Axis::from_name(&name).ok_or("unknown"))
+}
+
+/// What may be off, by its name.
+pub fn quantity() -> impl TypedValueParser<Value = Quantity> {
+    named(Quantity::ALL.map(Quantity::name), Quantity::from_name)
+}
+
+/// Units of a requirement, with their size in SI units.
+const UNITS: [(&str, f64); 5] =
+    [("mm", 1e-3), ("mrad", 1e-3), ("deg", std::f64::consts::PI / 180.0), ("rad", 1.0), ("m", 1.0)];
+
+/// A requirement such as `offset=2mm`, `rotation=1deg` or `friction=0.3`; without a unit, SI units.
+pub fn required(text: &str) -> Result<(Quantity, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("must be a name and a value, such as offset=2mm")?;
+    let known = Quantity::ALL.into_iter().filter(|quantity| *quantity != Quantity::Clearance);
+    let names: Vec<&str> = known.map(Quantity::name).collect();
+    let quantity = Quantity::from_name(name).filter(|_| names.contains(&name));
+    let quantity = quantity.ok_or_else(|| format!("`{name}` is none of {}", names.join(", ")))?;
+    let found = UNITS.iter().find_map(|(unit, scale)| Some((*unit, value.strip_suffix(unit)?, *scale)));
+    let (unit, digits, scale) = found.unwrap_or(("", value, 1.0));
+    let fits = match quantity {
+        Quantity::Rotation => ["", "deg", "rad", "mrad"].contains(&unit),
+        Quantity::Friction => unit.is_empty(),
+        _ => ["", "m", "mm"].contains(&unit),
+    };
+    if !fits {
+        return Err(format!("`{unit}` is no unit of {name}"));
+    }
+    Ok((quantity, scale * number(digits.trim(), |number| number >= 0.0, "must not be negative")?))
 }
 
 /// A unit of length of meshes.

@@ -45,7 +45,8 @@ impl ActiveContacts {
         }
         let steps = task.horizon.steps;
         let share = |step: usize| step as f64 / steps as f64;
-        let believed = |step| Pose::from(&pose::interpolate(&task.start.isometry(), &task.goal.isometry(), share(step)));
+        let believed =
+            |step| Pose::from(&pose::interpolate(&task.start.isometry(), &task.goal.isometry(), share(step)));
         let path: Vec<Pose> = (0..=steps).map(believed).collect();
         let motion = |scenario: Scenario| path.iter().map(|pose| scenario.grasp.actual(pose)).collect();
         let motions: Vec<Vec<Pose>> = task.scenarios().into_iter().map(motion).collect();

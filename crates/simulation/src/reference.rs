@@ -97,6 +97,15 @@ impl Reference {
         Self { time_step: self.time_step, knots }.with_twists_from(first)
     }
 
+    /// The same motion somewhere else, shifted in the world frame (m).
+    pub fn shifted(&self, by: &Vector3<f64>) -> Self {
+        let moved = |knot: &Knot| {
+            let position = knot.pose.translation.vector + by;
+            Knot { pose: Isometry3::from_parts(position.into(), knot.pose.rotation), ..*knot }
+        };
+        Self { time_step: self.time_step, knots: self.knots.iter().map(moved).collect() }
+    }
+
     /// The first intervals, at most `intervals`.
     pub fn cut(&self, intervals: usize) -> Self {
         Self { time_step: self.time_step, knots: self.knots.iter().copied().take(intervals + 1).collect() }

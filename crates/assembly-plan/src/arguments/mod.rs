@@ -12,6 +12,7 @@ mod report;
 mod simulate;
 mod solve;
 mod task;
+mod tolerance;
 
 use clap::{Parser, Subcommand};
 
@@ -26,6 +27,8 @@ pub use printed::{CompletionsArguments, ManualArguments, SchemaArguments};
 pub use report::ReportArguments;
 pub use simulate::SimulateArguments;
 pub use solve::SolveArguments;
+pub use task::ToleranceArguments;
+pub use tolerance::ToleranceCommandArguments;
 
 /// Plans motions of a robot that insert a part which may sit several millimetres off in the gripper.
 ///
@@ -47,6 +50,8 @@ pub enum Command {
     Batch(BatchArguments),
     /// Test plans: play them with offsets, hard contacts and friction, and count successes
     Simulate(SimulateArguments),
+    /// Measure which errors a plan tolerates: offset, rotation, position of the hole, friction, clearance
+    Tolerance(ToleranceCommandArguments),
     /// Write an HTML page that shows a plan, a batch or a simulation
     Report(ReportArguments),
     /// Write what a robot reads of a plan: tool motion, gains, limits, player
