@@ -241,7 +241,7 @@ fn files_that_are_named_exist() {
 
 /// Long flags of the program, but for hidden ones.
 fn flags_of_program() -> BTreeSet<String> {
-    let commands: [&[&str]; 21] = [
+    let commands: [&[&str]; 22] = [
         &[],
         &["solve"],
         &["check"],
@@ -254,6 +254,7 @@ fn flags_of_program() -> BTreeSet<String> {
         &["completions"],
         &["man"],
         &["simulate"],
+        &["tolerance"],
         &["report"],
         &["export"],
         &["calibrate"],

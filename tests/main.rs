@@ -22,6 +22,7 @@ mod robust;
 mod simulate;
 mod starting;
 mod support;
+mod tolerance;
 mod turned;
 mod verdicts;
 mod wrong_inputs;

@@ -5,12 +5,12 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use planner::files::{
-    RolloutRow, SimulationRecord, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
-    require_rollout_tables, to_csv, write_file, write_rollout_tables,
+    RolloutRow, RolloutTables, SimulationRecord, StateRow, StoredPlan, SuccessRow, is_rollout_table, require_folder,
+    require_rollout_tables, to_csv, write_file,
 };
-use planner::simulate::{force_warning, penetration_warning};
 use planner::{
-    Ending, Execution, Motion, PlannerError, PlayedRollout, Problem, Session, SimulationRequest, SuccessTable, simulate,
+    Ending, Execution, Motion, PlannerError, Problem, RolloutRemarks, Session, SimulationRequest, SuccessTable,
+    simulate_each,
 };
 use simulation::Reference;
 
@@ -47,29 +47,35 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     let (never, threads) = (AtomicBool::new(false), threads(arguments.jobs));
     let session = Session { threads, ..Session::new(&progress, &never) };
     let begin = Instant::now();
-    let (mut rollouts, mut rows, mut trace) = (Vec::new(), Vec::new(), None);
+    let limit = played.iter().map(|(_, problem)| problem.task().limits.contact_force).fold(f64::INFINITY, f64::min);
+    let (mut tables, mut table, mut remarks) =
+        (RolloutTables::begin(folder)?, SuccessTable::default(), RolloutRemarks::default());
+    let (mut count, mut trace) = (0, None);
     for (plan, problem) in &played {
         let motions = motions(arguments, plan)?;
-        let of_plan = simulate(problem, &motions, &request, &session)?;
-        rows.extend(of_plan.iter().map(|rollout| RolloutRow::new(&plan.folder, &plan.result.start, rollout)));
+        let mut first = None;
+        simulate_each(problem, &motions, &request, &session, &mut |rollout| {
+            if first.is_none() && rollout.motion == Motion::Plan {
+                first = Some((rollout.friction, rollout.grasp));
+            }
+            count += 1;
+            table.add(&rollout);
+            remarks.add(&rollout, limit);
+            tables.add(&RolloutRow::new(&plan.folder, &plan.result.start, &rollout))
+        })?;
         if let (true, None, Some((_, reference))) = (arguments.trace.is_some(), &trace, motions.last()) {
-            let first = of_plan.iter().find(|rollout| rollout.motion == Motion::Plan);
-            let course = |first: &PlayedRollout| course(problem, reference, &request, first.friction, first.grasp);
+            let course = |(friction, grasp)| course(problem, reference, &request, friction, grasp);
             trace = first.map(course).transpose()?;
         }
-        rollouts.extend(of_plan);
     }
     progress.end();
     let seconds = begin.elapsed().as_secs_f64();
-    let limit = played.iter().map(|(_, problem)| problem.task().limits.contact_force).fold(f64::INFINITY, f64::min);
-    let force_warning = force_warning(&rollouts, limit);
-    penetration_warning(&rollouts).iter().chain(&force_warning).for_each(|warning| tell!("warning: {warning}"));
-    let table = SuccessTable::new(&rollouts);
+    let warnings = [remarks.penetration_warning(), remarks.force_warning(limit)];
+    warnings.into_iter().flatten().for_each(|warning| tell!("warning: {warning}"));
     let successes: Vec<SuccessRow> = table.groups().iter().map(SuccessRow::from).collect();
     if let Some((_, problem)) = played.first() {
         let plans = played.iter().map(|(plan, _)| plan.folder.display().to_string()).collect();
-        let record = SimulationRecord::new(problem, plans, &request.errors);
-        write_rollout_tables(folder, &record, &rows, &successes)?;
+        tables.finish(&SimulationRecord::new(problem, plans, &request.errors), &successes)?;
     }
     if let (Some(file), Some(rows)) = (&arguments.trace, trace) {
         write_file(file, &to_csv(rows)?)?;
@@ -84,9 +90,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
             problem.success().orientation
         );
     }
-    let rate = 60.0 * rollouts.len() as f64 / seconds;
+    let rate = 60.0 * count as f64 / seconds;
     let in_words = if threads == 1 { "thread" } else { "threads" };
-    say!("{} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}", rollouts.len());
+    say!("{count} rollouts in {seconds:.1} s, {rate:.0} per minute with {threads} {in_words}");
     say!("written to {}", folder.display());
     if arguments.report {
         report::write_into(folder)?;

@@ -57,6 +57,7 @@ fn measure(
         seed: arguments.seed,
     };
     let trials = Trials::new(&problem, reference, request.clone(), session)?;
+    let requested = requested_map(arguments, &trials)?;
     let Some(boundaries) = boundaries(arguments, &trials, session)? else { return Ok(None) };
     let need = match arguments.need {
         Some((quantity, value)) => {
@@ -66,7 +67,7 @@ fn measure(
         }
         None => None,
     };
-    let map = match requested_map(arguments, &trials)? {
+    let map = match requested {
         Some(requested) => match draw(arguments, &trials, &request, &requested, plans, session)? {
             Some(map) => Some(map),
             None => return Ok(None),

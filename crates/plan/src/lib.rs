@@ -48,7 +48,7 @@ mod variant;
 pub use arm_course::ArmCourse;
 pub use checkpoint::Checkpoint;
 pub use clock::{Now, RunClock};
-pub use digest::hash;
+pub use digest::{Hasher, hash};
 pub use engagement::{Engagement, engagement};
 pub use error::{Fault, PlannerError, Unusable, short};
 pub use format::Format;
@@ -62,7 +62,10 @@ pub use problem::{Choices, Problem, VERSION, homotopy};
 pub use robustness::{PushReport, RobustnessReport, Round, TestReport};
 pub use sealed::{seal, unseal};
 pub use session::{Event, Observer, Session};
-pub use simulate::{GraspErrors, Motion, OffsetSource, PlayedRollout, Region, SimulationRequest, simulate};
+pub use simulate::{
+    GraspErrors, Motion, OffsetSource, PlayedRollout, Region, RolloutRemarks, SimulationRequest, simulate,
+    simulate_each,
+};
 pub use solve::solve;
 pub use success_rates::{OffsetRegion, SuccessRate, SuccessRates, interval, max_force, rate};
 pub use success_table::{SuccessGroup, SuccessTable};

@@ -192,11 +192,7 @@ impl SimulationRequest {
     }
 }
 
-/// Plays motions, and the straight push, with all frictions and grasp errors, in this order, with all pairs, also those
-/// that the plan leaves out.
-///
-/// The session's observer gets the progress. If the session is interrupted, the rollouts so far are returned; its
-/// folder and its deadline are not used.
+/// All rollouts of [`simulate_each`].
 ///
 /// # Errors
 /// When the request is out of range.
@@ -206,6 +202,29 @@ pub fn simulate(
     request: &SimulationRequest,
     session: &Session,
 ) -> Result<Vec<PlayedRollout>, PlannerError> {
+    let mut played = Vec::new();
+    simulate_each(problem, motions, request, session, &mut |rollout| {
+        played.push(rollout);
+        Ok(())
+    })?;
+    Ok(played)
+}
+
+/// Plays motions, and the straight push, with all frictions and grasp errors, in this order, with all pairs, also those
+/// that the plan leaves out. `take` gets every rollout, in this order, as soon as it has been played.
+///
+/// The session's observer gets the progress. If the session is interrupted, there are no more rollouts; its folder and its
+/// deadline are not used.
+///
+/// # Errors
+/// When the request is out of range, and those of `take`.
+pub fn simulate_each(
+    problem: &Problem,
+    motions: &[(Motion, Reference)],
+    request: &SimulationRequest,
+    session: &Session,
+    take: &mut dyn FnMut(PlayedRollout) -> Result<(), PlannerError>,
+) -> Result<(), PlannerError> {
     request.validate()?;
     require_threads(session.threads)?;
     let world = problem.world();
@@ -215,37 +234,37 @@ pub fn simulate(
     let count = offsets.saturating_mul(request.frictions.len()).saturating_mul(motions.len() + 1);
     require(count <= MOST_ROLLOUTS, "number of rollouts", count, "must not be above 10000000; play fewer offsets")?;
     for (_, reference) in motions.iter().chain([&push]) {
-        request.settings(0.0).validate_for(reference)?;
-    }
-    for (_, reference) in motions.iter().chain([&push]) {
         request.frictions.iter().try_for_each(|&friction| request.settings(friction).validate_for(reference))?;
     }
     let (success, workers) = (problem.success(), Workers::new(session.threads));
-    let mut played = Vec::with_capacity(count);
+    let mut done = 0;
     for &friction in &request.frictions {
         let rollout = problem.rollout_in(&world, request.settings(friction))?;
         for (motion, reference) in motions.iter().chain([&push]) {
             for Injection { magnitude, errors } in &injections {
                 for errors in errors.chunks(TOLD) {
                     if session.is_interrupted() {
-                        return Ok(played);
+                        return Ok(());
                     }
                     let outcomes = rollout.simulate(reference, errors, &workers);
-                    played.extend(errors.iter().zip(outcomes).map(|(&grasp, outcome)| PlayedRollout {
-                        motion: *motion,
-                        friction,
-                        offset_magnitude: problem.offset_magnitude(),
-                        magnitude: *magnitude,
-                        grasp,
-                        outcome,
-                        success: outcome.reaches_goal(&success),
-                    }));
-                    session.tell(Event::Rollouts { done: played.len(), count });
+                    for (&grasp, outcome) in errors.iter().zip(outcomes) {
+                        take(PlayedRollout {
+                            motion: *motion,
+                            friction,
+                            offset_magnitude: problem.offset_magnitude(),
+                            magnitude: *magnitude,
+                            grasp,
+                            outcome,
+                            success: outcome.reaches_goal(&success),
+                        })?;
+                    }
+                    done += errors.len();
+                    session.tell(Event::Rollouts { done, count });
                 }
             }
         }
     }
-    Ok(played)
+    Ok(())
 }
 
 /// Grasp errors that are counted together.
@@ -300,34 +319,58 @@ fn with_turns(offsets: &[[f64; 3]], errors: &GraspErrors) -> Vec<GraspError> {
     GraspError::distinct(offsets.iter().zip(turns).map(|(&offset, rotation)| GraspError { offset, rotation }))
 }
 
-/// Successes that press with more than the task's limit of contact forces, which no robust plan may.
-pub fn force_warning(played: &[PlayedRollout], limit: f64) -> Option<String> {
-    let force = |rollout: &PlayedRollout| rollout.outcome.loads.contact_force;
-    let is_of_plan = |rollout: &&PlayedRollout| rollout.success && rollout.motion == Motion::Plan;
-    let successes: Vec<f64> = played.iter().filter(is_of_plan).map(force).collect();
-    // Comparisons are false for what is no number.
-    let beyond: Vec<f64> = successes.iter().copied().filter(|force| !(*force <= limit)).collect();
-    (!beyond.is_empty()).then(|| {
-        format!(
-            "{} of the {} successes of the plan press with more than contact_force = {limit:.1} N, with up to {:.1} N; `solve \
-             --robust` counts such rollouts as failures",
-            beyond.len(),
-            successes.len(),
-            beyond.iter().copied().fold(0.0, f64::max)
-        )
-    })
+/// What is noteworthy about some rollouts.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RolloutRemarks {
+    rollouts: usize,
+    /// Rollouts in which parts penetrate.
+    penetrating: usize,
+    /// Successes of the plan, and those that press with more than the limit.
+    successes: usize,
+    beyond: usize,
+    /// Largest force of these (N).
+    force: f64,
 }
 
-/// A warning about rollouts in which parts penetrate. Contacts are hard, so these parts have done so from the
-/// beginning.
-pub fn penetration_warning(played: &[PlayedRollout]) -> Option<String> {
-    /// More than time steps leave (m).
-    const PENETRATION: f64 = 1e-4;
-    let count = played.iter().filter(|rollout| rollout.outcome.max_penetration > PENETRATION).count();
-    (count > 0).then(|| {
-        format!(
-            "in {count} of {} rollouts parts penetrate; is the offset so large that the body starts inside the environment?",
-            played.len()
-        )
-    })
+impl RolloutRemarks {
+    /// Takes note of a rollout of a task with a limit of contact forces (N).
+    pub fn add(&mut self, played: &PlayedRollout, limit: f64) {
+        /// More than time steps leave (m).
+        const PENETRATION: f64 = 1e-4;
+        let outcome = &played.outcome;
+        self.rollouts += 1;
+        self.penetrating += usize::from(outcome.max_penetration > PENETRATION);
+        if played.success && played.motion == Motion::Plan {
+            self.successes += 1;
+            let force = outcome.loads.contact_force;
+            // Comparisons are false for what is no number.
+            if !(force <= limit) {
+                self.beyond += 1;
+                self.force = self.force.max(force);
+            }
+        }
+    }
+
+    /// A warning about successes that press with more than the limit of contact forces (N), which no robust plan may.
+    pub fn force_warning(&self, limit: f64) -> Option<String> {
+        let Self { successes, beyond, force, .. } = self;
+        (*beyond > 0).then(|| {
+            format!(
+                "{beyond} of the {successes} successes of the plan press with more than contact_force = {limit:.1} N, with up to \
+                 {force:.1} N; `solve --robust` counts such rollouts as failures"
+            )
+        })
+    }
+
+    /// A warning about rollouts in which parts penetrate. Contacts are hard, so these parts have done so from the
+    /// beginning.
+    pub fn penetration_warning(&self) -> Option<String> {
+        let Self { rollouts, penetrating, .. } = self;
+        (*penetrating > 0).then(|| {
+            format!(
+                "in {penetrating} of {rollouts} rollouts parts penetrate; is the offset so large that the body starts inside the \
+                 environment?"
+            )
+        })
+    }
 }

@@ -1,5 +1,6 @@
 //! Rates of success by modelled and injected magnitude (Fig. realworldresults).
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use simulation::wilson_interval;
@@ -31,6 +32,9 @@ pub struct SuccessGroup {
     /// Largest contact force (N).
     pub max_force: f64,
 }
+
+/// Rollouts from which on rates are known to more than a percent.
+const MANY: usize = 1000;
 
 impl SuccessGroup {
     fn new(played: &PlayedRollout) -> Self {
@@ -64,13 +68,27 @@ impl SuccessGroup {
     }
 
     /// `17/20 (64-95 %)`.
+    fn order(&self, other: &Self) -> Ordering {
+        let motion = |group: &Self| match group.motion {
+            Motion::HomotopyStep(number) => number,
+            Motion::Plan => usize::MAX - 1,
+            Motion::StraightPush => usize::MAX,
+        };
+        let by_motion = motion(self).cmp(&motion(other)).then(self.friction.total_cmp(&other.friction));
+        by_motion
+            .then(self.offset_magnitude.total_cmp(&other.offset_magnitude))
+            .then(self.magnitude.total_cmp(&other.magnitude))
+    }
+
     fn rate(&self) -> String {
         let [low, high] = wilson_interval(self.successes, self.rollouts).map(|rate| 100.0 * rate);
-        format!("{}/{} ({low:.0}-{high:.0} %)", self.successes, self.rollouts)
+        let digits = if self.rollouts < MANY { 0 } else { 2 };
+        format!("{}/{} ({low:.digits$}-{high:.digits$} %)", self.successes, self.rollouts)
     }
 }
 
 /// All groups, in the order of motion, friction, modelled and injected magnitude.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct SuccessTable {
     groups: Vec<SuccessGroup>,
 }
@@ -78,27 +96,18 @@ pub struct SuccessTable {
 impl SuccessTable {
     /// Counts rollouts.
     pub fn new(played: &[PlayedRollout]) -> Self {
-        let mut groups: Vec<SuccessGroup> = Vec::new();
-        for played in played {
-            let known = groups.iter().position(|group| group.takes(played));
-            let index = known.unwrap_or_else(|| {
-                groups.push(SuccessGroup::new(played));
-                groups.len() - 1
-            });
-            groups[index].add(played);
+        let mut table = Self::default();
+        played.iter().for_each(|played| table.add(played));
+        table
+    }
+
+    /// Counts one more rollout.
+    pub fn add(&mut self, played: &PlayedRollout) {
+        if !self.groups.iter().any(|group| group.takes(played)) {
+            self.groups.push(SuccessGroup::new(played));
+            self.groups.sort_by(SuccessGroup::order);
         }
-        let order = |group: &SuccessGroup| match group.motion {
-            Motion::HomotopyStep(number) => number,
-            Motion::Plan => usize::MAX - 1,
-            Motion::StraightPush => usize::MAX,
-        };
-        groups.sort_by(|one, other| {
-            let by_motion = order(one).cmp(&order(other)).then(one.friction.total_cmp(&other.friction));
-            by_motion
-                .then(one.offset_magnitude.total_cmp(&other.offset_magnitude))
-                .then(one.magnitude.total_cmp(&other.magnitude))
-        });
-        Self { groups }
+        self.groups.iter_mut().filter(|group| group.takes(played)).for_each(|group| group.add(played));
     }
 
     /// All groups.

@@ -62,9 +62,9 @@ pub use plan::{
     ArmCourse, Choices, ChosenTolerance, Cut, Engagement, Event, Fallbacks, Fault, GraspErrors, IterationRecord,
     Keeper, Millimetres, Motion, Now, Observer, OffsetRegion, OffsetSource, Outcome, Plan, PlanIteration, PlanStatus,
     PlannerError, PlayedRollout, Problem, PushReport, Region, RobustParameters, RobustnessReport, RobustnessTarget,
-    Round, RunClock, Session, SimulationRequest, Split, StageSolverRecord, Stop, SuccessGroup, SuccessRate,
-    SuccessRates, SuccessTable, TestReport, Unusable, VERSION, Variant, carried, engagement, homotopy, interval,
-    max_force, rate, simulate, solve,
+    RolloutRemarks, Round, RunClock, Session, SimulationRequest, Split, StageSolverRecord, Stop, SuccessGroup,
+    SuccessRate, SuccessRates, SuccessTable, TestReport, Unusable, VERSION, Variant, carried, engagement, homotopy,
+    interval, max_force, rate, simulate, simulate_each, solve,
 };
 pub use starter::{Starter, StarterFit, require_plannable, starter};
 pub use store::{Ending, Execution, batch};

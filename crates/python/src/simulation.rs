@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use ::scene::Scene;
 use planner::files::{RolloutRow, SimulationRecord, SuccessRow, to_csv, write_rollout_tables};
-use planner::simulate::penetration_warning;
-use planner::{Choices, PlannerError, Problem, SuccessTable, simulate};
+use planner::{Choices, PlannerError, Problem, RolloutRemarks, SuccessTable, simulate};
 use pyo3::prelude::*;
 
 use crate::background::Watch;
@@ -65,7 +64,10 @@ pub fn play(
         watch.warn(format!("{name}: the plan did not converge"));
     }
     let rollouts = simulate(&problem, &plan.motions, &request, &watch.session(options.jobs))?;
-    penetration_warning(&rollouts).into_iter().for_each(|warning| watch.warn(warning));
+    let limit = problem.task().limits.contact_force;
+    let mut remarks = RolloutRemarks::default();
+    rollouts.iter().for_each(|rollout| remarks.add(rollout, limit));
+    remarks.penetration_warning().into_iter().for_each(|warning| watch.warn(warning));
     let table = SuccessTable::new(&rollouts);
     Ok(Simulation {
         record: SimulationRecord::new(&problem, vec![name], &request.errors),

@@ -2,9 +2,9 @@
 
 use std::fs::{self, File};
 use std::io::{ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use plan::PlannerError;
+use plan::{Hasher, PlannerError};
 
 /// Largest file (bytes) that the program writes.
 const LARGEST: u64 = 1 << 28;
@@ -14,21 +14,72 @@ const LARGEST: u64 = 1 << 28;
 /// # Errors
 /// When it cannot be written; an older file then stays.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<(), PlannerError> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;
-    // A device or a pipe is not replaced; a link to nothing is.
-    if fs::metadata(path).is_ok() {
-        input::require_regular(path).map_err(PlannerError::written(path))?;
+    let mut file = PartialFile::create(path)?;
+    file.write_all(content).map_err(PlannerError::written(path))?;
+    file.finish().map(|_| ())
+}
+
+/// A file that is written in pieces under a temporary name, which it has until it is finished.
+#[derive(Debug)]
+pub struct PartialFile {
+    path: PathBuf,
+    partial: PathBuf,
+    file: File,
+    hasher: Hasher,
+    is_finished: bool,
+}
+
+impl PartialFile {
+    /// Begins a file. A missing folder is made.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn create(path: &Path) -> Result<Self, PlannerError> {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::create_dir_all(folder).map_err(PlannerError::written(folder))?;
+        // A device or a pipe is not replaced; a link to nothing is.
+        if fs::metadata(path).is_ok() {
+            input::require_regular(path).map_err(PlannerError::written(path))?;
+        }
+        let name = path.file_name().ok_or_else(|| PlannerError::file(path, "is not the name of a file"))?;
+        let partial = folder.join(format!(".{}.partial", name.to_string_lossy()));
+        let file = claim(&partial).map_err(PlannerError::written(path))?;
+        let begun = Self { path: path.to_owned(), partial, file, hasher: Hasher::default(), is_finished: false };
+        begun.file.set_len(0).map_err(PlannerError::written(path))?;
+        Ok(begun)
     }
-    let name = path.file_name().ok_or_else(|| PlannerError::file(path, "is not the name of a file"))?.to_string_lossy();
-    let partial = folder.join(format!(".{name}.partial"));
-    let mut file = claim(&partial).map_err(PlannerError::written(path))?;
-    let written = file.set_len(0).and_then(|()| file.write_all(content)).and_then(|()| file.sync_data());
-    written.and_then(|()| fs::rename(&partial, path)).map_err(|error| {
-        // Nothing is left of a file that cannot be written.
-        let _ = fs::remove_file(&partial);
-        PlannerError::written(path)(error)
-    })
+
+    /// Gives it its name. Returns its hash.
+    ///
+    /// # Errors
+    /// When it cannot be written; an older file then stays.
+    pub fn finish(mut self) -> Result<String, PlannerError> {
+        let written = self.file.sync_data().and_then(|()| fs::rename(&self.partial, &self.path));
+        written.map_err(PlannerError::written(&self.path))?;
+        self.is_finished = true;
+        Ok(std::mem::take(&mut self.hasher).finish())
+    }
+}
+
+impl Write for PartialFile {
+    fn write(&mut self, piece: &[u8]) -> std::io::Result<usize> {
+        let count = self.file.write(piece)?;
+        self.hasher.add(&piece[..count]);
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Drop for PartialFile {
+    fn drop(&mut self) {
+        if !self.is_finished {
+            // Nothing is left of a file that cannot be written.
+            let _ = fs::remove_file(&self.partial);
+        }
+    }
 }
 
 /// Opens a file that only this process writes, until it is renamed or closed. The file of a killed process is reused,

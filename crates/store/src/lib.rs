@@ -41,7 +41,8 @@ pub use new_scene::write_new_scene;
 pub use parameters::read_robust_parameters;
 pub use result::{LimitsRecord, MadeFrom, Place, PlanResult, RESULT, ScenarioRecord, Versions, sealed};
 pub use rollouts::{
-    OffsetRow, RolloutRow, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables, write_rollout_tables,
+    OffsetRow, RolloutRow, RolloutTables, SuccessRow, is_rollout_table, read_offsets, require_rollout_tables,
+    write_rollout_tables,
 };
 pub use simulation_record::{ROLLOUTS, SIMULATION, SUCCESS, SimulationRecord};
 pub use stored_plan::{RESOLVED, STAGES, StoredPlan, read_result, require_moved};

@@ -1,14 +1,14 @@
 //! The tables of a simulation: `rollouts.csv`, `success.csv`, and lists of offsets.
 
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use plan::simulate::PlayedRollout;
 use plan::{PlannerError, SuccessGroup, hash};
 use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
-use crate::atomic::{require_folder, write_file};
+use crate::atomic::{PartialFile, require_folder, write_file};
 use crate::simulation_record::{ROLLOUTS, SIMULATION, SUCCESS, SimulationRecord, is_table};
 use crate::table::{Value, has_header, read_csv, to_csv};
 use crate::work_folder::WorkFolder;
@@ -161,13 +161,56 @@ pub fn write_rollout_tables(
     rollouts: &[RolloutRow],
     successes: &[SuccessRow],
 ) -> Result<(), PlannerError> {
-    // Two simulations do not mix their tables.
-    let _lock = WorkFolder::claim(folder)?;
-    require_rollout_tables(folder)?;
-    let tables = [(ROLLOUTS, to_csv(rollouts)?), (SUCCESS, to_csv(successes)?)];
-    let files = tables.iter().map(|(name, content)| ((*name).to_owned(), hash(content))).collect();
-    tables.iter().try_for_each(|(name, content)| write_file(&folder.join(name), content))?;
-    write_file(&folder.join(SIMULATION), &SimulationRecord { files, ..record.clone() }.to_json()?)
+    let mut tables = RolloutTables::begin(folder)?;
+    rollouts.iter().try_for_each(|row| tables.add(row))?;
+    tables.finish(record, successes)
+}
+
+/// The tables of a simulation while it runs: rollouts are written as they are played.
+pub struct RolloutTables {
+    folder: PathBuf,
+    /// Two simulations do not mix their tables.
+    _lock: WorkFolder,
+    rollouts: csv::Writer<PartialFile>,
+}
+
+impl RolloutTables {
+    /// Begins `rollouts.csv`. Older tables stay until the end.
+    ///
+    /// # Errors
+    /// When another simulation writes into the folder, or other files have the names of the tables.
+    pub fn begin(folder: &Path) -> Result<Self, PlannerError> {
+        let lock = WorkFolder::claim(folder)?;
+        require_rollout_tables(folder)?;
+        let rollouts = csv::Writer::from_writer(PartialFile::create(&folder.join(ROLLOUTS))?);
+        Ok(Self { folder: folder.to_owned(), _lock: lock, rollouts })
+    }
+
+    /// Adds a rollout.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn add(&mut self, row: &RolloutRow) -> Result<(), PlannerError> {
+        self.rollouts.serialize(row).map_err(|error| match error.into_kind() {
+            csv::ErrorKind::Io(error) => PlannerError::written(&self.folder.join(ROLLOUTS))(error),
+            _ => PlannerError::Internal("a row cannot be written"),
+        })
+    }
+
+    /// Writes all other files, and gives all of them their names.
+    ///
+    /// # Errors
+    /// When a file cannot be written.
+    pub fn finish(self, record: &SimulationRecord, successes: &[SuccessRow]) -> Result<(), PlannerError> {
+        let Self { folder, rollouts, .. } = self;
+        let rollouts = rollouts.into_inner().map_err(|error| {
+            PlannerError::written(&folder.join(ROLLOUTS))(std::io::Error::new(error.error().kind(), error.to_string()))
+        })?;
+        let successes = to_csv(successes)?;
+        let files = [(ROLLOUTS.to_owned(), rollouts.finish()?), (SUCCESS.to_owned(), hash(&successes))].into();
+        write_file(&folder.join(SUCCESS), &successes)?;
+        write_file(&folder.join(SIMULATION), &SimulationRecord { files, ..record.clone() }.to_json()?)
+    }
 }
 
 /// Refuses a file that is not an older table of these rows.

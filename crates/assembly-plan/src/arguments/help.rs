@@ -38,6 +38,7 @@ const GROUPS: &[(&str, &[&str])] = &[
         ],
     ),
     ("Offsets", &["offset", "random", "hull", "disc", "ball", "seed", "grid", "offsets", "magnitude", "coverage"]),
+    ("Errors", &["plan", "quantity", "map", "rows", "no_map", "need", "fit", "cases"]),
     ("Success", &["position_tolerance", "angle_tolerance", "contact_force", "strict"]),
     ("Robustness", &["robust", "target_rate", "time_limit", "stall_limit", "friction", "rotation_error"]),
     ("Simulation", &["stages", "settling_time", "time_step", "executed"]),
@@ -116,6 +117,27 @@ pub const CLOSINGS: &[Closing] = &[
             ("DIR/rollouts.csv", "one row per rollout"),
             ("DIR/success.csv", "success rates by motion, friction and magnitude"),
             ("DIR/simulation.json", "scene, plans, seed, rotation error and tolerances"),
+        ],
+    },
+    Closing {
+        command: "tolerance",
+        description: "Plays a plan with random errors that grow until too many rollouts fail. A map shows how the largest error \
+                      depends on another quantity. Without --plan, the scene is planned robustly first, and again for each \
+                      row of the map; the same command uses these plans again.",
+        examples: &[
+            ("tolerance scenes/peg1.toml --plan out/peg1", "each error of a plan, and offset by clearance"),
+            ("tolerance scenes/peg1.toml --plan out/peg1 --map offset,friction --rows 0,0.1,0.3", "another map"),
+            (
+                "tolerance scenes/peg1.toml --plan out/peg1 --need offset=20mm --no-map",
+                "the least clearance for an offset",
+            ),
+            ("tolerance peg.toml --fit H7/g6 --diameter 0.01", "plans for both ends of a fit"),
+        ],
+        no_plan: Some("too many rollouts fail at every value of a quantity that was tried"),
+        files: &[
+            ("DIR/tolerance.json", "largest errors, confidence intervals and the map, in SI units"),
+            ("DIR/tolerance.svg", "the map"),
+            ("DIR/plans/", "without --plan, the plans"),
         ],
     },
     Closing {
