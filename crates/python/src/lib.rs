@@ -14,6 +14,7 @@ mod options;
 mod plan;
 mod scene;
 mod simulation;
+mod tolerance;
 
 use pyo3::pymodule;
 
@@ -23,7 +24,7 @@ mod _planner {
     #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]
-    use crate::plan::Plan;
+    use crate::plan::{Plan, write_page};
     #[pymodule_export]
     use crate::scene::Scene;
     #[pymodule_export]

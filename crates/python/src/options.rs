@@ -188,6 +188,23 @@ impl PlayOptions {
     }
 }
 
+/// Which errors of a plan are measured.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct ToleranceOptions {
+    pub quantities: Vec<String>,
+    pub need: Option<(String, f64)>,
+    pub map: Option<(String, String)>,
+    pub rows: Vec<f64>,
+    pub target_rate: f64,
+    pub friction: Option<Vec<f64>>,
+    pub cases: usize,
+    pub seed: u64,
+    pub position_tolerance: Option<f64>,
+    pub angle_tolerance: Option<f64>,
+    pub jobs: Option<usize>,
+}
+
 fn wrong(name: &'static str, problem: impl ToString) -> PlannerError {
     PlannerError::Choice { name, problem: problem.to_string() }
 }

@@ -159,3 +159,9 @@ impl Plan {
         Ok(tables.iter().map(|tables| Motion::new(py, tables)).collect())
     }
 }
+
+/// Writes the page of the plan in a folder into a file.
+#[pyfunction]
+pub fn write_page(py: Python, folder: PathBuf, file: PathBuf) -> PyResult<()> {
+    background::run(py, None, move |_| report::write(&folder, &[], Some(&file), None).map(|_| ()))
+}

@@ -5,16 +5,17 @@ use std::sync::Arc;
 
 use ::scene::{Part, Source};
 use planner::check::{explain, pair_reports, refusal};
-use planner::{Keeper, PlannerError, RobustnessTarget, RunClock, Session, Stop, refine, warnings};
+use planner::{Choices, Keeper, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop, refine, warnings};
 use pyo3::prelude::*;
 use serde::Serialize;
 use serde_json::json;
 use task::Pose;
 
 use crate::background::{self, Watch};
-use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, toml_text};
+use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, ToleranceOptions, toml_text};
 use crate::plan::Plan;
 use crate::simulation::{Simulation, play};
+use crate::tolerance::measure;
 
 /// A valid scene.
 #[pyclass(frozen, module = "assembly_plan._planner")]
@@ -63,6 +64,15 @@ impl Scene {
         .to_string()
     }
 
+    /// The scene after defaults, with its first start, as TOML.
+    fn resolved(&self, py: Python) -> PyResult<String> {
+        let read = Arc::clone(&self.0);
+        background::run(py, None, move |_| {
+            let problem = Problem::choose(read.scene.clone(), &read.file, &Choices::default())?;
+            Ok(problem.resolved().to_owned())
+        })
+    }
+
     /// The explanation of the scene, as JSON.
     fn check(&self, py: Python, choices: ChoiceOptions, tau: Option<f64>) -> PyResult<String> {
         let read = Arc::clone(&self.0);
@@ -104,6 +114,18 @@ impl Scene {
     ) -> PyResult<Simulation> {
         let (read, played) = (Arc::clone(&self.0), plan.played(options.stages));
         background::run(py, progress.as_ref(), move |watch| play(&read.scene, &read.file, &played?, &options, watch))
+    }
+
+    /// The errors that a plan tolerates, as JSON.
+    fn tolerance(
+        &self,
+        py: Python,
+        plan: PyRef<Plan>,
+        options: ToleranceOptions,
+        progress: Option<Bound<PyAny>>,
+    ) -> PyResult<String> {
+        let (read, played) = (Arc::clone(&self.0), plan.played(false));
+        background::run(py, progress.as_ref(), move |watch| measure(&read.scene, &read.file, &played?, &options, watch))
     }
 }
 

@@ -54,7 +54,7 @@ pub fn play(
     watch: &Watch,
 ) -> Result<Simulation, PlannerError> {
     let request = options.request()?;
-    let problem = problem(scene, file, plan, options)?;
+    let problem = problem(scene, file, plan, options.position_tolerance, options.angle_tolerance)?;
     let folder = plan.folder();
     let name = if folder.as_os_str().is_empty() { "plan".to_owned() } else { folder.display().to_string() };
     if !plan.require_made_for(&problem)? {
@@ -77,14 +77,20 @@ pub fn play(
     })
 }
 
-/// The problem of a plan in a scene.
-fn problem(scene: &Scene, file: &Path, plan: &PlayedPlan, options: &PlayOptions) -> Result<Problem, PlannerError> {
+/// The problem of a plan in a scene, with other tolerances of success (m, rad) where they are given.
+pub fn problem(
+    scene: &Scene,
+    file: &Path,
+    plan: &PlayedPlan,
+    position_tolerance: Option<f64>,
+    angle_tolerance: Option<f64>,
+) -> Result<Problem, PlannerError> {
     let choices = Choices {
         start: Some(plan.result.start.clone()),
         offset_magnitude: Some(plan.result.delta_m),
         rotation_error: Some(plan.result.turn_rad),
-        position_tolerance: options.position_tolerance,
-        angle_tolerance: options.angle_tolerance,
+        position_tolerance,
+        angle_tolerance,
         ..Choices::default()
     };
     Problem::choose(scene.clone(), file, &choices)

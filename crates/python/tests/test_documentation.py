@@ -57,7 +57,7 @@ def test_everything_public_is_documented() -> None:
 
 def test_help_renders() -> None:
     shown = run(["-m", "pydoc", "assembly_plan.Scene"], ROOT)
-    assert "solve_robust(self, *, start: 'str | None' = None" in shown
+    assert "solve_robust(self, *, start: 'str | int | None' = None" in shown
     assert "offset magnitude (m)" in shown
 
 

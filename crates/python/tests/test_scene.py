@@ -130,7 +130,7 @@ def test_choices_that_are_wrong_are_refused(scene: Scene) -> None:
         scene.solve(jobs=0)
     with pytest.raises(SceneError, match=r"homotopy:\d+:\d+: .*tau_rate"):
         scene.solve(homotopy={"homotopy": {"tau_rate": 1.2}})
-    with pytest.raises(TypeError):
-        scene.solve(start=3)  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match="`9`"):
+        scene.solve(start=9)
     with pytest.raises(SceneError, match="time_limit = -1: must lie between"):
         scene.solve_robust(time_limit=-1.0)

@@ -1,5 +1,7 @@
 //! The largest value of a quantity that a plan tolerates.
 
+use std::fmt;
+
 use plan::{Event, PlannerError, Session};
 use serde::Serialize;
 use simulation::wilson_interval;
@@ -44,6 +46,31 @@ pub struct Boundary {
     pub rollouts: usize,
     /// Whether the hardest value that was tried succeeds, too: the boundary may lie beyond it.
     pub is_open: bool,
+}
+
+/// In words, such as `offset up to 3.12 mm (2.97 mm to 3.44 mm), where 994 of 1000 succeed`.
+impl fmt::Display for Boundary {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        let Boundary { quantity, value, interval, successes, rollouts, is_open } = self;
+        let [bound, hardest] = if quantity.is_hard_when_small() { ["down to", "no"] } else { ["up to", "the largest"] };
+        let Some(value) = value else {
+            return write!(formatter, "{}: too few succeed at any value that was tried", quantity.name());
+        };
+        let [surely, surely_not] = interval.map(|end| end.map(|end| quantity.in_words(end)));
+        let surely = surely.unwrap_or_else(|| "unknown".to_owned());
+        let surely_not = surely_not.unwrap_or_else(|| "beyond".to_owned());
+        let range = match quantity.is_hard_when_small() {
+            true => format!("{surely_not} to {surely}"),
+            false => format!("{surely} to {surely_not}"),
+        };
+        let open = if *is_open { format!(", {hardest} value that was tried") } else { String::new() };
+        write!(
+            formatter,
+            "{} {bound} {} ({range}){open}, where {successes} of {rollouts} succeed",
+            quantity.name(),
+            quantity.in_words(*value)
+        )
+    }
 }
 
 /// Finds the boundary of a quantity under conditions that fix all others. `None` when the session is interrupted.

@@ -2,6 +2,7 @@
 
 use plan::{PlannerError, Session};
 use serde::Serialize;
+use simulation::Reference;
 
 use crate::boundary::{Boundary, boundary};
 use crate::quantity::Quantity;
@@ -33,11 +34,43 @@ const MULTIPLES: [f64; 5] = [0.25, 0.5, 1.0, 1.5, 2.0];
 const FRICTIONS: [f64; 5] = [0.0, 0.1, 0.2, 0.3, 0.5];
 const ROTATIONS: [f64; 5] = [0.0, 0.01, 0.02, 0.05, 0.1];
 
+/// A map that is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapQuestion {
+    /// The quantity whose boundary is of interest.
+    quantity: Quantity,
+    /// The other one.
+    over: Quantity,
+    /// Its values, ascending.
+    values: Vec<f64>,
+}
+
+impl MapQuestion {
+    /// A map of a quantity over another one, at some values of that (SI units), or else around the scene's.
+    ///
+    /// # Errors
+    /// When both are the same, or the scene has no clearance.
+    pub fn new(trials: &Trials, quantity: Quantity, over: Quantity, values: &[f64]) -> Result<Self, PlannerError> {
+        if quantity == over {
+            let problem = format!("{0},{0}: the two quantities must differ", over.name());
+            return Err(PlannerError::Choice { name: "map", problem });
+        }
+        if quantity == Quantity::Clearance {
+            trials.clearance()?;
+        }
+        let mut values = if values.is_empty() { values_around(trials, over)? } else { values.to_vec() };
+        values.sort_by(f64::total_cmp);
+        Ok(Self { quantity, over, values })
+    }
+
+    /// The quantity of the rows.
+    pub fn over(&self) -> Quantity {
+        self.over
+    }
+}
+
 /// Values of a quantity that are of interest for a plan.
-///
-/// # Errors
-/// When the scene has no clearance.
-pub fn rows_around(trials: &Trials, over: Quantity) -> Result<Vec<f64>, PlannerError> {
+fn values_around(trials: &Trials, over: Quantity) -> Result<Vec<f64>, PlannerError> {
     let around = |nominal: f64| MULTIPLES.map(|multiple| multiple * nominal).to_vec();
     Ok(match over {
         Quantity::Offset | Quantity::Hole => around(trials.problem().offset_magnitude()),
@@ -47,30 +80,28 @@ pub fn rows_around(trials: &Trials, over: Quantity) -> Result<Vec<f64>, PlannerE
     })
 }
 
-/// The boundary of a quantity at some values of another one. `plan_at` has the trials of the plan for a value. `None` when
-/// the session is interrupted.
+/// Draws a map. `reference_at` has the reference for a value of the other quantity. `None` when the session is interrupted, or
+/// there is no reference.
 ///
 /// # Errors
-/// When a value is not possible, or the first plan.
-pub fn map<'problem>(
-    quantity: Quantity,
-    over: Quantity,
-    values: &[f64],
-    plan_at: &mut dyn FnMut(f64) -> Result<Trials<'problem>, PlannerError>,
+/// When a value is not possible, and those of `reference_at`.
+pub fn map(
+    trials: &Trials,
+    question: &MapQuestion,
+    reference_at: &mut dyn FnMut(f64) -> Result<Option<Reference>, PlannerError>,
     session: &Session,
 ) -> Result<Option<ToleranceMap>, PlannerError> {
-    let mut values = values.to_vec();
-    values.sort_by(f64::total_cmp);
+    let MapQuestion { quantity, over, values } = question;
     let mut rows = Vec::with_capacity(values.len());
-    for at in values {
-        let trials = plan_at(at)?;
-        let base = trials.nominal().with(over, at);
-        match boundary(&trials, &base, quantity, session)? {
+    for &at in values {
+        let Some(reference) = reference_at(at)? else { return Ok(None) };
+        let of_row = trials.of(reference, session)?;
+        match boundary(&of_row, &trials.nominal().with(*over, at), *quantity, session)? {
             Some(boundary) => rows.push(ToleranceMapRow { at, boundary }),
             None => return Ok(None),
         }
     }
-    Ok(Some(ToleranceMap { quantity, over, rows }))
+    Ok(Some(ToleranceMap { quantity: *quantity, over: *over, rows }))
 }
 
 impl ToleranceMap {

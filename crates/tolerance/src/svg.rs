@@ -9,8 +9,8 @@ const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 320.0;
 const MARGIN: f64 = 56.0;
 const EDGE: f64 = 16.0;
-/// Marks along each axis.
-const MARKS: usize = 4;
+/// Marks along each axis, at most.
+const MARKS: f64 = 6.0;
 
 /// The boundary as a line, its confidence interval as a band, as an SVG document.
 pub fn svg(map: &ToleranceMap) -> String {
@@ -18,9 +18,10 @@ pub fn svg(map: &ToleranceMap) -> String {
     let (y_unit, y_scale) = map.quantity.unit();
     let rows = &map.rows;
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
-    let x_most = largest(&mut rows.iter().map(|row| x_scale * row.at));
+    let x_step = step(largest(&mut rows.iter().map(|row| x_scale * row.at)));
     let of_rows = |row: &crate::ToleranceMapRow| [row.boundary.value, row.boundary.interval[1]];
-    let y_most = largest(&mut rows.iter().flat_map(of_rows).flatten().map(|value| y_scale * value));
+    let y_step = step(largest(&mut rows.iter().flat_map(of_rows).flatten().map(|value| y_scale * value)));
+    let [x_most, y_most] = [x_step, y_step].map(|(step, count)| step * count as f64);
     let x = |value: f64| MARGIN + (WIDTH - MARGIN - EDGE) * x_scale * value / x_most;
     let y = |value: f64| HEIGHT - MARGIN - (HEIGHT - MARGIN - EDGE) * y_scale * value / y_most;
     let value = |value: Option<f64>| value.unwrap_or(0.0);
@@ -42,17 +43,13 @@ pub fn svg(map: &ToleranceMap) -> String {
     }
     let (left, bottom) = (MARGIN, HEIGHT - MARGIN);
     let _ = writeln!(text, "<path d=\"M{left} {EDGE}V{bottom}H{:.0}\" fill=\"none\" stroke=\"black\"/>", WIDTH - EDGE);
-    for mark in 0..=MARKS {
-        let share = mark as f64 / MARKS as f64;
-        let (at, height) = (share * x_most, share * y_most);
-        let (px, py) = (x(at / x_scale), y(height / y_scale));
-        let _ = writeln!(text, "<text x=\"{px:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{at:.3}</text>", bottom + 16.0);
-        let _ = writeln!(
-            text,
-            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{height:.2}</text>",
-            left - 6.0,
-            py + 4.0
-        );
+    for at in (0..=x_step.1).map(|mark| mark as f64 * x_step.0) {
+        let (px, py) = (x(at / x_scale), bottom + 16.0);
+        let _ = writeln!(text, "<text x=\"{px:.1}\" y=\"{py:.1}\" text-anchor=\"middle\">{}</text>", number(at));
+    }
+    for at in (0..=y_step.1).map(|mark| mark as f64 * y_step.0) {
+        let (px, py) = (left - 6.0, y(at / y_scale) + 4.0);
+        let _ = writeln!(text, "<text x=\"{px:.1}\" y=\"{py:.1}\" text-anchor=\"end\">{}</text>", number(at));
     }
     let label = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") };
     let middle = 0.5 * (MARGIN + WIDTH - EDGE);
@@ -65,4 +62,32 @@ pub fn svg(map: &ToleranceMap) -> String {
         "<text transform=\"translate(14 {center:.0}) rotate(-90)\" text-anchor=\"middle\">{y_label}</text>\n</svg>"
     );
     text
+}
+
+/// The distance between marks from zero to a largest value, 1, 2 or 5 times a power of ten, and their number after zero.
+fn step(most: f64) -> (f64, usize) {
+    let power = 10.0_f64.powf((most / MARKS).log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
+    let step = steps.into_iter().find(|step| most <= MARKS * step).unwrap_or(steps[3]);
+    (step, (most / step - 1e-9).ceil().max(1.0) as usize)
+}
+
+/// A mark without the rounding of its computation.
+fn number(mark: f64) -> f64 {
+    (1e9 * mark).round() / 1e9
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_are_round_and_reach_the_largest_value() {
+        for (most, expected) in
+            [(3.25, (1.0, 4)), (2.0, (0.5, 4)), (0.0123, (0.005, 3)), (60.0, (10.0, 6)), (61.0, (20.0, 4))]
+        {
+            let (found, count) = step(most);
+            assert!((found - expected.0).abs() < 1e-12 * found && count == expected.1, "{most}: {found}, {count}");
+        }
+    }
 }

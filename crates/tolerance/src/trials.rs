@@ -72,6 +72,7 @@ pub(crate) struct Case {
 pub struct Trials<'problem> {
     problem: &'problem Problem,
     reference: Reference,
+    /// What is asked of the plan.
     pub(crate) request: ToleranceRequest,
     cases: Vec<Case>,
     pub(crate) workers: Workers,
@@ -101,6 +102,14 @@ impl<'problem> Trials<'problem> {
         }
         let cases = cases(problem, &request);
         Ok(Self { problem, reference, request, cases, workers: Workers::new(session.threads) })
+    }
+
+    /// The same of another reference.
+    ///
+    /// # Errors
+    /// When it cannot be played.
+    pub fn of(&self, reference: Reference, session: &Session) -> Result<Self, PlannerError> {
+        Self::new(self.problem, reference, self.request.clone(), session)
     }
 
     /// The problem of the plan.

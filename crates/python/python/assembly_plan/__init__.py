@@ -17,11 +17,16 @@ contacts. `events` has what a `progress` callback hears. Everything is in SI uni
 Long work leaves the interpreter to other threads, and Ctrl-C ends it.
 """
 
+from importlib.metadata import version
+
 from assembly_plan import events
 from assembly_plan.errors import NoPlanError, PlannerError, SceneError, SceneWarning
 from assembly_plan.plan import FloatArray, Motion, Plan
 from assembly_plan.scene import Part, Scene
 from assembly_plan.simulation import Simulation
+
+__version__ = version("assembly-plan")
+"""The version of the package, which is that of the program."""
 
 __all__ = [
     "FloatArray",
@@ -34,5 +39,6 @@ __all__ = [
     "SceneError",
     "SceneWarning",
     "Simulation",
+    "__version__",
     "events",
 ]

@@ -4,9 +4,9 @@ import os
 from collections.abc import Callable
 from typing import final
 
-from assembly_plan._types import ChoiceOptions, MotionData, PlayOptions, RobustOptions, SolveOptions
+from assembly_plan._types import ChoiceOptions, MotionData, PlayOptions, RobustOptions, SolveOptions, ToleranceOptions
 
-__all__ = ["Plan", "Scene", "Simulation", "run_command"]
+__all__ = ["Plan", "Scene", "Simulation", "run_command", "write_page"]
 
 @final
 class Scene:
@@ -27,6 +27,10 @@ class Scene:
     def simulate(
         self, plan: Plan, options: PlayOptions, progress: Callable[[str, str], object] | None
     ) -> Simulation: ...
+    def tolerance(
+        self, plan: Plan, options: ToleranceOptions, progress: Callable[[str, str], object] | None
+    ) -> str: ...
+    def resolved(self) -> str: ...
 
 @final
 class Plan:
@@ -45,4 +49,5 @@ class Simulation:
     def table(self) -> str: ...
     def save(self, folder: str | os.PathLike[str]) -> None: ...
 
+def write_page(folder: str | os.PathLike[str], file: str | os.PathLike[str]) -> None: ...
 def run_command(interpreter: str, first: list[str], arguments: list[str]) -> int: ...

@@ -55,6 +55,22 @@ class PlayOptions(TypedDict):
     jobs: int | None
 
 
+class ToleranceOptions(TypedDict):
+    """Which errors of a plan are measured."""
+
+    quantities: list[str]
+    need: tuple[str, float] | None
+    map: tuple[str, str] | None
+    rows: list[float]
+    target_rate: float
+    friction: list[float] | None
+    cases: int
+    seed: int
+    position_tolerance: float | None
+    angle_tolerance: float | None
+    jobs: int | None
+
+
 class MotionData(TypedDict):
     """A motion: bytes of numbers, whose shapes follow from steps, scenarios and pairs."""
 

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
+import shutil
+import tempfile
+import weakref
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -156,8 +161,73 @@ class Plan(Motion):
         """The motion after every homotopy step."""
         return [Motion(**_arrays(native)) for native in self._native.stages()]
 
+    def report(self, file: str | os.PathLike[str]) -> None:
+        """Write the HTML page that shows the plan, as the command ``report`` does; it needs no other file."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.save(Path(folder) / "plan")
+            _planner.write_page(Path(folder) / "plan", file)
+
+    def _repr_html_(self) -> str:
+        """The page of the plan, in a notebook."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "report.html"
+            self.report(file)
+            page = html.escape(file.read_text(encoding="utf-8"))
+        return f'<iframe srcdoc="{page}" width="100%" height="720" style="border: 0"></iframe>'
+
+    def plot(self, axes: Any = None) -> Any:
+        """Plot positions of reference and body over time with Matplotlib, which has to be installed.
+
+        Returns the axes: three, for x, y and z (mm). `axes` are three to draw into.
+        """
+        import matplotlib.pyplot
+
+        if axes is None:
+            _, axes = matplotlib.pyplot.subplots(3, sharex=True)
+        for axis, name in enumerate("xyz"):
+            axes[axis].plot(self.time, 1e3 * self.reference[:, axis], "k--", label="reference")
+            for number, states in enumerate(self.states, start=1):
+                axes[axis].plot(self.time, 1e3 * states[:, axis], label=f"scenario {number}")
+            axes[axis].set_ylabel(f"{name} (mm)")
+        axes[-1].set_xlabel("time (s)")
+        axes[0].legend(loc="best")
+        return axes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        with tempfile.TemporaryDirectory() as folder:
+            self.save(Path(folder) / "plan")
+            root = Path(folder) / "plan"
+            files = {str(file.relative_to(root)): file.read_bytes() for file in root.rglob("*") if file.is_file()}
+        return _plan_of, (files,)
+
+    def __copy__(self) -> Plan:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Plan:
+        return self
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Plan):
+            return NotImplemented
+        return self.resolved == other.resolved and bool(np.array_equal(self.reference, other.reference))
+
+    def __hash__(self) -> int:
+        return hash((self.resolved, self.reference.tobytes()))
+
     def __repr__(self) -> str:
         return f"{super().__repr__()[:-1]}, {self.status}>"
 
     def _grasps(self, key: str) -> FloatArray:
         return np.array([scenario.get(key, [0.0] * 3) for scenario in self.result["scenarios"]])
+
+
+def _plan_of(files: dict[str, bytes]) -> Plan:
+    """The plan with these files, which stay in a folder of their own as long as it lives."""
+    folder = Path(tempfile.mkdtemp(prefix="assembly-plan-"))
+    for name, content in files.items():
+        file = folder / "plan" / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(content)
+    plan = Plan.load(folder / "plan")
+    weakref.finalize(plan, shutil.rmtree, folder, ignore_errors=True)
+    return plan

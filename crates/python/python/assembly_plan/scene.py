@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import os
+import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from assembly_plan import _planner
 from assembly_plan._renamed import renamed
-from assembly_plan._types import ChoiceOptions, PlayOptions, RobustOptions, SolveOptions
+from assembly_plan._types import ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, ToleranceOptions
 from assembly_plan.errors import SceneError
 from assembly_plan.events import Progress, _listener
 from assembly_plan.plan import FloatArray, Plan
@@ -52,7 +54,7 @@ class Scene:
 
     All methods have the names and defaults of the command line for what can be chosen:
 
-    - `start`: name of the start pose; by default the scene's first.
+    - `start`: name of the start pose, or the number that is its name; by default the scene's first.
     - `delta`: offset magnitude (m); by default the scene's.
     - `homotopy`: homotopy file, or a dictionary with the keys of one; by default the scene's own, else the built-in
       one.
@@ -87,6 +89,52 @@ class Scene:
         """
         return cls(_planner.Scene.from_json(_json(content), Path(base) / "scene"))
 
+    def to_dict(self) -> dict[str, Any]:
+        """The scene with all defaults as a dictionary with the keys of a scene file, which `Scene.from_dict` takes.
+
+        Meshes are convex parts in it, so that it depends on no other file but a robot's model.
+        """
+        content: dict[str, Any] = tomllib.loads(self._native.resolved())
+        content["start"] = [
+            {"name": name, "position": pose[:3].tolist(), "orientation": pose[3:].tolist()}
+            for name, pose in self._starts.items()
+        ]
+        return content
+
+    def replace(self, **changes: Any) -> Scene:
+        """The scene with other values of some keys, such as ``scene.replace(robustness__offset_magnitude=0.01)``.
+
+        Two underscores stand for the dot of a key in a table. A value replaces the whole key; None removes it.
+        """
+        content = copy.deepcopy(self.to_dict())
+        for path, value in changes.items():
+            *tables, key = path.split("__")
+            table = content
+            for name in tables:
+                table = table.setdefault(name, {})
+                if not isinstance(table, dict):
+                    raise SceneError(f"{'.'.join(tables)}: `{name}` is no table of a scene")
+            if value is None:
+                table.pop(key, None)
+            else:
+                table[key] = value
+        return Scene.from_dict(content)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Scene.from_dict, (self.to_dict(),)
+
+    def __copy__(self) -> Scene:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
+        return self
+
+    def __eq__(self, other: object) -> bool:
+        return self.to_dict() == other.to_dict() if isinstance(other, Scene) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._native.resolved())
+
     @property
     def title(self) -> str:
         """Title, by default the file's name."""
@@ -120,7 +168,7 @@ class Scene:
     def check(
         self,
         *,
-        start: str | None = None,
+        start: str | int | None = None,
         delta: float | None = None,
         homotopy: Homotopy | None = None,
         tau: float | None = None,
@@ -138,7 +186,7 @@ class Scene:
         self,
         pose: ArrayLike,
         *,
-        start: str | None = None,
+        start: str | int | None = None,
         delta: float | None = None,
         homotopy: Homotopy | None = None,
         tau: float | None = None,
@@ -157,7 +205,7 @@ class Scene:
     def solve(
         self,
         *,
-        start: str | None = None,
+        start: str | int | None = None,
         delta: float | None = None,
         homotopy: Homotopy | None = None,
         linear_solver: str | None = None,
@@ -188,7 +236,7 @@ class Scene:
     def solve_robust(
         self,
         *,
-        start: str | None = None,
+        start: str | int | None = None,
         delta: float | None = None,
         homotopy: Homotopy | None = None,
         linear_solver: str | None = None,
@@ -197,7 +245,7 @@ class Scene:
         target_rate: float = 0.99,
         time_limit: float = 300.0,
         stall_limit: int = 150,
-        friction: Iterable[float] | None = None,
+        friction: float | Iterable[float] | None = None,
         rotation_error: float | None = None,
         jobs: int | None = None,
         out: StrPath | None = None,
@@ -232,7 +280,7 @@ class Scene:
             "target_rate": target_rate,
             "time_limit": time_limit,
             "stall_limit": stall_limit,
-            "friction": None if friction is None else [float(coefficient) for coefficient in friction],
+            "friction": None if friction is None else _several(friction),
         }
         return Plan(self._native.solve(choices, options, robust, _listener(progress)))
 
@@ -249,8 +297,8 @@ class Scene:
         grid: int | None = None,
         offsets: ArrayLike | None = None,
         rotation_error: float = 0.0,
-        magnitude: Iterable[float] = (),
-        friction: Iterable[float] = (0.0,),
+        magnitude: float | Iterable[float] = (),
+        friction: float | Iterable[float] = (0.0,),
         stages: bool = False,
         position_tolerance: float | None = None,
         angle_tolerance: float | None = None,
@@ -284,8 +332,8 @@ class Scene:
             "grid": grid,
             "offsets": None if offsets is None else _offsets(offsets),
             "rotation_error": rotation_error,
-            "magnitude": [float(value) for value in magnitude],
-            "friction": [float(value) for value in friction],
+            "magnitude": _several(magnitude),
+            "friction": _several(friction),
             "settling_time": settling_time,
             "time_step": time_step,
             "stages": stages,
@@ -295,13 +343,58 @@ class Scene:
         }
         return Simulation(self._native.simulate(plan._native, options, _listener(progress)))
 
+    def tolerance(
+        self,
+        plan: Plan,
+        *,
+        quantities: Iterable[str] = (),
+        need: tuple[str, float] | None = None,
+        map: tuple[str, str] | None = None,
+        rows: Iterable[float] = (),
+        target_rate: float = 0.99,
+        friction: float | Iterable[float] | None = None,
+        cases: int = 2000,
+        seed: int = 1,
+        position_tolerance: float | None = None,
+        angle_tolerance: float | None = None,
+        jobs: int | None = None,
+        progress: Progress | None = None,
+    ) -> dict[str, Any]:
+        """Measure which errors a plan tolerates: the content of ``tolerance.json``.
+
+        As the command ``tolerance`` with a plan, but without a map unless it is asked for:
+
+        - `quantities`: ``offset``, ``rotation``, ``hole``, ``friction``, ``clearance``; by default all.
+        - `need`: the smallest clearance at which this is tolerated, such as ``("offset", 0.002)``, in SI units.
+        - `map`: the first quantity at several values of the second, such as ``("offset", "clearance")``; `rows` are
+          these values, by default some around the scene's.
+        - `target_rate`: share of the rollouts that has to succeed.
+        - `friction`: Coulomb friction coefficients, which the rollouts have in turn; by default the scene's.
+        - `cases`: largest number of random errors that are compared; `seed` is theirs.
+        """
+        options: ToleranceOptions = {
+            "quantities": list(quantities),
+            "need": need,
+            "map": map,
+            "rows": _several(rows),
+            "target_rate": target_rate,
+            "friction": None if friction is None else _several(friction),
+            "cases": cases,
+            "seed": seed,
+            "position_tolerance": position_tolerance,
+            "angle_tolerance": angle_tolerance,
+            "jobs": jobs,
+        }
+        measured: dict[str, Any] = json.loads(self._native.tolerance(plan._native, options, _listener(progress)))
+        return measured
+
     def __repr__(self) -> str:
         return f"<Scene {self.title!r}: {len(self._body)} and {len(self._environment)} parts>"
 
 
 def _choices(
     *,
-    start: str | None,
+    start: str | int | None,
     delta: float | None,
     homotopy: Homotopy | None,
     linear_solver: str | None = None,
@@ -312,7 +405,7 @@ def _choices(
     """What is chosen of a scene, as the native module takes it."""
     file, content = (homotopy, None) if isinstance(homotopy, str | os.PathLike) else (None, homotopy)
     return {
-        "start": start,
+        "start": None if start is None else str(start),
         "delta": delta,
         "rotation_error": rotation_error,
         "homotopy": file,
@@ -321,6 +414,12 @@ def _choices(
         "position_tolerance": position_tolerance,
         "angle_tolerance": angle_tolerance,
     }
+
+
+def _several(values: float | Iterable[float]) -> list[float]:
+    """A list of numbers, also of one that stands alone."""
+    listed: Iterable[Any] = values if isinstance(values, Iterable) else [values]
+    return [float(value) for value in listed]
 
 
 def _parts(parts: list[dict[str, Any]]) -> list[Part]:

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use plan::{Event, Problem, Session};
 use simulation::Reference;
-use tolerance::{Boundary, Quantity, ToleranceRequest, Trials, boundary, map, rows_around};
+use tolerance::{Boundary, MapQuestion, Quantity, ToleranceRequest, Trials, boundary, map};
 
 use crate::{SLOT, moved_down};
 
@@ -75,10 +75,9 @@ fn a_slot_is_missed_by_what_is_off_by_more_than_the_clearance() {
 fn more_clearance_buys_as_much_offset_to_each_side() {
     let problem = moved_down([0.02, 0.018, 0.02], SLOT);
     let request = ToleranceRequest { cases: 100, rate: 0.9, ..ToleranceRequest::default() };
-    let drawn = with_trials(&problem, request.clone(), |trials, session| {
-        let rows = rows_around(trials, Quantity::Clearance).unwrap();
-        let mut plan_at = |_| Trials::new(trials.problem(), trials.reference().clone(), request.clone(), session);
-        map(Quantity::Offset, Quantity::Clearance, &rows[1..4], &mut plan_at, session).unwrap().unwrap()
+    let drawn = with_trials(&problem, request, |trials, session| {
+        let question = MapQuestion::new(trials, Quantity::Offset, Quantity::Clearance, &[0.003, 0.001, 0.002]).unwrap();
+        map(trials, &question, &mut |_| Ok(Some(trials.reference().clone())), session).unwrap().unwrap()
     });
     let values: Vec<f64> = drawn.rows.iter().map(|row| row.boundary.value.unwrap()).collect();
     assert_eq!(drawn.rows.iter().map(|row| (1e4 * row.at).round()).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
