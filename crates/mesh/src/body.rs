@@ -2,7 +2,8 @@
 
 use crate::bvh::BoxTree;
 use crate::geometry::{Vector, bounds};
-use crate::nearest::nearest;
+use crate::nearest::squared_distance;
+use crate::outward::Outward;
 use crate::solid::Solid;
 use crate::winding::Winding;
 
@@ -14,25 +15,25 @@ pub struct Body {
     triangles: Vec<[Vector; 3]>,
     tree: BoxTree,
     winding: Winding,
-    /// Whether it neither crosses itself nor lies within itself.
-    is_sound: bool,
+    /// Where it neither crosses itself nor lies within itself.
+    outward: Option<Outward>,
 }
 
 impl Body {
     /// Of a surface that may cross itself.
     pub fn new(triangles: Vec<[Vector; 3]>) -> Self {
-        Self::with(triangles, false)
+        Self::with(triangles, None)
     }
 
     /// Of the surface of a solid.
     pub fn of(solid: &Solid) -> Self {
         let corners = (0..solid.triangles.len()).map(|triangle| solid.corners(triangle));
-        Self::with(corners.collect(), !solid.is_rough())
+        Self::with(corners.collect(), (!solid.is_rough()).then(|| Outward::of(solid)))
     }
 
-    fn with(triangles: Vec<[Vector; 3]>, is_sound: bool) -> Self {
+    fn with(triangles: Vec<[Vector; 3]>, outward: Option<Outward>) -> Self {
         let tree = BoxTree::new(&triangles.iter().map(bounds).collect::<Vec<_>>());
-        Self { winding: Winding::new(triangles.clone()), triangles, tree, is_sound }
+        Self { winding: Winding::new(triangles.clone()), triangles, tree, outward }
     }
 
     /// The triangle nearest to a point, and its distance (m).
@@ -42,8 +43,8 @@ impl Body {
 
     /// The same where the distance is known to be no more than this (m).
     pub fn distance_within(&self, point: &Vector, most: f64) -> (usize, f64) {
-        let to = |triangle: usize| (nearest(point, &self.triangles[triangle]) - point).norm_squared();
-        let (triangle, squared) = self.tree.nearest_item(point, most + ROUNDING, to);
+        let to = |triangle: usize, most: f64| squared_distance(point, &self.triangles[triangle], most);
+        let (triangle, squared) = self.tree.nearest(point, most + ROUNDING, to);
         (triangle, squared.sqrt())
     }
 
@@ -52,17 +53,10 @@ impl Body {
         self.winding.number(point)
     }
 
-    /// Whether a point is outside whose nearest triangle is known: in front of the middle of a triangle that tells it,
-    /// unless the surface crosses itself.
+    /// Whether a point is outside whose nearest triangle is known: in front of that, unless the surface crosses itself.
     pub fn is_beyond(&self, point: &Vector, triangle: usize) -> bool {
-        let [a, b, c] = &self.triangles[triangle];
-        let normal = (b - a).cross(&(c - a));
-        let is_left = |from: &Vector, to: &Vector| normal.cross(&(to - from)).dot(&(point - from)) > 0.0;
-        let height = normal.dot(&(point - a));
-        if self.is_sound && height != 0.0 && is_left(a, b) && is_left(b, c) && is_left(c, a) {
-            return height > 0.0;
-        }
-        !self.contains(point)
+        let known = |outward: &Outward| outward.is_beyond(point, triangle, &self.triangles[triangle]);
+        self.outward.as_ref().and_then(known).unwrap_or_else(|| !self.contains(point))
     }
 
     /// Whether a point is inside: the surface runs around it more often than not.

@@ -4,6 +4,8 @@ use crate::geometry::{Vector, bounds};
 
 /// Boxes per leaf.
 const LEAF: usize = 4;
+/// Levels of a tree of any number of boxes: each halves them.
+const DEEPEST: usize = 64;
 
 struct Node {
     bounds: [Vector; 2],
@@ -121,34 +123,41 @@ impl BoxTree {
         least
     }
 
-    /// The smallest of the squared distances of items from a point, `INFINITY` without items.
-    pub fn nearest(&self, point: &Vector, squared_distance: impl Fn(usize) -> f64) -> f64 {
-        self.nearest_item(point, f64::INFINITY, squared_distance).1
-    }
-
-    /// The item with the smallest squared distance from a point, which is no more than a distance (m), and that.
-    pub fn nearest_item(&self, point: &Vector, most: f64, squared_distance: impl Fn(usize) -> f64) -> (usize, f64) {
+    /// The item with the smallest squared distance from a point, which is no more than a distance (m), and that. Asked for an
+    /// item, `squared_distance` may return anything larger than the most that it is told where the item is farther away.
+    pub fn nearest(&self, point: &Vector, most: f64, squared_distance: impl Fn(usize, f64) -> f64) -> (usize, f64) {
         let mut nearest = (0, most * most);
-        let to_box = |bounds: &[Vector; 2]| (point - point.sup(&bounds[0]).inf(&bounds[1])).norm_squared();
-        let mut waiting: Vec<(usize, f64)> =
-            self.nodes.first().map(|root| (0, to_box(&root.bounds))).into_iter().collect();
-        while let Some((index, distance)) = waiting.pop() {
+        let to_box = |node: &Node| (point - point.sup(&node.bounds[0]).inf(&node.bounds[1])).norm_squared();
+        let mut waiting = [(0, 0.0); DEEPEST];
+        let mut count = 0;
+        if let Some(root) = self.nodes.first() {
+            waiting[0] = (0, to_box(root));
+            count = 1;
+        }
+        while count > 0 {
+            count -= 1;
+            let (index, distance) = waiting[count];
             if distance >= nearest.1 {
                 continue;
             }
             let node = &self.nodes[index];
             let Some(second) = node.second else {
                 for &item in &self.order[node.items.clone()] {
-                    let distance = squared_distance(item);
+                    let distance = squared_distance(item, nearest.1);
                     if distance < nearest.1 {
                         nearest = (item, distance);
                     }
                 }
                 continue;
             };
-            let mut children = [index + 1, second].map(|child| (child, to_box(&self.nodes[child].bounds)));
-            children.sort_by(|one, other| other.1.total_cmp(&one.1));
-            waiting.extend(children);
+            let [one, other] = [index + 1, second].map(|child| (child, to_box(&self.nodes[child])));
+            let (near, far) = if one.1 < other.1 { (one, other) } else { (other, one) };
+            for child in [far, near] {
+                if child.1 < nearest.1 {
+                    waiting[count] = child;
+                    count += 1;
+                }
+            }
         }
         nearest
     }

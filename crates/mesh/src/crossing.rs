@@ -38,7 +38,7 @@ fn plane(triangle: &[Vector; 3]) -> Plane {
 
 /// The middle of an edge at which a triangle lies on its only neighbour.
 fn fold(surface: &Surface, triangles: &[[Vector; 3]], tolerance: f64) -> Option<Vector> {
-    edges(&surface.triangles).into_iter().find_map(|((from, to), sides)| {
+    edges(&surface.triangles).iter().find_map(|((from, to), sides)| {
         let [one, other] = sides[..] else { return None };
         let [one, other] = [one.triangle, other.triangle];
         let areas = [one, other].map(|triangle| area_vector(&triangles[triangle]));
@@ -53,7 +53,7 @@ fn fold(surface: &Surface, triangles: &[[Vector; 3]], tolerance: f64) -> Option<
 /// Which sides of each triangle lie within a flat face: what passes through such a side passes through the face.
 fn inner_sides(surface: &Surface, triangles: &[[Vector; 3]], planes: &[Plane], tolerance: f64) -> Vec<[bool; 3]> {
     let mut inner = vec![[false; 3]; triangles.len()];
-    for ((from, to), sides) in edges(&surface.triangles) {
+    for ((from, to), sides) in edges(&surface.triangles).iter() {
         let [one, other] = sides[..] else { continue };
         let [one, other] = [one.triangle, other.triangle];
         let is_flat = triangles[other].iter().all(|corner| planes[one].height(corner).abs() <= tolerance);

@@ -147,7 +147,7 @@ fn fit_region(region: &[usize], mesh: &Mesh) -> Option<(Cone, f64)> {
 fn neighbors<'a>(face: usize, mesh: &'a Mesh) -> impl Iterator<Item = usize> + 'a {
     let triangles = mesh.faces.faces[face].triangles.iter();
     let edges = triangles.flat_map(|&triangle| directed(mesh.triangles[triangle]));
-    let sides = edges.flat_map(|edge| &mesh.edges[&undirected(edge)]);
+    let sides = edges.flat_map(|edge| mesh.edges.at(undirected(edge)));
     sides.map(|side| mesh.faces.of_triangle[side.triangle]).filter(move |&other| other != NONE && other != face)
 }
 
@@ -306,7 +306,7 @@ fn tangents(curved: &Curved, mesh: &Mesh) -> [bool; 2] {
     for &triangle in curved.faces.iter().flat_map(|&face| &mesh.faces.faces[face].triangles) {
         for edge in directed(mesh.triangles[triangle]) {
             let points = [edge.0, edge.1].map(|vertex| mesh.vertices[vertex]);
-            for other in mesh.edges[&undirected(edge)].iter().map(|side| mesh.faces.of_triangle[side.triangle]) {
+            for other in mesh.edges.at(undirected(edge)).iter().map(|side| mesh.faces.of_triangle[side.triangle]) {
                 if other == NONE || own.contains(&other) {
                     continue;
                 }

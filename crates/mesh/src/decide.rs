@@ -97,7 +97,7 @@ pub fn decide(mesh: &TriangleMesh, reason: MeshError) -> Result<Surface, MeshErr
 /// Edges that do not have as many triangles on the one side as on the other, each with one of its triangles.
 fn open_edges(triangles: &[[usize; 3]]) -> Vec<((usize, usize), usize)> {
     let mut open = Vec::new();
-    for (edge, sides) in edges(triangles) {
+    for (edge, sides) in edges(triangles).iter() {
         if 2 * sides.iter().filter(|side| side.is_forward).count() != sides.len() {
             open.push((edge, sides[0].triangle));
         }

@@ -1,16 +1,21 @@
 //! Cover and mesh compared by means that neither was made with.
 
+use workers::Workers;
+
 use crate::bvh::BoxTree;
 use crate::cell::Cell;
 use crate::cover::Cover;
 use crate::geometry::{Vector, area_vector, bounds, boxes_meet, clip};
-use crate::nearest::nearest;
+use crate::nearest::squared_distance;
 use crate::solid::Solid;
 
 /// Points on each surface for the distances.
 const SURFACE_POINTS: f64 = 20_000.0;
 /// Points in the box for the volumes.
 const VOLUME_POINTS: usize = 20_000;
+
+/// Points of a piece of work.
+const CHUNK: usize = 1000;
 
 /// Facets of pieces are boundary where no piece is this many tolerances in front of them: thinner gaps are none.
 const IN_FRONT: f64 = 4.0;
@@ -52,45 +57,62 @@ impl Deviation {
             outside_volume: 0.0,
             volume_error: 0.0,
         };
-        for (point, normal) in mesh.samples().filter(|(point, _)| is_inside(point) && cover.places.contain(point)) {
-            // Where bodies touch, triangles are no surface.
-            if mesh.contains(&(point + normal * (IN_FRONT * cover.tolerance))) {
-                continue;
+        let workers = Workers::new(std::thread::available_parallelism().map_or(1, Into::into));
+        let from_mesh = |points: &[(Vector, Vector)]| {
+            let mut most = (0.0_f64, 0.0_f64);
+            for (point, normal) in points {
+                // Where bodies touch, triangles are no surface.
+                if mesh.contains(&(point + normal * (IN_FRONT * cover.tolerance))) {
+                    continue;
+                }
+                let distance = boundary.distance(point);
+                let uncovered = if depth(cover, point) < -cover.tolerance { distance } else { 0.0 };
+                most = (most.0.max(distance), most.1.max(uncovered));
             }
-            let distance = boundary.distance(&point);
+            most
+        };
+        let is_compared = |(point, _): &(Vector, Vector)| is_inside(point) && cover.places.contain(point);
+        let samples: Vec<(Vector, Vector)> = mesh.samples().filter(is_compared).collect();
+        for (distance, uncovered) in workers.map(samples.chunks(CHUNK), from_mesh) {
             deviation.mesh_to_cover = deviation.mesh_to_cover.max(distance);
-            if depth(cover, &point) < -cover.tolerance {
-                deviation.uncovered = deviation.uncovered.max(distance);
-            }
+            deviation.uncovered = deviation.uncovered.max(uncovered);
         }
         // Where not all is covered, pieces end inside of the material.
         let is_boundary = |point: &Vector| cover.places.are_everywhere() || !mesh.contains(point);
-        for (point, _) in boundary.samples().filter(|(point, _)| is_boundary(point)) {
-            deviation.cover_to_mesh = deviation.cover_to_mesh.max(mesh.distance(&point));
-        }
-        deviation.measure_volumes(&mesh, cover);
+        let from_cover = |points: &[(Vector, Vector)]| {
+            let points = points.iter().map(|(point, _)| point).filter(|point| is_boundary(point));
+            points.map(|point| mesh.distance(point)).fold(0.0, f64::max)
+        };
+        let samples: Vec<(Vector, Vector)> = boundary.samples().collect();
+        let distances = workers.map(samples.chunks(CHUNK), from_cover);
+        deviation.cover_to_mesh = distances.into_iter().fold(0.0, f64::max);
+        deviation.measure_volumes(&mesh, cover, &workers);
         deviation
     }
 
-    fn measure_volumes(&mut self, mesh: &Triangles, cover: &Cover) {
+    fn measure_volumes(&mut self, mesh: &Triangles, cover: &Cover, workers: &Workers) {
         let extent = cover.box_[1] - cover.box_[0];
         let volume = extent.x * extent.y * extent.z;
-        let (mut missing, mut outside) = (0, 0);
         let is_in = |leaf: &Cell, point: &Vector| leaf.bounds.iter().all(|bound| bound.plane.height(point) <= 0.0);
         let is_wanted =
             |point: &Vector| cover.places.are_everywhere() || cover.leaves.iter().any(|leaf| is_in(leaf, point));
-        for index in 0..VOLUME_POINTS {
-            let point = cover.box_[0] + extent.component_mul(&quasi_random(index));
-            let depth = depth(cover, &point);
-            if depth.abs() <= cover.tolerance {
-                continue;
+        let counts = workers.map((0..VOLUME_POINTS).step_by(CHUNK), |first| {
+            let (mut missing, mut outside) = (0, 0);
+            for index in first..VOLUME_POINTS.min(first + CHUNK) {
+                let point = cover.box_[0] + extent.component_mul(&quasi_random(index));
+                let depth = depth(cover, &point);
+                if depth.abs() <= cover.tolerance {
+                    continue;
+                }
+                match (mesh.contains(&point), depth > 0.0) {
+                    (true, false) if is_wanted(&point) => missing += 1,
+                    (false, true) => outside += 1,
+                    _ => {}
+                }
             }
-            match (mesh.contains(&point), depth > 0.0) {
-                (true, false) if is_wanted(&point) => missing += 1,
-                (false, true) => outside += 1,
-                _ => {}
-            }
-        }
+            [missing, outside]
+        });
+        let [missing, outside] = [0, 1].map(|which| counts.iter().map(|counts| counts[which]).sum());
         let count = VOLUME_POINTS as f64;
         let share = |points: i32| f64::from(points) / count;
         let error = |points: i32| (share(points) * (1.0 - share(points)) / count).sqrt().max(1.0 / count);
@@ -174,8 +196,8 @@ impl Triangles {
     }
 
     fn distance(&self, point: &Vector) -> f64 {
-        let to = |triangle: usize| (nearest(point, &self.triangles[triangle]) - point).norm_squared();
-        self.tree.nearest(point, to).sqrt()
+        let to = |triangle: usize, most: f64| squared_distance(point, &self.triangles[triangle], most);
+        self.tree.nearest(point, f64::INFINITY, to).1.sqrt()
     }
 
     /// The corners, the middles and evenly spaced points of all triangles, with the normals.
@@ -200,8 +222,10 @@ impl Triangles {
     /// Whether a point is inside, as most of three rays see it.
     fn contains(&self, point: &Vector) -> bool {
         const DIRECTIONS: [[f64; 3]; 3] = [[0.83, 0.39, 0.41], [-0.35, 0.87, -0.33], [0.29, -0.31, 0.91]];
-        let votes = DIRECTIONS.iter().filter(|direction| self.turns(point, &Vector::from(**direction)) > 0);
-        votes.count() >= 2
+        let vote = |direction: [f64; 3]| self.turns(point, &Vector::from(direction)) > 0;
+        let [one, other, last] = DIRECTIONS;
+        let first = vote(one);
+        if first == vote(other) { first } else { vote(last) }
     }
 
     /// How often a ray leaves the inside more than it enters it.

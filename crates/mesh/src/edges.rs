@@ -1,16 +1,24 @@
 //! The edges of a triangle mesh.
 
-use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Two vertices, smaller index first.
+pub type Edge = (usize, usize);
 
 /// A triangle at an edge, and whether it runs through the edge from the smaller to the larger index.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Side {
     pub triangle: usize,
     pub is_forward: bool,
 }
 
-/// Edges (smaller index first) with their triangles.
-pub type Edges = BTreeMap<(usize, usize), Vec<Side>>;
+/// Edges in rising order, with their triangles.
+#[derive(Debug, Clone)]
+pub struct Edges {
+    /// Each edge with the range of its sides.
+    edges: Vec<(Edge, Range<usize>)>,
+    sides: Vec<Side>,
+}
 
 /// The directed edges of a triangle.
 pub fn directed([a, b, c]: [usize; 3]) -> [(usize, usize); 3] {
@@ -18,25 +26,55 @@ pub fn directed([a, b, c]: [usize; 3]) -> [(usize, usize); 3] {
 }
 
 /// The name of an edge.
-pub fn undirected((from, to): (usize, usize)) -> (usize, usize) {
+pub fn undirected((from, to): (usize, usize)) -> Edge {
     (from.min(to), from.max(to))
 }
 
 /// All edges of triangles.
 pub fn edges(triangles: &[[usize; 3]]) -> Edges {
-    let mut edges = Edges::new();
+    let mut all: Vec<(Edge, Side)> = Vec::with_capacity(3 * triangles.len());
     for (triangle, corners) in triangles.iter().enumerate() {
-        for (from, to) in directed(*corners) {
-            edges.entry(undirected((from, to))).or_default().push(Side { triangle, is_forward: from < to });
-        }
+        let sides = directed(*corners);
+        all.extend(sides.map(|(from, to)| (undirected((from, to)), Side { triangle, is_forward: from < to })));
     }
-    edges
+    all.sort_unstable();
+    let mut first = 0;
+    let edges = all.chunk_by(|one, other| one.0 == other.0).map(|same| {
+        let range = first..first + same.len();
+        first = range.end;
+        (same[0].0, range)
+    });
+    Edges { edges: edges.collect(), sides: all.iter().map(|(_, side)| *side).collect() }
+}
+
+impl Edges {
+    /// All edges with their sides.
+    pub fn iter(&self) -> impl Iterator<Item = (Edge, &[Side])> {
+        self.edges.iter().map(|(edge, range)| (*edge, &self.sides[range.clone()]))
+    }
+
+    /// The sides at an edge, none where there is no such edge.
+    pub fn at(&self, edge: Edge) -> &[Side] {
+        let found = self.edges.binary_search_by(|(other, _)| other.cmp(&edge));
+        found.map_or(&[], |found| &self.sides[self.edges[found].1.clone()])
+    }
+
+    /// Those at which two triangles meet.
+    pub fn with_two_sides(&self) -> Self {
+        let two = self.edges.iter().filter(|(_, range)| range.len() == 2);
+        Self { edges: two.cloned().collect(), sides: self.sides.clone() }
+    }
+
+    /// Number of edges.
+    pub fn len(&self) -> usize {
+        self.edges.len()
+    }
 }
 
 /// Triangles (indices) that hang together by edges, in lists.
 pub fn components(count: usize, edges: &Edges) -> Vec<Vec<usize>> {
     let mut neighbors: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for sides in edges.values() {
+    for (_, sides) in edges.iter() {
         for pair in sides.windows(2) {
             neighbors[pair[0].triangle].push(pair[1].triangle);
             neighbors[pair[1].triangle].push(pair[0].triangle);

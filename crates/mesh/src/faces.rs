@@ -88,7 +88,7 @@ impl Faces {
         while let Some(&triangle) = region.get(next) {
             next += 1;
             for edge in directed(triangles[triangle]) {
-                for side in &edges[&undirected(edge)] {
+                for side in edges.at(undirected(edge)) {
                     if self.of_triangle[side.triangle] == NONE && belongs(side.triangle) {
                         self.of_triangle[side.triangle] = face;
                         region.push(side.triangle);
@@ -113,7 +113,7 @@ fn outline(
     for &triangle in region {
         for edge in directed(triangles[triangle]) {
             let is_inner = |side: &crate::edges::Side| side.triangle != triangle && of_triangle[side.triangle] == face;
-            if !edges[&undirected(edge)].iter().any(is_inner) && next.insert(edge.0, edge.1).is_some() {
+            if !edges.at(undirected(edge)).iter().any(is_inner) && next.insert(edge.0, edge.1).is_some() {
                 return Vec::new();
             }
         }

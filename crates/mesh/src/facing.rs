@@ -1,8 +1,8 @@
 //! The cells with surface that can be touched.
 
 use crate::cell::{Bound, Cell, is_wide};
-use crate::elements::Elements;
-use crate::geometry::{Plane, Vector, clip};
+use crate::elements::{Element, Elements};
+use crate::geometry::{Plane, Vector, bounds, boxes_meet, clip};
 
 /// A convex place as halfspaces: unit outward normals and offsets (m).
 pub type Place = Vec<([f64; 3], f64)>;
@@ -35,6 +35,9 @@ impl Places {
     /// Whether some of a convex polygon is in one of them.
     fn meet(&self, polygon: &[Vector]) -> bool {
         let meets = |place: &Vec<Plane>| {
+            if place.iter().any(|side| side.heights(polygon).0 > self.tolerance) {
+                return false;
+            }
             let clipped = place.iter().fold(polygon.to_vec(), |polygon, side| clip(&polygon, side, self.tolerance));
             !clipped.is_empty()
         };
@@ -54,10 +57,12 @@ pub fn surface_on<'a>(
     bound: &'a Bound,
     elements: &'a Elements,
 ) -> impl Iterator<Item = Vec<Vector>> + 'a {
+    let box_ = cell.bounding_box();
+    let is_near = move |element: &&Element| boxes_meet(&bounds(&element.polygon), &box_, elements.tolerance);
     let clipped = |polygon: &Vec<Vector>| {
         let others = cell.bounds.iter().filter(|other| !other.is(bound));
         others.fold(polygon.clone(), |polygon, other| clip(&polygon, &other.plane, elements.tolerance))
     };
-    let own = elements.elements.iter().filter(|element| element.bound.is(bound));
+    let own = elements.elements.iter().filter(|element| element.bound.is(bound)).filter(is_near);
     own.map(move |element| clipped(&element.polygon)).filter(|polygon| is_wide(polygon, elements.tolerance))
 }

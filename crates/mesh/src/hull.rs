@@ -3,7 +3,7 @@
 //! Points are rounded to a grid that is finer than the precision of any file, on which every sign is exact: points in a
 //! plane, on a line or on each other are no special cases.
 
-use std::collections::HashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::geometry::{Plane, Vector, bounds};
 use crate::nearest::nearest;
@@ -49,11 +49,11 @@ impl Points {
         let [low, high] = bounds(points);
         let size = (high - low).amax();
         let step = (0.1 * tolerance).max(size * 2f64.powi(-GRID_BITS));
-        let mut known: HashMap<GridPoint, ()> = HashMap::with_capacity(points.len());
+        let mut known: FxHashSet<GridPoint> = FxHashSet::default();
         let mut own = Self { exact: Vec::new(), points: Vec::new(), uncertain: UNCERTAIN * size, tolerance };
         for point in points {
             let exact: GridPoint = std::array::from_fn(|axis| ((point - low)[axis] / step).round() as i64);
-            if known.insert(exact, ()).is_none() {
+            if known.insert(exact) {
                 own.exact.push(exact);
                 own.points.push(low + Vector::from(exact.map(|coordinate| coordinate as f64)) * step);
             }
@@ -102,7 +102,7 @@ impl Hull {
         let (a, b) = if all.volume([a, b, c], d) > 0 { (b, a) } else { (a, b) };
         let mut faces: Vec<Option<Face>> =
             [[a, b, c], [a, d, b], [b, d, c], [c, d, a]].map(|corners| Some(all.face(corners))).into();
-        let mut across: HashMap<(usize, usize), usize> = HashMap::new();
+        let mut across: FxHashMap<(usize, usize), usize> = FxHashMap::default();
         for (index, face) in faces.iter().flatten().enumerate() {
             sides(face.corners).for_each(|side| _ = across.insert(side, index));
         }
@@ -156,7 +156,7 @@ impl Hull {
     }
 
     fn compact(points: &[Vector], faces: &[Face]) -> Self {
-        let mut index: HashMap<usize, usize> = HashMap::new();
+        let mut index: FxHashMap<usize, usize> = FxHashMap::default();
         let mut corners = Vec::new();
         let triangles = faces.iter().map(|face| {
             face.corners.map(|corner| {

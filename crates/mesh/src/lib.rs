@@ -65,6 +65,7 @@ mod mass;
 mod merge;
 mod nearest;
 mod obj;
+mod outward;
 mod partition;
 mod passing;
 mod planes;

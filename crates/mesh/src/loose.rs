@@ -12,8 +12,7 @@ const OF_EDGE: f64 = 0.25;
 /// Drops sheets: surface that ends all around at edges of one other surface, which is closed without it.
 pub fn drop_sheets(surface: &mut Surface, scale: f64) {
     let edges = edges(&surface.triangles);
-    let mut smooth = edges.clone();
-    smooth.retain(|_, sides| sides.len() == 2);
+    let smooth = edges.with_two_sides();
     if smooth.len() == edges.len() {
         return;
     }
@@ -25,9 +24,10 @@ pub fn drop_sheets(surface: &mut Surface, scale: f64) {
     let mut is_sheet = vec![false; patches.len()];
     for (patch, is_sheet) in is_sheet.iter_mut().enumerate() {
         let ends = edges
-            .values()
+            .iter()
+            .map(|(_, sides)| sides)
             .filter(|sides| sides.len() != 2 && sides.iter().any(|side| patch_of[side.triangle] == patch));
-        let is_end = |sides: &Vec<Side>| {
+        let is_end = |sides: &[Side]| {
             let others: Vec<_> = sides.iter().filter(|side| patch_of[side.triangle] != patch).collect();
             matches!(others[..], [one, other] if sides.len() == 3
                 && patch_of[one.triangle] == patch_of[other.triangle])

@@ -2,6 +2,16 @@
 
 use crate::geometry::Vector;
 
+/// The squared distance (m^2) of a point from a triangle; infinite where the plane of that is no nearer than the most.
+pub fn squared_distance(point: &Vector, triangle: &[Vector; 3], most: f64) -> f64 {
+    let [a, b, c] = triangle;
+    let normal = (b - a).cross(&(c - a));
+    if normal.dot(&(point - a)).powi(2) > most * normal.norm_squared() {
+        return f64::INFINITY;
+    }
+    (nearest(point, triangle) - point).norm_squared()
+}
+
 /// The point of a triangle nearest to a point: inside of it, or on the nearest of its sides.
 pub fn nearest(point: &Vector, [a, b, c]: &[Vector; 3]) -> Vector {
     let normal = (b - a).cross(&(c - a));

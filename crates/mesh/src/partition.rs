@@ -6,8 +6,8 @@ use crate::cell::{Bound, Cell, is_wide};
 use crate::elements::{Element, Elements};
 use crate::error::MeshError;
 use crate::geometry::{Vector, area_vector, clip};
-use crate::shells::winding_number;
 use crate::solid::Solid;
+use crate::winding::Winding;
 
 /// Planes that are compared, and elements by which they are, at each split.
 const CANDIDATES: usize = 32;
@@ -49,6 +49,7 @@ pub fn partition(elements: &Elements, solid: &Solid, rough: f64, most_cells: usi
         .collect();
     let mut waiting = vec![Node { cell: elements.root.clone(), fragments }];
     let mut used = BTreeSet::new();
+    let winding = Winding::new((0..solid.triangles.len()).map(|triangle| solid.corners(triangle)).collect());
     while let Some(node) = waiting.pop() {
         if waiting.len() + partition.solid.len() + partition.free.len() > most_cells {
             return Err(MeshError::too_many_pieces(solid));
@@ -59,7 +60,9 @@ pub fn partition(elements: &Elements, solid: &Solid, rough: f64, most_cells: usi
                 let bound = elements.planes.get(id);
                 waiting.extend([bound, bound.flipped()].iter().filter_map(|side| part(&node, side, elements, rough)));
             }
-            None if is_solid(&node, solid) => partition.solid.push(node.cell),
+            None if !node.fragments.is_empty() || winding.number(&node.cell.center()) > 0.5 => {
+                partition.solid.push(node.cell)
+            }
             None => partition.free.push(node.cell),
         }
     }
@@ -69,14 +72,6 @@ pub fn partition(elements: &Elements, solid: &Solid, rough: f64, most_cells: usi
 
 fn is_on(polygon: &[Vector], bound: &Bound, tolerance: f64) -> bool {
     polygon.iter().all(|corner| bound.plane.height(corner).abs() <= tolerance)
-}
-
-/// Whether there is material in a cell that no surface divides.
-fn is_solid(node: &Node, solid: &Solid) -> bool {
-    !node.fragments.is_empty() || {
-        let triangles = (0..solid.triangles.len()).map(|triangle| solid.corners(triangle));
-        winding_number(&node.cell.center(), triangles) > 0.5
-    }
 }
 
 /// The part of a node behind a side of a plane.

@@ -80,7 +80,7 @@ pub fn wind(surface: &mut Surface, scale: f64) -> Result<usize, MeshError> {
     let edges = edges(&surface.triangles);
     let place = |edge: (usize, usize)| (0.5 * (surface.vertices[edge.0] + surface.vertices[edge.1]) / scale).into();
     let mut neighbors: Vec<Vec<Neighbor>> = vec![Vec::new(); surface.triangles.len()];
-    for (&edge, sides) in &edges {
+    for (edge, sides) in edges.iter() {
         if let [one, other] = sides[..] {
             let is_same = one.is_forward != other.is_forward;
             neighbors[one.triangle].push(Neighbor { triangle: other.triangle, is_same, edge });
@@ -122,7 +122,7 @@ pub fn wind(surface: &mut Surface, scale: f64) -> Result<usize, MeshError> {
 /// Closes holes.
 fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshError> {
     let edges = edges(&surface.triangles);
-    for (edge, sides) in &edges {
+    for (edge, sides) in edges.iter() {
         let forward = sides.iter().filter(|side| side.is_forward).count();
         if sides.len() > 1 && 2 * forward != sides.len() {
             let place = 0.5 * (surface.vertices[edge.0] + surface.vertices[edge.1]) / scale;
@@ -168,7 +168,7 @@ fn close(surface: &mut Surface, scale: f64, tolerance: f64) -> Result<(), MeshEr
 /// Loops of vertices that close the surface, in the direction of the missing triangles.
 pub fn holes(edges: &Edges) -> Vec<Vec<usize>> {
     let mut next: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (&(low, high), sides) in edges {
+    for ((low, high), sides) in edges.iter() {
         if let [side] = sides[..] {
             let (from, to) = if side.is_forward { (high, low) } else { (low, high) };
             next.entry(from).or_default().push(to);
@@ -214,7 +214,7 @@ fn continues(surface: &Surface, edges: &Edges, hole: &[usize], points: &[Vector]
     let plane = Plane::through(&points[0], normal);
     (0..hole.len()).any(|at| {
         let edge = undirected((hole[at], hole[(at + 1) % hole.len()]));
-        edges[&edge].iter().any(|side| {
+        edges.at(edge).iter().any(|side| {
             let corners = surface.triangles[side.triangle].map(|corner| surface.vertices[corner]);
             let area = area_vector(&corners);
             let (low, high) = plane.heights(&corners);

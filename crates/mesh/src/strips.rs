@@ -44,7 +44,7 @@ impl Sides {
         let mut touching: BTreeSet<(usize, usize)> = BTreeSet::new();
         for (triangle, corners) in triangles.iter().enumerate() {
             for edge in directed(*corners) {
-                for other in &edges[&undirected(edge)] {
+                for other in edges.at(undirected(edge)) {
                     touching.insert((faces.of_triangle[triangle], faces.of_triangle[other.triangle]));
                 }
             }

@@ -3,14 +3,18 @@
 //! The part is cut only where the hull of what is in a cell comes too close to a place where the other part passes. What
 //! the other part cannot enter is filled.
 
-use std::collections::{BTreeMap, HashSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+
+use rustc_hash::FxHashSet;
 
 use crate::body::Body;
+use crate::bvh::BoxTree;
 use crate::cell::{Bound, Cell};
 use crate::edges::edges;
 use crate::faces::NONE;
-use crate::geometry::{Plane, Vector, area_vector, boxes_meet, clip};
+use crate::geometry::{Plane, Vector, area_vector, boxes_meet, clip, mean};
 use crate::hull::Hull;
+use crate::nearest::squared_distance;
 use crate::passing::Place;
 use crate::solid::Solid;
 use crate::strips::LARGEST_ANGLE;
@@ -25,20 +29,39 @@ const CUTTING: f64 = 0.5;
 const JOINING: f64 = 0.75;
 /// Share of it by which planes of curved surfaces are moved into the open.
 const MOVED: f64 = 0.4;
+/// Share of it by which faces may be away from the plane of a larger one that stands for them, and the least cosine between
+/// their normals.
+const BAND: f64 = 0.1;
+const ALIKE: f64 = 0.98;
 
 /// Places that were in the way of joined hulls, asked first.
 const RECENT: usize = 64;
 
+/// Corners of each of two hulls between which points are looked at before both are joined.
+const BETWEEN: usize = 3;
+
 /// The surface of a part as the cutting sees it.
 pub struct Touched<'a> {
-    pub body: &'a Body,
-    /// The planar face of each triangle.
-    pub face_of: &'a [usize],
-    /// The planes of faces, and whether they are parts of curved surfaces.
-    pub faces: Vec<(Plane, bool)>,
-    pub places: &'a [Place],
+    body: &'a Body,
+    places: &'a [Place],
+    /// The boxes that joined hulls keep out of, each around a place.
+    around_places: BoxTree,
+    planes: Vec<Facing>,
+    /// The plane of each triangle, if it has one.
+    plane_of: Vec<Option<usize>>,
+    /// Triangles that have a corner with each triangle in common.
+    neighbors: Vec<Vec<usize>>,
     /// Distance below which points are the same (m).
-    pub tolerance: f64,
+    tolerance: f64,
+}
+
+/// A plane of the surface, with all faces that lie in it within a share of what is allowed there.
+struct Facing {
+    plane: Plane,
+    /// How far its faces are in front of it at most (m).
+    ahead: f64,
+    /// Whether some of them is part of a curved surface.
+    is_curved: bool,
 }
 
 struct Node {
@@ -49,21 +72,21 @@ struct Node {
 }
 
 impl<'a> Touched<'a> {
-    pub fn new(solid: &'a Solid, body: &'a Body, places: &'a [Place]) -> Self {
-        let mut faces: Vec<(Plane, bool)> = solid.faces.faces.iter().map(|face| (face.plane, false)).collect();
-        for sides in edges(&solid.triangles).values() {
-            for pair in sides.windows(2) {
-                let [one, other] = [pair[0], pair[1]].map(|side| solid.faces.of_triangle[side.triangle]);
-                if one == NONE || other == NONE || one == other {
-                    continue;
-                }
-                if faces[one].0.normal.dot(&faces[other].0.normal) > LARGEST_ANGLE.cos() {
-                    faces[one].1 = true;
-                    faces[other].1 = true;
-                }
-            }
+    pub fn new(solid: &Solid, body: &'a Body, places: &'a [Place]) -> Self {
+        let around = |place: &Place| {
+            let within = place.within(JOINING).max(0.0);
+            [-1.0, 1.0].map(|side| place.point.add_scalar(side * within))
+        };
+        let around_places = BoxTree::new(&places.iter().map(around).collect::<Vec<_>>());
+        let (planes, plane_of_face) = facing(solid, places);
+        let plane_of = solid.faces.of_triangle.iter().map(|&face| plane_of_face.get(face).copied()).collect();
+        let mut at_corner: Vec<Vec<usize>> = vec![Vec::new(); solid.vertices.len()];
+        for (triangle, corners) in solid.triangles.iter().enumerate() {
+            corners.iter().for_each(|&corner| at_corner[corner].push(triangle));
         }
-        Self { body, face_of: &solid.faces.of_triangle, faces, places, tolerance: solid.tolerance }
+        let around = |corners: &[usize; 3]| corners.iter().flat_map(|&corner| &at_corner[corner]).copied().collect();
+        let neighbors = solid.triangles.iter().map(around).collect();
+        Self { body, places, around_places, planes, plane_of, neighbors, tolerance: solid.tolerance }
     }
 
     /// Convex hulls that contain the part and keep their distance from all places; `None` when that takes too long.
@@ -141,37 +164,24 @@ impl<'a> Touched<'a> {
 
     /// The plane that separates most places from the part and cuts little of it.
     fn choose(&self, node: &Node, hull: &Hull, close: &[usize], id: usize) -> Option<Bound> {
-        let here: HashSet<usize> = node.fragments.iter().map(|(triangle, _)| *triangle).collect();
+        let here: FxHashSet<usize> = node.fragments.iter().map(|(triangle, _)| *triangle).collect();
         let stride = close.len().div_ceil(SAMPLE).max(1);
         let mut votes: BTreeMap<usize, (f64, f64)> = BTreeMap::new();
         let mut total_votes = 0.0;
         for &place in close.iter().step_by(stride) {
             let place = &self.places[place];
-            let triangle = if here.contains(&place.nearest) {
-                Some(place.nearest)
-            } else {
-                let to = |(triangle, polygon): &(usize, Vec<Vector>)| {
-                    let apart = polygon.iter().map(|corner| (corner - place.point).norm_squared());
-                    (*triangle, apart.fold(f64::INFINITY, f64::min))
-                };
-                node.fragments
-                    .iter()
-                    .map(to)
-                    .min_by(|one, other| one.1.total_cmp(&other.1))
-                    .map(|(triangle, _)| triangle)
-            };
-            let Some(face) = triangle.map(|triangle| self.face_of[triangle]).filter(|&face| face != NONE) else {
-                continue;
-            };
-            if self.faces[face].0.height(&place.point) <= 0.0 {
+            let separating = self.separating(place, node, &here);
+            if separating.is_empty() {
                 continue;
             }
             // Close places matter most.
             let weight = 1.0 / (place.distance + 10.0 * self.tolerance);
             total_votes += weight;
             let allowed = place.distance - place.enough;
-            let vote = votes.entry(face).or_insert((0.0, f64::INFINITY));
-            *vote = (vote.0 + weight, vote.1.min(allowed));
+            for plane in separating {
+                let vote = votes.entry(plane).or_insert((0.0, f64::INFINITY));
+                *vote = (vote.0 + weight, vote.1.min(allowed));
+            }
         }
         let mut votes: Vec<(usize, (f64, f64))> = votes.into_iter().collect();
         votes.sort_by(|one, other| other.1.0.total_cmp(&one.1.0).then(one.0.cmp(&other.0)));
@@ -198,9 +208,9 @@ impl<'a> Touched<'a> {
         };
         let best = votes
             .iter()
-            .map(|(face, (weight, allowed))| {
-                let (plane, is_curved) = self.faces[*face];
-                (plane.moved(if is_curved { MOVED * allowed } else { 0.0 }), *weight)
+            .map(|(index, (weight, allowed))| {
+                let Facing { plane, ahead, is_curved } = &self.planes[*index];
+                (plane.moved(ahead + if *is_curved { MOVED * allowed } else { 0.0 }), *weight)
             })
             .filter(|(plane, _)| separates(plane))
             .map(|(plane, weight)| (plane, cost(&plane, weight)))
@@ -215,39 +225,44 @@ impl<'a> Touched<'a> {
         plane.map(|plane| Bound { id, is_flipped: false, plane })
     }
 
+    /// Planes of what of the surface is nearest to a place, in front of which that is.
+    fn separating(&self, place: &Place, node: &Node, here: &FxHashSet<usize>) -> BTreeSet<usize> {
+        let corners = |triangle: usize| &self.body.triangles()[triangle];
+        let most = (place.distance + self.tolerance).powi(2);
+        // At an edge or a corner, several triangles are nearest.
+        let nearest = self.neighbors[place.nearest].iter().copied();
+        let mut nearest: Vec<usize> =
+            nearest.filter(|&other| squared_distance(&place.point, corners(other), most) <= most).collect();
+        nearest.retain(|triangle| here.contains(triangle));
+        if nearest.is_empty() {
+            let apart = |(_, polygon): &&(usize, Vec<Vector>)| {
+                let apart = polygon.iter().map(|corner| (corner - place.point).norm_squared());
+                apart.fold(f64::INFINITY, f64::min)
+            };
+            let fragment = node.fragments.iter().min_by(|one, other| apart(one).total_cmp(&apart(other)));
+            nearest.extend(fragment.map(|(triangle, _)| *triangle));
+        }
+        let planes = nearest.into_iter().filter_map(|triangle| self.plane_of[triangle]);
+        planes.filter(|&plane| self.planes[plane].plane.height(&place.point) > 0.0).collect()
+    }
+
     /// Joins hulls as long as the hulls of both keep their distance.
     pub fn join(&self, hulls: Vec<Hull>) -> Vec<Hull> {
-        let mut hulls: Vec<Option<Hull>> = hulls.into_iter().map(Some).collect();
-        // What was in the way is often in the way again.
-        let mut recent = VecDeque::new();
-        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
-        let mut add = |hulls: &[Option<Hull>], pairs: &mut Vec<_>, new: usize| {
-            for one in 0..new {
-                let (Some(a), Some(b)) = (&hulls[one], &hulls[new]) else { continue };
-                if let Some(joined) = self.joined(a, b, &mut recent) {
-                    pairs.push(((joined.volume() - a.volume() - b.volume()) / joined.volume(), one, new));
-                }
-            }
+        let mut joining = Joining {
+            touched: self,
+            hulls: hulls.into_iter().map(Some).collect(),
+            pairs: Vec::new(),
+            apart: FxHashSet::default(),
+            recent: VecDeque::new(),
         };
-        (0..hulls.len()).for_each(|new| add(&hulls, &mut pairs, new));
-        loop {
-            // Those that fill least first.
-            pairs.sort_by(|one, other| other.0.total_cmp(&one.0).then(other.1.cmp(&one.1)));
-            let Some((_, one, other)) = pairs.pop() else { break };
-            let (Some(a), Some(b)) = (&hulls[one], &hulls[other]) else { continue };
-            let points: Vec<Vector> = a.points.iter().chain(&b.points).copied().collect();
-            let Some(joined) = Hull::of(&points, self.tolerance) else { continue };
-            (hulls[one], hulls[other]) = (None, None);
-            pairs.retain(|pair| ![pair.1, pair.2].iter().any(|at| *at == one || *at == other));
-            hulls.push(Some(joined));
-            add(&hulls, &mut pairs, hulls.len() - 1);
-        }
-        hulls.into_iter().flatten().collect()
+        (0..joining.hulls.len()).for_each(|new| joining.add(new));
+        joining.join_all();
+        joining.hulls.into_iter().flatten().collect()
     }
 
     /// The hull of two hulls, if it keeps its distance from the places that are known.
     fn joined(&self, one: &Hull, other: &Hull, recent: &mut VecDeque<usize>) -> Option<Hull> {
-        if !boxes_meet(&one.bounds, &other.bounds, 4.0 * self.tolerance) {
+        if self.is_close_between(one, other) {
             return None;
         }
         let points: Vec<Vector> = one.points.iter().chain(&other.points).copied().collect();
@@ -259,12 +274,32 @@ impl<'a> Touched<'a> {
         if recent.iter().any(is_close) {
             return None;
         }
-        let Some(place) = (0..self.places.len()).find(is_close) else { return Some(joined) };
+        let is_near = |box_: &[Vector; 2]| boxes_meet(box_, &joined.bounds, 0.0);
+        let close = self.around_places.find_map(is_near, |place| is_close(&place).then_some(place));
+        let Some(place) = close else { return Some(joined) };
         recent.push_back(place);
         if recent.len() > RECENT {
             recent.pop_front();
         }
         None
+    }
+
+    /// Whether some points between corners of two hulls, which the hull of both contains, are too close to a place.
+    fn is_close_between(&self, one: &Hull, other: &Hull) -> bool {
+        let some = |hull: &Hull| -> Vec<Vector> {
+            let corners = hull.points.iter().step_by(hull.points.len().div_ceil(BETWEEN)).copied();
+            corners.chain([mean(&hull.points)]).collect()
+        };
+        let others = some(other);
+        some(one).iter().flat_map(|own| others.iter().map(move |other| 0.5 * (own + other))).any(|point| {
+            let is_near =
+                |[low, high]: &[Vector; 2]| (0..3).all(|axis| (low[axis]..=high[axis]).contains(&point[axis]));
+            let is_close = |place: usize| {
+                let place = &self.places[place];
+                (place.point - point).norm() < place.within(JOINING)
+            };
+            self.around_places.find_map(is_near, |place| is_close(place).then_some(())).is_some()
+        })
     }
 
     /// A cell around a hull with few halfspaces that keeps its distance from all places.
@@ -286,7 +321,7 @@ impl<'a> Touched<'a> {
             }
         }
         let mut waiting: Vec<usize> = (0..self.places.len()).collect();
-        let mut used: HashSet<usize> = HashSet::new();
+        let mut used: FxHashSet<usize> = FxHashSet::default();
         for _ in 0..500 {
             let outer = OuterCell::new(&cell);
             waiting.retain(|&place| !outer.is_beyond(&self.places[place].point, self.places[place].enough));
@@ -318,6 +353,108 @@ impl<'a> Touched<'a> {
             id += 1;
         }
         cell
+    }
+}
+
+/// The planes of the faces of a solid, and the plane of each face. A face lies in the plane of a larger one when it is no
+/// farther from it than a share of what is allowed at all places to which it is nearest.
+fn facing(solid: &Solid, places: &[Place]) -> (Vec<Facing>, Vec<usize>) {
+    let faces = &solid.faces.faces;
+    let mut bands = vec![f64::INFINITY; faces.len()];
+    for place in places {
+        if let Some(band) = bands.get_mut(solid.faces.of_triangle[place.nearest]) {
+            *band = band.min(BAND * (place.distance - place.enough));
+        }
+    }
+    let is_curved = curved_faces(solid);
+    let mut planes: Vec<Facing> = Vec::new();
+    let mut plane_of_face = Vec::with_capacity(faces.len());
+    for (face, (band, is_curved)) in faces.iter().zip(bands.into_iter().zip(is_curved)) {
+        let corners = face.triangles.iter().flat_map(|&triangle| solid.corners(triangle)).collect::<Vec<_>>();
+        let known = |known: &Facing| {
+            known.plane.normal.dot(&face.plane.normal) > ALIKE
+                && known.plane.height(&corners[0]).abs() <= band
+                && corners.iter().all(|corner| known.plane.height(corner).abs() <= band)
+        };
+        let known = if band.is_finite() { planes.iter().position(known) } else { None };
+        let index = known.unwrap_or(planes.len());
+        match known {
+            Some(known) => {
+                let known = &mut planes[known];
+                known.ahead = known.ahead.max(known.plane.heights(&corners).1);
+                known.is_curved |= is_curved;
+            }
+            None => planes.push(Facing { plane: face.plane, ahead: 0.0, is_curved }),
+        }
+        plane_of_face.push(index);
+    }
+    (planes, plane_of_face)
+}
+
+/// Whether faces go on smoothly in others.
+fn curved_faces(solid: &Solid) -> Vec<bool> {
+    let faces = &solid.faces.faces;
+    let mut is_curved = vec![false; faces.len()];
+    for (_, sides) in edges(&solid.triangles).iter() {
+        for pair in sides.windows(2) {
+            let [one, other] = [pair[0], pair[1]].map(|side| solid.faces.of_triangle[side.triangle]);
+            if one == NONE || other == NONE || one == other {
+                continue;
+            }
+            if faces[one].plane.normal.dot(&faces[other].plane.normal) > LARGEST_ANGLE.cos() {
+                (is_curved[one], is_curved[other]) = (true, true);
+            }
+        }
+    }
+    is_curved
+}
+
+/// Hulls that are joined.
+struct Joining<'a> {
+    touched: &'a Touched<'a>,
+    hulls: Vec<Option<Hull>>,
+    /// Those that can be joined, with the share of the volume of both that is in neither.
+    pairs: Vec<(f64, usize, usize)>,
+    /// Those that cannot, with whatever else they are joined.
+    apart: FxHashSet<(usize, usize)>,
+    /// Places that were in the way are often in the way again.
+    recent: VecDeque<usize>,
+}
+
+impl Joining<'_> {
+    /// Finds the hulls with which one can be joined, of those before it.
+    fn add(&mut self, new: usize) {
+        for one in 0..new {
+            let (Some(a), Some(b)) = (&self.hulls[one], &self.hulls[new]) else { continue };
+            if self.apart.contains(&(one, new)) || !boxes_meet(&a.bounds, &b.bounds, 4.0 * self.touched.tolerance) {
+                continue;
+            }
+            let volumes = a.volume() + b.volume();
+            match self.touched.joined(a, b, &mut self.recent) {
+                Some(joined) => self.pairs.push(((joined.volume() - volumes) / joined.volume(), one, new)),
+                None => _ = self.apart.insert((one, new)),
+            }
+        }
+    }
+
+    /// Joins pairs, those first that fill least.
+    fn join_all(&mut self) {
+        loop {
+            self.pairs.sort_by(|one, other| other.0.total_cmp(&one.0).then(other.1.cmp(&one.1)));
+            let Some((_, one, other)) = self.pairs.pop() else { break };
+            let (Some(a), Some(b)) = (&self.hulls[one], &self.hulls[other]) else { continue };
+            let points: Vec<Vector> = a.points.iter().chain(&b.points).copied().collect();
+            let Some(joined) = Hull::of(&points, self.touched.tolerance) else { continue };
+            let new = self.hulls.len();
+            (self.hulls[one], self.hulls[other]) = (None, None);
+            self.pairs.retain(|pair| ![pair.1, pair.2].iter().any(|at| *at == one || *at == other));
+            // What one of both cannot be joined with, neither can both together.
+            let is_apart = |from: usize, to: usize| self.apart.contains(&(from.min(to), from.max(to)));
+            let apart: Vec<usize> = (0..new).filter(|&from| is_apart(from, one) || is_apart(from, other)).collect();
+            self.apart.extend(apart.into_iter().map(|from| (from, new)));
+            self.hulls.push(Some(joined));
+            self.add(new);
+        }
     }
 }
 

@@ -1,13 +1,13 @@
 //! Vertices of a file that are the same point.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::geometry::Vector;
 
 /// The distinct points, and for each point the index of the one it is the same as within a distance (m).
 pub fn weld(points: &[Vector], distance: f64) -> (Vec<Vector>, Vec<usize>) {
     let mut distinct: Vec<Vector> = Vec::new();
-    let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+    let mut cells: FxHashMap<[i64; 3], Vec<usize>> = FxHashMap::default();
     let cell =
         |point: &Vector| -> [i64; 3] { std::array::from_fn(|axis| (point[axis] / (2.0 * distance)).floor() as i64) };
     let index = points.iter().map(|point| {
