@@ -46,6 +46,12 @@ impl Digits {
     }
 }
 
+/// The coarsest rounding (m) that makes sense for the size of the part.
+pub fn coarsest(vertices: &[Vector]) -> f64 {
+    let [low, high] = bounds(vertices);
+    COARSEST * (high - low).amax()
+}
+
 /// A rounding (m) within what makes sense for the size of the part.
 pub fn reasonable(rounding: f64, vertices: &[Vector]) -> f64 {
     let [low, high] = bounds(vertices);

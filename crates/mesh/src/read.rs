@@ -104,6 +104,13 @@ impl TriangleMesh {
         self.triangles.len()
     }
 
+    /// Roundings (m) that coordinates may have: that of the file, and coarser ones.
+    pub(crate) fn roundings(&self) -> Vec<f64> {
+        let coarsest = precision::coarsest(&self.vertices);
+        let coarser = (1..).map(|power| self.rounding * 10f64.powi(power)).take_while(|rounding| *rounding < coarsest);
+        std::iter::once(self.rounding).chain(coarser).chain((self.rounding < coarsest).then_some(coarsest)).collect()
+    }
+
     /// How far a coordinate of the file may be from the one that was meant (m).
     pub fn rounding(&self) -> f64 {
         self.rounding

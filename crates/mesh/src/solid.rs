@@ -10,7 +10,7 @@ use crate::geometry::{Vector, bounds};
 use crate::mass::MassProperties;
 use crate::read::TriangleMesh;
 use crate::repair::{SAME, repair};
-use crate::surface::Repair;
+use crate::surface::{Repair, Surface};
 
 /// A closed, consistently oriented mesh with its planar faces and curved surfaces.
 #[derive(Debug, Clone)]
@@ -33,11 +33,7 @@ impl Solid {
     /// # Errors
     /// When the surface does not separate inside from outside.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, MeshError> {
-        let (surface, undecided) = match repair(mesh) {
-            Err(reason) if reason.is_undecided() => (decide(mesh, reason.clone())?, Some(reason)),
-            surface => (surface?, None),
-        };
-        let tolerance = SAME * mesh.rounding;
+        let Closed { surface, undecided, tolerance } = close(mesh)?;
         let corners: Vec<[Vector; 3]> =
             surface.triangles.iter().map(|triangle| triangle.map(|corner| surface.vertices[corner])).collect();
         let edges = edges(&surface.triangles);
@@ -52,6 +48,9 @@ impl Solid {
         let curved = if undecided.is_none() { recognise(&mesh) } else { Vec::new() };
         let mass_properties =
             if undecided.is_none() { MassProperties::of(&corners) } else { MassProperties::along_lines(&corners) };
+        if !(mass_properties.volume > 0.0) {
+            return Err(undecided.unwrap_or(MeshError::Flat));
+        }
         Ok(Self {
             faces,
             curved,
@@ -117,4 +116,40 @@ impl Solid {
     pub(crate) fn corners(&self, triangle: usize) -> [Vector; 3] {
         self.triangles[triangle].map(|corner| self.vertices[corner])
     }
+}
+
+/// The surface of a mesh between inside and outside.
+struct Closed {
+    surface: Surface,
+    /// Why only winding numbers tell both apart.
+    undecided: Option<MeshError>,
+    /// Distance (m) within which points are the same.
+    tolerance: f64,
+}
+
+/// Closes a mesh with the precision that its digits show, or else with the finest with which it is closed: vertices may be
+/// less precise than they are written. Where it never is, winding numbers decide, with the coarsest that they can.
+fn close(mesh: &TriangleMesh) -> Result<Closed, MeshError> {
+    let roundings = mesh.roundings();
+    let with = |rounding: f64| TriangleMesh { rounding, ..mesh.clone() };
+    let closed = |surface: Surface, rounding: f64, undecided| Closed { surface, undecided, tolerance: SAME * rounding };
+    let reason = match repair(mesh) {
+        Err(reason) if reason.is_undecided() => reason,
+        surface => return Ok(closed(surface?, mesh.rounding, None)),
+    };
+    if matches!(reason, MeshError::Open { .. }) {
+        let coarser = roundings.iter().skip(1);
+        let mut repaired = coarser.filter_map(|&rounding| Some((repair(&with(rounding)).ok()?, rounding)));
+        if let Some((mut surface, rounding)) = repaired.next() {
+            surface.repairs.push(Repair::Welded { distance: SAME * rounding });
+            return Ok(closed(surface, rounding, None));
+        }
+    }
+    // Walls that cross or touch each other do so within what CAD takes as equal, not within the last digit.
+    let mut decided = roundings
+        .into_iter()
+        .rev()
+        .filter_map(|rounding| Some((decide(&with(rounding), reason.clone()).ok()?, rounding)));
+    let (surface, rounding) = decided.next().ok_or_else(|| reason.clone())?;
+    Ok(closed(surface, rounding, Some(reason)))
 }

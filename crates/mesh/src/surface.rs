@@ -7,6 +7,11 @@ use crate::geometry::Vector;
 /// What was changed in a mesh. Places are in the unit of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Repair {
+    /// Vertices are less precise than the file writes them: those within a distance were taken as one.
+    Welded {
+        /// That distance (m).
+        distance: f64,
+    },
     /// Triangles without area within the precision of the file, that join nothing, were dropped.
     Collapsed {
         /// Number of triangles.
@@ -81,6 +86,7 @@ pub enum Repair {
 impl std::fmt::Display for Repair {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            Self::Welded { distance } => write!(formatter, "vertices within {:.6} mm welded", 1e3 * distance),
             Self::Collapsed { triangles } => write!(formatter, "{triangles} triangles without area dropped"),
             Self::Duplicates { triangles } => write!(formatter, "{triangles} duplicate triangles dropped"),
             Self::Rewound { triangles } => write!(formatter, "{triangles} triangles with reversed winding flipped"),

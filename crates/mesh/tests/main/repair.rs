@@ -383,3 +383,21 @@ fn block_with_hole_has_its_volume() {
     assert_volume(&stack(&loops, false).solid(), 900.0 * 20.0 - 100.0 * 15.0);
     assert!(block_with_hole(5, 0.0).solid().repairs().is_empty());
 }
+
+#[test]
+fn vertices_less_precise_than_they_are_written_are_welded() {
+    // Triangles without common vertices, each corner off by up to 20 nm, in a file with nanometres.
+    let (cube, mut soup) = (triangles(), Shape::default());
+    for (index, corner) in cube.polygons.iter().flatten().enumerate() {
+        let off = |axis: usize| 2e-5 * ((index * 7 + axis * 3) % 11) as f64 / 10.0;
+        let vertex = cube.vertices[*corner];
+        soup.vertices.push(std::array::from_fn(|axis| vertex[axis] + off(axis)));
+    }
+    soup.polygons = (0..cube.polygons.len()).map(|at| vec![3 * at, 3 * at + 1, 3 * at + 2]).collect();
+    let triangles: Vec<[usize; 3]> = (0..soup.polygons.len()).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect();
+    let mesh = TriangleMesh::new(&soup.vertices, &triangles, 1e-3, 5e-7).unwrap();
+    let solid = Solid::of(&mesh).unwrap();
+    assert!(matches!(solid.repairs(), [Repair::Welded { distance }] if *distance < 5e-7), "{:?}", solid.repairs());
+    assert!(!solid.is_rough());
+    assert_eq!(solid.face_count(), 6);
+}

@@ -76,6 +76,43 @@ fn a_bar_in_a_groove_keeps_its_gap() {
 }
 
 #[test]
+fn walls_that_are_rough_within_the_budget_need_few_pieces() {
+    // Walls of many facets, each corner off by up to 2 micrometres.
+    let outline =
+        [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [18.0, 20.0], [18.0, 8.0], [12.0, 8.0], [12.0, 20.0], [0.0, 20.0]];
+    let off = |index: usize| 2e-3 * ((index * 7919) % 101) as f64 / 100.0;
+    let layer = |layer: usize| -> Vec<[f64; 3]> {
+        let side = |at: usize| {
+            let (from, to) = (outline[at], outline[(at + 1) % outline.len()]);
+            (0..4).map(move |step| [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * step as f64 / 4.0))
+        };
+        let points = (0..outline.len()).flat_map(side).enumerate();
+        let rough = |(at, [x, y]): (usize, [f64; 2])| {
+            let index = 97 * layer + 3 * at;
+            [x + off(index), y + off(index + 1), 4.0 * layer as f64]
+        };
+        points.map(rough).collect()
+    };
+    let mut groove = Shape::default();
+    let layers: Vec<Vec<usize>> = (0..6).map(|at| groove.add(&layer(at))).collect();
+    for pair in layers.windows(2) {
+        for at in 0..pair[0].len() {
+            let next = (at + 1) % pair[0].len();
+            groove.polygons.push(vec![pair[0][at], pair[0][next], pair[1][next]]);
+            groove.polygons.push(vec![pair[0][at], pair[1][next], pair[1][at]]);
+        }
+    }
+    groove.polygons.push(layers[0].iter().rev().copied().collect());
+    groove.polygons.push(layers[5].clone());
+    let groove = groove.solid();
+    let bar = prism(&[[12.2, 8.2], [17.8, 8.2], [17.8, 25.0], [12.2, 25.0]], 15.0).moved([0.0, 0.0, 3.0]).solid();
+    let covers = covers(&bar, &groove);
+    assert!(covers[1].pieces().len() <= 4, "{}", covers[1].pieces().len());
+    assert_contained(&groove, &covers[1]);
+    assert_gaps_agree(&bar, &groove, &covers);
+}
+
+#[test]
 fn a_groove_that_nothing_enters_is_filled_and_told() {
     // The groove is on the far side of the block.
     let profile =
@@ -127,7 +164,7 @@ fn a_crack_is_no_opening_and_a_missing_face_is_one() {
         shape.polygons.push(lid);
         shape.mesh()
     };
-    let narrow = Solid::of(&gap(0.004)).unwrap();
+    let narrow = Solid::of(&gap(0.012)).unwrap();
     assert!(matches!(narrow.repairs(), [Repair::Decided { open: 9, .. }]), "{:?}", narrow.repairs());
     assert!(Solid::of(&gap(0.5)).unwrap_err().to_string().contains("open"));
 }
