@@ -27,6 +27,8 @@ pub struct RobustParameters {
     pub margins: MarginParameters,
     /// How robust plans are made simpler.
     pub simplification: SimplificationParameters,
+    /// The spiral search for the hole.
+    pub spiral: SpiralParameters,
     /// Seeds of random numbers.
     pub seeds: Seeds,
 }
@@ -304,6 +306,22 @@ pub struct SimplificationParameters {
 impl Default for SimplificationParameters {
     fn default() -> Self {
         Self { random: 10, attempts: 2 }
+    }
+}
+
+/// The spiral search for the hole, of free bodies only.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SpiralParameters {
+    /// Distance between two turns, in clearances from side to side: at 1, the hole is just found; 0 for no search.
+    pub pitch: f64,
+    /// A search that takes longer (s) is none: with large offsets and little clearance, a spiral has many turns.
+    pub longest: f64,
+}
+
+impl Default for SpiralParameters {
+    fn default() -> Self {
+        Self { pitch: 0.5, longest: 10.0 }
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! `run` is the method. Among the homotopy steps of a solved problem it takes the one whose reference passes most of the
 //! training set, with a final oscillation where that helps. Random perturbations of this reference are kept when more test
-//! cases pass ([`simulation::Refinement`]). An evaluation at grasp errors outside the training set then decides; its failures
+//! cases pass ([`simulation::Refinement`]). Where more test cases pass with a spiral search for the hole, that is refined. An evaluation at grasp errors outside the training set then decides; its failures
 //! join the training set. When this stalls, a straight push is refined instead, which needs no plan; then other problems are
 //! solved, the promising first, and their plans are refined. The plan with the best evaluation is kept; if none is robust,
 //! the latest are compared in the same test cases. With an arm, the best of several drafts replaces a plan that fails too
@@ -48,6 +48,7 @@ mod schedule;
 mod search;
 mod setting;
 mod simplify;
+mod spiral;
 mod tested;
 mod training;
 mod variants;

@@ -15,6 +15,8 @@ pub enum Origin {
     Scene,
     /// A straight push, which solves nothing.
     Push,
+    /// A spiral search for the hole, which solves nothing.
+    Spiral,
     /// The caller.
     Given,
     /// A problem of the portfolio.
@@ -52,7 +54,7 @@ pub struct Solved {
 impl Origin {
     /// Whether its homotopy steps are those of the scene itself, which are stored elsewhere.
     pub fn has_homotopy_of_scene(&self) -> bool {
-        matches!(self, Self::Scene | Self::Push | Self::Given)
+        matches!(self, Self::Scene | Self::Push | Self::Spiral | Self::Given)
     }
 }
 
@@ -79,6 +81,7 @@ impl fmt::Display for Origin {
         match self {
             Self::Scene => formatter.write_str("the scene as it is"),
             Self::Push => formatter.write_str("a straight push"),
+            Self::Spiral => formatter.write_str("a spiral search"),
             Self::Given => formatter.write_str("a given reference"),
             Self::Variant(recipe) => recipe.fmt(formatter),
             Self::Draft(draft) => draft.fmt(formatter),

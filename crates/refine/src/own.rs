@@ -10,8 +10,9 @@ use crate::first::judge_first;
 use crate::origin::{Origin, Solved};
 use crate::resume::{earlier_work, restore};
 use crate::search::Search;
+use crate::spiral::or_spiral;
 
-/// Evaluates the plan of the scene, and refines it unless it is good enough; margins follow later. Or resumes an
+/// Evaluates the plan of the scene, and refines it, or a spiral search, unless it is good enough; margins follow later. Or resumes an
 /// earlier run. `solving` is the time that the plan took.
 pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<(), PlannerError> {
     if let Some(best) = earlier_work(search)?.and_then(|checkpoint| restore(search, checkpoint, &plan)) {
@@ -29,6 +30,7 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
     {
         // The round of the candidate replaces that of the first evaluation.
         search.found.rounds.clear();
+        let candidate = or_spiral(search, candidate, until);
         refine_better(search, candidate, solving)?;
     }
     Ok(())

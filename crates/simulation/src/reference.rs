@@ -119,7 +119,12 @@ impl Reference {
         Self { time_step: self.time_step, knots }.with_twists_from(self.knots.len())
     }
 
-    /// The same poses with the twists that lead from knot to knot, from a knot on.
+    /// The same poses with the twists that lead from knot to knot.
+    pub(crate) fn with_twists(self) -> Self {
+        self.with_twists_from(1)
+    }
+
+    /// The same from a knot on.
     fn with_twists_from(mut self, first: usize) -> Self {
         for index in first.max(1)..self.knots.len() {
             let (from, to) = (self.knots[index - 1].pose, self.knots[index].pose);

@@ -17,6 +17,7 @@ SEARCHES = {
     "no drafts": {"drafts": {"most": 0}},
     "no margins": {"margins": {"friction": 1.0}},
     "no simplification": {"simplification": {"attempts": 0}},
+    "no spiral": {"spiral": {"pitch": 0.0}},
     "no polishing": {"training": {"polishes": 0}},
     "no spread of evaluations": {"evaluation": {"spread": 0.0}},
     "no stricter force": {"training": {"force_share": 1.0}, "evaluation": {"force_share": 1.0}},
