@@ -154,7 +154,7 @@ fn group(group: &SuccessRate) -> String {
 /// Origin of the kept reference, in words.
 fn changes(report: &RobustnessReport, planned: usize) -> String {
     let reference = match (report.kept_perturbations, report.kept_stage) {
-        (0, 0) => "the straight push, unchanged".to_owned(),
+        (0, 0) => format!("{}, unchanged", report.kept().map_or("the reference", |kept| &kept.planned)),
         (0, stage) if stage == planned => "the plan was left as it was".to_owned(),
         (0, stage) => format!("the reference of homotopy step {stage}, unchanged"),
         (1, _) => "1 change of the reference".to_owned(),

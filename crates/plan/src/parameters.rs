@@ -321,7 +321,7 @@ pub struct SpiralParameters {
 
 impl Default for SpiralParameters {
     fn default() -> Self {
-        Self { pitch: 0.5, longest: 10.0 }
+        Self { pitch: 0.5, longest: 15.0 }
     }
 }
 
