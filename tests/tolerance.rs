@@ -76,7 +76,7 @@ fn wrong_requests_say_what_would_be_right() {
         ("--map offset,offset", "the two quantities must differ"),
         ("--map offset,size", "[possible values: offset, rotation, hole, friction, clearance]"),
         ("--need offset", "must be a name and a value, such as offset=2mm"),
-        ("--need clearance=1mm", "`clearance` is none of offset, rotation, hole, friction"),
+        ("--need clearance=1mm", "`clearance` cannot be required; choose one of offset, rotation, hole, friction"),
         ("--need offset=2deg", "`deg` is no unit of offset"),
         ("--need friction=-1", "must not be negative"),
         ("--target-rate 1", "rate: must be at least 0.5 and below 1"),

@@ -52,7 +52,8 @@ pub fn required(text: &str) -> Result<(Quantity, f64), String> {
     let known = Quantity::ALL.into_iter().filter(|quantity| *quantity != Quantity::Clearance);
     let names: Vec<&str> = known.map(Quantity::name).collect();
     let quantity = Quantity::from_name(name).filter(|_| names.contains(&name));
-    let quantity = quantity.ok_or_else(|| format!("`{name}` is none of {}", names.join(", ")))?;
+    let quantity =
+        quantity.ok_or_else(|| format!("`{name}` cannot be required; choose one of {}", names.join(", ")))?;
     let found = UNITS.iter().find_map(|(unit, scale)| Some((*unit, value.strip_suffix(unit)?, *scale)));
     let (unit, digits, scale) = found.unwrap_or(("", value, 1.0));
     let fits = match quantity {

@@ -315,7 +315,7 @@ impl Default for SimplificationParameters {
 pub struct SpiralParameters {
     /// Distance between two turns, in clearances from side to side: at 1, the hole is just found; 0 for no search.
     pub pitch: f64,
-    /// A search that takes longer (s) is none: with large offsets and little clearance, a spiral has many turns.
+    /// Longest duration of a search that is tried (s): with large offsets and little clearance, a spiral has many turns.
     pub longest: f64,
 }
 

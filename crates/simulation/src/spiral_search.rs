@@ -25,7 +25,7 @@ pub struct SpiralSearch {
     pub pitch: f64,
     /// The largest friction that is expected.
     pub friction: f64,
-    /// A longer search is none (s).
+    /// Longest duration of the search (s).
     pub longest: f64,
 }
 

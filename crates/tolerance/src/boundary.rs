@@ -52,7 +52,8 @@ pub struct Boundary {
 impl fmt::Display for Boundary {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let Boundary { quantity, value, interval, successes, rollouts, is_open } = self;
-        let [bound, hardest] = if quantity.is_hard_when_small() { ["down to", "no"] } else { ["up to", "the largest"] };
+        let [bound, hardest] =
+            if quantity.is_hard_when_small() { ["down to", "the smallest"] } else { ["up to", "the largest"] };
         let Some(value) = value else {
             return write!(formatter, "{}: too few succeed at any value that was tried", quantity.name());
         };

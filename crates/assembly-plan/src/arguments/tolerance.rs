@@ -14,7 +14,7 @@ use crate::values::{self, jobs, not_negative, positive, seconds};
 pub struct ToleranceCommandArguments {
     #[command(flatten)]
     pub task: TaskArguments,
-    /// Folder of a plan of the scene, whose tolerances are measured [default: plan it robustly, and each row of the map anew]
+    /// Folder of a plan of the scene, whose tolerances are measured [default: one that is made, and one for each row of the map]
     #[arg(long, value_name = "DIR", conflicts_with_all = ["start", "delta"])]
     pub plan: Option<PathBuf>,
     /// What to increase, or to decrease for clearance, until too many rollouts fail: offset, rotation, hole, friction,

@@ -100,7 +100,10 @@ impl Plans {
         let problem = self.problem().clone();
         let reference = match self {
             Self::Given(given) => Some(given.0.reference()?),
-            Self::Made { .. } => self.make(arguments, &problem, "nominal", session)?,
+            Self::Made { .. } => {
+                let frictions = self.frictions(arguments);
+                self.make(arguments, &problem, &frictions, "nominal", session)?
+            }
         };
         Ok(reference.map(|reference| (problem, reference)))
     }
@@ -119,16 +122,18 @@ impl Plans {
             Self::Made { .. } => {
                 let problem = row_problem(trials, over, at)?;
                 let (_, scale) = over.unit();
-                self.make(arguments, &problem, &format!("{}-{:.4}", over.name(), scale * at), session)
+                let frictions = if over == Quantity::Friction { vec![at] } else { self.frictions(arguments) };
+                self.make(arguments, &problem, &frictions, &format!("{}-{:.4}", over.name(), scale * at), session)
             }
         }
     }
 
-    /// A plan that is made now, or was made for the same problem before.
+    /// A plan that is made now, or was made for the same problem, frictions and rate before.
     fn make(
         &mut self,
         arguments: &ToleranceCommandArguments,
         problem: &Problem,
+        frictions: &[f64],
         name: &str,
         session: &Session,
     ) -> Result<Option<Reference>, PlannerError> {
@@ -136,7 +141,7 @@ impl Plans {
         if let Self::Made { folders, .. } = self {
             folders.push(folder.clone());
         }
-        if let Some(known) = known(&folder, problem) {
+        if let Some(known) = known(&folder, problem, frictions, arguments.target_rate) {
             return known.reference().map(Some);
         }
         let claimed = PlanFolder::claim(&folder, &[&arguments.task.scene])?;
@@ -151,7 +156,7 @@ impl Plans {
         let target = RobustnessTarget {
             time_limit: limit,
             target_rate: arguments.target_rate,
-            frictions: self.frictions(arguments),
+            frictions: frictions.to_vec(),
             ..RobustnessTarget::of(&problem.scene().robustness)
         };
         let plan = refine(planner::solve(problem, &session)?, &target, &session)?;
@@ -163,10 +168,15 @@ impl Plans {
     }
 }
 
-/// A plan in a folder, if it is one of this problem.
-fn known(folder: &Path, problem: &Problem) -> Option<StoredPlan> {
+/// A plan in a folder, if it was made for this problem, these frictions and this rate.
+fn known(folder: &Path, problem: &Problem, frictions: &[f64], rate: f64) -> Option<StoredPlan> {
     let plan = StoredPlan::open(folder).ok()?;
-    (plan.result.made_from.problem == problem.identity() && plan.result.robust.is_some()).then_some(plan)
+    let robust = plan.result.robust.as_ref()?;
+    let is_same = plan.result.made_from.problem == problem.identity()
+        && robust.target_rate == rate
+        && robust.after.0.iter().all(|group| frictions.contains(&group.friction))
+        && frictions.iter().all(|friction| robust.after.0.iter().any(|group| group.friction == *friction));
+    is_same.then_some(plan)
 }
 
 /// The problem of a row.
@@ -176,9 +186,8 @@ fn row_problem(trials: &Trials, over: Quantity, at: f64) -> Result<Problem, Plan
     match over {
         Quantity::Offset => offset_magnitude = at,
         Quantity::Rotation => scene.robustness.rotation_error = at,
-        Quantity::Friction => scene.robustness.frictions = vec![at],
-        // It is no error of the grasp: plans are not made for it.
-        Quantity::Hole => {}
+        // No part of the problem: the target of the refinement, and no error of the grasp.
+        Quantity::Friction | Quantity::Hole => {}
         Quantity::Clearance => scene = trials.scene_with_clearance(at)?,
     }
     Problem::new(scene, Some(&problem.start().name), Some(offset_magnitude), problem.homotopy().clone())
