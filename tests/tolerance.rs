@@ -57,6 +57,11 @@ fn without_a_plan_each_row_is_planned_once() {
     let first = plans.map(|plan| dir.bytes(plan));
     dir.run(&line).code(0);
     assert_eq!(plans.map(|plan| dir.bytes(plan)), first, "plans are used again");
+    // For other frictions, the plan is another one; a row of friction has its own.
+    dir.run(&line.replace("--friction 0,0.1", "--friction 0.2")).code(0);
+    assert_ne!(dir.bytes(plans[0]), first[0]);
+    let row = dir.json(plans[1]);
+    assert!(list(&row["robust"], "after").iter().all(|group| number(group, "friction") == 0.0), "{row}");
 }
 
 #[test]
