@@ -42,10 +42,14 @@ fn every_key_of_a_result_is_documented_and_no_other() {
     let scene = project("scenes/corner.toml");
     let contradicting = folder.path().join("contradicting.toml");
     fs::write(&contradicting, contradiction(&fs::read_to_string(&scene).unwrap())).unwrap();
+    let position = folder.path().join("position.toml");
+    let text = fs::read_to_string(&scene).unwrap();
+    fs::write(&position, format!("{text}\n[robot]\ninterface = \"position\"\n")).unwrap();
     let mut real = BTreeSet::new();
-    // A plan that was tested, one that was evaluated and loses some rollouts, and one that does not converge have all keys.
+    // A plan that was tested, one that was evaluated and loses some rollouts, one that does not converge, and one of
+    // a robot that is commanded by position have all keys.
     let lossy = ["--robust", "--stall-limit", "0", "--friction", "1", "--position-tolerance", "0.0005"];
-    for (scene, flags) in [(&scene, &[][..]), (&scene, &lossy[..]), (&contradicting, &[])] {
+    for (scene, flags) in [(&scene, &[][..]), (&scene, &lossy[..]), (&contradicting, &[]), (&position, &[])] {
         run(folder.path(), &[&["solve", scene.to_str().unwrap(), "--out", "out"], flags].concat());
         let result = fs::read_to_string(folder.path().join("out/result.json")).unwrap();
         key_paths(&serde_json::from_str(&result).unwrap(), "", &mut real);

@@ -97,7 +97,7 @@ fn print_sizes(problem: &Problem, explanation: &Explanation) {
         "\nbody: {}, {}, mass {} kg",
         edges(explanation.body_edges_m),
         parts(explanation.body.len()),
-        rounded(task.inertia.mean_mass())
+        rounded(scene.inertia.mean_mass())
     );
     say!("environment: {}, {}", edges(explanation.environment_edges_m), parts(explanation.environment.len()));
     say!("pairs: {} may touch{}", explanation.pairs, left_out(explanation));
@@ -115,12 +115,14 @@ fn print_sizes(problem: &Problem, explanation: &Explanation) {
     );
     say!("goal: at {}", position(&task.goal));
     say!("offset: {:.2} mm, planned in {} scenarios", 1e3 * explanation.delta_m, explanation.size.scenarios);
-    let impedance = &task.impedance;
-    say!(
-        "stiffness: {} N/m and {} Nm/rad",
-        rounded(impedance.translational_stiffness),
-        rounded(impedance.rotational_stiffness)
-    );
+    match &scene.position_robot {
+        Some(robot) => say!("robot: {robot}"),
+        None => say!(
+            "stiffness: {} N/m and {} Nm/rad",
+            rounded(task.impedance.translational_stiffness),
+            rounded(task.impedance.rotational_stiffness)
+        ),
+    }
     let named = task.limits.named().into_iter().filter(|(_, _, limit)| limit.is_finite());
     let limits: Vec<String> = named.map(|(name, unit, limit)| format!("{name} {limit} {unit}")).collect();
     say!("limits: {}", if limits.is_empty() { "none".to_owned() } else { limits.join(", ") });

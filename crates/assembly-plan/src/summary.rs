@@ -1,6 +1,6 @@
 //! The summary of a plan, in a few lines.
 
-use planner::files::{LimitsRecord, MotionRecord, PlanResult};
+use planner::files::{AdmittanceRecord, LimitsRecord, MotionRecord, PlanResult};
 use planner::{
     Millimetres, OffsetRegion, PushReport, RobustnessReport, SuccessRate, SuccessRates, TestReport, interval,
     max_force, rate,
@@ -46,10 +46,7 @@ pub fn summary(result: &PlanResult) -> String {
     let [deepest, most] = [deepest, result.max_overlap_m].map(|penetration| 1e3 * penetration);
     lines.push(format!("  exact shapes penetrate by at most {deepest:.3} mm, of {most:.3} mm that are allowed"));
     lines.push(format!("  offsets covered: {}", result.coverage));
-    lines.push(format!(
-        "  execute with {:.0} N/m and {:.1} Nm/rad, and the damping of resolved.toml",
-        result.gains.translational_stiffness_n_m, result.gains.rotational_stiffness_nm_rad
-    ));
+    lines.push(execution(result));
     lines.extend(result.motion.as_ref().map(motion));
     lines.extend(limits(&result.limits, &result.reached));
     let why = result.explanation.iter().flat_map(|explanation| explanation.sentences(result.converged));
@@ -165,5 +162,26 @@ fn changes(report: &RobustnessReport, planned: usize) -> String {
             format!("{reference}, the best of {} rounds: {}", report.rounds.len(), kept.planned)
         }
         _ => reference,
+    }
+}
+
+/// What the controller must be like.
+fn execution(result: &PlanResult) -> String {
+    let gains = format!(
+        "  execute with {:.0} N/m and {:.1} Nm/rad",
+        result.gains.translational_stiffness_n_m, result.gains.rotational_stiffness_nm_rad
+    );
+    match &result.admittance {
+        None => format!("{gains}, and the damping of resolved.toml"),
+        Some(AdmittanceRecord { mass, damping, period_s, lag_s, contact_stiffness_n_m, sensitivity, .. }) => format!(
+            "{gains}, {:.0} Ns/m and {:.2} Nms/rad, and a virtual mass of {:.2} kg and {:.4} kg m^2, every {:.1} ms: stable against \
+             contacts of up to {contact_stiffness_n_m:.1e} N/m with a lag of {:.1} ms (largest sensitivity {sensitivity:.2})",
+            damping[0],
+            damping[1],
+            mass[0],
+            mass[1],
+            1e3 * period_s,
+            1e3 * lag_s
+        ),
     }
 }

@@ -1,7 +1,7 @@
 //! `plan.json`: everything that a player needs besides the trajectory.
 
 use nalgebra::SMatrix;
-use plan::records::ImpedanceRecord;
+use plan::records::{AdmittanceRecord, ImpedanceRecord};
 use plan::{ArmCourse, PlannerError, Problem};
 use robot::{Joint, JointKind, JointVector};
 use scene::Robot;
@@ -68,6 +68,8 @@ pub struct Document {
     pub angle_tolerance_rad: f64,
     /// The controller of the plan, which acts at the part.
     pub impedance: ImpedanceRecord,
+    /// The admittance law, if the robot is commanded by position or force.
+    pub admittance: Option<AdmittanceRecord>,
     /// The same at the tool point, at the goal: rows along and about the axes of the frame.
     pub tool_stiffness: [[f64; 6]; 6],
     /// Likewise.
@@ -148,7 +150,7 @@ impl Document {
     pub fn new(exported: Exported, rate: f64) -> Result<Self, PlannerError> {
         let Exported { plan, result, problem, reference, smooth, trial, anyway } = exported;
         let (scene, frames) = (problem.scene(), Frames::of(problem.scene()));
-        let (impedance, states) = (&problem.task().impedance, reference.states());
+        let (impedance, states) = (&scene.impedance, reference.states());
         let robot = scene.robot.as_ref();
         let course = robot.map(|robot| {
             course(robot, reference.time_step(), &states).map_err(|error| {
@@ -161,8 +163,14 @@ impl Document {
         let held = moved.map_or_else(Held::default, |(robot, course)| Held::along(robot, impedance, course));
         let expected = Expectation::of(plan, &frames, held)?;
         let kept: Limits = reference.limits_kept();
-        let error_of_plan = tracking_error(impedance, kept.translational_velocity, kept.rotational_velocity);
-        let error_of_approach = tracking_error(impedance, APPROACH[0], APPROACH[1]);
+        let error_at = |speed: f64, turning: f64| match &scene.position_robot {
+            Some(robot) => {
+                Held { distance: robot.contact_loop().lag() * speed, angle: robot.contact_loop().lag() * turning }
+            }
+            None => tracking_error(impedance, speed, turning),
+        };
+        let error_of_plan = error_at(kept.translational_velocity, kept.rotational_velocity);
+        let error_of_approach = error_at(APPROACH[0], APPROACH[1]);
         let gains = frames.tool_gains(&scene.goal.isometry(), impedance);
         Ok(Self {
             format: FORMAT,
@@ -185,6 +193,7 @@ impl Document {
             position_tolerance_m: scene.position_tolerance,
             angle_tolerance_rad: scene.angle_tolerance,
             impedance: ImpedanceRecord::from(impedance),
+            admittance: scene.position_robot.as_ref().map(AdmittanceRecord::from),
             tool_stiffness: rows(&gains.stiffness),
             tool_damping: rows(&gains.damping),
             expected,

@@ -226,6 +226,9 @@ impl Problem {
     /// The same in a world with another time grid.
     pub fn rollout_in(&self, world: &AssemblyTask, settings: Settings) -> Result<Rollout, PlannerError> {
         let rollout = Rollout::new(world, settings);
+        if let Some(robot) = &self.scene.position_robot {
+            return Ok(rollout.with_position_robot(robot));
+        }
         match self.arm() {
             Some(arm) => Ok(rollout.with_arm(&arm)?),
             None => Ok(rollout),
@@ -252,15 +255,18 @@ impl Problem {
     /// When the arm does not reach the start.
     pub fn evaluator(&self, frictions: &[f64]) -> Result<Evaluator, PlannerError> {
         let evaluator = Evaluator::new(&self.world(), frictions, self.success);
+        if let Some(robot) = &self.scene.position_robot {
+            return Ok(evaluator.with_position_robot(robot));
+        }
         match self.arm() {
             Some(arm) => Ok(evaluator.with_arm(&arm)?),
             None => Ok(evaluator),
         }
     }
 
-    /// The arm that holds the body, if the scene has one.
+    /// The arm that holds the body, if the scene has one and commands its torques.
     pub fn arm(&self) -> Option<ArmModel> {
-        let robot = self.scene.robot.as_ref()?;
+        let robot = self.scene.robot.as_ref().filter(|_| self.scene.position_robot.is_none())?;
         let joints = robot.arm.joints().len();
         Some(ArmModel {
             arm: robot.arm.clone(),

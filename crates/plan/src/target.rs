@@ -21,8 +21,10 @@ pub struct RobustnessTarget {
     pub inertia_error: f64,
     /// Largest relative error of the stiffness.
     pub stiffness_error: f64,
-    /// Largest delay of an arm's controller (s).
+    /// Largest delay beyond that of the controller (s).
     pub delay: f64,
+    /// Largest bias of a component of the measured wrench (N, Nm).
+    pub bias: [f64; 2],
     /// When to stop refining, the time of the first solve included.
     pub time_limit: Duration,
     /// Perturbations in a row without improvement after which a plan is evaluated again.
@@ -42,7 +44,7 @@ impl Default for RobustnessTarget {
 impl RobustnessTarget {
     /// From the robustness specification of a scene.
     pub fn of(spec: &RobustnessSpec) -> Self {
-        let RobustnessSpec { frictions, rotation_error, inertia_error, stiffness_error, delay, edge_radius: _ } =
+        let RobustnessSpec { frictions, rotation_error, inertia_error, stiffness_error, delay, bias, edge_radius: _ } =
             spec.clone();
         Self {
             target_rate: 0.99,
@@ -51,6 +53,7 @@ impl RobustnessTarget {
             inertia_error,
             stiffness_error,
             delay,
+            bias,
             time_limit: Duration::from_secs(300),
             stall_limit: 150,
             parameters: RobustParameters::default(),

@@ -46,7 +46,7 @@ mod starter;
 
 /// Every file of a plan, a batch or a simulation.
 pub mod files {
-    pub use plan::records::{Extreme, GraspRecord, MotionRecord};
+    pub use plan::records::{AdmittanceRecord, Extreme, GraspRecord, MotionRecord};
     pub use plan::{Checkpoint, Format, hash};
     pub use refine::{BestRecord, RefinementCheckpoint, TestCaseRecord};
     pub use store::*;

@@ -28,6 +28,9 @@ pub struct RefinementCheckpoint {
     pub stiffness_error: f64,
     /// Largest delay of the controller that it must tolerate.
     pub delay_s: f64,
+    /// Largest bias of the sensor that it must tolerate (N, Nm).
+    #[serde(default)]
+    pub bias: [f64; 2],
     /// Largest radius of edges that it must tolerate.
     pub edge_radius_m: f64,
     /// Parameters of the search.
@@ -136,6 +139,9 @@ pub struct TestCaseRecord {
     pub stiffness_error: f64,
     /// Delay of the controller.
     pub delay_s: f64,
+    /// Bias of the sensor (N, Nm).
+    #[serde(default)]
+    pub bias: [f64; 6],
     /// Radius of edges.
     pub edge_radius_m: f64,
 }
@@ -180,6 +186,7 @@ impl From<&TestCase> for TestCaseRecord {
             inertia_error: disturbance.inertia,
             stiffness_error: disturbance.stiffness,
             delay_s: disturbance.delay,
+            bias: disturbance.bias,
             edge_radius_m: disturbance.edge_radius,
         }
     }
@@ -192,6 +199,7 @@ impl From<&TestCaseRecord> for TestCase {
             stiffness: record.stiffness_error,
             delay: record.delay_s,
             joint_friction: 0.0,
+            bias: record.bias,
             edge_radius: record.edge_radius_m,
         };
         Self { friction: FrictionIndex(record.friction), grasp: GraspError::from(&record.grasp), disturbance }

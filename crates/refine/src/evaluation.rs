@@ -15,7 +15,7 @@ use task::{AssemblyTask, Coverage, GraspError};
 const AXIS_STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_2];
 
 /// Largest errors to be tolerated: of the grasp, offsets of up to `delta-hat` (m) and a rotation (rad); of robot and
-/// controller, relative ones of inertia and stiffness, and a delay (s); and a radius of edges (m).
+/// controller, relative ones of inertia and stiffness, a delay (s), and a bias of the sensor (N, Nm); and a radius of edges (m).
 #[derive(Debug, Clone, Copy)]
 pub struct ErrorRange {
     coverage: Coverage,
@@ -24,6 +24,7 @@ pub struct ErrorRange {
     inertia: f64,
     stiffness: f64,
     delay: f64,
+    bias: [f64; 2],
     edge_radius: f64,
     evaluation: EvaluationParameters,
     disturbance_seed: u64,
@@ -39,6 +40,7 @@ impl ErrorRange {
             inertia: target.inertia_error,
             stiffness: target.stiffness_error,
             delay: target.delay,
+            bias: target.bias,
             edge_radius: problem.edge_radius(),
             evaluation: target.parameters.evaluation,
             disturbance_seed: target.parameters.seeds.disturbance,
@@ -77,7 +79,10 @@ impl ErrorRange {
         let mut relative = |largest: f64| largest * (2.0 * random.f64() - 1.0);
         let (inertia, stiffness) = (relative(self.inertia), relative(self.stiffness));
         let (delay, edge_radius) = (self.delay * random.f64(), self.edge_radius * random.f64());
-        Disturbance { inertia, stiffness, delay, joint_friction: 0.0, edge_radius }
+        // Without a bias nothing is drawn for it.
+        let mut component = |largest: f64| if largest > 0.0 { largest * (2.0 * random.f64() - 1.0) } else { 0.0 };
+        let bias = std::array::from_fn(|axis| component(self.bias[axis / 3]));
+        Disturbance { inertia, stiffness, delay, joint_friction: 0.0, bias, edge_radius }
     }
 }
 
@@ -270,6 +275,7 @@ mod tests {
             inertia: 0.0,
             stiffness: 0.0,
             delay: 0.0,
+            bias: [0.0; 2],
             edge_radius: 0.0,
             evaluation: EvaluationParameters::default(),
             disturbance_seed: Seeds::default().disturbance,

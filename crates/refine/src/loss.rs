@@ -49,6 +49,7 @@ pub fn loss(problem: &Problem, target: &RobustnessTarget, best: &Evaluated) -> O
         inertia_error: disturbance.inertia,
         stiffness_error: disturbance.stiffness,
         delay_s: disturbance.delay,
+        bias: disturbance.bias,
         edge_radius_m: disturbance.edge_radius,
         max_force_n: motion.quality.max_force,
         contact_force_share,

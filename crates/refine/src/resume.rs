@@ -25,6 +25,7 @@ pub fn checkpoint(search: &Search, best: &Evaluated, rounds: Vec<Round>) -> Refi
         inertia_error: target.inertia_error,
         stiffness_error: target.stiffness_error,
         delay_s: target.delay,
+        bias: target.bias,
         edge_radius_m: problem.edge_radius(),
         parameters: target.parameters.clone(),
         tolerance: [success.position, success.orientation],
@@ -70,6 +71,7 @@ pub fn earlier_work(search: &Search) -> Result<Option<RefinementCheckpoint>, Pla
                 && checkpoint.inertia_error == target.inertia_error
                 && checkpoint.stiffness_error == target.stiffness_error
                 && checkpoint.delay_s == target.delay
+                && checkpoint.bias == target.bias
                 && checkpoint.edge_radius_m == problem.edge_radius()
                 && checkpoint.parameters == target.parameters
                 && checkpoint.tolerance == [success.position, success.orientation];

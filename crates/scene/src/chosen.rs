@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use admittance::PositionRobot;
 use nalgebra::Vector3;
 use task::algebra::norm;
 use task::{Coverage, Horizon, Limits, Pose};
@@ -17,7 +18,9 @@ const PULL: f64 = 1.0;
 const SOFTEST: f64 = 50.0;
 const STIFFEST: f64 = 1000.0;
 /// Length of a step (s).
-const TIME_STEP: f64 = 0.04;
+pub const TIME_STEP: f64 = 0.04;
+/// Number of steps of slow plans, if they are longer than that.
+pub const SLOW_STEPS: f64 = 100.0;
 /// Most steps that are chosen.
 const MOST_STEPS: f64 = 1000.0;
 /// Shortest plan (s), and in time constants of the controlled body.
@@ -26,6 +29,8 @@ const TIME_CONSTANTS: f64 = 28.0;
 /// Mean speed (m/s) beyond [`NEAR`] (m) from the goal.
 const SPEED: f64 = 0.1;
 const NEAR: f64 = 0.1;
+/// Contact force (N) that shifts a part against an admittance law.
+const GENTLE_FORCE: f64 = 15.0;
 /// Planned directions of a disc.
 const DIRECTIONS: usize = 6;
 
@@ -49,6 +54,12 @@ pub fn duration<'start>(starts: impl Iterator<Item = &'start Pose>, goal: &Pose,
     let path = starts.map(length).fold(0.0, f64::max);
     let far = (path - NEAR).max(0.0) / SPEED;
     SHORTEST.max(TIME_CONSTANTS * time_constant) + far
+}
+
+/// Time (s) in which contacts that push with a gentle force shift the part by twice the largest offset (m) against the damping
+/// of an admittance law.
+pub fn sliding_time(robot: &PositionRobot, offset_magnitude: f64) -> f64 {
+    2.0 * offset_magnitude * robot.gains.damping[0] / GENTLE_FORCE
 }
 
 /// A time grid of a duration (s), with the length of a step (s) or their number if these are given.

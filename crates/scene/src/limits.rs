@@ -1,5 +1,6 @@
 //! Limits, and whether the goal can be reached within them.
 
+use admittance::PositionRobot;
 use task::{FORCE_WINDOW, Horizon, Inertia, Limits, Pose};
 
 use crate::error::SceneError;
@@ -19,6 +20,7 @@ pub struct Motion<'scene> {
     /// Largest distance of a point of the body from its origin (m).
     pub radius: f64,
     pub robot: Option<&'scene Robot>,
+    pub position_robot: Option<&'scene PositionRobot>,
 }
 
 /// The limits that a scene gives; of velocities, else those that its arm and its limit of contact forces allow.
@@ -40,10 +42,14 @@ pub fn limits(table: &Table, motion: &Motion) -> Result<Limits, SceneError> {
 
 impl Motion<'_> {
     /// Velocity (m/s) and angular velocity (rad/s) that the arm allows, and at which a body that is stopped pushes
-    /// within the limit of contact forces (N), as a mean over 10 ms.
+    /// within the limit of contact forces (N), as a mean over 10 ms. A robot that is commanded by position moves on for its lag.
     fn fastest(&self, contact_force: f64) -> [f64; 2] {
-        let arm = self.robot.and_then(Robot::velocities).unwrap_or([f64::INFINITY; 2]);
-        let speed = contact_force * FORCE_WINDOW / self.inertia.heaviest();
+        let mut arm = self.robot.and_then(Robot::velocities).unwrap_or([f64::INFINITY; 2]);
+        let mut speed = contact_force * FORCE_WINDOW / self.inertia.heaviest();
+        if let Some(robot) = self.position_robot {
+            speed = contact_force / (robot.contact_stiffness * robot.contact_loop().lag());
+            arm = [0, 1].map(|part| arm[part].min(robot.limits.speed[part]));
+        }
         let gentle = [speed, speed / self.radius];
         let necessary = self.necessary();
         std::array::from_fn(|part| short(arm[part].min(gentle[part].max(HASTE * necessary[part]))))

@@ -16,7 +16,7 @@ use crate::motion_region::Motions;
 use crate::pairs::{Side, pairs};
 use crate::part::{GivenPart, given_parts};
 use crate::pose::{Endpoints, pose};
-use crate::robot::{Robot, stiffness};
+use crate::robot::{Interface, Robot, Surroundings, position_robot, stiffness};
 use crate::scene::Scene;
 use crate::sections;
 use crate::shapes::{Shapes, shapes};
@@ -67,8 +67,11 @@ impl Scene {
         let material = Material::of(&body)?;
         let robot = Robot::read(&table.table("robot")?, material.as_ref(), ends)?;
         let gripper = gripper(table)?;
-        let inertia = inertia(table, robot.as_ref(), material.as_ref(), &body, &goal)?;
+        // A robot that is commanded by position hides its own inertia.
+        let is_felt = Interface::read(&table.table("robot")?)? == Interface::Torque;
+        let inertia = inertia(table, robot.as_ref().filter(|_| is_felt), material.as_ref(), &body, &goal)?;
         let points: Vec<[f64; 3]> = body.iter().flat_map(GivenPart::points).collect();
+        let radius = points.iter().map(|point| norm(point)).fold(0.0, f64::max);
         let spec = sections::robustness_spec(&robustness)?;
         let motions = Motions::new(ends, offset_magnitude, spec.rotation_error, &points);
         let Shapes { body, environment, body_meshes, environment_meshes, fit, region, gaps } =
@@ -79,11 +82,25 @@ impl Scene {
             Side { parent: "environment", parts: &environment, meshes: &environment_meshes },
             region.as_ref(),
         )?;
-        let stiffness = stiffness(table, &inertia, offset_magnitude, robot.as_ref())?;
-        let impedance = sections::impedance(table, &inertia, stiffness)?;
-        let horizon = sections::horizon(table, ends, &inertia, &impedance)?;
-        let radius = points.iter().map(|point| norm(point)).fold(0.0, f64::max);
-        let motion = Motion { starts: &starts, goal: &goal, horizon, inertia: &inertia, radius, robot: robot.as_ref() };
+        let about = Surroundings { inertia: &inertia, offset_magnitude, radius };
+        let position_robot = position_robot(table, &about)?;
+        let impedance = match &position_robot {
+            Some(robot) => robot.gains.impedance(),
+            None => {
+                let stiffness = stiffness(table, &inertia, offset_magnitude, robot.as_ref())?;
+                sections::impedance(table, &inertia, stiffness)?
+            }
+        };
+        let horizon = sections::horizon(table, ends, &inertia, &impedance, position_robot.as_ref(), offset_magnitude)?;
+        let motion = Motion {
+            starts: &starts,
+            goal: &goal,
+            horizon,
+            inertia: &inertia,
+            radius,
+            robot: robot.as_ref(),
+            position_robot: position_robot.as_ref(),
+        };
         let limits = limits(&table.table("limits")?, &motion)?;
         let scene = Self {
             title,
@@ -115,6 +132,7 @@ impl Scene {
             carried: CarriedShapes::new(robot.as_ref(), &gripper),
             gripper,
             robot,
+            position_robot,
             chosen: Vec::new(),
             warnings: Vec::new(),
         };
@@ -152,7 +170,10 @@ impl Scene {
         let limits = table.table("limits")?;
         for start in &self.starts {
             if let Err(error) = self.check_reach(start, self.offset_magnitude) {
-                return Err(limits.require(error.key)?.refuse(error.to_string()));
+                return Err(match limits.find(error.key) {
+                    Some(limit) => limit.refuse(error.to_string()),
+                    None => table.table("horizon")?.refuse(format!("{error}; the limit is that of the robot")),
+                });
             }
         }
         Ok(())

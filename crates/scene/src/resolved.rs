@@ -1,7 +1,8 @@
 //! Writes a scene and a homotopy into one file that reproduces a run.
 
+use admittance::{ForceMode, PositionRobot};
 use nalgebra::{Matrix3, SMatrix};
-use task::{CostWeights, Coverage, HomotopySettings, Limits, Pose};
+use task::{CostWeights, Coverage, HomotopySettings, Impedance, Limits, Pose};
 use toml::{Table, Value};
 
 use crate::homotopy;
@@ -58,16 +59,7 @@ fn world(scene: &Scene, start: &StartPose) -> Table {
 fn settings(scene: &Scene, offset_magnitude: f64, homotopy: &HomotopySettings) -> Table {
     let (homotopy, ipopt) = homotopy::tables(homotopy);
     let mut settings = table([
-        (
-            "impedance",
-            table([
-                ("translational_stiffness", scene.impedance.translational_stiffness.into()),
-                ("rotational_stiffness", scene.impedance.rotational_stiffness.into()),
-                ("translational_damping", shortest(&scene.impedance.translational_damping)),
-                ("rotational_damping", axes_or_rows(&scene.impedance.rotational_damping)),
-            ])
-            .into(),
-        ),
+        ("impedance", impedance(scene).into()),
         ("robustness", grasp_errors(scene, offset_magnitude).into()),
         (
             "horizon",
@@ -97,7 +89,9 @@ fn settings(scene: &Scene, offset_magnitude: f64, homotopy: &HomotopySettings) -
         settings.insert("body".into(), body.into());
     }
     let mut robot = scene.robot.as_ref().map_or(Table::new(), joints);
-    if mass.is_none() || scene.robot.is_some() {
+    if let Some(position_robot) = &scene.position_robot {
+        robot.extend(position(position_robot));
+    } else if mass.is_none() || scene.robot.is_some() {
         robot.insert("apparent_inertia".into(), rows(scene.inertia.matrix()));
     }
     if !robot.is_empty() {
@@ -107,6 +101,23 @@ fn settings(scene: &Scene, offset_magnitude: f64, homotopy: &HomotopySettings) -
         settings.insert("limits".into(), limits(&scene.limits).into());
     }
     settings
+}
+
+/// The controller. A force mode states its damping by its gains.
+fn impedance(scene: &Scene) -> Table {
+    let Impedance { translational_stiffness, rotational_stiffness, translational_damping, rotational_damping } =
+        &scene.impedance;
+    let mut entries = table([
+        ("translational_stiffness", (*translational_stiffness).into()),
+        ("rotational_stiffness", (*rotational_stiffness).into()),
+    ]);
+    if scene.position_robot.as_ref().is_none_or(|robot| robot.force_mode.is_none()) {
+        entries.extend(table([
+            ("translational_damping", shortest(translational_damping)),
+            ("rotational_damping", axes_or_rows(rotational_damping)),
+        ]));
+    }
+    entries
 }
 
 /// The rest: what is left out, what counts as success, what a robust plan must tolerate, and where the arm stands.
@@ -158,6 +169,9 @@ fn robustness_spec(spec: &RobustnessSpec) -> Table {
         ("stiffness_error", spec.stiffness_error.into()),
         ("delay", spec.delay.into()),
     ]);
+    if spec.bias != [0.0; 2] {
+        table.extend([("force_bias".to_owned(), spec.bias[0].into()), ("torque_bias".to_owned(), spec.bias[1].into())]);
+    }
     table.extend(spec.edge_radius.map(|error| ("edge_radius".to_owned(), error.into())));
     table
 }
@@ -206,6 +220,38 @@ fn arm(robot: &Robot) -> Table {
 /// Inertia and friction of the arm's joints besides the model of its file.
 fn joints(robot: &Robot) -> Table {
     table([("joint_friction", numbers(&robot.joint_friction)), ("control_period", robot.control_period.into())])
+}
+
+/// What a robot without a torque interface is like.
+fn position(robot: &PositionRobot) -> Table {
+    let pair =
+        |names: [&str; 2], [first, second]: [f64; 2]| table([(names[0], first.into()), (names[1], second.into())]);
+    let PositionRobot { gains, limits, sensor, .. } = robot;
+    let mut command = pair(["translational_velocity", "rotational_velocity"], limits.speed);
+    command.extend(pair(["translational_acceleration", "rotational_acceleration"], limits.acceleration));
+    let mut measured = table([("cutoff", sensor.cutoff.into())]);
+    measured.extend(pair(["force_noise", "torque_noise"], sensor.noise));
+    measured.extend(pair(["force_resolution", "torque_resolution"], sensor.resolution));
+    let mut entries = table([
+        ("control_period", robot.period.into()),
+        ("delay", robot.delay.into()),
+        ("bandwidth", robot.bandwidth.into()),
+        ("contact_stiffness", robot.contact_stiffness.into()),
+        ("command", command.into()),
+        ("sensor", measured.into()),
+    ]);
+    match robot.force_mode {
+        None => {
+            entries.insert("interface".into(), "position".into());
+            entries.extend(pair(["virtual_mass", "virtual_inertia"], gains.mass));
+        }
+        Some(ForceMode { gain, deadband }) => {
+            let mut mode = pair(["translational_gain", "rotational_gain"], gain);
+            mode.extend(pair(["force_deadband", "torque_deadband"], deadband));
+            entries.extend([("interface".to_owned(), "force".into()), ("force_mode".to_owned(), mode.into())]);
+        }
+    }
+    entries
 }
 
 fn tolerances(scene: &Scene) -> Table {

@@ -1,5 +1,6 @@
 //! A validated scene.
 
+use admittance::PositionRobot;
 use task::{
     AssemblyTask, ContactPair, Coverage, GraspError, HomotopySettings, Horizon, Impedance, Inertia, Limits, Pose,
     TrajectoryCost,
@@ -30,8 +31,10 @@ pub struct RobustnessSpec {
     pub inertia_error: f64,
     /// Error of the stiffness.
     pub stiffness_error: f64,
-    /// Delay of an arm's controller (s).
+    /// Delay beyond that of the controller (s).
     pub delay: f64,
+    /// Error of every component of a measured wrench (N, Nm).
+    pub bias: [f64; 2],
     /// Largest radius of edges (m); chosen from the clearance where the scene does not give it.
     pub edge_radius: Option<f64>,
 }
@@ -44,6 +47,7 @@ impl Default for RobustnessSpec {
             inertia_error: 0.0,
             stiffness_error: 0.0,
             delay: 0.0,
+            bias: [0.0; 2],
             edge_radius: None,
         }
     }
@@ -87,6 +91,8 @@ pub struct Scene {
     pub inertia: Inertia,
     /// The arm that moves the body, if the scene has a URDF file.
     pub robot: Option<Robot>,
+    /// What the robot is like if it is commanded by position or force; the impedance is then that of its admittance law.
+    pub position_robot: Option<PositionRobot>,
     /// The robot's controller.
     pub impedance: Impedance,
     /// `delta-hat` (m).
@@ -197,18 +203,27 @@ impl Scene {
         let grasps = self.grasps(magnitude)?;
         self.check_reach(start, magnitude)
             .map_err(|reason| TaskError::OutOfReach { magnitude, reason: Box::new(reason) })?;
+        let (inertia, impedance) = self.planned_dynamics();
         Ok(AssemblyTask {
-            inertia: self.inertia.clone(),
+            inertia,
             pairs: self.pairs.iter().map(|&(part, other)| self.pair(part, other)).collect(),
             frictions: self.frictions.clone(),
             start: start.pose,
             goal: self.goal,
-            impedance: self.impedance.clone(),
+            impedance,
             grasps,
             horizon: self.horizon,
             cost: self.cost,
             limits: self.limits,
         })
+    }
+
+    /// Inertia and impedance of the planned motion: those of body and controller, or of an admittance law behind its lag.
+    pub fn planned_dynamics(&self) -> (Inertia, Impedance) {
+        match &self.position_robot {
+            Some(robot) => robot.gains.planned(robot.contact_loop().lag()),
+            None => (self.inertia.clone(), self.impedance.clone()),
+        }
     }
 
     /// Longest edge of the box around the body, along the axes of its frame (m).

@@ -1,5 +1,6 @@
 //! The tables of a scene that are not shapes.
 
+use admittance::PositionRobot;
 use task::{CostWeights, Coverage, Horizon, Impedance, Inertia, TrajectoryCost};
 
 use crate::chosen;
@@ -76,6 +77,7 @@ pub fn robustness_spec(robustness: &Table) -> Result<RobustnessSpec, SceneError>
         inertia_error: robustness.number("inertia_error")?,
         stiffness_error: robustness.number("stiffness_error")?,
         delay: robustness.number("delay")?,
+        bias: [robustness.number("force_bias")?, robustness.number("torque_bias")?],
         edge_radius: robustness.find("edge_radius").map(|entry| entry.number()).transpose()?,
     })
 }
@@ -86,12 +88,24 @@ pub fn horizon(
     ends: Endpoints,
     inertia: &Inertia,
     impedance: &Impedance,
+    position_robot: Option<&PositionRobot>,
+    offset_magnitude: f64,
 ) -> Result<Horizon, SceneError> {
     let table = scene.table("horizon")?;
     let steps = table.find("steps").map(|entry| entry.integer()).transpose()?.map(|steps| steps as usize);
     let time_step = table.find("time_step").map(|entry| entry.number()).transpose()?;
-    let time_constant = (inertia.mean_mass() / impedance.translational_stiffness).sqrt();
-    let duration = chosen::duration(ends.starts.iter().map(|start| &start.pose), ends.goal, time_constant);
+    let time_constant = match position_robot {
+        Some(robot) => robot.contact_loop().lag(),
+        None => (inertia.mean_mass() / impedance.translational_stiffness).sqrt(),
+    };
+    let paths = ends.starts.iter().map(|start| &start.pose);
+    let sliding = position_robot.map_or(0.0, |robot| chosen::sliding_time(robot, offset_magnitude));
+    let duration = chosen::duration(paths, ends.goal, time_constant) + sliding;
+    // A law with much damping answers slowly: longer steps suffice.
+    let time_step = time_step.or_else(|| {
+        let chosen = position_robot.filter(|_| steps.is_none()).map(|_| duration / chosen::SLOW_STEPS);
+        chosen.map(|time_step| time_step.max(chosen::TIME_STEP))
+    });
     Ok(chosen::horizon(duration, steps, time_step))
 }
 

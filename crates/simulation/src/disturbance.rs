@@ -11,12 +11,16 @@ use crate::settings_error::{SettingsError, check};
 pub struct Disturbance {
     /// Relative error of the inertia of the body or, with an arm, of its mass matrix; -0.9 to 10. Gravity stays compensated.
     pub inertia: f64,
-    /// Relative error of both stiffnesses of the controller, -0.9 to 10; the damping stays.
+    /// Relative error of both stiffnesses of the controller, -0.9 to 10; the damping stays. Of a robot that is commanded by
+    /// position or force, of its contact stiffness.
     pub stiffness: f64,
-    /// Delay of the controller (s) beyond that of the arm's model, 0 to 0.1. A free body has none.
+    /// Delay of the controller (s) beyond that of the robot's model, 0 to 0.1. A free body has none.
     pub delay: f64,
     /// Relative error of the joint friction of the arm's model, -1 to 10. A free body has none.
     pub joint_friction: f64,
+    /// Error of the measured force (N) and torque (Nm), of each component -1e3 to 1e3. Only robots that are commanded by position
+    /// or force measure.
+    pub bias: [f64; 6],
     /// Radius of edges (m), 0 to 0.01: faces that overlap by less slip past each other.
     pub edge_radius: f64,
 }
@@ -29,6 +33,8 @@ impl Disturbance {
     /// Allowed relative errors of joint friction.
     pub const JOINT_FRICTIONS: RangeInclusive<f64> = -1.0..=10.0;
 
+    /// Allowed errors of a measured component (N, Nm).
+    pub const BIASES: RangeInclusive<f64> = -1e3..=1e3;
     /// Allowed radii of edges (m).
     pub const EDGE_RADII: RangeInclusive<f64> = 0.0..=0.01;
 
@@ -41,6 +47,7 @@ impl Disturbance {
         check("stiffness", self.stiffness, &Self::ERRORS, "")?;
         check("delay", self.delay, &Self::DELAYS, "s")?;
         check("joint_friction", self.joint_friction, &Self::JOINT_FRICTIONS, "")?;
+        self.bias.iter().try_for_each(|&bias| check("bias", bias, &Self::BIASES, ""))?;
         check("edge_radius", self.edge_radius, &Self::EDGE_RADII, "m")
     }
 

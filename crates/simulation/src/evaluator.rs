@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use admittance::PositionRobot;
 use nalgebra::{Isometry3, Vector3};
 use task::{AssemblyTask, GraspError, Limits};
 use workers::Workers;
@@ -12,7 +13,7 @@ use crate::bounds::{Bounds, LIMIT_SLACK};
 use crate::disturbance::{Disturbance, Injection};
 use crate::overshoot::Overshoot;
 use crate::reference::Reference;
-use crate::rollout::{Outcome, Rollout, SharedStart, Snapshot};
+use crate::rollout::{Holder, Outcome, Rollout, SharedStart, Snapshot};
 use crate::settings::Settings;
 use crate::success::Success;
 
@@ -109,6 +110,8 @@ pub struct Evaluator {
 const ARM_TIME_STEP: f64 = 2e-3;
 /// The acceleration (m/s^2) up to which these may be longer.
 const ARM_STEADY: f64 = 4.0;
+/// Steps of a robot that is commanded by position, in its lag.
+const LAG_SHARE: f64 = 0.1;
 /// Cap of the violation: where a lost part comes to rest does not matter.
 const LARGEST_VIOLATION: f64 = 60.0;
 
@@ -160,6 +163,16 @@ impl Evaluator {
         Ok(Self { rollouts: rollouts.collect::<Result<_, _>>()?, ..self })
     }
 
+    /// With a robot that is commanded by position or force. Steps are longer then: a tenth of its lag, or a control period if that
+    /// is shorter.
+    pub fn with_position_robot(self, robot: &PositionRobot) -> Self {
+        let rollouts = self.rollouts.into_iter().map(|mut rollout| {
+            rollout.settings.time_step = LAG_SHARE * robot.contact_loop().lag();
+            rollout.with_position_robot(robot)
+        });
+        Self { rollouts: rollouts.collect(), ..self }
+    }
+
     /// What counts as success.
     pub fn success(&self) -> &Success {
         &self.success
@@ -173,8 +186,10 @@ impl Evaluator {
     /// Smallest distance of an arm's joints from the ends of their ranges (rad or m) along a reference; infinite
     /// without an arm. `None` if the arm cannot follow it.
     pub(crate) fn room(&self, reference: &Reference) -> Option<f64> {
-        let arm = self.rollouts.first().and_then(|rollout| rollout.arm.as_ref());
-        arm.map_or(Some(f64::INFINITY), |(model, _)| model.room(reference))
+        match self.rollouts.first().map(|rollout| &rollout.holder) {
+            Some(Holder::Arm(model, _)) => model.room(reference),
+            _ => Some(f64::INFINITY),
+        }
     }
 
     /// Bounds on the motion of references; by default the task's limits alone.

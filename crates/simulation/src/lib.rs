@@ -62,6 +62,7 @@
 //! | `P_q^-1` of the start, Sec. V-B | `Sec. ocp:ocp` | [`task::GraspError::actual`] |
 //! | Fig. 12, success rates under injected offsets | `Fig. realworldresults` | [`Success`], [`wilson_interval`], [`offsets`] |
 
+mod admittance_dynamics;
 mod arc;
 mod arm_dynamics;
 mod arm_mobility;

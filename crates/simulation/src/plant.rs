@@ -1,5 +1,8 @@
 //! The simulated plant.
 
+use task::Wrench;
+
+use crate::admittance_dynamics::AdmittanceStepper;
 use crate::arm_dynamics::ArmStepper;
 use crate::body::Body;
 use crate::contact::ContactFinder;
@@ -7,11 +10,12 @@ use crate::dynamics::Stepper;
 use crate::reference::Knot;
 use crate::step_length::Substeps;
 
-/// A free body, or an arm that holds one.
+/// A free body, or an arm or a robot that is commanded by position that holds one.
 #[derive(Debug, Clone)]
 pub enum Plant<'arm> {
     Body(Box<Stepper>),
     Arm(Box<ArmStepper<'arm>>),
+    Admittance(Box<AdmittanceStepper>),
 }
 
 impl Plant<'_> {
@@ -27,6 +31,15 @@ impl Plant<'_> {
         match self {
             Self::Body(stepper) => stepper.step(body, substeps, target, finder, impulses),
             Self::Arm(stepper) => stepper.step(body, substeps, target, finder, impulses),
+            Self::Admittance(stepper) => stepper.step(body, substeps, target, finder, impulses),
+        }
+    }
+
+    /// Wrench on the body, where it is not that of the impedance law.
+    pub fn wrench(&self) -> Option<Wrench> {
+        match self {
+            Self::Body(_) | Self::Arm(_) => None,
+            Self::Admittance(stepper) => Some(*stepper.wrench()),
         }
     }
 }

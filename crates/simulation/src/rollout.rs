@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use admittance::PositionRobot;
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot::JointVector;
 use task::{AssemblyTask, Pose};
 use workers::Workers;
 
+use crate::admittance_dynamics::AdmittanceStepper;
 use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::body::Body;
@@ -52,8 +54,18 @@ pub struct Rollout {
     reverses_friction: bool,
     /// The orientation of the part for which the gains are set, where the arm is controlled as by players.
     set_for: Option<UnitQuaternion<f64>>,
-    /// What holds the body, and its joint positions at the task's start; without it, the body moves freely.
-    pub(crate) arm: Option<(ArmModel, JointVector)>,
+    pub(crate) holder: Holder,
+}
+
+/// What holds the body.
+#[derive(Debug, Clone)]
+pub(crate) enum Holder {
+    /// Nothing but the impedance of the task: the body moves freely.
+    Impedance,
+    /// An arm, and its joint positions at the task's start.
+    Arm(ArmModel, JointVector),
+    /// A robot that is commanded by position or force.
+    Position(Box<PositionRobot>),
 }
 
 /// How a rollout ended.
@@ -99,7 +111,7 @@ impl Rollout {
             steady: STEADY,
             reverses_friction: false,
             set_for: None,
-            arm: None,
+            holder: Holder::Impedance,
         }
     }
 
@@ -113,8 +125,16 @@ impl Rollout {
         self.settings.validate()?;
         let start = model.start(&self.task)?;
         self.settings.time_step = self.settings.divide(model.control_period).0;
-        self.arm = Some((model.clone(), start));
+        self.holder = Holder::Arm(model.clone(), start);
         Ok(self)
+    }
+
+    /// With a robot that is commanded by position or force and determines inertia and impedance. The time step becomes the
+    /// largest divisor of its control period that is not longer than that of the settings.
+    pub fn with_position_robot(mut self, robot: &PositionRobot) -> Self {
+        self.settings.time_step = self.settings.divide(robot.period).0;
+        self.holder = Holder::Position(Box::new(robot.clone()));
+        self
     }
 
     /// With longer steps that change the velocity of no point by more than this acceleration (m/s^2) does in the
@@ -254,14 +274,18 @@ impl Rollout {
         let solver = ContactSolver::new(self.settings.friction, self.reverses_friction);
         let most = if self.has_even_steps { 1 } else { substeps };
         let steps = Steps { time_step, most, steady: self.steady };
-        match &self.arm {
-            None => {
+        let offset = Vector3::from(grasp.offset);
+        match &self.holder {
+            Holder::Impedance => {
                 let inertia = disturbance.inertia(&self.task.inertia);
-                let offset = Vector3::from(grasp.offset);
                 let stepper = Stepper::new(&steps, &inertia, &impedance, offset, solver);
                 stepper.map(|stepper| Plant::Body(Box::new(stepper)))
             }
-            Some((model, near)) => {
+            Holder::Position(robot) => {
+                let stepper = AdmittanceStepper::new(robot, start, offset, disturbance, &steps, solver);
+                stepper.map(|stepper| Plant::Admittance(Box::new(stepper)))
+            }
+            Holder::Arm(model, near) => {
                 let stepper = ArmStepper::new(model, near, start, injection, impedance, &steps, solver);
                 let set = self.set_for.map(|orientation| (orientation, as_set));
                 stepper.map(|stepper| Plant::Arm(Box::new(stepper.with_damping_set_for(set))))

@@ -56,7 +56,8 @@ impl RolloutState<'_> {
             self.impulses.iter_mut().zip(&*step_impulses).for_each(|(sum, impulse)| *sum += impulse);
             let part = (done + taken) as f64 / count as f64;
             let tracked = believed.at(interval, part);
-            let wrench = self.impedance.wrench(&tracked.state(), &TimedState::new(0.0, body).state(), &self.grasp);
+            let of_law = || self.impedance.wrench(&tracked.state(), &TimedState::new(0.0, body).state(), &self.grasp);
+            let wrench = self.plant.wrench().unwrap_or_else(of_law);
             if self.loads.add(taken as f64 * time_step, step_impulses, &wrench) {
                 let fraction = (interval as f64 + part) / reference.intervals() as f64;
                 self.overshoot = Overshoot::new(fraction, &reference.at(interval, part).pose, &body.pose);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use diagnosis::explain::{self, FailureExplanation};
 use diagnosis::warnings;
-use plan::records::{AttemptRecord, GraspRecord, MotionRecord};
+use plan::records::{AdmittanceRecord, AttemptRecord, GraspRecord, MotionRecord};
 use plan::{
     Format, IterationRecord, Outcome, Plan, PlanStatus, Problem, RobustnessReport, TestReport, VERSION, hash, or_null,
 };
@@ -73,6 +73,9 @@ pub struct PlanResult {
     pub time_step_s: f64,
     /// Stiffness for the execution of the plan; `resolved.toml` has the damping too.
     pub gains: Gains,
+    /// The admittance law of a robot that is commanded by position or force.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub admittance: Option<AdmittanceRecord>,
     /// Warnings.
     pub warnings: Vec<String>,
     /// Duration, forces and departures of its motion; missing in plans of earlier versions.
@@ -315,6 +318,7 @@ impl PlanResult {
                 translational_stiffness_n_m: plan.task.impedance.translational_stiffness,
                 rotational_stiffness_nm_rad: plan.task.impedance.rotational_stiffness,
             },
+            admittance: plan.problem.scene().position_robot.as_ref().map(AdmittanceRecord::from),
             warnings: [warnings::of_problem(&plan.problem), warnings::of_plan(plan)].concat(),
             motion: Some(plan.motion()),
             limits: plan.task.limits.into(),

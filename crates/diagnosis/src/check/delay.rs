@@ -6,7 +6,7 @@ use task::AssemblyTask;
 
 /// A warning where the controller of the scene's arm answers too late for its damping.
 pub fn delay(problem: &Problem) -> Option<String> {
-    let robot = problem.scene().robot.as_ref()?;
+    let robot = problem.scene().robot.as_ref().filter(|_| problem.scene().position_robot.is_none())?;
     let delay = robot.control_period + problem.scene().robustness.delay;
     let rate = fastest_damping(problem.task())?;
     (delay * rate > 1.0).then(|| {

@@ -8,6 +8,7 @@ mod pairs;
 mod parts;
 pub(crate) mod penetrations;
 pub(crate) mod refusal;
+mod sliding;
 
 use ocp::{Layout, blocks, standard_terms};
 use plan::pose_clearance::along_insertion;

@@ -8,6 +8,7 @@ use crate::check::clear_path::ClearPath;
 use crate::check::delay::delay;
 use crate::check::explanation::Explanation;
 use crate::check::pairs;
+use crate::check::sliding::sliding;
 
 /// Share of the gap of a round fit that facets may take.
 const FACETS_SHARE: f64 = scene::SHARE;
@@ -32,6 +33,7 @@ pub fn oddities(problem: &Problem, explanation: &Explanation) -> Vec<String> {
         last_smoothing(problem, explanation),
         step(task, &explanation.insertion),
         delay(problem),
+        sliding(problem),
         pairs::warning(problem.scene()),
     ];
     own.into_iter().flatten().collect()

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use simulation::{Disturbance, Injection};
 use task::GraspError;
+use task::algebra::norm;
 
 use crate::or_null;
 use crate::parameters::EvaluationParameters;
@@ -29,6 +30,9 @@ pub struct LossRecord {
     pub stiffness_error: f64,
     /// Its delay of an arm's controller.
     pub delay_s: f64,
+    /// Its bias of the sensor (N, Nm).
+    #[serde(default)]
+    pub bias: [f64; 6],
     /// Its radius of edges.
     pub edge_radius_m: f64,
     /// Its largest contact force.
@@ -77,11 +81,16 @@ impl LossRecord {
     /// The errors of that rollout.
     pub fn injection(&self) -> Injection {
         let Self {
-            inertia_error: inertia, stiffness_error: stiffness, delay_s: delay, edge_radius_m: edge_radius, ..
+            inertia_error: inertia,
+            stiffness_error: stiffness,
+            delay_s: delay,
+            bias,
+            edge_radius_m: edge_radius,
+            ..
         } = *self;
         Injection {
             grasp: GraspError::from(&self.grasp),
-            disturbance: Disturbance { inertia, stiffness, delay, edge_radius, ..Disturbance::default() },
+            disturbance: Disturbance { inertia, stiffness, delay, bias, edge_radius, ..Disturbance::default() },
         }
     }
 
@@ -91,6 +100,8 @@ impl LossRecord {
             (self.inertia_error, format!("{:+.0} % of inertia", 100.0 * self.inertia_error)),
             (self.stiffness_error, format!("{:+.0} % of stiffness", 100.0 * self.stiffness_error)),
             (self.delay_s, format!("{:.1} ms of delay", 1e3 * self.delay_s)),
+            (norm(&self.bias[..3]), format!("{:.1} N of bias", norm(&self.bias[..3]))),
+            (norm(&self.bias[3..]), format!("{:.2} Nm of bias", norm(&self.bias[3..]))),
             (self.edge_radius_m, format!("{:.3} mm of radius of edges", 1e3 * self.edge_radius_m)),
         ]
         .into_iter()

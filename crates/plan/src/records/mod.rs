@@ -1,5 +1,6 @@
 //! Records of motions and errors in files: types with the units in the names of their fields.
 
+mod admittance;
 mod attempt;
 mod grasp;
 mod impedance;
@@ -7,6 +8,7 @@ mod loss;
 mod motion;
 mod motion_end;
 
+pub use admittance::AdmittanceRecord;
 pub use attempt::AttemptRecord;
 pub use grasp::GraspRecord;
 pub use impedance::ImpedanceRecord;

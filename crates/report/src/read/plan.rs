@@ -155,6 +155,8 @@ fn errors(spec: &RobustnessSpec) -> ErrorsData {
         ),
         ("errors of the inertia", spec.inertia_error, format!("of {}", percent(spec.inertia_error))),
         ("errors of the stiffness", spec.stiffness_error, format!("of {}", percent(spec.stiffness_error))),
+        ("errors of the measured force", spec.bias[0], format!("of up to {:.1} N", spec.bias[0])),
+        ("errors of the measured torque", spec.bias[1], format!("of up to {:.2} Nm", spec.bias[1])),
         ("delays of the controller", spec.delay, format!("of up to {:.1} ms", 1e3 * spec.delay)),
     ];
     let (varied, left_out): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, size, _)| *size > 0.0);

@@ -14,6 +14,8 @@ pub const UNITS: &[&str] = &["m", "cm", "mm", "inch"];
 pub const SCALES: [f64; 4] = [1.0, 0.01, 0.001, 0.0254];
 /// Which offsets are covered where the scene gives no directions.
 pub const COVERAGES: &[&str] = &["disc", "ball"];
+/// What a robot may be commanded.
+pub const INTERFACES: &[&str] = &["torque", "position", "force"];
 const _: () = assert!(SCALES.len() == UNITS.len());
 
 const COORDINATE: Range = Range::closed(-1e3, 1e3);
@@ -22,6 +24,7 @@ const NORMAL: Range = Range::closed(-1e6, 1e6);
 const OFFSET: Range = Range::closed(-1e9, 1e9);
 const STIFFNESS: Range = Range::closed(1e-3, 1e7);
 const DAMPING: Range = Range::closed(0.0, 1e7);
+const NOISE: Range = Range::closed(0.0, 1e3);
 const WEIGHT: Range = Range::closed(0.0, 1e12);
 const LIMIT: Range = Range::closed(1e-9, 1e9);
 const RATE: Range = Range::open(0.0, 1.0);
@@ -52,7 +55,7 @@ pub const KEYS: &[Key] = &[
     key("", "goal", Table, "", Refused, "pose of the body at the end"),
     key("", "impedance", Table, "", Means("chosen"), "the robot's Cartesian impedance controller"),
     key("", "robustness", Table, "", Refused, "position errors to tolerate"),
-    key("", "robot", Table, "", Means("a free body"), "the arm that moves the body"),
+    key("", "robot", Table, "", Means("a free body"), "the robot that moves the body"),
     key("", "gripper", Table, "", Means("none"), "what holds the body: warned of where it meets the environment, as are the collision shapes of the arm"),
     key("", "horizon", Table, "", Means("chosen"), "time grid of the plan"),
     key("", "cost", Table, "", Means("default weights"), "weights of the cost"),
@@ -107,7 +110,9 @@ pub const KEYS: &[Key] = &[
     key("robustness", "friction", Numbers(Range::closed(0.0, 10.0), 1..=20), "", Means("`[0, 0.1, 0.3]`"), "Coulomb coefficients of contacts that `--robust` tolerates"),
     key("robustness", "inertia_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the inertia that `--robust` tolerates"),
     key("robustness", "stiffness_error", Number(Range::closed(0.0, 0.9)), "", Default(0.0), "relative error of the stiffness that `--robust` tolerates"),
-    key("robustness", "delay", Number(Range::closed(0.0, 0.1)), "s", Default(0.0), "delay of an arm's controller that `--robust` tolerates"),
+    key("robustness", "delay", Number(Range::closed(0.0, 0.1)), "s", Default(0.0), "delay beyond that of the controller that `--robust` tolerates, of an arm or of a robot that is commanded by position or force"),
+    key("robustness", "force_bias", Number(Range::closed(0.0, 1e3)), "N", Default(0.0), "error of every component of the measured force that `--robust` tolerates; not with the interface `torque`"),
+    key("robustness", "torque_bias", Number(Range::closed(0.0, 1e3)), "Nm", Default(0.0), "error of every component of the measured torque that `--robust` tolerates; not with the interface `torque`"),
     key("robustness", "edge_radius", Number(Range::closed(0.0, 0.01)), "m", Means("half of the clearance at the goal, at most 0.0001"), "largest radius of edges: `--robust` tolerates that faces with a smaller overlap slip past each other"),
 
     key("robot", "urdf", File, "", Means("a free body"), "URDF file of the arm; the inertia is that of the arm at the goal"),
@@ -118,6 +123,15 @@ pub const KEYS: &[Key] = &[
     key("robot", "rotor_inertia", NumberOrNumbers(Range::closed(0.0, 1e3), 1..=8), "kg m^2 or kg", Default(0.0), "inertia of rotors and gears as the joints feel it, for all joints or for each"),
     key("robot", "joint_friction", NumberOrNumbers(Range::closed(0.0, 1e4), 1..=8), "Nm or N", Default(0.0), "friction that the controller leaves, for all joints or for each"),
     key("robot", "control_period", Number(Range::closed(1e-5, 0.1)), "s", Default(0.002), "time between two commands of the controller"),
+    key("robot", "interface", Choice(INTERFACES), "", Means("`torque`"), "what the robot is commanded: joint torques, poses that an admittance law moves, or a wrench that the maker's force mode follows; [robots without a torque interface](../guide/position-robots.md)"),
+    key("robot", "delay", Number(Range::closed(0.0, 0.1)), "s", Default(0.004), "time from a command to the motion that it causes; not with the interface `torque`"),
+    key("robot", "bandwidth", Number(Range::closed(0.5, 1e3)), "Hz", Default(20.0), "frequency at which the motion is 3 dB smaller than its command; not with the interface `torque`"),
+    key("robot", "contact_stiffness", Number(Range::closed(1e2, 1e8)), "N/m", Default(1e5), "stiffness of parts, gripper, sensor and joints together while parts touch: gains are stable up to it; not with the interface `torque`"),
+    key("robot", "virtual_mass", Number(Range::closed(1e-3, 1e5)), "kg", Means("what is stable in contact"), "mass of the admittance law; not with the interface `torque`"),
+    key("robot", "virtual_inertia", Number(Range::closed(1e-6, 1e4)), "kg m^2", Means("what is stable in contact"), "rotational inertia of the admittance law; not with the interface `torque`"),
+    key("robot", "command", Table, "", Means("usual limits"), "largest speeds and accelerations that are commanded; not with the interface `torque`"),
+    key("robot", "sensor", Table, "", Means("a usual sensor"), "the force-torque sensor at the flange; not with the interface `torque`"),
+    key("robot", "force_mode", Table, "", Means("needed with the interface `force`"), "the maker's force mode; only with the interface `force`"),
     key("robot", "stiffness_range", Table, "", Means("any stiffness"), "stiffness that the controller accepts"),
     key("robot", "apparent_inertia", Inertia(Range::closed(-1e6, 1e6)), "kg, kg m, kg m^2", Means("that of the arm, else of the body"), "effective inertia of the body at the goal: for its velocity in the world frame and its angular velocity in the body frame; replaces `mass` and `inertia` of the body"),
 
@@ -129,6 +143,22 @@ pub const KEYS: &[Key] = &[
 
     key("robot.stiffness_range", "translational", Numbers(STIFFNESS, 2..=2), "N/m", Means("any stiffness"), "lowest and highest"),
     key("robot.stiffness_range", "rotational", Numbers(STIFFNESS, 2..=2), "Nm/rad", Means("any stiffness"), "lowest and highest"),
+
+    key("robot.command", "translational_velocity", Number(LIMIT), "m/s", Default(0.25), "largest speed"),
+    key("robot.command", "rotational_velocity", Number(LIMIT), "rad/s", Default(1.0), "largest angular speed"),
+    key("robot.command", "translational_acceleration", Number(LIMIT), "m/s^2", Default(2.5), "largest acceleration"),
+    key("robot.command", "rotational_acceleration", Number(LIMIT), "rad/s^2", Default(10.0), "largest angular acceleration"),
+
+    key("robot.sensor", "cutoff", Number(Range::closed(0.1, 1e5)), "Hz", Default(50.0), "cutoff frequency of its first-order filter"),
+    key("robot.sensor", "force_noise", Number(NOISE), "N", Default(0.1), "standard deviation of every component of a sample"),
+    key("robot.sensor", "torque_noise", Number(NOISE), "Nm", Default(0.005), "standard deviation of every component of a sample"),
+    key("robot.sensor", "force_resolution", Number(NOISE), "N", Default(0.0), "smallest step of a component"),
+    key("robot.sensor", "torque_resolution", Number(NOISE), "Nm", Default(0.0), "smallest step of a component"),
+
+    key("robot.force_mode", "translational_gain", Number(Range::closed(1e-7, 1.0)), "m/s per N", Refused, "speed at which a difference between commanded and measured force moves the robot"),
+    key("robot.force_mode", "rotational_gain", Number(Range::closed(1e-6, 1e3)), "rad/s per Nm", Refused, "speed at which a difference between commanded and measured torque rotates the robot"),
+    key("robot.force_mode", "force_deadband", Number(NOISE), "N", Default(0.0), "part of the measured force that is ignored"),
+    key("robot.force_mode", "torque_deadband", Number(NOISE), "Nm", Default(0.0), "part of the measured torque that is ignored"),
 
     key("horizon", "steps", Integer(Range::closed(1.0, 10_000.0)), "", Means("enough for the path and the controller: 3 s or more"), "number of time steps"),
     key("horizon", "time_step", Number(Range::closed(1e-5, 10.0)), "s", Means("0.04, or what makes `steps` last as long"), "length of a step"),

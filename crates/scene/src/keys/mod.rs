@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 
 use crate::range::Range;
 
-pub(crate) use declared::COVERAGES;
+pub(crate) use declared::{COVERAGES, INTERFACES};
 pub use declared::{SCALES, UNITS};
 
 /// One key that a file may have.

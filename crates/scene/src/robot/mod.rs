@@ -1,5 +1,6 @@
-//! The arm that moves the body.
+//! The robot that moves the body: its arm, and what it is commanded.
 
+mod interface;
 mod stiffness;
 mod warnings;
 
@@ -18,6 +19,7 @@ use crate::material::Material;
 use crate::pose::{Endpoints, StartPose, orientation};
 use crate::table::Table;
 
+pub use interface::{Interface, Surroundings, position_robot};
 pub use stiffness::{Stiffness, stiffness};
 pub use warnings::warnings;
 

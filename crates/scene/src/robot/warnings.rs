@@ -109,7 +109,7 @@ fn near_singular(robot: &Robot) -> Option<String> {
     let (smallest, _) = values.min_by(|(a, _), (b, _)| a.total_cmp(b))?;
     (smallest < NEAR_SINGULAR).then(|| {
         format!(
-            "between start and goal, the arm comes near a singular configured (smallest singular value {smallest:.3}): choose \
+            "between start and goal, the arm comes near a singular configuration (smallest singular value {smallest:.3}): choose \
              another configuration or base"
         )
     })

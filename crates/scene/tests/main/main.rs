@@ -3,6 +3,7 @@
 mod documentation;
 mod files;
 mod homotopies;
+mod interfaces;
 mod links;
 mod meshes;
 mod mutations;

@@ -158,9 +158,10 @@ fn complete() -> Value {
     );
     let scene = Scene::parse(Source { file: "test.toml".as_ref(), text: &text }).unwrap();
     let mut complete = json(&resolved(&scene, &scene.starts[0], scene.offset_magnitude, &default_homotopy()));
-    for name in ["grasp", "base", "stiffness_range"] {
+    for name in ["grasp", "base", "stiffness_range", "command", "sensor"] {
         complete["robot"][name] = Value::Object(serde_json::Map::new());
     }
+    complete["robot"]["force_mode"] = serde_json::json!({ "translational_gain": 1e-4, "rotational_gain": 0.02 });
     complete
 }
 

@@ -6,6 +6,7 @@ mod convergence;
 mod final_oscillation;
 mod joint_ranges;
 mod physics;
+mod position_robots;
 mod properties;
 mod refinement;
 mod trajectories;
