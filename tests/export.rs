@@ -118,11 +118,31 @@ fn every_target_writes_its_player() {
 }
 
 #[test]
+fn a_plan_for_positions_is_exported_with_its_law_and_not_for_torques() {
+    let dir = Dir::new();
+    dir.write("position.toml", easy(&dir) + "\n[robot]\ninterface = \"position\"\n");
+    dir.run("solve position.toml --out out");
+    dir.run("export out --to correction --anyway").code(0).says("correction_robot.py");
+    let law = &dir.json("out/export/correction/plan.json")["admittance"];
+    assert_eq!(law, &dir.result("out")["admittance"]);
+    assert_eq!(law["interface"], "position");
+    let readme = dir.read("out/export/correction/README.md");
+    assert!(readme.contains("M a + D (v - v_r) + K (x - x_r) = F") && !readme.contains("{{"), "{readme}");
+    assert!(dir.exists("out/export/correction/admittance.py"));
+    let refused = dir.run("export out --to ros2 --anyway").code(2);
+    refused.says("was made for a robot with the interface `position`: use --to csv or correction");
+}
+
+#[test]
 fn what_cannot_be_exported_is_refused() {
     let dir = plan();
     for (line, words) in [
         ("export out --to ur-rtde", "was made without an arm; add [robot]"),
-        ("export out --to kuka", "[possible values: csv, ur-rtde, franka, urscript, ros2]"),
+        ("export out --to kuka", "[possible values: csv, ur-rtde, franka, urscript, ros2, correction]"),
+        (
+            "export out --to correction",
+            "was made for a robot with the interface `torque`: use --to csv, ur-rtde, franka",
+        ),
         ("export out --to csv --rate 0", "between 1 and 10000 Hz"),
         ("export gone --to csv", "gone"),
         ("export out --to csv --out corner.toml", "is a file"),

@@ -1,5 +1,6 @@
 //! The README of an export: the text of its target with the numbers of a plan.
 
+use plan::records::AdmittanceRecord;
 use task::Pose;
 
 use crate::document::{ArmRecord, Document};
@@ -69,8 +70,31 @@ fn numbers(document: &Document) -> Vec<(&'static str, String)> {
         ("trial_force", force(document)),
         ("dry_run", free.height().map_or("M".to_owned(), |height| format!("{height:.3}"))),
         ("free_words", free_in_words(document)),
+        ("admittance", admittance(document)),
         ("arm_words", arm_in_words(document).to_owned()),
     ]
+}
+
+/// The admittance law in words.
+fn admittance(document: &Document) -> String {
+    let Some(AdmittanceRecord { mass, damping, stiffness, period_s, lag_s, contact_stiffness_n_m, .. }) =
+        &document.admittance
+    else {
+        return "none, as the plan is for a robot with a torque interface".to_owned();
+    };
+    format!(
+        "`M a + D (v - v_r) + K (x - x_r) = F` at the part, every {} ms, with M = {} kg and {} kg m^2, D = {} Ns/m and {} Nms/rad, K = {} \
+         N/m and {} Nm/rad; stable against contacts of up to {} N/m with a lag of {} ms",
+        short(1e3 * period_s),
+        short(mass[0]),
+        short(mass[1]),
+        short(damping[0]),
+        short(damping[1]),
+        short(stiffness[0]),
+        short(stiffness[1]),
+        short(*contact_stiffness_n_m),
+        short(1e3 * lag_s)
+    )
 }
 
 /// Whether the plan may be played.

@@ -34,11 +34,13 @@ pub enum Target {
     UrScript,
     /// A node for Cartesian impedance controllers of ROS 2.
     Ros2,
+    /// A player for robots that take position corrections over UDP.
+    Correction,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Csv, Self::UrRtde, Self::Franka, Self::UrScript, Self::Ros2];
+    pub const ALL: [Self; 6] = [Self::Csv, Self::UrRtde, Self::Franka, Self::UrScript, Self::Ros2, Self::Correction];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -48,6 +50,7 @@ impl Target {
             Self::Franka => "franka",
             Self::UrScript => "urscript",
             Self::Ros2 => "ros2",
+            Self::Correction => "correction",
         }
     }
 
@@ -61,7 +64,7 @@ impl Target {
         match self {
             Self::UrRtde | Self::UrScript => Some(6),
             Self::Franka => Some(7),
-            Self::Csv | Self::Ros2 => None,
+            Self::Csv | Self::Ros2 | Self::Correction => None,
         }
     }
 
@@ -69,7 +72,7 @@ impl Target {
     pub fn torque_step(self) -> Option<f64> {
         match self {
             Self::Franka => Some(1.0),
-            Self::Csv | Self::UrRtde | Self::UrScript | Self::Ros2 => None,
+            Self::Csv | Self::UrRtde | Self::UrScript | Self::Ros2 | Self::Correction => None,
         }
     }
 
@@ -92,6 +95,11 @@ impl Target {
                 ("ros2_robot.py", include_str!("../players/ros2/ros2_robot.py")),
                 ("middleware.py", include_str!("../players/ros2/middleware.py")),
             ],
+            Self::Correction => &[
+                ("play.py", include_str!("../players/correction/play.py")),
+                ("admittance.py", include_str!("../players/correction/admittance.py")),
+                ("correction_robot.py", include_str!("../players/correction/correction_robot.py")),
+            ],
         };
         own.iter().chain(&SHARED).copied().collect()
     }
@@ -104,6 +112,7 @@ impl Target {
             Self::Franka => include_str!("../players/franka/README.md"),
             Self::UrScript => include_str!("../players/urscript/README.md"),
             Self::Ros2 => include_str!("../players/ros2/README.md"),
+            Self::Correction => include_str!("../players/correction/README.md"),
         }
     }
 }

@@ -64,6 +64,7 @@ pub fn write(request: &Request) -> Result<Written, PlannerError> {
     let problem = plan.problem()?;
     require_done(&plan, request.anyway)?;
     require_arm(&plan, problem.scene(), request.target)?;
+    require_interface(&plan, problem.scene(), request.target)?;
     let target = request.out.map_or_else(|| plan.folder.join("export").join(request.target.name()), Path::to_owned);
     require_folder(&target)?;
 
@@ -132,6 +133,30 @@ fn require_smooth(plan: &StoredPlan, document: &Document, request: &Request) -> 
     let problem = format!(
         "--to {}: a joint torque steps by {step:.2} Nm within a millisecond, and these robots stop beyond {limit} Nm: {advice}",
         request.target
+    );
+    Err(PlannerError::file(&plan.folder, problem))
+}
+
+/// Refuses a target whose robots are not commanded what the plan was made for.
+fn require_interface(plan: &StoredPlan, scene: &scene::Scene, target: Target) -> Result<(), PlannerError> {
+    let interface = scene.position_robot.as_ref().map(|robot| robot.force_mode.is_some());
+    let (planned, others) = match interface {
+        None => ("torque", "csv, ur-rtde, franka, urscript or ros2"),
+        Some(false) => ("position", "csv or correction"),
+        Some(true) => ("force", "csv or ur-rtde"),
+    };
+    let suits = match target {
+        Target::Csv => true,
+        Target::UrRtde => interface != Some(false),
+        Target::Franka | Target::UrScript | Target::Ros2 => interface.is_none(),
+        Target::Correction => interface == Some(false),
+    };
+    if suits {
+        return Ok(());
+    }
+    let problem = format!(
+        "--to {target}: the plan was made for a robot with the interface `{planned}`: use --to {others}, or change robot.interface of \
+         the scene and solve again"
     );
     Err(PlannerError::file(&plan.folder, problem))
 }

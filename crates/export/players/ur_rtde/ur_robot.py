@@ -205,10 +205,13 @@ def connect(arguments: argparse.Namespace, plan: ExportedPlan, _: Settings) -> C
     try:
         version = polyscope_version(arguments.host)
         can_torque = version >= TORQUE_VERSION
+        is_planned_for_force = plan.document.get("admittance") is not None
         if arguments.mode == "torque" and not can_torque:
             newest = ".".join(map(str, TORQUE_VERSION))
             raise InputError(f"PolyScope {'.'.join(map(str, version))} takes no joint torques: {newest} does; use --mode force")
-        if arguments.mode == "force" or not can_torque:
+        if arguments.mode == "torque" and is_planned_for_force:
+            raise InputError("the plan was made for force mode: use --mode force, or plan with robot.interface = \"torque\"")
+        if arguments.mode == "force" or not can_torque or is_planned_for_force:
             return ForceRobot(arguments.host, plan, impedance, arguments.force_mode_gain, arguments.force_mode_damping)
         return TorqueRobot(arguments.host, plan, impedance)
     except RuntimeError as error:

@@ -97,6 +97,22 @@ class Reference:
 
 
 @dataclasses.dataclass(frozen=True)
+class PositionRobot:
+    """A robot that is commanded by position: period and delay (s), bandwidth and cutoff (Hz), virtual mass, damping and stiffness of
+    translations and rotations, contact stiffness (N/m) and its lever (m)."""
+
+    period: float
+    delay: float
+    bandwidth: float
+    cutoff: float
+    mass: tuple[float, float]
+    damping: tuple[float, float]
+    stiffness: tuple[float, float]
+    contact_stiffness: float
+    lever: float
+
+
+@dataclasses.dataclass(frozen=True)
 class FreeBody:
     """Mass (kg), centre of mass in the body frame (m) and rotational inertia about it (kg m^2)."""
 
@@ -131,6 +147,7 @@ class Plan:
     turn: float
     reference: Reference
     robot: Robot | None = None
+    position_robot: PositionRobot | None = None
 
     def straight(self) -> Reference:
         """The unplanned baseline: straight from start to goal at constant speed, in the plan's time."""
@@ -179,8 +196,9 @@ def plan(
         impedance=Impedance(
             impedance["translational_stiffness"],
             impedance["rotational_stiffness"],
-            damping_matrix(impedance["translational_damping"]),
-            damping_matrix(impedance["rotational_damping"]),
+            # A force mode has no damping of its own here.
+            damping_matrix(impedance.get("translational_damping", 0.0)),
+            damping_matrix(impedance.get("rotational_damping", [0.0] * 3)),
         ),
         start=pose(resolved["start"][0]),
         goal=pose(resolved["goal"]),
@@ -192,6 +210,7 @@ def plan(
         insertion_axis=insertion_axis(resolved),
         turn=resolved["robustness"].get("rotation_error", 0.0),
         reference=reference,
+        position_robot=position_robot(resolved, document, mesh_folder),
     )
 
 
@@ -218,6 +237,25 @@ def free_body(resolved: dict[str, Any]) -> FreeBody | None:
         return None
     center = np.array([lever[2, 1], lever[0, 2], lever[1, 0]])
     return FreeBody(mass, center, apparent[3:, 3:] + mass * lever @ lever)
+
+
+def position_robot(resolved: dict[str, Any], document: dict[str, Any], folder: pathlib.Path) -> PositionRobot | None:
+    """The robot of a plan that is commanded by position; None for one with torques."""
+    robot, impedance = resolved.get("robot", {}), resolved["impedance"]
+    if robot.get("interface") != "position":
+        return None
+    parts = [part_vertices(part, folder) for part in document["body"]["part"]]
+    return PositionRobot(
+        period=robot["control_period"],
+        delay=robot["delay"],
+        bandwidth=robot["bandwidth"],
+        cutoff=robot["sensor"]["cutoff"],
+        mass=(robot["virtual_mass"], robot["virtual_inertia"]),
+        damping=(impedance["translational_damping"], impedance["rotational_damping"][0]),
+        stiffness=(impedance["translational_stiffness"], impedance["rotational_stiffness"]),
+        contact_stiffness=robot["contact_stiffness"],
+        lever=max(float(np.linalg.norm(part, axis=1).max()) for part in parts),
+    )
 
 
 def read_reference(path: pathlib.Path) -> Reference:

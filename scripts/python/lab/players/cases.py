@@ -105,4 +105,27 @@ def guards() -> list[Case]:
         Case("urscript force", "urscript", "corner", 1, "beyond the limit", simulation=fault("force")),
         Case("urscript too far", "urscript", "corner", 1, "move the robot to the start", simulation={"displaced": 0.6}),
     ]
+    return cases + corrections()
+
+
+def corrections() -> list[Case]:
+    """A robot that is commanded by position and takes corrections over UDP."""
+    # On a busy machine, datagrams come late.
+    calm = ("--longest-silence", "5")
+    flags = ("--skip-self-test", *calm)
+    cases = [
+        Case(f"correction corner {number}", "correction", "corner", inserts=True, flags=flags, simulation={"offset": offset})
+        for number, offset in enumerate(OFFSETS["corner"], 1)
+    ]
+    displaced = {"displaced": 0.005}
+    cases.append(Case("correction self-test", "correction", "corner", inserts=True, flags=calm, simulation=displaced))
+    for kind, says in (
+        ("force", "beyond the limit"),
+        ("nan", "is not as README.md has it"),
+        ("cut", "is not as README.md has it"),
+        ("repeated", "came after"),
+        ("silent", "the robot has sent nothing"),
+        ("clock", "the law was chosen for"),
+    ):
+        cases.append(Case(f"correction {kind}", "correction", "corner", 1, says, flags=flags, simulation=fault(kind)))
     return cases

@@ -29,7 +29,10 @@ TARGETS = {
     "franka": ("franka", "franka"),
     "ros2": ("ros2", "ros2"),
     "urscript": ("urscript", ""),
+    "correction": ("correction", ""),
 }
+# Names of the arms that the plans were recorded for, where it is not the one with six joints.
+ARMS = {"franka": "seven", "correction": "none"}
 # Longest time of a player (s), also on a machine that is busy.
 PATIENCE = 120.0
 
@@ -38,7 +41,7 @@ def run(case: Case, address: str, work: pathlib.Path) -> str:
     """Plays a case as a user does; returns what is wrong, or nothing."""
     folder, outcome = work / case.folder, work / case.folder / "outcome.json"
     player, stand_ins = TARGETS[case.target]
-    arm = "seven" if case.target == "franka" else "six"
+    arm = ARMS.get(case.target, "six")
     recorded = RECORDED / f"{case.plan}-{arm}"
     assemble(case, recorded, PLAYERS / player, folder)
     simulation = {
@@ -56,6 +59,8 @@ def run(case: Case, address: str, work: pathlib.Path) -> str:
     with contextlib.ExitStack() as stack:
         if case.target == "loopback":
             stack.enter_context(server(address, environment))
+        if case.target == "correction":
+            stack.enter_context(correction_server(address, environment))
         if case.target == "urscript" and case.has_receiver:
             stack.enter_context(receiver(address, folder, environment))
         code, said = play(case, command_of(case, folder, address), environment)
@@ -89,7 +94,7 @@ def command_of(case: Case, folder: pathlib.Path, address: str) -> list[str]:
     if case.target == "urscript":
         runner = [sys.executable, "-P", "-m", "lab.players.script_runner"]
         return [*runner, str(folder / "plan.script"), *([address] * case.has_receiver)]
-    host = [] if case.target == "ros2" else [address]
+    host = {"ros2": [], "correction": ["--address", address]}.get(case.target, [address])
     # Without `site`, Python finds no packages.
     python = [sys.executable] if case.has_packages else [sys.executable, "-S"]
     return [*python, str(folder / "play.py"), *host, "--log", str(folder / case.log), *case.flags]
@@ -137,6 +142,19 @@ def server(address: str, environment: dict[str, str]) -> Iterator[None]:
         time.sleep(0.5)
     finally:
         process.terminate()
+        process.wait()
+
+
+@contextlib.contextmanager
+def correction_server(address: str, environment: dict[str, str]) -> Iterator[None]:
+    """A simulated robot that takes corrections; it ends by itself when the player does."""
+    environment = {**environment, "PYTHONPATH": f"{PLAYERS / 'shared'}:{HERE.parents[1]}"}
+    process = subprocess.Popen([sys.executable, "-P", "-m", "lab.players.correction_server", address], env=environment)
+    try:
+        yield
+        process.wait(timeout=PATIENCE)
+    finally:
+        process.kill()
         process.wait()
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import rotations
 from lab.mujoco import arm_world, robots
 from lab.mujoco.arm import ArmPlayer
-from lab.mujoco.plans import Impedance, Plan, Reference
+from lab.mujoco.plans import FreeBody, Impedance, Plan, Reference
 from lab.mujoco.rollout import GraspError
 from lab.mujoco.rotations import rotation_matrix
 from lab.mujoco.shapes import part_vertices
@@ -243,8 +243,10 @@ class SimulatedArm:
         self.task.outcome.write_text(json.dumps(outcome))
 
 
-def world(scene: dict[str, Any], document: dict[str, Any], robot: robots.Robot) -> Plan:
-    """The parts and the arm; a player needs nothing else of a plan."""
+def world(
+    scene: dict[str, Any], document: dict[str, Any], robot: robots.Robot | None, free_body: FreeBody | None = None
+) -> Plan:
+    """The parts and what moves one of them; a player needs nothing else of a plan."""
     pose = np.array(document["goal"])
     return Plan(
         folder=pathlib.Path(document["scene"]),
@@ -253,7 +255,7 @@ def world(scene: dict[str, Any], document: dict[str, Any], robot: robots.Robot) 
         status="",
         body=[part_vertices(part, SCENES) for part in scene["body"]["part"]],
         environment=[part_vertices(part, SCENES) for part in scene["environment"]["part"]],
-        free_body=None,
+        free_body=free_body,
         impedance=NO_GAINS,
         start=pose,
         goal=pose,

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from lab.mujoco import arm_world, world
 from lab.mujoco.arm import ArmPlayer
 from lab.mujoco.plans import Plan
+from lab.mujoco.position_robot import PositionPlayer
 from lab.mujoco.rollout import FreePlayer, GraspError, Outcome, Player
 
 PLANNED, STRAIGHT = "plan", "straight push"
@@ -33,6 +34,9 @@ class Rollouts:
             window = max(1, round(FORCE_WINDOW / self.time_step))
             if self.plan.robot:
                 self.players[friction] = ArmPlayer(arm_world.build(self.plan, contact), self.plan, window)
+            elif self.plan.position_robot:
+                model = world.build(self.plan, contact)
+                self.players[friction] = PositionPlayer(model, self.plan, window, self.plan.position_robot)
             else:
                 self.players[friction] = FreePlayer(world.build(self.plan, contact), self.plan, window)
         return self.players[friction]
