@@ -6,12 +6,18 @@
 //!
 //! Long work runs in a thread of its own: meanwhile the interpreter keeps running, receives events and can interrupt.
 
+mod arm;
+mod arrays;
 mod background;
+mod calibration;
 mod command;
+mod contacts;
 mod errors;
 mod motion;
 mod options;
+mod outputs;
 mod plan;
+mod reference;
 mod scene;
 mod simulation;
 mod tolerance;
@@ -22,9 +28,13 @@ use pyo3::pymodule;
 #[pymodule]
 mod _planner {
     #[pymodule_export]
+    use crate::arm::Arm;
+    #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]
-    use crate::plan::{Plan, write_page};
+    use crate::outputs::{figures, write_export, write_page};
+    #[pymodule_export]
+    use crate::plan::Plan;
     #[pymodule_export]
     use crate::scene::Scene;
     #[pymodule_export]

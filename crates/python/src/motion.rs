@@ -4,6 +4,8 @@ use planner::files::MotionTables;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::arrays::bytes;
+
 /// Numbers of a motion, in native byte order. The shapes follow from steps, scenarios and pairs.
 #[derive(IntoPyObject)]
 pub struct Motion<'py> {
@@ -20,23 +22,27 @@ pub struct Motion<'py> {
 
 impl<'py> Motion<'py> {
     /// From some tables.
-    pub fn new(py: Python<'py>, tables: &MotionTables) -> Self {
+    ///
+    /// # Errors
+    /// When there is no memory for them.
+    pub fn new(py: Python<'py>, tables: &MotionTables) -> PyResult<Self> {
         let MotionTables { time_step, reference, pairs, scenarios } = tables;
         let contacts = || scenarios.iter().flat_map(|scenario| scenario.contacts.iter().flatten());
-        Self {
+        let numbers = |numbers: Vec<f64>| bytes(py, &numbers);
+        Ok(Self {
             time_step: *time_step,
             steps: reference.len() - 1,
             scenarios: scenarios.len(),
             pairs: pairs.clone(),
-            reference: bytes(py, reference.iter().flat_map(|state| state.0)),
-            states: bytes(py, scenarios.iter().flat_map(|scenario| &scenario.states).flat_map(|state| state.0)),
-            wrenches: bytes(py, scenarios.iter().flat_map(|scenario| &scenario.wrenches).flat_map(|wrench| wrench.0)),
-            distances: bytes(py, contacts().map(|contact| contact.distance)),
-            forces: bytes(py, contacts().map(|contact| contact.force)),
-        }
+            reference: numbers(reference.iter().flat_map(|state| state.0).collect())?,
+            states: numbers(
+                scenarios.iter().flat_map(|scenario| &scenario.states).flat_map(|state| state.0).collect(),
+            )?,
+            wrenches: numbers(
+                scenarios.iter().flat_map(|scenario| &scenario.wrenches).flat_map(|wrench| wrench.0).collect(),
+            )?,
+            distances: numbers(contacts().map(|contact| contact.distance).collect())?,
+            forces: numbers(contacts().map(|contact| contact.force).collect())?,
+        })
     }
-}
-
-fn bytes(py: Python, numbers: impl Iterator<Item = f64>) -> Bound<PyBytes> {
-    PyBytes::new(py, &numbers.flat_map(f64::to_ne_bytes).collect::<Vec<u8>>())
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use planner::explain::optimum;
 use planner::files::trajectory::read_tables;
 use planner::files::{MotionTables, PlanFolder, PlanResult, RESOLVED, STAGES, StoredPlan, read_text};
 use planner::{Keeper, Motion as Played, PlannerError, Problem};
@@ -134,6 +135,18 @@ impl Plan {
         write().map_err(|error| exception(&error))
     }
 
+    /// Writes a copy into an empty folder, which is not where the plan is saved.
+    fn copy(&self, folder: PathBuf) -> PyResult<()> {
+        let write = || -> Result<(), PlannerError> {
+            let folder = PlanFolder::claim(&folder, &[])?;
+            match &self.origin {
+                Origin::Solved(plan) => folder.finish(plan).map(drop),
+                Origin::Stored(stored) => folder.copy(stored),
+            }
+        };
+        write().map_err(|error| exception(&error))
+    }
+
     /// `result.json`.
     fn result(&self) -> PyResult<String> {
         let text = serde_json::to_string(&self.result).map_err(|_| PlannerError::Internal("result.json"));
@@ -149,19 +162,25 @@ impl Plan {
     }
 
     /// The motion of the plan.
-    fn motion<'py>(&self, py: Python<'py>) -> Motion<'py> {
+    fn motion<'py>(&self, py: Python<'py>) -> PyResult<Motion<'py>> {
         Motion::new(py, &self.tables)
     }
 
     /// The motions after every homotopy step.
     fn stages<'py>(&self, py: Python<'py>) -> PyResult<Vec<Motion<'py>>> {
         let tables = self.stage_tables().map_err(|error| exception(&error))?;
-        Ok(tables.iter().map(|tables| Motion::new(py, tables)).collect())
+        tables.iter().map(|tables| Motion::new(py, tables)).collect()
     }
-}
 
-/// Writes the page of the plan in a folder into a file.
-#[pyfunction]
-pub fn write_page(py: Python, folder: PathBuf, file: PathBuf) -> PyResult<()> {
-    background::run(py, None, move |_| report::write(&folder, &[], Some(&file), None).map(|_| ()))
+    /// Every constraint where the solver ended, as JSON; null where that point is not known any more.
+    fn constraints(&self, py: Python) -> PyResult<String> {
+        let plan = match &self.origin {
+            Origin::Solved(plan) => Some(planner::Plan::clone(plan)),
+            Origin::Stored(_) => None,
+        };
+        background::run(py, None, move |_| {
+            let records = plan.as_ref().and_then(optimum);
+            serde_json::to_string(&records).map_err(|_| PlannerError::Internal("constraints"))
+        })
+    }
 }

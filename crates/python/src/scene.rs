@@ -4,17 +4,24 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use ::scene::{Part, Source};
+use nalgebra::Matrix3;
 use planner::check::{explain, pair_reports, refusal};
 use planner::{Choices, Keeper, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop, refine, warnings};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 use serde::Serialize;
 use serde_json::json;
 use task::Pose;
 
+use crate::arm::Arm;
+use crate::arrays::{bytes, rows};
 use crate::background::{self, Watch};
+use crate::calibration::{CalibrationOptions, fit};
+use crate::contacts::{Contacts, Question, answer};
 use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, ToleranceOptions, toml_text};
 use crate::plan::Plan;
-use crate::simulation::{Simulation, play};
+use crate::reference::{ReferenceOptions, RolloutData, RolloutOptions, refine as refined, rollouts};
+use crate::simulation::{Simulation, play, play_reference};
 use crate::tolerance::measure;
 
 /// A valid scene.
@@ -51,6 +58,7 @@ impl Scene {
     /// The content of the scene, as JSON.
     fn content(&self) -> String {
         let scene = &self.0.scene;
+        let impedance = &scene.impedance;
         let starts = scene.starts.iter().map(|start| json!({ "name": start.name, "pose": start.pose }));
         let parts = |parts: &[Part]| parts.iter().map(part).collect::<Vec<_>>();
         json!({
@@ -58,6 +66,13 @@ impl Scene {
             "starts": starts.collect::<Vec<_>>(),
             "goal": scene.goal,
             "offset_magnitude": scene.offset_magnitude,
+            "impedance": {
+                "translational_stiffness": impedance.translational_stiffness,
+                "rotational_stiffness": impedance.rotational_stiffness,
+                "translational_damping": rows_of(&impedance.translational_damping),
+                "rotational_damping": rows_of(&impedance.rotational_damping),
+            },
+            "time_step": scene.horizon.time_step,
             "body": parts(&scene.body),
             "environment": parts(&scene.environment),
         })
@@ -91,6 +106,37 @@ impl Scene {
         })
     }
 
+    /// Contact information of every pair at some poses (bytes of rows of 7 numbers), by the batch kernels.
+    fn contacts<'py>(
+        &self,
+        py: Python<'py>,
+        choices: ChoiceOptions,
+        poses: &[u8],
+        tau: Option<f64>,
+        derivatives: usize,
+        points: bool,
+    ) -> PyResult<Contacts<'py>> {
+        let (read, poses) = (Arc::clone(&self.0), rows(poses));
+        let (pairs, question, numbers) = background::run(py, None, move |_| {
+            let problem = choices.problem(&read.scene, &read.file)?;
+            let question = Question { tau: tau.unwrap_or(problem.homotopy().tau), derivatives, points };
+            let pairs = &problem.task().pairs;
+            Ok((pairs.iter().map(ToString::to_string).collect(), question, answer(pairs, &poses, question)?))
+        })?;
+        Contacts::new(py, pairs, question, &numbers)
+    }
+
+    /// The arm that holds the body, if the scene has one.
+    fn arm(&self) -> Option<Arm> {
+        self.0.scene.robot.clone().map(Arm::new)
+    }
+
+    /// Fits the robot of the scene to logs of players; the record as JSON. Writes a copy of the scene's file if it is named.
+    fn calibrate(&self, py: Python, options: CalibrationOptions) -> PyResult<String> {
+        let read = Arc::clone(&self.0);
+        background::run(py, None, move |watch| fit(&read.scene, &read.file, &options, watch))
+    }
+
     /// Plans, and makes the plan robust if requested.
     fn solve(
         &self,
@@ -114,6 +160,46 @@ impl Scene {
     ) -> PyResult<Simulation> {
         let (read, played) = (Arc::clone(&self.0), plan.played(options.stages));
         background::run(py, progress.as_ref(), move |watch| play(&read.scene, &read.file, &played?, &options, watch))
+    }
+
+    /// Plays a reference of the user.
+    fn simulate_reference(
+        &self,
+        py: Python,
+        reference: ReferenceOptions,
+        options: PlayOptions,
+        progress: Option<Bound<PyAny>>,
+    ) -> PyResult<Simulation> {
+        let read = Arc::clone(&self.0);
+        let work = move |watch: &Watch| play_reference(&read.scene, &read.file, &reference, &options, watch);
+        background::run(py, progress.as_ref(), work)
+    }
+
+    /// Plays a reference and keeps all that happens.
+    fn rollouts<'py>(
+        &self,
+        py: Python<'py>,
+        reference: ReferenceOptions,
+        options: RolloutOptions,
+    ) -> PyResult<RolloutData<'py>> {
+        let read = Arc::clone(&self.0);
+        let played = background::run(py, None, move |_| rollouts(&read.scene, &read.file, &reference, &options))?;
+        played.data(py)
+    }
+
+    /// Refines a reference of the user: bytes of its states, and the report as JSON.
+    fn refine<'py>(
+        &self,
+        py: Python<'py>,
+        reference: ReferenceOptions,
+        robust: RobustOptions,
+        jobs: Option<usize>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyBytes>, String)> {
+        let read = Arc::clone(&self.0);
+        let work = move |watch: &Watch| refined(&read.scene, &read.file, &reference, robust, jobs, watch);
+        let (states, report) = background::run(py, progress.as_ref(), work)?;
+        Ok((bytes(py, &states)?, report))
     }
 
     /// The errors that a plan tolerates, as JSON.
@@ -158,6 +244,11 @@ fn solve(
     // Interrupted work raises the interrupt.
     let folder = folder.filter(|_| plan.stopped != Some(Stop::User));
     Plan::solved(plan, folder)
+}
+
+/// A matrix as JSON has it.
+fn rows_of(matrix: &Matrix3<f64>) -> Vec<Vec<f64>> {
+    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
 /// A part, as JSON.

@@ -4,13 +4,15 @@ use std::path::{Path, PathBuf};
 
 use ::scene::Scene;
 use planner::files::{RolloutRow, SimulationRecord, SuccessRow, to_csv, write_rollout_tables};
-use planner::{Choices, PlannerError, Problem, RolloutRemarks, SuccessTable, simulate};
+use planner::{Choices, Motion, PlannerError, Problem, RolloutRemarks, SimulationRequest, SuccessTable, simulate};
 use pyo3::prelude::*;
+use simulation::Reference;
 
 use crate::background::Watch;
 use crate::errors::exception;
 use crate::options::PlayOptions;
 use crate::plan::PlayedPlan;
+use crate::reference::ReferenceOptions;
 
 /// The rollouts of a plan.
 #[pyclass(frozen, module = "assembly_plan._planner")]
@@ -63,15 +65,51 @@ pub fn play(
     if !plan.result.converged {
         watch.warn(format!("{name}: the plan did not converge"));
     }
-    let rollouts = simulate(&problem, &plan.motions, &request, &watch.session(options.jobs))?;
+    rollouts(&problem, &plan.motions, Played { name, folder, start: &plan.result.start }, &request, options.jobs, watch)
+}
+
+/// Plays a reference of the user.
+pub fn play_reference(
+    scene: &Scene,
+    file: &Path,
+    given: &ReferenceOptions,
+    options: &PlayOptions,
+    watch: &Watch,
+) -> Result<Simulation, PlannerError> {
+    let request = options.request()?;
+    if options.stages {
+        return Err(PlannerError::Choice { name: "stages", problem: "a reference has none; play a plan".to_owned() });
+    }
+    let problem = given.problem(scene, file, options.position_tolerance, options.angle_tolerance)?;
+    let motions = [(Motion::Plan, given.reference()?)];
+    let played = Played { name: "reference".to_owned(), folder: PathBuf::new(), start: &problem.start().name };
+    rollouts(&problem, &motions, played, &request, options.jobs, watch)
+}
+
+/// What is played, in tables.
+struct Played<'start> {
+    name: String,
+    folder: PathBuf,
+    start: &'start str,
+}
+
+fn rollouts(
+    problem: &Problem,
+    motions: &[(Motion, Reference)],
+    Played { name, folder, start }: Played,
+    request: &SimulationRequest,
+    jobs: Option<usize>,
+    watch: &Watch,
+) -> Result<Simulation, PlannerError> {
+    let rollouts = simulate(problem, motions, request, &watch.session(jobs))?;
     let limit = problem.task().limits.contact_force;
     let mut remarks = RolloutRemarks::default();
     rollouts.iter().for_each(|rollout| remarks.add(rollout, limit));
     remarks.penetration_warning().into_iter().for_each(|warning| watch.warn(warning));
     let table = SuccessTable::new(&rollouts);
     Ok(Simulation {
-        record: SimulationRecord::new(&problem, vec![name], &request.errors),
-        rollouts: rollouts.iter().map(|rollout| RolloutRow::new(&folder, &plan.result.start, rollout)).collect(),
+        record: SimulationRecord::new(problem, vec![name], &request.errors),
+        rollouts: rollouts.iter().map(|rollout| RolloutRow::new(&folder, start, rollout)).collect(),
         successes: table.groups().iter().map(SuccessRow::from).collect(),
         table: table.to_string(),
     })

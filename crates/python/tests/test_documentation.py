@@ -9,7 +9,23 @@ from pathlib import Path
 
 import assembly_plan
 import pytest
-from assembly_plan import Plan, Scene, errors, events, plan, scene, simulation
+from assembly_plan import (
+    Plan,
+    Scene,
+    arm,
+    commands,
+    contacts,
+    content,
+    errors,
+    events,
+    figure,
+    motion,
+    plan,
+    reference,
+    rollouts,
+    scene,
+    simulation,
+)
 from conftest import CORNER, ROOT, command
 
 EXAMPLES = ROOT / "crates/python/examples"
@@ -43,7 +59,8 @@ def test_keywords_are_flags_of_the_command(name: str) -> None:
 
 
 def test_everything_public_is_documented() -> None:
-    for module in (assembly_plan, errors, events, plan, scene, simulation):
+    parts = (arm, commands, contacts, content, figure, motion, reference, rollouts)
+    for module in (assembly_plan, errors, events, plan, scene, simulation, *parts):
         assert module.__doc__
         for name, item in vars(module).items():
             if name.startswith("_") or not getattr(item, "__module__", "").startswith("assembly_plan"):

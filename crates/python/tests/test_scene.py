@@ -126,7 +126,7 @@ def test_choices_that_are_wrong_are_refused(scene: Scene) -> None:
         scene.solve(resume=True)
     with pytest.raises(SceneError, match="unknown; choose one of"):
         scene.solve(linear_solver="pardiso")
-    with pytest.raises(SceneError, match=r"threads = 0: must lie between 1 and 1024"):
+    with pytest.raises(SceneError, match=r"jobs = 0: must be at least 1"):
         scene.solve(jobs=0)
     with pytest.raises(SceneError, match=r"homotopy:\d+:\d+: .*tau_rate"):
         scene.solve(homotopy={"homotopy": {"tau_rate": 1.2}})

@@ -120,7 +120,7 @@ impl Reference {
     }
 
     /// The same poses with the twists that lead from knot to knot.
-    pub(crate) fn with_twists(self) -> Self {
+    pub fn with_twists(self) -> Self {
         self.with_twists_from(1)
     }
 

@@ -5,16 +5,20 @@ mod advice;
 mod dependencies;
 mod factorisation;
 mod limits;
+mod optimum;
 mod residuals;
 mod stuck;
 mod words;
 
+use nlp::Iterate;
 use ocp::{Formulation, Residual, Transcription};
 use plan::{Cut, Plan, PlanStatus, Stop};
 use serde::{Deserialize, Serialize};
+use task::AssemblyTask;
 
 pub use dependencies::DependencyRecord;
 pub use limits::ActiveLimitRecord;
+pub use optimum::{ConstraintRecord, optimum};
 pub use plan::records::{HoldRecord, LossRecord, MotionEnd};
 pub use residuals::ResidualRecord;
 pub use stuck::StuckScenario;
@@ -75,19 +79,33 @@ fn explain(plan: &Plan) -> FailureExplanation {
     FailureExplanation { residuals, dependencies, scenarios, active_limits, advice }
 }
 
-/// Violated and dependent constraints where the solver ended. Nothing where that point is not known any more, or a
-/// distance has no value there, which the solver has reported.
-fn constraints(plan: &Plan) -> Option<(Vec<ResidualRecord>, Vec<DependencyRecord>)> {
+/// Where the solver ended.
+struct End {
+    task: AssemblyTask,
+    transcription: Transcription,
+    point: Iterate,
+    residuals: Vec<Residual>,
+}
+
+/// The constraints at the point where the solver ended. Nothing where that point is not known any more, or a distance has no
+/// value there, which the solver has reported.
+fn end(plan: &Plan) -> Option<End> {
     let chosen = plan.chosen();
     let (point, record, settings) = (chosen.point.as_deref()?, &chosen.record, &plan.variant.settings);
     let task = record.task(&plan.variant.task);
     let whole = Formulation::new(&task, settings.complementarity);
     let near = whole.near(&point.x);
-    let point = &near.point_of(&whole, point);
+    let point = near.point_of(&whole, point);
     let mut transcription = Transcription::of(near, settings.complementarity, settings.hessian);
     transcription.set_smoothing(record.tau, record.sigma);
-    let residuals: Vec<Residual> = transcription.residuals(point).ok()?;
-    let dependencies = match record.converged {
+    let residuals = transcription.residuals(&point).ok()?;
+    Some(End { task, transcription, point, residuals })
+}
+
+/// Violated and dependent constraints where the solver ended.
+fn constraints(plan: &Plan) -> Option<(Vec<ResidualRecord>, Vec<DependencyRecord>)> {
+    let End { task, mut transcription, point, residuals } = end(plan)?;
+    let dependencies = match plan.chosen().record.converged {
         // Constraints that are satisfied do not contradict.
         true => Vec::new(),
         false => dependencies::find(&mut transcription, &point.x, &residuals)?,

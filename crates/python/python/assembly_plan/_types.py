@@ -83,3 +83,62 @@ class MotionData(TypedDict):
     wrenches: bytes
     distances: bytes
     forces: bytes
+
+
+class ReferenceOptions(TypedDict):
+    """A reference of the user, and which problem of the scene it is for."""
+
+    states: bytes
+    poses: bool
+    time_step: float
+    start: str | None
+    delta: float | None
+    rotation_error: float | None
+
+
+class RolloutOptions(TypedDict):
+    """How rollouts are played in full."""
+
+    grasps: list[tuple[list[float], list[float]]] | None
+    friction: float
+    settling_time: float
+    time_step: float
+    position_tolerance: float | None
+    angle_tolerance: float | None
+
+
+class RolloutData(TypedDict):
+    """Rollouts in full: bytes of numbers, whose shapes follow from the motion."""
+
+    motion: MotionData
+    grasps: bytes
+    success: list[bool]
+    measures: bytes
+    points: bytes
+
+
+class CalibrationOptions(TypedDict):
+    """What is fitted to which logs."""
+
+    logs: list[str | os.PathLike[str]]
+    out: str | os.PathLike[str] | None
+    force: bool
+    per_joint: bool
+    jobs: int | None
+
+
+class ContactData(TypedDict):
+    """Contact information: bytes of numbers, empty for derivatives that were not asked for."""
+
+    pairs: list[str]
+    components: int
+    values: bytes
+    jacobians: bytes
+    hessians: bytes
+
+
+class CourseData(TypedDict):
+    """Joints along a motion: bytes of numbers."""
+
+    positions: bytes
+    torques: bytes

@@ -160,6 +160,32 @@ Event: TypeAlias = (
 Progress: TypeAlias = Callable[[Event], object]
 """A function that hears of events."""
 
+
+def bar(**options: Any) -> Progress:
+    """A progress bar for notebooks and terminals by tqdm, which has to be installed: ``progress=events.bar()``.
+
+    It counts homotopy steps or rollouts, and says what refinement has reached. `options` are those of ``tqdm.tqdm``.
+    """
+    from tqdm.auto import tqdm
+
+    shown = tqdm(**options)
+
+    def advance(done: int, count: int, unit: str) -> None:
+        shown.unit, shown.total, shown.n = unit, count, done
+        shown.refresh()
+
+    def show(event: Event) -> None:
+        match event:
+            case HomotopyStep(number=number, most=most):
+                advance(number, most, "step")
+            case Rollouts(done=done, count=count):
+                advance(done, count, "rollout")
+            case Refined(rate=rate) | Evaluated(rate=rate):
+                shown.set_description(f"{100 * rate:.1f} % of rollouts succeed")
+
+    return show
+
+
 _CLASSES: dict[str, Callable[..., Event]] = {
     "solver_iteration": SolverIteration,
     "homotopy_step": HomotopyStep,

@@ -8,80 +8,18 @@ import os
 import shutil
 import tempfile
 import weakref
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from assembly_plan import _planner
-from assembly_plan._types import MotionData
-
-FloatArray: TypeAlias = NDArray[np.float64]
-"""An array of floats."""
-
-_STATE = 13
-_TWIST = 6
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Motion:
-    """One reference motion and what the body does in each of S scenarios, in N steps. The arrays are read-only.
-
-    A state has 13 numbers: position (m, world frame), unit quaternion ``w x y z``, velocity (m/s, world frame) and
-    angular velocity (rad/s, body frame).
-    """
-
-    time: FloatArray
-    """Times of the N + 1 knots (s), shape (N + 1,)."""
-    reference: FloatArray
-    """The motion to track: states at the knots, shape (N + 1, 13)."""
-    states: FloatArray
-    """States of the body in every scenario, shape (S, N + 1, 13)."""
-    wrenches: FloatArray
-    """The controller's wrench at the knots after the first, shape (S, N, 6).
-
-    Force (N, world frame), torque (Nm, body frame).
-    """
-    pairs: tuple[str, ...]
-    """The P pairs of parts that may touch, ``BODY PART/ENVIRONMENT PART``."""
-    distances: FloatArray
-    """Smoothed distance of every pair (m) at the knots after the first, shape (S, N, P).
-
-    NaN where it could not be computed.
-    """
-    forces: FloatArray
-    """Contact force of every pair (N) at the knots after the first, shape (S, N, P)."""
-
-    @property
-    def time_step(self) -> float:
-        """Time between two knots (s)."""
-        return float(self.time[1] - self.time[0])
-
-    def __repr__(self) -> str:
-        scenarios, knots = self.states.shape[:2]
-        return f"<{type(self).__name__}: {knots - 1} steps of {self.time_step:g} s, {scenarios} scenarios>"
-
-
-def _arrays(native: MotionData) -> dict[str, Any]:
-    """The fields of a motion."""
-    steps, scenarios, pairs = native["steps"], native["scenarios"], tuple(native["pairs"])
-
-    def array(numbers: bytes, *shape: int) -> FloatArray:
-        return np.frombuffer(numbers, dtype=np.float64).reshape(shape)
-
-    time = native["time_step"] * np.arange(steps + 1)
-    time.flags.writeable = False
-    return {
-        "time": time,
-        "reference": array(native["reference"], steps + 1, _STATE),
-        "states": array(native["states"], scenarios, steps + 1, _STATE),
-        "wrenches": array(native["wrenches"], scenarios, steps, _TWIST),
-        "pairs": pairs,
-        "distances": array(native["distances"], scenarios, steps, len(pairs)),
-        "forces": array(native["forces"], scenarios, steps, len(pairs)),
-    }
+from assembly_plan._arrays import FloatArray, fixed
+from assembly_plan._values import number
+from assembly_plan.errors import SceneError
+from assembly_plan.figure import Figure
+from assembly_plan.motion import Motion
 
 
 class Plan(Motion):
@@ -91,12 +29,10 @@ class Plan(Motion):
     Of a robust plan, the scenarios are rollouts with hard contacts.
     """
 
-    _native: _planner.Plan
-
     def __init__(self, native: _planner.Plan) -> None:
         """Not to be called."""
-        super().__init__(**_arrays(native.motion()))
-        object.__setattr__(self, "_native", native)
+        super().__init__(native.motion())
+        self._native = native
 
     @classmethod
     def load(cls, folder: str | os.PathLike[str]) -> Plan:
@@ -159,12 +95,61 @@ class Plan(Motion):
     @property
     def stages(self) -> list[Motion]:
         """The motion after every homotopy step."""
-        return [Motion(**_arrays(native)) for native in self._native.stages()]
+        return [Motion(native) for native in self._native.stages()]
+
+    @property
+    def constraints(self) -> dict[str, NDArray[Any]]:
+        """Every constraint and bound at the solver's optimum, one entry per constraint in every column.
+
+        Text: ``kind``, ``unit``, ``axis`` and ``pair``, empty where there is none. Numbers: ``scenario`` (from 1, 0 for
+        the reference), ``time_s``, ``value``, ``lower`` and ``upper`` (infinite without one), and ``multiplier``, positive
+        at an upper bound that holds the cost up and negative at a lower one. A residual is how far ``value`` is outside
+        of its bounds. Multipliers are those of the solver's last barrier parameter mu, mu over the distance from a
+        bound: derivatives of the cost with its barrier terms, not of the cost alone. ``pandas.DataFrame`` takes it.
+
+        Raises `SceneError` for a plan that was loaded: its folder does not have the multipliers.
+        """
+        rows: list[dict[str, Any]] | None = json.loads(self._native.constraints())
+        if rows is None:
+            raise SceneError("constraints: only a plan that was solved in this process has them; solve again")
+        infinite = {"lower": -np.inf, "upper": np.inf, "scenario": 0}
+        columns: dict[str, NDArray[Any]] = {}
+        for name in rows[0]:
+            absent = infinite.get(name, "")
+            columns[name] = np.array([absent if row[name] is None else row[name] for row in rows])
+            columns[name].flags.writeable = False
+        return columns
+
+    def export(
+        self, to: str, folder: str | os.PathLike[str], *, rate: float = 500.0, anyway: bool = False
+    ) -> list[str]:
+        """Write what a robot reads into a folder, as the command ``export`` does; returns the names of the files.
+
+        `to` is ``csv``, ``ur-rtde``, ``franka``, ``urscript`` or ``ros2``; `rate` are samples per second (Hz). A plan
+        that is not done, or succeeds too rarely in rollouts, is refused unless `anyway`.
+        """
+        with tempfile.TemporaryDirectory() as place:
+            self._copy(Path(place) / "plan")
+            return _planner.write_export(Path(place) / "plan", to, folder, number(rate, "rate"), bool(anyway))
+
+    def figure(self, name: str = "keyframes-y") -> Figure:
+        """Draw a figure for papers and slides, as the command ``report --figures`` does.
+
+        - ``keyframes-x``, ``keyframes-y``, ``keyframes-z``: sections across an axis through the parts, at six moments.
+        - ``forces``: contact force of every scenario over time.
+        - ``convergence``: penetration and violation after every homotopy step.
+        """
+        with tempfile.TemporaryDirectory() as place:
+            self._copy(Path(place) / "plan")
+            drawn = {file.removesuffix(".svg"): svg for file, svg in _planner.figures(Path(place) / "plan")}
+        if name not in drawn:
+            raise SceneError(f"name = {name!r}: unknown; choose one of {', '.join(drawn)}")
+        return Figure(name, drawn[name])
 
     def report(self, file: str | os.PathLike[str]) -> None:
         """Write the HTML page that shows the plan, as the command ``report`` does; it needs no other file."""
         with tempfile.TemporaryDirectory() as folder:
-            self.save(Path(folder) / "plan")
+            self._copy(Path(folder) / "plan")
             _planner.write_page(Path(folder) / "plan", file)
 
     def _repr_html_(self) -> str:
@@ -186,8 +171,8 @@ class Plan(Motion):
             _, axes = matplotlib.pyplot.subplots(3, sharex=True)
         for axis, name in enumerate("xyz"):
             axes[axis].plot(self.time, 1e3 * self.reference[:, axis], "k--", label="reference")
-            for number, states in enumerate(self.states, start=1):
-                axes[axis].plot(self.time, 1e3 * states[:, axis], label=f"scenario {number}")
+            for scenario, states in enumerate(self.states, start=1):
+                axes[axis].plot(self.time, 1e3 * states[:, axis], label=f"scenario {scenario}")
             axes[axis].set_ylabel(f"{name} (mm)")
         axes[-1].set_xlabel("time (s)")
         axes[0].legend(loc="best")
@@ -195,7 +180,7 @@ class Plan(Motion):
 
     def __reduce__(self) -> tuple[Any, ...]:
         with tempfile.TemporaryDirectory() as folder:
-            self.save(Path(folder) / "plan")
+            self._copy(Path(folder) / "plan")
             root = Path(folder) / "plan"
             files = {str(file.relative_to(root)): file.read_bytes() for file in root.rglob("*") if file.is_file()}
         return _plan_of, (files,)
@@ -217,8 +202,12 @@ class Plan(Motion):
     def __repr__(self) -> str:
         return f"{super().__repr__()[:-1]}, {self.status}>"
 
+    def _copy(self, folder: Path) -> None:
+        """Write a copy, which is not where the plan is saved."""
+        self._native.copy(folder)
+
     def _grasps(self, key: str) -> FloatArray:
-        return np.array([scenario.get(key, [0.0] * 3) for scenario in self.result["scenarios"]])
+        return fixed([scenario.get(key, [0.0] * 3) for scenario in self.result["scenarios"]])
 
 
 def _plan_of(files: dict[str, bytes]) -> Plan:

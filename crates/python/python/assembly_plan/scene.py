@@ -2,51 +2,36 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import os
-import tomllib
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, TypeAlias
+from collections.abc import Iterable
+from typing import Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from assembly_plan import _planner
+from assembly_plan import _values
+from assembly_plan._arrays import read, table
 from assembly_plan._renamed import renamed
-from assembly_plan._types import ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, ToleranceOptions
+from assembly_plan._types import (
+    CalibrationOptions,
+    PlayOptions,
+    RobustOptions,
+    RolloutOptions,
+    SolveOptions,
+    ToleranceOptions,
+)
+from assembly_plan._values import Homotopy, StrPath
+from assembly_plan.contacts import Contacts
+from assembly_plan.content import SceneContent
 from assembly_plan.errors import SceneError
 from assembly_plan.events import Progress, _listener
-from assembly_plan.plan import FloatArray, Plan
+from assembly_plan.plan import Plan
+from assembly_plan.reference import Reference
+from assembly_plan.rollouts import Rollouts
 from assembly_plan.simulation import Simulation
 
-StrPath: TypeAlias = str | os.PathLike[str]
-"""The name of a file or folder."""
 
-Homotopy: TypeAlias = StrPath | Mapping[str, Any]
-"""A homotopy file, or a dictionary with its keys."""
-
-
-@dataclass(frozen=True, eq=False)
-class Part:
-    """A convex part: the points x with ``normals @ x <= offsets``."""
-
-    name: str
-    """Name, unique among the parts of the body or the environment."""
-    vertices: FloatArray
-    """Corners (m), shape (V, 3), in the frame of the body, or of the world for the environment."""
-    normals: FloatArray
-    """Unit normals of the facets that point outwards, shape (F, 3), in the same frame."""
-    offsets: FloatArray
-    """Distances of the facets from the origin of this frame (m), shape (F,)."""
-
-    def __repr__(self) -> str:
-        return f"<Part {self.name!r}: {len(self.vertices)} corners, {len(self.offsets)} facets>"
-
-
-class Scene:
+class Scene(SceneContent):
     """What is to be assembled: parts, start and goal poses, the robot's controller, the size of the grasp error.
 
     A scene is valid: `Scene.load` and `Scene.from_dict` check everything and raise `SceneError`. A pose has 7 numbers:
@@ -65,106 +50,6 @@ class Scene:
     - `progress`: a function that hears of `assembly_plan.events`.
     """
 
-    def __init__(self, native: _planner.Scene) -> None:
-        """Not to be called; `Scene.load` and `Scene.from_dict` make scenes."""
-        self._native = native
-        content = json.loads(native.content())
-        self._title: str = content["title"]
-        self._starts = {start["name"]: _fixed(start["pose"]) for start in content["starts"]}
-        self._goal = _fixed(content["goal"])
-        self._offset_magnitude: float = content["offset_magnitude"]
-        self._body, self._environment = _parts(content["body"]), _parts(content["environment"])
-
-    @classmethod
-    def load(cls, file: StrPath) -> Scene:
-        """Read a scene file (TOML) and the files it names."""
-        return cls(_planner.Scene.load(file))
-
-    @classmethod
-    def from_dict(cls, content: Mapping[str, Any], base: StrPath = ".") -> Scene:
-        """Make a scene of a dictionary with the keys of a scene file; arrays and tuples may stand for lists.
-
-        Names of files in it are relative to the folder `base`. Messages show the lines of the scene file that would
-        have the same content, and call it ``scene``.
-        """
-        return cls(_planner.Scene.from_json(_json(content), Path(base) / "scene"))
-
-    def to_dict(self) -> dict[str, Any]:
-        """The scene with all defaults as a dictionary with the keys of a scene file, which `Scene.from_dict` takes.
-
-        Meshes are convex parts in it, so that it depends on no other file but a robot's model.
-        """
-        content: dict[str, Any] = tomllib.loads(self._native.resolved())
-        content["start"] = [
-            {"name": name, "position": pose[:3].tolist(), "orientation": pose[3:].tolist()}
-            for name, pose in self._starts.items()
-        ]
-        return content
-
-    def replace(self, **changes: Any) -> Scene:
-        """The scene with other values of some keys, such as ``scene.replace(robustness__offset_magnitude=0.01)``.
-
-        Two underscores stand for the dot of a key in a table. A value replaces the whole key; None removes it.
-        """
-        content = copy.deepcopy(self.to_dict())
-        for path, value in changes.items():
-            *tables, key = path.split("__")
-            table = content
-            for name in tables:
-                table = table.setdefault(name, {})
-                if not isinstance(table, dict):
-                    raise SceneError(f"{'.'.join(tables)}: `{name}` is no table of a scene")
-            if value is None:
-                table.pop(key, None)
-            else:
-                table[key] = value
-        return Scene.from_dict(content)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Scene.from_dict, (self.to_dict(),)
-
-    def __copy__(self) -> Scene:
-        return self
-
-    def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
-        return self
-
-    def __eq__(self, other: object) -> bool:
-        return self.to_dict() == other.to_dict() if isinstance(other, Scene) else NotImplemented
-
-    def __hash__(self) -> int:
-        return hash(self._native.resolved())
-
-    @property
-    def title(self) -> str:
-        """Title, by default the file's name."""
-        return self._title
-
-    @property
-    def starts(self) -> dict[str, FloatArray]:
-        """Start poses, shape (7,), by their names; the first is the default."""
-        return dict(self._starts)
-
-    @property
-    def goal(self) -> FloatArray:
-        """Goal pose, shape (7,)."""
-        return self._goal
-
-    @property
-    def offset_magnitude(self) -> float:
-        """The scene's offset magnitude (m)."""
-        return self._offset_magnitude
-
-    @property
-    def body(self) -> list[Part]:
-        """Convex parts of the moved body."""
-        return list(self._body)
-
-    @property
-    def environment(self) -> list[Part]:
-        """Convex parts of what does not move."""
-        return list(self._environment)
-
     def check(
         self,
         *,
@@ -178,8 +63,8 @@ class Scene:
         Returns parts, meshes and their convex parts, clearances, penetrations, size of the problem, warnings; keys name
         their units. `tau` smooths the distances, by default as the homotopy begins.
         """
-        choices = _choices(start=start, delta=delta, homotopy=homotopy)
-        explanation: dict[str, Any] = json.loads(self._native.check(choices, tau))
+        chosen = _values.choices(start=start, delta=delta, homotopy=homotopy)
+        explanation: dict[str, Any] = json.loads(self._native.check(chosen, _values.optional(tau, "tau")))
         return explanation
 
     def distances(
@@ -197,10 +82,33 @@ class Scene:
         ``smoothed_distance_m``, ``exact_distance_m`` (negative where the parts penetrate) and ``normal``, the contact
         normal with 7 numbers.
         """
-        choices = _choices(start=start, delta=delta, homotopy=homotopy)
-        values = _vector(pose, 7, "pose")
-        pairs: list[dict[str, Any]] = json.loads(self._native.distances(choices, values, tau))
+        chosen = _values.choices(start=start, delta=delta, homotopy=homotopy)
+        values = _values.vector(pose, 7, "pose")
+        pairs: list[dict[str, Any]] = json.loads(self._native.distances(chosen, values, _values.optional(tau, "tau")))
         return pairs
+
+    def contacts(
+        self,
+        poses: ArrayLike,
+        *,
+        start: str | int | None = None,
+        delta: float | None = None,
+        homotopy: Homotopy | None = None,
+        tau: float | None = None,
+        derivatives: int = 0,
+        points: bool = False,
+    ) -> Contacts:
+        """Distances and contact normals of every pair at many poses, with exact derivatives.
+
+        `poses` has shape (K, 7), with quaternions of any norm. `derivatives` is their order, 0 to 2. With `points`,
+        contact points are included. `tau` smooths the distances, by default as the homotopy begins.
+        """
+        if _values.whole(derivatives, "derivatives") > 2:
+            raise SceneError(f"derivatives = {derivatives}: must be 0, 1 or 2")
+        chosen = _values.choices(start=start, delta=delta, homotopy=homotopy)
+        rows = table(poses, 7, "poses")
+        data = self._native.contacts(chosen, rows.tobytes(), _values.optional(tau, "tau"), derivatives, bool(points))
+        return Contacts(data, len(rows))
 
     def solve(
         self,
@@ -221,7 +129,7 @@ class Scene:
         With `out`, the plan is written into this folder, and Ctrl-C leaves unfinished work beside it, with which
         ``resume=True`` resumes it. A plan that does not reach the goal is no error: see `Plan.status`.
         """
-        choices = _choices(
+        chosen = _values.choices(
             start=start,
             delta=delta,
             homotopy=homotopy,
@@ -229,8 +137,8 @@ class Scene:
             position_tolerance=position_tolerance,
             angle_tolerance=angle_tolerance,
         )
-        options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
-        return Plan(self._native.solve(choices, options, None, _listener(progress)))
+        options: SolveOptions = {"out": out, "resume": resume, "jobs": _values.threads(jobs)}
+        return Plan(self._native.solve(chosen, options, None, _listener(progress)))
 
     @renamed(turn="rotation_error", wanted_rate="target_rate", patience="stall_limit")
     def solve_robust(
@@ -266,7 +174,7 @@ class Scene:
 
         `out` and `resume` are those of `solve`.
         """
-        choices = _choices(
+        chosen = _values.choices(
             start=start,
             delta=delta,
             homotopy=homotopy,
@@ -275,19 +183,14 @@ class Scene:
             angle_tolerance=angle_tolerance,
             rotation_error=rotation_error,
         )
-        options: SolveOptions = {"out": out, "resume": resume, "jobs": jobs}
-        robust: RobustOptions = {
-            "target_rate": target_rate,
-            "time_limit": time_limit,
-            "stall_limit": stall_limit,
-            "friction": None if friction is None else _several(friction),
-        }
-        return Plan(self._native.solve(choices, options, robust, _listener(progress)))
+        options: SolveOptions = {"out": out, "resume": resume, "jobs": _values.threads(jobs)}
+        robust = _robust(target_rate, time_limit, stall_limit, friction)
+        return Plan(self._native.solve(chosen, options, robust, _listener(progress)))
 
     @renamed(turn="rotation_error")
     def simulate(
         self,
-        plan: Plan,
+        plan: Plan | Reference,
         *,
         random: int | None = None,
         hull: bool = False,
@@ -307,7 +210,7 @@ class Scene:
         jobs: int | None = None,
         progress: Progress | None = None,
     ) -> Simulation:
-        """Play a plan, and a straight push, with hard contacts and injected offsets.
+        """Play a plan or a reference of your own, and a straight push, with hard contacts and injected offsets.
 
         By default the planned offsets are played. As the command ``simulate``:
 
@@ -324,24 +227,105 @@ class Scene:
         - `time_step`: time step of the simulation (s).
         """
         options: PlayOptions = {
-            "random": random,
+            "random": None if random is None else _values.whole(random, "random"),
             "hull": hull,
             "disc": disc,
             "ball": ball,
-            "seed": seed,
-            "grid": grid,
-            "offsets": None if offsets is None else _offsets(offsets),
-            "rotation_error": rotation_error,
-            "magnitude": _several(magnitude),
-            "friction": _several(friction),
-            "settling_time": settling_time,
-            "time_step": time_step,
+            "seed": _values.whole(seed, "seed", 2**64 - 1),
+            "grid": None if grid is None else _values.whole(grid, "grid"),
+            "offsets": None if offsets is None else _values.vectors(offsets, "offsets"),
+            "rotation_error": _values.number(rotation_error, "rotation_error"),
+            "magnitude": _values.several(magnitude, "magnitude"),
+            "friction": _values.several(friction, "friction"),
+            "settling_time": _values.number(settling_time, "settling_time"),
+            "time_step": _values.number(time_step, "time_step"),
             "stages": stages,
-            "position_tolerance": position_tolerance,
-            "angle_tolerance": angle_tolerance,
-            "jobs": jobs,
+            "position_tolerance": _values.optional(position_tolerance, "position_tolerance"),
+            "angle_tolerance": _values.optional(angle_tolerance, "angle_tolerance"),
+            "jobs": _values.threads(jobs),
         }
+        if isinstance(plan, Reference):
+            return Simulation(self._native.simulate_reference(plan._options(self), options, _listener(progress)))
         return Simulation(self._native.simulate(plan._native, options, _listener(progress)))
+
+    def rollouts(
+        self,
+        plan: Plan | Reference,
+        *,
+        offsets: ArrayLike | None = None,
+        rotations: ArrayLike | None = None,
+        friction: float = 0.0,
+        position_tolerance: float | None = None,
+        angle_tolerance: float | None = None,
+        settling_time: float = 1.0,
+        time_step: float = 0.001,
+    ) -> Rollouts:
+        """Play a plan or a reference of your own with hard contact and keep whole trajectories, forces and contacts.
+
+        - `offsets`: of the part in the gripper (m, body frame), shape (S, 3); by default the planned ones.
+        - `rotations`: of the part in the gripper (rotation vectors, rad), shape (S, 3); by default none.
+
+        The others are those of `simulate`.
+        """
+        reference = plan if isinstance(plan, Reference) else Reference.of(plan)
+        options: RolloutOptions = {
+            "grasps": _values.grasps(offsets, rotations),
+            "friction": _values.number(friction, "friction"),
+            "settling_time": _values.number(settling_time, "settling_time"),
+            "time_step": _values.number(time_step, "time_step"),
+            "position_tolerance": _values.optional(position_tolerance, "position_tolerance"),
+            "angle_tolerance": _values.optional(angle_tolerance, "angle_tolerance"),
+        }
+        return Rollouts(self._native.rollouts(reference._options(self), options))
+
+    def refine(
+        self,
+        plan: Plan | Reference,
+        *,
+        target_rate: float = 0.99,
+        time_limit: float = 300.0,
+        stall_limit: int = 150,
+        friction: float | Iterable[float] | None = None,
+        jobs: int | None = None,
+        progress: Progress | None = None,
+    ) -> tuple[Reference, dict[str, Any]]:
+        """Refine a reference of your own by rollouts with hard contact, without solving anything.
+
+        Returns the refined reference and a report, which has the keys of ``robust`` in `Plan.result`. The arguments are
+        those of `solve_robust`.
+        """
+        reference = plan if isinstance(plan, Reference) else Reference.of(plan)
+        robust = _robust(target_rate, time_limit, stall_limit, friction)
+        options, listener = reference._options(self), _listener(progress)
+        states, report = self._native.refine(options, robust, _values.threads(jobs), listener)
+        refined = Reference(read(states, -1, 13), options["time_step"], start=reference.start, delta=reference.delta)
+        return refined, json.loads(report)
+
+    def calibrate(
+        self,
+        logs: StrPath | Iterable[StrPath],
+        *,
+        per_joint: bool = False,
+        out: StrPath | None = None,
+        force: bool = False,
+        jobs: int | None = None,
+    ) -> dict[str, Any]:
+        """Fit the robot of the scene to logs of players, as the command ``calibrate --json`` does.
+
+        ``entries`` of the result are the tables and keys that the scene should have. With `out`, a copy of the scene's
+        file with them is written, in the place of an older one with `force`. `per_joint` fits inertia and friction of
+        each joint.
+        """
+        several = [logs] if isinstance(logs, str | os.PathLike) else list(logs)
+        options: CalibrationOptions = {
+            "logs": several,
+            "out": out,
+            "force": force,
+            "per_joint": per_joint,
+            "jobs": _values.threads(jobs),
+        }
+        fitted: dict[str, Any] = json.loads(self._native.calibrate(options))
+        return fitted
 
     def tolerance(
         self,
@@ -376,14 +360,14 @@ class Scene:
             "quantities": list(quantities),
             "need": need,
             "map": map,
-            "rows": _several(rows),
-            "target_rate": target_rate,
-            "friction": None if friction is None else _several(friction),
-            "cases": cases,
-            "seed": seed,
-            "position_tolerance": position_tolerance,
-            "angle_tolerance": angle_tolerance,
-            "jobs": jobs,
+            "rows": _values.several(rows, "rows"),
+            "target_rate": _values.number(target_rate, "target_rate"),
+            "friction": None if friction is None else _values.several(friction, "friction"),
+            "cases": _values.whole(cases, "cases"),
+            "seed": _values.whole(seed, "seed", 2**64 - 1),
+            "position_tolerance": _values.optional(position_tolerance, "position_tolerance"),
+            "angle_tolerance": _values.optional(angle_tolerance, "angle_tolerance"),
+            "jobs": _values.threads(jobs),
         }
         measured: dict[str, Any] = json.loads(self._native.tolerance(plan._native, options, _listener(progress)))
         return measured
@@ -392,95 +376,12 @@ class Scene:
         return f"<Scene {self.title!r}: {len(self._body)} and {len(self._environment)} parts>"
 
 
-def _choices(
-    *,
-    start: str | int | None,
-    delta: float | None,
-    homotopy: Homotopy | None,
-    linear_solver: str | None = None,
-    position_tolerance: float | None = None,
-    angle_tolerance: float | None = None,
-    rotation_error: float | None = None,
-) -> ChoiceOptions:
-    """What is chosen of a scene, as the native module takes it."""
-    file, content = (homotopy, None) if isinstance(homotopy, str | os.PathLike) else (None, homotopy)
+def _robust(
+    target_rate: float, time_limit: float, stall_limit: int, friction: float | Iterable[float] | None
+) -> RobustOptions:
     return {
-        "start": None if start is None else str(start),
-        "delta": delta,
-        "rotation_error": rotation_error,
-        "homotopy": file,
-        "homotopy_json": None if content is None else _json(content),
-        "linear_solver": linear_solver,
-        "position_tolerance": position_tolerance,
-        "angle_tolerance": angle_tolerance,
+        "target_rate": _values.number(target_rate, "target_rate"),
+        "time_limit": _values.number(time_limit, "time_limit"),
+        "stall_limit": _values.whole(stall_limit, "stall_limit", 2**32 - 1),
+        "friction": None if friction is None else _values.several(friction, "friction"),
     }
-
-
-def _several(values: float | Iterable[float]) -> list[float]:
-    """A list of numbers, also of one that stands alone."""
-    listed: Iterable[Any] = values if isinstance(values, Iterable) else [values]
-    return [float(value) for value in listed]
-
-
-def _parts(parts: list[dict[str, Any]]) -> list[Part]:
-    return [
-        Part(part["name"], _fixed(part["vertices"]), _fixed(part["normals"]), _fixed(part["offsets"])) for part in parts
-    ]
-
-
-def _fixed(values: ArrayLike) -> FloatArray:
-    """An array that cannot be changed."""
-    array = np.array(values, dtype=np.float64)
-    array.flags.writeable = False
-    return array
-
-
-def _vector(values: ArrayLike, count: int, name: str) -> list[float]:
-    array = np.asarray(values, dtype=np.float64)
-    if array.shape != (count,):
-        raise SceneError(f"{name}: has shape {array.shape}, must have shape ({count},)")
-    return [float(value) for value in array]
-
-
-def _offsets(values: ArrayLike) -> list[list[float]]:
-    array = np.asarray(values, dtype=np.float64)
-    if array.ndim != 2 or array.shape[1] != 3 or len(array) == 0 or not np.isfinite(array).all():
-        raise SceneError(f"offsets: has shape {array.shape}, must be finite numbers of shape (K, 3), K at least 1")
-    return [[float(value) for value in row] for row in array]
-
-
-def _json(content: Any) -> str:
-    """The JSON text of a dictionary with the keys of a TOML file."""
-    if not isinstance(content, Mapping):
-        raise SceneError(f"a {type(content).__name__} is no dictionary with the keys of a file")
-    return json.dumps(_plain(content, ""))
-
-
-def _plain(value: Any, path: str) -> Any:
-    """A value as a file has it; `path` names its key in messages."""
-    match value:
-        case bool() | str():
-            return value
-        case Mapping():
-            return {_key(key, path): _plain(entry, f"{path}.{key}".lstrip(".")) for key, entry in value.items()}
-        case os.PathLike():
-            return os.fspath(value)
-        case np.ndarray() | np.generic():
-            return _plain(value.tolist(), path)
-        case int() | float():
-            if value != value or value in (float("inf"), float("-inf")):
-                raise SceneError(f"{path}: {value} must be a finite number")
-            return value
-        case Sequence():
-            return [_plain(entry, f"{path}[{index}]") for index, entry in enumerate(value)]
-        case None:
-            raise SceneError(f"{path}: None is no value; leave the key out")
-        case _:
-            kind = type(value).__name__
-            raise SceneError(f"{path}: a {kind} is no value of a file; use numbers, text, lists or dictionaries")
-
-
-def _key(key: Any, path: str) -> str:
-    if not isinstance(key, str):
-        raise SceneError(f"{path or 'the dictionary'}: the key {key!r} is no text")
-    return key
