@@ -4,6 +4,8 @@ import json
 import pathlib
 import subprocess
 
+from lab.paths import ROOT
+
 
 def linked(metadata: dict, name: str) -> list[dict]:
     """The packages that end up in a program, sorted by name: dependencies that are neither for building nor for
@@ -29,22 +31,21 @@ def texts(package: dict) -> list[pathlib.Path]:
     return sorted(file for file in files if file.is_file() and file.name.upper().startswith(words))
 
 
-def print_licences(program: str) -> None:
-    """Prints the licences of all crates that the program of a package is linked with, as `cargo metadata` finds them:
-    one section per crate; texts that are the same are printed once."""
+def licences_of_crates(package: str) -> str:
+    """The licences of all crates that a package of the workspace is linked with, as `cargo metadata` finds them: one
+    section per text, with all crates that have it."""
     host = next(
         line.removeprefix("host: ")
         for line in subprocess.run(["rustc", "-vV"], check=True, capture_output=True, text=True).stdout.splitlines()
         if line.startswith("host: ")
     )
     command = ["cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", host]
-    metadata = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    metadata = json.loads(subprocess.run(command, check=True, capture_output=True, text=True, cwd=ROOT).stdout)
     users: dict[str, list[str]] = {}
-    for package in linked(metadata, program):
-        if package["source"] is None:
+    for crate in linked(metadata, package):
+        if crate["source"] is None:
             continue
-        found = [file.read_text(errors="replace").strip() for file in texts(package)]
-        for text in found or [f"Licensed under {package['license']}; its package holds no text."]:
-            users.setdefault(text, []).append(f"{package['name']} {package['version']} ({package['license']})")
-    for text, names in users.items():
-        print(f"{', '.join(names)}\n\n{text}\n\n{'-' * 80}\n")
+        found = [file.read_text(errors="replace").strip() for file in texts(crate)]
+        for text in found or [f"Licensed under {crate['license']}; its package holds no text."]:
+            users.setdefault(text, []).append(f"{crate['name']} {crate['version']} ({crate['license']})")
+    return "\n".join(f"{', '.join(names)}\n\n{text}\n\n{'-' * 80}\n" for text, names in users.items())

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from lab import notebook
 from lab.errors import Failure
+from lab.packaging import debian
 from lab.paths import ROOT
 
 PACKAGE = ROOT / "crates/python"
@@ -23,31 +24,54 @@ GRAFTED = re.compile(r"^assembly_plan\.libs/(lib\w+)")
 
 
 def add_licences(wheel: Path) -> None:
-    """Writes a repaired wheel anew, with the licences of all libraries that are in it; refuses libraries that are not
-    known."""
+    """Writes a repaired wheel anew, with the licences of all libraries and crates that are in it, which its metadata
+    lists, and without folders of this machine; refuses libraries that are not known."""
     with zipfile.ZipFile(wheel) as archive:
         files = {info.filename: (info, archive.read(info)) for info in archive.infolist()}
     record = next(name for name in files if name.endswith(".dist-info/RECORD"))
     folder = record.removesuffix("RECORD") + "licenses/"
     added = {f"{folder}{name}": content for name, content in licences(list(files)).items()}
+    replaced = {f"{folder.removesuffix('licenses/')}METADATA": metadata(files, added, folder)}
+    replaced |= {name: without_places(files[name][1]) for name in files if "/sboms/" in name}
     rows = list(csv.reader(io.StringIO(files[record][1].decode())))
+    rows = [
+        [name, digest(replaced[name]), str(len(replaced[name]))] if name in replaced else row
+        for row in rows
+        for name in row[:1]
+    ]
     rows += [[name, digest(content), str(len(content))] for name, content in added.items()]
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows(rows)
     whole = wheel.with_suffix(".whole")
     with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, (info, content) in files.items():
-            archive.writestr(info, text.getvalue().encode() if name == record else content, zipfile.ZIP_DEFLATED)
+            new = text.getvalue().encode() if name == record else replaced.get(name, content)
+            archive.writestr(info, new, zipfile.ZIP_DEFLATED)
         for name, content in added.items():
             archive.writestr(name, content)
     whole.replace(wheel)
     print(f"{wheel.relative_to(ROOT)} ({wheel.stat().st_size / 1e6:.1f} MB)")
 
 
+def metadata(files: dict, added: dict[str, bytes], folder: str) -> bytes:
+    """The metadata of the wheel, with a line for every file of licences (PEP 639)."""
+    name = f"{folder.removesuffix('licenses/')}METADATA"
+    head, blank, description = files[name][1].decode().partition("\n\n")
+    known = set(re.findall(r"^License-File: (.*)$", head, re.MULTILINE))
+    new = sorted({path.removeprefix(folder) for path in added} - known)
+    return "\n".join([head, *(f"License-File: {path}" for path in new)]).encode() + (blank + description).encode()
+
+
+def without_places(sbom: bytes) -> bytes:
+    """A list of components in which the packages of the workspace have no folder of this machine."""
+    return re.sub(rb"(path\+)?file://[^\"#?]*/crates/", rb"\1file:///crates/", sbom)
+
+
 def licences(names: list[str]) -> dict[str, bytes]:
     """Texts of licences by their paths, for all libraries among some files."""
     texts = {path.name: path.read_bytes() for path in [ROOT / "LICENSE-MIT", ROOT / "LICENSE-APACHE"]}
     texts |= {path.name: path.read_bytes() for path in (PACKAGE / "licenses").iterdir()}
+    texts["third-party-crates.txt"] = debian.licences_of_crates("python").encode()
     known = set(re.findall(r"`(lib\w+)`", TABLE.search(PAGE.read_text())[1]))
     grafted = {match[1] for name in names if (match := GRAFTED.match(name))}
     if grafted != known:
