@@ -120,7 +120,7 @@ def corrections() -> list[Case]:
     displaced = {"displaced": 0.005}
     cases.append(Case("correction self-test", "correction", "corner", inserts=True, flags=calm, simulation=displaced))
     for kind, says in (
-        ("force", "beyond the limit"),
+        ("force", "N at the tool, beyond"),
         ("nan", "is not as README.md has it"),
         ("cut", "is not as README.md has it"),
         ("repeated", "came after"),
