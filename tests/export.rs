@@ -134,11 +134,33 @@ fn a_plan_for_positions_is_exported_with_its_law_and_not_for_torques() {
 }
 
 #[test]
+fn models_have_every_piece_and_what_moves_it() {
+    for (dir, carrier) in [(plan(), "<freejoint"), (plan_of_arm(), "actuatorfrcrange")] {
+        let pieces = dir.read("corner.toml").matches(".part]]").count();
+        for (target, file, piece) in [
+            ("mjcf", "plan.xml", "<mesh name="),
+            ("sdf", "plan.sdf", "<collision name="),
+            ("usd", "plan.usda", "\"PhysicsCollisionAPI\""),
+        ] {
+            let folder = format!("out/export/{target}");
+            dir.run(&format!("export out --to {target}")).code(0).says(file);
+            let text = dir.read(format!("{folder}/{file}"));
+            assert_eq!(text.matches(piece).count(), pieces, "{target}");
+            assert!(!text.contains("NaN") && !text.contains("inf"), "{target}");
+            assert!(!dir.read(format!("{folder}/README.md")).contains("{{"));
+            assert!(dir.exists(format!("{folder}/SHA256SUMS")));
+        }
+        assert!(dir.read("out/export/mjcf/plan.xml").contains(carrier));
+        assert!(dir.exists("out/export/sdf/environment_0.obj"));
+    }
+}
+
+#[test]
 fn what_cannot_be_exported_is_refused() {
     let dir = plan();
     for (line, words) in [
         ("export out --to ur-rtde", "was made without an arm; add [robot]"),
-        ("export out --to kuka", "[possible values: csv, ur-rtde, franka, urscript, ros2, correction]"),
+        ("export out --to kuka", "[possible values: csv, ur-rtde, franka, urscript, ros2, correction, mjcf, sdf, usd]"),
         (
             "export out --to correction",
             "was made for a robot with the interface `torque`: use --to csv, ur-rtde, franka",

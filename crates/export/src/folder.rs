@@ -38,8 +38,8 @@ impl ExportFolder {
     /// # Errors
     /// When a file would be replaced that is not from an earlier export, or one cannot be written. The earlier export then still
     /// stands, or the next export into the folder finishes this one.
-    pub fn fill(self, files: &[(&str, Vec<u8>)]) -> Result<(), PlannerError> {
-        self.require_free(files.iter().map(|(name, _)| *name))?;
+    pub fn fill(self, files: &[(String, Vec<u8>)]) -> Result<(), PlannerError> {
+        self.require_free(files.iter().map(|(name, _)| name.as_str()))?;
         self.work.discard()?;
         for (name, content) in files {
             write_file(&self.work.whole().join(name), content)?;

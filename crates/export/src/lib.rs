@@ -1,4 +1,5 @@
-//! Exports of a plan for robots: the reference in their frames and at their rate, gains, limits, and players.
+//! Exports of a plan for robots: the reference in their frames and at their rate, gains, limits, and players; and models of its
+//! scene for simulators.
 //!
 //! A plan describes the part in the world. A robot moves its tool in the frame of its base: [`Frames`] transfers poses, twists,
 //! wrenches and gains from the one to the other, [`SmoothReference`] makes velocities continuous, [`resample`] gives the
@@ -14,6 +15,7 @@
 //! | `README.md` | how to check and run it | `readme`, `players/TARGET/README.md` |
 //! | `plan.script` | a controller in URScript with the reference in it | `urscript` |
 //! | `*.py` | the player | `players/shared`, `players/TARGET` |
+//! | `plan.xml`, `plan.sdf`, `plan.usda` | a model for simulators | `model`, `models/TARGET.md` |
 //!
 //! Players are Python, as the libraries of the manufacturers are. They hold no numbers of a plan: they read `plan.json` and
 //! `trajectory.csv`. The modules in `players/shared` are the same for all robots; a target adds the communication with its robot.
@@ -26,6 +28,7 @@ mod folder;
 mod frames;
 mod free;
 mod joints;
+mod model;
 mod readme;
 mod smooth;
 mod target;

@@ -36,11 +36,27 @@ pub enum Target {
     Ros2,
     /// A player for robots that take position corrections over UDP.
     Correction,
+    /// A model for MuJoCo that plays the plan.
+    Mjcf,
+    /// A model in SDF.
+    Sdf,
+    /// A model in OpenUSD.
+    Usd,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 6] = [Self::Csv, Self::UrRtde, Self::Franka, Self::UrScript, Self::Ros2, Self::Correction];
+    pub const ALL: [Self; 9] = [
+        Self::Csv,
+        Self::UrRtde,
+        Self::Franka,
+        Self::UrScript,
+        Self::Ros2,
+        Self::Correction,
+        Self::Mjcf,
+        Self::Sdf,
+        Self::Usd,
+    ];
 
     /// Its name on the command line.
     pub fn name(self) -> &'static str {
@@ -51,6 +67,9 @@ impl Target {
             Self::UrScript => "urscript",
             Self::Ros2 => "ros2",
             Self::Correction => "correction",
+            Self::Mjcf => "mjcf",
+            Self::Sdf => "sdf",
+            Self::Usd => "usd",
         }
     }
 
@@ -59,12 +78,17 @@ impl Target {
         Self::ALL.into_iter().find(|target| target.name() == name)
     }
 
+    /// Whether it is a model for simulators, not for a robot.
+    pub fn is_model(self) -> bool {
+        matches!(self, Self::Mjcf | Self::Sdf | Self::Usd)
+    }
+
     /// Number of joints of the arms that it can move, if it matters: these need an arm in the scene.
     pub fn joints(self) -> Option<usize> {
         match self {
             Self::UrRtde | Self::UrScript => Some(6),
             Self::Franka => Some(7),
-            Self::Csv | Self::Ros2 | Self::Correction => None,
+            Self::Csv | Self::Ros2 | Self::Correction | Self::Mjcf | Self::Sdf | Self::Usd => None,
         }
     }
 
@@ -72,14 +96,14 @@ impl Target {
     pub fn torque_step(self) -> Option<f64> {
         match self {
             Self::Franka => Some(1.0),
-            Self::Csv | Self::UrRtde | Self::UrScript | Self::Ros2 | Self::Correction => None,
+            _ => None,
         }
     }
 
     /// The files of its player.
     pub(crate) fn player(self) -> Vec<File> {
         let own: &[File] = match self {
-            Self::Csv => return Vec::new(),
+            Self::Csv | Self::Mjcf | Self::Sdf | Self::Usd => return Vec::new(),
             Self::UrScript => &[("receive.py", include_str!("../players/urscript/receive.py"))],
             Self::UrRtde => &[
                 ("play.py", include_str!("../players/ur_rtde/play.py")),
@@ -113,6 +137,9 @@ impl Target {
             Self::UrScript => include_str!("../players/urscript/README.md"),
             Self::Ros2 => include_str!("../players/ros2/README.md"),
             Self::Correction => include_str!("../players/correction/README.md"),
+            Self::Mjcf => include_str!("../models/mjcf.md"),
+            Self::Sdf => include_str!("../models/sdf.md"),
+            Self::Usd => include_str!("../models/usd.md"),
         }
     }
 }

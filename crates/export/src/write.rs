@@ -8,6 +8,7 @@ use store::{RESULT, StoredPlan, read_bytes, require_folder};
 use crate::document::{Document, Exported};
 use crate::folder::{ExportFolder, SUMS};
 use crate::frames::Frames;
+use crate::model::{Content, Model};
 use crate::readme::readme;
 use crate::smooth::SmoothReference;
 use crate::target::Target;
@@ -62,10 +63,14 @@ pub struct Written {
 pub fn write(request: &Request) -> Result<Written, PlannerError> {
     let plan = StoredPlan::open(request.plan)?;
     let problem = plan.problem()?;
+    let target = request.out.map_or_else(|| plan.folder.join("export").join(request.target.name()), Path::to_owned);
+    require_interface(&plan, problem.scene(), request.target)?;
+    if request.target.is_model() {
+        require_folder(&target)?;
+        return fill(target, &Model::new(&plan, &problem)?.files(request.target)?, Vec::new());
+    }
     require_done(&plan, request.anyway)?;
     require_arm(&plan, problem.scene(), request.target)?;
-    require_interface(&plan, problem.scene(), request.target)?;
-    let target = request.out.map_or_else(|| plan.folder.join("export").join(request.target.name()), Path::to_owned);
     require_folder(&target)?;
 
     let (reference, frames) = (plan.reference()?, Frames::of(problem.scene()));
@@ -80,21 +85,25 @@ pub fn write(request: &Request) -> Result<Written, PlannerError> {
     require_smooth(&plan, &document, request)?;
 
     let json = serde_json::to_vec_pretty(&document).map_err(|_| PlannerError::Internal("plan.json"))?;
-    let mut files: Vec<(&str, Vec<u8>)> = vec![
-        (DOCUMENT, json),
-        (TRAJECTORY, trajectory_csv(&states, request.rate)?),
-        (WRENCH, wrench_csv(&plan, &frames)?),
-        (README, readme(&document, request.target).into_bytes()),
+    let named = |name: &str, content: Vec<u8>| (name.to_owned(), content);
+    let mut files = vec![
+        named(DOCUMENT, json),
+        named(TRAJECTORY, trajectory_csv(&states, request.rate)?),
+        named(WRENCH, wrench_csv(&plan, &frames)?),
+        named(README, readme(&document, request.target).into_bytes()),
     ];
     if let (Target::UrScript, Some(arm)) = (request.target, &document.arm) {
-        files.push((SCRIPT, script(&document, arm, &smooth, &frames).into_bytes()));
+        files.push(named(SCRIPT, script(&document, arm, &smooth, &frames).into_bytes()));
     }
-    files.extend(request.target.player().into_iter().map(|(name, text)| (name, text.as_bytes().to_vec())));
+    files.extend(request.target.player().into_iter().map(|(name, text)| named(name, text.as_bytes().to_vec())));
+    fill(target, &files, document.warnings)
+}
 
-    let folder = ExportFolder::claim(&target)?;
-    folder.fill(&files)?;
-    let names = files.iter().map(|(name, _)| *name).chain([SUMS]).map(str::to_owned).collect();
-    Ok(Written { folder: target, files: names, remarks: document.warnings })
+/// Puts the files of an export into their folder.
+fn fill(folder: PathBuf, files: &[Content], remarks: Vec<String>) -> Result<Written, PlannerError> {
+    ExportFolder::claim(&folder)?.fill(files)?;
+    let names = files.iter().map(|(name, _)| name.clone()).chain([SUMS.to_owned()]).collect();
+    Ok(Written { folder, files: names, remarks })
 }
 
 fn hash_of_result(plan: &StoredPlan) -> Result<String, PlannerError> {
@@ -148,7 +157,10 @@ fn require_interface(plan: &StoredPlan, scene: &scene::Scene, target: Target) ->
     let suits = match target {
         Target::Csv => true,
         Target::UrRtde => interface != Some(false),
-        Target::Franka | Target::UrScript | Target::Ros2 => interface.is_none(),
+        // A model follows on the springs of torque control.
+        Target::Franka | Target::UrScript | Target::Ros2 | Target::Mjcf | Target::Sdf | Target::Usd => {
+            interface.is_none()
+        }
         Target::Correction => interface == Some(false),
     };
     if suits {

@@ -187,6 +187,15 @@ impl Arm {
         &self.joints
     }
 
+    /// Inertia of each link in its own frame, with everything that is fixed to it; that of the last one includes the part.
+    pub fn link_inertias(&self) -> Vec<RigidInertia> {
+        let mut inertias: Vec<RigidInertia> = self.joints.iter().map(|joint| joint.link_inertia).collect();
+        if let Some(last) = inertias.last_mut() {
+            *last = last.joined(&self.payload.seen_from(&self.part_frame()));
+        }
+        inertias
+    }
+
     /// Frame of the tip in that of the last moving link.
     pub fn tip_frame(&self) -> Isometry3<f64> {
         nalgebra::convert(self.tip)

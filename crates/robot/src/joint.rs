@@ -51,7 +51,7 @@ pub enum JointKind {
 
 impl Joint {
     /// Frame of the joint's link at a position (rad or m), in the frame of the link before.
-    pub(crate) fn link_frame(&self, position: f64) -> IsometryMatrix3<f64> {
+    pub fn link_frame(&self, position: f64) -> IsometryMatrix3<f64> {
         self.before * self.kind.motion(&self.axis, position)
     }
 
