@@ -1,4 +1,4 @@
-"""Plays plans of `assembly-plan solve` through MuJoCo and prints how often they succeed.
+"""Plays plans of `assembly-plan solve` through MuJoCo or Drake and prints how often they succeed.
 
 The body moves freely, driven by the impedance wrench alone, with errors of the part in the gripper (body frame) that
 are injected as in the plan: the body starts displaced and rotated by the error, which the controller does not measure.
@@ -10,6 +10,7 @@ joint torques that are computed every control period.
 
 import argparse
 
+from lab import environment
 from lab.validation import arguments as flags
 
 PACKAGES = ("mujoco", "numpy")
@@ -19,6 +20,7 @@ Exit codes: 0 done, 1 the self-test failed, 2 wrong input or usage, 3 anything e
 Examples:
   scripts/lab validate out/peg1-1 --position-tolerance 0.005 --friction 0,0.1,0.3
   scripts/lab validate out/clamp1-* --magnitude 0mm,2mm,4mm,5mm --jobs 2 --csv clamp1.csv
+  scripts/lab validate out/peg1-1 --engine drake --contact-stiffness 5e4
   scripts/lab validate out/peg1-1 --arm --rotation-error 0.02
   scripts/lab validate out/peg1-1 --arm --robot examples/arms/six.toml --gain-factor 8.5"""
 
@@ -30,7 +32,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Runs what the command line asks for; returns the exit code."""
+    flags.check(arguments)
+    if arguments.engine == "drake":
+        environment.enter(("drake", *PACKAGES))
     from lab.validation import play
 
-    flags.check(arguments)
     return play.run(arguments)

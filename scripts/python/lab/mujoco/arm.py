@@ -6,9 +6,10 @@ import mujoco
 import numpy as np
 
 from lab.errors import InputError
+from lab.mujoco.control import GraspError, State, impedance_wrench
 from lab.mujoco.inverse_kinematics import configuration_at
 from lab.mujoco.plans import Plan
-from lab.mujoco.rollout import GraspError, Player, State, impedance_wrench
+from lab.mujoco.rollout import Player
 from lab.mujoco.rotations import quaternion_of, rotation_matrix
 from lab.mujoco.world import clearance
 

@@ -8,8 +8,9 @@ import math
 import mujoco
 import numpy as np
 
+from lab.mujoco.control import GraspError, State
 from lab.mujoco.plans import Plan, PositionRobot
-from lab.mujoco.rollout import FreePlayer, GraspError, State
+from lab.mujoco.rollout import FreePlayer
 from lab.mujoco.rotations import quaternion_of, rotation_matrix
 
 # A critically damped servo is 3 dB down at this frequency, in its natural frequency.
@@ -27,8 +28,8 @@ class PositionPlayer(FreePlayer):
         self.share = -math.expm1(-2 * math.pi * robot.cutoff * self.time_step)
         stiffness = robot.contact_stiffness
         self.spring = (stiffness, stiffness * robot.lever**2)
-        inertia = float(np.diag(self.body.inertia).mean())
-        self.damper = (2 * math.sqrt(stiffness * self.body.mass), 2 * math.sqrt(self.spring[1] * inertia))
+        inertia = float(np.diag(plan.free_body.inertia).mean())
+        self.damper = (2 * math.sqrt(stiffness * plan.free_body.mass), 2 * math.sqrt(self.spring[1] * inertia))
 
     def begin(self, samples: list[State], grasp_error: GraspError) -> None:
         super().begin(samples, grasp_error)
@@ -77,7 +78,7 @@ class PositionPlayer(FreePlayer):
         """The spring pulls at the believed origin; the sensor measures what it passes on, about that point."""
         data = self.data
         rotation = rotation_matrix(data.qpos[3:7])
-        lever = rotation @ np.array(self.offset)
+        lever = rotation @ np.array(self.control.offset)
         spin = rotation @ data.qvel[3:]
         stretch = self.flange[0] - data.qpos[:3] - lever
         velocity = data.qvel[:3] + np.cross(spin, lever)

@@ -19,8 +19,8 @@ from exported_plan import ToolState
 from failures import Stopped
 from guards import Guards, Limits, Measurement
 from kinematics import Pose
+from lab.mujoco.control import impedance_wrench
 from lab.mujoco.plans import Impedance, damping_matrix
-from lab.mujoco.rollout import impedance_wrench
 from lab.players import no_numbers
 from lab.players.seal import seal
 from lab.players.simulated_arm import SimulatedArm, Task

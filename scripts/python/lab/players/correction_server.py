@@ -15,7 +15,7 @@ import numpy as np
 from lab.mujoco import world
 from lab.mujoco.plans import FreeBody, PositionRobot
 from lab.mujoco.position_robot import PositionPlayer
-from lab.mujoco.rollout import GraspError
+from lab.mujoco.control import GraspError
 from lab.mujoco.rotations import rotation_matrix
 from lab.paths import SCENES
 from lab.players import simulated_arm

@@ -15,8 +15,8 @@ import numpy as np
 import rotations
 from lab.mujoco import arm_world, robots
 from lab.mujoco.arm import ArmPlayer
+from lab.mujoco.control import GraspError
 from lab.mujoco.plans import FreeBody, Impedance, Plan, Reference
-from lab.mujoco.rollout import GraspError
 from lab.mujoco.rotations import rotation_matrix
 from lab.mujoco.shapes import part_vertices
 from lab.mujoco.world import Contact

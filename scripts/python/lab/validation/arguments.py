@@ -1,4 +1,4 @@
-"""Command line of the validation in MuJoCo."""
+"""Command line of the validation in other simulators."""
 
 import argparse
 import functools
@@ -50,7 +50,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add("--angle-tolerance", type=positive(float), metavar="RAD", help="largest final angle [default: that of `solve`]")
     add("--settling-time", type=positive(float), default=1.0, metavar="S", help="rest before judging [default: 1 s]")
-    add("--time-step", type=positive(float), default=0.0005, metavar="S", help="of the simulation [default: 0.0005 s]")
+    add(
+        "--engine",
+        choices=("mujoco", "drake"),
+        default="mujoco",
+        help="simulator; drake plays free bodies [default: %(default)s]",
+    )
+    add(
+        "--time-step",
+        type=positive(float),
+        metavar="S",
+        help="of the simulation [default: 0.0005 s in MuJoCo, 0.00025 s in Drake]",
+    )
+    add(
+        "--contact-stiffness",
+        type=positive(float),
+        default=1e6,
+        metavar="N/M",
+        help="of each contact in Drake [default: 1e6, which is next to rigid]",
+    )
     add(
         "--baseline",
         action=argparse.BooleanOptionalAction,
@@ -81,6 +99,8 @@ def check(arguments: argparse.Namespace) -> None:
     """Refuses arguments that do not go together."""
     if not arguments.folders and not arguments.self_test:
         raise InputError("name at least one folder, or --self-test")
+    if arguments.engine == "drake" and (arguments.arm or arguments.trace):
+        raise InputError("--arm and --trace need --engine mujoco")
     optional = (arguments.robot, arguments.joint_friction)
     is_given = optional != (None, None) or arguments.gain_factor != 1 or arguments.delay > 0
     if is_given and not arguments.arm:

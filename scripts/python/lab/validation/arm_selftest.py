@@ -11,9 +11,9 @@ import numpy as np
 
 from lab.mujoco import arm_world, robots, shapes, world
 from lab.mujoco.arm import ArmPlayer
+from lab.mujoco.control import GraspError
 from lab.mujoco.inverse_kinematics import configuration_at
 from lab.mujoco.plans import Impedance, Plan, Reference, damping_matrix
-from lab.mujoco.rollout import GraspError
 from lab.mujoco.rotations import rotation_matrix, rotation_vector
 from lab.paths import ARMS
 

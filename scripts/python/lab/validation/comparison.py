@@ -8,8 +8,9 @@ import numpy as np
 
 from lab import tables
 from lab.errors import InputError
+from lab.mujoco.control import GraspError
 from lab.mujoco.plans import Plan
-from lab.mujoco.rollout import GraspError, Outcome
+from lab.mujoco.rollout import Outcome
 from lab.validation.results import Tolerance
 
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from lab import tables
 from lab.errors import InputError
+from lab.mujoco.control import GraspError
 from lab.mujoco.plans import Plan
-from lab.mujoco.rollout import GraspError
 from lab.validation.arguments import HULL_MAGNITUDES, ROUND_MAGNITUDES
 
 # Unit of a magnitude that is a length and not a fraction.

@@ -2,9 +2,9 @@
 
 import argparse
 import dataclasses
+import importlib.metadata
 from collections.abc import Iterator
 
-import mujoco
 import numpy as np
 
 from lab import tables
@@ -13,7 +13,10 @@ from lab.mujoco import plans, robots
 from lab.mujoco.plans import Plan
 from lab.mujoco.rollout import Outcome
 from lab.validation import comparison, matrix, offsets, results, selftest
-from lab.validation.rollouts import FORCE_WINDOW, PLANNED, STRAIGHT, Rollouts, Task, play_all
+from lab.validation.rollouts import DRAKE, FORCE_WINDOW, MUJOCO, PLANNED, STRAIGHT, Rollouts, Settings, Task, play_all
+
+# Time steps (s) of the engines.
+TIME_STEPS = {MUJOCO: 0.0005, DRAKE: 0.00025}
 
 
 def parse_frictions(text: str) -> list[float]:
@@ -30,8 +33,8 @@ def parse_frictions(text: str) -> list[float]:
 def load(arguments: argparse.Namespace) -> list[Plan]:
     """The plans of all folders, with the arm that plays them if one is asked for."""
     loaded = [plans.load(folder, arguments.scene) for folder in arguments.folders]
-    if arguments.turn is not None:
-        loaded = [dataclasses.replace(plan, turn=arguments.turn) for plan in loaded]
+    if arguments.rotation_error is not None:
+        loaded = [dataclasses.replace(plan, turn=arguments.rotation_error) for plan in loaded]
     return [with_arm(arguments, plan) for plan in loaded] if arguments.arm else loaded
 
 
@@ -50,9 +53,23 @@ def with_arm(arguments: argparse.Namespace, plan: Plan) -> Plan:
     return dataclasses.replace(plan, robot=robot, impedance=plan.impedance.scaled(arguments.gain_factor))
 
 
+def settings_of(arguments: argparse.Namespace) -> Settings:
+    """How the arguments say to play."""
+    time_step = arguments.time_step or TIME_STEPS[arguments.engine]
+    return Settings(time_step, arguments.settling_time, arguments.engine, arguments.contact_stiffness)
+
+
+def engine_line(arguments: argparse.Namespace) -> str:
+    """Name and version of the engine."""
+    version = importlib.metadata.version(arguments.engine)
+    if arguments.engine == MUJOCO:
+        return f"MuJoCo {version}"
+    return f"Drake {version}, contacts of {arguments.contact_stiffness:g} N/m"
+
+
 def play_asked(arguments: argparse.Namespace, plan: Plan, tasks: list[Task]) -> Iterator[Outcome]:
     """Plays motions of one plan as the arguments say."""
-    return play_all(plan, arguments.time_step, arguments.settling_time, arguments.jobs, tasks)
+    return play_all(plan, settings_of(arguments), arguments.jobs, tasks)
 
 
 def validate(
@@ -87,7 +104,7 @@ def write_trace(arguments: argparse.Namespace) -> None:
     plan = load(arguments)[0]
     grasp_error = cells_of(arguments, plan)[0].grasp_errors()[0]
     friction = parse_frictions(arguments.friction)[0]
-    rows = Rollouts(plan, arguments.time_step, arguments.settling_time).trace(friction, grasp_error)
+    rows = Rollouts(plan, settings_of(arguments)).trace(friction, grasp_error)
     tables.write(arguments.trace, [plans.TIME_COLUMN, *plans.STATE_COLUMNS], rows)
     x, y, z = 1e3 * grasp_error.offset
     print(f"{arguments.trace}: {plan.title}, friction {friction:g}, offset ({x:g} {y:g} {z:g}) mm")
@@ -117,13 +134,14 @@ def print_tables(arguments: argparse.Namespace) -> None:
     if arguments.csv and not arguments.csv.absolute().parent.is_dir():
         raise InputError(f"--csv {arguments.csv}: the folder {arguments.csv.parent} does not exist; make it first")
     loaded = load(arguments)
-    settings = (arguments.time_step, arguments.settling_time)
-    clearances = [Rollouts(plan, *settings).player(0.0).goal_clearance() for plan in loaded]
+    # Distances are those of MuJoCo in any case.
+    measuring = dataclasses.replace(settings_of(arguments), engine=MUJOCO)
+    clearances = [Rollouts(plan, measuring).player(0.0).goal_clearance() for plan in loaded]
     tolerance = tolerance_of(arguments, loaded)
     print(
         f"Success: within {1e3 * tolerance.position:g} mm and {tolerance.angle:g} rad of the goal, "
         f"{arguments.settling_time:g} s after the end of the reference; intervals of 95 % (Wilson). "
-        f"MuJoCo {mujoco.__version__}, steps of {1e3 * arguments.time_step:g} ms.\n",
+        f"{engine_line(arguments)}, steps of {1e3 * settings_of(arguments).time_step:g} ms.\n",
         flush=True,
     )
     for plan in loaded if arguments.arm else []:
@@ -156,7 +174,7 @@ def arm_line(plan: Plan) -> str:
 def run(arguments: argparse.Namespace) -> int:
     """Runs what the command line asks for; returns the exit code."""
     if arguments.self_test:
-        return 0 if selftest.run() else 1
+        return 0 if selftest.run(arguments.engine) else 1
     if arguments.trace:
         write_trace(arguments)
     elif arguments.compare:

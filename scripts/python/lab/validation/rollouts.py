@@ -1,38 +1,58 @@
 """The motions of a plan, played by one process or by several."""
 
+import dataclasses
 import multiprocessing
 import signal
 from collections.abc import Iterator
 
 from lab.mujoco import arm_world, world
 from lab.mujoco.arm import ArmPlayer
+from lab.mujoco.control import GraspError
 from lab.mujoco.plans import Plan
 from lab.mujoco.position_robot import PositionPlayer
-from lab.mujoco.rollout import FreePlayer, GraspError, Outcome, Player
+from lab.mujoco.rollout import FreePlayer, Outcome, Player
 
+MUJOCO, DRAKE = "mujoco", "drake"
 PLANNED, STRAIGHT = "plan", "straight push"
 # Time over which contact forces are averaged (s).
 FORCE_WINDOW = 0.01
 
 
+@dataclasses.dataclass(frozen=True)
+class Settings:
+    """How motions are played: steps and rest (s), engine, and stiffness of its contacts (N/m), which only Drake has."""
+
+    time_step: float
+    settling_time: float
+    engine: str
+    contact_stiffness: float
+
+
 class Rollouts:
     """Plays the motions of one plan; every process makes its own models."""
 
-    def __init__(self, plan: Plan, time_step: float, settling_time: float) -> None:
+    def __init__(self, plan: Plan, settings: Settings) -> None:
         self.plan = plan
-        self.time_step = time_step
+        self.settings = settings
         references = {PLANNED: plan.reference, STRAIGHT: plan.straight()}
         self.samples = {
-            motion: reference.sample(time_step, settling_time).tolist() for motion, reference in references.items()
+            motion: reference.sample(settings.time_step, settings.settling_time).tolist()
+            for motion, reference in references.items()
         }
         self.players: dict[float, Player] = {}
 
     def player(self, friction: float) -> Player:
         """The simulation at a friction, made on first use."""
         if friction not in self.players:
-            contact = world.Contact(friction, self.time_step)
-            window = max(1, round(FORCE_WINDOW / self.time_step))
-            if self.plan.robot:
+            contact = world.Contact(friction, self.settings.time_step)
+            window = max(1, round(FORCE_WINDOW / self.settings.time_step))
+            if self.settings.engine == DRAKE:
+                # Only this engine needs the package.
+                from lab.drake.player import DrakePlayer
+
+                stiffness = self.settings.contact_stiffness
+                self.players[friction] = DrakePlayer(self.plan, contact, stiffness, FORCE_WINDOW)
+            elif self.plan.robot:
                 self.players[friction] = ArmPlayer(arm_world.build(self.plan, contact), self.plan, window)
             elif self.plan.position_robot:
                 model = world.build(self.plan, contact)
@@ -58,10 +78,10 @@ class Rollouts:
 ROLLOUTS: list[Rollouts] = []
 
 
-def initialise(plan: Plan, time_step: float, settling_time: float) -> None:
+def initialise(plan: Plan, settings: Settings) -> None:
     """Prepares a process; Ctrl-C is for the one that started it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    ROLLOUTS[:] = [Rollouts(plan, time_step, settling_time)]
+    ROLLOUTS[:] = [Rollouts(plan, settings)]
 
 
 # Motion, friction and grasp error.
@@ -73,7 +93,7 @@ def run(task: Task) -> Outcome:
     return ROLLOUTS[0].play(*task)
 
 
-def play_all(plan: Plan, time_step: float, settling_time: float, jobs: int, tasks: list[Task]) -> Iterator[Outcome]:
+def play_all(plan: Plan, settings: Settings, jobs: int, tasks: list[Task]) -> Iterator[Outcome]:
     """Plays motions of one plan in some processes; outcomes come in the order of the tasks."""
-    with multiprocessing.Pool(jobs, initialise, (plan, time_step, settling_time)) as pool:
+    with multiprocessing.Pool(jobs, initialise, (plan, settings)) as pool:
         yield from pool.imap(run, tasks, chunksize=1)

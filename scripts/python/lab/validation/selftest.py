@@ -1,6 +1,7 @@
 """Checks of the validation against solutions that are known."""
 
 import dataclasses
+import functools
 import math
 import pathlib
 import tempfile
@@ -9,11 +10,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from lab.mujoco import shapes, world
+from lab.mujoco.control import GraspError, displaced
 from lab.mujoco.plans import FreeBody, Impedance, Plan, Reference, damping_matrix
-from lab.mujoco.rollout import ContactRecord, FreePlayer, GraspError, displaced
+from lab.mujoco.rollout import ContactRecord, FreePlayer
 from lab.mujoco.rotations import rotation_vector, slerp
-from lab.validation import arm_selftest, results
+from lab.validation import arm_selftest, contact_cases, results
 from lab.validation.offsets import cells
+from lab.validation.rollouts import MUJOCO
 
 TIME_STEP = 0.0005
 # Steps over which forces are averaged.
@@ -30,21 +33,11 @@ TURNED = [0.5, 0.5, -0.5, 0.5]
 Check = tuple[str, float, float]
 
 
-def run() -> bool:
-    """Prints every check and returns whether all hold."""
+def run(engine: str) -> bool:
+    """Prints every check of an engine and returns whether all hold."""
     good = True
-    for check in (
-        free_motion,
-        offset_in_free_motion,
-        turn_in_free_motion,
-        free_spin,
-        even_turn,
-        sliding,
-        shape_forms,
-        interpolation,
-        statistics,
-        whole_arms,
-    ):
+    own = MUJOCO_CHECKS if engine == MUJOCO else ()
+    for check in (functools.partial(contact_cases.checks, example(), engine), *own):
         for name, error, tolerance in check():
             verdict = "ok" if error <= tolerance else "FAILED"
             good = good and error <= tolerance
@@ -312,3 +305,17 @@ def statistics() -> Iterator[Check]:
         yield f"share near the centre of a {coverage}", abs(np.mean(lengths[0] < 0.5 ** (1 / dimension)) - 0.5), 0.04
         along = max(np.abs(cell.offsets @ axis).max() for cell in (inside, rim))
         yield f"offsets of a {coverage} along the insertion, m", abs(along - (0.0 if dimension == 2 else 0.02)), 1e-3
+
+
+MUJOCO_CHECKS = (
+    free_motion,
+    offset_in_free_motion,
+    turn_in_free_motion,
+    free_spin,
+    even_turn,
+    sliding,
+    shape_forms,
+    interpolation,
+    statistics,
+    whole_arms,
+)

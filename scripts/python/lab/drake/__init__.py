@@ -1,0 +1,1 @@
+"""Plans of free bodies in Drake."""
