@@ -18,7 +18,8 @@ pub fn escaped(text: &str) -> String {
 
 /// Text for a comment, which must not contain two hyphens.
 pub fn comment(text: &str) -> String {
-    format!("<!-- {} -->", text.replace("--", "- -").trim_end_matches('-'))
+    // Of three in a row, the first replacement leaves two.
+    format!("<!-- {} -->", text.replace("--", "- -").replace("--", "- -"))
 }
 
 #[cfg(test)]
@@ -28,7 +29,7 @@ mod tests {
     #[test]
     fn names_are_no_markup() {
         assert_eq!(escaped(r#"a<b>&"c'"#), "a&lt;b&gt;&amp;&quot;c&apos;");
-        assert_eq!(comment("a --> b-"), "<!-- a - -> b -->");
-        assert_eq!(comment("a---"), "<!-- a - -->");
+        assert_eq!(comment("a --> b-"), "<!-- a - -> b- -->");
+        assert_eq!(comment("a---"), "<!-- a- - - -->");
     }
 }
