@@ -13,9 +13,9 @@ import mujoco
 import numpy as np
 
 from lab.mujoco import world
+from lab.mujoco.control import GraspError
 from lab.mujoco.plans import FreeBody, PositionRobot
 from lab.mujoco.position_robot import PositionPlayer
-from lab.mujoco.control import GraspError
 from lab.mujoco.rotations import rotation_matrix
 from lab.paths import SCENES
 from lab.players import simulated_arm

@@ -16,7 +16,6 @@ from lab.validation.rollouts import Rollouts, Settings
 Check = tuple[str, float, float]
 
 TIME_STEP = 0.00025
-CONTACT_STIFFNESS = 1e6
 FRICTION = 0.3
 MASS = 1.0
 EDGE = 0.04
@@ -42,7 +41,7 @@ def player(example: Plan, engine: str, body: list[np.ndarray], environment: list
     plan = dataclasses.replace(
         example, body=body, environment=environment, free_body=FreeBody(MASS, np.zeros(3), moments), impedance=gains
     )
-    return Rollouts(plan, Settings(TIME_STEP, 1.0, engine, CONTACT_STIFFNESS)).player(FRICTION)
+    return Rollouts(plan, Settings(TIME_STEP, 1.0, engine)).player(FRICTION)
 
 
 def box(edges: list[float], position: list[float], orientation: list[float] = IDENTITY) -> np.ndarray:

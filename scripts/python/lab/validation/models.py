@@ -99,7 +99,7 @@ def end(plan: Plan, friction: float) -> list[float]:
     """Where a motion without errors ends in the simulation of `validate`, whose model and controller are others."""
     if plan.free_body is None:
         plan = dataclasses.replace(plan, robot=without_friction(robots.read(plan.folder / "resolved.toml")))
-    rollouts = Rollouts(plan, Settings(TIME_STEP, 1.0, MUJOCO, np.inf))
+    rollouts = Rollouts(plan, Settings(TIME_STEP, 1.0, MUJOCO))
     rollouts.play(PLANNED, friction, GraspError(np.zeros(3), np.zeros(3)))
     return rollouts.player(friction).state()
 

@@ -18,6 +18,10 @@ PLANNED, STRAIGHT = "plan", "straight push"
 FORCE_WINDOW = 0.01
 
 
+# Stiffness (N/m) of contacts next to rigid: 20 N are 0.02 mm.
+RIGID = 1e6
+
+
 @dataclasses.dataclass(frozen=True)
 class Settings:
     """How motions are played: steps and rest (s), engine, and stiffness of its contacts (N/m), which only Drake has."""
@@ -25,7 +29,7 @@ class Settings:
     time_step: float
     settling_time: float
     engine: str
-    contact_stiffness: float
+    contact_stiffness: float = RIGID
 
 
 class Rollouts:
