@@ -63,7 +63,7 @@ pub(crate) enum Holder {
     /// Nothing but the impedance of the task: the body moves freely.
     Impedance,
     /// An arm, and its joint positions at the task's start.
-    Arm(ArmModel, JointVector),
+    Arm(Box<ArmModel>, JointVector),
     /// A robot that is commanded by position or force.
     Position(Box<PositionRobot>),
 }
@@ -125,7 +125,7 @@ impl Rollout {
         self.settings.validate()?;
         let start = model.start(&self.task)?;
         self.settings.time_step = self.settings.divide(model.control_period).0;
-        self.holder = Holder::Arm(model.clone(), start);
+        self.holder = Holder::Arm(Box::new(model.clone()), start);
         Ok(self)
     }
 

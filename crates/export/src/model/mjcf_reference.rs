@@ -57,10 +57,10 @@ impl MovingReference {
              group=\"4\"/>\n"
         );
         for (axis, joint) in JOINTS.iter().enumerate() {
-            let _ = write!(
+            let _ = writeln!(
                 tendons,
                 "    <fixed name=\"reference/{joint}\"><joint joint=\"reference/clock\" coef=\"1\"/>\
-                 <joint joint=\"reference/{joint}\" coef=\"{SHARE}\"/></fixed>\n"
+                 <joint joint=\"reference/{joint}\" coef=\"{SHARE}\"/></fixed>"
             );
             let knots: Vec<f64> = coordinates.iter().map(|knot| knot[axis]).collect();
             for (index, ramp) in ramps(&knots, reference.time_step()).iter().enumerate() {
