@@ -98,8 +98,8 @@ class Reference:
 
 @dataclasses.dataclass(frozen=True)
 class PositionRobot:
-    """A robot that is commanded by position: period and delay (s), bandwidth and cutoff (Hz), virtual mass, damping and stiffness of
-    translations and rotations, contact stiffness (N/m) and its lever (m)."""
+    """A robot that is commanded by position: period and delay (s), bandwidth and cutoff (Hz), virtual mass, damping and
+    stiffness of translations and rotations, contact stiffness (N/m) and its lever (m)."""
 
     period: float
     delay: float

@@ -1,6 +1,6 @@
-"""A robot that is commanded by position, with an admittance law, in MuJoCo. The law is the one that the documentation of the admittance
-controller of ros2_controllers states: deviations from the reference obey a mass, a damper and a spring under the measured wrench, are
-integrated explicitly, and are added to the reference."""
+"""A robot that is commanded by position, with an admittance law, in MuJoCo. The law is the one that the documentation of
+the admittance controller of ros2_controllers states: deviations from the reference obey a mass, a damper and a spring under
+the measured wrench, are integrated explicitly, and are added to the reference."""
 
 import collections
 import math
@@ -18,7 +18,8 @@ CRITICAL_BANDWIDTH = math.sqrt(math.sqrt(2) - 1)
 
 
 class PositionPlayer(FreePlayer):
-    """The part on a spring of the contact stiffness at the flange, which follows commanded poses however hard it is pushed."""
+    """The part on a spring of the contact stiffness at the flange, which follows commanded poses however hard it is
+    pushed."""
 
     def __init__(self, model: mujoco.MjModel, plan: Plan, window: int, robot: PositionRobot) -> None:
         super().__init__(model, plan, window)
@@ -32,6 +33,7 @@ class PositionPlayer(FreePlayer):
         self.damper = (2 * math.sqrt(stiffness * plan.free_body.mass), 2 * math.sqrt(self.spring[1] * inertia))
 
     def begin(self, samples: list[State], grasp_error: GraspError) -> None:
+        """Also puts flange and law at rest where the robot believes the part."""
         super().begin(samples, grasp_error)
         self.turned = quaternion_of(grasp_error.turn)
         pose = self.believed(np.array(samples[0]))
@@ -48,6 +50,7 @@ class PositionPlayer(FreePlayer):
         return reference[:3], rotation_matrix(reference[3:7]) @ rotation_matrix(self.turned).T
 
     def advance(self, step: int, reference: State) -> None:
+        """One time step: law, servo, spring."""
         if step % self.every == 0:
             self.sample(np.array(reference))
         self.commands.append(self.command)
@@ -59,8 +62,8 @@ class PositionPlayer(FreePlayer):
         """One sample of the law, in the axes of the world."""
         robot, period = self.robot, self.robot.period
         for part in range(2):
-            force = self.wrench[part] - robot.damping[part] * self.rates[part] - robot.stiffness[part] * self.deviation[part]
-            self.rates[part] = self.rates[part] + period * force / robot.mass[part]
+            held = robot.damping[part] * self.rates[part] + robot.stiffness[part] * self.deviation[part]
+            self.rates[part] = self.rates[part] + period * (self.wrench[part] - held) / robot.mass[part]
             self.deviation[part] = self.deviation[part] + period * self.rates[part]
         position, rotation = self.believed(reference)
         self.command = position + self.deviation[0], rotation_of(self.deviation[1]) @ rotation

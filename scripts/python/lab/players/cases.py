@@ -114,7 +114,14 @@ def corrections() -> list[Case]:
     calm = ("--longest-silence", "5")
     flags = ("--skip-self-test", *calm)
     cases = [
-        Case(f"correction corner {number}", "correction", "corner", inserts=True, flags=flags, simulation={"offset": offset})
+        Case(
+            f"correction corner {number}",
+            "correction",
+            "corner",
+            inserts=True,
+            flags=flags,
+            simulation={"offset": offset},
+        )
         for number, offset in enumerate(OFFSETS["corner"], 1)
     ]
     displaced = {"displaced": 0.005}

@@ -1,5 +1,5 @@
-"""A robot that is commanded by position and takes corrections over UDP, as a stand-in: the part on a stiff spring at its flange, in MuJoCo.
-It sends its state, waits for the answer, and moves for a cycle. Without answers it stops."""
+"""A stand-in of a robot that is commanded by position and takes corrections over UDP: the part on a stiff spring at its
+flange, in MuJoCo. It sends its state, waits for the answer, and moves for a cycle. Without answers it stops."""
 
 import json
 import os
