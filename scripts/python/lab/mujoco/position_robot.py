@@ -1,6 +1,6 @@
-"""A robot that is commanded by position, with an admittance law, in MuJoCo. The law is the one that the documentation of
-the admittance controller of ros2_controllers states: deviations from the reference obey a mass, a damper and a spring under
-the measured wrench, are integrated explicitly, and are added to the reference."""
+"""A robot that is commanded by position, with an admittance law, in MuJoCo. The law is the one that the documentation
+of the admittance controller of ros2_controllers states: deviations from the reference obey a mass, a damper and a
+spring under the measured wrench, are integrated explicitly, and are added to the reference."""
 
 import collections
 import math
