@@ -55,7 +55,7 @@ fn bash_completes_commands_flags_values_and_files() {
     assert_eq!(offers("solve scene.toml --homotopy sc"), ["scene.toml"]);
     assert_eq!(offers("new x.toml --unit "), ["m", "cm", "mm", "inch"]);
     assert_eq!(offers("new x.toml --axis "), ["x", "y", "z", "-x", "-y", "-z"]);
-    assert_eq!(offers("export out --to u"), ["ur-rtde", "urscript"]);
+    assert_eq!(offers("export out --to u"), ["ur-rtde", "urscript", "usd"]);
     assert_eq!(offers("batch run --in"), ["--index"]);
     assert_eq!(offers("generate round --cl"), ["--clearance"]);
     assert_eq!(offers("completions z"), ["zsh"]);
