@@ -1,6 +1,7 @@
 //! The admittance law in discrete time.
 
 use nalgebra::{Isometry3, Vector3};
+use task::pose::moved;
 
 use crate::gains::Gains;
 use crate::motion::Motion;
@@ -36,10 +37,10 @@ impl Controller {
         let shift = before.translation.vector - commanded.pose.translation.vector;
         let error = commanded.pose.rotation.inverse() * before.rotation;
         let rotation = error.imag() * (2.0 * error.w);
-        let moved = (reference.translation.vector - before.translation.vector) / *period;
+        let velocity_of_reference = (reference.translation.vector - before.translation.vector) / *period;
         let rotated = (before.rotation.inverse() * reference.rotation).scaled_axis() / *period;
         *before = *reference;
-        let velocity = self.gains.answer(0, *period, commanded.velocity, moved, shift, force);
+        let velocity = self.gains.answer(0, *period, commanded.velocity, velocity_of_reference, shift, force);
         let angular = self.gains.answer(1, *period, commanded.angular_velocity, rotated, rotation, torque);
         let within = |part: usize, before: Vector3<f64>, after: Vector3<f64>| {
             let change = (after - before).cap_magnitude(self.limits.acceleration[part] * *period);
@@ -47,7 +48,8 @@ impl Controller {
         };
         commanded.velocity = within(0, commanded.velocity, velocity);
         commanded.angular_velocity = within(1, commanded.angular_velocity, angular);
-        commanded.pose = commanded.moved(&(commanded.velocity * *period), &(commanded.angular_velocity * *period));
+        commanded.pose =
+            moved(&commanded.pose, &(commanded.velocity * *period), &(commanded.angular_velocity * *period));
         commanded.pose
     }
 }

@@ -1,6 +1,6 @@
 //! Poses that move.
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Vector3};
 
 /// A pose and its twist.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,12 +17,5 @@ impl Motion {
     /// At rest.
     pub fn at_rest(pose: Isometry3<f64>) -> Self {
         Self { pose, velocity: Vector3::zeros(), angular_velocity: Vector3::zeros() }
-    }
-
-    /// The pose after a shift (m, world frame) and a rotation vector (rad, body frame).
-    pub(crate) fn moved(&self, shift: &Vector3<f64>, rotation: &Vector3<f64>) -> Isometry3<f64> {
-        let mut orientation = self.pose.rotation * UnitQuaternion::from_scaled_axis(*rotation);
-        orientation.renormalize_fast();
-        Isometry3::from_parts((self.pose.translation.vector + shift).into(), orientation)
     }
 }

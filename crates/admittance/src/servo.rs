@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
 use nalgebra::{Isometry3, Vector3};
+use task::pose::moved;
 
 use crate::contact_loop::CRITICAL_BANDWIDTH;
 use crate::motion::Motion;
@@ -53,7 +54,7 @@ impl Servo {
         let rotation = (motion.pose.rotation.inverse() * command.rotation).scaled_axis();
         let (shift, velocity) = approach(*rate, step, shift, motion.velocity);
         let (rotation, angular_velocity) = approach(*rate, step, rotation, motion.angular_velocity);
-        *motion = Motion { pose: motion.moved(&shift, &rotation), velocity, angular_velocity };
+        *motion = Motion { pose: moved(&motion.pose, &shift, &rotation), velocity, angular_velocity };
     }
 }
 

@@ -114,7 +114,7 @@ struct Outcome {
 /// gets every fit before it starts.
 ///
 /// # Errors
-/// When a log does not fit the scene, or no rollout can be made.
+/// When the robot is commanded by position or force, a log does not fit the scene, or no rollout can be made.
 pub fn calibrate(
     problem: &Problem,
     logs: &[Log],
@@ -122,6 +122,14 @@ pub fn calibrate(
     workers: &Workers,
     observe: &dyn Fn(Progress),
 ) -> Result<Calibration, PlannerError> {
+    if problem.scene().position_robot.is_some() {
+        return Err(PlannerError::Choice {
+            name: "robot.interface",
+            problem: "robots that are commanded by position or force are not calibrated: measure delay, bandwidth and \
+                      contact_stiffness as docs/guide/position-robots.md says"
+                .to_owned(),
+        });
+    }
     let runs: Vec<Run> = logs.iter().map(|log| Run::new(log, problem)).collect::<Result<_, _>>()?;
     let quantities = Quantity::all(problem, &runs, per_joint);
     let mut comparison = Comparison::new(problem, &runs, &quantities, workers);

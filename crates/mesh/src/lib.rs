@@ -60,6 +60,7 @@ mod foreign;
 mod gap;
 mod geometry;
 mod hull;
+mod joining;
 mod loose;
 mod mass;
 mod merge;

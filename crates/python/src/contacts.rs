@@ -109,7 +109,7 @@ impl Numbers {
 }
 
 /// Contact points (m, world frame) of some pairs at poses, of distances smoothed by `tau`: shape (K, P, 3), not numbers
-/// where there is none.
+/// without one.
 pub fn points(pairs: &[ContactPair], poses: &[[f64; POSE]], tau: f64) -> Vec<f64> {
     let of_pair = |pair: &ContactPair| {
         let mut values = vec![[f64::NAN; WITH_POINT]; poses.len()];

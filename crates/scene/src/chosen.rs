@@ -18,11 +18,10 @@ const PULL: f64 = 1.0;
 const SOFTEST: f64 = 50.0;
 const STIFFEST: f64 = 1000.0;
 /// Length of a step (s).
-pub const TIME_STEP: f64 = 0.04;
-/// Number of steps of slow plans, if they are longer than that.
-pub const SLOW_STEPS: f64 = 100.0;
-/// Most steps that are chosen.
+const TIME_STEP: f64 = 0.04;
+/// Most steps that are chosen, and with the much damping of an admittance law, which answers slowly.
 const MOST_STEPS: f64 = 1000.0;
+const SLOW_STEPS: f64 = 100.0;
 /// Shortest plan (s), and in time constants of the controlled body.
 const SHORTEST: f64 = 3.0;
 const TIME_CONSTANTS: f64 = 28.0;
@@ -60,6 +59,11 @@ pub fn duration<'start>(starts: impl Iterator<Item = &'start Pose>, goal: &Pose,
 /// of an admittance law.
 pub fn sliding_time(robot: &PositionRobot, offset_magnitude: f64) -> f64 {
     2.0 * offset_magnitude * robot.gains.damping[0] / GENTLE_FORCE
+}
+
+/// Length of a step (s) of a plan for an admittance law.
+pub fn slow_time_step(duration: f64) -> f64 {
+    TIME_STEP.max(duration / SLOW_STEPS)
 }
 
 /// A time grid of a duration (s), with the length of a step (s) or their number if these are given.

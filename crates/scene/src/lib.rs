@@ -55,7 +55,7 @@ pub use part::Part;
 pub use pose::StartPose;
 pub use range::{Range, short};
 pub use resolved::{resolved, resolved_settings, resolved_world};
-pub use robot::Robot;
+pub use robot::{LARGEST_FORCE, Robot};
 pub use scene::{RobustnessSpec, Scene};
 pub use schema::{homotopy_schema, scene_schema};
 pub use task_error::TaskError;

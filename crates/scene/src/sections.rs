@@ -101,11 +101,10 @@ pub fn horizon(
     let paths = ends.starts.iter().map(|start| &start.pose);
     let sliding = position_robot.map_or(0.0, |robot| chosen::sliding_time(robot, offset_magnitude));
     let duration = chosen::duration(paths, ends.goal, time_constant) + sliding;
-    // A law with much damping answers slowly: longer steps suffice.
-    let time_step = time_step.or_else(|| {
-        let chosen = position_robot.filter(|_| steps.is_none()).map(|_| duration / chosen::SLOW_STEPS);
-        chosen.map(|time_step| time_step.max(chosen::TIME_STEP))
-    });
+    let time_step = match (steps, position_robot) {
+        (None, Some(_)) => time_step.or(Some(chosen::slow_time_step(duration))),
+        _ => time_step,
+    };
     Ok(chosen::horizon(duration, steps, time_step))
 }
 

@@ -3,11 +3,12 @@
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 use robot::{Arm, JointMatrix, JointVector};
 use task::Impedance;
+use task::pose::moved;
 
 use crate::arm_mobility::ArmMobility;
 use crate::arm_model::ArmModel;
 use crate::arm_terms::ArmTerms;
-use crate::body::{Body, moved};
+use crate::body::Body;
 use crate::contact::{Contact, ContactFinder};
 use crate::contact_solver::ContactSolver;
 use crate::disturbance::Injection;

@@ -1,6 +1,6 @@
 //! States of the body, and how its pose moves.
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Isometry3, Vector3, Vector6};
 
 /// Pose and twist of the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,11 +44,4 @@ impl Body {
             angular_velocity: self.angular_velocity.lerp(&next.angular_velocity, fraction),
         }
     }
-}
-
-/// A pose shifted in the world frame and rotated in the body frame.
-pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, rotation: &Vector3<f64>) -> Isometry3<f64> {
-    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*rotation);
-    rotation.renormalize_fast();
-    Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
 }

@@ -1,8 +1,9 @@
 //! The velocity of the body under contacts, and the removal of penetrations.
 
 use nalgebra::{Isometry3, Vector3};
+use task::pose::moved;
 
-use crate::body::{Body, moved};
+use crate::body::Body;
 use crate::contact::{Contact, ContactFinder};
 use crate::least_distance::{Active, Cone, LeastDistance, Vector6};
 use crate::metric::Metric;

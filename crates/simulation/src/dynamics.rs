@@ -1,9 +1,10 @@
 //! One time step of the body: impedance control, contacts, motion.
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
+use task::pose::moved;
 use task::{Impedance, Inertia};
 
-use crate::body::{Body, moved};
+use crate::body::Body;
 use crate::contact::ContactFinder;
 use crate::contact_solver::ContactSolver;
 use crate::least_distance::Vector6;

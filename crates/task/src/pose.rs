@@ -123,3 +123,10 @@ pub fn interpolate(from: &Isometry3<f64>, to: &Isometry3<f64>, fraction: f64) ->
     let rotation = (from.rotation.inverse() * to.rotation).scaled_axis() * fraction;
     Isometry3::from_parts(position.into(), from.rotation * UnitQuaternion::from_scaled_axis(rotation))
 }
+
+/// A pose shifted in the world frame and rotated in the body frame.
+pub fn moved(pose: &Isometry3<f64>, shift: &Vector3<f64>, rotation: &Vector3<f64>) -> Isometry3<f64> {
+    let mut rotation = pose.rotation * UnitQuaternion::from_scaled_axis(*rotation);
+    rotation.renormalize_fast();
+    Isometry3::from_parts((pose.translation.vector + shift).into(), rotation)
+}

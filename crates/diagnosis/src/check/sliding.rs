@@ -1,9 +1,8 @@
 //! Whether a robot that is commanded by position or force yields fast enough.
 
 use plan::Problem;
+use scene::LARGEST_FORCE;
 
-/// Contact force (N) where the scene has no limit.
-const LARGEST_FORCE: f64 = 60.0;
 /// Part of the force that may shift the part against damping; the stiffness needs the rest.
 const SHARE: f64 = 0.5;
 

@@ -28,7 +28,7 @@ class Admittance:
         torque = torque - rotations.cross(part.position - measured.position, force)
         error = self.before.position - self.commanded.position
         slope = (wanted.position - self.before.position) / self.period
-        turn = sine(self.before.rotation @ self.commanded.rotation.T)
+        turn = rotations.sine(self.before.rotation @ self.commanded.rotation.T)
         turning = rotations.vector(wanted.rotation @ self.before.rotation.T) / self.period
         self.before = wanted
         self.velocity = self.answer(0, self.velocity, slope, error, force)
@@ -46,11 +46,6 @@ class Admittance:
         momentum = mass * before + period * (damping * slope + stiffness * (error + period * slope) + load)
         change = momentum / (mass + period * damping + period**2 * stiffness) - before
         return capped(before + capped(change, self.acceleration[part] * period), self.speed[part])
-
-
-def sine(rotation: np.ndarray) -> np.ndarray:
-    """The axis of a rotation times the sine of its angle: 2 eta eps of its quaternion."""
-    return np.array([rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]]) / 2
 
 
 def capped(vector: np.ndarray, most: float) -> np.ndarray:

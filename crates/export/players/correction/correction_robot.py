@@ -140,6 +140,8 @@ def connect(arguments: argparse.Namespace, plan: ExportedPlan, _: Settings) -> C
         raise InputError('this player needs a plan for a robot that is commanded by position: robot.interface = "position" in the scene')
     if not 1 <= arguments.port <= 65535:
         raise InputError(f"--port {arguments.port} must lie between 1 and 65535")
+    if arguments.damping_factor < 1:
+        raise InputError(f"--damping-factor {arguments.damping_factor:g}: with less damping than planned the law oscillates in contact")
     require_between(arguments, "longest_silence", MOST_SILENCE)
     endpoint = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:

@@ -26,9 +26,8 @@ class Impedance:
         """Force (N) and torque (Nm) about the tool point, along the axes of the base."""
         (wanted, wanted_velocity), (part, velocity) = self.of_part(reference), self.of_part(measured)
         force = self.stiffness * (wanted.position - part.position) + self.damping @ (wanted_velocity - velocity)
-        # In the frame of the part: 2 k eta eps of the quaternion from the part to its reference.
-        error = part.rotation.T @ wanted.rotation
-        turn = np.array([error[2, 1] - error[1, 2], error[0, 2] - error[2, 0], error[1, 0] - error[0, 1]]) / 2
+        # In the frame of the part.
+        turn = rotations.sine(part.rotation.T @ wanted.rotation)
         # As in the plan, both angular velocities are taken in the frame of their own part.
         slip = wanted.rotation.T @ reference.angular_velocity - part.rotation.T @ measured.angular_velocity
         torque = part.rotation @ (self.turning_stiffness * turn + self.turning_damping @ slip)

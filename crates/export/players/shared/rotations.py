@@ -39,6 +39,11 @@ def vector(rotation: np.ndarray) -> np.ndarray:
     return np.pi * axis / np.linalg.norm(axis)
 
 
+def sine(rotation: np.ndarray) -> np.ndarray:
+    """The axis of a rotation times the sine of its angle: 2 eta eps of its quaternion."""
+    return np.array([rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]]) / 2
+
+
 def of_vector(turn: np.ndarray) -> np.ndarray:
     """Rotation matrix of a rotation vector."""
     angle = math.sqrt(turn @ turn)

@@ -25,10 +25,9 @@ const PART: &str = "part";
 /// # Errors
 /// When the reference rotates too far.
 pub fn file(model: &Model) -> Result<Content, PlannerError> {
-    let shown = geoms(&model.body, "body", "class=\"shown\"");
+    let shown = geoms(&model.body, "body", "shown");
     let reference = MovingReference::new(&model.reference, &shown)?;
-    let touching = |class: &str, pieces: &[Piece]| geoms(pieces, class, &format!("class=\"{class}\""));
-    let held = touching("body", &model.body);
+    let held = geoms(&model.body, "body", "body");
     let carried = match &model.carrier {
         Carrier::Free(inertia) => free_body(&model.start_pose(), inertia, &held),
         Carrier::Arm(arm) => links(arm, &held),
@@ -54,7 +53,7 @@ pub fn file(model: &Model) -> Result<Content, PlannerError> {
             model.title, model.start, model.status
         )),
         meshes = meshes("body", &model.body) + &meshes("environment", &model.environment),
-        environment = touching("environment", &model.environment),
+        environment = geoms(&model.environment, "environment", "environment"),
         bodies = reference.bodies,
         tendons = reference.tendons,
         control = control(model),
@@ -71,12 +70,12 @@ fn meshes(parent: &str, pieces: &[Piece]) -> String {
     pieces.iter().map(mesh).collect()
 }
 
-/// Geoms of pieces, of which those with a class that touches have names.
+/// Geoms of the pieces of a parent, in a class. Those in the class of their parent touch, and have names.
 fn geoms(pieces: &[Piece], parent: &str, class: &str) -> String {
     let geom = |piece: &Piece| {
         let name = escaped(&piece.name);
-        let named = if class.contains("shown") { String::new() } else { format!("name=\"{parent}/{name}\" ") };
-        format!("      <geom {named}mesh=\"{parent}/{name}\" {class}/>\n")
+        let named = if class == parent { format!("name=\"{parent}/{name}\" ") } else { String::new() };
+        format!("      <geom {named}mesh=\"{parent}/{name}\" class=\"{class}\"/>\n")
     };
     pieces.iter().map(geom).collect()
 }

@@ -101,7 +101,7 @@ class Plan(Motion):
     def constraints(self) -> dict[str, NDArray[Any]]:
         """Every constraint and bound at the solver's optimum, one entry per constraint in every column.
 
-        Text: ``kind``, ``unit``, ``axis`` and ``pair``, empty where there is none. Numbers: ``scenario`` (from 1, 0 for
+        Text: ``kind``, ``unit``, ``axis`` and ``pair``, empty without one. Numbers: ``scenario`` (from 1, 0 for
         the reference), ``time_s``, ``value``, ``lower`` and ``upper`` (infinite without one), and ``multiplier``,
         positive at an upper bound that holds the cost up and negative at a lower one. A residual is how far ``value``
         is outside of its bounds. Multipliers are those of the solver's last barrier parameter mu, mu over the distance

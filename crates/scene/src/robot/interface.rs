@@ -6,6 +6,7 @@ use task::Inertia;
 use crate::entry::Entry;
 use crate::error::SceneError;
 use crate::keys::INTERFACES;
+use crate::robot::stiffness::{Given, LARGEST_FORCE};
 use crate::table::Table;
 
 /// What a robot is commanded.
@@ -38,8 +39,6 @@ const PRESSING: f64 = 1.0 / 3.0;
 const STIFFEST: f64 = 5e3;
 /// Rotational beside translational stiffness (m^2), as usual on robots.
 const ROTATIONAL: f64 = 0.1;
-/// Largest contact force (N) where the scene has no limit.
-const LARGEST_FORCE: f64 = 60.0;
 /// Smallest lever (m) of contacts, and offset (m), for which gains are chosen.
 const SHORTEST_LEVER: f64 = 0.02;
 const SMALLEST_OFFSET: f64 = 1e-3;
@@ -124,13 +123,12 @@ fn refuse_keys(scene: &Table, table: &Table) -> Result<(), SceneError> {
 
 /// The stiffness that the scene gives, else the one that is chosen.
 fn stiffness(scene: &Table, about: &Surroundings) -> Result<[f64; 2], SceneError> {
-    let (table, limits) = (scene.table("impedance")?, scene.table("limits")?);
-    let given = |name: &str| table.find(name).map(|entry| entry.number()).transpose();
-    let force = limits.find("contact_force").map_or(Ok(LARGEST_FORCE), |entry| entry.number())?;
+    let Given { ranges: [range, rotational_range], stiffness: [given, rotational] } = Given::read(scene)?;
+    let force = scene.table("limits")?.find("contact_force").map_or(Ok(LARGEST_FORCE), |entry| entry.number())?;
     let pressing = PRESSING * force / about.offset_magnitude.max(SMALLEST_OFFSET);
-    let translational = given("translational_stiffness")?.unwrap_or(pressing.min(STIFFEST));
-    let rotational = given("rotational_stiffness")?.unwrap_or(translational * ROTATIONAL);
-    Ok([translational, rotational])
+    let within = |stiffness: f64, [low, high]: [f64; 2]| stiffness.clamp(low, high);
+    let translational = given.unwrap_or(within(pressing.min(STIFFEST), range));
+    Ok([translational, rotational.unwrap_or(within(translational * ROTATIONAL, rotational_range))])
 }
 
 /// Gains of the admittance law.

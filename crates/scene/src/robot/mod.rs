@@ -20,7 +20,7 @@ use crate::pose::{Endpoints, StartPose, orientation};
 use crate::table::Table;
 
 pub use interface::{Interface, Surroundings, position_robot};
-pub use stiffness::{Stiffness, stiffness};
+pub use stiffness::{LARGEST_FORCE, Stiffness, stiffness};
 pub use warnings::warnings;
 
 /// Keys that only an arm of a URDF file has.

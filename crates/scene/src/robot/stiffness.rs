@@ -23,7 +23,7 @@ const ANGULAR_DEADBAND: f64 = 0.04;
 /// in proportion. A plan that tolerates larger offsets also tolerates a larger deadband.
 const DEADBAND_OF_OFFSETS: f64 = 0.3;
 /// Largest contact force (N) where the scene has no limit.
-const LARGEST_FORCE: f64 = 60.0;
+pub const LARGEST_FORCE: f64 = 60.0;
 
 /// The stiffness that the scene gives. By default: the one with which a body of this inertia moves as light ones do
 /// under soft controllers, which is dynamic similarity; with an arm as stiff as joint friction demands, and as soft as
@@ -35,26 +35,7 @@ pub fn stiffness(
     offset_magnitude: f64,
     robot: Option<&Robot>,
 ) -> Result<Stiffness, SceneError> {
-    let table = scene.table("impedance")?;
-    let range = |name: &str| -> Result<[f64; 2], SceneError> {
-        let Some(entry) = scene.table("robot")?.table("stiffness_range")?.find(name) else {
-            return Ok([0.0, f64::INFINITY]);
-        };
-        match entry.numbers()?[..] {
-            [low, high] if low <= high => Ok([low, high]),
-            _ => Err(entry.refuse(format!("{} must be the lowest and the highest stiffness", entry.path()))),
-        }
-    };
-    let ranges = [range("translational")?, range("rotational")?];
-    let given = |name: &str, [low, high]: [f64; 2]| match table.find(name) {
-        None => Ok(None),
-        Some(entry) => match entry.number()? {
-            value if (low..=high).contains(&value) => Ok(Some(value)),
-            _ => Err(entry.refuse(format!("{} must lie in robot.stiffness_range, {low} to {high}", entry.path()))),
-        },
-    };
-    let translational = given("translational_stiffness", ranges[0])?;
-    let rotational = given("rotational_stiffness", ranges[1])?;
+    let Given { ranges, stiffness: [translational, rotational] } = Given::read(scene)?;
     let mass = inertia.mean_mass();
     let similar = translational.unwrap_or_else(|| chosen::translational_stiffness(offset_magnitude, mass));
     let similar = Stiffness {
@@ -79,6 +60,36 @@ pub fn stiffness(
         translational: chosen("translations", translation, similar.translational)?,
         rotational: chosen("rotations", rotation, similar.rotational)?,
     })
+}
+
+/// What a scene gives of translations and rotations: the range that the controller accepts, and the stiffness in it.
+pub struct Given {
+    pub ranges: [[f64; 2]; 2],
+    pub stiffness: [Option<f64>; 2],
+}
+
+impl Given {
+    /// Refuses a stiffness outside of its range.
+    pub fn read(scene: &Table) -> Result<Self, SceneError> {
+        let (accepted, table) = (scene.table("robot")?.table("stiffness_range")?, scene.table("impedance")?);
+        let range = |name: &str| -> Result<[f64; 2], SceneError> {
+            let Some(entry) = accepted.find(name) else { return Ok([0.0, f64::INFINITY]) };
+            match entry.numbers()?[..] {
+                [low, high] if low <= high => Ok([low, high]),
+                _ => Err(entry.refuse(format!("{} must be the lowest and the highest stiffness", entry.path()))),
+            }
+        };
+        let ranges = [range("translational")?, range("rotational")?];
+        let given = |name: &str, [low, high]: [f64; 2]| match table.find(name) {
+            None => Ok(None),
+            Some(entry) => match entry.number()? {
+                value if (low..=high).contains(&value) => Ok(Some(value)),
+                _ => Err(entry.refuse(format!("{} must lie in robot.stiffness_range, {low} to {high}", entry.path()))),
+            },
+        };
+        let stiffness = [given("translational_stiffness", ranges[0])?, given("rotational_stiffness", ranges[1])?];
+        Ok(Self { ranges, stiffness })
+    }
 }
 
 /// Demands of joint friction and contact forces on the stiffness of translations and rotations, which lie in these

@@ -4,7 +4,7 @@ use ::robot::Joint;
 use nalgebra::Vector3;
 use task::Impedance;
 
-use super::Robot;
+use super::{Interface, Robot};
 use crate::error::SceneError;
 use crate::table::Table;
 
@@ -24,7 +24,8 @@ const STIFFEST: [f64; 2] = [1e4, 1e3];
 pub fn warnings(scene: &Table, robot: Option<&Robot>, gains: &Impedance) -> Result<Vec<String>, SceneError> {
     let (table, body) = (scene.table("robot")?, scene.require_table("body")?);
     let mut warnings = Vec::new();
-    if table.find("urdf").or_else(|| table.find("apparent_inertia")).is_some() {
+    let is_felt = Interface::read(&table)? == Interface::Torque;
+    if is_felt && table.find("urdf").or_else(|| table.find("apparent_inertia")).is_some() {
         for entry in ["mass", "inertia"].iter().filter_map(|name| body.find(name)) {
             let message = format!("{} is not used: the robot's inertia replaces it", entry.path());
             warnings.push(entry.refuse_name(message).headline());

@@ -70,6 +70,16 @@ fn a_resolved_scene_is_the_same_robot() {
 }
 
 #[test]
+fn the_chosen_stiffness_stays_in_the_range_of_the_controller() {
+    let scene =
+        load(&format!("{POSITION}stiffness_range = {{ translational = [100, 300], rotational = [1, 20] }}")).unwrap();
+    assert_eq!(scene.position_robot.unwrap().gains.stiffness, [300.0, 20.0]);
+    let range = "stiffness_range = { translational = [100, 300] }";
+    let message = refusal(&format!("[impedance]\ntranslational_stiffness = 500.0\n{POSITION}{range}"));
+    assert!(message.contains("must lie in robot.stiffness_range, 100 to 300"), "{message}");
+}
+
+#[test]
 fn a_force_mode_is_a_law_with_the_inverse_gains() {
     let scene = load(FORCE).unwrap();
     let robot = scene.position_robot.unwrap();

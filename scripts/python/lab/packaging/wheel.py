@@ -24,7 +24,7 @@ GRAFTED = re.compile(r"^assembly_plan\.libs/(lib\w+)")
 
 
 def add_licences(wheel: Path) -> None:
-    """Writes a repaired wheel anew, with the licences of all libraries and crates that are in it, which its metadata
+    """Writes a repaired wheel again, with the licences of all libraries and crates that are in it, which its metadata
     lists, and without folders of this machine; refuses libraries that are not known."""
     with zipfile.ZipFile(wheel) as archive:
         files = {info.filename: (info, archive.read(info)) for info in archive.infolist()}
