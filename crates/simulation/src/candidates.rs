@@ -19,14 +19,19 @@ pub struct Candidates {
     /// Edges of the body and of the environment, found when facets alone do not show the distance of the parts.
     edges: Vec<(usize, usize)>,
     edges_are_found: bool,
-    /// The last edges that were better than the best facet.
-    last: Option<(usize, usize)>,
     /// How far the body may move from where the candidates were found (m).
     skin: f64,
-    /// What is left of the skin (m).
-    left: f64,
+    /// How far it had moved then.
+    found: Travel,
     /// Until then no vertex of either part is further from the body's origin (m).
     lever: f64,
+}
+
+/// How far a body has moved so far: lengths of all shifts (m) and angles of all rotations (rad).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Travel {
+    pub shift: f64,
+    pub rotation: f64,
 }
 
 /// An edge of the environment, and its inward normals.
@@ -60,19 +65,22 @@ const ROUNDING: f64 = 1e-9;
 const STEPS: f64 = 16.0;
 
 impl Candidates {
-    /// Records a motion of the body: a shift (m) and a rotation (rad).
-    pub fn moved(&mut self, shift: f64, rotation: f64) {
-        self.left -= shift + self.lever * rotation;
-    }
-
     /// The best axis of all facets, for a body whose origin is at `position`. A step moves the body by about `reach`
     /// (m).
-    pub fn best_facet(&mut self, body: &Solid, position: &Vector3<f64>, environment: &Solid, reach: f64) -> Axis {
+    pub fn best_facet(
+        &mut self,
+        body: &Solid,
+        position: &Vector3<f64>,
+        travel: Travel,
+        environment: &Solid,
+        reach: f64,
+    ) -> Axis {
+        let moved = travel.shift - self.found.shift + self.lever * (travel.rotation - self.found.rotation);
         // A pose that is not finite makes it NaN.
-        let are_valid = self.left > 0.0;
+        let are_valid = moved < self.skin;
         if !are_valid {
             self.skin = STEPS * reach;
-            self.left = self.skin;
+            self.found = travel;
             self.lever = body.radius(position).max(environment.radius(position)) + self.skin;
             self.find_facets(body, environment);
             self.edges_are_found = false;
@@ -89,16 +97,6 @@ impl Candidates {
         Axis { separation, normal, feature: Feature::EnvironmentFacet { facet, vertex } }
     }
 
-    /// The axis of the edges that were the best ones before, if it is still better than that of the best facet and
-    /// better than all others.
-    pub fn known_edges(&self, body: &Solid, environment: &[StillEdge], facet: &Axis) -> Option<Axis> {
-        let (edge, opposite) = self.last?;
-        // No axis separates the parts by more than the distance of two of their points.
-        let least = (facet.separation + PREFERENCE).max(-0.25 * PREFERENCE);
-        let axis = best_of(&[(edge, opposite)], body, environment, least)?;
-        edge_point(&body.segment(&body.edges[edge]), &environment[opposite].segment).map(|_| axis)
-    }
-
     /// The best axis of all pairs of edges, if it is better than that of the best facet, which has just been found.
     pub fn better_edges(
         &mut self,
@@ -111,11 +109,7 @@ impl Candidates {
             self.find_edges(body, edges, &touching(body, environment, facet), facet.separation);
             self.edges_are_found = true;
         }
-        let best = best_of(&self.edges, body, edges, facet.separation + PREFERENCE);
-        if let Some(Axis { feature: Feature::Edges(edge, opposite), .. }) = best {
-            self.last = Some((edge, opposite));
-        }
-        best
+        best_of(&self.edges, body, edges, facet.separation + PREFERENCE)
     }
 
     fn find_facets(&mut self, body: &Solid, environment: &Solid) {
@@ -159,6 +153,19 @@ impl Candidates {
             }
         }
     }
+}
+
+/// The axis of two edges, if it is better than that of the best facet and better than all others.
+pub fn known_edges(
+    (edge, opposite): (usize, usize),
+    body: &Solid,
+    environment: &[StillEdge],
+    facet: &Axis,
+) -> Option<Axis> {
+    // No axis separates the parts by more than the distance of two of their points.
+    let least = (facet.separation + PREFERENCE).max(-0.25 * PREFERENCE);
+    let axis = best_of(&[(edge, opposite)], body, environment, least)?;
+    edge_point(&body.segment(&body.edges[edge]), &environment[opposite].segment).map(|_| axis)
 }
 
 /// The vertices of body and environment that define the axis of a facet.

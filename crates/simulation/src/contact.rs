@@ -4,8 +4,8 @@ use collision::Polytope;
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use task::ContactPair;
 
-use crate::axis::{Feature, PREFERENCE};
-use crate::candidates::{Candidates, StillEdge, edge_point};
+use crate::axis::{Axis, Feature, PREFERENCE};
+use crate::candidates::{Candidates, StillEdge, Travel, edge_point, known_edges};
 use crate::patch::Patch;
 use crate::solid::Solid;
 
@@ -63,21 +63,50 @@ impl Shapes {
 }
 
 /// Finds the contacts of a body as it moves. A pair is examined only when the body may have crossed the gap that the
-/// pair had when it was last examined.
+/// pair had when it was last examined: between the planes that were the farthest apart then.
 #[derive(Debug, Clone)]
 pub struct ContactFinder<'shapes> {
     shapes: &'shapes Shapes,
     /// Radius of edges (m).
     edge_radius: f64,
-    bodies: Vec<PlacedBody>,
-    pairs: Vec<Pair>,
+    /// Of every pair.
+    gaps: Vec<Gap>,
+    /// The last edges of every pair that were better than the best facet.
+    edges: Vec<Option<(usize, usize)>>,
+    travel: Travel,
     /// The last pose, the reach (m) there, and the smallest separation (m) of the pairs that were examined.
     last: Isometry3<f64>,
     reach: f64,
     smallest: f64,
     /// Contacts at the last pose.
     pub contacts: Vec<Contact>,
+    memory: Memory,
+}
+
+/// What makes the search faster, but no contact depends on. It is large: a copy begins without it.
+#[derive(Debug, Default)]
+struct Memory {
+    bodies: Vec<PlacedBody>,
+    /// Of every pair.
+    candidates: Vec<Candidates>,
     patch: Patch,
+}
+
+impl Clone for Memory {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Memory {
+    /// Is filled before its first use.
+    fn fill(&mut self, shapes: &Shapes) {
+        if self.candidates.len() < shapes.pairs.len() {
+            let placed = |solid: &Solid| PlacedBody { solid: solid.clone(), is_current: false };
+            self.bodies = shapes.bodies.iter().map(placed).collect();
+            self.candidates = vec![Candidates::default(); shapes.pairs.len()];
+        }
+    }
 }
 
 /// A part of the body, placed when a pair is examined.
@@ -87,27 +116,49 @@ struct PlacedBody {
     is_current: bool,
 }
 
-#[derive(Debug, Clone)]
-struct Pair {
-    /// Lower bound on the gap (m).
-    clearance: f64,
-    candidates: Candidates,
+/// The gap between two parallel planes, of which one moves with the body.
+#[derive(Debug, Clone, Copy)]
+struct Gap {
+    /// Unit normal from the environment to the body (world frame).
+    normal: Vector3<f64>,
+    /// Its width (m), less what the body's origin adds, plus what rotation has taken.
+    offset: f64,
+    /// Largest distance of a point of the part of the body from the body's origin (m).
+    radius: f64,
+}
+
+impl Gap {
+    /// Not known yet.
+    fn unknown(radius: f64) -> Self {
+        Self { normal: Vector3::zeros(), offset: f64::NEG_INFINITY, radius }
+    }
+
+    /// Along an axis, for a body at a position (m).
+    fn new(axis: &Axis, radius: f64, position: &Vector3<f64>, travel: Travel) -> Self {
+        let offset = axis.separation - axis.normal.dot(position) + radius * travel.rotation;
+        Self { normal: axis.normal, offset, radius }
+    }
+
+    /// Lower bound on its width (m) after the body has moved.
+    fn least(&self, position: &Vector3<f64>, travel: Travel) -> f64 {
+        self.offset + self.normal.dot(position) - self.radius * travel.rotation
+    }
 }
 
 impl<'shapes> ContactFinder<'shapes> {
     /// For the shapes of a task with edges of a radius (m).
     pub fn new(shapes: &'shapes Shapes, edge_radius: f64) -> Self {
-        let pair = Pair { clearance: f64::NEG_INFINITY, candidates: Candidates::default() };
         Self {
-            bodies: shapes.bodies.iter().map(|solid| PlacedBody { solid: solid.clone(), is_current: false }).collect(),
-            pairs: vec![pair; shapes.pairs.len()],
+            gaps: shapes.pairs.iter().map(|pair| Gap::unknown(pair.radius)).collect(),
+            edges: vec![None; shapes.pairs.len()],
+            travel: Travel::default(),
             shapes,
             edge_radius,
             last: Isometry3::identity(),
             reach: f64::NEG_INFINITY,
             smallest: f64::INFINITY,
             contacts: Vec::new(),
-            patch: Patch::default(),
+            memory: Memory::default(),
         }
     }
 
@@ -123,31 +174,31 @@ impl<'shapes> ContactFinder<'shapes> {
             return self.smallest;
         }
         let position = &pose.translation.vector;
-        let shift = (position - self.last.translation.vector).norm();
-        let rotation = largest_rotation(&pose.rotation, &self.last.rotation);
+        self.travel.shift += (position - self.last.translation.vector).norm();
+        self.travel.rotation += largest_rotation(&pose.rotation, &self.last.rotation);
         (self.last, self.reach) = (*pose, reach);
         self.contacts.clear();
-        self.bodies.iter_mut().for_each(|body| body.is_current = false);
         let shapes = self.shapes;
+        self.memory.fill(shapes);
+        self.memory.bodies.iter_mut().for_each(|body| body.is_current = false);
         let mut smallest = f64::INFINITY;
-        for (index, PairShapes { body, radius, .. }) in shapes.pairs.iter().enumerate() {
-            let pair = &mut self.pairs[index];
-            pair.clearance -= shift + radius * rotation;
-            pair.candidates.moved(shift, rotation);
-            if pair.clearance > reach {
+        for index in 0..self.gaps.len() {
+            let gap = self.gaps[index];
+            if gap.least(position, self.travel) > reach + ROUNDING {
                 continue;
             }
-            let placed = &mut self.bodies[*body];
+            let body = shapes.pairs[index].body;
+            let placed = &mut self.memory.bodies[body];
             if !placed.is_current {
-                placed.solid.place(&shapes.bodies[*body], &pose.rotation.to_rotation_matrix(), position);
+                placed.solid.place(&shapes.bodies[body], &pose.rotation.to_rotation_matrix(), position);
                 placed.is_current = true;
             }
             let before = self.contacts.len();
-            let separation = self.examine(index, position, reach);
-            self.pairs[index].clearance = separation;
+            let axis = self.examine(index, position, reach);
+            self.gaps[index] = Gap::new(&axis, gap.radius, position, self.travel);
             // Without a contact, rounded edges would penetrate.
-            if separation >= 0.0 || self.contacts.len() > before {
-                smallest = smallest.min(separation);
+            if axis.separation >= 0.0 || self.contacts.len() > before {
+                smallest = smallest.min(axis.separation);
             }
         }
         self.smallest = smallest;
@@ -161,17 +212,18 @@ impl<'shapes> ContactFinder<'shapes> {
         (0..SLIDES).fold(*way, |way, _| self.contacts.iter().fold(way, slide))
     }
 
-    /// Adds the contacts of a pair whose body is placed. Returns the pair's separation (m).
-    fn examine(&mut self, index: usize, position: &Vector3<f64>, reach: f64) -> f64 {
+    /// Adds the contacts of a pair whose body is placed. Returns the pair's best axis.
+    fn examine(&mut self, index: usize, position: &Vector3<f64>, reach: f64) -> Axis {
         let PairShapes { body, environment, edges, .. } = &self.shapes.pairs[index];
-        let Self { bodies, pairs, contacts, patch, edge_radius, .. } = self;
-        let (body, candidates) = (&bodies[*body].solid, &mut pairs[index].candidates);
-        let mut axis = candidates.best_facet(body, position, environment, reach);
+        let Self { contacts, edge_radius, travel, edges: known, memory, .. } = self;
+        let Memory { bodies, candidates, patch } = memory;
+        let (body, candidates, known) = (&bodies[*body].solid, &mut candidates[index], &mut known[index]);
+        let mut axis = candidates.best_facet(body, position, *travel, environment, reach);
         if axis.separation > reach {
-            return axis.separation;
+            return axis;
         }
         patch.clear();
-        let mut better = candidates.known_edges(body, edges, &axis);
+        let mut better = known.and_then(|known| known_edges(known, body, edges, &axis));
         if better.is_none() {
             match axis.feature {
                 Feature::EnvironmentFacet { facet, vertex } => patch.fill(environment, facet, body, vertex),
@@ -181,10 +233,13 @@ impl<'shapes> ContactFinder<'shapes> {
             // No axis separates the parts by more than the distance of two of their points.
             let is_best = patch.distance() < axis.separation + 0.5 * PREFERENCE;
             better = if is_best { None } else { candidates.better_edges(body, environment, edges, &axis) };
+            if let Some(Axis { feature: Feature::Edges(edge, opposite), .. }) = better {
+                *known = Some((edge, opposite));
+            }
         }
         let is_round = *edge_radius > 0.0 && better.is_none() && axis.separation > -*edge_radius;
         if is_round && patch.is_narrower(*edge_radius, &axis.normal) {
-            return axis.separation;
+            return axis;
         }
         if let Some(better) = better {
             axis = better;
@@ -202,9 +257,12 @@ impl<'shapes> ContactFinder<'shapes> {
             let deepest = body.vertices[body.lowest(&axis.normal).0];
             contacts.push(Contact { pair: index, point: deepest, normal: axis.normal, gap: axis.separation });
         }
-        axis.separation
+        axis
     }
 }
+
+/// Rounding errors of gaps are smaller (m).
+const ROUNDING: f64 = 1e-12;
 
 /// Number of passes over all contacts that project a shift.
 const SLIDES: usize = 3;

@@ -106,6 +106,16 @@ impl Reference {
         Self { time_step: self.time_step, knots: self.knots.iter().map(moved).collect() }
     }
 
+    /// The same motion with the knots of another horizon, and with the twists that lead from knot to knot.
+    pub fn on(&self, horizon: Horizon) -> Self {
+        let knot = |step: usize| {
+            let place = step as f64 * horizon.time_step / self.time_step;
+            self.at(place as usize, place.fract())
+        };
+        let knots = (0..=horizon.steps).map(knot).collect();
+        Self { time_step: horizon.time_step, knots }.with_twists()
+    }
+
     /// The first intervals, at most `intervals`.
     pub fn cut(&self, intervals: usize) -> Self {
         Self { time_step: self.time_step, knots: self.knots.iter().copied().take(intervals + 1).collect() }
@@ -223,4 +233,27 @@ fn inside(fraction: f64, [from, to]: [f64; 2]) -> f64 {
     let begin = if from > 0.0 { ramp(fraction - from) } else { 1.0 };
     let end = if to < 1.0 { ramp(to - fraction) } else { 1.0 };
     begin * end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reference_on_another_horizon_is_the_same_motion() {
+        let pose = |step: f64| {
+            Pose::new([0.01 * step * step, 0.0, 0.02 * step], [(0.1 * step).cos(), 0.0, (0.1 * step).sin(), 0.0])
+        };
+        let states: Vec<State> = (0..=4).map(|step| pose(f64::from(step)).at_rest()).collect();
+        let coarse = Reference::new(0.1, &states);
+        let fine = coarse.on(Horizon { steps: 8, time_step: 0.05 });
+        assert_eq!((fine.intervals(), fine.time_step()), (8, 0.05));
+        for step in 0..=8 {
+            let (one, other) = (fine.at(step, 0.0).pose, coarse.at(step / 2, 0.5 * (step % 2) as f64).pose);
+            assert!((one.translation.vector - other.translation.vector).norm() < 1e-12, "knot {step}");
+            assert!(one.rotation.angle_to(&other.rotation) < 1e-7, "knot {step}");
+        }
+        let velocity = fine.at(2, 0.5).velocity;
+        assert!((velocity - Vector3::new(0.3, 0.0, 0.2)).norm() < 1e-12, "{velocity}, of the second interval");
+    }
 }

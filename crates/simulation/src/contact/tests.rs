@@ -132,7 +132,10 @@ proptest! {
             let [x, y, z, p, q, r] = step.map(|component| component * reach);
             pose.translation.vector += Vector3::new(x, y, z);
             pose.rotation *= UnitQuaternion::from_scaled_axis(Vector3::new(p, q, r) / 0.1);
+            let mut copy = finder.clone();
             let separation = finder.find(&pose, reach);
+            prop_assert_eq!(copy.find(&pose, reach).min(reach), separation.min(reach), "a copy begins without memory");
+            prop_assert_eq!(&copy.contacts, &finder.contacts);
             let expected = best_axis(&placed(own, &pose), environment, reach);
             if separation > reach {
                 prop_assert!(expected.separation > reach, "{} and {:?}", separation, expected);
