@@ -14,7 +14,7 @@ use crate::table::{self, Table};
 use crate::words::clipped_to;
 
 /// The homotopy that is used when neither the command line nor the scene names one.
-const DEFAULT: &str = include_str!("../../../configs/default.toml");
+const DEFAULT: &str = include_str!("../default.toml");
 
 /// Longest path of a file that a message repeats, in characters.
 const LONGEST_PATH: usize = 200;
