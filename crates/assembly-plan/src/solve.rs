@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use planner::check::refusal;
 use planner::files::{PlanFolder, PlanResult};
-use planner::{Keeper, Outcome, Plan, PlannerError, Problem, RunClock, Session, Stop, refine, warnings};
+use planner::{Keeper, Outcome, Plan, PlannerError, Problem, RunClock, Session, Stop, warnings};
 
 use crate::arguments::SolveArguments;
 use crate::console::{say, tell};
@@ -48,10 +48,10 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
     }
     let threads = threads(arguments.jobs);
     let session = Session { folder: Some(&folder), threads, clock, ..Session::new(&progress, &stopped) };
-    let mut plan = planner::solve(&problem, &session)?;
-    if arguments.robust.robust {
-        plan = refine(plan, &target, &session)?;
-    }
+    let mut plan = match arguments.robust.robust {
+        true => planner::solve_robust(&problem, &target, &session)?,
+        false => planner::solve(&problem, &session)?,
+    };
     if plan.stopped == Some(Stop::User) {
         progress.end();
         tell_interrupted(arguments, &plan);

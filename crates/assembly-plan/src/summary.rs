@@ -6,21 +6,24 @@ use planner::{
     max_force, rate,
 };
 
+/// What solving the problem took.
+fn solving(result: &PlanResult) -> String {
+    let PlanResult { objective, iterations, wall_s, linear_solver, linear_solver_fallbacks, .. } = result;
+    if *iterations == 0 {
+        return "nothing had to be solved".to_owned();
+    }
+    let fallbacks = match linear_solver_fallbacks {
+        0 => String::new(),
+        count => format!(" ({count} systems left to the general solver)"),
+    };
+    format!(
+        "objective {objective:.4}, {iterations} iterations, {wall_s:.1} s, linear solver {linear_solver}{fallbacks}"
+    )
+}
+
 /// The summary of a plan, in a few lines.
 pub fn summary(result: &PlanResult) -> String {
-    let mut lines = vec![format!(
-        "{}: {}; objective {:.4}, {} iterations, {:.1} s, linear solver {}{}",
-        result.scene,
-        result.status,
-        result.objective,
-        result.iterations,
-        result.wall_s,
-        result.linear_solver,
-        match result.linear_solver_fallbacks {
-            0 => String::new(),
-            count => format!(" ({count} systems left to the general solver)"),
-        }
-    )];
+    let mut lines = vec![format!("{}: {}; {}", result.scene, result.status, solving(result))];
     for attempt in &result.attempts {
         lines.push(format!(
             "  tried {}: {}, ends {:.2} mm from the goal, {} iterations, {:.1} s",

@@ -66,7 +66,7 @@ pub use simulate::{
     GraspErrors, Motion, OffsetSource, PlayedRollout, Region, RolloutRemarks, SimulationRequest, simulate,
     simulate_each,
 };
-pub use solve::solve;
+pub use solve::{EarlyEnd, solve, solve_until};
 pub use success_rates::{OffsetRegion, SuccessRate, SuccessRates, interval, max_force, rate};
 pub use success_table::{SuccessGroup, SuccessTable};
 pub use target::RobustnessTarget;

@@ -39,15 +39,28 @@ impl RobustParameters {
     /// # Errors
     /// With the first value that is out of its range.
     pub fn validate(&self) -> Result<(), PlannerError> {
-        let TimeShares { own, push, drafts, other_drafts, solving, training, margins, simplification, comparison } =
-            self.time;
+        let TimeShares {
+            homotopy,
+            own,
+            push,
+            drafts,
+            other_drafts,
+            solving,
+            training,
+            polishing,
+            margins,
+            simplification,
+            comparison,
+        } = self.time;
         for (name, share) in [
+            ("time.homotopy", homotopy),
             ("time.own", own),
             ("time.push", push),
             ("time.drafts", drafts),
             ("time.other_drafts", other_drafts),
             ("time.solving", solving),
             ("time.training", training),
+            ("time.polishing", polishing),
             ("time.margins", margins),
             ("time.simplification", simplification),
             ("time.comparison", comparison),
@@ -72,6 +85,8 @@ impl RobustParameters {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct TimeShares {
+    /// The homotopy of the scene itself, at least its first step.
+    pub homotopy: f64,
     /// The first refinement of the plan of the scene itself.
     pub own: f64,
     /// The refinement of a straight push.
@@ -84,9 +99,11 @@ pub struct TimeShares {
     pub solving: f64,
     /// Perturbations, of the time of a refinement; the rest is for the evaluation that follows.
     pub training: f64,
+    /// The few test cases that a robust plan fails, of as much time as the run so far.
+    pub polishing: f64,
     /// The hardened environment in which a robust plan gets margins; the rest is for the evaluation that follows.
     pub margins: f64,
-    /// Making a robust plan simpler; the rest is for the evaluation that follows.
+    /// Making a robust plan simpler, of as much time as the run so far; the rest is for the evaluation that follows.
     pub simplification: f64,
     /// Left for the comparison at the end, of the whole time.
     pub comparison: f64,
@@ -95,12 +112,14 @@ pub struct TimeShares {
 impl Default for TimeShares {
     fn default() -> Self {
         Self {
+            homotopy: 0.4,
             own: 0.5,
             push: 0.4,
             drafts: 0.3,
             other_drafts: 0.4,
             solving: 0.6,
             training: 0.8,
+            polishing: 0.5,
             margins: 0.8,
             simplification: 0.5,
             comparison: 0.04,

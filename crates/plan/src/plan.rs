@@ -46,6 +46,10 @@ pub enum Stop {
     User,
     /// The end of the session's time.
     TimeLimit,
+    /// Its homotopy has led far enough for the rollouts that decide about it.
+    Enough,
+    /// Rollouts have shown that nothing has to be solved: there is only a first homotopy step, which was not begun.
+    Unneeded,
 }
 
 /// Status of a plan.
@@ -275,7 +279,7 @@ impl Plan {
     /// Whether the end of the time has stopped work that another run can resume.
     pub fn can_go_on(&self) -> bool {
         let is_finished = matches!(self.status(), PlanStatus::Done | PlanStatus::Planned);
-        self.stopped.is_some() && !is_finished
+        matches!(self.stopped, Some(Stop::User | Stop::TimeLimit)) && !is_finished
     }
 
     /// Whether it has fewer steps than its problem, because the time ended before the homotopy went over to all of them.

@@ -1,7 +1,9 @@
 //! One plan of a problem: the homotopy, from where an earlier run has left it.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::time::Duration;
 
 use nlp::{Control, Iterate, Start};
 use ocp::Event as SolverEvent;
@@ -27,6 +29,32 @@ use crate::variant::Variant;
 /// When a linear solver or a file fails, or the session's time ends before the first homotopy step. A solve
 /// that does not converge, or has no time to, returns a plan with that status.
 pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError> {
+    solve_until(problem, session, &EarlyEnd::NEVER)
+}
+
+/// The end of a homotopy before its last step, for plans that rollouts decide about.
+pub struct EarlyEnd<'run> {
+    /// Whether no homotopy step of a variant has to follow after one, or none has to be solved at all.
+    pub is_enough: &'run dyn Fn(&Variant, Option<&PlanIteration>) -> bool,
+    /// When it ends in any case, once it has finished a step, as time since the run began.
+    pub until: Duration,
+}
+
+impl EarlyEnd<'_> {
+    /// All homotopy steps are solved.
+    const NEVER: Self = EarlyEnd { is_enough: &|_, _| false, until: Duration::MAX };
+
+    /// Whether its time is over.
+    fn is_late(&self, session: &Session) -> bool {
+        session.clock.elapsed() >= self.until
+    }
+}
+
+/// As [`solve`], but the homotopy may end early; the plan then says that it was [`Stop::Enough`], or [`Stop::Unneeded`].
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_until(problem: &Problem, session: &Session, early: &EarlyEnd) -> Result<Plan, PlannerError> {
     require_threads(session.threads)?;
     let changes = Change::all(problem);
     let mut earlier = earlier_work(problem, changes, session)?;
@@ -40,10 +68,11 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
         if let Some(position_error) = attempts.values().map(|record| record.position_error_m).reduce(f64::min) {
             session.tell(Event::Attempt { planned: changes[index].name(), position_error });
         }
-        let Some(plan) = attempt.solve(earlier.take(), session)? else { break };
+        let Some(plan) = attempt.solve(earlier.take(), session, early)? else { break };
         attempts.insert(index, attempt::record(changes[index], &plan));
         let is_interrupted = plan.stopped == Some(Stop::User);
-        let ends = plan.stopped.is_some() || plan.status() == PlanStatus::Planned || session.is_over();
+        let is_over = session.is_over() || early.is_late(session);
+        let ends = plan.stopped.is_some() || plan.status() == PlanStatus::Planned || is_over;
         if best.as_ref().is_none_or(|best| is_interrupted || is_better(&plan, best)) {
             best = Some(plan);
         }
@@ -72,7 +101,12 @@ struct Attempt {
 
 impl Attempt {
     /// `None` where the session's time ends before the first homotopy step.
-    fn solve(&self, earlier: Option<Earlier>, session: &Session) -> Result<Option<Plan>, PlannerError> {
+    fn solve(
+        &self,
+        earlier: Option<Earlier>,
+        session: &Session,
+        early: &EarlyEnd,
+    ) -> Result<Option<Plan>, PlannerError> {
         let variant = Variant::of_scene(&self.problem);
         let most = variant.settings.most_iterations();
         let (start, mut finished) = match earlier {
@@ -83,29 +117,47 @@ impl Attempt {
             None => (None, Finished::default()),
         };
         let is_lost = |iterations: &[PlanIteration]| self.gives_up && leads_away(&self.problem, iterations);
-        let mut stopped = None;
-        if !is_lost(&finished.iterations) {
+        let is_enough = |iterations: &[PlanIteration]| {
+            let last = iterations.last();
+            last.is_some() && early.is_late(session) || (early.is_enough)(&variant, last)
+        };
+        let is_done = is_enough(&finished.iterations);
+        let is_unneeded = is_done && finished.iterations.is_empty();
+        let mut stopped = is_done.then_some(Stop::Enough);
+        if is_unneeded || !is_done && !is_lost(&finished.iterations) {
             let earlier = finished.iterations.clone();
             let run = HomotopyRun { variant: &variant, threads: session.threads, earlier: &earlier, start };
+            let (may_end, ends_early) = (Cell::new(!earlier.is_empty()), Cell::new(is_unneeded));
             let observe = |event: &SolverEvent| {
                 session.tell(Event::Iteration(*event));
-                if session.is_interrupted() { Control::Stop } else { Control::Continue }
+                ends_early.set(is_unneeded || may_end.get() && early.is_late(session));
+                if session.is_interrupted() || ends_early.get() { Control::Stop } else { Control::Continue }
             };
             let mut kept = Ok(());
             let on_finished = |Solved { number, iteration, is_cut }: Solved| {
+                if is_cut && may_end.get() && ends_early.get() {
+                    return Control::Stop;
+                }
                 finished.iterations.push(iteration);
+                if is_unneeded {
+                    return Control::Stop;
+                }
                 announce(session, number, most, &finished.iterations[number - 1]);
                 if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_cut) {
                     kept = finished.keep(folder, self, &variant);
                 }
-                if is_lost(&finished.iterations) || kept.is_err() { Control::Stop } else { Control::Continue }
+                may_end.set(true);
+                ends_early.set(!is_cut && is_enough(&finished.iterations));
+                let ends = ends_early.get() || is_lost(&finished.iterations) || kept.is_err();
+                if ends { Control::Stop } else { Control::Continue }
             };
             let ended = run.run(session, observe, on_finished)?;
             kept?;
             stopped = match ended {
                 Ended::OutOfTime => Some(Stop::TimeLimit),
-                Ended::Cut => Some(Stop::User),
-                Ended::ByItself => None,
+                Ended::Cut if !ends_early.get() => Some(Stop::User),
+                _ if is_unneeded => Some(Stop::Unneeded),
+                Ended::Cut | Ended::ByItself => ends_early.get().then_some(Stop::Enough),
             };
         }
         let is_plan = !finished.iterations.is_empty();
@@ -174,4 +226,38 @@ impl Finished {
 fn announce(session: &Session, number: usize, most: usize, iteration: &PlanIteration) {
     let position_error = iteration.trajectory.worst_error().position;
     session.tell(Event::HomotopyStep { number, most, record: &iteration.record, position_error });
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use super::*;
+    use crate::problem::Choices;
+    use crate::testing::corner;
+
+    /// The plan of the corner scene whose homotopy ends early.
+    fn ended(early: &EarlyEnd) -> Plan {
+        let problem = Problem::load(&corner(), &Choices::default()).unwrap();
+        let interrupted = AtomicBool::new(false);
+        solve_until(&problem, &Session::new(&|_: &Event| {}, &interrupted), early).unwrap()
+    }
+
+    #[test]
+    fn a_homotopy_ends_early_when_its_steps_are_enough_or_its_time_is_over() {
+        let never = ended(&EarlyEnd::NEVER);
+        assert_eq!((never.stopped, never.status()), (None, PlanStatus::Planned));
+        let second = ended(&EarlyEnd {
+            is_enough: &|_, last| last.is_some_and(|last| last.record.tau < never.iterations[0].record.tau),
+            ..EarlyEnd::NEVER
+        });
+        assert_eq!((second.iterations.len(), second.stopped, second.attempts.len()), (2, Some(Stop::Enough), 1));
+        assert_eq!(second.trajectory.reference, never.iterations[1].trajectory.reference, "the same steps");
+        let late = ended(&EarlyEnd { until: Duration::ZERO, ..EarlyEnd::NEVER });
+        assert_eq!((late.iterations.len(), late.stopped), (1, Some(Stop::Enough)));
+        assert!(!late.can_go_on(), "no time limit has ended it");
+        let unneeded = ended(&EarlyEnd { is_enough: &|_, _| true, ..EarlyEnd::NEVER });
+        assert_eq!((unneeded.iterations.len(), unneeded.stopped), (1, Some(Stop::Unneeded)));
+        assert_eq!(unneeded.iterations[0].record.iterations, 0, "nothing was solved");
+    }
 }

@@ -52,7 +52,7 @@ pub mod files {
     pub use store::*;
 }
 
-pub use ::refine::{refine, refine_reference, test};
+pub use ::refine::{refine, refine_reference, solve_robust, test};
 pub use diagnosis::{check, explain, warnings};
 pub use nlp::Progress as SolverProgress;
 pub use ocp::Event as SolverEvent;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ::scene::{Part, Source};
 use nalgebra::Matrix3;
 use planner::check::{explain, pair_reports, refusal};
-use planner::{Choices, Keeper, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop, refine, warnings};
+use planner::{Choices, Keeper, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop, warnings};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde::Serialize;
@@ -235,10 +235,12 @@ fn solve(
     let clock = clock.limited(target.as_ref().map(|target| target.time_limit));
     let keeper = folder.as_ref().map(|folder| folder as &dyn Keeper);
     let session = Session { folder: keeper, clock, ..watch.session(options.jobs) };
-    let mut plan = planner::solve(&problem, &session)?;
-    match &target {
-        Some(target) => plan = refine(plan, target, &session)?,
-        None => plan.tested = planner::test(&plan, &RobustnessTarget::of(&problem.scene().robustness), &session)?,
+    let mut plan = match &target {
+        Some(target) => planner::solve_robust(&problem, target, &session)?,
+        None => planner::solve(&problem, &session)?,
+    };
+    if target.is_none() {
+        plan.tested = planner::test(&plan, &RobustnessTarget::of(&problem.scene().robustness), &session)?;
     }
     warnings::of_plan(&plan).into_iter().for_each(|warning| watch.warn(warning));
     // Interrupted work raises the interrupt.

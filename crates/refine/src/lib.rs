@@ -47,8 +47,9 @@ mod resume;
 mod schedule;
 mod search;
 mod setting;
+mod simple;
 mod simplify;
-mod spiral;
+mod solve;
 mod tested;
 mod training;
 mod variants;
@@ -76,6 +77,7 @@ use crate::variants::refine_variants;
 
 pub use checkpoint::{BestRecord, HomotopyRecord, RefinementCheckpoint, TestCaseRecord, WeightsRecord};
 pub use evaluation::Drawn;
+pub use solve::solve_robust;
 pub use tested::test;
 
 /// Makes a plan robust. With a folder in the session, the best plan so far is kept there, and the refinement of an
@@ -87,7 +89,8 @@ pub use tested::test;
 pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Result<Plan, PlannerError> {
     target.validate()?;
     require_threads(session.threads)?;
-    if plan.stopped == Some(Stop::User) || plan.stopped.is_some() && !plan.is_converged() {
+    let is_whole = plan.is_converged() || matches!(plan.stopped, Some(Stop::Enough | Stop::Unneeded));
+    if plan.stopped == Some(Stop::User) || plan.stopped.is_some() && !is_whole {
         return Ok(plan);
     }
     let mut world = plan.problem.world();

@@ -4,6 +4,7 @@ use std::fmt;
 
 use plan::{PlanIteration, Variant};
 use serde::{Deserialize, Serialize};
+use simulation::Reference;
 
 use crate::draft::Draft;
 use crate::portfolio::Recipe;
@@ -69,11 +70,28 @@ impl Solved {
         format!("{}{}", self.origin, self.marks)
     }
 
-    /// Indices of the homotopy steps that have all steps.
+    /// Indices of the homotopy steps that have all time steps.
     pub fn with_all_steps(&self) -> Vec<usize> {
         let has_all = |&index: &usize| !self.iterations[index].record.is_coarse(&self.variant.task);
         (0..self.iterations.len()).filter(has_all).collect()
     }
+
+    /// Indices of the homotopy steps that are worth refining: those with all time steps or, where there are none, all.
+    pub fn refinable(&self) -> Vec<usize> {
+        let fine = self.with_all_steps();
+        if fine.is_empty() { (0..self.iterations.len()).collect() } else { fine }
+    }
+
+    /// The reference of a homotopy step, with all time steps.
+    pub fn reference(&self, index: usize) -> Reference {
+        reference_of(&self.variant, &self.iterations[index])
+    }
+}
+
+/// The reference of a homotopy step of a variant, with all of its time steps.
+pub fn reference_of(variant: &Variant, iteration: &PlanIteration) -> Reference {
+    let reference = Reference::from(&iteration.trajectory);
+    if iteration.record.is_coarse(&variant.task) { reference.on(variant.task.horizon) } else { reference }
 }
 
 impl fmt::Display for Origin {

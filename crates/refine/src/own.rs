@@ -2,17 +2,20 @@
 
 use std::time::Duration;
 
-use plan::{Event, Plan, PlannerError};
+use plan::{Event, Plan, PlannerError, Stop};
+use simulation::Reference;
 
 use crate::again::refine_best;
+use crate::candidate::Candidate;
 use crate::drafts::refine_better;
 use crate::first::judge_first;
 use crate::origin::{Origin, Solved};
 use crate::resume::{earlier_work, restore};
+use crate::schedule::Deadline;
 use crate::search::Search;
-use crate::spiral::or_spiral;
+use crate::simple::{or_simple, straight_push};
 
-/// Evaluates the plan of the scene, and refines it, or a spiral search, unless it is good enough; margins follow later. Or resumes an
+/// Evaluates the plan of the scene, and refines it, or a simple motion, unless it is good enough; margins follow later. Or resumes an
 /// earlier run. `solving` is the time that the plan took.
 pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<(), PlannerError> {
     if let Some(best) = earlier_work(search)?.and_then(|checkpoint| restore(search, checkpoint, &plan)) {
@@ -21,17 +24,46 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
         search.found.best = Some(best);
         return refine_best(search, search.schedule.own());
     }
-    let (last, chosen) = (plan.reference(), plan.chosen_stage());
-    let solved = Solved { chosen, ..Solved::new(Origin::Scene, plan.variant, plan.iterations) };
-    judge_first(search, solved.clone(), last)?;
+    let first = First::of(plan);
+    judge_first(search, first.solved.clone(), first.reference.clone())?;
     let until = search.schedule.own();
     if search.goes_on(until)
-        && let Some(candidate) = search.candidate(solved, until)
+        && let Some(candidate) = first.candidate(search, until)
     {
         // The round of the candidate replaces that of the first evaluation.
         search.found.rounds.clear();
-        let candidate = or_spiral(search, candidate, until);
+        let candidate = or_simple(search, candidate, until);
         refine_better(search, candidate, solving)?;
     }
     Ok(())
+}
+
+/// What refinement begins with: the last homotopy step, or a straight push where nothing had to be solved.
+struct First {
+    solved: Solved,
+    reference: Reference,
+}
+
+impl First {
+    fn of(plan: Plan) -> Self {
+        let chosen = plan.chosen_stage();
+        if plan.stopped == Some(Stop::Unneeded) {
+            let reference = straight_push(&plan.problem);
+            return Self { solved: Solved::new(Origin::Push, plan.variant, plan.iterations), reference };
+        }
+        let solved = Solved { chosen, ..Solved::new(Origin::Scene, plan.variant, plan.iterations) };
+        Self { reference: solved.reference(chosen - 1), solved }
+    }
+
+    /// The best homotopy step, or the straight push.
+    fn candidate<'run>(self, search: &Search<'run>, until: Deadline) -> Option<Candidate<'run>> {
+        let Self { solved, reference } = self;
+        match solved.origin {
+            Origin::Push => {
+                let best = search.training.best_of(&[reference], &|| search.schedule.is_over(until))?;
+                Some(search.training.candidate(best, solved))
+            }
+            _ => search.candidate(solved, until),
+        }
+    }
 }

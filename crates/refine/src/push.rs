@@ -1,12 +1,13 @@
 //! A straight push as the reference to refine.
 
 use plan::{PlanIteration, PlannerError, Problem, PushReport, Variant};
-use simulation::{Evaluator, Reference};
+use simulation::Evaluator;
 
 use crate::evaluation::Evaluation;
 use crate::origin::{Origin, Solved};
 use crate::refining::refine;
 use crate::search::Search;
+use crate::simple::straight_push;
 
 /// Refines the straight push from start to goal: on some scenes this is faster than the refinement of any plan. The homotopy
 /// of the scene stays the one that is shown.
@@ -34,9 +35,4 @@ pub fn judge_push(
 ) -> Option<PushReport> {
     let judgement = evaluation.judge(evaluator, &straight_push(problem), wanted, stop);
     (judgement.unplayed == 0).then_some(PushReport { reached: judgement.reached, rates: judgement.rates })
-}
-
-fn straight_push(problem: &Problem) -> Reference {
-    let task = problem.task();
-    Reference::straight(&task.start, &task.goal, task.horizon)
 }

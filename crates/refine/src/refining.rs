@@ -37,6 +37,7 @@ pub fn refine<'run>(
         refining.count(&judgement);
         keep_if_best(search, evaluated, &refining.round)?;
         refining.extend(search);
+        refining.limit(search);
         let is_finished = refining.is_finished(search, &judgement, least);
         refining.add(search, judgement.failures);
         if is_finished {
@@ -99,9 +100,19 @@ impl<'run> Refining<'run> {
 
     /// The best plan so far may exceed its share of the time while it improves or is nearly robust.
     fn extend(&mut self, search: &Search) {
+        if self.passed > 0 {
+            return;
+        }
         let is_best = search.found.best.as_ref().is_some_and(|best| best.round == self.number);
         if is_best && (self.stalled == 0 || search.is_nearly_robust()) && search.schedule.is_over(self.until) {
             self.until = search.schedule.own();
+        }
+    }
+
+    /// A robust plan is only polished, for which there is less time.
+    fn limit(&mut self, search: &Search) {
+        if self.passed == 1 {
+            self.until = self.until.min(search.schedule.polishing());
         }
     }
 

@@ -60,6 +60,11 @@ impl<'run> Schedule<'run> {
         Deadline(self.limit.mul_f64(1.0 - self.shares.comparison))
     }
 
+    /// The end of the homotopy of the scene itself.
+    pub fn homotopy(&self) -> Duration {
+        self.share(self.end(), self.shares.homotopy).0
+    }
+
     /// The end of the refinement of the plan of the scene itself, or of its replacement.
     pub fn own(&self) -> Deadline {
         self.share(self.end(), self.shares.own)
@@ -100,15 +105,24 @@ impl<'run> Schedule<'run> {
         self.share(until, self.shares.training)
     }
 
-    /// The end of the refinement in the hardened environment, which may take as much time as the run so far.
+    /// The end of the refinement of a robust plan in the few test cases that it fails.
+    pub fn polishing(&self) -> Deadline {
+        self.share(self.as_much_again(), self.shares.polishing)
+    }
+
+    /// The end of the refinement in the hardened environment.
     pub fn margins(&self) -> Deadline {
-        let as_much_again = Deadline(2 * self.elapsed()).min(self.end());
-        self.share(as_much_again, self.shares.margins)
+        self.share(self.as_much_again(), self.shares.margins)
+    }
+
+    /// When as much time has passed again as the run took so far.
+    fn as_much_again(&self) -> Deadline {
+        Deadline(2 * self.elapsed()).min(self.end())
     }
 
     /// The end of the simplification of a robust plan.
     pub fn simplification(&self) -> Deadline {
-        self.share(self.end(), self.shares.simplification)
+        self.share(self.as_much_again(), self.shares.simplification)
     }
 
     /// Time until the comparison.

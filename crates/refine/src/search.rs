@@ -56,14 +56,14 @@ impl<'run> Search<'run> {
         }
     }
 
-    /// The candidate of a solved problem: of the homotopy steps with all time steps, the one whose reference passes most of
-    /// the training set; of equals the later, which is smoothed less. `None` without such homotopy steps or time.
+    /// The candidate of a solved problem: of the homotopy steps with all time steps, or of all where none has, the one whose
+    /// reference passes most of the training set; of equals the later, which is smoothed less. `None` without homotopy
+    /// steps or time.
     pub fn candidate(&self, solved: Solved, until: Deadline) -> Option<Candidate<'run>> {
-        let fine = solved.with_all_steps();
-        let references: Vec<Reference> =
-            fine.iter().map(|&index| Reference::from(&solved.iterations[index].trajectory)).collect();
+        let refinable = solved.refinable();
+        let references: Vec<Reference> = refinable.iter().map(|&index| solved.reference(index)).collect();
         let best = self.training.best_of(&references, &|| self.schedule.is_over(until))?;
-        let chosen = fine[best.winner.index] + 1;
+        let chosen = refinable[best.winner.index] + 1;
         Some(self.training.candidate(best, Solved { chosen, ..solved }))
     }
 }

@@ -63,8 +63,18 @@ impl<'run> Training<'run> {
     /// The best of several references in the training set, each as it is and with a final oscillation. `None` without
     /// references, or when `stop` returned true before the end.
     pub fn best_of(&self, references: &[Reference], stop: &(dyn Fn() -> bool + Sync)) -> Option<Best> {
-        let first = self.parameters().first;
-        best_end(self.setting.trainer, self.oscillation.as_ref(), references, Heats { cases: &self.cases, first }, stop)
+        self.best_of_first(self.cases.len(), references, stop)
+    }
+
+    /// The same in a number of the first test cases.
+    pub fn best_of_first(
+        &self,
+        count: usize,
+        references: &[Reference],
+        stop: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Best> {
+        let (cases, first) = (&self.cases[..count.min(self.cases.len())], self.parameters().first);
+        best_end(self.setting.trainer, self.oscillation.as_ref(), references, Heats { cases, first }, stop)
     }
 
     /// The candidate of the best reference, which is that of the chosen homotopy step of a solved problem.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use planner::files::{PlanFolder, StoredPlan};
-use planner::{Choices, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop, refine};
+use planner::{Choices, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop};
 use simulation::Reference;
 use tolerance::{Quantity, Trials};
 
@@ -159,7 +159,7 @@ impl Plans {
             frictions: frictions.to_vec(),
             ..RobustnessTarget::of(&problem.scene().robustness)
         };
-        let plan = refine(planner::solve(problem, &session)?, &target, &session)?;
+        let plan = planner::solve_robust(problem, &target, &session)?;
         if plan.stopped == Some(Stop::User) {
             return Ok(None);
         }

@@ -1,0 +1,83 @@
+//! The homotopy of the scene, as far as a robust plan needs it.
+//!
+//! Rollouts decide about a robust plan. Once the reference of a homotopy step passes most of the training set, tighter
+//! smoothing brings little that refinement does not; where a motion passes that solves nothing, nothing has to be solved.
+
+use plan::{EarlyEnd, Plan, PlanIteration, PlannerError, Problem, RobustnessTarget, Session, Variant, solve_until};
+use simulation::Reference;
+
+use crate::evaluators::evaluators;
+use crate::origin::reference_of;
+use crate::refine;
+use crate::search::Search;
+use crate::setting::Setting;
+use crate::simple::{simple_motions, straight_push};
+
+/// Plans a problem and makes the plan robust.
+///
+/// # Errors
+/// As [`plan::solve`] and [`refine`].
+pub fn solve_robust(problem: &Problem, target: &RobustnessTarget, session: &Session) -> Result<Plan, PlannerError> {
+    refine(solve_for(problem, target, session)?, target, session)
+}
+
+/// Plans a problem as far as refinement needs it: not at all where a simple motion is nearly robust, and otherwise until one
+/// of the references of the homotopy is, or its share of the time is over.
+fn solve_for(problem: &Problem, target: &RobustnessTarget, session: &Session) -> Result<Plan, PlannerError> {
+    target.validate()?;
+    let [evaluator, trainer] = evaluators(problem, target, &straight_push(problem), session)?;
+    let search = Search::new(Setting { problem, target, session, evaluator: &evaluator, trainer: &trainer });
+    let is_enough = |variant: &Variant, last: Option<&PlanIteration>| match last {
+        Some(last) => passes(&search, &[reference_of(variant, last)]),
+        None => passes(&search, &simple(&search)),
+    };
+    solve_until(problem, session, &EarlyEnd { is_enough: &is_enough, until: search.schedule.homotopy() })
+}
+
+fn simple(search: &Search) -> Vec<Reference> {
+    simple_motions(search).into_iter().map(|(_, reference)| reference).collect()
+}
+
+/// Whether one of some references passes enough of the training set to be refined rather than replaced; the first test
+/// cases alone show most that do not.
+fn passes(search: &Search, references: &[Reference]) -> bool {
+    let enough = search.setting.target.parameters.training.nearly_robust;
+    let all = search.training.cases.len();
+    [search.setting.target.parameters.training.first, all].into_iter().all(|count| {
+        let best = search.training.best_of_first(count, references, &|| search.schedule.is_over(search.schedule.end()));
+        best.is_some_and(|best| {
+            let passed = best.winner.results.iter().filter(|result| result.passed).count();
+            passed as f64 >= enough * best.winner.results.len() as f64
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicBool;
+
+    use plan::{Choices, Event, Stop};
+
+    use super::*;
+    use crate::tests::corner;
+
+    /// What the homotopy of the corner scene leaves with an offset magnitude (m).
+    fn left(offset_magnitude: f64) -> Plan {
+        let choices = Choices { offset_magnitude: Some(offset_magnitude), ..Choices::default() };
+        let problem = Problem::load(&corner(), &choices).unwrap();
+        let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
+        let interrupted = AtomicBool::new(false);
+        solve_for(&problem, &target, &Session::new(&|_: &Event| {}, &interrupted)).unwrap()
+    }
+
+    #[test]
+    fn nothing_is_solved_where_a_straight_push_passes() {
+        assert_eq!(left(1e-4).stopped, Some(Stop::Unneeded));
+    }
+
+    #[test]
+    fn the_homotopy_goes_on_while_nothing_passes() {
+        let plan = left(0.02);
+        assert!(plan.iterations.len() > 1, "{} steps", plan.iterations.len());
+    }
+}
