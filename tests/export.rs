@@ -255,7 +255,7 @@ fn an_interrupted_export_is_repeated() {
     let [new, old] = [250, 100].map(|rate| exported(rate, "robot"));
     let names = ["README.md", "plan.json", "trajectory.csv", "wrench.csv", "SHA256SUMS"];
     for moved in 0..=names.len() {
-        // As it is after so many moves: the sums are out, some files are in.
+        // After this many moves: the sums are out, some files are in.
         assert!(exported(100, "robot") == old);
         dir.make_folder(".robot.unfinished/whole");
         dir.write(".robot.unfinished/lock", "");

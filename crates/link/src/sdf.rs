@@ -69,7 +69,7 @@ fn pose_in<'text>(element: Node<'text, 'text>, link: Node) -> Result<Isometry3<f
     }
 }
 
-/// The geometry of a collision; an empty one is none.
+/// The geometry of a collision; an empty one does not count.
 fn geometry<'text>(collision: Node<'text, 'text>, file: &Path) -> Result<Option<Geometry>, ModelError> {
     let shape = only_shape(collision)?;
     Ok(Some(match tag(shape) {

@@ -107,7 +107,7 @@ impl Cone {
         }
         let size = points.iter().map(|point| (point - cone.origin).norm()).fold(0.0, f64::max);
         let axis = snapped(&cone.axis, size, rounding);
-        // A change of the radius within the rounding is none.
+        // A radius that differs by rounding only is the same.
         let slope = if cone.slope.abs() * size <= rounding { 0.0 } else { cone.slope };
         let cone = Self { axis, across: across(&axis), slope, ..cone };
         let deviation = points.iter().map(|point| cone.deviation(point)).fold(0.0, f64::max);

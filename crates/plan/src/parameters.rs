@@ -265,11 +265,11 @@ pub struct DraftParameters {
     pub coarse_iterations: usize,
     /// Exponents of ten of the least and largest factor of the weight of the reference's translational velocity.
     pub reference_translational: [f64; 2],
-    /// Likewise of its rotational velocity.
+    /// The same for its rotational velocity.
     pub reference_rotational: [f64; 2],
-    /// Likewise of the translational velocity of compliant motions.
+    /// The same for the translational velocity of compliant motions.
     pub compliant_translational: [f64; 2],
-    /// Likewise of their rotational velocity.
+    /// The same for their rotational velocity.
     pub compliant_rotational: [f64; 2],
     /// Fraction of drafts with friction.
     pub with_friction: f64,

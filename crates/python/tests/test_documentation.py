@@ -8,6 +8,8 @@ import sys
 from pathlib import Path
 
 import assembly_plan
+import nbclient
+import nbformat
 import pytest
 from assembly_plan import (
     Plan,
@@ -102,6 +104,18 @@ def test_python_in_pages_runs(page: str, tmp_path: Path) -> None:
 def test_small_examples_run(words: list[object], expected: str, tmp_path: Path) -> None:
     shown = run([EXAMPLES / str(words[0]), *words[1:]], tmp_path)
     assert expected in shown, shown
+
+
+@pytest.mark.filterwarnings("default")
+def test_the_notebook_runs(tmp_path: Path) -> None:
+    (tmp_path / "scenes").symlink_to(ROOT / "scenes")
+    notebook = nbformat.read(EXAMPLES / "notebook.ipynb", as_version=4)
+    nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    outputs = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
+    shown = "".join(output.text for output in outputs if output.output_type == "stream" and output.name == "stdout")
+    assert "planned, not tested" in shown
+    kinds = {kind for output in outputs if "data" in output for kind in output.data}
+    assert {"image/png", "text/html"} <= kinds, "figure and page"
 
 
 def test_the_sweep_is_drawn(tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
 //! One reference, refined and evaluated in turn.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use plan::{Event, PlannerError, Round};
 use simulation::{Refinement, TestCase, TestResult};
@@ -26,7 +26,9 @@ pub fn refine<'run>(
     loop {
         refining.train(search);
         // Not limited by the share of the time: a long evaluation is one that may succeed.
+        let begin = search.schedule.elapsed();
         let judgement = search.judge(refining.refinement.reference(), search.schedule.end());
+        let evaluation = search.schedule.elapsed().saturating_sub(begin);
         let evaluated = refining.evaluated(&judgement);
         search.found.remember(evaluated.clone(), search.setting.target.parameters.comparison.latest);
         if judgement.rates.rollouts() == 0 {
@@ -37,7 +39,7 @@ pub fn refine<'run>(
         refining.count(&judgement);
         keep_if_best(search, evaluated, &refining.round)?;
         refining.extend(search);
-        refining.limit(search);
+        refining.limit(search, evaluation);
         let is_finished = refining.is_finished(search, &judgement, least);
         refining.add(search, judgement.failures);
         if is_finished {
@@ -109,10 +111,10 @@ impl<'run> Refining<'run> {
         }
     }
 
-    /// A robust plan is only polished, for which there is less time.
-    fn limit(&mut self, search: &Search) {
+    /// A robust plan is only polished, for which there is less time: not where its `evaluation` takes long.
+    fn limit(&mut self, search: &Search, evaluation: Duration) {
         if self.passed == 1 {
-            self.until = self.until.min(search.schedule.polishing());
+            self.until = self.until.min(search.schedule.polishing(evaluation));
         }
     }
 

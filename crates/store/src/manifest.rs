@@ -101,11 +101,11 @@ impl Manifest {
     /// Reads the manifest of a folder.
     ///
     /// # Errors
-    /// When there is none, or with the line that is wrong.
+    /// When it is not found, or with the line that is wrong.
     pub fn load(folder: &Path) -> Result<Self, PlannerError> {
         let file = folder.join(MANIFEST);
         if !file.exists() {
-            return Err(PlannerError::file(&file, "there is none; `assembly-plan batch expand` writes it"));
+            return Err(PlannerError::file(&file, "not found; `assembly-plan batch expand` writes it"));
         }
         let text = read_text(&file)?;
         let mut cells = Vec::new();

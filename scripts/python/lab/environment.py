@@ -1,7 +1,7 @@
 """The environment of the commands that need packages: `target/lab`, which has of `requirements.txt` what was needed so
 far.
 
-It is made anew when the pins change.
+It is rebuilt when the pins change.
 """
 
 import importlib.util

@@ -34,7 +34,7 @@ class Heard:
 
 
 class Inbox:
-    """Keeps the newest message of every topic. A message that was heard before is none, and one that is older than the last, or
+    """Keeps the newest message of every topic. A message that was heard before is dropped, and one that is older than the last, or
     in another frame, is remembered as a failure."""
 
     def __init__(self, frame: str, has_arm: bool) -> None:

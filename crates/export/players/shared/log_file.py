@@ -21,7 +21,7 @@ WRITTEN, SYNCHRONISED = 0.05, 1.0
 
 
 class LogFile:
-    """A new file: nothing is replaced. Its first line is `#` and a JSON object, which is written anew at the end."""
+    """A new file: nothing is replaced. Its first line is `#` and a JSON object, which is rewritten at the end."""
 
     def __init__(self, file: pathlib.Path | None, header: dict[str, Any], columns: str) -> None:
         self.path, self.stream = create(file)
@@ -72,7 +72,7 @@ class LogFile:
                     synchronised = time.monotonic()
             except OSError as error:
                 self.failure = error
-                # Half a row is none.
+                # Half a row is dropped.
                 self.stream.truncate(whole)
 
 

@@ -1,4 +1,4 @@
-//! Dynamic similarity: a body that is so many times as heavy, held so many times as stiffly, moves alike, and its optimal
+//! Dynamic similarity: a body that is heavier by a factor, and held more stiffly by the same, moves alike, and its optimal
 //! control problem is the same one.
 
 use std::path::Path;

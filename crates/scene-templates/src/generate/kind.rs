@@ -91,7 +91,7 @@ impl PegSection {
                 let moves = [-chamfer, clearance, clearance + chamfer];
                 random::section(rng, diameter, prisms, facets, &moves).ok_or_else(|| {
                     let rule = format!(
-                        "hardly any section has so many, {facets} facets and these sizes; choose fewer prisms, other \
+                        "hardly any section has this many, {facets} facets and these sizes; choose fewer prisms, other \
                          facets, or less clearance and chamfer"
                     );
                     PegError { name: "prisms", value: prisms.to_string(), rule }

@@ -221,7 +221,7 @@ fn sizes_that_are_not_possible_are_refused() {
         (rectangular(key(0.001, 1.0)), "key height = 1: must be above 0 and at most 0.006 m"),
         (random(1, 9, 30), "prisms = 9: must lie between 1 and 8"),
         (random(1, 0, 6), "prisms = 0: must lie between 1 and 8"),
-        (odd, "prisms = 4: hardly any section has so many, 7 facets and these sizes"),
+        (odd, "prisms = 4: hardly any section has this many, 7 facets and these sizes"),
         (Peg { length: 0.4, chamfer: 0.08, ..random(1, 2, 8) }, "prisms = 2: hardly any section"),
     ];
     for (peg, words) in wrong {

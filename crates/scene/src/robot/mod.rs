@@ -39,7 +39,7 @@ pub struct Robot {
     pub tip: String,
     /// Pose of the body's frame in that of the tip (position m, unit quaternion w x y z).
     pub grasp: Pose,
-    /// Pose of the arm's base in the world frame, likewise.
+    /// Pose of the arm's base in the world frame, in the same way.
     pub base: Pose,
     /// The arm, with base, grasp, rotors and payload.
     pub arm: Arm,

@@ -53,7 +53,7 @@ fn boxes_of_every_round_size() {
     }
 }
 
-/// A cylinder, a ring or a star-shaped prism with a phase, at a place, with coordinates of so many decimals.
+/// A cylinder, a ring or a star-shaped prism with a phase, at a place, with coordinates of a number of decimals.
 fn random_part(random: &mut Random, decimals: i32) -> (Shape, f64, String) {
     let sides = 3 + random.below(58);
     let radius = random.between(15.0, 60.0);
