@@ -69,8 +69,7 @@ def without_places(sbom: bytes) -> bytes:
 
 def licences(names: list[str]) -> dict[str, bytes]:
     """Texts of licences by their paths, for all libraries among some files."""
-    texts = {path.name: path.read_bytes() for path in [ROOT / "LICENSE-MIT", ROOT / "LICENSE-APACHE"]}
-    texts |= {path.name: path.read_bytes() for path in (PACKAGE / "licenses").iterdir()}
+    texts = {path.name: path.read_bytes() for path in (PACKAGE / "licenses").iterdir()}
     texts["third-party-crates.txt"] = debian.licences_of_crates("python").encode()
     known = set(re.findall(r"`(lib\w+)`", TABLE.search(PAGE.read_text())[1]))
     grafted = {match[1] for name in names if (match := GRAFTED.match(name))}
