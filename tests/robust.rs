@@ -100,6 +100,36 @@ fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
 }
 
 #[test]
+fn an_earlier_plan_is_moved_to_a_new_start_and_a_new_goal() {
+    let dir = Dir::new();
+    dir.run(SOLVE).code(0);
+    let start = (
+        "position = [0.1, 0.0, 0.08]\norientation = [0.997188818",
+        "position = [0.103, 0.002, 0.078]\norientation = [0.997188818",
+    );
+    dir.add_variant("measured.toml", &[start]);
+    let again = |scene: &str, out: &str| {
+        SOLVE.replace("corner.toml", scene).replace("--out out", &format!("--from out --out {out}"))
+    };
+    dir.run(&again("measured.toml", "again")).code(0).says("nothing had to be solved");
+    let result = dir.result("again");
+    assert!(number(&result, "robust.rate_after") >= 0.99);
+    assert!(result["robust"]["rounds"][0]["planned"].as_str().unwrap().starts_with("the earlier plan"));
+    // Floor, wall, start and goal stand 5 mm higher.
+    let higher = [
+        ("position = [0.0, 0.0, -0.05]", "position = [0.0, 0.0, -0.045]"),
+        ("position = [-0.05, 0.0, 0.2]", "position = [-0.05, 0.0, 0.205]"),
+        ("position = [0.051, 0.0, 0.031]", "position = [0.051, 0.0, 0.036]"),
+    ];
+    dir.add_variant("higher.toml", &higher);
+    dir.run(&again("higher.toml", "higher")).code(0).says("nothing had to be solved");
+    let last = |folder: &str| dir.table(&format!("{folder}/reference.csv")).numbers_from("time_s").pop().unwrap();
+    assert!((last("higher")[3] - last("out")[3] - 0.005).abs() < 2e-3, "{:?}", last("higher"));
+    dir.run("solve corner.toml --robust --from nothing --out other").code(2).says("nothing");
+    dir.run("solve corner.toml --from out --out other").code(2).says("--robust");
+}
+
+#[test]
 fn where_friction_holds_the_body_the_reference_goes_past_the_goal_and_back() {
     let dir = Dir::new();
     dir.run("solve corner.toml --friction 0,0.3 --robust --report --out out").code(0).says("with a final oscillation");

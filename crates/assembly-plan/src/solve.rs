@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use planner::check::refusal;
-use planner::files::{PlanFolder, PlanResult};
+use planner::files::{PlanFolder, PlanResult, StoredPlan};
 use planner::{Keeper, Outcome, Plan, PlannerError, Problem, RunClock, Session, Stop, warnings};
 
 use crate::arguments::SolveArguments;
@@ -27,6 +27,10 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
     }
     let target = arguments.target(problem.scene())?;
     target.validate()?;
+    let problem = match &arguments.robust.from {
+        Some(folder) => StoredPlan::open(folder)?.tried_first_for(problem)?,
+        None => problem,
+    };
     warnings::of_problem(&problem).iter().for_each(|warning| tell!("warning: {warning}"));
     let progress = Progress::new(&arguments.progress)?.until(clock.deadline());
     let chosen = problem.chosen();

@@ -47,7 +47,6 @@ impl RobustParameters {
             other_drafts,
             solving,
             training,
-            polishing,
             margins,
             simplification,
             comparison,
@@ -60,7 +59,6 @@ impl RobustParameters {
             ("time.other_drafts", other_drafts),
             ("time.solving", solving),
             ("time.training", training),
-            ("time.polishing", polishing),
             ("time.margins", margins),
             ("time.simplification", simplification),
             ("time.comparison", comparison),
@@ -99,11 +97,9 @@ pub struct TimeShares {
     pub solving: f64,
     /// Perturbations, of the time of a refinement; the rest is for the evaluation that follows.
     pub training: f64,
-    /// The few test cases that a robust plan fails, of as much time as the run so far.
-    pub polishing: f64,
     /// The hardened environment in which a robust plan gets margins; the rest is for the evaluation that follows.
     pub margins: f64,
-    /// Making a robust plan simpler, of as much time as the run so far; the rest is for the evaluation that follows.
+    /// Making a robust plan simpler; the rest is for the evaluation that follows.
     pub simplification: f64,
     /// Left for the comparison at the end, of the whole time.
     pub comparison: f64,
@@ -119,7 +115,6 @@ impl Default for TimeShares {
             other_drafts: 0.4,
             solving: 0.6,
             training: 0.8,
-            polishing: 0.5,
             margins: 0.8,
             simplification: 0.5,
             comparison: 0.04,

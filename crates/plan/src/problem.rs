@@ -50,6 +50,7 @@ pub struct Problem {
     homotopy: HomotopySettings,
     resolved: String,
     identity: String,
+    earlier: Option<Reference>,
 }
 
 impl Problem {
@@ -133,7 +134,18 @@ impl Problem {
             homotopy,
             resolved,
             identity,
+            earlier: None,
         })
+    }
+
+    /// The same problem with the [moved](crate::moved) reference of an earlier plan, which is tried before anything is solved.
+    pub fn with_earlier(self, reference: Reference) -> Self {
+        Self { earlier: Some(reference), ..self }
+    }
+
+    /// The reference of an earlier plan, if it has one.
+    pub fn earlier(&self) -> Option<&Reference> {
+        self.earlier.as_ref()
     }
 
     /// Whether the homotopy is the built-in one, apart from the linear solver.

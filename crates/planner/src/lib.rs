@@ -64,7 +64,7 @@ pub use plan::{
     PlannerError, PlayedRollout, Problem, PushReport, Region, RobustParameters, RobustnessReport, RobustnessTarget,
     RolloutRemarks, Round, RunClock, Session, SimulationRequest, Split, StageSolverRecord, Stop, SuccessGroup,
     SuccessRate, SuccessRates, SuccessTable, TestReport, Unusable, VERSION, Variant, carried, engagement, homotopy,
-    interval, max_force, rate, simulate, simulate_each, solve,
+    interval, max_force, moved, rate, simulate, simulate_each, solve,
 };
 pub use starter::{Starter, StarterFit, require_plannable, starter};
 pub use store::{Ending, Execution, batch};

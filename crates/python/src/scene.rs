@@ -6,6 +6,7 @@ use std::sync::Arc;
 use ::scene::{Part, Source};
 use nalgebra::Matrix3;
 use planner::check::{explain, pair_reports, refusal};
+use planner::files::StoredPlan;
 use planner::{Choices, Keeper, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop, warnings};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -229,6 +230,10 @@ fn solve(
     if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&read.file, reason));
     }
+    let problem = match robust.as_ref().and_then(|robust| robust.earlier.as_deref()) {
+        Some(folder) => StoredPlan::open(folder)?.tried_first_for(problem)?,
+        None => problem,
+    };
     let target = robust.map(|robust| robust.target(problem.scene())).transpose()?;
     warnings::of_problem(&problem).into_iter().for_each(|warning| watch.warn(warning));
     let folder = options.claim(&inputs.iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>())?;

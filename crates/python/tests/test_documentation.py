@@ -1,6 +1,7 @@
 """What users read: signatures, docstrings, pages and examples."""
 
 import inspect
+import keyword
 import os
 import re
 import subprocess
@@ -49,6 +50,8 @@ def test_keywords_are_flags_of_the_command(name: str) -> None:
     flags = {flag.replace("-", "_") for flag in re.findall(r"--([a-z][a-z-]*)", shown)}
     parameters = inspect.signature(getattr(Scene, name)).parameters
     keywords = {key for key, value in parameters.items() if value.kind is value.KEYWORD_ONLY}
+    # A word of the language ends with an underscore.
+    flags |= {flag + "_" for flag in flags & set(keyword.kwlist)}
     # The command shows progress; a homotopy can be chosen for a check, which has no flag for it.
     assert keywords - {"progress"} - ({"homotopy"} if subcommand == "check" else set()) <= flags
     for key in keywords:

@@ -115,6 +115,21 @@ def test_a_robust_plan_succeeds_with_hard_contacts(scene: Scene) -> None:
     assert scene.simulate(plan, friction=[0.2]).rate() == 1.0
 
 
+def test_an_earlier_plan_is_moved_to_a_new_start(scene: Scene, tmp_path: Path) -> None:
+    plan = scene.solve_robust(friction=0.0, time_limit=3600)
+    plan.save(tmp_path / "plan")
+    starts = scene.to_dict()["start"]
+    starts[0]["position"] = [0.103, 0.002, 0.078]
+    measured = scene.replace(start=starts)
+    for earlier in (plan, tmp_path / "plan"):
+        moved = measured.solve_robust(friction=0.0, from_=earlier, time_limit=3600)
+        assert moved.done and moved.result["iterations"] == 0
+        assert moved.result["robust"]["rounds"][0]["planned"].startswith("the earlier plan")
+        assert moved.reference[0, :3] == pytest.approx([0.103, 0.002, 0.078])
+    with pytest.raises(NoPlanError):
+        measured.solve_robust(from_=tmp_path / "none")
+
+
 def test_a_scene_that_begins_inside_cannot_be_planned(tmp_path: Path) -> None:
     inside = tmp_path / "inside.toml"
     inside.write_text(CORNER.read_text().replace("position = [0.1, 0.0, 0.08]", "position = [0.1, 0.0, -0.02]", 1))

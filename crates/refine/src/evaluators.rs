@@ -22,13 +22,14 @@ pub fn evaluators(
     Ok([evaluation.force_share, training.force_share].map(|share| evaluator.clone().with_force_share(share)))
 }
 
-/// With references that stay near a plan and the straight path. Without this, refinement could succeed by throwing the
+/// With references that stay near a plan, an earlier one and the straight path. Without this, refinement could succeed by throwing the
 /// part.
 fn near(evaluator: Evaluator, problem: &Problem, reference: &Reference, parameters: &NearParameters) -> Evaluator {
     let task = problem.task();
     let straight = Reference::straight(&task.start, &task.goal, task.horizon);
     let margin = parameters.margin * (problem.offset_magnitude() + problem.success().position);
-    evaluator.near(&[reference, &straight], margin, parameters.haste, radius(problem))
+    let known: Vec<&Reference> = [reference, &straight].into_iter().chain(problem.earlier()).collect();
+    evaluator.near(&known, margin, parameters.haste, radius(problem))
 }
 
 /// Distance of the body's origin from its farthest corner (m).

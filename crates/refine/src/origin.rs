@@ -18,6 +18,8 @@ pub enum Origin {
     Push,
     /// A spiral search for the hole, which solves nothing.
     Spiral,
+    /// An earlier plan, moved.
+    Earlier,
     /// The caller.
     Given,
     /// A problem of the portfolio.
@@ -55,7 +57,7 @@ pub struct Solved {
 impl Origin {
     /// Whether its homotopy steps are those of the scene itself, which are stored elsewhere.
     pub fn has_homotopy_of_scene(&self) -> bool {
-        matches!(self, Self::Scene | Self::Push | Self::Spiral | Self::Given)
+        matches!(self, Self::Scene | Self::Push | Self::Spiral | Self::Earlier | Self::Given)
     }
 }
 
@@ -100,6 +102,7 @@ impl fmt::Display for Origin {
             Self::Scene => formatter.write_str("the scene as it is"),
             Self::Push => formatter.write_str("a straight push"),
             Self::Spiral => formatter.write_str("a spiral search"),
+            Self::Earlier => formatter.write_str("the earlier plan"),
             Self::Given => formatter.write_str("a given reference"),
             Self::Variant(recipe) => recipe.fmt(formatter),
             Self::Draft(draft) => draft.fmt(formatter),

@@ -13,7 +13,7 @@ use crate::origin::{Origin, Solved};
 use crate::resume::{earlier_work, restore};
 use crate::schedule::Deadline;
 use crate::search::Search;
-use crate::simple::{or_simple, straight_push};
+use crate::simple::{or_simple, simple_motions};
 
 /// Evaluates the plan of the scene, and refines it, or a simple motion, unless it is good enough; margins follow later. Or resumes an
 /// earlier run. `solving` is the time that the plan took.
@@ -24,7 +24,7 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
         search.found.best = Some(best);
         return refine_best(search, search.schedule.own());
     }
-    let first = First::of(plan);
+    let first = First::of(search, plan);
     judge_first(search, first.solved.clone(), first.reference.clone())?;
     let until = search.schedule.own();
     if search.goes_on(until)
@@ -38,32 +38,33 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
     Ok(())
 }
 
-/// What refinement begins with: the last homotopy step, or a straight push where nothing had to be solved.
+/// What refinement begins with: the last homotopy step, or a simple motion where nothing had to be solved.
 struct First {
     solved: Solved,
     reference: Reference,
 }
 
 impl First {
-    fn of(plan: Plan) -> Self {
+    fn of(search: &Search, plan: Plan) -> Self {
         let chosen = plan.chosen_stage();
-        if plan.stopped == Some(Stop::Unneeded) {
-            let reference = straight_push(&plan.problem);
-            return Self { solved: Solved::new(Origin::Push, plan.variant, plan.iterations), reference };
+        if let Some((origin, reference)) = simple_motions(search).into_iter().next()
+            && plan.stopped == Some(Stop::Unneeded)
+        {
+            let mut variant = plan.variant;
+            variant.task.horizon = reference.horizon();
+            return Self { solved: Solved::new(origin, variant, plan.iterations), reference };
         }
         let solved = Solved { chosen, ..Solved::new(Origin::Scene, plan.variant, plan.iterations) };
         Self { reference: solved.reference(chosen - 1), solved }
     }
 
-    /// The best homotopy step, or the straight push.
+    /// The best homotopy step, or the simple motion.
     fn candidate<'run>(self, search: &Search<'run>, until: Deadline) -> Option<Candidate<'run>> {
         let Self { solved, reference } = self;
-        match solved.origin {
-            Origin::Push => {
-                let best = search.training.best_of(&[reference], &|| search.schedule.is_over(until))?;
-                Some(search.training.candidate(best, solved))
-            }
-            _ => search.candidate(solved, until),
+        if solved.origin == Origin::Scene {
+            return search.candidate(solved, until);
         }
+        let best = search.training.best_of(&[reference], &|| search.schedule.is_over(until))?;
+        Some(search.training.candidate(best, solved))
     }
 }

@@ -1,6 +1,6 @@
 //! One reference, refined and evaluated in turn.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use plan::{Event, PlannerError, Round};
 use simulation::{Refinement, TestCase, TestResult};
@@ -26,9 +26,7 @@ pub fn refine<'run>(
     loop {
         refining.train(search);
         // Not limited by the share of the time: a long evaluation is one that may succeed.
-        let begin = search.schedule.elapsed();
         let judgement = search.judge(refining.refinement.reference(), search.schedule.end());
-        let evaluation = search.schedule.elapsed().saturating_sub(begin);
         let evaluated = refining.evaluated(&judgement);
         search.found.remember(evaluated.clone(), search.setting.target.parameters.comparison.latest);
         if judgement.rates.rollouts() == 0 {
@@ -39,7 +37,6 @@ pub fn refine<'run>(
         refining.count(&judgement);
         keep_if_best(search, evaluated, &refining.round)?;
         refining.extend(search);
-        refining.limit(search, evaluation);
         let is_finished = refining.is_finished(search, &judgement, least);
         refining.add(search, judgement.failures);
         if is_finished {
@@ -102,19 +99,9 @@ impl<'run> Refining<'run> {
 
     /// The best plan so far may exceed its share of the time while it improves or is nearly robust.
     fn extend(&mut self, search: &Search) {
-        if self.passed > 0 {
-            return;
-        }
         let is_best = search.found.best.as_ref().is_some_and(|best| best.round == self.number);
         if is_best && (self.stalled == 0 || search.is_nearly_robust()) && search.schedule.is_over(self.until) {
             self.until = search.schedule.own();
-        }
-    }
-
-    /// A robust plan is only polished, for which there is less time: not where its `evaluation` takes long.
-    fn limit(&mut self, search: &Search, evaluation: Duration) {
-        if self.passed == 1 {
-            self.until = self.until.min(search.schedule.polishing(evaluation));
         }
     }
 

@@ -105,25 +105,15 @@ impl<'run> Schedule<'run> {
         self.share(until, self.shares.training)
     }
 
-    /// The end of the refinement of a robust plan in the few test cases that it fails, if its evaluation takes some time.
-    pub fn polishing(&self, evaluation: Duration) -> Deadline {
-        let end = self.share(self.as_much_again(), self.shares.polishing);
-        Deadline(end.0.saturating_sub(evaluation))
-    }
-
-    /// The end of the refinement in the hardened environment.
+    /// The end of the refinement in the hardened environment, which may take as much time as the run so far.
     pub fn margins(&self) -> Deadline {
-        self.share(self.as_much_again(), self.shares.margins)
-    }
-
-    /// When as much time has passed again as the run took so far.
-    fn as_much_again(&self) -> Deadline {
-        Deadline(2 * self.elapsed()).min(self.end())
+        let as_much_again = Deadline(2 * self.elapsed()).min(self.end());
+        self.share(as_much_again, self.shares.margins)
     }
 
     /// The end of the simplification of a robust plan.
     pub fn simplification(&self) -> Deadline {
-        self.share(self.as_much_again(), self.shares.simplification)
+        self.share(self.end(), self.shares.simplification)
     }
 
     /// Time until the comparison.
@@ -158,14 +148,10 @@ mod tests {
         let schedule = Schedule::new(&session, seconds(120), shares).after(seconds(7));
         assert_eq!((schedule.elapsed(), schedule.total()), (seconds(40), seconds(47)));
         assert_eq!((schedule.limit(), schedule.end()), (Deadline(seconds(120)), Deadline(seconds(90))));
-        let (half, polished) = (schedule.own(), Deadline(seconds(55)));
+        let half = schedule.own();
         assert_eq!(half, Deadline(seconds(65)));
         assert!(!schedule.is_over(half) && schedule.is_over(Deadline(seconds(40))));
         assert_eq!(schedule.margins(), Deadline(seconds(80)), "as much time again");
-        assert_eq!(
-            (schedule.polishing(seconds(5)), schedule.polishing(seconds(30))),
-            (polished, Deadline(seconds(30)))
-        );
         assert_eq!(schedule.until(half, &session).limit(), half);
         assert_eq!((schedule.drafts(seconds(15)), schedule.drafts(seconds(14))), (None, Some(Deadline(seconds(55)))));
         assert_eq!(schedule.affordable_variants(seconds(10)), 3, "in three fifths of the time");

@@ -1,4 +1,4 @@
-//! Motions that solve nothing as references to refine: a straight push, and a spiral search for the hole.
+//! Motions that solve nothing as references to refine: that of an earlier plan, a straight push, a spiral search for the hole.
 
 use nalgebra::Vector3;
 use plan::{Problem, Variant};
@@ -26,15 +26,16 @@ pub fn or_simple<'run>(search: &Search<'run>, own: Candidate<'run>, until: Deadl
     best
 }
 
-/// The simple motions of a free body that keep all limits: with an arm, none has ever become robust.
+/// The simple motions that keep all limits. With an arm, only that of an earlier plan: no other has ever become robust.
 pub fn simple_motions(search: &Search) -> Vec<(Origin, Reference)> {
     let problem = search.setting.problem;
-    if problem.arm().is_some() {
-        return Vec::new();
+    let mut motions: Vec<_> = problem.earlier().map(|earlier| (Origin::Earlier, earlier.clone())).into_iter().collect();
+    if problem.arm().is_none() {
+        motions.push((Origin::Push, straight_push(problem)));
+        motions.extend(spiral(search).map(|reference| (Origin::Spiral, reference)));
     }
-    let spiral = spiral(search).map(|reference| (Origin::Spiral, reference));
-    let all = [(Origin::Push, straight_push(problem))].into_iter().chain(spiral);
-    all.filter(|(_, reference)| search.setting.evaluator.bounds().allow(reference)).collect()
+    motions.retain(|(_, reference)| search.setting.evaluator.bounds().allow(reference));
+    motions
 }
 
 /// The straight push from start to goal.

@@ -116,6 +116,27 @@ impl Reference {
         Self { time_step: horizon.time_step, knots }.with_twists()
     }
 
+    /// The same motion in a world that is moved.
+    pub fn transformed(&self, by: &Isometry3<f64>) -> Self {
+        let moved = |knot: &Knot| Knot { pose: by * knot.pose, velocity: by.rotation * knot.velocity, ..*knot };
+        Self { time_step: self.time_step, knots: self.knots.iter().map(moved).collect() }
+    }
+
+    /// From another start: its difference from that of the motion fades out over a number of intervals, after which the motion
+    /// is the same.
+    pub fn led_from(&self, start: &Isometry3<f64>, intervals: usize) -> Self {
+        let shift = start.translation.vector - self.knots[0].pose.translation.vector;
+        let rotation = (self.knots[0].pose.rotation.inverse() * start.rotation).scaled_axis();
+        let mut knots = self.knots.clone();
+        for (index, knot) in knots.iter_mut().enumerate().take(intervals) {
+            let share = index as f64 / intervals as f64;
+            let left = 1.0 - share * share * (3.0 - 2.0 * share);
+            knot.pose.translation.vector += shift * left;
+            knot.pose.rotation *= UnitQuaternion::from_scaled_axis(rotation * left);
+        }
+        Self { time_step: self.time_step, knots }.with_twists()
+    }
+
     /// The first intervals, at most `intervals`.
     pub fn cut(&self, intervals: usize) -> Self {
         Self { time_step: self.time_step, knots: self.knots.iter().copied().take(intervals + 1).collect() }
@@ -238,6 +259,37 @@ fn inside(fraction: f64, [from, to]: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_reference_from_another_start_ends_as_before() {
+        let pose = |x: f64| Pose::new([x, 0.0, 0.1 - x], [(0.5 * x).cos(), (0.5 * x).sin(), 0.0, 0.0]);
+        let states: Vec<State> = (0..=10).map(|step| pose(0.01 * f64::from(step)).at_rest()).collect();
+        let reference = Reference::new(0.1, &states);
+        let start = Isometry3::from_parts(
+            Vector3::new(0.004, -0.003, 0.102).into(),
+            UnitQuaternion::from_scaled_axis(Vector3::new(0.0, 0.05, 0.0)),
+        );
+        let led = reference.led_from(&start, 6);
+        let far = |index: usize| {
+            let (one, other) = (led.at(index, 0.0).pose, reference.at(index, 0.0).pose);
+            ((one.translation.vector - other.translation.vector).norm(), one.rotation.angle_to(&other.rotation))
+        };
+        let begin = led.at(0, 0.0).pose;
+        assert!((begin.translation.vector - start.translation.vector).norm() < 1e-15);
+        assert!(begin.rotation.angle_to(&start.rotation) < 1e-9);
+        assert!((1..6).all(|index| far(index).0 < far(index - 1).0 && far(index).1 < far(index - 1).1));
+        assert!((6..=10).all(|index| far(index) == (0.0, 0.0)));
+        assert_eq!(reference.led_from(&start, 0), reference.clone().with_twists(), "no time for it");
+
+        let by = Isometry3::from_parts(
+            Vector3::new(0.2, 0.0, 0.1).into(),
+            UnitQuaternion::from_scaled_axis(Vector3::new(0.0, 0.0, 0.4)),
+        );
+        let (moved, knot) = (reference.clone().with_twists().transformed(&by), 4);
+        let velocity = moved.at(knot, 0.0).velocity;
+        let expected = moved.clone().with_twists().at(knot, 0.0).velocity;
+        assert!((velocity - expected).norm() < 1e-12, "velocities turn with the world");
+    }
 
     #[test]
     fn a_reference_on_another_horizon_is_the_same_motion() {

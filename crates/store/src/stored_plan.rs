@@ -75,6 +75,15 @@ impl StoredPlan {
         read_reference(&self.folder.join(REFERENCE))
     }
 
+    /// A problem for which this plan is tried before anything is solved, moved to its start and its goal.
+    ///
+    /// # Errors
+    /// When a file of the plan is damaged, or its arm does not reach its start.
+    pub fn tried_first_for(&self, problem: Problem) -> Result<Problem, PlannerError> {
+        let reference = plan::moved(&self.reference()?, &self.problem()?, &problem)?;
+        Ok(problem.with_earlier(reference))
+    }
+
     /// The reference after every homotopy step.
     ///
     /// # Errors

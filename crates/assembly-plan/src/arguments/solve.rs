@@ -58,6 +58,9 @@ pub struct RobustArguments {
     /// End after this time (s), everything included, with the best plan so far [default: 300 with --robust]
     #[arg(long, value_name = "S", value_parser = seconds)]
     pub time_limit: Option<f64>,
+    /// With --robust: before anything is solved, try the plan in this folder, moved to the start and the goal of the scene
+    #[arg(long, value_name = "DIR", requires = "robust")]
+    pub from: Option<PathBuf>,
     /// With --robust: evaluate a plan again after this many perturbations in a row without improvement; 0 only evaluates it
     #[arg(long, value_name = "N", default_value_t = 150, value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
     pub stall_limit: u32,

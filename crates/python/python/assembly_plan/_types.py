@@ -32,6 +32,7 @@ class RobustOptions(TypedDict):
     time_limit: float
     stall_limit: int
     friction: list[float] | None
+    earlier: str | os.PathLike[str] | None
 
 
 class PlayOptions(TypedDict):

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
-from collections.abc import Iterable
+import tempfile
+from collections.abc import Iterable, Iterator
+from pathlib import Path
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -155,6 +158,7 @@ class Scene(SceneContent):
         stall_limit: int = 150,
         friction: float | Iterable[float] | None = None,
         rotation_error: float | None = None,
+        from_: Plan | StrPath | None = None,
         jobs: int | None = None,
         out: StrPath | None = None,
         resume: bool = False,
@@ -171,6 +175,8 @@ class Scene(SceneContent):
         - `friction`: Coulomb friction coefficients; by default the scene's.
         - `rotation_error`: the part may also be rotated in the gripper by up to this angle, about any axis (rad); by
           default the scene's.
+        - `from_`: before anything is solved, try this plan, or that of a folder, moved to the start and the goal of the
+          scene.
 
         `out` and `resume` are those of `solve`.
         """
@@ -184,8 +190,9 @@ class Scene(SceneContent):
             rotation_error=rotation_error,
         )
         options: SolveOptions = {"out": out, "resume": resume, "jobs": _values.threads(jobs)}
-        robust = _robust(target_rate, time_limit, stall_limit, friction)
-        return Plan(self._native.solve(chosen, options, robust, _listener(progress)))
+        with _folder_of(from_) as earlier:
+            robust = _robust(target_rate, time_limit, stall_limit, friction, earlier)
+            return Plan(self._native.solve(chosen, options, robust, _listener(progress)))
 
     @renamed(turn="rotation_error")
     def simulate(
@@ -376,12 +383,29 @@ class Scene(SceneContent):
         return f"<Scene {self.title!r}: {len(self._body)} and {len(self._environment)} parts>"
 
 
+@contextlib.contextmanager
+def _folder_of(plan: Plan | StrPath | None) -> Iterator[StrPath | None]:
+    """The folder of a plan, for some time."""
+    if not isinstance(plan, Plan):
+        yield plan
+        return
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place) / "plan"
+        plan._copy(folder)
+        yield folder
+
+
 def _robust(
-    target_rate: float, time_limit: float, stall_limit: int, friction: float | Iterable[float] | None
+    target_rate: float,
+    time_limit: float,
+    stall_limit: int,
+    friction: float | Iterable[float] | None,
+    earlier: StrPath | None = None,
 ) -> RobustOptions:
     return {
         "target_rate": _values.number(target_rate, "target_rate"),
         "time_limit": _values.number(time_limit, "time_limit"),
         "stall_limit": _values.whole(stall_limit, "stall_limit", 2**32 - 1),
         "friction": None if friction is None else _values.several(friction, "friction"),
+        "earlier": earlier,
     }
