@@ -83,7 +83,7 @@ impl RobustParameters {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct TimeShares {
-    /// The homotopy of the scene itself, at least its first step.
+    /// The homotopy of the scene itself; with an arm, at least its first step.
     pub homotopy: f64,
     /// The first refinement of the plan of the scene itself.
     pub own: f64,

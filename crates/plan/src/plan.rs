@@ -48,8 +48,8 @@ pub enum Stop {
     TimeLimit,
     /// Its homotopy has led far enough for the rollouts that decide about it.
     Enough,
-    /// Rollouts have shown that nothing has to be solved: there is only a first homotopy step, which was not begun.
-    Unneeded,
+    /// Only the start of the first homotopy step is known: rollouts have shown that none is needed, or there was no time for it.
+    Unsolved,
 }
 
 /// Status of a plan.

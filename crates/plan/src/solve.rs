@@ -36,13 +36,15 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
 pub struct EarlyEnd<'run> {
     /// Whether no homotopy step of a variant has to follow after one, or none has to be solved at all.
     pub is_enough: &'run dyn Fn(&Variant, Option<&PlanIteration>) -> bool,
-    /// When it ends in any case, once it has finished a step, as time since the run began.
+    /// When it ends in any case, as time since the run began.
     pub until: Duration,
+    /// Whether its first step is finished even then.
+    pub needs_step: bool,
 }
 
 impl EarlyEnd<'_> {
     /// All homotopy steps are solved.
-    const NEVER: Self = EarlyEnd { is_enough: &|_, _| false, until: Duration::MAX };
+    const NEVER: Self = EarlyEnd { is_enough: &|_, _| false, until: Duration::MAX, needs_step: true };
 
     /// Whether its time is over.
     fn is_late(&self, session: &Session) -> bool {
@@ -50,7 +52,7 @@ impl EarlyEnd<'_> {
     }
 }
 
-/// As [`solve`], but the homotopy may end early; the plan then says that it was [`Stop::Enough`], or [`Stop::Unneeded`].
+/// As [`solve`], but the homotopy may end early; the plan then says that it was [`Stop::Enough`], or [`Stop::Unsolved`].
 ///
 /// # Errors
 /// As [`solve`].
@@ -127,7 +129,8 @@ impl Attempt {
         if is_unneeded || !is_done && !is_lost(&finished.iterations) {
             let earlier = finished.iterations.clone();
             let run = HomotopyRun { variant: &variant, threads: session.threads, earlier: &earlier, start };
-            let (may_end, ends_early) = (Cell::new(!earlier.is_empty()), Cell::new(is_unneeded));
+            let may_end = Cell::new(!earlier.is_empty() || !early.needs_step);
+            let (ends_early, is_unsolved) = (Cell::new(is_unneeded), Cell::new(false));
             let observe = |event: &SolverEvent| {
                 session.tell(Event::Iteration(*event));
                 ends_early.set(is_unneeded || may_end.get() && early.is_late(session));
@@ -135,13 +138,13 @@ impl Attempt {
             };
             let mut kept = Ok(());
             let on_finished = |Solved { number, iteration, is_cut }: Solved| {
-                if is_cut && may_end.get() && ends_early.get() {
+                if is_cut && ends_early.get() {
+                    // Of a step that was cut, nothing is of use but that there is one.
+                    is_unsolved.set(finished.iterations.is_empty());
+                    finished.iterations.extend(is_unsolved.get().then_some(iteration));
                     return Control::Stop;
                 }
                 finished.iterations.push(iteration);
-                if is_unneeded {
-                    return Control::Stop;
-                }
                 announce(session, number, most, &finished.iterations[number - 1]);
                 if let (Some(folder), Ok(()), false) = (session.folder, &kept, is_cut) {
                     kept = finished.keep(folder, self, &variant);
@@ -156,7 +159,7 @@ impl Attempt {
             stopped = match ended {
                 Ended::OutOfTime => Some(Stop::TimeLimit),
                 Ended::Cut if !ends_early.get() => Some(Stop::User),
-                _ if is_unneeded => Some(Stop::Unneeded),
+                _ if is_unsolved.get() => Some(Stop::Unsolved),
                 Ended::Cut | Ended::ByItself => ends_early.get().then_some(Stop::Enough),
             };
         }
@@ -257,7 +260,9 @@ mod tests {
         assert_eq!((late.iterations.len(), late.stopped), (1, Some(Stop::Enough)));
         assert!(!late.can_go_on(), "no time limit has ended it");
         let unneeded = ended(&EarlyEnd { is_enough: &|_, _| true, ..EarlyEnd::NEVER });
-        assert_eq!((unneeded.iterations.len(), unneeded.stopped), (1, Some(Stop::Unneeded)));
+        assert_eq!((unneeded.iterations.len(), unneeded.stopped), (1, Some(Stop::Unsolved)));
         assert_eq!(unneeded.iterations[0].record.iterations, 0, "nothing was solved");
+        let later = ended(&EarlyEnd { until: Duration::ZERO, needs_step: false, ..EarlyEnd::NEVER });
+        assert_eq!((later.iterations.len(), later.stopped), (1, Some(Stop::Unsolved)));
     }
 }

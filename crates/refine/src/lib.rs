@@ -89,7 +89,7 @@ pub use tested::test;
 pub fn refine(plan: Plan, target: &RobustnessTarget, session: &Session) -> Result<Plan, PlannerError> {
     target.validate()?;
     require_threads(session.threads)?;
-    let is_whole = plan.is_converged() || matches!(plan.stopped, Some(Stop::Enough | Stop::Unneeded));
+    let is_whole = plan.is_converged() || matches!(plan.stopped, Some(Stop::Enough | Stop::Unsolved));
     if plan.stopped == Some(Stop::User) || plan.stopped.is_some() && !is_whole {
         return Ok(plan);
     }

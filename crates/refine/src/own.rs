@@ -48,7 +48,7 @@ impl First {
     fn of(search: &Search, plan: Plan) -> Self {
         let chosen = plan.chosen_stage();
         if let Some((origin, reference)) = simple_motions(search).into_iter().next()
-            && plan.stopped == Some(Stop::Unneeded)
+            && plan.stopped == Some(Stop::Unsolved)
         {
             let mut variant = plan.variant;
             variant.task.horizon = reference.horizon();

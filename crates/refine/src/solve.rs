@@ -31,7 +31,8 @@ fn solve_for(problem: &Problem, target: &RobustnessTarget, session: &Session) ->
         Some(last) => passes(&search, &[reference_of(variant, last)]),
         None => passes(&search, &simple(&search)),
     };
-    solve_until(problem, session, &EarlyEnd { is_enough: &is_enough, until: search.schedule.homotopy() })
+    let needs_step = simple_motions(&search).is_empty();
+    solve_until(problem, session, &EarlyEnd { is_enough: &is_enough, until: search.schedule.homotopy(), needs_step })
 }
 
 fn simple(search: &Search) -> Vec<Reference> {
@@ -72,7 +73,7 @@ mod tests {
 
     #[test]
     fn nothing_is_solved_where_a_straight_push_passes() {
-        assert_eq!(left(1e-4).stopped, Some(Stop::Unneeded));
+        assert_eq!(left(1e-4).stopped, Some(Stop::Unsolved));
     }
 
     #[test]
