@@ -21,7 +21,8 @@ fn count(events: &[(String, Value)], name: &str) -> usize {
 #[test]
 fn a_log_has_every_event_and_grows() {
     let dir = Dir::new();
-    dir.run("solve corner.toml --robust --out plan --log log.jsonl").code(0);
+    dir.write("parameters.toml", "[training]\nsimple = false\n");
+    dir.run("solve corner.toml --robust --robust-parameters parameters.toml --out plan --log log.jsonl").code(0);
     let solved = events(&dir, "log.jsonl");
     let result = dir.json("plan/result.json");
     assert_eq!(count(&solved, "homotopy_step"), result["stages"].as_array().unwrap().len());

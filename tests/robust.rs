@@ -5,10 +5,17 @@ use crate::support::{Dir, list, number};
 /// One friction is enough. The time limit is one that no machine reaches.
 const SOLVE: &str = "solve corner.toml --friction 0 --robust --time-limit 100000 --out out";
 
+/// A folder with parameters of a search without a straight push, which would pass in the corner.
+fn without_push() -> (Dir, &'static str) {
+    let dir = Dir::new();
+    dir.write("parameters.toml", "[training]\nsimple = false\n");
+    (dir, "--robust-parameters parameters.toml")
+}
+
 #[test]
 fn a_plan_is_refined_until_unplanned_offsets_succeed() {
-    let dir = Dir::new();
-    dir.run(SOLVE).code(0).says("success in rollouts with hard contact");
+    let (dir, parameters) = without_push();
+    dir.run(&format!("{SOLVE} {parameters}")).code(0).says("success in rollouts with hard contact");
     let result = dir.result("out");
     assert!(number(&result, "robust.rate_before") < 0.99, "the plain plan rests too far from the goal");
     assert!(number(&result, "robust.rate_after") >= 0.99);
@@ -75,8 +82,8 @@ fn without_time_for_a_plan_there_is_none_and_work_is_kept() {
 
 #[test]
 fn a_plan_that_is_not_robust_is_written_and_the_exit_code_says_so() {
-    let dir = Dir::new();
-    dir.run(&format!("{SOLVE} --stall-limit 0 --target-rate 1")).code(1);
+    let (dir, parameters) = without_push();
+    dir.run(&format!("{SOLVE} {parameters} --stall-limit 0 --target-rate 1")).code(1);
     let result = dir.result("out");
     assert_eq!(result["status"], "the target success rate is not reached");
     assert_eq!((&result["robust"]["reached"], &result["done"]), (&false.into(), &false.into()));
@@ -85,8 +92,8 @@ fn a_plan_that_is_not_robust_is_written_and_the_exit_code_says_so() {
 
 #[test]
 fn a_planned_offset_that_fails_is_not_made_up_for_by_others() {
-    let dir = Dir::new();
-    dir.run(&format!("{SOLVE} --stall-limit 0 --target-rate 0.01"))
+    let (dir, parameters) = without_push();
+    dir.run(&format!("{SOLVE} {parameters} --stall-limit 0 --target-rate 0.01"))
         .code(1)
         .says("not every planned offset reaches the goal");
     let result = dir.result("out");
@@ -131,8 +138,10 @@ fn an_earlier_plan_is_moved_to_a_new_start_and_a_new_goal() {
 
 #[test]
 fn where_friction_holds_the_body_the_reference_goes_past_the_goal_and_back() {
-    let dir = Dir::new();
-    dir.run("solve corner.toml --friction 0,0.3 --robust --report --out out").code(0).says("with a final oscillation");
+    let (dir, parameters) = without_push();
+    dir.run(&format!("solve corner.toml --friction 0,0.3 --robust {parameters} --report --out out"))
+        .code(0)
+        .says("with a final oscillation");
     let result = dir.result("out");
     let kept = number(&result["robust"], "kept_round") as usize - 1;
     let planned = result["robust"]["rounds"][kept]["planned"].as_str().unwrap();

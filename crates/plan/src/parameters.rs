@@ -141,11 +141,22 @@ pub struct TrainingParameters {
     pub given_up: usize,
     /// Success rate from which on a plan is refined rather than replaced.
     pub nearly_robust: f64,
+    /// Whether a straight push and a spiral search are tried before anything is solved.
+    pub simple: bool,
 }
 
 impl Default for TrainingParameters {
     fn default() -> Self {
-        Self { random: 1, first: 6, force_share: 0.85, creeping: 0.99, polishes: 2, given_up: 3, nearly_robust: 0.75 }
+        Self {
+            random: 1,
+            first: 6,
+            force_share: 0.85,
+            creeping: 0.99,
+            polishes: 2,
+            given_up: 3,
+            nearly_robust: 0.75,
+            simple: true,
+        }
     }
 }
 

@@ -30,7 +30,7 @@ pub fn or_simple<'run>(search: &Search<'run>, own: Candidate<'run>, until: Deadl
 pub fn simple_motions(search: &Search) -> Vec<(Origin, Reference)> {
     let problem = search.setting.problem;
     let mut motions: Vec<_> = problem.earlier().map(|earlier| (Origin::Earlier, earlier.clone())).into_iter().collect();
-    if problem.arm().is_none() {
+    if problem.arm().is_none() && search.setting.target.parameters.training.simple {
         motions.push((Origin::Push, straight_push(problem)));
         motions.extend(spiral(search).map(|reference| (Origin::Spiral, reference)));
     }

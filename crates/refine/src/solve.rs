@@ -62,23 +62,23 @@ mod tests {
     use super::*;
     use crate::tests::corner;
 
-    /// What the homotopy of the corner scene leaves with an offset magnitude (m).
-    fn left(offset_magnitude: f64) -> Plan {
-        let choices = Choices { offset_magnitude: Some(offset_magnitude), ..Choices::default() };
-        let problem = Problem::load(&corner(), &choices).unwrap();
-        let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
+    /// What the homotopy of the corner scene leaves, with simple motions or without.
+    fn left(simple: bool) -> Plan {
+        let problem = Problem::load(&corner(), &Choices::default()).unwrap();
+        let mut target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
+        target.parameters.training.simple = simple;
         let interrupted = AtomicBool::new(false);
         solve_for(&problem, &target, &Session::new(&|_: &Event| {}, &interrupted)).unwrap()
     }
 
     #[test]
     fn nothing_is_solved_where_a_straight_push_passes() {
-        assert_eq!(left(1e-4).stopped, Some(Stop::Unsolved));
+        assert_eq!(left(true).stopped, Some(Stop::Unsolved));
     }
 
     #[test]
     fn the_homotopy_goes_on_while_nothing_passes() {
-        let plan = left(0.02);
+        let plan = left(false);
         assert!(plan.iterations.len() > 1, "{} steps", plan.iterations.len());
     }
 }

@@ -40,7 +40,7 @@ const GROUPS: &[(&str, &[&str])] = &[
     ("Offsets", &["offset", "random", "hull", "disc", "ball", "seed", "grid", "offsets", "magnitude", "coverage"]),
     ("Errors", &["plan", "quantity", "map", "rows", "no_map", "need", "fit", "cases"]),
     ("Success", &["position_tolerance", "angle_tolerance", "contact_force", "strict"]),
-    ("Robustness", &["robust", "target_rate", "time_limit", "stall_limit", "friction", "rotation_error"]),
+    ("Robustness", &["robust", "target_rate", "time_limit", "from", "stall_limit", "friction", "rotation_error"]),
     ("Simulation", &["stages", "settling_time", "time_step", "executed"]),
     ("Robot", &["to", "rate", "anyway", "per_joint"]),
     ("Distances", &["pose", "tau"]),
