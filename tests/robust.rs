@@ -130,7 +130,7 @@ fn an_earlier_plan_is_moved_to_a_new_start_and_a_new_goal() {
     ];
     dir.add_variant("higher.toml", &higher);
     dir.run(&again("higher.toml", "higher")).code(0).says("nothing had to be solved");
-    let last = |folder: &str| dir.table(&format!("{folder}/reference.csv")).numbers_from("time_s").pop().unwrap();
+    let last = |folder: &str| dir.table(format!("{folder}/reference.csv")).numbers_from("time_s").pop().unwrap();
     assert!((last("higher")[3] - last("out")[3] - 0.005).abs() < 2e-3, "{:?}", last("higher"));
     dir.run("solve corner.toml --robust --from nothing --out other").code(2).says("nothing");
     dir.run("solve corner.toml --from out --out other").code(2).says("--robust");
