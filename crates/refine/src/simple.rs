@@ -10,10 +10,10 @@ use crate::schedule::Deadline;
 use crate::search::Search;
 
 /// The simple motion in which the fewest test cases fail, where those are fewer than with a candidate; otherwise the
-/// candidate.
+/// candidate. Not a push: where it fails, its refinement gets stuck more often than that of a plan, and comes later.
 pub fn or_simple<'run>(search: &Search<'run>, own: Candidate<'run>, until: Deadline) -> Candidate<'run> {
     let mut best = own;
-    for (origin, reference) in simple_motions(search) {
+    for (origin, reference) in simple_motions(search).into_iter().filter(|(origin, _)| *origin != Origin::Push) {
         let mut variant = Variant::of_scene(search.setting.problem);
         variant.task.horizon = reference.horizon();
         let Some(found) = search.training.best_of(&[reference], &|| search.schedule.is_over(until)) else { break };
