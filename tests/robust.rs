@@ -121,6 +121,8 @@ fn an_earlier_plan_is_moved_to_a_new_start_and_a_new_goal() {
     dir.run(&again("measured.toml", "again")).code(0).says("nothing had to be solved");
     let result = dir.result("again");
     assert!(number(&result, "robust.rate_after") >= 0.99);
+    let played = dir.run("simulate measured.toml again --random 20").code(0);
+    assert!(!played.stderr.contains("converge"), "rollouts decide, nothing was solved: {}", played.stderr);
     assert!(result["robust"]["rounds"][0]["planned"].as_str().unwrap().starts_with("the earlier plan"));
     // Floor, wall, start and goal stand 5 mm higher.
     let higher = [

@@ -31,7 +31,7 @@ pub fn problem_of(
     } else if !plan.require_made_for(&problem)? {
         tell!("warning: {folder}: the plan was made with other settings than {} has", file.display());
     }
-    if !plan.result.converged {
+    if plan.result.is_unconverged() {
         tell!("warning: {folder}: the plan did not converge");
     }
     Ok((plan, problem))

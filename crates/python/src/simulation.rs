@@ -62,7 +62,7 @@ pub fn play(
     if !plan.require_made_for(&problem)? {
         watch.warn(format!("{name}: the plan was made with other settings than {} has", file.display()));
     }
-    if !plan.result.converged {
+    if plan.result.is_unconverged() {
         watch.warn(format!("{name}: the plan did not converge"));
     }
     rollouts(&problem, &plan.motions, Played { name, folder, start: &plan.result.start }, &request, options.jobs, watch)

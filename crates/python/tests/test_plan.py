@@ -126,7 +126,7 @@ def test_an_earlier_plan_is_moved_to_a_new_start(scene: Scene, tmp_path: Path) -
         assert moved.done and moved.result["iterations"] == 0
         assert moved.result["robust"]["rounds"][0]["planned"].startswith("the earlier plan")
         assert moved.reference[0, :3] == pytest.approx([0.103, 0.002, 0.078])
-    with pytest.raises(NoPlanError):
+    with pytest.raises(SceneError, match="cannot be read"):
         measured.solve_robust(from_=tmp_path / "none")
 
 

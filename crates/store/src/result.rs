@@ -273,6 +273,11 @@ impl From<LimitsRecord> for Limits {
 }
 
 impl PlanResult {
+    /// Whether it is the solver's, which did not converge. Rollouts decide about a refined plan.
+    pub fn is_unconverged(&self) -> bool {
+        !self.converged && self.robust.is_none()
+    }
+
     /// Whether times, errors and extremes of all scenarios are finite, and the cost of a plan that was not refined.
     pub fn is_finite(&self) -> bool {
         let scenarios = self.scenarios.iter().flat_map(|scenario| {
