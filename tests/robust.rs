@@ -118,7 +118,7 @@ fn an_earlier_plan_is_moved_to_a_new_start_and_a_new_goal() {
     let again = |scene: &str, out: &str| {
         SOLVE.replace("corner.toml", scene).replace("--out out", &format!("--from out --out {out}"))
     };
-    dir.run(&again("measured.toml", "again")).code(0).says("nothing had to be solved");
+    dir.run(&again("measured.toml", "again")).code(0).says("nothing was solved");
     let result = dir.result("again");
     assert!(number(&result, "robust.rate_after") >= 0.99);
     let played = dir.run("simulate measured.toml again --random 20").code(0);
@@ -131,7 +131,7 @@ fn an_earlier_plan_is_moved_to_a_new_start_and_a_new_goal() {
         ("position = [0.051, 0.0, 0.031]", "position = [0.051, 0.0, 0.036]"),
     ];
     dir.add_variant("higher.toml", &higher);
-    dir.run(&again("higher.toml", "higher")).code(0).says("nothing had to be solved");
+    dir.run(&again("higher.toml", "higher")).code(0).says("nothing was solved");
     let last = |folder: &str| dir.table(format!("{folder}/reference.csv")).numbers_from("time_s").pop().unwrap();
     assert!((last("higher")[3] - last("out")[3] - 0.005).abs() < 2e-3, "{:?}", last("higher"));
     dir.run("solve corner.toml --robust --from nothing --out other").code(2).says("nothing");

@@ -10,7 +10,7 @@ use planner::{
 fn solving(result: &PlanResult) -> String {
     let PlanResult { objective, iterations, wall_s, linear_solver, linear_solver_fallbacks, .. } = result;
     if *iterations == 0 {
-        return "nothing had to be solved".to_owned();
+        return "nothing was solved".to_owned();
     }
     let fallbacks = match linear_solver_fallbacks {
         0 => String::new(),

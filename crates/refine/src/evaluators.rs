@@ -22,8 +22,8 @@ pub fn evaluators(
     Ok([evaluation.force_share, training.force_share].map(|share| evaluator.clone().with_force_share(share)))
 }
 
-/// With references that stay near a plan, an earlier one and the straight path. Without this, refinement could succeed by throwing the
-/// part.
+/// With references that stay near a plan, an earlier one and the straight path. Without this, refinement could succeed by
+/// throwing the part.
 fn near(evaluator: Evaluator, problem: &Problem, reference: &Reference, parameters: &NearParameters) -> Evaluator {
     let task = problem.task();
     let straight = Reference::straight(&task.start, &task.goal, task.horizon);

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use plan::{Event, Plan, PlannerError, Stop};
-use simulation::Reference;
 
 use crate::again::refine_best;
 use crate::candidate::Candidate;
@@ -11,12 +10,11 @@ use crate::drafts::refine_better;
 use crate::first::judge_first;
 use crate::origin::{Origin, Solved};
 use crate::resume::{earlier_work, restore};
-use crate::schedule::Deadline;
 use crate::search::Search;
-use crate::simple::{or_simple, simple_motions};
+use crate::simple::{best_simple, or_simple, simple_motions};
 
-/// Evaluates the plan of the scene, and refines it, or a simple motion, unless it is good enough; margins follow later. Or resumes an
-/// earlier run. `solving` is the time that the plan took.
+/// Evaluates the plan of the scene, and refines it, or a simple motion, unless it is good enough; margins follow later. Or
+/// resumes an earlier run. `solving` is the time that the plan took.
 pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<(), PlannerError> {
     if let Some(best) = earlier_work(search)?.and_then(|checkpoint| restore(search, checkpoint, &plan)) {
         let count = plan.iterations.len();
@@ -24,47 +22,35 @@ pub fn refine_own(search: &mut Search, plan: Plan, solving: Duration) -> Result<
         search.found.best = Some(best);
         return refine_best(search, search.schedule.own());
     }
-    let first = First::of(search, plan);
-    judge_first(search, first.solved.clone(), first.reference.clone())?;
+    if plan.stopped == Some(Stop::Unsolved)
+        && let Some(simple) = best_simple(search, simple_motions(search), &plan.iterations, search.schedule.own())
+    {
+        judge_first(search, simple.solved.clone(), simple.refinement.reference().clone())?;
+        return refine_first(search, simple, solving);
+    }
+    let chosen = plan.chosen_stage();
+    let solved = Solved { chosen, ..Solved::new(Origin::Scene, plan.variant, plan.iterations) };
+    judge_first(search, solved.clone(), solved.reference(chosen - 1))?;
     let until = search.schedule.own();
     if search.goes_on(until)
-        && let Some(candidate) = first.candidate(search, until)
+        && let Some(candidate) = search.candidate(solved, until)
     {
-        // The round of the candidate replaces that of the first evaluation.
-        search.found.rounds.clear();
         let candidate = or_simple(search, candidate, until);
-        refine_better(search, candidate, solving)?;
+        refine_first(search, candidate, solving)?;
     }
     Ok(())
 }
 
-/// What refinement begins with: the last homotopy step, or a simple motion where nothing had to be solved.
-struct First {
-    solved: Solved,
-    reference: Reference,
-}
-
-impl First {
-    fn of(search: &Search, plan: Plan) -> Self {
-        let chosen = plan.chosen_stage();
-        if let Some((origin, reference)) = simple_motions(search).into_iter().next()
-            && plan.stopped == Some(Stop::Unsolved)
-        {
-            let mut variant = plan.variant;
-            variant.task.horizon = reference.horizon();
-            return Self { solved: Solved::new(origin, variant, plan.iterations), reference };
-        }
-        let solved = Solved { chosen, ..Solved::new(Origin::Scene, plan.variant, plan.iterations) };
-        Self { reference: solved.reference(chosen - 1), solved }
+/// Refines the first candidate unless its evaluation was good enough.
+fn refine_first<'run>(
+    search: &mut Search<'run>,
+    candidate: Candidate<'run>,
+    solving: Duration,
+) -> Result<(), PlannerError> {
+    if !search.goes_on(search.schedule.own()) {
+        return Ok(());
     }
-
-    /// The best homotopy step, or the simple motion.
-    fn candidate<'run>(self, search: &Search<'run>, until: Deadline) -> Option<Candidate<'run>> {
-        let Self { solved, reference } = self;
-        if solved.origin == Origin::Scene {
-            return search.candidate(solved, until);
-        }
-        let best = search.training.best_of(&[reference], &|| search.schedule.is_over(until))?;
-        Some(search.training.candidate(best, solved))
-    }
+    // The round of the candidate replaces that of the first evaluation.
+    search.found.rounds.clear();
+    refine_better(search, candidate, solving)
 }

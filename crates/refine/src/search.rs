@@ -56,9 +56,9 @@ impl<'run> Search<'run> {
         }
     }
 
-    /// The candidate of a solved problem: of the homotopy steps with all time steps, or of all where none has, the one whose
-    /// reference passes most of the training set; of equals the later, which is smoothed less. `None` without homotopy
-    /// steps or time.
+    /// The candidate of a solved problem: the homotopy step whose reference passes most of the training set, among those with
+    /// all time steps, or all steps if none has. A tie goes to the later step, which is smoothed less. `None` if no step or no time
+    /// is left.
     pub fn candidate(&self, solved: Solved, until: Deadline) -> Option<Candidate<'run>> {
         let refinable = solved.refinable();
         let references: Vec<Reference> = refinable.iter().map(|&index| solved.reference(index)).collect();

@@ -1,7 +1,7 @@
 //! Motions that solve nothing as references to refine: that of an earlier plan, a straight push, a spiral search for the hole.
 
 use nalgebra::Vector3;
-use plan::{Problem, Variant};
+use plan::{PlanIteration, Problem, Variant};
 use simulation::{Reference, SpiralSearch};
 
 use crate::candidate::Candidate;
@@ -9,31 +9,43 @@ use crate::origin::{Origin, Solved};
 use crate::schedule::Deadline;
 use crate::search::Search;
 
-/// The simple motion in which the fewest test cases fail, where those are fewer than with a candidate; otherwise the
+/// The simple motion that passes most of the training set, where that is more than a candidate does; otherwise the
 /// candidate. Not a push: where it fails, its refinement gets stuck more often than that of a plan, and comes later.
 pub fn or_simple<'run>(search: &Search<'run>, own: Candidate<'run>, until: Deadline) -> Candidate<'run> {
-    let mut best = own;
-    for (origin, reference) in simple_motions(search).into_iter().filter(|(origin, _)| *origin != Origin::Push) {
-        let mut variant = Variant::of_scene(search.setting.problem);
-        variant.task.horizon = reference.horizon();
-        let Some(found) = search.training.best_of(&[reference], &|| search.schedule.is_over(until)) else { break };
-        let solved = Solved::new(origin, variant, best.solved.iterations.clone());
-        let found = search.training.candidate(found, solved);
-        if found.refinement.failing_fraction() < best.refinement.failing_fraction() {
-            best = found;
-        }
+    let mut motions = simple_motions(search);
+    motions.retain(|(origin, _)| *origin != Origin::Push);
+    match best_simple(search, motions, &own.solved.iterations, until) {
+        Some(found) if found.refinement.failing_fraction() < own.refinement.failing_fraction() => found,
+        _ => own,
     }
-    best
 }
 
-/// The simple motions that keep all limits. With an arm, only that of an earlier plan: no other has ever become robust.
+/// The one of some simple motions that passes most of the training set; the homotopy is the one that is shown. `None`
+/// without motions or time.
+pub fn best_simple<'run>(
+    search: &Search<'run>,
+    motions: Vec<(Origin, Reference)>,
+    homotopy: &[PlanIteration],
+    until: Deadline,
+) -> Option<Candidate<'run>> {
+    let (origins, references): (Vec<Origin>, Vec<Reference>) = motions.into_iter().unzip();
+    let best = search.training.best_of(&references, &|| search.schedule.is_over(until))?;
+    let index = best.winner.index;
+    let mut variant = Variant::of_scene(search.setting.problem);
+    variant.task.horizon = references[index].horizon();
+    Some(search.training.candidate(best, Solved::new(origins[index], variant, homotopy.to_vec())))
+}
+
+/// The simple motions that keep all limits, the preferred last, as it wins a tie. With an arm, only that of an earlier plan: no
+/// other has ever become robust.
 pub fn simple_motions(search: &Search) -> Vec<(Origin, Reference)> {
     let problem = search.setting.problem;
-    let mut motions: Vec<_> = problem.earlier().map(|earlier| (Origin::Earlier, earlier.clone())).into_iter().collect();
+    let mut motions = Vec::new();
     if problem.arm().is_none() && search.setting.target.parameters.training.simple {
-        motions.push((Origin::Push, straight_push(problem)));
         motions.extend(spiral(search).map(|reference| (Origin::Spiral, reference)));
+        motions.push((Origin::Push, straight_push(problem)));
     }
+    motions.extend(problem.earlier().map(|earlier| (Origin::Earlier, earlier.clone())));
     motions.retain(|(_, reference)| search.setting.evaluator.bounds().allow(reference));
     motions
 }

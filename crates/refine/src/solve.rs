@@ -27,16 +27,13 @@ fn solve_for(problem: &Problem, target: &RobustnessTarget, session: &Session) ->
     target.validate()?;
     let [evaluator, trainer] = evaluators(problem, target, &straight_push(problem), session)?;
     let search = Search::new(Setting { problem, target, session, evaluator: &evaluator, trainer: &trainer });
+    let simple: Vec<Reference> = simple_motions(&search).into_iter().map(|(_, reference)| reference).collect();
     let is_enough = |variant: &Variant, last: Option<&PlanIteration>| match last {
         Some(last) => passes(&search, &[reference_of(variant, last)]),
-        None => passes(&search, &simple(&search)),
+        None => passes(&search, &simple),
     };
-    let needs_step = simple_motions(&search).is_empty();
-    solve_until(problem, session, &EarlyEnd { is_enough: &is_enough, until: search.schedule.homotopy(), needs_step })
-}
-
-fn simple(search: &Search) -> Vec<Reference> {
-    simple_motions(search).into_iter().map(|(_, reference)| reference).collect()
+    let (until, needs_step) = (search.schedule.homotopy(), simple.is_empty());
+    solve_until(problem, session, &EarlyEnd { is_enough: &is_enough, until, needs_step })
 }
 
 /// Whether one of some references passes enough of the training set to be refined rather than replaced; the first test
