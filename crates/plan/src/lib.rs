@@ -44,6 +44,7 @@ mod target;
 #[cfg(test)]
 mod testing;
 mod tolerance;
+mod unsolved;
 mod variant;
 
 pub use arm_course::ArmCourse;
@@ -73,4 +74,5 @@ pub use success_rates::{OffsetRegion, SuccessRate, SuccessRates, interval, max_f
 pub use success_table::{SuccessGroup, SuccessTable};
 pub use target::RobustnessTarget;
 pub use tolerance::ChosenTolerance;
+pub use unsolved::unsolved;
 pub use variant::Variant;

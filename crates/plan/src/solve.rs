@@ -34,8 +34,8 @@ pub fn solve(problem: &Problem, session: &Session) -> Result<Plan, PlannerError>
 
 /// The end of a homotopy before its last step, for plans that rollouts decide about.
 pub struct EarlyEnd<'run> {
-    /// Whether no homotopy step of a variant has to follow after one, or none has to be solved at all.
-    pub is_enough: &'run dyn Fn(&Variant, Option<&PlanIteration>) -> bool,
+    /// Whether no homotopy step of a variant has to follow after one.
+    pub is_enough: &'run dyn Fn(&Variant, &PlanIteration) -> bool,
     /// When it ends in any case, as time since the run began.
     pub until: Duration,
     /// Whether its first step is finished even then.
@@ -120,20 +120,18 @@ impl Attempt {
         };
         let is_lost = |iterations: &[PlanIteration]| self.gives_up && leads_away(&self.problem, iterations);
         let is_enough = |iterations: &[PlanIteration]| {
-            let last = iterations.last();
-            last.is_some() && early.is_late(session) || (early.is_enough)(&variant, last)
+            iterations.last().is_some_and(|last| early.is_late(session) || (early.is_enough)(&variant, last))
         };
         let is_done = is_enough(&finished.iterations);
-        let is_unneeded = is_done && finished.iterations.is_empty();
         let mut stopped = is_done.then_some(Stop::Enough);
-        if is_unneeded || !is_done && !is_lost(&finished.iterations) {
+        if !is_done && !is_lost(&finished.iterations) {
             let earlier = finished.iterations.clone();
             let run = HomotopyRun { variant: &variant, threads: session.threads, earlier: &earlier, start };
             let may_end = Cell::new(!earlier.is_empty() || !early.needs_step);
-            let (ends_early, is_unsolved) = (Cell::new(is_unneeded), Cell::new(false));
+            let (ends_early, is_unsolved) = (Cell::new(false), Cell::new(false));
             let observe = |event: &SolverEvent| {
                 session.tell(Event::Iteration(*event));
-                ends_early.set(is_unneeded || may_end.get() && early.is_late(session));
+                ends_early.set(may_end.get() && early.is_late(session));
                 if session.is_interrupted() || ends_early.get() { Control::Stop } else { Control::Continue }
             };
             let mut kept = Ok(());
@@ -251,7 +249,7 @@ mod tests {
         let never = ended(&EarlyEnd::NEVER);
         assert_eq!((never.stopped, never.status()), (None, PlanStatus::Planned));
         let second = ended(&EarlyEnd {
-            is_enough: &|_, last| last.is_some_and(|last| last.record.tau < never.iterations[0].record.tau),
+            is_enough: &|_, last| last.record.tau < never.iterations[0].record.tau,
             ..EarlyEnd::NEVER
         });
         assert_eq!((second.iterations.len(), second.stopped, second.attempts.len()), (2, Some(Stop::Enough), 1));
@@ -259,9 +257,6 @@ mod tests {
         let late = ended(&EarlyEnd { until: Duration::ZERO, ..EarlyEnd::NEVER });
         assert_eq!((late.iterations.len(), late.stopped), (1, Some(Stop::Enough)));
         assert!(!late.can_go_on(), "no time limit has ended it");
-        let unneeded = ended(&EarlyEnd { is_enough: &|_, _| true, ..EarlyEnd::NEVER });
-        assert_eq!((unneeded.iterations.len(), unneeded.stopped), (1, Some(Stop::Unsolved)));
-        assert_eq!(unneeded.iterations[0].record.iterations, 0, "nothing was solved");
         let later = ended(&EarlyEnd { until: Duration::ZERO, needs_step: false, ..EarlyEnd::NEVER });
         assert_eq!((later.iterations.len(), later.stopped), (1, Some(Stop::Unsolved)));
     }

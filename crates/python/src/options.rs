@@ -91,8 +91,6 @@ pub struct RobustOptions {
     time_limit: f64,
     stall_limit: u32,
     friction: Option<Vec<f64>>,
-    /// Folder of a plan that is tried first.
-    pub earlier: Option<PathBuf>,
 }
 
 impl RobustOptions {

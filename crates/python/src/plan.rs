@@ -28,6 +28,49 @@ enum Origin {
     Stored(Box<StoredPlan>),
 }
 
+/// A plan that is tried before another problem is solved.
+#[derive(FromPyObject)]
+pub enum TriedFirst<'py> {
+    Plan(PyRef<'py, Plan>),
+    Folder(PathBuf),
+}
+
+/// The same, apart from Python.
+pub enum Earlier {
+    Solved(Box<Problem>, Reference),
+    Stored(Box<StoredPlan>),
+    Folder(PathBuf),
+}
+
+impl From<TriedFirst<'_>> for Earlier {
+    fn from(tried: TriedFirst) -> Self {
+        match tried {
+            TriedFirst::Plan(plan) => match &plan.origin {
+                Origin::Solved(plan) => Self::Solved(Box::new(plan.problem.clone()), plan.reference()),
+                Origin::Stored(stored) => Self::Stored(stored.clone()),
+            },
+            TriedFirst::Folder(folder) => Self::Folder(folder),
+        }
+    }
+}
+
+impl Earlier {
+    /// A problem for which it is tried first.
+    ///
+    /// # Errors
+    /// When its folder has no plan, or its arm does not reach its start.
+    pub fn tried_first_for(&self, problem: Problem) -> Result<Problem, PlannerError> {
+        match self {
+            Self::Solved(from, reference) => {
+                let reference = planner::moved(reference, from, &problem)?;
+                Ok(problem.with_earlier(reference))
+            }
+            Self::Stored(stored) => stored.tried_first_for(problem),
+            Self::Folder(folder) => StoredPlan::open(folder)?.tried_first_for(problem),
+        }
+    }
+}
+
 /// The inputs of a simulation of a plan.
 pub struct PlayedPlan {
     origin: Option<StoredPlan>,

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use ::scene::{Part, Source};
 use nalgebra::Matrix3;
 use planner::check::{explain, pair_reports, refusal};
-use planner::files::StoredPlan;
 use planner::{Choices, Keeper, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop, warnings};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -20,7 +19,7 @@ use crate::background::{self, Watch};
 use crate::calibration::{CalibrationOptions, fit};
 use crate::contacts::{Contacts, Question, answer};
 use crate::options::{ChoiceOptions, PlayOptions, RobustOptions, SolveOptions, ToleranceOptions, toml_text};
-use crate::plan::Plan;
+use crate::plan::{Earlier, Plan, TriedFirst};
 use crate::reference::{ReferenceOptions, RolloutData, RolloutOptions, refine as refined, rollouts};
 use crate::simulation::{Simulation, play, play_reference};
 use crate::tolerance::measure;
@@ -138,16 +137,17 @@ impl Scene {
         background::run(py, None, move |watch| fit(&read.scene, &read.file, &options, watch))
     }
 
-    /// Plans, and makes the plan robust if requested.
+    /// Plans; makes the plan robust if requested, beginning with an earlier one if there is one.
     fn solve(
         &self,
         py: Python,
         choices: ChoiceOptions,
         options: SolveOptions,
-        robust: Option<RobustOptions>,
+        robust: Option<(RobustOptions, Option<TriedFirst>)>,
         progress: Option<Bound<PyAny>>,
     ) -> PyResult<Plan> {
         let read = Arc::clone(&self.0);
+        let robust = robust.map(|(robust, tried_first)| (robust, tried_first.map(Earlier::from)));
         background::run(py, progress.as_ref(), move |watch| solve(&read, choices, options, robust, watch))
     }
 
@@ -221,7 +221,7 @@ fn solve(
     read: &Read,
     choices: ChoiceOptions,
     options: SolveOptions,
-    robust: Option<RobustOptions>,
+    robust: Option<(RobustOptions, Option<Earlier>)>,
     watch: &Watch,
 ) -> Result<Plan, PlannerError> {
     let clock = RunClock::start();
@@ -230,8 +230,9 @@ fn solve(
     if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&read.file, reason));
     }
-    let problem = match robust.as_ref().and_then(|robust| robust.earlier.as_deref()) {
-        Some(folder) => StoredPlan::open(folder)?.tried_first_for(problem)?,
+    let (robust, earlier) = robust.unzip();
+    let problem = match earlier.flatten() {
+        Some(earlier) => earlier.tried_first_for(problem)?,
         None => problem,
     };
     let target = robust.map(|robust| robust.target(problem.scene())).transpose()?;

@@ -130,6 +130,27 @@ def test_an_earlier_plan_is_moved_to_a_new_start(scene: Scene, tmp_path: Path) -
         measured.solve_robust(from_=tmp_path / "none")
 
 
+def test_a_plan_is_replanned_for_what_was_measured_again(scene: Scene) -> None:
+    plan = scene.solve_robust(friction=[0.0, 0.1], target_rate=0.98, time_limit=3600)
+    start = scene.starts["1"] + np.array([0.003, 0.002, -0.002, 0.0, 0.0, 0.0, 0.0])
+    turned = [np.cos(0.02), 0.0, 0.0, np.sin(0.02)]
+    goal = np.array([scene.goal[0] + 0.004, scene.goal[1] + 0.003, scene.goal[2], *turned])
+    moved = plan.replan(start=start, goal=goal, offset_magnitude=0.012, time_limit=3600)
+    robust = moved.result["robust"]
+    assert moved.done and moved.result["iterations"] == 0 and moved.result["delta_m"] == 0.012
+    assert robust["rounds"][0]["planned"] == "the earlier plan"
+    assert robust["target_rate"] == 0.98 and {row["friction"] for row in robust["after"]} == {0.0, 0.1}
+    assert moved.reference[0, :7] == pytest.approx(start)
+    end = plan.reference[-1, :3] - scene.goal[:3]
+    across = np.array([np.cos(0.04) * end[0] - np.sin(0.04) * end[1], np.sin(0.04) * end[0] + np.cos(0.04) * end[1]])
+    assert moved.reference[-1, :2] == pytest.approx(goal[:2] + across, abs=1e-9)
+    assert plan.replan(time_limit=3600) == plan
+    with pytest.raises(SceneError, match=r"start: has shape \(3,\), must have shape \(7,\)"):
+        plan.replan(start=start[:3])
+    with pytest.raises(SceneError, match="orientation"):
+        plan.replan(goal=[0.0] * 7)
+
+
 def test_a_scene_that_begins_inside_cannot_be_planned(tmp_path: Path) -> None:
     inside = tmp_path / "inside.toml"
     inside.write_text(CORNER.read_text().replace("position = [0.1, 0.0, 0.08]", "position = [0.1, 0.0, -0.02]", 1))

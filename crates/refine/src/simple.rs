@@ -8,6 +8,7 @@ use crate::candidate::Candidate;
 use crate::origin::{Origin, Solved};
 use crate::schedule::Deadline;
 use crate::search::Search;
+use crate::setting::Setting;
 
 /// The simple motion that passes most of the training set, where that is more than a candidate does; otherwise the
 /// candidate. Not a push: where it fails, its refinement gets stuck more often than that of a plan, and comes later.
@@ -45,9 +46,15 @@ pub fn simple_motions(search: &Search) -> Vec<(Origin, Reference)> {
         motions.extend(spiral(search).map(|reference| (Origin::Spiral, reference)));
         motions.push((Origin::Push, straight_push(problem)));
     }
-    motions.extend(problem.earlier().map(|earlier| (Origin::Earlier, earlier.clone())));
     motions.retain(|(_, reference)| search.setting.evaluator.bounds().allow(reference));
+    motions.extend(earlier(search).map(|earlier| (Origin::Earlier, earlier)));
     motions
+}
+
+/// The motion of the earlier plan, where there is one and it keeps all limits.
+pub fn earlier(search: &Search) -> Option<Reference> {
+    let Setting { problem, evaluator, .. } = search.setting;
+    problem.earlier().filter(|earlier| evaluator.bounds().allow(earlier)).cloned()
 }
 
 /// The straight push from start to goal.

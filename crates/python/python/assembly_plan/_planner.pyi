@@ -48,7 +48,7 @@ class Scene:
         self,
         choices: ChoiceOptions,
         options: SolveOptions,
-        robust: RobustOptions | None,
+        robust: tuple[RobustOptions, Plan | str | os.PathLike[str] | None] | None,
         progress: Callable[[str, str], object] | None,
     ) -> Plan: ...
     def simulate(

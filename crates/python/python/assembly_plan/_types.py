@@ -32,7 +32,6 @@ class RobustOptions(TypedDict):
     time_limit: float
     stall_limit: int
     friction: list[float] | None
-    earlier: str | os.PathLike[str] | None
 
 
 class PlayOptions(TypedDict):

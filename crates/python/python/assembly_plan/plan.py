@@ -12,12 +12,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from assembly_plan import _planner
 from assembly_plan._arrays import FloatArray, fixed
+from assembly_plan._replan import measured_again
 from assembly_plan._values import number
 from assembly_plan.errors import SceneError
+from assembly_plan.events import Progress
 from assembly_plan.figure import Figure
 from assembly_plan.motion import Motion
 
@@ -81,6 +83,38 @@ class Plan(Motion):
     def resolved(self) -> str:
         """Scene and settings after defaults and choices, as TOML: the content of ``resolved.toml``."""
         return self._native.resolved()
+
+    def replan(
+        self,
+        *,
+        start: ArrayLike | None = None,
+        goal: ArrayLike | None = None,
+        offset_magnitude: float | None = None,
+        time_limit: float = 300.0,
+        jobs: int | None = None,
+        progress: Progress | None = None,
+    ) -> Plan:
+        """Plan robustly for a start, a goal or a grasp error that was measured again.
+
+        `start` and `goal` are poses, shape (7,), and the environment moves with the goal; `offset_magnitude` is in
+        metres. By default they are those of this plan, as are the rest of its scene, frictions and target rate. The
+        reference is moved with the goal, led there from the new start, and evaluated in rollouts. It is refined if it
+        fails, and the scene is solved if it fails in most of the first rollouts. After `time_limit` (s), everything
+        included, the best plan so far is returned, and ``result["robust"]["after"]`` says how often it was played.
+        """
+        from assembly_plan.scene import Scene
+
+        scene = Scene.from_dict(measured_again(self.resolved, start, goal, offset_magnitude))
+        robust = self.result.get("robust")
+        frictions = None if robust is None else list(dict.fromkeys(row["friction"] for row in robust["after"]))
+        return scene.solve_robust(
+            from_=self,
+            friction=frictions,
+            target_rate=0.99 if robust is None else robust["target_rate"],
+            time_limit=time_limit,
+            jobs=jobs,
+            progress=progress,
+        )
 
     @property
     def offsets(self) -> FloatArray:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-import tempfile
-from collections.abc import Iterable, Iterator
-from pathlib import Path
+from collections.abc import Iterable
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -190,9 +187,9 @@ class Scene(SceneContent):
             rotation_error=rotation_error,
         )
         options: SolveOptions = {"out": out, "resume": resume, "jobs": _values.threads(jobs)}
-        with _folder_of(from_) as earlier:
-            robust = _robust(target_rate, time_limit, stall_limit, friction, earlier)
-            return Plan(self._native.solve(chosen, options, robust, _listener(progress)))
+        robust = _robust(target_rate, time_limit, stall_limit, friction)
+        earlier = from_._native if isinstance(from_, Plan) else from_
+        return Plan(self._native.solve(chosen, options, (robust, earlier), _listener(progress)))
 
     @renamed(turn="rotation_error")
     def simulate(
@@ -383,29 +380,15 @@ class Scene(SceneContent):
         return f"<Scene {self.title!r}: {len(self._body)} and {len(self._environment)} parts>"
 
 
-@contextlib.contextmanager
-def _folder_of(plan: Plan | StrPath | None) -> Iterator[StrPath | None]:
-    """The folder of a plan, for some time."""
-    if not isinstance(plan, Plan):
-        yield plan
-        return
-    with tempfile.TemporaryDirectory() as place:
-        folder = Path(place) / "plan"
-        plan._copy(folder)
-        yield folder
-
-
 def _robust(
     target_rate: float,
     time_limit: float,
     stall_limit: int,
     friction: float | Iterable[float] | None,
-    earlier: StrPath | None = None,
 ) -> RobustOptions:
     return {
         "target_rate": _values.number(target_rate, "target_rate"),
         "time_limit": _values.number(time_limit, "time_limit"),
         "stall_limit": _values.whole(stall_limit, "stall_limit", 2**32 - 1),
         "friction": None if friction is None else _values.several(friction, "friction"),
-        "earlier": earlier,
     }

@@ -47,3 +47,10 @@ def quaternion_of(turn: np.ndarray) -> np.ndarray:
     if angle:
         mujoco.mju_axisAngle2Quat(quaternion, turn / angle, angle)
     return quaternion
+
+
+def product(one: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """The product of two quaternions w x y z."""
+    result = np.zeros(4)
+    mujoco.mju_mulQuat(result, one, other)
+    return result

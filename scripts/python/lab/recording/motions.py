@@ -13,7 +13,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from lab.mujoco.rotations import quaternion_of, rotation_matrix
+from lab.mujoco.rotations import product, quaternion_of, rotation_matrix
 from lab.recording.model import BASE, GRASP, PAYLOAD, build, joint_count, unit
 
 TIME_STEP = 1e-4
@@ -51,13 +51,6 @@ MOTIONS = {
     "pressing": Motion("six", floor=0.01, offset=(0.004, -0.003, 0.005), turn=(0.05, -0.08, 0.1)),
     "rubbing": Motion("six", floor=0.01, friction=0.3, joint_friction=0.5),
 }
-
-
-def product(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Of two quaternions."""
-    result = np.zeros(4)
-    mujoco.mju_mulQuat(result, one, other)
-    return result
 
 
 def reference(start: np.ndarray) -> list[np.ndarray]:
