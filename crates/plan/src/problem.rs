@@ -51,6 +51,7 @@ pub struct Problem {
     resolved: String,
     identity: String,
     earlier: Option<Reference>,
+    guess: Option<Reference>,
 }
 
 impl Problem {
@@ -135,6 +136,7 @@ impl Problem {
             resolved,
             identity,
             earlier: None,
+            guess: None,
         })
     }
 
@@ -146,6 +148,18 @@ impl Problem {
     /// The reference of an earlier plan, if it has one.
     pub fn earlier(&self) -> Option<&Reference> {
         self.earlier.as_ref()
+    }
+
+    /// The same problem whose homotopy starts from the motions that a reference leads to.
+    pub fn with_guess(self, guess: Reference) -> Self {
+        let numbers = guess.states().into_iter().flat_map(|state| state.0).chain([guess.time_step()]);
+        let content: Vec<u8> = self.identity.bytes().chain(numbers.flat_map(f64::to_le_bytes)).collect();
+        Self { identity: hash(&content), guess: Some(guess), ..self }
+    }
+
+    /// The reference from which its homotopy starts, if not from rest.
+    pub fn guess(&self) -> Option<&Reference> {
+        self.guess.as_ref()
     }
 
     /// Whether the homotopy is the built-in one, apart from the linear solver.

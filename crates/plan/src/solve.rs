@@ -109,7 +109,11 @@ impl Attempt {
         session: &Session,
         early: &EarlyEnd,
     ) -> Result<Option<Plan>, PlannerError> {
-        let variant = Variant::of_scene(&self.problem);
+        let scene = Variant::of_scene(&self.problem);
+        let variant = match self.problem.guess() {
+            Some(guess) => scene.started_from(guess),
+            None => scene,
+        };
         let most = variant.settings.most_iterations();
         let (start, mut finished) = match earlier {
             Some(Earlier { start, finished, .. }) => {
@@ -233,6 +237,8 @@ fn announce(session: &Session, number: usize, most: usize, iteration: &PlanItera
 mod tests {
     use std::sync::atomic::AtomicBool;
 
+    use task::HomotopySettings;
+
     use super::*;
     use crate::problem::Choices;
     use crate::testing::corner;
@@ -242,6 +248,22 @@ mod tests {
         let problem = Problem::load(&corner(), &Choices::default()).unwrap();
         let interrupted = AtomicBool::new(false);
         solve_until(&problem, &Session::new(&|_: &Event| {}, &interrupted), early).unwrap()
+    }
+
+    #[test]
+    fn a_homotopy_starts_from_a_guess() {
+        let problem = Problem::load(&corner(), &Choices::default()).unwrap();
+        let settings = HomotopySettings { iterations: 1, coarse_iterations: 0, ..problem.homotopy().clone() };
+        let (problem, interrupted) = (problem.with_homotopy(settings), AtomicBool::new(false));
+        let solved = |problem: &Problem| solve(problem, &Session::new(&|_: &Event| {}, &interrupted)).unwrap();
+        let cold = solved(&problem);
+        let guessed = problem.clone().with_guess(cold.reference());
+        assert_ne!(guessed.identity(), problem.identity());
+        let warm = solved(&guessed);
+        let iterations = |plan: &Plan| plan.iterations[0].record.iterations;
+        assert!(iterations(&warm) < iterations(&cold), "{} and {}", iterations(&warm), iterations(&cold));
+        let [first, second] = [&cold, &warm].map(|plan| plan.iterations[0].record.objective);
+        assert!((first - second).abs() < 1e-2 * first.abs(), "{first} and {second}: the same optimum");
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! A planning problem as it is really solved: the scene's own, or one that was changed to give more margin.
 
+use simulation::{Reference, Rollout, Settings};
 use task::{AssemblyTask, HomotopySettings, Trajectory};
 
 use crate::problem::Problem;
@@ -25,5 +26,16 @@ impl Variant {
         let mut task = problem.task().clone();
         task.limits.contact_force *= FORCE_SHARE;
         Self { task, settings: problem.homotopy().clone(), near: None }
+    }
+
+    /// The same, but its homotopy starts from the motions that a reference leads to, on all time steps.
+    pub fn started_from(self, reference: &Reference) -> Self {
+        let Self { task, settings, .. } = self;
+        let grasps: Vec<_> = task.scenarios().iter().map(|scenario| scenario.grasp).collect();
+        let rollout = Rollout::new(&task, Settings::default());
+        let is_fitting = reference.horizon() == task.horizon;
+        let reference = if is_fitting { reference.clone() } else { reference.on(task.horizon) };
+        let near = Some(rollout.trajectory(&reference, &grasps, settings.tau));
+        Self { task, settings: HomotopySettings { coarse_iterations: 0, ..settings }, near }
     }
 }

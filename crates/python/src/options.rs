@@ -12,6 +12,8 @@ use planner::{
 use pyo3::FromPyObject;
 use task::LinearSolver;
 
+use crate::reference::ReferenceOptions;
+
 /// Name of a homotopy that is a dictionary, in messages.
 const DICTIONARY: &str = "homotopy";
 
@@ -61,6 +63,8 @@ pub struct SolveOptions {
     out: Option<PathBuf>,
     resume: bool,
     pub jobs: Option<usize>,
+    /// From which the homotopy starts.
+    pub guess: Option<ReferenceOptions>,
 }
 
 impl SolveOptions {

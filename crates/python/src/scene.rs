@@ -230,6 +230,10 @@ fn solve(
     if let Some(reason) = refusal(&problem) {
         return Err(PlannerError::file(&read.file, reason));
     }
+    let problem = match &options.guess {
+        Some(guess) => problem.with_guess(guess.reference()?),
+        None => problem,
+    };
     let (robust, earlier) = robust.unzip();
     let problem = match earlier.flatten() {
         Some(earlier) => earlier.tried_first_for(problem)?,

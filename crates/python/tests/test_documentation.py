@@ -13,8 +13,14 @@ import nbclient
 import nbformat
 import pytest
 from assembly_plan import (
+    Arm,
+    Contacts,
+    Figure,
     Plan,
+    Reference,
+    Rollouts,
     Scene,
+    Simulation,
     arm,
     commands,
     contacts,
@@ -119,6 +125,18 @@ def test_the_notebook_runs(tmp_path: Path) -> None:
     assert "planned, not tested" in shown
     kinds = {kind for output in outputs if "data" in output for kind in output.data}
     assert {"image/png", "text/html"} <= kinds, "figure and page"
+
+
+def test_the_tour_uses_everything(tmp_path: Path) -> None:
+    tour = (EXAMPLES / "tour.py").read_text()
+    for kind in (Scene, Plan, Reference, Rollouts, Simulation, Contacts, Arm, Figure):
+        public = [name for name in vars(kind) if not name.startswith("_")]
+        unused = [name for name in public if f".{name}" not in tour]
+        assert unused == [], kind.__name__
+    shown = run([EXAMPLES / "tour.py", CORNER, tmp_path / "tour"], tmp_path)
+    assert "replanned: done, 0 iterations" in shown
+    names = {"plan", "robust", "robot", "simulation", "plan.xml", "report.html", "forces.svg", "peg.toml", "batch"}
+    assert names <= {file.name for file in (tmp_path / "tour").iterdir()}
 
 
 def test_the_sweep_is_drawn(tmp_path: Path) -> None:

@@ -4,6 +4,8 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import assembly_plan
+import mujoco
+import numpy as np
 import pytest
 from assembly_plan import Plan, Scene, SceneError, SceneWarning, events
 from conftest import CORNER, ROOT
@@ -20,6 +22,17 @@ def test_a_plan_is_exported(scene: Scene, tmp_path: Path) -> None:
         plan.export("abb", tmp_path / "other")
     with pytest.raises(SceneError, match="rate = '250': must be a number"):
         plan.export("csv", tmp_path / "other", rate="250")  # type: ignore[arg-type]
+
+
+def test_a_model_plays_the_plan_in_mujoco(scene: Scene) -> None:
+    plan = scene.solve_robust(friction=[0.0, 0.1], time_limit=3600)
+    model = mujoco.MjModel.from_xml_string(plan.mjcf())
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert data.body("body").xpos == pytest.approx(scene.starts["1"][:3], abs=1e-6)
+    while data.time < plan.time[-1] + 1.0:
+        mujoco.mj_step(model, data)
+    assert np.linalg.norm(data.body("body").xpos - scene.goal[:3]) < 3e-3
 
 
 def test_figures_are_drawn(plan: Plan, tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from assembly_plan import NoPlanError, Plan, Scene, SceneError
+from assembly_plan import NoPlanError, Plan, Reference, Scene, SceneError
 from conftest import CORNER, ROOT, command, error_of
 
 
@@ -130,6 +130,17 @@ def test_an_earlier_plan_is_moved_to_a_new_start(scene: Scene, tmp_path: Path) -
         measured.solve_robust(from_=tmp_path / "none")
 
 
+def test_a_homotopy_starts_from_a_guess(scene: Scene) -> None:
+    last = scene.solve().stages[-1]
+    record = scene.solve().result["stages"][-1]
+    end = {"homotopy": {"iterations": 1, "coarse_iterations": 0, "tau": record["tau"], "sigma": record["sigma"]}}
+    cold = scene.solve(homotopy=end)
+    warm = scene.solve(homotopy=end, guess=Reference(last.reference, last.time_step))
+    assert warm.result["iterations"] < cold.result["iterations"]
+    poses = scene.solve(homotopy=end, guess=Reference(last.reference[::2, :7], 2 * last.time_step))
+    assert poses.planned and poses.reference.shape == last.reference.shape
+
+
 def test_a_plan_is_replanned_for_what_was_measured_again(scene: Scene) -> None:
     plan = scene.solve_robust(friction=[0.0, 0.1], target_rate=0.98, time_limit=3600)
     start = scene.starts["1"] + np.array([0.003, 0.002, -0.002, 0.0, 0.0, 0.0, 0.0])
@@ -144,7 +155,7 @@ def test_a_plan_is_replanned_for_what_was_measured_again(scene: Scene) -> None:
     end = plan.reference[-1, :3] - scene.goal[:3]
     across = np.array([np.cos(0.04) * end[0] - np.sin(0.04) * end[1], np.sin(0.04) * end[0] + np.cos(0.04) * end[1]])
     assert moved.reference[-1, :2] == pytest.approx(goal[:2] + across, abs=1e-9)
-    assert plan.replan(time_limit=3600) == plan
+    assert plan.replan(time_limit=3600).reference == pytest.approx(plan.reference, abs=1e-9)
     with pytest.raises(SceneError, match=r"start: has shape \(3,\), must have shape \(7,\)"):
         plan.replan(start=start[:3])
     with pytest.raises(SceneError, match="orientation"):

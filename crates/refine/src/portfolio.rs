@@ -6,7 +6,7 @@ use std::fmt;
 use plan::Variant;
 use plan::parameters::PortfolioParameters;
 use serde::{Deserialize, Serialize};
-use simulation::{Reference, Rollout, Settings};
+use simulation::Reference;
 use task::algebra::norm;
 use task::{CostWeights, GraspError, HomotopySettings};
 
@@ -57,15 +57,10 @@ impl Recipe {
             Self::FailingOffsetsFromRefinedPlan => Some(refined.clone()),
             _ => None,
         };
-        if first_guess.is_some() {
-            // It is a motion on all time steps.
-            variant.settings.coarse_iterations = 0;
+        match first_guess {
+            Some(reference) => variant.started_from(&reference),
+            None => Variant { near: None, ..variant },
         }
-        variant.near = first_guess.map(|reference| {
-            let grasps: Vec<GraspError> = task.scenarios().iter().map(|scenario| scenario.grasp).collect();
-            Rollout::new(task, Settings::default()).trajectory(&reference, &grasps, variant.settings.tau)
-        });
-        variant
     }
 
     fn change(self, variant: &mut Variant, failing: &[GraspError], parameters: &PortfolioParameters) {

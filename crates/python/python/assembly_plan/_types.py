@@ -1,5 +1,7 @@
 """Dictionaries that go to and come from the native module."""
 
+from __future__ import annotations
+
 import os
 from typing import TypedDict
 
@@ -23,6 +25,7 @@ class SolveOptions(TypedDict):
     out: str | os.PathLike[str] | None
     resume: bool
     jobs: int | None
+    guess: ReferenceOptions | None
 
 
 class RobustOptions(TypedDict):

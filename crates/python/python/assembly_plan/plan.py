@@ -160,12 +160,21 @@ class Plan(Motion):
     ) -> list[str]:
         """Write what a robot reads into a folder, as the command ``export`` does; returns the names of the files.
 
-        `to` is ``csv``, ``ur-rtde``, ``franka``, ``urscript`` or ``ros2``; `rate` are samples per second (Hz). A plan
+        `to` is a target of that command, such as ``csv`` or ``ur-rtde``; `rate` are samples per second (Hz). A plan
         that is not done, or succeeds too rarely in rollouts, is refused unless `anyway`.
         """
         with tempfile.TemporaryDirectory() as place:
             self._copy(Path(place) / "plan")
             return _planner.write_export(Path(place) / "plan", to, folder, number(rate, "rate"), bool(anyway))
+
+    def mjcf(self, *, anyway: bool = False) -> str:
+        """The model for MuJoCo that plays the plan, as the command ``export --to mjcf`` writes it.
+
+        ``mujoco.MjModel.from_xml_string`` takes it; it names no other file. `anyway` is that of `export`.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            self.export("mjcf", folder, anyway=anyway)
+            return (Path(folder) / "plan.xml").read_text(encoding="utf-8")
 
     def figure(self, name: str = "keyframes-y") -> Figure:
         """Draw a figure for papers and slides, as the command ``report --figures`` does.

@@ -119,12 +119,17 @@ class Scene(SceneContent):
         linear_solver: str | None = None,
         position_tolerance: float | None = None,
         angle_tolerance: float | None = None,
+        guess: Plan | Reference | None = None,
         jobs: int | None = None,
         out: StrPath | None = None,
         resume: bool = False,
         progress: Progress | None = None,
     ) -> Plan:
         """Plan one motion that brings the body to its goal with every planned offset.
+
+        `guess` is a plan or a reference: the homotopy starts from the motions that it leads to instead of from rest.
+        Its first smoothing forgets most of a guess; ``homotopy={"homotopy": {"iterations": 1, "tau": ...}}`` with
+        the smoothing of the guess keeps it.
 
         With `out`, the plan is written into this folder, and Ctrl-C leaves unfinished work beside it, with which
         ``resume=True`` resumes it. A plan that does not reach the goal is no error: see `Plan.status`.
@@ -137,7 +142,13 @@ class Scene(SceneContent):
             position_tolerance=position_tolerance,
             angle_tolerance=angle_tolerance,
         )
-        options: SolveOptions = {"out": out, "resume": resume, "jobs": _values.threads(jobs)}
+        given = Reference.of(guess) if isinstance(guess, Plan) else guess
+        options: SolveOptions = {
+            "out": out,
+            "resume": resume,
+            "jobs": _values.threads(jobs),
+            "guess": None if given is None else given._options(self),
+        }
         return Plan(self._native.solve(chosen, options, None, _listener(progress)))
 
     @renamed(turn="rotation_error", wanted_rate="target_rate", patience="stall_limit")
@@ -186,7 +197,7 @@ class Scene(SceneContent):
             angle_tolerance=angle_tolerance,
             rotation_error=rotation_error,
         )
-        options: SolveOptions = {"out": out, "resume": resume, "jobs": _values.threads(jobs)}
+        options: SolveOptions = {"out": out, "resume": resume, "jobs": _values.threads(jobs), "guess": None}
         robust = _robust(target_rate, time_limit, stall_limit, friction)
         earlier = from_._native if isinstance(from_, Plan) else from_
         return Plan(self._native.solve(chosen, options, (robust, earlier), _listener(progress)))
