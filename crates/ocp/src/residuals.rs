@@ -117,6 +117,20 @@ impl Transcription {
         Ok(rows.chain(bounded).map(|residual| residual.times(self.unit(&residual.member))).collect())
     }
 
+    /// The cost and the constraints times their multipliers, `f(x) + lambda' g(x)`, at a primal-dual point, with the smoothing
+    /// that was set last. At an optimum, its derivative by what the task was made from is that of the cost (envelope theorem).
+    ///
+    /// # Errors
+    /// When a distance cannot be computed there.
+    pub fn lagrangian(&mut self, point: &Iterate) -> Result<f64, EvaluationError> {
+        let mut values = vec![0.0; self.layout().constraint_count()];
+        self.set_point(&point.x)?;
+        self.constraints(&mut values)?;
+        let constraints: f64 =
+            values.iter().zip(&point.constraint_multipliers).map(|(value, multiplier)| value * multiplier).sum();
+        Ok(self.objective()? + constraints)
+    }
+
     /// Gradients of some constraints at a point `x`: for each the indices of variables, ascending, with the derivatives
     /// by them, all forces in N. Structural zeros are left out.
     ///

@@ -45,7 +45,7 @@ def look(scene: Scene) -> None:
     for part in [*scene.body, *scene.environment]:
         print(f"  {part.name}: {len(part.vertices)} vertices")
     report = scene.check(start=next(iter(scene.starts)))
-    print(f"  {len(report['pairs'])} pairs")
+    print(f"  {report['pairs']} pairs")
     smaller = scene.replace(robustness__offset_magnitude=0.5 * scene.offset_magnitude)
     assert smaller != scene and Scene.from_dict(scene.to_dict()) == scene
     assert copy.copy(scene) == scene and pickle.loads(pickle.dumps(smaller)) == smaller
@@ -63,6 +63,7 @@ def solved(scene: Scene, out: Path) -> Plan:
     print(f"multipliers of {len(plan.constraints['multiplier'])} constraints; reference {plan.reference.shape}")
     print(f"states {plan.states.shape}, wrenches {plan.wrenches.shape}, forces {plan.forces.shape} of {plan.pairs}")
     assert Plan.load(out / "plan") == plan and plan.distances.shape == plan.forces.shape
+    print(f"the cost changes by {plan.sensitivities()['offset 1 x']:.3f} per metre of the first offset")
     guessed = scene.solve(guess=plan, homotopy={"homotopy": {"iterations": 1, "coarse_iterations": 0}})
     print(f"from a guess: {guessed.result['iterations']} iterations")
     return plan

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use planner::explain::optimum;
+use planner::explain::{Parameter, optimum, sensitivities};
 use planner::files::trajectory::read_tables;
 use planner::files::{MotionTables, PlanFolder, PlanResult, RESOLVED, STAGES, StoredPlan, read_text};
 use planner::{Keeper, Motion as Played, PlannerError, Problem};
@@ -107,6 +107,14 @@ impl Plan {
             Origin::Stored(stored) => Some(StoredPlan::clone(stored)),
         };
         Ok(PlayedPlan { origin, result: self.result.clone(), motions })
+    }
+
+    /// The plan with what the solver knew of it, if this process has solved it.
+    fn in_memory(&self) -> Option<planner::Plan> {
+        match &self.origin {
+            Origin::Solved(plan) => Some(planner::Plan::clone(plan)),
+            Origin::Stored(_) => None,
+        }
     }
 
     fn iteration_references(&self) -> Result<Vec<Reference>, PlannerError> {
@@ -215,12 +223,17 @@ impl Plan {
         tables.iter().map(|tables| Motion::new(py, tables)).collect()
     }
 
+    /// Names of parameters with the derivative of the optimal cost; none where they are not known.
+    fn sensitivities(&self, py: Python) -> PyResult<Option<Vec<(String, f64)>>> {
+        let Some(plan) = self.in_memory() else { return Ok(None) };
+        let found = background::run(py, None, move |_| Ok(sensitivities(&plan)))?;
+        let named = |(parameter, slope): (Parameter, f64)| (parameter.to_string(), slope);
+        Ok(found.map(|found| found.into_iter().map(named).collect()))
+    }
+
     /// Every constraint where the solver ended, as JSON; null where that point is not known any more.
     fn constraints(&self, py: Python) -> PyResult<String> {
-        let plan = match &self.origin {
-            Origin::Solved(plan) => Some(planner::Plan::clone(plan)),
-            Origin::Stored(_) => None,
-        };
+        let plan = self.in_memory();
         background::run(py, None, move |_| {
             let records = plan.as_ref().and_then(optimum);
             serde_json::to_string(&records).map_err(|_| PlannerError::Internal("constraints"))

@@ -130,6 +130,22 @@ def test_an_earlier_plan_is_moved_to_a_new_start(scene: Scene, tmp_path: Path) -
         measured.solve_robust(from_=tmp_path / "none")
 
 
+def test_the_optimal_cost_changes_as_its_sensitivities_say(scene: Scene, tmp_path: Path) -> None:
+    record = scene.solve().result["stages"][-1]
+    end = {"iterations": 1, "coarse_iterations": 0, "tau": record["tau"], "sigma": record["sigma"], "mu_init": 1e-8}
+    solved = scene.solve(homotopy={"homotopy": end}, guess=scene.solve())
+    found = solved.sensitivities()
+    assert len(found) == 3 * len(solved.offsets) + 12
+    step = 1e-4
+    goal = scene.goal[:3] + np.array([0.0, 0.0, step])
+    other = scene.replace(goal__position=goal).solve(homotopy={"homotopy": end}, guess=solved)
+    change = other.result["objective"] - solved.result["objective"]
+    assert found["goal z"] * step == pytest.approx(change, rel=0.2)
+    solved.save(tmp_path / "plan")
+    with pytest.raises(SceneError, match="sensitivities: only a plan that was solved in this process has them"):
+        Plan.load(tmp_path / "plan").sensitivities()
+
+
 def test_a_homotopy_starts_from_a_guess(scene: Scene) -> None:
     last = scene.solve().stages[-1]
     record = scene.solve().result["stages"][-1]

@@ -7,6 +7,7 @@ mod factorisation;
 mod limits;
 mod optimum;
 mod residuals;
+mod sensitivities;
 mod stuck;
 mod words;
 
@@ -21,6 +22,7 @@ pub use limits::ActiveLimitRecord;
 pub use optimum::{ConstraintRecord, optimum};
 pub use plan::records::{HoldRecord, LossRecord, MotionEnd};
 pub use residuals::ResidualRecord;
+pub use sensitivities::{Measured, Parameter, sensitivities};
 pub use stuck::StuckScenario;
 
 /// Why a plan is not done.

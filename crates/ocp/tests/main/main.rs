@@ -9,5 +9,6 @@ mod near_pairs;
 mod new_terms;
 mod reference_vectors;
 mod residuals;
+mod sensitivities;
 mod similarity;
 mod threads;

@@ -155,6 +155,19 @@ class Plan(Motion):
             columns[name].flags.writeable = False
         return columns
 
+    def sensitivities(self) -> dict[str, float]:
+        """Derivatives of the optimal cost by offsets, start and goal, to first order, per metre or radian.
+
+        ``offset 1 x`` is component x of the first planned offset (m, body frame); ``start`` and ``goal`` have ``x``,
+        ``y``, ``z`` (m, world frame) and ``rotation x``, ``rotation y``, ``rotation z`` (rad, body frame). The
+        environment stays where it is. They are those of the solver's optimum at its last smoothing. Raises
+        `SceneError` for a plan that was loaded: its folder does not have the multipliers.
+        """
+        found = self._native.sensitivities()
+        if found is None:
+            raise SceneError("sensitivities: only a plan that was solved in this process has them; solve again")
+        return dict(found)
+
     def export(
         self, to: str, folder: str | os.PathLike[str], *, rate: float = 500.0, anyway: bool = False
     ) -> list[str]:
