@@ -72,44 +72,53 @@ impl ContactLoop {
 
     /// The largest sensitivity of the loop at any frequency and any contact up to the stiffest; infinite if a loop is unstable.
     pub fn sensitivity(&self, gains: &Gains) -> f64 {
-        let all = SOFTER.iter().map(|share| self.sensitivity_at(gains, share * self.contact_stiffness));
-        all.fold(0.0, |worst, next| if next <= worst { worst } else { next })
+        self.in_contact(gains, false)
     }
 
-    /// The same for one contact stiffness (N/m). A loop whose gain is below 1 wherever its phase is beyond -180 degrees does not
-    /// encircle the critical point.
-    fn sensitivity_at(&self, gains: &Gains, stiffness: f64) -> f64 {
-        let highest = PI / self.period;
-        let mut worst: f64 = 0.0;
-        for index in 0..FREQUENCIES {
-            let frequency = highest * 10f64.powf(-DECADES * index as f64 / FREQUENCIES as f64);
-            let (gain, phase) = self.response(gains, stiffness, frequency);
-            let distance = (1.0 + 2.0 * gain * phase.cos() + gain * gain).sqrt();
-            let is_stable = phase > -PI || gain < 1.0;
-            if !is_stable || !(distance > 0.0) {
-                return f64::INFINITY;
-            }
-            worst = worst.max(1.0 / distance);
-        }
-        worst
+    /// The same for a law whose spring acts on the measured pose, not on the commanded one: it closes loops through the servo,
+    /// of translations and of rotations, also where nothing touches.
+    pub fn sensitivity_with_measured_spring(&self, gains: &Gains) -> f64 {
+        let free = [0, 1].map(|part| worst(self.period, |frequency| self.spring_response(gains, part, frequency)));
+        largest([largest(free), self.in_contact(gains, true)])
     }
 
-    /// Gain and phase (rad, continuous from low frequencies on) of the loop at a frequency (rad/s).
-    fn response(&self, gains: &Gains, stiffness: f64, frequency: f64) -> (f64, f64) {
+    fn in_contact(&self, gains: &Gains, is_measured: bool) -> f64 {
+        largest(SOFTER.map(|share| {
+            let stiffness = share * self.contact_stiffness;
+            worst(self.period, |frequency| self.response(gains, stiffness, is_measured, frequency))
+        }))
+    }
+
+    /// Gain and phase (rad, continuous from low frequencies on) of the loop of a contact at a frequency (rad/s). Springs that act
+    /// on the measured pose are as late as that.
+    fn response(&self, gains: &Gains, stiffness: f64, is_measured: bool, frequency: f64) -> (f64, f64) {
+        let (servo, filter) = (frequency / self.servo_rate(), frequency / self.filter_rate());
+        let late = if is_measured { frequency * self.dead_time() + 2.0 * servo.atan() } else { 0.0 };
+        let passed = if is_measured { 1.0 / (1.0 + servo * servo) } else { 1.0 };
         // Motion of the contact point under a force there, as real and imaginary part: translation and rotation add up.
         let [translation, rotation] = [0, 1].map(|part| {
-            let real = gains.stiffness[part] - gains.mass[part] * frequency * frequency;
-            let imaginary = gains.damping[part] * frequency;
+            let spring = gains.stiffness[part] * passed;
+            let real = spring * late.cos() - gains.mass[part] * frequency * frequency;
+            let imaginary = gains.damping[part] * frequency - spring * late.sin();
             let squared = real * real + imaginary * imaginary;
             (real / squared, -imaginary / squared)
         });
         let lever = self.lever * self.lever;
         let (real, imaginary) = (translation.0 + lever * rotation.0, translation.1 + lever * rotation.1);
-        let (servo, filter) = (frequency / self.servo_rate(), frequency / self.filter_rate());
         let gain = stiffness * real.hypot(imaginary) / (1.0 + servo * servo) / filter.hypot(1.0);
-        // A compliance answers with a phase of 0 to -180 degrees.
-        let phase = imaginary.atan2(real) - frequency * self.dead_time() - 2.0 * servo.atan() - filter.atan();
+        // A compliance answers with a phase of 0 to -180 degrees, with late springs of somewhat less.
+        let answer = imaginary.atan2(real);
+        let answer = if answer > 0.5 * PI { answer - TAU } else { answer };
+        let phase = answer - frequency * self.dead_time() - 2.0 * servo.atan() - filter.atan();
         (gain, phase)
+    }
+
+    /// Gain and phase of the loop that a spring closes which acts on the measured pose.
+    fn spring_response(&self, gains: &Gains, part: usize, frequency: f64) -> (f64, f64) {
+        let (mass, damping) = (gains.mass[part] * frequency, gains.damping[part]);
+        let servo = frequency / self.servo_rate();
+        let gain = gains.stiffness[part] / (frequency * damping.hypot(mass)) / (1.0 + servo * servo);
+        (gain, -0.5 * PI - mass.atan2(damping) - frequency * self.dead_time() - 2.0 * servo.atan())
     }
 
     fn dead_time(&self) -> f64 {
@@ -124,6 +133,29 @@ impl ContactLoop {
     fn filter_rate(&self) -> f64 {
         TAU * self.cutoff
     }
+}
+
+/// The largest sensitivity of a loop that is sampled with a period (s), given its gain and phase (rad, continuous) at a frequency
+/// (rad/s); infinite if it is unstable. A loop whose gain is below 1 wherever its phase is beyond -180 degrees does not encircle
+/// the critical point.
+fn worst(period: f64, response: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let highest = PI / period;
+    let mut worst: f64 = 0.0;
+    for index in 0..FREQUENCIES {
+        let (gain, phase) = response(highest * 10f64.powf(-DECADES * index as f64 / FREQUENCIES as f64));
+        let distance = (1.0 + 2.0 * gain * phase.cos() + gain * gain).sqrt();
+        let is_stable = phase > -PI || gain < 1.0;
+        if !is_stable || !(distance > 0.0) {
+            return f64::INFINITY;
+        }
+        worst = worst.max(1.0 / distance);
+    }
+    worst
+}
+
+/// The largest of some sensitivities; one that is no number is the largest.
+fn largest<const N: usize>(sensitivities: [f64; N]) -> f64 {
+    sensitivities.into_iter().fold(0.0, |worst, next| if next <= worst { worst } else { next })
 }
 
 #[cfg(test)]
@@ -190,11 +222,55 @@ mod tests {
         assert!(damping(later) / usual > 0.8 * later.lag() / LOOP.lag());
     }
 
+    /// The ratio of late to early deviations of one axis whose spring acts on the measured pose, in free air, in discrete time.
+    fn decay_of_spring(of: &ContactLoop, mass: f64, damping: f64, stiffness: f64) -> f64 {
+        let step = 1e-5;
+        let rate = of.servo_rate();
+        let (every, late) = ((of.period / step).round() as usize, (of.delay / step).round() as usize);
+        let (mut law, mut speed, mut commands) = (1e-3, 0.0, std::collections::VecDeque::from(vec![1e-3; late]));
+        let (mut position, mut velocity) = (1e-3, 0.0);
+        let (mut early, mut last): (f64, f64) = (0.0, 0.0);
+        let steps = (100.0 * of.lag() / step) as usize;
+        for index in 0..steps {
+            if index % every == 0 {
+                speed += of.period * (-stiffness * position - damping * speed) / mass;
+                law += of.period * speed;
+            }
+            commands.push_back(law);
+            let command = commands.pop_front().unwrap_or(law);
+            velocity += step * (rate * rate * (command - position) - 2.0 * rate * velocity);
+            position += step * velocity;
+            if index < steps / 4 {
+                early = early.max(position.abs());
+            } else if index > 3 * steps / 4 {
+                last = last.max(position.abs());
+            }
+        }
+        last / early
+    }
+
+    #[test]
+    fn a_spring_on_the_measured_pose_needs_damping_for_its_lag() {
+        let gains = LOOP.gains([1000.0, 2.5]).unwrap();
+        // A soft spring makes nearly no difference.
+        assert!(LOOP.sensitivity_with_measured_spring(&gains) < 1.1 * LOOP.sensitivity(&gains));
+        // Of rotations with 0.25 of their damping over the lag, and with four times it.
+        let lag = LOOP.dead_time() + 2.0 / LOOP.servo_rate();
+        for (share, is_stable) in [(0.25, true), (4.0, false)] {
+            let stiffness = share * gains.damping[1] / lag;
+            let with = Gains { stiffness: [1000.0, stiffness], ..gains };
+            assert_eq!(LOOP.sensitivity_with_measured_spring(&with) < 3.0, is_stable, "{share}");
+            let decay = decay_of_spring(&LOOP, gains.mass[1], gains.damping[1], stiffness);
+            assert_eq!(decay < 0.5, is_stable, "{share} {decay}");
+        }
+    }
+
     #[test]
     fn what_is_no_number_is_not_stable() {
         let gains = LOOP.gains([1000.0, 2.5]).unwrap();
         for of in [ContactLoop { delay: f64::NAN, ..LOOP }, ContactLoop { contact_stiffness: f64::NAN, ..LOOP }] {
             assert!(!(of.sensitivity(&gains) <= LARGEST_SENSITIVITY));
+            assert!(!(of.sensitivity_with_measured_spring(&gains) <= LARGEST_SENSITIVITY));
             assert_eq!(of.gains([1000.0, 2.5]), None);
         }
     }
