@@ -285,7 +285,8 @@ fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
         ["--no-deps", "--open", "--bench", "--features", "--path", "--example", "--partition", "--time", "--array"];
     let program = flags_of_program();
     let mut scripts = String::new();
-    let players = ["shared", "ur_rtde", "franka", "ros2"].map(|name| format!("crates/export/players/{name}"));
+    let players = ["shared", "topics", "ur_rtde", "franka", "ros2", "ros2_control"]
+        .map(|name| format!("crates/export/players/{name}"));
     let folders = ["scripts", "scripts/python/lab/commands", "scripts/python/lab/validation", "crates/python/examples"]
         .map(str::to_owned);
     for folder in folders.iter().chain(&players) {

@@ -130,7 +130,60 @@ fn a_plan_for_positions_is_exported_with_its_law_and_not_for_torques() {
     assert!(readme.contains("M a + D (v - v_r) + K (x - x_r) = F") && !readme.contains("{{"), "{readme}");
     assert!(dir.exists("out/export/correction/admittance.py"));
     let refused = dir.run("export out --to ros2 --anyway").code(2);
-    refused.says("was made for a robot with the interface `position`: use --to csv or correction");
+    refused.says("was made for a robot with the interface `position`: use --to csv, correction or ros2-control");
+    dir.run("export out --to urscript --anyway").code(2).says("use --to csv, correction or ros2-control");
+    dir.run("export out --to ros2-control --anyway").code(2).says("the plan was made without an arm");
+    assert!(!dir.exists("out/export/ros2-control"));
+}
+
+/// A plan of the corner for an arm with an interface, closer to it than usual: a joint follows.
+fn plan_of_commanded_arm(interface: &str) -> Dir {
+    let dir = Dir::new();
+    let removed = ["mass", "inertia", "translational_stiffness", "rotational_stiffness"];
+    let scene = easy(&dir);
+    let kept: Vec<&str> = scene.lines().filter(|line| !removed.iter().any(|key| line.starts_with(key))).collect();
+    let arm = robot().replace("position = [-0.55,", "position = [-0.45,")
+        + "contact_stiffness = 2e4\n"
+        + "stiffness_range = { rotational = [1, 50] }\n"
+        + interface;
+    dir.write("arm.toml", kept.join("\n") + "\n" + &arm);
+    dir.run("solve arm.toml --out out");
+    dir
+}
+
+#[test]
+fn parameters_of_the_admittance_controller_are_those_of_the_law() {
+    let dir = plan_of_commanded_arm("interface = \"position\"\n");
+    dir.run("export out --to ros2-control --anyway").code(0).says("controllers.yaml");
+    let folder = "out/export/ros2-control";
+    let (text, document) = (dir.read(format!("{folder}/controllers.yaml")), dir.json(format!("{folder}/plan.json")));
+    let list = |key: &str| -> Vec<f64> {
+        let line = text.lines().find(|line| line.trim().starts_with(&format!("{key}: ["))).unwrap();
+        let inside = line.split_once('[').unwrap().1.trim_end_matches(']');
+        inside.split(", ").map(|number| number.parse().unwrap()).collect()
+    };
+    let [mass, ratio, stiffness] = ["mass", "damping_ratio", "stiffness"].map(list);
+    let law = |key: &str| numbers(&document["admittance"][key]);
+    for axis in 0..6 {
+        let part = axis / 3;
+        assert_eq!((mass[axis], stiffness[axis]), (law("mass")[part], law("stiffness")[part]));
+        let damping = 2.0 * ratio[axis] * (mass[axis] * stiffness[axis]).sqrt();
+        assert!((damping - law("damping")[part]).abs() < 1e-9 * damping, "{damping}");
+    }
+    assert!(text.contains("update_rate: 500\n") && text.contains("tip: \"tool\"") && !text.contains("{{"), "{text}");
+    assert_eq!(document["arm"]["root"], "base");
+    for file in ["play.py", "admittance_robot.py", "topic_robot.py", "inbox.py", "guards.py"] {
+        assert!(dir.exists(format!("{folder}/{file}")), "{file}");
+    }
+    assert!(!dir.read(format!("{folder}/README.md")).contains("{{"));
+    // The controller has no room for the lever of a part that is held beside the tip.
+    let arm = dir.read("arm.toml");
+    let grasp = "grasp = { position = [0.0, 0.0, 0.0]";
+    assert!(arm.contains(grasp));
+    dir.write("arm.toml", arm.replace(grasp, "grasp = { position = [0.0, 0.0, 0.03]"));
+    dir.run("solve arm.toml --out lever");
+    dir.run("export lever --to ros2-control --anyway").code(2).says("30.000 mm from that of robot.tip");
+    assert!(!dir.exists("lever/export"));
 }
 
 #[test]
@@ -160,7 +213,10 @@ fn what_cannot_be_exported_is_refused() {
     let dir = plan();
     for (line, words) in [
         ("export out --to ur-rtde", "was made without an arm; add [robot]"),
-        ("export out --to kuka", "[possible values: csv, ur-rtde, franka, urscript, ros2, correction, mjcf, sdf, usd]"),
+        (
+            "export out --to kuka",
+            "[possible values: csv, ur-rtde, franka, urscript, ros2, correction, ros2-control, mjcf, sdf, usd]",
+        ),
         (
             "export out --to correction",
             "was made for a robot with the interface `torque`: use --to csv, ur-rtde, franka",

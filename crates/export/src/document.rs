@@ -80,7 +80,7 @@ pub struct Document {
     pub guards: PhaseGuards,
     /// Regions of free air.
     pub free: FreeAir,
-    /// Largest step of a joint torque between two references a millisecond apart (Nm), if there is an arm.
+    /// Largest step of a joint torque between two references a millisecond apart (Nm), if an arm is commanded torques.
     pub torque_step_nm_per_ms: Option<f64>,
     /// The arm, if the scene has one.
     pub arm: Option<ArmRecord>,
@@ -89,7 +89,9 @@ pub struct Document {
 /// An arm as a chain of joints.
 #[derive(Debug, Clone, Serialize)]
 pub struct ArmRecord {
-    /// Link of the URDF file that is the tool.
+    /// Link of the URDF file that is the base.
+    pub root: String,
+    /// Link of it that is the tool.
     pub tip: String,
     /// Name of the URDF file.
     pub urdf: String,
@@ -160,7 +162,9 @@ impl Document {
         });
         let course = course.transpose()?;
         let moved = robot.zip(course.as_ref());
-        let held = moved.map_or_else(Held::default, |(robot, course)| Held::along(robot, impedance, course));
+        // Joint friction holds an arm that is commanded torques, and no servo.
+        let torques = moved.filter(|_| scene.position_robot.is_none());
+        let held = torques.map_or_else(Held::default, |(robot, course)| Held::along(robot, impedance, course));
         let expected = Expectation::of(plan, &frames, held)?;
         let kept: Limits = reference.limits_kept();
         let error_at = |speed: f64, turning: f64| match &scene.position_robot {
@@ -199,7 +203,7 @@ impl Document {
             expected,
             guards: expected.guards(problem.task().limits.contact_force, error_of_approach, error_of_plan),
             free: FreeAir::new(problem, &states, reference.time_step(), &frames.grasp),
-            torque_step_nm_per_ms: moved.map(|(robot, course)| largest_torque_step(robot, impedance, smooth, course)),
+            torque_step_nm_per_ms: torques.map(|(robot, course)| largest_torque_step(robot, impedance, smooth, course)),
             arm: moved.map(|(robot, course)| ArmRecord::new(robot, course)),
             trial,
         })
@@ -220,6 +224,7 @@ impl ArmRecord {
     fn new(robot: &Robot, course: &ArmCourse) -> Self {
         let positions = |configuration: &JointVector| configuration.as_slice()[..robot.arm.joints().len()].to_vec();
         Self {
+            root: plain(robot.arm.root()),
             tip: plain(&robot.tip),
             urdf: plain(&robot.urdf.file_name().unwrap_or_default().to_string_lossy()),
             joints: robot.arm.joints().iter().map(JointRecord::new).collect(),

@@ -14,7 +14,8 @@
 //! | `SHA256SUMS` | hashes of all files: players refuse changed ones | `folder` |
 //! | `README.md` | how to check and run it | `readme`, `players/TARGET/README.md` |
 //! | `plan.script` | a controller in URScript with the reference in it | `urscript` |
-//! | `*.py` | the player | `players/shared`, `players/TARGET` |
+//! | `controllers.yaml` | parameters of the controllers of ros2_control | `ros2_control` |
+//! | `*.py` | the player | `players/shared`, `players/topics` of ROS 2, `players/TARGET` |
 //! | `plan.xml`, `plan.sdf`, `plan.usda` | a model for simulators | `model`, `models/TARGET.md` |
 //!
 //! Players are Python, as the libraries of the manufacturers are. They hold no numbers of a plan: they read `plan.json` and
@@ -30,6 +31,7 @@ mod free;
 mod joints;
 mod model;
 mod readme;
+mod ros2_control;
 mod smooth;
 mod target;
 mod text;
@@ -49,4 +51,4 @@ pub use smooth::SmoothReference;
 pub use target::Target;
 pub use trajectory::{resample, trajectory_csv};
 pub use trial::{RateRecord, TrialRecord};
-pub use write::{DOCUMENT, README, Request, SCRIPT, TRAJECTORY, WRENCH, Written, write};
+pub use write::{DOCUMENT, PARAMETERS, README, Request, SCRIPT, TRAJECTORY, WRENCH, Written, write};

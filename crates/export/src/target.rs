@@ -18,6 +18,13 @@ const SHARED: [File; 12] = [
     ("settings.py", include_str!("../players/shared/settings.py")),
 ];
 
+/// Modules of players behind topics of ROS 2.
+const TOPICS: [File; 3] = [
+    ("inbox.py", include_str!("../players/topics/inbox.py")),
+    ("node.py", include_str!("../players/topics/node.py")),
+    ("topic_robot.py", include_str!("../players/topics/topic_robot.py")),
+];
+
 /// Name and text of a file.
 pub type File = (&'static str, &'static str);
 
@@ -36,6 +43,8 @@ pub enum Target {
     Ros2,
     /// A player for robots that take position corrections over UDP.
     Correction,
+    /// Parameters and a node for the admittance controller of ros2_controllers.
+    Ros2Control,
     /// A model for MuJoCo that plays the plan.
     Mjcf,
     /// A model in SDF.
@@ -46,13 +55,14 @@ pub enum Target {
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Csv,
         Self::UrRtde,
         Self::Franka,
         Self::UrScript,
         Self::Ros2,
         Self::Correction,
+        Self::Ros2Control,
         Self::Mjcf,
         Self::Sdf,
         Self::Usd,
@@ -67,6 +77,7 @@ impl Target {
             Self::UrScript => "urscript",
             Self::Ros2 => "ros2",
             Self::Correction => "correction",
+            Self::Ros2Control => "ros2-control",
             Self::Mjcf => "mjcf",
             Self::Sdf => "sdf",
             Self::Usd => "usd",
@@ -83,12 +94,17 @@ impl Target {
         matches!(self, Self::Mjcf | Self::Sdf | Self::Usd)
     }
 
-    /// Number of joints of the arms that it can move, if it matters: these need an arm in the scene.
+    /// Whether it needs an arm in the scene.
+    pub fn needs_arm(self) -> bool {
+        matches!(self, Self::UrRtde | Self::UrScript | Self::Franka | Self::Ros2Control)
+    }
+
+    /// Number of joints of the arms that it can move, if it matters.
     pub fn joints(self) -> Option<usize> {
         match self {
             Self::UrRtde | Self::UrScript => Some(6),
             Self::Franka => Some(7),
-            Self::Csv | Self::Ros2 | Self::Correction | Self::Mjcf | Self::Sdf | Self::Usd => None,
+            _ => None,
         }
     }
 
@@ -115,7 +131,6 @@ impl Target {
             ],
             Self::Ros2 => &[
                 ("play.py", include_str!("../players/ros2/play.py")),
-                ("inbox.py", include_str!("../players/ros2/inbox.py")),
                 ("ros2_robot.py", include_str!("../players/ros2/ros2_robot.py")),
                 ("middleware.py", include_str!("../players/ros2/middleware.py")),
             ],
@@ -124,8 +139,15 @@ impl Target {
                 ("admittance.py", include_str!("../players/correction/admittance.py")),
                 ("correction_robot.py", include_str!("../players/correction/correction_robot.py")),
             ],
+            Self::Ros2Control => &[
+                ("play.py", include_str!("../players/ros2_control/play.py")),
+                ("joint_reference.py", include_str!("../players/ros2_control/joint_reference.py")),
+                ("admittance_robot.py", include_str!("../players/ros2_control/admittance_robot.py")),
+                ("middleware.py", include_str!("../players/ros2_control/middleware.py")),
+            ],
         };
-        own.iter().chain(&SHARED).copied().collect()
+        let of_topics: &[File] = if matches!(self, Self::Ros2 | Self::Ros2Control) { &TOPICS } else { &[] };
+        own.iter().chain(of_topics).chain(&SHARED).copied().collect()
     }
 
     /// The text of its README, with `{{names}}` for the numbers of a plan.
@@ -137,6 +159,7 @@ impl Target {
             Self::UrScript => include_str!("../players/urscript/README.md"),
             Self::Ros2 => include_str!("../players/ros2/README.md"),
             Self::Correction => include_str!("../players/correction/README.md"),
+            Self::Ros2Control => include_str!("../players/ros2_control/README.md"),
             Self::Mjcf => include_str!("../models/mjcf.md"),
             Self::Sdf => include_str!("../models/sdf.md"),
             Self::Usd => include_str!("../models/usd.md"),

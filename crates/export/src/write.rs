@@ -10,6 +10,7 @@ use crate::folder::{ExportFolder, SUMS};
 use crate::frames::Frames;
 use crate::model::{Content, Model};
 use crate::readme::readme;
+use crate::ros2_control::Parameters;
 use crate::smooth::SmoothReference;
 use crate::target::Target;
 use crate::text::plain;
@@ -28,6 +29,8 @@ pub const WRENCH: &str = "wrench.csv";
 pub const README: &str = "README.md";
 /// The script of `urscript`.
 pub const SCRIPT: &str = "plan.script";
+/// Parameters of the controllers of `ros2-control`.
+pub const PARAMETERS: &str = "controllers.yaml";
 
 /// A request for an export.
 #[derive(Debug, Clone)]
@@ -71,6 +74,7 @@ pub fn write(request: &Request) -> Result<Written, PlannerError> {
     }
     require_done(&plan, request.anyway)?;
     require_arm(&plan, problem.scene(), request.target)?;
+    let parameters = parameters(&plan, problem.scene(), request.target)?;
     require_folder(&target)?;
 
     let (reference, frames) = (plan.reference()?, Frames::of(problem.scene()));
@@ -92,8 +96,14 @@ pub fn write(request: &Request) -> Result<Written, PlannerError> {
         named(WRENCH, wrench_csv(&plan, &frames)?),
         named(README, readme(&document, request.target).into_bytes()),
     ];
-    if let (Target::UrScript, Some(arm)) = (request.target, &document.arm) {
-        files.push(named(SCRIPT, script(&document, arm, &smooth, &frames).into_bytes()));
+    match (request.target, &document.arm, parameters) {
+        (Target::UrScript, Some(arm), _) => {
+            files.push(named(SCRIPT, script(&document, arm, &smooth, &frames).into_bytes()));
+        }
+        (Target::Ros2Control, Some(arm), Some(parameters)) => {
+            files.push(named(PARAMETERS, parameters.yaml(&document, arm).into_bytes()));
+        }
+        _ => {}
     }
     files.extend(request.target.player().into_iter().map(|(name, text)| named(name, text.as_bytes().to_vec())));
     fill(target, &files, document.warnings)
@@ -151,17 +161,15 @@ fn require_interface(plan: &StoredPlan, scene: &scene::Scene, target: Target) ->
     let interface = scene.position_robot.as_ref().map(|robot| robot.force_mode.is_some());
     let (planned, others) = match interface {
         None => ("torque", "csv, ur-rtde, franka, urscript or ros2"),
-        Some(false) => ("position", "csv or correction"),
+        Some(false) => ("position", "csv, correction or ros2-control"),
         Some(true) => ("force", "csv or ur-rtde"),
     };
     let suits = match target {
         Target::Csv => true,
         Target::UrRtde => interface != Some(false),
         // A model follows on the springs of torque control.
-        Target::Franka | Target::UrScript | Target::Ros2 | Target::Mjcf | Target::Sdf | Target::Usd => {
-            interface.is_none()
-        }
-        Target::Correction => interface == Some(false),
+        Target::Franka | Target::UrScript | Target::Ros2 | Target::Mjcf | Target::Sdf | Target::Usd => interface.is_none(),
+        Target::Correction | Target::Ros2Control => interface == Some(false),
     };
     if suits {
         return Ok(());
@@ -175,15 +183,26 @@ fn require_interface(plan: &StoredPlan, scene: &scene::Scene, target: Target) ->
 
 /// Refuses a scene without the arm that a target needs.
 fn require_arm(plan: &StoredPlan, scene: &scene::Scene, target: Target) -> Result<(), PlannerError> {
-    let Some(joints) = target.joints() else { return Ok(()) };
+    if !target.needs_arm() {
+        return Ok(());
+    }
     let refuse = |problem: String| Err(PlannerError::file(&plan.folder, format!("--to {target}: {problem}")));
-    match scene.robot.as_ref().map(|robot| robot.arm.joints().len()) {
-        Some(number) if number == joints => Ok(()),
-        Some(number) => refuse(format!("the arm of the scene has {number} joints, and these robots have {joints}")),
-        None => refuse(
+    match (scene.robot.as_ref().map(|robot| robot.arm.joints().len()), target.joints()) {
+        (Some(number), Some(joints)) if number != joints => {
+            refuse(format!("the arm of the scene has {number} joints, and these robots have {joints}"))
+        }
+        (Some(_), _) => Ok(()),
+        (None, _) => refuse(
             "the plan was made without an arm; add [robot] with `urdf`, `tip`, `base`, `grasp` and `configuration` to the \
              scene and solve again, or use --to csv"
                 .to_owned(),
         ),
     }
+}
+
+/// The parameters of `ros2-control`, whose controller may not have room for the law of the plan.
+fn parameters(plan: &StoredPlan, scene: &scene::Scene, target: Target) -> Result<Option<Parameters>, PlannerError> {
+    let (Target::Ros2Control, Some(robot)) = (target, &scene.position_robot) else { return Ok(None) };
+    let refuse = |problem| PlannerError::file(&plan.folder, format!("--to {target}: {problem}"));
+    Parameters::new(robot, &Frames::of(scene)).map(Some).map_err(refuse)
 }

@@ -21,6 +21,7 @@ const LEAST_SHARE: f64 = 1e-10;
 /// A serial arm with fixed base whose tip holds a part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arm {
+    root: String,
     joints: Vec<Joint>,
     moved: Vec<MovedLink>,
     /// Frame of the tip in that of the last moving link.
@@ -88,8 +89,9 @@ impl Arm {
     }
 
     fn from_urdf(text: &str, tip: &str) -> Result<(Self, Vec<Fault>), Fault> {
-        let Chain { joints, lines, tip, moved, mut remarks } = Chain::to_tip(&Urdf::parse(text)?, tip)?;
+        let Chain { root, joints, lines, tip, moved, mut remarks } = Chain::to_tip(&Urdf::parse(text)?, tip)?;
         let arm = Self {
+            root,
             joints,
             moved,
             tip,
@@ -180,6 +182,11 @@ impl Arm {
             joint.rotor_inertia = inertia;
         }
         Ok(self)
+    }
+
+    /// Name of its root link, which is the base.
+    pub fn root(&self) -> &str {
+        &self.root
     }
 
     /// The moving joints from the base to the tip.

@@ -21,6 +21,8 @@ pub struct MovedLink {
 /// Moving joints from the root to the tip, and the tip in the frame of the last one's link.
 #[derive(Debug)]
 pub struct Chain {
+    /// Name of the link that no joint moves.
+    pub root: String,
     pub joints: Vec<Joint>,
     /// Lines of the links behind the joints.
     pub lines: Vec<usize>,
@@ -47,7 +49,9 @@ impl Chain {
         let read = |&index: &usize| joint(&urdf.joints[index], &mut remarks);
         let joints = moving.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let lines = moving.iter().map(|&index| urdf.links[urdf.joints[index].child].line).collect();
-        let mut chain = Self { joints, lines, tip: IsometryMatrix3::identity(), moved: Vec::new(), remarks };
+        let name = urdf.links[root].name.clone();
+        let mut chain =
+            Self { root: name, joints, lines, tip: IsometryMatrix3::identity(), moved: Vec::new(), remarks };
         chain.place_links(urdf, root, tip, &moving)?;
         Ok(chain)
     }

@@ -14,7 +14,7 @@ from exported_plan import ExportedPlan, ToolState
 from failures import ConnectionLost, InputError
 from guards import Measurement, require_command
 from kinematics import Pose
-from settings import Settings, require_between
+from settings import Settings, position_law, require_between
 
 # Longest wait (s) for the first datagram, and most that may be allowed for the next one: the robot stops by itself without answers.
 FIRST_PATIENCE, MOST_SILENCE = 10.0, 10.0
@@ -135,13 +135,9 @@ def parsed(content: bytes) -> dict[str, Any]:
 
 def connect(arguments: argparse.Namespace, plan: ExportedPlan, _: Settings) -> CorrectionRobot:
     """The robot behind a port."""
-    record = plan.document.get("admittance")
-    if record is None or record["interface"] != "position":
-        raise InputError('this player needs a plan for a robot that is commanded by position: robot.interface = "position" in the scene')
+    position_law(arguments, plan)
     if not 1 <= arguments.port <= 65535:
         raise InputError(f"--port {arguments.port} must lie between 1 and 65535")
-    if arguments.damping_factor < 1:
-        raise InputError(f"--damping-factor {arguments.damping_factor:g}: with less damping than planned the law oscillates in contact")
     require_between(arguments, "longest_silence", MOST_SILENCE)
     endpoint = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:

@@ -9,6 +9,7 @@ try:
     import middleware
     import ros2_robot
     from session import main
+    from topic_robot import add_topics
 except ImportError as error:
     print(
         f"error: {error}; this player needs ROS 2 with rclpy, geometry_msgs, rcl_interfaces and sensor_msgs (source its "
@@ -38,9 +39,7 @@ def parser() -> argparse.ArgumentParser:
         metavar="NODE",
         help="whose parameters the gains are, with --message pose [default: %(default)s]",
     )
-    add("--pose-topic", default="current_pose", metavar="TOPIC", help="PoseStamped of the tool [default: %(default)s]")
-    add("--joint-topic", default="joint_states", metavar="TOPIC", help="JointState [default: %(default)s]")
-    add("--wrench-topic", default="wrench", metavar="TOPIC", help="WrenchStamped at the tool [default: %(default)s]")
+    add_topics(parser, pose="current_pose", wrench="wrench")
     add("--rate", type=float, default=250.0, metavar="HZ", help="references per second [default: %(default)g]")
     return parser
 

@@ -18,8 +18,8 @@ from kinematics import Arm, Pose
 FORMAT = 2
 # The hashes of all files, as `sha256sum --check` reads them, and the files without which there is no plan.
 SUMS, NEEDED = "SHA256SUMS", ("plan.json", "trajectory.csv")
-# The first lines of this file are the user's to change.
-OWN = "plan.script"
+# What is the user's to change.
+OWN = {"plan.script", "controllers.yaml"}
 
 POSITION = ("px_m", "py_m", "pz_m")
 QUATERNION = ("qw", "qx", "qy", "qz")
@@ -149,7 +149,7 @@ def sealed(folder: pathlib.Path) -> dict[str, bytes]:
     try:
         sums = dict(reversed(line.split("  ", 1)) for line in (folder / SUMS).read_text().splitlines())
         modules = {path.name for path in folder.glob("*.py")}
-        contents = {name: (folder / name).read_bytes() for name in {*NEEDED, *sums, *modules} - {OWN}}
+        contents = {name: (folder / name).read_bytes() for name in {*NEEDED, *sums, *modules} - OWN}
     except (OSError, ValueError) as error:
         raise InputError(f"{folder} is not a whole folder of `assembly-plan export`: {error}") from error
     for name, content in contents.items():

@@ -3,7 +3,7 @@
 import argparse
 import dataclasses
 import pathlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Protocol
 
 import numpy as np
@@ -53,8 +53,8 @@ class Robot(Protocol):
     def track(self, reference: ToolState, measured: Measurement) -> None:
         """The reference for this control period."""
 
-    def end(self) -> None:
-        """Stops and leaves the mode. Called once if `begin` was, whatever happened."""
+    def end(self) -> Iterable[None] | None:
+        """Stops and leaves the mode, perhaps in steps. Called once if `begin` was, whatever happened."""
 
     def close(self) -> None:
         """Ends the connection. Called once, whatever happened."""
@@ -115,7 +115,8 @@ class Session:
         for step in (self.robot.end, self.robot.close) if self.is_begun else (self.robot.close,):
             self.watchdog.go_on()
             try:
-                step()
+                for _ in step() or ():
+                    self.watchdog.go_on()
             except Exception as error:
                 problems.append(error)
         if not problems:

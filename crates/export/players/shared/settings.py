@@ -86,6 +86,16 @@ def header(arguments: argparse.Namespace, plan: ExportedPlan) -> dict[str, Any]:
     return {"format": FORMAT, **copied, "dry_run_m": arguments.dry_run, "impedance": impedance}
 
 
+def position_law(arguments: argparse.Namespace, plan: ExportedPlan) -> dict[str, Any]:
+    """The admittance law of a plan for a robot that is commanded by position."""
+    law = plan.document.get("admittance")
+    if law is None or law["interface"] != "position":
+        raise InputError('this player needs a plan for a robot that is commanded by position: robot.interface = "position" in the scene')
+    if arguments.damping_factor < 1:
+        raise InputError(f"--damping-factor {arguments.damping_factor:g}: with less damping than planned the law oscillates in contact")
+    return law
+
+
 def require_between(arguments: argparse.Namespace, name: str, largest: float) -> None:
     """Refuses a flag that is not above zero, or too large."""
     value = getattr(arguments, name)

@@ -12,8 +12,9 @@ from collections.abc import Sequence
 
 from lab import notebook
 
-# Those of the makers where they exist: stand-ins are compared with them, and ur-rtde is tested itself.
-PACKAGES = ("mujoco", "numpy", "ur-rtde", "franky-control")
+# Those of the makers where they exist: stand-ins are compared with them, and ur-rtde is tested itself. PyYAML reads
+# parameters as ROS 2 does.
+PACKAGES = ("mujoco", "numpy", "PyYAML", "ur-rtde", "franky-control")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -84,12 +84,12 @@ class PositionPlayer(FreePlayer):
         lever = rotation @ np.array(self.control.offset)
         spin = rotation @ data.qvel[3:]
         stretch = self.flange[0] - data.qpos[:3] - lever
-        velocity = data.qvel[:3] + np.cross(spin, lever)
+        velocity = data.qvel[:3] + cross(spin, lever)
         force = self.spring[0] * stretch + self.damper[0] * (self.speed[0] - velocity)
         twist = vector_of(self.flange[1] @ rotation.T)
         torque = self.spring[1] * twist + self.damper[1] * (self.speed[1] - spin)
         data.qfrc_applied[:3] = force
-        data.qfrc_applied[3:] = rotation.T @ (torque + np.cross(lever, force))
+        data.qfrc_applied[3:] = rotation.T @ (torque + cross(lever, force))
         for part, value in enumerate((-force, -torque)):
             self.wrench[part] = self.wrench[part] + self.share * (value - self.wrench[part])
 
@@ -105,3 +105,10 @@ def vector_of(rotation: np.ndarray) -> np.ndarray:
     mujoco.mju_mat2Quat(quaternion, rotation.flatten())
     mujoco.mju_quat2Vel(vector, quaternion, 1.0)
     return vector
+
+
+def cross(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """The cross product of two vectors, many times faster than that of NumPy."""
+    product = np.zeros(3)
+    mujoco.mju_cross(product, first, second)
+    return product

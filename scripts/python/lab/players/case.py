@@ -8,8 +8,8 @@ from collections.abc import Callable
 @dataclasses.dataclass(frozen=True)
 class Case:
     """A plan that is played, what goes wrong, and what is expected: the exit code, words on standard error, whether the
-    part ends at its goal. `limit` is the largest size of a file that the player may write (bytes), `spoil` changes the
-    folder before."""
+    part ends at its goal. `arm` is what the plan was recorded for, if it is not the usual one of the target, `limit` is
+    the largest size of a file that the player may write (bytes), `spoil` changes the folder before."""
 
     name: str
     target: str
@@ -20,6 +20,7 @@ class Case:
     flags: tuple[str, ...] = ("--skip-self-test",)
     simulation: dict = dataclasses.field(default_factory=dict)
     environment: dict = dataclasses.field(default_factory=dict)
+    arm: str = ""
     interrupted_at: str = ""
     signal: str = "SIGINT"
     has_packages: bool = True

@@ -4,10 +4,10 @@ import math
 import random
 
 from lab.players.case import Case, fault
-from lab.players.faulty_cases import DRY_RUN, DRY_RUN_PLAN
+from lab.players.faulty_cases import DRY_RUN, PLAYERS, TORQUES, dry_run_plan
 
 # Of robots, the one behind sockets is `loopback`.
-TARGETS = ("ur-rtde", "loopback", "franka", "ros2", "urscript")
+TARGETS = ("ur-rtde", "loopback", "franka", "ros2", "ros2-control", "urscript")
 # Two offsets (m) of each plan that it covers.
 OFFSETS = {
     "corner": ((0.019, 0.0, 0.0), (0.008, 0.0, 0.01)),
@@ -32,14 +32,19 @@ def insertions() -> list[Case]:
         for plan in OFFSETS
         for number, offset in enumerate(OFFSETS[plan], 1)
         # Behind sockets, a robot takes longer than its own time.
-        if target != "loopback" or (plan, number) == ("clamp1", 1)
+        if (target != "loopback" or (plan, number) == ("clamp1", 1)) and has_plan(target, plan)
     ]
+
+
+def has_plan(target: str, plan: str) -> bool:
+    """Whether a plan was recorded for the robots of a target."""
+    return target != "ros2-control" or plan == "corner"
 
 
 def good_runs(count: int) -> list[Case]:
     """Motions without a fault: players and plans in turn, offsets between two of a plan, turns about any axis."""
     generator = random.Random(1)
-    kinds = [(target, plan) for target in TARGETS if target != "loopback" for plan in OFFSETS]
+    kinds = [(target, plan) for target in TARGETS if target != "loopback" for plan in OFFSETS if has_plan(target, plan)]
     cases = []
     for number in range(count):
         target, plan = kinds[number % len(kinds)]
@@ -56,17 +61,21 @@ def good_runs(count: int) -> list[Case]:
 def guards() -> list[Case]:
     """What stops a player beside faults, and what must not."""
     cases = []
-    for target in ("ur-rtde", "franka", "ros2"):
+    for target in PLAYERS:
 
         def add(name: str, *rest: object, plan: str = "corner", target: str = target, **more: object) -> None:
             cases.append(Case(f"{target} {name}", target, plan, *rest, **more))
 
-        add("self-test and dry run", 0, "dry run: the tool ends", plan=DRY_RUN_PLAN, flags=("--dry-run", DRY_RUN))
+        flags = ("--dry-run", DRY_RUN, "--path-is-free")
+        add("self-test and dry run", 0, "dry run: the tool ends", plan=dry_run_plan(target), flags=flags)
         add("interrupt", 130, "interrupted", interrupted_at="testing the frames", flags=())
         add("without packages", 3, "pip install numpy", has_packages=False)
         add("wrong factor", 2, "--stiffness-factor", flags=("--stiffness-factor", "-1"))
-        add("soft", 1, "the tool moved", flags=("--stiffness-factor", "0.001"))
-        add("distance", 1, "from its reference", flags=("--skip-self-test", "--distance-limit", "0.001"))
+        if target in TORQUES:
+            add("soft", 1, "the tool moved", flags=("--stiffness-factor", "0.001"))
+        beside = {"offset": OFFSETS["corner"][0]}
+        flags = ("--skip-self-test", "--distance-limit", "0.001")
+        add("distance", 1, "from its reference", flags=flags, simulation=beside)
         add("displaced", 0, "", inserts=True, simulation={"displaced": 0.005})
     for name in ("force", "hang", "disconnect", "protective"):
         cases.append(Case(f"loopback {name}", "loopback", "corner", 1, "stopped: ", simulation=fault(name)))
@@ -99,6 +108,19 @@ def guards() -> list[Case]:
             "corner",
             inserts=True,
             flags=("--skip-self-test", "--message", "motion-update"),
+        ),
+        Case("ros2-control less damping", "ros2-control", "corner", 2, "oscillates", flags=("--damping-factor", "0.5")),
+        *(
+            Case(
+                f"urscript force mode {plan} {number}",
+                "urscript",
+                plan,
+                arm="force",
+                inserts=True,
+                simulation={"offset": offset},
+            )
+            for plan in ("corner", "clamp1")
+            for number, offset in enumerate(OFFSETS[plan], 1)
         ),
         Case("urscript without receiver", "urscript", "corner", inserts=True, has_receiver=False),
         Case("urscript turned base", "urscript", "corner", inserts=True, simulation={"base_is_turned": True}),

@@ -12,39 +12,17 @@ import tomllib
 import mujoco
 import numpy as np
 
-from lab.mujoco import world
 from lab.mujoco.control import GraspError
-from lab.mujoco.plans import FreeBody, PositionRobot
-from lab.mujoco.position_robot import PositionPlayer
-from lab.mujoco.rotations import rotation_matrix
 from lab.paths import SCENES
-from lab.players import simulated_arm
+from lab.players.commanded_part import commanded_part
 
 PORT = 49152
 TIME_STEP = 0.0005
 # Time (s) within which a player has to begin, its longest wait for an answer, and the cycles without one after which it
 # stops.
 FIRST_WAIT, FIRST_CYCLE, WAIT, MOST_SILENT = 30.0, 0.02, 2.0, 10
-# The robot as it is; its law is in the player.
-BANDWIDTH, DELAY, CUTOFF = 20.0, 0.004, 50.0
-FRICTION = 0.1
-NO_GAINS = (0.0, 0.0)
-
-
-class CommandedPart(PositionPlayer):
-    """The part at a flange that is told where to go."""
-
-    def sample(self, reference: np.ndarray) -> None:
-        """The command comes from outside."""
-
-    def tool(self) -> tuple[np.ndarray, np.ndarray]:
-        """Position and rotation matrix of the believed part."""
-        position, rotation = self.flange
-        return position, rotation @ rotation_matrix(self.turned)
-
-    def go_to(self, position: np.ndarray, quaternion: np.ndarray) -> None:
-        """The believed part is commanded to a pose."""
-        self.command = self.believed(np.concatenate([position, quaternion]))
+# Of the sensor (Hz).
+CUTOFF = 50.0
 
 
 class Server:
@@ -56,18 +34,12 @@ class Server:
         self.goal, record = np.array(document["goal"]), document["admittance"]
         self.period = record["period_s"]
         scene = tomllib.loads((SCENES / f"{document['scene']}.toml").read_text())
-        robot = PositionRobot(
-            self.period, DELAY, BANDWIDTH, CUTOFF, NO_GAINS, NO_GAINS, NO_GAINS, record["contact_stiffness_n_m"], 0.05
-        )
-        body = FreeBody(1.0, np.zeros(3), 1e-2 * np.eye(3))
-        plan = simulated_arm.world(scene, document, None, body)
-        self.part = CommandedPart(world.build(plan, world.Contact(FRICTION, TIME_STEP)), plan, 1, robot)
-        start = np.zeros(13)
         rows = (pathlib.Path(task["plan"]) / "trajectory.csv").read_text().splitlines()
-        start[:7] = [float(number) for number in rows[1].split(",")[1:8]]
+        start = np.array([float(number) for number in rows[1].split(",")[1:8]])
         # A little beside the start: the player goes there first.
         start[2] += task.get("displaced", 0.0)
-        self.part.begin([start.tolist()], GraspError(np.array(task["offset"]), np.array(task.get("turn", (0.0,) * 3))))
+        grasp_error = GraspError(np.array(task["offset"]), np.array(task.get("turn", (0.0,) * 3)))
+        self.part = commanded_part(scene, document, start, grasp_error, TIME_STEP, CUTOFF)
         self.endpoint = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.endpoint.bind((address, 0))
         self.player = (address, PORT)

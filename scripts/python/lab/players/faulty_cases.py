@@ -7,10 +7,15 @@ import pathlib
 from lab.players import spoiling
 from lab.players.case import Case, fault
 
-PLAYERS = ("ur-rtde", "franka", "ros2")
-WITH_SCRIPT = (*PLAYERS, "urscript")
+PLAYERS = ("ur-rtde", "franka", "ros2", "ros2-control")
+# The script in joint torques, and in force mode.
+SCRIPTS = ("urscript", "urscript-force")
+WITH_SCRIPT = (*PLAYERS, *SCRIPTS)
+# Players behind topics, of a robot that is commanded by position, and of robots that are commanded torques.
+TOPICS, POSITIONS = ("ros2", "ros2-control"), ("ros2-control",)
+TORQUES = ("ur-rtde", "franka", "ros2", "urscript")
 # A plan with heights in free air for both arms: outside of the corner, they are close to their full reach. One of the
-# heights (m).
+# heights (m), which is also free in front of the corner for the arm that stands closer.
 DRY_RUN_PLAN, DRY_RUN = "clamp1", "0.05"
 BEGIN, END = "<!-- faults -->\n", "<!-- end of faults -->\n"
 
@@ -45,13 +50,13 @@ def faults() -> list[Fault]:
     }
     for signal, called in names.items():
         # A middleware has a clock of its own. The other values and phases are those of no_numbers.py.
-        players = tuple(each for each in PLAYERS if each != "ros2") if signal == "time" else WITH_SCRIPT
+        players = tuple(each for each in PLAYERS if each not in TOPICS) if signal == "time" else WITH_SCRIPT
         found.append(told(f"{called}: infinity from the beginning", f"inf {signal}", 0.0, 1, "number", players))
         found.append(told(f"{called}: NaN while playing", f"nan {signal}", 2.0, 1, "number", players))
     found += [
         told("pose of the tool that stands still", "frozen pose", 2.0, 1, "from where its joints have it"),
         told("joint positions that stand still", "frozen positions", 2.0, 1, "from where its joints have it"),
-        told("time that stands still", "hang", 2.0, 1, "stopped: ", ("franka", "ros2")),
+        told("time that stands still", "hang", 2.0, 1, "stopped: ", ("franka", *TOPICS)),
         told("time that runs backwards", "time back", 2.0, 1, "backwards"),
         told("a gap of 0.2 s", "gap", 2.0, 1, "stopped: "),
         told("pose of the flange instead of the tool", "flange", 0.0, 2, "tool point", WITH_SCRIPT),
@@ -59,7 +64,8 @@ def faults() -> list[Fault]:
         told("tool turned by half a turn", "half turn", 0.0, 2, "tool point", WITH_SCRIPT),
         told("pose in the world instead of the base", "world", 0.0, 2, "tool point", WITH_SCRIPT),
         told("a force that nothing explains", "force", 2.0, 1, "force of", WITH_SCRIPT),
-        told("a push that no sensor feels", "push", 2.0, 1, "stopped: ", WITH_SCRIPT),
+        # A robot that is commanded by position does not yield to it.
+        told("a push that no sensor feels", "push", 2.0, 1, "stopped: ", TORQUES),
         told("a load of 20 N that is not set as payload", "payload", 0.0, 1, "payload", WITH_SCRIPT),
         # Where there is room for a path on which the obstacle is pressed hard enough to be felt.
         told(
@@ -71,6 +77,7 @@ def faults() -> list[Fault]:
             WITH_SCRIPT,
             plan=DRY_RUN_PLAN,
             simulation_more={"displaced": 0.018},
+            flags=("--skip-self-test", "--path-is-free"),
         ),
         told("obstacle in the test of the frames", "obstacle", 1.4, 1, "stopped: ", WITH_SCRIPT, flags=()),
         told(
@@ -81,27 +88,33 @@ def faults() -> list[Fault]:
             "",
             WITH_SCRIPT,
             plan=DRY_RUN_PLAN,
-            flags=("--skip-self-test", "--dry-run", DRY_RUN),
+            flags=("--skip-self-test", "--dry-run", DRY_RUN, "--path-is-free"),
         ),
-        told("connection lost while playing", "disconnect", 2.0, 1, "stopped: ", ("franka", "ros2")),
+        told("connection lost while playing", "disconnect", 2.0, 1, "stopped: ", ("franka", *TOPICS)),
         told("protective stop of the robot", "protective", 2.0, 1, "stopped by itself", ("ur-rtde", "franka")),
         told("safeguard stop of the robot", "safeguard", 2.0, 1, "safeguard", ("ur-rtde",)),
         told("robot that refuses commands", "refuse", 2.0, 1, "does not take commands", ("ur-rtde",)),
         told("robot that takes no watchdog", "no watchdog", 0.0, 1, "watchdog", ("ur-rtde",)),
         told("command that never returns", "stuck", 2.0, 1, "does not return", ("ur-rtde",)),
         told("Jacobian of another tool", "jacobian", 0.0, 2, "Jacobian", ("ur-rtde",)),
-        told("joint states without velocities", "no speeds", 0.0, 1, "velocities", ("ros2",)),
-        told("joint states that end", "no joints", 2.0, 1, "joint states is", ("ros2",)),
-        told("wrench that ends", "no wrench", 2.0, 1, "wrench is", ("ros2",)),
-        told("messages in another frame", "frame name", 0.0, 2, "--frame", ("ros2",)),
-        told("messages that are sent twice", "doubled", 2.0, 1, "old", ("ros2",)),
-        told("messages in the wrong order", "reordered", 2.0, 1, "backwards", ("ros2",)),
-        told("messages that come 0.3 s late", "late", 2.0, 1, "stopped: ", ("ros2",)),
-        told("old messages that are sent again, or clocks that differ", "old", 0.0, 2, "clock", ("ros2",)),
-        told("no controller that hears", "nobody", 0.0, 2, "no controller hears", ("ros2",)),
-        told("controller that ignores the gains", "deaf", 0.0, 2, "does not take the gains", ("ros2",)),
-        told("controller that clips the gains", "clipped", 0.0, 2, "does not take the gains", ("ros2",)),
-        told("controller with fixed gains", "read-only", 0.0, 2, "does not take the gains", ("ros2",)),
+        told("joint states without velocities", "no speeds", 0.0, 1, "velocities", TOPICS),
+        told("joint states that end", "no joints", 2.0, 1, "joint states is", TOPICS),
+        told("wrench that ends", "no wrench", 2.0, 1, "wrench is", TOPICS),
+        told("messages in another frame", "frame name", 0.0, 2, "--frame", TOPICS),
+        told("messages that are sent twice", "doubled", 2.0, 1, "old", TOPICS),
+        told("messages in the wrong order", "reordered", 2.0, 1, "backwards", TOPICS),
+        told("messages that come 0.3 s late", "late", 2.0, 1, "stopped: ", TOPICS),
+        told("old messages that are sent again, or clocks that differ", "old", 0.0, 2, "clock", TOPICS),
+        told("no controller that hears", "nobody", 0.0, 2, "no controller hears", TOPICS),
+        told("controller that ignores the gains", "deaf", 0.0, 2, "does not take the gains", TOPICS),
+        told("controller that clips the gains", "clipped", 0.0, 2, "does not take the gains", TOPICS),
+        told("controller with fixed gains", "read-only", 0.0, 2, "does not take the gains", TOPICS),
+        told("controller that is not active any more", "inactive", 2.0, 1, "offsets of the controller", POSITIONS),
+        told("controller that ignores the references", "ignored", 2.0, 1, "from its reference", POSITIONS),
+        told("controller of other joints", "other joints", 0.0, 1, "of another arm", POSITIONS),
+        told("law at another link", "other link", 0.0, 2, "acts at", POSITIONS),
+        told("law that holds the tool beside its reference", "held", 0.0, 2, "zero the sensor", POSITIONS),
+        told("controller manager that is too slow", "slow", 0.0, 2, "times per second", POSITIONS),
     ]
 
     def made(words: str, code: int, says: str, players: tuple[str, ...] = PLAYERS, **making: object) -> None:
@@ -136,8 +149,8 @@ def faults() -> list[Fault]:
     )
     # Without gains that are raised: damping times delay over the inertia of such a rotor is too much.
     late = {"rotor_inertia": 0.05, "joint_friction": 0.3, "delay": 0.008}
-    made("torques that come too late: the robot swings", 1, "swings", WITH_SCRIPT, simulation={"truth": late}, flags=())
-    made("joints that stick", 1, "stopped: ", WITH_SCRIPT, simulation={"truth": {"joint_friction": 12.0}}, flags=())
+    made("torques that come too late: the robot swings", 1, "swings", TORQUES, simulation={"truth": late}, flags=())
+    made("joints that stick", 1, "stopped: ", TORQUES, simulation={"truth": {"joint_friction": 12.0}}, flags=())
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"):
         made(f"signal {name}", 130, name, interrupted_at="playing", signal=name)
     made("SIGHUP of a terminal that is gone", 130, "", interrupted_at="playing", signal="SIGHUP", hears=False)
@@ -165,6 +178,11 @@ def faults() -> list[Fault]:
     return found
 
 
+def dry_run_plan(player: str) -> str:
+    """One with heights in free air for the arm of a player."""
+    return "corner" if player in POSITIONS else DRY_RUN_PLAN
+
+
 def faulty() -> list[Case]:
     """A case of every fault with every player that it can happen to."""
     return [case_of(each, player) for each in faults() for player in each.players]
@@ -177,15 +195,21 @@ def case_of(fault_: Fault, player: str) -> Case:
     if more:
         making["simulation"] = {**making["simulation"], **more}
     words = fault_.words.replace("/", " ").replace(":", "").replace(",", "")
-    is_script = player == "urscript"
+    is_script = player in SCRIPTS
     says = "stopped: " if is_script and fault_.says in ("number", "force of", "tool point") else fault_.says
+    # Where the law acts on the measured force itself, the load moves the tool out of its guard before the hold is over.
+    says = "from its reference" if says == "payload" and player not in TORQUES else says
     plan = making.pop("plan", "corner")
-    return Case(f"{player} {words}", player, plan, code_of(fault_, player), says, **making)
+    if plan == DRY_RUN_PLAN:
+        plan = dry_run_plan(player)
+    arm = {"arm": "force"} if player == "urscript-force" else {}
+    target = "urscript" if is_script else player
+    return Case(f"{player} {words}", target, plan, code_of(fault_, player), says, **arm, **making)
 
 
 def code_of(fault_: Fault, player: str) -> int:
     """How a player ends."""
-    return min(fault_.code, 1) if player == "urscript" else fault_.code
+    return min(fault_.code, 1) if player in SCRIPTS else fault_.code
 
 
 def write_table(page: pathlib.Path) -> None:

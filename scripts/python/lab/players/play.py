@@ -28,11 +28,16 @@ TARGETS = {
     "loopback": ("ur_rtde", ""),
     "franka": ("franka", "franka"),
     "ros2": ("ros2", "ros2"),
+    "ros2-control": ("ros2_control", "ros2_control"),
     "urscript": ("urscript", ""),
     "correction": ("correction", ""),
 }
+# Robots behind topics of ROS 2.
+TOPICS = ("ros2", "ros2-control")
+# What plans are recorded for besides arms that are commanded torques: the arm with six joints.
+COMMANDED = ("position", "force")
 # Names of the arms that the plans were recorded for, where it is not the one with six joints.
-ARMS = {"franka": "seven", "correction": "none"}
+ARMS = {"franka": "seven", "correction": "none", "ros2-control": "position"}
 # Longest time of a player (s), also on a machine that is busy.
 PATIENCE = 120.0
 
@@ -41,12 +46,12 @@ def run(case: Case, address: str, work: pathlib.Path) -> str:
     """Plays a case as a user does; returns what is wrong, or nothing."""
     folder, outcome = work / case.folder, work / case.folder / "outcome.json"
     player, stand_ins = TARGETS[case.target]
-    arm = ARMS.get(case.target, "six")
+    arm = case.arm or ARMS.get(case.target, "six")
     recorded = RECORDED / f"{case.plan}-{arm}"
     assemble(case, recorded, PLAYERS / player, folder)
     simulation = {
         "plan": str(recorded),
-        "arm": arm,
+        "arm": "six" if arm in COMMANDED else arm,
         "offset": (0.0, 0.0, 0.0),
         "outcome": str(outcome),
         **case.simulation,
@@ -71,8 +76,11 @@ def assemble(case: Case, recorded: pathlib.Path, player: pathlib.Path, folder: p
     """The folder of an export: a recorded plan with the files of its player."""
     for source in (PLAYERS / "shared", player, recorded):
         shutil.copytree(source, folder, dirs_exist_ok=True)
-    if case.target == "ros2":
-        shutil.copy(HERE / "stand_ins/ros2/middleware.py", folder)
+    if case.target in TOPICS:
+        shutil.copytree(PLAYERS / "topics", folder, dirs_exist_ok=True)
+        # Without ROS, there is neither a node nor its messages.
+        (folder / "node.py").unlink()
+        shutil.copy(HERE / "stand_ins" / player.name / "middleware.py", folder)
     if case.target == "urscript":
         choose(folder / "plan.script", case.flags)
     seal(folder)
@@ -86,6 +94,7 @@ def choose(script: pathlib.Path, flags: tuple[str, ...]) -> None:
     values = dict(itertools.pairwise(flags))
     for flag, name, usual in (("--dry-run", "dry_run", "0.0"), ("--stiffness-factor", "stiffness_factor", "1.0")):
         text = text.replace(f"global {name} = {usual}", f"global {name} = {float(values.get(flag, usual))}")
+    text = text.replace("path_is_free = False", f"path_is_free = {'--path-is-free' in flags}")
     script.write_text(text.replace("self_test = True", f"self_test = {'--skip-self-test' not in flags}"))
 
 
@@ -94,7 +103,7 @@ def command_of(case: Case, folder: pathlib.Path, address: str) -> list[str]:
     if case.target == "urscript":
         runner = [sys.executable, "-P", "-m", "lab.players.script_runner"]
         return [*runner, str(folder / "plan.script"), *([address] * case.has_receiver)]
-    host = {"ros2": [], "correction": ["--address", address]}.get(case.target, [address])
+    host = [] if case.target in TOPICS else ["--address", address] if case.target == "correction" else [address]
     # Without `site`, Python finds no packages.
     python = [sys.executable] if case.has_packages else [sys.executable, "-S"]
     return [*python, str(folder / "play.py"), *host, "--log", str(folder / case.log), *case.flags]

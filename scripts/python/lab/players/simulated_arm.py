@@ -99,6 +99,8 @@ class SimulatedArm:
         document = json.loads((task.plan / "plan.json").read_text())
         scene = tomllib.loads((SCENES / f"{document['scene']}.toml").read_text())
         robot = task.truth.robot(robots.read(ARMS / f"{task.arm}.toml"))
+        # The plan says where it stands.
+        robot = dataclasses.replace(robot, base=np.array(document["base"]))
         self.model = arm_world.build(world(scene, document, robot), Contact(task.truth.friction, TIME_STEP))
         self.player = ArmPlayer(self.model, world(scene, document, robot), NO_WINDOW)
         self.data = self.player.data
@@ -210,12 +212,15 @@ class SimulatedArm:
 
     def wrench(self) -> np.ndarray:
         """Force (N) and torque (Nm) that the environment applies, about the tool point, along the axes of the base."""
+        load = LOAD if self.fails("payload") else np.zeros(6)
+        return self.pushed_back() + load + self.contact_wrench()
+
+    def contact_wrench(self) -> np.ndarray:
+        """What the parts do to each other."""
         position, _, _ = self.tool()
         robot = self.player.plan.robot
         base = rotation_matrix(robot.base[3:])
-        total, contact_wrench = self.pushed_back(), np.zeros(6)
-        if self.fails("payload"):
-            total += LOAD
+        total, contact_wrench = np.zeros(6), np.zeros(6)
         for index in range(self.data.ncon):
             contact = self.data.contact[index]
             mujoco.mj_contactForce(self.model, self.data, index, contact_wrench)
@@ -227,9 +232,13 @@ class SimulatedArm:
             total += np.concatenate([force, rotations.cross(lever, force)])
         return total
 
+    def state(self) -> np.ndarray:
+        """Pose and twist of the part in the world."""
+        return np.array(self.player.state())
+
     def leave(self) -> None:
         """Writes what has become of the part, and in which mode the robot was left."""
-        state = np.array(self.player.state())
+        state = self.state()
         cosine = min(1.0, abs(float(state[3:7] @ self.goal[3:])))
         outcome = {
             "position_error_m": float(np.linalg.norm(state[:3] - self.goal[:3])),

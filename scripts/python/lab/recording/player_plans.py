@@ -19,18 +19,31 @@ PLANS = (
     ("peg1", "seven"),
 )
 FLAGS = ["--robust", "--rotation-error", "0.01", "--friction", "0,0.1", "--time-limit", "300"]
-# Of `urscript`, everything that a player reads is kept.
-KEPT = ("plan.json", "trajectory.csv", "plan.script")
+# Everything that a player reads is kept.
+KEPT = ("plan.json", "trajectory.csv", "plan.script", "controllers.yaml")
+# Those for the arm with six joints that is commanded by position or force, with a soft contact, so that motions are
+# short. In front of the corner it stands closer, where no joint has to move fast.
+COMMANDED_PLANS = (("corner", "position"), ("corner", "force"), ("clamp1", "force"))
+COMMANDED = {"control_period": 0.002, "contact_stiffness": 2e4}
+# Rotations that a spring on the measured pose does not make swing.
+SOFT = {"stiffness_range": {"rotational": [1.0, 50.0]}}
+CLOSER = {"base": {"position": [-0.45, -0.1, -0.1], "orientation": [1.0, 0.0, 0.0, 0.0]}}
+GAINS = {"translational_gain": 8e-4, "rotational_gain": 0.16, "force_deadband": 0.5}
+# What they are commanded, and the target of their exports.
+INTERFACES = {
+    "position": ({"interface": "position"} | SOFT, "ros2-control"),
+    "force": ({"interface": "force", "force_mode": GAINS}, "urscript"),
+}
 
 
-def record(scene: str, arm: str) -> None:
+def record(name: str, scene: str, robot: dict, target: str) -> None:
     """Makes one plan and keeps its export."""
     with tempfile.TemporaryDirectory() as work:
         file, plan = pathlib.Path(work) / f"{scene}.toml", pathlib.Path(work) / "plan"
-        file.write_text(with_robot((SCENES / f"{scene}.toml").read_text(), robot_of(ARMS / f"{arm}.toml")))
+        file.write_text(with_robot((SCENES / f"{scene}.toml").read_text(), robot))
         # A plan that is nearly as robust as wanted will do.
         program.run("solve", file, *FLAGS, "--out", plan)
-        keep(plan, RECORDED / f"{scene}-{arm}", "urscript" if arm == "six" else "csv")
+        keep(plan, RECORDED / name, target)
 
 
 def keep(plan: pathlib.Path, folder: pathlib.Path, target: str) -> None:
@@ -46,6 +59,14 @@ def keep(plan: pathlib.Path, folder: pathlib.Path, target: str) -> None:
 
 def write(names: list[str]) -> None:
     """Records the plans with these names, or all."""
-    for scene, arm in PLANS:
-        if not names or f"{scene}-{arm}" in names:
-            record(scene, arm)
+    plans = {
+        f"{scene}-{arm}": (scene, robot_of(ARMS / f"{arm}.toml"), "urscript" if arm == "six" else "csv")
+        for scene, arm in PLANS
+    }
+    for scene, interface in COMMANDED_PLANS:
+        more, target = INTERFACES[interface]
+        robot = robot_of(ARMS / "six.toml") | COMMANDED | more | (CLOSER if scene == "corner" else {})
+        plans[f"{scene}-{interface}"] = (scene, robot, target)
+    for name, plan in plans.items():
+        if not names or name in names:
+            record(name, *plan)

@@ -23,29 +23,20 @@ class Message:
     age: float = 0.0
 
 
-@dataclasses.dataclass(frozen=True)
-class Heard:
-    """The newest messages: pose of the tool (position, quaternion w x y z), joint positions and then speeds, force and torque at the
-    tool."""
-
-    pose: Message
-    joints: Message | None
-    wrench: Message
-
-
 class Inbox:
-    """Keeps the newest message of every topic. A message that was heard before is dropped, and one that is older than the last, or
-    in another frame, is remembered as a failure."""
+    """Keeps the newest message of every topic: `pose` of the tool (position, quaternion w x y z), `wrench` (force, torque), `joint
+    states` (positions, then speeds), and what else a controller says. A message that was heard before is dropped, and one that is
+    older than the last, or in another frame, is remembered as a failure."""
 
-    def __init__(self, frame: str, has_arm: bool) -> None:
-        self.frame, self.has_arm = frame, has_arm
+    def __init__(self, frame: str, needed: list[str]) -> None:
+        self.frame, self.needed = frame, needed
         self.lock = threading.Lock()
         self.newest: dict[str, Message] = {}
         self.first: dict[str, Message] = {}
         self.failure: Stopped | InputError | None = None
 
     def put(self, topic: str, message: Message) -> None:
-        """A message of a topic: `pose`, `joint states` or `wrench`."""
+        """A message of a topic."""
         with self.lock:
             before = self.newest.get(topic)
             if before is not None and message.stamp is not None and before.stamp is not None:
@@ -76,11 +67,10 @@ class Inbox:
 
     def missing(self) -> list[str]:
         """Topics that were never heard of."""
-        needed = ["pose", "wrench", *(["joint states"] if self.has_arm else [])]
         with self.lock:
             if self.failure:
                 raise self.failure
-            return [topic for topic in needed if topic not in self.newest]
+            return [topic for topic in self.needed if topic not in self.newest]
 
     def require_clock(self) -> None:
         """The first messages are not old ones that are sent again."""
@@ -92,7 +82,7 @@ class Inbox:
                         "or the clocks differ"
                     )
 
-    def take(self, now: float) -> Heard:
+    def take(self, now: float) -> dict[str, Message]:
         """The newest messages at a time (s, monotonic), if they are new enough."""
         with self.lock:
             if self.failure:
@@ -103,4 +93,4 @@ class Inbox:
                 late = message.age - self.first[topic].age
                 if not abs(late) <= PATIENCE:
                     raise ConnectionLost(f"{topic} comes {late:.2f} s later than at first, or a clock was set")
-            return Heard(self.newest["pose"], self.newest.get("joint states"), self.newest["wrench"])
+            return dict(self.newest)
