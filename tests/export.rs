@@ -187,6 +187,18 @@ fn parameters_of_the_admittance_controller_are_those_of_the_law() {
 }
 
 #[test]
+fn a_plan_for_force_mode_has_a_script_in_force_mode() {
+    let gains = "{ translational_gain = 8e-4, rotational_gain = 0.16 }";
+    let dir = plan_of_commanded_arm(&format!("interface = \"force\"\nforce_mode = {gains}\n"));
+    dir.run("export out --to urscript --anyway").code(0).says("plan.script");
+    let script = dir.read("out/export/urscript/plan.script");
+    assert!(script.contains("    force_mode(force_frame, [1, 1, 1, 1, 1, 1], force_wrench, 2, force_mode_speeds)\n"));
+    assert!(script.contains("end_force_mode()") && !script.contains("direct_torque") && !script.contains("{{"));
+    assert!(dir.read("out/export/urscript/README.md").contains("wrenches to force mode"));
+    dir.run("export out --to ros2-control --anyway").code(2).says("use --to csv, ur-rtde or urscript");
+}
+
+#[test]
 fn models_have_every_piece_and_what_moves_it() {
     for (dir, carrier) in [(plan(), "<freejoint"), (plan_of_arm(), "actuatorfrcrange")] {
         let pieces = dir.read("corner.toml").matches(".part]]").count();

@@ -8,6 +8,7 @@ use crate::expectation::Guards;
 use crate::target::Target;
 use crate::text::filled;
 use crate::trial::RateRecord;
+use crate::urscript::needs;
 
 /// Parts of the text that several targets have, by their names.
 const PARTS: [(&str, &str); 6] = [
@@ -71,6 +72,7 @@ fn numbers(document: &Document) -> Vec<(&'static str, String)> {
         ("dry_run", free.height().map_or("M".to_owned(), |height| format!("{height:.3}"))),
         ("free_words", free_in_words(document)),
         ("admittance", admittance(document)),
+        ("needs", needs(document).to_owned()),
         ("arm_words", arm_in_words(document).to_owned()),
     ]
 }

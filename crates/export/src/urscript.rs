@@ -16,7 +16,40 @@ const ANYWHERE: f64 = 1e3;
 /// Where nothing is known of the shapes of its links, no point of the arm may be this far (m) from where it is at the start.
 const FARTHEST_ARM: f64 = 0.3;
 
-/// The script of a plan.
+/// What a script sends to the robot: the words of its heading, its settings, and its thread with the function that sets a command.
+struct Control {
+    needs: &'static str,
+    settings: &'static str,
+    functions: &'static str,
+}
+
+/// Joint torques.
+const TORQUE: Control = Control {
+    needs: "It sends joint torques, with `direct_torque` and `get_jacobian`: PolyScope 5.26 or newer.",
+    settings: include_str!("../players/urscript/torque_settings.script"),
+    functions: include_str!("../players/urscript/torque.script"),
+};
+
+/// The wrench of force mode.
+const FORCE: Control = Control {
+    needs: "It sends wrenches to force mode: a robot of the e-Series.",
+    settings: include_str!("../players/urscript/force_settings.script"),
+    functions: include_str!("../players/urscript/force.script"),
+};
+
+impl Control {
+    /// The one that a plan was made for.
+    fn of(document: &Document) -> Self {
+        if document.admittance.is_some() { FORCE } else { TORQUE }
+    }
+}
+
+/// What the script of a plan sends, and what it needs.
+pub fn needs(document: &Document) -> &'static str {
+    Control::of(document).needs
+}
+
+/// The script of a plan: in force mode if the plan was made for that, else in joint torques.
 pub fn script(document: &Document, arm: &ArmRecord, reference: &SmoothReference, frames: &Frames) -> String {
     let states: Vec<_> = reference.knots().iter().map(|knot| frames.tool_state(knot)).collect();
     let pose = |state: &ToolState| [state.pose.translation.vector, state.pose.rotation.scaled_axis()];
@@ -60,7 +93,12 @@ pub fn script(document: &Document, arm: &ArmRecord, reference: &SmoothReference,
         ("arm_count", free.arm_starts.len().to_string()),
         ("wrench", wrench(&document.tool_stiffness, &document.tool_damping)),
     ];
-    filled(include_str!("../players/urscript/plan.script"), &values)
+    let Control { needs, settings, functions } = Control::of(document);
+    let template = include_str!("../players/urscript/plan.script")
+        .replace("{{needs}}", needs)
+        .replace("{{control_settings}}\n", settings)
+        .replace("{{control}}", functions);
+    filled(&template, &values)
 }
 
 /// How far links and gripper may move (m).

@@ -162,13 +162,13 @@ fn require_interface(plan: &StoredPlan, scene: &scene::Scene, target: Target) ->
     let (planned, others) = match interface {
         None => ("torque", "csv, ur-rtde, franka, urscript or ros2"),
         Some(false) => ("position", "csv, correction or ros2-control"),
-        Some(true) => ("force", "csv or ur-rtde"),
+        Some(true) => ("force", "csv, ur-rtde or urscript"),
     };
     let suits = match target {
         Target::Csv => true,
-        Target::UrRtde => interface != Some(false),
+        Target::UrRtde | Target::UrScript => interface != Some(false),
         // A model follows on the springs of torque control.
-        Target::Franka | Target::UrScript | Target::Ros2 | Target::Mjcf | Target::Sdf | Target::Usd => interface.is_none(),
+        Target::Franka | Target::Ros2 | Target::Mjcf | Target::Sdf | Target::Usd => interface.is_none(),
         Target::Correction | Target::Ros2Control => interface == Some(false),
     };
     if suits {

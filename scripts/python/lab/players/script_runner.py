@@ -14,6 +14,7 @@ import numpy as np
 
 import rotations
 from lab.players import faults
+from lab.players.force_mode import ForceModeArm, is_planned_for_force
 from lab.players.simulated_arm import SimulatedArm, Task
 
 STEP_TIME = 0.002
@@ -73,18 +74,23 @@ class Controller:
     """The functions of URScript that the script calls, on a simulated arm."""
 
     def __init__(self, task: Task) -> None:
-        self.arm = SimulatedArm(task)
+        self.force_mode_arm = ForceModeArm(task) if is_planned_for_force(task) else None
+        self.arm: SimulatedArm = self.force_mode_arm or SimulatedArm(task)
         self.base = np.diag([-1.0, -1.0, 1.0]) if task.base_is_turned else np.eye(3)
         self.thread: Any = None
         self.variables: dict[str, Any] = {}
         self.sockets: dict[str, socket.socket] = {}
         self.is_played = False
+        # The mode that the thread has set, and whether it is at work.
+        self.mode, self.is_in_thread = "position", False
 
     def functions(self) -> dict[str, Any]:
         """By their names."""
         named = {name: getattr(self, name) for name in dir(Controller) if name.startswith("get_")}
         own = ("pose_trans", "pose_inv", "zero_ftsensor", "sync", "run", "join", "halt")
         named |= {name: getattr(self, name) for name in (*own, "textmsg", "popup", "direct_torque", "stopj")}
+        force_mode = ("force_mode", "end_force_mode", "force_mode_set_gain_scaling", "force_mode_set_damping")
+        named |= {name: getattr(self, name) for name in force_mode}
         named |= {name: getattr(self, name) for name in ("socket_open", "socket_send_line", "str_cat", "to_str")}
         return named | {"sqrt": math.sqrt, "norm": abs, "floor": math.floor, "Matrix": Matrix}
 
@@ -140,24 +146,51 @@ class Controller:
         pass
 
     def run(self, thread: Any) -> Any:
-        self.arm.mode, self.thread = "torque", thread
+        self.thread = thread
         return thread
 
     def sync(self) -> None:
-        """Lets the thread apply its torque once: it would go on for ever."""
+        """Lets the thread send its command once: it would go on for ever."""
+        if self.is_in_thread:
+            return
         tracking = self.variables["is_tracking"]
-        self.variables["is_tracking"] = _Once()
+        self.variables["is_tracking"], self.is_in_thread = _Once(), True
         try:
             self.thread()
         finally:
-            self.variables["is_tracking"], self.arm.mode = tracking, "torque"
+            self.variables["is_tracking"], self.is_in_thread = tracking, False
+            self.arm.mode = self.mode
 
     def direct_torque(self, torque: list[float], viscous_scale: list[float], coulomb_scale: list[float]) -> None:
+        self.mode = "torque"
         self.arm.obey(np.array(torque))
         self.arm.apply(np.array(torque), STEP_TIME)
 
+    def force_mode(
+        self, frame: list[float], selection: list[int], wrench: list[float], kind: int, limits: list[float]
+    ) -> None:
+        """All axes comply, and the frame is taken as it is: at the tool, along the axes of the controller's base."""
+        assert self.force_mode_arm is not None, "the plan is not for force mode"
+        assert np.allclose(frame[:3], self.tool()[0], atol=1e-3) or self.arm.task.fault.kind, "frame beside the tool"
+        assert frame[3:] == [0.0] * 3 and selection == [1] * 6 and kind == 2 and min(limits) > 0
+        self.mode = "force"
+        self.arm.obey(np.array([*frame, *wrench]))
+        along = np.concatenate([self.base.T @ np.array(wrench[:3]), self.base.T @ np.array(wrench[3:])])
+        self.force_mode_arm.comply(along, np.array(limits), STEP_TIME)
+
+    def end_force_mode(self) -> None:
+        self.arm.mode = "stopping"
+
+    def force_mode_set_gain_scaling(self, scaling: float) -> None:
+        assert 0 <= scaling <= 2
+
+    def force_mode_set_damping(self, damping: float) -> None:
+        assert 0 <= damping <= 1
+
     def stopj(self, deceleration: float) -> None:
-        self.arm.mode = "position"
+        """Force mode goes on until it is ended."""
+        if self.arm.mode != "force":
+            self.arm.mode = "position"
 
     def join(self, thread: Any) -> None:
         thread()
