@@ -58,8 +58,8 @@ impl Parameters {
         for part in 0..2 {
             let ([mass, stiffness], [of_mass, of_stiffness]) = ([mass[part], stiffness[part]], KEYS[part]);
             let [unit, per] = UNITS[part];
-            if !(mass >= MASSES[0] && mass <= MASSES[1]) {
-                let [least, most] = MASSES;
+            let [least, most] = MASSES;
+            if !(least..=most).contains(&mass) {
                 return Err(format!(
                     "admittance_controller takes a mass from {least} to {most} {unit}, and the law has {mass:e} {unit}: set \
                      {of_mass} in the scene and solve again"
@@ -121,9 +121,9 @@ fn require_stable(robot: &PositionRobot) -> Result<(), String> {
         return Ok(());
     }
     let shares = || (1..=HALVINGS).map(|halvings| 0.5_f64.powi(halvings));
-    let candidates =
+    let mut candidates =
         shares().map(|share| [along, share * about]).chain(shares().map(|share| [share * along, share * about]));
-    let advice = candidates.into_iter().find(|stiffness| sensitivity(*stiffness) <= LARGEST_SENSITIVITY).map_or_else(
+    let advice = candidates.find(|stiffness| sensitivity(*stiffness) <= LARGEST_SENSITIVITY).map_or_else(
         || "; check delay and bandwidth of [robot]".to_owned(),
         |[along, about]| {
             format!(": set stiffnesses of up to {along:.3} N/m and {about:.3} Nm/rad in [impedance] and solve again")

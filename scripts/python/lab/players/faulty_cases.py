@@ -197,8 +197,8 @@ def case_of(fault_: Fault, player: str) -> Case:
     words = fault_.words.replace("/", " ").replace(":", "").replace(",", "")
     is_script = player in SCRIPTS
     says = "stopped: " if is_script and fault_.says in ("number", "force of", "tool point") else fault_.says
-    # Where the law acts on the measured force itself, the load moves the tool out of its guard before the hold is over.
-    says = "from its reference" if says == "payload" and player not in TORQUES else says
+    # Where the law acts on the measured force itself, the load exceeds a guard before the hold is over.
+    says = "stopped: " if says == "payload" and player not in TORQUES else says
     plan = making.pop("plan", "corner")
     if plan == DRY_RUN_PLAN:
         plan = dry_run_plan(player)
