@@ -4,36 +4,16 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { join } from "node:path";
+import { DESKTOP, PHONE, browser, changesPicture, clock, cursor, drag, folder, open, pictures, scrub, settle } from "./driver.mjs";
 import { linearRange, linearTicks, logarithmicRange, logarithmicTicks } from "./src/ticks.js";
+import { testShare } from "./test-share.mjs";
 
-const [folder, pictures] = process.argv.slice(2);
-const DESKTOP = { width: 1280, height: 860 };
-const PHONE = { width: 390, height: 844 };
 /** Widths beside those at which the layout changes. */
 const WIDTHS = [390, 900, 901, 1280, 1699, 1700];
-const FLAGS = ["--headless=new", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"];
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
-
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: FLAGS });
-
-/** Opens a page, which must neither complain nor ask for anything but files; `prepare` may change the browser before. */
-async function open(name, viewport = DESKTOP, colorScheme = "light", prepare = null) {
-  const page = await browser.newPage({ viewport, colorScheme, reducedMotion: "reduce" });
-  if (prepare) await page.addInitScript(prepare);
-  page.on("console", (message) => assert.fail(`${name}: ${message.type()}: ${message.text()}`));
-  page.on("pageerror", (error) => assert.fail(`${name}: ${error.stack}`));
-  page.on("request", (request) => assert.match(request.url(), /^(file|data):/, `${name} asks for ${request.url()}`));
-  await page.goto(pathToFileURL(resolve(folder, name)).href);
-  await page.waitForSelector("main");
-  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-  assert.ok(overflow <= 0, `${name}: wider than ${viewport.width} by ${overflow}`);
-  return page;
-}
 
 /** Opens a page with all that it folds away, in colours and on a screen, for axe to find nothing. */
 async function checkAccess(name, viewport, colorScheme) {
@@ -44,36 +24,6 @@ async function checkAccess(name, viewport, colorScheme) {
   const found = violations.flatMap(({ id, help, nodes }) => nodes.map(({ html, any }) => `${id}: ${help}: ${html} ${any[0]?.message ?? ""}`));
   assert.deepEqual(found, [], `${name}, ${colorScheme}, ${viewport.width} wide`);
   await page.close();
-}
-
-/** Two frames later everything is drawn. */
-const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150)))));
-const picture = async (page) => {
-  await settle(page);
-  return (await page.locator("canvas").first().screenshot()).toString("base64");
-};
-const clock = (page) => page.locator(".clock").textContent().then(Number.parseFloat);
-const scrub = (page, share) =>
-  page.getByLabel("Time", { exact: true }).evaluate((range, part) => {
-    range.value = part * range.max;
-    range.dispatchEvent(new Event("input"));
-  }, share);
-const cursor = (page) => page.locator(".now").first().evaluate((line) => line.getBoundingClientRect().left);
-
-/** Turns the 3D view. */
-async function drag(page) {
-  const { x, y, width, height } = await page.locator("canvas").first().boundingBox();
-  await page.mouse.move(x + 0.5 * width, y + 0.5 * height);
-  await page.mouse.down();
-  await page.mouse.move(x + 0.6 * width, y + 0.55 * height);
-  await page.mouse.up();
-}
-
-/** Does something that must change the picture. */
-async function changesPicture(page, what, action) {
-  const before = await picture(page);
-  await action();
-  assert.notEqual(await picture(page), before, `${what} changes nothing that is seen`);
 }
 
 /** Axes have three labels or more, and show limits and where values end. */
@@ -370,6 +320,7 @@ try {
   await testWithoutGraphics("plan/report.html");
   await testPlan("plan/report.html");
   await testPlan("robust/report.html");
+  await testShare("plan/report.html");
   await testBatch("batch/report.html");
   await testSimulation("simulation/report.html");
   await testLossy("lossy/report.html");

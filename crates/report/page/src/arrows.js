@@ -1,5 +1,6 @@
 // Arrows of contact forces, seen through everything.
 import { Color, ConeGeometry, CylinderGeometry, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3 } from "three";
+import { scenarioColour } from "./theme.js";
 
 const MOST = 256;
 const UP = new Vector3(0, 1, 0);
@@ -38,4 +39,28 @@ export function arrows(size, { opacity, order }) {
       });
     },
   };
+}
+
+/** Contact forces of the visible scenarios in the step that a time lies in. */
+export function pushes(scenarios, timeStep, time, hidden) {
+  return scenarios.flatMap(({ contacts }, scenario) => {
+    if (hidden.has(scenario) || time <= 0) return [];
+    const step = Math.min(Math.ceil(time / timeStep - 1e-9) - 1, contacts.length - 1);
+    const numbers = contacts[step] ?? [];
+    return Array.from({ length: numbers.length / 8 }, (_, index) => {
+      const [, force, x, y, z, ...direction] = numbers.slice(8 * index, 8 * index + 8);
+      return { scenario, force, point: new Vector3(x, y, z), direction: new Vector3(...direction), colour: scenarioColour(scenario) };
+    });
+  });
+}
+
+const largest = new WeakMap();
+
+/** The largest force of a pair in a motion: the length of arrows is relative to it. */
+export function largestForce(motion) {
+  if (!largest.has(motion)) {
+    const forces = motion.scenarios.flatMap(({ contacts }) => contacts.flatMap((step) => step.filter((_, index) => index % 8 === 1)));
+    largest.set(motion, forces.reduce((most, force) => Math.max(most, force), 0));
+  }
+  return largest.get(motion);
 }

@@ -209,12 +209,12 @@ export function viewOptions(data, shown) {
     min: -1,
     max: 1,
     step: 0.01,
-    value: 0,
     "aria-label": "Place of the cut",
     input: () => shown.set({ cutAt: Number(depth.value) }),
   });
-  shown.on(["cut"], (values) => {
+  shown.on(["cut", "cutAt"], (values) => {
     depth.hidden = values.cut === "none";
+    depth.value = values.cutAt;
     cut.value = values.cut;
   });
   cut.setAttribute("aria-label", "Cut");

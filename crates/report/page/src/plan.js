@@ -4,6 +4,7 @@ import { followKeys, forceScale, motionChoice, runClock, scenarioChoice, transpo
 import { plots } from "./plots.js";
 import { robustness, test } from "./robustness.js";
 import { sceneView } from "./scene.js";
+import { followAddress, shareButtons } from "./share.js";
 import { rateMatrix } from "./simulation.js";
 import { duration, store } from "./state.js";
 import { convergence, executions, madeFrom } from "./story.js";
@@ -40,11 +41,12 @@ export function planPage(root, data) {
     element("main", {}, verdict(data), element("div", { class: "motion" }, stage, side), element("div", { class: "cards" }, cards(data, shown))),
   );
   const { choices, drawer } = motionChoice(data, shown);
-  openView(stage, data, shown);
+  const view = openView(stage, data, shown);
   stage.append(transport(data, shown), choices, scenarioChoice(data, shown), viewOptions(data, shown), drawer);
   side.append(plots(data, shown));
   runClock(data, shown);
   followKeys(data, shown);
+  followAddress(stage, view, data, shown);
 }
 
 /** What a robot did, else the first rollouts with hard contact. */
@@ -54,7 +56,7 @@ function firstShown(motions) {
   return executed >= 0 ? executed : Math.max(first(({ source }) => source === "rollouts"), 0);
 }
 
-/** The 3D view below its bar, or a sentence where the browser cannot draw it. */
+/** The 3D view below its bar; null and a sentence where the browser cannot draw it. */
 function openView(stage, data, shown) {
   const canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": "Parts in motion; drag to rotate, pinch or scroll to zoom" });
   const viewport = element("div", { class: "viewport" }, canvas);
@@ -62,9 +64,13 @@ function openView(stage, data, shown) {
   stage.append(viewport);
   try {
     const view = sceneView(canvas, data, shown, setPixels);
-    viewport.before(element("div", { class: "toolbar" }, scale, viewChoice(view)));
+    const { buttons, said } = shareButtons(stage, view, data, shown);
+    viewport.before(element("div", { class: "toolbar" }, scale, viewChoice(view), buttons));
+    viewport.append(said);
+    return view;
   } catch (error) {
     viewport.replaceWith(element("p", { class: "notice" }, `This browser cannot draw in 3D (${error.message}). The plots work without.`));
+    return null;
   }
 }
 

@@ -1,17 +1,10 @@
 // The 3D view: environment, reference, the body of every scenario, the arm, contact forces.
 import {
   AmbientLight,
-  AxesHelper,
   Color,
   DirectionalLight,
-  DoubleSide,
-  Group,
   LineBasicMaterial,
   LineSegments,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshLambertMaterial,
   PerspectiveCamera,
   Plane,
   Quaternion,
@@ -20,11 +13,12 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { arrows } from "./arrows.js";
+import { arrows, largestForce, pushes } from "./arrows.js";
 import { fitted } from "./camera.js";
 import { box, poseAt } from "./motion.js";
+import { goalAxes, placedParts } from "./placed.js";
 import { pointsAt, skeleton } from "./skeleton.js";
-import { edgeGeometry, exactGeometry, sectionGeometry, smoothedGeometry } from "./solids.js";
+import { edgeGeometry, exactGeometry, smoothedGeometry } from "./solids.js";
 import { colour, onTheme, scenarioColour } from "./theme.js";
 
 /** Directions from which the view looks, by the names of its buttons. */
@@ -47,6 +41,8 @@ const FRAMES = 12;
 const SLOW = 30;
 /** Fewest pixels that are drawn per pixel of the page, along each side. */
 const LEAST_PIXELS = 0.5;
+/** Pixels of a saved picture per pixel of the page, at least. */
+const PICTURE_PIXELS = 2;
 
 /**
  * The view into a canvas. It is drawn again when something that it shows has changed, never otherwise. `onScale` is told how
@@ -95,6 +91,10 @@ export function sceneView(canvas, data, shown, onScale) {
   function draw(now) {
     pending = false;
     slowDown(now);
+    render();
+  }
+
+  function render() {
     place();
     // From the left shoulder of who looks, so that faces differ.
     light.position.set(-0.6, 0.9, 1).applyQuaternion(camera.quaternion);
@@ -160,7 +160,12 @@ export function sceneView(canvas, data, shown, onScale) {
     const { position, target: middle } = fitted(everything, VIEWS[view], [up * camera.aspect, up]);
     controls.target.copy(middle);
     camera.position.copy(position);
-    const distance = position.distanceTo(middle);
+    focus();
+  }
+
+  /** Draws what lies around the distance at which the camera looks. */
+  function focus() {
+    const distance = camera.position.distanceTo(controls.target);
     camera.near = distance / 200;
     camera.far = distance * 20;
     camera.updateProjectionMatrix();
@@ -168,11 +173,43 @@ export function sceneView(canvas, data, shown, onScale) {
     request();
   }
 
+  /** Where the reader looks from: the name of a view, or the places (m) of the camera and of what it looks at. */
+  function viewpoint() {
+    return kept ?? [...camera.position.toArray(), ...controls.target.toArray()];
+  }
+
+  /** Looks from such a viewpoint. */
+  function lookFrom(viewpoint) {
+    if (viewpoint in VIEWS) {
+      look(viewpoint);
+      return;
+    }
+    kept = null;
+    camera.position.fromArray(viewpoint);
+    controls.target.fromArray(viewpoint, 3);
+    focus();
+  }
+
+  /** Hands over the view as a PNG, in full sharpness also where a motion that plays has fewer pixels. */
+  function picture(receive) {
+    setPixels(Math.max(PICTURE_PIXELS, ratio));
+    render();
+    // The browser copies the canvas here, and calls back when it has compressed it.
+    canvas.toBlob(receive, "image/png");
+    setPixels(ratio);
+    render();
+  }
+
+  function setPixels(perPixel) {
+    const { clientWidth, clientHeight } = canvas.parentElement;
+    renderer.setPixelRatio(perPixel);
+    renderer.setSize(clientWidth, clientHeight, false);
+  }
+
   function resize() {
     const { clientWidth, clientHeight } = canvas.parentElement;
     if (clientWidth === 0) return;
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(clientWidth, clientHeight, false);
+    setPixels(ratio);
     camera.aspect = clientWidth / clientHeight;
     camera.updateProjectionMatrix();
     if (kept !== null) look(kept);
@@ -215,7 +252,7 @@ export function sceneView(canvas, data, shown, onScale) {
   resize();
   // Printers want the picture at once.
   addEventListener("beforeprint", () => draw(performance.now()));
-  return { look };
+  return { look, viewpoint, lookFrom, picture };
 }
 
 /** Corners of the boxes around the parts, of the body wherever a motion takes it. */
@@ -243,84 +280,4 @@ function drawsWithoutGraphics() {
   const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software/i.test(name);
-}
-
-/** The axes of the goal, red green blue, seen through everything. */
-function goalAxes(goal, length) {
-  const axes = new AxesHelper(length);
-  axes.setColors(new Color("#e0483e"), new Color("#36a84c"), new Color("#3f86e8"));
-  Object.assign(axes.material, { depthTest: false, transparent: true });
-  axes.renderOrder = 3;
-  axes.position.fromArray(goal);
-  axes.quaternion.set(goal[4], goal[5], goal[6], goal[3]);
-  return axes;
-}
-
-/** Parts as one mesh with their edges, and the faces of a cut. */
-function placedParts(parts) {
-  const group = new Group();
-  const material = new MeshLambertMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
-  const lines = new LineBasicMaterial({ transparent: true });
-  const faces = new MeshBasicMaterial({ side: DoubleSide, polygonOffset: true });
-  const mesh = new Mesh(exactGeometry(parts), material);
-  const edges = new LineSegments(edgeGeometry(parts), lines);
-  const section = new Mesh(undefined, faces);
-  section.matrixAutoUpdate = false;
-  section.visible = false;
-  const toGroup = new Matrix4();
-  group.add(mesh, edges, section);
-  return {
-    group,
-    setShape(shape) {
-      if (mesh.geometry !== shape) mesh.geometry.dispose();
-      mesh.geometry = shape;
-    },
-    setColours(fill, edge) {
-      material.color = new Color(fill);
-      faces.color = new Color(fill).multiplyScalar(0.72);
-      lines.color = new Color(edge);
-    },
-    setOpacity(opacity) {
-      const isSolid = opacity === 1;
-      [material, faces].forEach((one) => Object.assign(one, { opacity, transparent: !isSolid, depthWrite: isSolid }));
-      lines.opacity = isSolid ? 0.85 : 0.4;
-      // All cuts lie in one plane; that of the selected body is in front.
-      faces.polygonOffsetUnits = isSolid ? -8 : -4;
-    },
-    setCut(plane) {
-      const planes = plane ? [plane] : [];
-      [material, lines].forEach((one) => (one.clippingPlanes = planes));
-      section.visible = plane !== null;
-      if (plane === null) return;
-      group.updateMatrixWorld();
-      section.geometry.dispose();
-      section.geometry = sectionGeometry(parts, group.matrixWorld, plane);
-      // The section is in world coordinates.
-      section.matrix.copy(toGroup.copy(group.matrixWorld).invert());
-    },
-  };
-}
-
-/** Contact forces of the visible scenarios in the step that a time lies in. */
-function pushes(scenarios, timeStep, time, hidden) {
-  return scenarios.flatMap(({ contacts }, scenario) => {
-    if (hidden.has(scenario) || time <= 0) return [];
-    const step = Math.min(Math.ceil(time / timeStep - 1e-9) - 1, contacts.length - 1);
-    const numbers = contacts[step] ?? [];
-    return Array.from({ length: numbers.length / 8 }, (_, index) => {
-      const [, force, x, y, z, ...direction] = numbers.slice(8 * index, 8 * index + 8);
-      return { scenario, force, point: new Vector3(x, y, z), direction: new Vector3(...direction), colour: scenarioColour(scenario) };
-    });
-  });
-}
-
-const largest = new WeakMap();
-
-/** The largest force of a pair in a motion: the length of arrows is relative to it. */
-function largestForce(motion) {
-  if (!largest.has(motion)) {
-    const forces = motion.scenarios.flatMap(({ contacts }) => contacts.flatMap((step) => step.filter((_, index) => index % 8 === 1)));
-    largest.set(motion, forces.reduce((most, force) => Math.max(most, force), 0));
-  }
-  return largest.get(motion);
 }
