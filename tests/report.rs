@@ -126,3 +126,72 @@ fn figures_are_drawn() {
     dir.write("figures/forces.svg", "mine");
     dir.run("report plan --figures figures").code(2).says("figures/forces.svg: exists and is not an earlier figure");
 }
+
+#[test]
+fn animations_last_as_long_as_the_plan() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out plan").code(0);
+    dir.run("report plan --animation moving.svg").code(0).says("animation written to moving.svg");
+    let page = data(&dir, "plan/report.html");
+    let shown = list(&page, "motions").iter().find(|motion| motion["source"] == "rollouts").unwrap();
+    let duration = number(shown, "time_step") * (list(shown, "reference").len() / 7 - 1) as f64;
+    let svg = dir.read("moving.svg");
+    assert!(
+        svg.contains(&format!("animation:picture {:.2}s step-end infinite", duration + 1.0)),
+        "the end rests for a second"
+    );
+    let pictures = svg.matches("<g class=\"picture").count();
+    assert!((20..=62).contains(&pictures), "{pictures} pictures in {duration} s");
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    // All scenarios but the solid one are outlines, and the reference is dashed.
+    let scenarios = list(shown, "scenarios").len();
+    assert!(scenarios > 1);
+    assert_eq!(svg.matches("class=\"line\"").count(), pictures * (scenarios - 1));
+    assert_eq!(svg.matches("class=\"line dashed\"").count(), pictures);
+    // An earlier animation is replaced, and a scenario can be alone.
+    dir.run("report plan --animation moving.svg --scenario 2").code(0);
+    assert_eq!(dir.read("moving.svg").matches("class=\"line\"").count(), 0);
+    dir.run("report plan --animation moving.GIF --scenario 1").code(0);
+    dir.run("report plan --animation moving.GIF").code(0);
+    let size = std::fs::metadata(dir.path("moving.GIF")).unwrap().len();
+    assert!((1_000..2_000_000).contains(&size), "{size} bytes");
+    for (arguments, problem) in [
+        ("--animation moving.mp4", "moving.mp4: is neither .svg nor .gif"),
+        ("--animation moving", "moving: is neither .svg nor .gif"),
+        ("--animation mine.svg", "mine.svg: exists and is not an earlier animation"),
+        ("--animation mine.gif", "mine.gif: exists and is not an earlier animation"),
+        ("--animation other.svg --scenario 0", "must be from 1 to"),
+        ("--animation other.svg --scenario 99", "must be from 1 to"),
+        ("--scenario 1", "--animation"),
+    ] {
+        dir.write("mine.svg", "<svg/>");
+        dir.write("mine.gif", "GIF89a");
+        dir.run(&format!("report plan --out other.html {arguments}")).code(2).says(problem);
+        assert!(!dir.exists("other.html") && !dir.exists("other.svg"), "{arguments}: nothing is written");
+    }
+    assert_eq!((dir.read("mine.svg").as_str(), dir.read("mine.gif").as_str()), ("<svg/>", "GIF89a"));
+}
+
+#[test]
+fn plans_of_the_same_parts_are_shown_beside_each_other() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out plan").code(0);
+    dir.run("solve corner.toml --delta 0.005 --out small").code(0);
+    dir.run("report plan --beside small --out both.html").code(0);
+    let page = data(&dir, "both.html");
+    assert_eq!((page["kind"].as_str(), &page["names"]), (Some("beside"), &serde_json::json!(["plan", "small"])));
+    for (index, folder) in ["plan", "small"].into_iter().enumerate() {
+        let shown = &list(&page, "plans")[index];
+        assert_eq!(number(shown, "result.delta_m"), number(&dir.result(folder), "delta_m"));
+    }
+    let scene = dir.read("corner.toml");
+    dir.write("other.toml", scene.replace("box = [0.1, 0.08, 0.06]", "box = [0.1, 0.07, 0.06]"));
+    dir.run("solve other.toml --out other");
+    dir.run("report plan --beside other --out refused.html")
+        .code(2)
+        .says("other: has other parts than plan: box of its body differs");
+    dir.run("simulate corner.toml plan --random 4 --out rates").code(0);
+    dir.run("report plan --beside rates --out refused.html").code(2).says("rates: is no plan");
+    dir.run("report rates --beside plan --out refused.html").code(2).says("rates: is no plan");
+    assert!(!dir.exists("refused.html"), "nothing is written");
+}

@@ -1,21 +1,33 @@
-//! `report`: HTML pages of plans, batches and simulations, and figures.
+//! `report`: HTML pages of plans, batches and simulations, figures and animations.
 
 use std::path::{Path, PathBuf};
 
 use planner::PlannerError;
-use report::Written;
+use report::{Animation, Request, Written};
 
 use crate::arguments::ReportArguments;
 use crate::console::say;
 use crate::exit::{CommandError, Exit};
 
-/// Writes the page of a folder, those of the finished cells of a batch, and figures.
+/// Writes the page of a folder, those of the finished cells of a batch, figures and an animation.
 pub fn run(arguments: &ReportArguments) -> Result<Exit, CommandError> {
-    let ReportArguments { folder, executed, out, figures } = arguments;
-    let written = report::write(folder, executed, out.as_deref(), figures.as_deref())?;
+    let ReportArguments { folder, executed, out, beside, figures, animation, scenario } = arguments;
+    let animation = animation.as_ref().map(|file| Animation { file: file.clone(), scenario: *scenario });
+    let request = Request {
+        folder,
+        logs: executed,
+        beside: beside.as_deref(),
+        page: out.as_deref(),
+        figures: figures.as_deref(),
+        animation: animation.as_ref(),
+    };
+    let written = report::write(&request)?;
     tell_pages(&written);
     if let Some(folder) = figures {
         say!("figures written to {}: {}", folder.display(), written.figures.join(", "));
+    }
+    if let Some(Animation { file, .. }) = animation {
+        say!("animation written to {}", file.display());
     }
     Ok(Exit::Done)
 }
@@ -25,7 +37,7 @@ pub fn run(arguments: &ReportArguments) -> Result<Exit, CommandError> {
 /// # Errors
 /// When the folder cannot be read or the page cannot be written.
 pub fn write_into(folder: &Path) -> Result<(), PlannerError> {
-    tell_pages(&report::write(folder, &[], None, None)?);
+    tell_pages(&report::write(&Request::new(folder))?);
     Ok(())
 }
 

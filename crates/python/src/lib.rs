@@ -32,7 +32,7 @@ mod _planner {
     #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]
-    use crate::outputs::{figures, write_export, write_page};
+    use crate::outputs::{figures, write_animation, write_export, write_page};
     #[pymodule_export]
     use crate::plan::Plan;
     #[pymodule_export]

@@ -2,16 +2,26 @@
 
 use std::path::PathBuf;
 
-use export::{Request, Target, write};
+use export::{Target, write};
 use planner::PlannerError;
 use pyo3::prelude::*;
+use report::{Animation, Request};
 
 use crate::background;
 
 /// Writes the page of the plan in a folder into a file.
 #[pyfunction]
 pub fn write_page(py: Python, folder: PathBuf, file: PathBuf) -> PyResult<()> {
-    background::run(py, None, move |_| report::write(&folder, &[], Some(&file), None).map(|_| ()))
+    background::run(py, None, move |_| {
+        report::write(&Request { page: Some(&file), ..Request::new(&folder) }).map(|_| ())
+    })
+}
+
+/// Writes the moving plan in a folder into an SVG or GIF file, with all of its scenarios or one (from 1).
+#[pyfunction]
+#[pyo3(signature = (folder, file, scenario))]
+pub fn write_animation(py: Python, folder: PathBuf, file: PathBuf, scenario: Option<usize>) -> PyResult<()> {
+    background::run(py, None, move |_| Animation { file, scenario }.write(&report::read(&folder, &[])?, &folder))
 }
 
 /// Names and texts (SVG) of the figures of the plan in a folder.
@@ -34,7 +44,7 @@ pub fn write_export(
         let names = Target::ALL.map(Target::name).join(", ");
         let unknown = || PlannerError::value("target", &target, &format!("unknown; choose one of {names}"));
         let target = Target::from_name(&target).ok_or_else(unknown)?;
-        let written = write(&Request { plan: &plan, target, rate, out: Some(&out), anyway })?;
+        let written = write(&export::Request { plan: &plan, target, rate, out: Some(&out), anyway })?;
         written.remarks.into_iter().for_each(|remark| watch.warn(remark));
         Ok(written.files)
     })

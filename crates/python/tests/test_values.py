@@ -62,6 +62,15 @@ def test_a_plan_is_shown(plan: Plan, tmp_path: Path) -> None:
     plan.report(tmp_path / "page.html")
     page = (tmp_path / "page.html").read_text()
     assert page.lower().startswith("<!doctype html>") and "corner" in page
+    for name in ("moving.svg", "moving.gif"):
+        plan.animate(tmp_path / name)
+        everything = (tmp_path / name).stat().st_size
+        plan.animate(tmp_path / name, scenario=1)
+        assert 1000 < (tmp_path / name).stat().st_size < everything, "one scenario takes less than all"
+    with pytest.raises(assembly_plan.SceneError, match="neither .svg nor .gif"):
+        plan.animate(tmp_path / "moving.mp4")
+    with pytest.raises(assembly_plan.SceneError, match="must be from 1 to"):
+        plan.animate(tmp_path / "moving.svg", scenario=99)
     shown = plan._repr_html_()
     assert shown.startswith("<iframe srcdoc=") and "corner" in shown
     matplotlib = pytest.importorskip("matplotlib")

@@ -1,5 +1,5 @@
 // Drives report pages in Chromium, as a reader would, and lets axe look for what some readers could not use. Arguments: a
-// folder with the pages of plans (plan, robust, lossy, arm, executed), a batch and a simulation; with a second one, pictures of the
+// folder with the pages of plans (plan, robust, lossy, arm, executed), of two of them, a batch and a simulation, and animations; with a second one, pictures of the
 // pages are written there.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
@@ -7,6 +7,8 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { DESKTOP, PHONE, browser, changesPicture, clock, cursor, drag, folder, open, pictures, scrub, settle } from "./driver.mjs";
 import { linearRange, linearTicks, logarithmicRange, logarithmicTicks } from "./src/ticks.js";
+import { testAnimation } from "./test-animation.mjs";
+import { testBeside } from "./test-beside.mjs";
 import { testShare } from "./test-share.mjs";
 
 /** Widths beside those at which the layout changes. */
@@ -321,6 +323,8 @@ try {
   await testPlan("plan/report.html");
   await testPlan("robust/report.html");
   await testShare("plan/report.html");
+  await testBeside("beside/report.html");
+  for (const kind of ["svg", "gif"]) await testAnimation(`plan.${kind}`);
   await testBatch("batch/report.html");
   await testSimulation("simulation/report.html");
   await testLossy("lossy/report.html");

@@ -35,6 +35,7 @@ pub fn page(data: &PageData) -> Result<String, PlannerError> {
 fn title(data: &PageData) -> String {
     match data {
         PageData::Plan(plan) => format!("{}, start {}", plan.result.scene, plan.result.start),
+        PageData::Beside(beside) => format!("{}: {}", beside.plans[0].result.scene, beside.names.join(" and ")),
         PageData::Batch(batch) => format!("batch {}", batch.title),
         PageData::Simulation(simulation) => format!("simulation {}", simulation.title),
     }

@@ -11,10 +11,21 @@ use task::Pose;
 pub enum PageData {
     /// Of a plan.
     Plan(Box<PlanData>),
+    /// Of two plans of the same parts.
+    Beside(Box<BesideData>),
     /// Of a batch.
     Batch(BatchData),
     /// Of a simulation.
     Simulation(SimulationData),
+}
+
+/// Two plans of the same parts.
+#[derive(Debug, Clone, Serialize)]
+pub struct BesideData {
+    /// Names by which to tell them apart.
+    pub names: [String; 2],
+    /// The plans.
+    pub plans: [PlanData; 2],
 }
 
 /// A plan, its homotopy and its rollouts.
@@ -61,7 +72,7 @@ pub struct ErrorsData {
 }
 
 /// A convex part.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PartData {
     /// Its name.
     pub name: String,

@@ -45,7 +45,7 @@ const GROUPS: &[(&str, &[&str])] = &[
     ("Robot", &["to", "rate", "anyway", "per_joint"]),
     ("Distances", &["pose", "tau"]),
     ("Cells", &["index", "count", "slurm", "now"]),
-    ("Output", &["out", "force", "resume", "report", "trace", "figures", "json"]),
+    ("Output", &["out", "force", "resume", "report", "trace", "figures", "animation", "scenario", "beside", "json"]),
     ("Running", &["linear_solver", "jobs", "quiet", "verbose", "log"]),
 ];
 
@@ -146,6 +146,8 @@ pub const CLOSINGS: &[Closing] = &[
         examples: &[
             ("report out/peg1", "write out/peg1/report.html"),
             ("report out/peg1 --figures figures", "also SVG figures"),
+            ("report out/peg1 --animation peg1.gif", "also a moving picture"),
+            ("report out/peg1 --beside out/other --out both.html", "two plans of the same parts"),
         ],
         no_plan: None,
         files: &[("DIR/report.html", "the page")],

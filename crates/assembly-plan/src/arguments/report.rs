@@ -16,8 +16,17 @@ pub struct ReportArguments {
     /// HTML file to write; it needs no network and no other file [default: DIR/report.html]
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Show the plan in another folder beside this one; both must be of the same parts
+    #[arg(long, value_name = "DIR")]
+    pub beside: Option<PathBuf>,
     /// Also write SVG figures for papers and slides into this folder: sections through the parts at six moments, contact
     /// forces, convergence, success rates
     #[arg(long, value_name = "DIR")]
     pub figures: Option<PathBuf>,
+    /// Also write the moving plan as a picture for slides; the extension says whether .svg or .gif
+    #[arg(long, value_name = "FILE")]
+    pub animation: Option<PathBuf>,
+    /// Number of the only scenario in the animation, from 1 [default: all]
+    #[arg(long, value_name = "NUMBER", requires = "animation")]
+    pub scenario: Option<usize>,
 }

@@ -19,7 +19,17 @@ from assembly_plan._types import (
     ToleranceOptions,
 )
 
-__all__ = ["Arm", "Plan", "Scene", "Simulation", "figures", "run_command", "write_export", "write_page"]
+__all__ = [
+    "Arm",
+    "Plan",
+    "Scene",
+    "Simulation",
+    "figures",
+    "run_command",
+    "write_animation",
+    "write_export",
+    "write_page",
+]
 
 @final
 class Arm:
@@ -91,6 +101,7 @@ class Simulation:
     def save(self, folder: str | os.PathLike[str]) -> None: ...
 
 def figures(folder: str | os.PathLike[str]) -> list[tuple[str, str]]: ...
+def write_animation(folder: str | os.PathLike[str], file: str | os.PathLike[str], scenario: int | None) -> None: ...
 def write_export(
     plan: str | os.PathLike[str], target: str, out: str | os.PathLike[str], rate: float, anyway: bool
 ) -> list[str]: ...

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from assembly_plan import _planner
 from assembly_plan._arrays import FloatArray, fixed
 from assembly_plan._replan import measured_again
-from assembly_plan._values import number
+from assembly_plan._values import number, whole
 from assembly_plan.errors import SceneError
 from assembly_plan.events import Progress
 from assembly_plan.figure import Figure
@@ -208,6 +208,16 @@ class Plan(Motion):
         with tempfile.TemporaryDirectory() as folder:
             self._copy(Path(folder) / "plan")
             _planner.write_page(Path(folder) / "plan", file)
+
+    def animate(self, file: str | os.PathLike[str], *, scenario: int | None = None) -> None:
+        """Write the moving plan as a picture for slides, as the command ``report --animation`` does.
+
+        The extension of `file` is ``.svg`` or ``.gif``. All scenarios are shown, or only number `scenario`, from 1.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            self._copy(Path(folder) / "plan")
+            only = None if scenario is None else whole(scenario, "scenario")
+            _planner.write_animation(Path(folder) / "plan", file, only)
 
     def _repr_html_(self) -> str:
         """The page of the plan, in a notebook."""

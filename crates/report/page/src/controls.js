@@ -14,27 +14,26 @@ const EYES = {
 /** Shortest arrow of the scale (px). */
 const SCALE = 34;
 
-/** Time runs while the page plays; the motion restarts at its end. */
-export function runClock(data, shown) {
+/** Time runs while the page plays; the motion restarts at its end (s). */
+export function runClock(shown, end) {
   let before = null;
   function tick(now) {
-    const { playing, time, speed, motion } = shown.values;
+    const { playing, time, speed } = shown.values;
     if (!playing) {
       before = null;
       return;
     }
     const passed = before === null ? 0 : (speed * (now - before)) / 1e3;
     before = now;
-    const end = duration(data.motions[motion]);
     // The end is shown for a moment.
-    shown.set({ time: time >= end ? 0 : Math.min(time + passed, end) });
+    shown.set({ time: time >= end() ? 0 : Math.min(time + passed, end()) });
     requestAnimationFrame(tick);
   }
   shown.on(["playing"], ({ playing }) => playing && requestAnimationFrame(tick));
 }
 
-/** Play button, time and speed. */
-export function transport(data, shown) {
+/** Play button, time and speed, for motions that end at a time (s). */
+export function transport(shown, end) {
   const play = element("button", { class: "play", type: "button", click: () => toggle(shown) });
   const scrub = element("input", {
     type: "range",
@@ -53,12 +52,11 @@ export function transport(data, shown) {
     play.textContent = playing ? "❚❚" : "▶";
     play.setAttribute("aria-label", playing ? "Pause" : "Play");
   });
-  shown.on(["motion", "time"], ({ motion, time }) => {
-    const end = duration(data.motions[motion]);
-    scrub.max = end;
+  shown.on(["motion", "time"], ({ time }) => {
+    scrub.max = end();
     scrub.value = time;
     scrub.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds`);
-    clock.textContent = `${time.toFixed(2)} / ${end.toFixed(2)} s`;
+    clock.textContent = `${time.toFixed(2)} / ${end().toFixed(2)} s`;
   });
   return element("div", { class: "transport" }, play, scrub, clock, speed);
 }
@@ -254,21 +252,20 @@ function roundAbove(number) {
   return Number((decade * [1, 2, 5, 10].find((factor) => factor * decade >= number * (1 - 1e-9))).toPrecision(1));
 }
 
-/** Space plays, arrows go one step, Home and End to the ends. */
-export function followKeys(data, shown) {
+/** Space plays, arrows go one time step (s), Home and End to the ends. */
+export function followKeys(shown, end, timeStep) {
   document.addEventListener("keydown", (event) => {
     const isOccupied = event.target.closest?.("button, select, input, summary, a, [role=region]");
     if (isOccupied || event.ctrlKey || event.metaKey || event.altKey) return;
-    const { time, motion } = shown.values;
-    const { time_step: step } = data.motions[motion];
-    const end = duration(data.motions[motion]);
-    const goTo = (moment) => shown.set({ time: Math.min(Math.max(moment, 0), end), playing: false });
+    const { time } = shown.values;
+    const step = timeStep();
+    const goTo = (moment) => shown.set({ time: Math.min(Math.max(moment, 0), end()), playing: false });
     const actions = {
       " ": () => toggle(shown),
       ArrowRight: () => goTo((Math.round(time / step) + 1) * step),
       ArrowLeft: () => goTo((Math.round(time / step) - 1) * step),
       Home: () => goTo(0),
-      End: () => goTo(end),
+      End: () => goTo(end()),
     };
     if (actions[event.key]) {
       event.preventDefault();

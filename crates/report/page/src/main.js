@@ -2,12 +2,13 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { batchPage } from "./batch.js";
+import { besidePage } from "./beside.js";
 import { element } from "./dom.js";
 import { planPage } from "./plan.js";
 import { simulationPage } from "./simulation.js";
 import { followTheme } from "./theme.js";
 
-const pages = { plan: planPage, batch: batchPage, simulation: simulationPage };
+const pages = { plan: planPage, beside: besidePage, batch: batchPage, simulation: simulationPage };
 const data = JSON.parse(document.getElementById("data").textContent);
 const root = document.getElementById("page");
 

@@ -45,10 +45,10 @@ const LEAST_PIXELS = 0.5;
 const PICTURE_PIXELS = 2;
 
 /**
- * The view into a canvas. It is drawn again when something that it shows has changed, never otherwise. `onScale` is told how
+ * The view into a canvas, which has room for all of `plans`. It is drawn again when something that it shows has changed, never otherwise. `onScale` is told how
  * long (px) the arrow of a newton is, in the middle of the view; null where there are none.
  */
-export function sceneView(canvas, data, shown, onScale) {
+export function sceneView(canvas, data, plans, shown, onScale) {
   const isSlow = drawsWithoutGraphics();
   const renderer = new WebGLRenderer({ canvas, antialias: !isSlow });
   renderer.localClippingEnabled = true;
@@ -61,7 +61,7 @@ export function sceneView(canvas, data, shown, onScale) {
   const bodyRadius = radius(box(data.body));
   const size = Math.max(bodyRadius, 0.35 * radius(box(data.environment)));
   const target = new Vector3().fromArray(data.goal).lerp(new Vector3().fromArray(data.motions[0].reference), 0.4);
-  const everything = placesOf(data);
+  const everything = plans.flatMap(placesOf);
   const plane = new Plane(AXES.y.clone(), 0);
 
   const light = new DirectionalLight(0xffffff, 2.6);
@@ -252,7 +252,8 @@ export function sceneView(canvas, data, shown, onScale) {
   resize();
   // Printers want the picture at once.
   addEventListener("beforeprint", () => draw(performance.now()));
-  return { look, viewpoint, lookFrom, picture };
+  const onMove = (listener) => controls.addEventListener("change", () => listener(viewpoint()));
+  return { look, viewpoint, lookFrom, picture, onMove };
 }
 
 /** Corners of the boxes around the parts, of the body wherever a motion takes it. */

@@ -5,24 +5,19 @@ import { fragmentOf, momentOf } from "./link.js";
 /** How long (ms) a sentence about what a button did is shown. */
 const SHOWN = 4000;
 
-/** The buttons, and where they say what they did. */
-export function shareButtons(stage, view, data, shown) {
+/** Where buttons say what they did. */
+export function speaker() {
   const said = element("output", { class: "said" });
   const say = (words) => {
     said.textContent = words;
     setTimeout(() => (said.textContent = ""), SHOWN);
   };
-  const button = (name, explanation, click) => element("button", { type: "button", title: explanation, click }, name);
-  const buttons = element(
-    "div",
-    { class: "views share", role: "group", "aria-label": "Share" },
-    button("Picture", "Save the view as a PNG", () => savePicture(view, data, shown)),
-    document.fullscreenEnabled ? fullScreenButton(stage) : null,
-    // Within a notebook, the page has no address.
-    location.protocol === "about:" ? null : button("Link", "Copy a link to this moment", () => copyLink(view, shown, say)),
-  );
-  return { buttons, said };
+  return { said, say };
 }
+
+/** The button that saves the view of a plan. */
+export const pictureButton = (view, data, shown) =>
+  element("button", { type: "button", title: "Save the view as a PNG", click: () => savePicture(view, data, shown) }, "Picture");
 
 function savePicture(view, { result }, shown) {
   const name = `${result.scene}-${shown.values.time.toFixed(2)}s.png`;
@@ -33,7 +28,9 @@ function savePicture(view, { result }, shown) {
   });
 }
 
-function fullScreenButton(stage) {
+/** The button that shows something on the whole screen; none where the browser does not do that. */
+export function fullScreenButton(stage) {
+  if (!document.fullscreenEnabled) return null;
   const isFull = () => document.fullscreenElement === stage;
   const button = element("button", { type: "button", click: () => (isFull() ? document.exitFullscreen() : stage.requestFullscreen()) });
   const name = () => (button.textContent = isFull() ? "Leave full screen" : "Full screen");
@@ -41,6 +38,12 @@ function fullScreenButton(stage) {
   name();
   return button;
 }
+
+/** The button that copies a link to the moment; none within a notebook, where the page has no address. */
+export const linkButton = (view, shown, say) =>
+  location.protocol === "about:"
+    ? null
+    : element("button", { type: "button", title: "Copy a link to this moment", click: () => copyLink(view, shown, say) }, "Link");
 
 async function copyLink(view, shown, say) {
   shown.set({ playing: false });

@@ -43,10 +43,11 @@ function conclusion({ result, motions }) {
   }[standing(result)];
 }
 
-const hardContact = (motions) => motions.filter(({ source }) => source === "rollouts");
+/** The rollouts with hard contact. */
+export const hardContact = (motions) => motions.filter(({ source }) => source === "rollouts");
 
 /** Success rates of rollouts with random errors. */
-const ratesOf = ({ robust, tested }) => robust?.after ?? tested?.rates ?? [];
+export const ratesOf = ({ robust, tested }) => robust?.after ?? tested?.rates ?? [];
 
 /** How scenarios end, by model and friction. */
 function ends({ result, motions }) {
@@ -77,7 +78,7 @@ function ends({ result, motions }) {
 }
 
 /** Numbers that matter to who executes the plan. */
-function numbers({ result, motions, engagement_depth: depth }) {
+export function numbers({ result, motions, engagement_depth: depth }) {
   const { limits, gains, motion, reached } = result;
   const at = ({ largest, time_s: time }, inWords) => `${inWords(largest)} at ${time.toFixed(2)} s`;
   const played = hardContact(motions).flatMap(({ scenarios }) => scenarios.map(({ max_force: force }) => force));

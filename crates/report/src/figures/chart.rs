@@ -1,6 +1,6 @@
 //! Line charts.
 
-use super::svg::{Anchor, Drawing};
+use super::svg::{Anchor, Colour, Drawing, Hex};
 
 const SIZE: [f64; 2] = [640.0, 300.0];
 const LEFT: f64 = 62.0;
@@ -16,7 +16,7 @@ pub struct Line {
     /// Its name in the key.
     pub name: String,
     /// Its colour.
-    pub colour: &'static str,
+    pub colour: Colour,
     /// Its points; those that are not finite, or not positive on a logarithmic scale, are left out.
     pub points: Vec<[f64; 2]>,
 }
@@ -76,10 +76,10 @@ impl Chart {
         drawing.text([LEFT, 17.0], Anchor::Start, self.title);
         self.grid(&mut drawing, &x, &y);
         for (index, (line, points)) in lines.iter().enumerate() {
-            let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", line.colour);
+            let style = format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"", Hex(line.colour));
             drawing.points("polyline", points.iter().map(|&[u, v]| [x.pixel(u), y.pixel(v)]), &style);
             let height = TOP + 18.0 * index as f64;
-            let mark = format!("fill=\"{}\"", line.colour);
+            let mark = format!("fill=\"{}\"", Hex(line.colour));
             drawing.rectangle([width - RIGHT + 12.0, height], [12.0, 4.0], &mark);
             drawing.text([width - RIGHT + 30.0, height + 6.0], Anchor::Start, &line.name);
         }

@@ -3,7 +3,7 @@
 use task::Pose;
 
 use super::section::{others, section};
-use super::svg::{Anchor, COLOURS, Drawing};
+use super::svg::{Anchor, COLOURS, Drawing, Hex};
 use crate::model::{MotionData, PartData, PlanData};
 
 /// Names of the axes.
@@ -108,7 +108,7 @@ fn panel(drawing: &mut Drawing, plan: &PlanData, motion: &MotionData, step: usiz
     for (index, scenario) in motion.scenarios.iter().enumerate() {
         let Some(pose) = pose(&scenario.poses, step) else { continue };
         // Fills cover the strokes between parts, and the group is transparent as a whole: one outline per body.
-        drawing.push(&format!("<g opacity=\"0.5\" fill=\"{}\">", COLOURS[index % COLOURS.len()]));
+        drawing.push(&format!("<g opacity=\"0.5\" fill=\"{}\">", Hex(COLOURS[index % COLOURS.len()])));
         for style in ["stroke=\"#303030\" stroke-width=\"2\"", ""] {
             parts(&plan.body, &pose, style, drawing);
         }

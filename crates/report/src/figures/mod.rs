@@ -15,14 +15,17 @@ mod section;
 mod success;
 mod svg;
 
+pub(crate) use section::{others, section};
 pub use svg::BEGIN;
+pub(crate) use svg::{COLOURS, Colour, Hex};
 
 use crate::model::{PageData, PlanData, SimulationData};
 
-/// Names and contents of the figures of some data; of a batch only those of its simulation.
+/// Names and contents of the figures of some data; of a batch only those of its simulation, of two plans those of the first.
 pub fn figures(data: &PageData) -> Vec<(String, String)> {
     match data {
-        PageData::Plan(plan) => of_plan(plan).into_iter().chain(of_simulation(plan.simulation.as_ref())).collect(),
+        PageData::Plan(plan) => of_plan(plan),
+        PageData::Beside(beside) => of_plan(&beside.plans[0]),
         PageData::Batch(batch) => of_simulation(batch.simulation.as_ref()).into_iter().collect(),
         PageData::Simulation(simulation) => of_simulation(Some(simulation)).into_iter().collect(),
     }
@@ -33,6 +36,7 @@ fn of_plan(plan: &PlanData) -> Vec<(String, String)> {
         (0..3).map(|axis| (format!("keyframes-{}.svg", keyframes::AXES[axis]), keyframes::draw(plan, axis))).collect();
     figures.push(("forces.svg".to_owned(), forces::draw(plan)));
     figures.push(("convergence.svg".to_owned(), convergence::draw(&plan.result.stages)));
+    figures.extend(of_simulation(plan.simulation.as_ref()));
     figures
 }
 

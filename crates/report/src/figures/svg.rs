@@ -1,6 +1,6 @@
 //! The few elements of SVG that figures are made of.
 
-use std::fmt::Write;
+use std::fmt::{self, Display, Formatter, Write};
 
 use crate::html::escaped;
 
@@ -8,7 +8,28 @@ use crate::html::escaped;
 pub const BEGIN: &str = "<!-- drawn by assembly-plan report -->\n";
 
 /// Colours of scenarios, distinguishable also by people who are colour-blind (Okabe and Ito).
-pub const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+pub const COLOURS: [Colour; 6] = [
+    [0x00, 0x72, 0xb2],
+    [0xd5, 0x5e, 0x00],
+    [0x00, 0x9e, 0x73],
+    [0xcc, 0x79, 0xa7],
+    [0xe6, 0x9f, 0x00],
+    [0x56, 0xb4, 0xe9],
+];
+
+/// Red, green, blue.
+pub type Colour = [u8; 3];
+
+/// A colour as SVG writes it.
+#[derive(Debug, Clone, Copy)]
+pub struct Hex(pub Colour);
+
+impl Display for Hex {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let [red, green, blue] = self.0;
+        write!(f, "#{red:02x}{green:02x}{blue:02x}")
+    }
+}
 
 /// Where a text stands relative to its point.
 #[derive(Debug, Clone, Copy)]

@@ -2,6 +2,7 @@
 
 mod arm;
 mod batch;
+mod beside;
 mod executed;
 mod motion;
 mod plan;
@@ -10,6 +11,7 @@ mod simulation;
 use std::path::{Path, PathBuf};
 
 use ::plan::PlannerError;
+pub use beside::read_beside;
 use store::{MANIFEST, RESULT, SUCCESS, require_moved};
 
 use crate::model::PageData;
