@@ -67,7 +67,7 @@ def test_a_plan_is_shown(plan: Plan, tmp_path: Path) -> None:
         everything = (tmp_path / name).stat().st_size
         plan.animate(tmp_path / name, scenario=1)
         assert 1000 < (tmp_path / name).stat().st_size < everything, "one scenario takes less than all"
-    with pytest.raises(assembly_plan.SceneError, match="neither .svg nor .gif"):
+    with pytest.raises(assembly_plan.SceneError, match=r"neither \.svg nor \.gif"):
         plan.animate(tmp_path / "moving.mp4")
     with pytest.raises(assembly_plan.SceneError, match="must be from 1 to"):
         plan.animate(tmp_path / "moving.svg", scenario=99)
