@@ -23,6 +23,7 @@ mod simulate;
 mod starting;
 mod support;
 mod tolerance;
+mod tolerance_resumed;
 mod turned;
 mod verdicts;
 mod wrong_inputs;

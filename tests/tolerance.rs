@@ -3,7 +3,7 @@
 use crate::support::{Dir, list, number};
 
 /// A plan of a scene whose body is pushed into a corner.
-fn planned() -> Dir {
+pub fn planned() -> Dir {
     let dir = Dir::new();
     dir.run("solve corner.toml --out plan").code(0);
     dir
@@ -23,8 +23,7 @@ fn errors_and_a_map_of_a_plan_are_written_and_told() {
         .says("  offset up to ")
         .says(", planned for 20.00 mm")
         .says("\noffset by friction:\n  at 0.00: offset up to ")
-        .says("from 0.00 to 0.30, 0.30 more friction ")
-        .says("written to plan");
+        .says("written to plan; `assembly-plan report plan` shows it");
     let record = dir.json("plan/tolerance.json");
     assert_eq!(list(&record, "boundaries").len(), 2);
     for boundary in list(&record, "boundaries") {
@@ -43,6 +42,9 @@ fn errors_and_a_map_of_a_plan_are_written_and_told() {
     // The same on one thread, beside the first.
     dir.run(&format!("{line} --jobs 1 --out again")).code(0);
     assert_eq!(dir.json("again/tolerance.json"), record);
+    // A picture of an earlier map does not stay beside what has none.
+    dir.run(&format!("tolerance corner.toml --plan plan --quantity friction --no-map {FEW} --out again")).code(0);
+    assert!(!dir.exists("again/tolerance.svg"));
     dir.run("solve corner.toml --out plan").code(0);
 }
 
@@ -79,11 +81,19 @@ fn wrong_requests_say_what_would_be_right() {
     for (flags, message) in [
         ("--map offset", "--map takes two quantities, such as offset,clearance"),
         ("--map offset,offset", "the two quantities must differ"),
-        ("--map offset,size", "[possible values: offset, rotation, hole, friction, clearance]"),
+        ("--map offset,size", "[possible values: offset, rotation, hole, friction, clearance, chamfer]"),
         ("--need offset", "must be a name and a value, such as offset=2mm"),
         ("--need clearance=1mm", "`clearance` cannot be required; choose one of offset, rotation, hole, friction"),
         ("--need offset=2deg", "`deg` is no unit of offset"),
         ("--need friction=-1", "must not be negative"),
+        ("--by chamfer", "--need"),
+        ("--need offset=2mm --by friction", "[possible values: clearance, chamfer]"),
+        (
+            "--need offset=2mm --by chamfer --quantity offset --no-map --cases 20 --target-rate 0.5",
+            "chamfer: the body is in no hole that can have one",
+        ),
+        ("--quantity chamfer", "chamfer: the body is in no hole that can have one"),
+        ("--map offset,chamfer", "chamfer: the body is in no hole that can have one"),
         ("--target-rate 1", "rate: must be at least 0.5 and below 1"),
         ("--cases 5", "--cases"),
         ("--fit H7/g6", "--diameter"),

@@ -16,6 +16,9 @@ use crate::report;
 use crate::summary::summary;
 use crate::values::threads;
 
+/// What is said where a run begins from the start.
+pub const DISCARDED: &str = "unfinished work of an earlier run is discarded; --resume would have continued it";
+
 /// Plans, writes all files and prints a summary. The clock started with the program.
 pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandError> {
     let clock = clock.limited(arguments.time_limit());
@@ -43,7 +46,7 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
         report::require_writable(&out)?;
     }
     if !arguments.resume && folder.discard()? {
-        tell!("unfinished work of an earlier run is discarded; --resume would have continued it");
+        tell!("{DISCARDED}");
     }
 
     let stopped = stop_flag();

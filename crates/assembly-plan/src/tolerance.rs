@@ -2,10 +2,13 @@
 
 mod plans;
 
-use planner::files::{require_folder, write_file};
-use planner::{RunClock, Session};
+use std::path::Path;
+
+use planner::files::{WorkFolder, read_text, remove_file, write_file};
+use planner::{PlannerError, RunClock, Session};
 use tolerance::{
-    Fit, MapQuestion, NeedRecord, Quantity, Question, TOLERANCE, ToleranceRecord, ToleranceRequest, Trials, answer, svg,
+    Fit, MapQuestion, Need, NeedRecord, Quantity, Question, TOLERANCE, ToleranceRecord, ToleranceRequest, Trials, Work,
+    answer, svg,
 };
 
 use crate::arguments::ToleranceCommandArguments;
@@ -13,8 +16,12 @@ use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::stop_flag;
 use crate::progress::Progress;
+use crate::solve::DISCARDED;
 use crate::tolerance::plans::Plans;
 use crate::values::threads;
+
+/// Name of the picture of the map.
+const PICTURE: &str = "tolerance.svg";
 
 /// Measures all that is asked for, writes it and prints it.
 pub fn run(arguments: &ToleranceCommandArguments, clock: RunClock) -> Result<Exit, CommandError> {
@@ -23,27 +30,39 @@ pub fn run(arguments: &ToleranceCommandArguments, clock: RunClock) -> Result<Exi
     let stopped = stop_flag();
     let session = Session { threads: threads(arguments.jobs), clock, ..Session::new(&progress, &stopped) };
     let out = plans.out(arguments);
-    require_folder(&out)?;
-    let measured = measure(arguments, &mut plans, &session)?;
+    let folder = WorkFolder::claim(&out)?;
+    let unfinished = folder.path().join(TOLERANCE);
+    if !arguments.resume && unfinished.exists() {
+        remove_file(&unfinished)?;
+        tell!("{DISCARDED}");
+    }
+    let measured = measure(arguments, &mut plans, &unfinished, &progress, &session)?;
     progress.end();
     let Some(record) = measured else {
-        tell!("interrupted before all was measured; nothing is written, but the same command uses the plans again");
+        let again = if arguments.resume { "the same command" } else { "the same command with --resume" };
+        tell!("interrupted; finished boundaries and plans are kept, and {again} resumes it");
         return Ok(Exit::Interrupted);
     };
     write_file(&out.join(TOLERANCE), record.json()?.as_bytes())?;
-    if let Some(map) = &record.map {
-        write_file(&out.join("tolerance.svg"), svg(map).as_bytes())?;
+    match &record.map {
+        Some(map) => write_file(&out.join(PICTURE), svg(map).as_bytes())?,
+        // One of an earlier run would be taken for this one's.
+        None => remove_file(&out.join(PICTURE))?,
     }
+    remove_file(&unfinished)?;
     show(&record);
-    say!("written to {}", out.display());
+    say!("written to {0}; `assembly-plan report {0}` shows it", out.display());
     let is_none_tolerated = record.boundaries.iter().any(|boundary| boundary.value.is_none());
     Ok(if is_none_tolerated { Exit::NoPlan } else { Exit::Done })
 }
 
-/// All that is asked for; `None` after an interrupt.
+/// All that is asked for; `None` after an interrupt. Finished boundaries are kept in the file `unfinished`, and those that it has
+/// are not measured again.
 fn measure(
     arguments: &ToleranceCommandArguments,
     plans: &mut Plans,
+    unfinished: &Path,
+    progress: &Progress,
     session: &Session,
 ) -> Result<Option<ToleranceRecord>, CommandError> {
     let Some((problem, reference)) = plans.nominal(arguments, session)? else { return Ok(None) };
@@ -56,16 +75,33 @@ fn measure(
     let trials = Trials::new(&problem, reference, request, session)?;
     let map = requested_map(arguments, &trials)?;
     let over = map.as_ref().map(MapQuestion::over);
-    let question = Question { quantities: arguments.quantity.clone(), need: arguments.need, map };
+    let need = arguments.need.map(|(quantity, value)| Need { quantity, value, by: arguments.by });
+    let question = Question { quantities: arguments.quantity.clone(), need, map };
+    let keep = |record: &[u8]| write_file(unfinished, record);
+    let mut work = begun(Work::new(&trials, &question), unfinished, progress)?.kept_by(&keep);
     let mut reference_at = |at: f64| match over {
         Some(over) => plans.for_row(arguments, &trials, over, at, session),
         None => Ok(None),
     };
-    let mut answered = answer(&trials, &question, &mut reference_at, session)?;
+    let mut answered = answer(&trials, &question, &mut work, &mut reference_at, session)?;
     if let Some(record) = &mut answered {
         record.plans = plans.names();
     }
     Ok(answered)
+}
+
+/// Work with the boundaries that an earlier run has kept in a file, if there is one.
+fn begun<'store>(work: Work<'store>, unfinished: &Path, progress: &Progress) -> Result<Work<'store>, PlannerError> {
+    if unfinished.symlink_metadata().is_err() {
+        return Ok(work);
+    }
+    let work = work.resumed(&read_text(unfinished)?).map_err(|error| {
+        let advice = "repeat the command that was interrupted, or leave out --resume to measure from the beginning";
+        PlannerError::file(unfinished, format!("cannot be resumed: {error}; {advice}"))
+    })?;
+    let noun = if work.count() == 1 { "boundary" } else { "boundaries" };
+    progress.say(&format!("resuming after {} finished {noun} of an earlier run", work.count()));
+    Ok(work)
 }
 
 /// The map that is asked for: none by default, where the scene has no clearance.
@@ -109,20 +145,15 @@ fn show(record: &ToleranceRecord) {
         };
         say!("  {}{}", boundary, note.unwrap_or_default());
     }
-    if let Some(NeedRecord { quantity, value, clearance }) = &record.need {
-        say!("{} of {} needs a {}", quantity.in_words(*value), quantity.name(), clearance);
+    if let Some(NeedRecord { quantity, value, boundary }) = &record.need {
+        say!("to tolerate {} of {}: {}", quantity.in_words(*value), quantity.name(), boundary);
     }
     let Some(map) = &record.map else { return };
     say!("\n{} by {}:", map.quantity.name(), map.over.name());
     for row in &map.rows {
         say!("  at {}: {}", map.over.in_words(row.at), row.boundary);
     }
-    let at = match map.over {
-        Quantity::Clearance => record.clearance_m.unwrap_or_default(),
-        Quantity::Offset => record.planned_offset_m,
-        _ => 0.0,
-    };
-    if let Some(sentence) = map.sensitivity(at) {
-        say!("{sentence}");
+    if let Some(sensitivity) = &map.sensitivity {
+        say!("{}", sensitivity.sentence);
     }
 }

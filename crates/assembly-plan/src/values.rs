@@ -42,6 +42,11 @@ pub fn quantity() -> impl TypedValueParser<Value = Quantity> {
     named(Quantity::ALL.map(Quantity::name), Quantity::from_name)
 }
 
+/// A quantity of the parts by its name.
+pub fn part_quantity() -> impl TypedValueParser<Value = Quantity> {
+    named(Quantity::OF_PARTS.map(Quantity::name), Quantity::from_name)
+}
+
 /// Units of a requirement, with their size in SI units.
 const UNITS: [(&str, f64); 5] =
     [("mm", 1e-3), ("mrad", 1e-3), ("deg", std::f64::consts::PI / 180.0), ("rad", 1.0), ("m", 1.0)];
@@ -49,7 +54,7 @@ const UNITS: [(&str, f64); 5] =
 /// A requirement such as `offset=2mm`, `rotation=1deg` or `friction=0.3`; without a unit, SI units.
 pub fn required(text: &str) -> Result<(Quantity, f64), String> {
     let (name, value) = text.split_once('=').ok_or("must be a name and a value, such as offset=2mm")?;
-    let known = Quantity::ALL.into_iter().filter(|quantity| *quantity != Quantity::Clearance);
+    let known = Quantity::ALL.into_iter().filter(|quantity| !Quantity::OF_PARTS.contains(quantity));
     let names: Vec<&str> = known.map(Quantity::name).collect();
     let quantity = Quantity::from_name(name).filter(|_| names.contains(&name));
     let quantity =

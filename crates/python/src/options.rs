@@ -198,6 +198,7 @@ impl PlayOptions {
 pub struct ToleranceOptions {
     pub quantities: Vec<String>,
     pub need: Option<(String, f64)>,
+    pub by: String,
     pub map: Option<(String, String)>,
     pub rows: Vec<f64>,
     pub target_rate: f64,

@@ -91,8 +91,12 @@ def test_tolerances_are_those_of_the_command(scene: Scene, plan: Plan) -> None:
     assert offset["successes"] >= 0.8 * offset["rollouts"]
     assert measured["map"]["rows"][0]["at"] == 0.0 and measured["need"]["quantity"] == "offset"
     assert scene.tolerance(plan, quantities=["offset"], jobs=1, **asked)["boundaries"][0] == offset
-    with pytest.raises(SceneError, match="choose one of offset, rotation, hole, friction, clearance"):
+    with pytest.raises(SceneError, match="choose one of offset, rotation, hole, friction, clearance, chamfer"):
         scene.tolerance(plan, quantities=["size"])
+    with pytest.raises(SceneError, match="by = friction: unknown; choose clearance or chamfer"):
+        scene.tolerance(plan, need=("offset", 0.001), by="friction")
+    with pytest.raises(SceneError, match="chamfer: the body is in no hole that can have one"):
+        scene.tolerance(plan, quantities=["chamfer"])
 
 
 def test_the_version_is_that_of_the_program(plan: Plan) -> None:

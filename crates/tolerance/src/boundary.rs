@@ -3,7 +3,7 @@
 use std::fmt;
 
 use plan::{Event, PlannerError, Session};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use simulation::wilson_interval;
 
 use crate::conditions::Conditions;
@@ -30,8 +30,8 @@ const NARROW: f64 = 0.1;
 /// Cases between two looks at the session.
 const CHUNK: usize = 64;
 
-/// The largest value of a quantity (for clearance: the smallest) at which the wanted share of rollouts succeeds.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// The largest value of a quantity (for those of parts: the smallest) at which the wanted share of rollouts succeeds.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Boundary {
     /// Which quantity.
     pub quantity: Quantity,
@@ -59,10 +59,11 @@ impl fmt::Display for Boundary {
         };
         let [surely, surely_not] = interval.map(|end| end.map(|end| quantity.in_words(end)));
         let surely = surely.unwrap_or_else(|| "unknown".to_owned());
-        let surely_not = surely_not.unwrap_or_else(|| "beyond".to_owned());
-        let range = match quantity.is_hard_when_small() {
-            true => format!("{surely_not} to {surely}"),
-            false => format!("{surely} to {surely_not}"),
+        let range = match (surely_not, quantity.is_hard_when_small()) {
+            (Some(surely_not), true) => format!("{surely_not} to {surely}"),
+            (Some(surely_not), false) => format!("{surely} to {surely_not}"),
+            (None, true) => format!("at most {surely}"),
+            (None, false) => format!("at least {surely}"),
         };
         let open = if *is_open { format!(", {hardest} value that was tried") } else { String::new() };
         write!(
@@ -144,6 +145,7 @@ fn range(
 ) -> Result<Option<[f64; 2]>, PlannerError> {
     let first = match quantity {
         Quantity::Clearance => return Ok(Some([WIDEST * trials.clearance()?, 0.0])),
+        Quantity::Chamfer => return Ok(Some([trials.mouth()?.most, 0.0])),
         Quantity::Friction => return Ok(Some([0.0, quantity.limit()])),
         Quantity::Offset | Quantity::Hole => FIRST_LENGTH,
         Quantity::Rotation => FIRST_ANGLE,

@@ -1,9 +1,12 @@
 //! The errors with which a plan is played.
 
+use serde::{Deserialize, Serialize};
+
 use crate::quantity::Quantity;
 
 /// How large every error is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Conditions {
     /// Largest offset (m).
     pub offset: f64,
@@ -15,6 +18,8 @@ pub struct Conditions {
     pub friction: Option<f64>,
     /// Clearance (m); `None` for that of the scene.
     pub clearance: Option<f64>,
+    /// Width of the chamfer at the mouth of the hole (m); `None` for the hole of the scene.
+    pub chamfer: Option<f64>,
 }
 
 impl Conditions {
@@ -26,6 +31,7 @@ impl Conditions {
             Quantity::Hole => Self { hole: value, ..self },
             Quantity::Friction => Self { friction: Some(value), ..self },
             Quantity::Clearance => Self { clearance: Some(value), ..self },
+            Quantity::Chamfer => Self { chamfer: Some(value), ..self },
         }
     }
 }

@@ -1,26 +1,34 @@
 //! Which errors a plan tolerates.
 //!
 //! [`Trials`] are rollouts of one plan with random errors. [`boundary()`] finds the largest value of one [`Quantity`] at which
-//! a fraction of them succeeds, [`map()`] how that depends on another quantity, [`answer()`] both. [`clearance::widened`] changes the clearance of
-//! a scene, [`Fit`] is a clearance by the name of an ISO 286 fit.
+//! a fraction of them succeeds, [`map()`] how that depends on another quantity, [`answer()`] both; [`Work`] keeps what is
+//! finished of it. [`clearance::widened`] changes the clearance of a scene, [`chamfer::chamfered`] the mouth of its
+//! hole; [`Fit`] is a clearance by the name of an ISO 286 fit.
 
 mod answer;
 mod boundary;
+pub mod chamfer;
 pub mod clearance;
 mod conditions;
 mod fit;
 mod map;
+mod mouth;
 mod quantity;
 mod record;
+mod sensitivity;
 mod svg;
 mod trials;
+mod work;
 
-pub use answer::{Question, answer};
+pub use answer::{Need, Question, answer};
 pub use boundary::{Boundary, boundary};
 pub use conditions::Conditions;
 pub use fit::{Fit, FitError};
 pub use map::{MapQuestion, ToleranceMap, ToleranceMapRow, map};
+pub use mouth::Mouth;
 pub use quantity::Quantity;
 pub use record::{NeedRecord, TOLERANCE, ToleranceRecord};
+pub use sensitivity::Sensitivity;
 pub use svg::svg;
 pub use trials::{ToleranceRequest, Trials};
+pub use work::{Keep, ResumeError, Work, reference_hash};

@@ -1,15 +1,17 @@
 //! How the boundary of one quantity depends on another one.
 
 use plan::{PlannerError, Session};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use simulation::Reference;
 
-use crate::boundary::{Boundary, boundary};
+use crate::boundary::Boundary;
 use crate::quantity::Quantity;
+use crate::sensitivity::Sensitivity;
 use crate::trials::Trials;
+use crate::work::Work;
 
 /// Boundaries of a quantity at several values of another one.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ToleranceMap {
     /// The quantity whose boundary is known.
     pub quantity: Quantity,
@@ -17,10 +19,12 @@ pub struct ToleranceMap {
     pub over: Quantity,
     /// By ascending values of the other one.
     pub rows: Vec<ToleranceMapRow>,
+    /// What a change of the other quantity buys; `None` where the rows do not decide it.
+    pub sensitivity: Option<Sensitivity>,
 }
 
 /// The boundary at one value of the other quantity.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ToleranceMapRow {
     /// Value of the other quantity (SI units).
     pub at: f64,
@@ -35,7 +39,8 @@ const FRICTIONS: [f64; 5] = [0.0, 0.1, 0.2, 0.3, 0.5];
 const ROTATIONS: [f64; 5] = [0.0, 0.01, 0.02, 0.05, 0.1];
 
 /// A map that is asked for.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct MapQuestion {
     /// The quantity whose boundary is of interest.
     quantity: Quantity,
@@ -49,15 +54,13 @@ impl MapQuestion {
     /// A map of a quantity over another one, at some values of that (SI units), or else around the scene's.
     ///
     /// # Errors
-    /// When both are the same, or the scene has no clearance.
+    /// When both are the same, or the scene has no clearance or no mouth of a hole.
     pub fn new(trials: &Trials, quantity: Quantity, over: Quantity, values: &[f64]) -> Result<Self, PlannerError> {
         if quantity == over {
             let problem = format!("{0},{0}: the two quantities must differ", over.name());
             return Err(PlannerError::Choice { name: "map", problem });
         }
-        if quantity == Quantity::Clearance {
-            trials.clearance()?;
-        }
+        trials.require(quantity)?;
         let mut values = if values.is_empty() { values_around(trials, over)? } else { values.to_vec() };
         values.sort_by(f64::total_cmp);
         Ok(Self { quantity, over, values })
@@ -75,19 +78,21 @@ fn values_around(trials: &Trials, over: Quantity) -> Result<Vec<f64>, PlannerErr
     Ok(match over {
         Quantity::Offset | Quantity::Hole => around(trials.problem().offset_magnitude()),
         Quantity::Clearance => around(trials.clearance()?),
+        Quantity::Chamfer => around(0.5 * trials.mouth()?.most),
         Quantity::Friction => FRICTIONS.to_vec(),
         Quantity::Rotation => ROTATIONS.to_vec(),
     })
 }
 
-/// Draws a map. `reference_at` has the reference for a value of the other quantity. `None` when the session is interrupted, or
-/// there is no reference.
+/// Draws a map; rows that are finished in `work` are not measured again. `reference_at` has the reference for a value of the
+/// other quantity. `None` when the session is interrupted, or there is no reference.
 ///
 /// # Errors
-/// When a value is not possible, and those of `reference_at`.
+/// When a value is not possible, and those of `reference_at` and `work`.
 pub fn map(
     trials: &Trials,
     question: &MapQuestion,
+    work: &mut Work,
     reference_at: &mut dyn FnMut(f64) -> Result<Option<Reference>, PlannerError>,
     session: &Session,
 ) -> Result<Option<ToleranceMap>, PlannerError> {
@@ -96,34 +101,11 @@ pub fn map(
     for &at in values {
         let Some(reference) = reference_at(at)? else { return Ok(None) };
         let of_row = trials.of(reference, session)?;
-        match boundary(&of_row, &trials.nominal().with(*over, at), *quantity, session)? {
+        match work.boundary(&of_row, &trials.nominal().with(*over, at), *quantity, session)? {
             Some(boundary) => rows.push(ToleranceMapRow { at, boundary }),
             None => return Ok(None),
         }
     }
-    Ok(Some(ToleranceMap { quantity: *quantity, over: *over, rows }))
-}
-
-impl ToleranceMap {
-    /// How much the boundary changes with the other quantity near its nominal value, as a sentence.
-    pub fn sensitivity(&self, nominal: f64) -> Option<String> {
-        let known: Vec<(f64, f64)> = self.rows.iter().filter_map(|row| Some((row.at, row.boundary.value?))).collect();
-        let near = known.windows(2).min_by(|one, other| {
-            let distance = |pair: &[(f64, f64)]| (0.5 * (pair[0].0 + pair[1].0) - nominal).abs();
-            distance(one).total_cmp(&distance(other))
-        })?;
-        let [(low, from), (high, to)] = *near else { return None };
-        let (change, bought) = (high - low, to - from);
-        let (quantity, over) = (self.quantity, self.over);
-        let direction = if bought < 0.0 { "costs" } else { "buys" };
-        Some(format!(
-            "from {} to {}, {} more {} {direction} {} of {}",
-            over.in_words(low),
-            over.in_words(high),
-            over.in_words(change),
-            over.name(),
-            quantity.in_words(bought.abs()),
-            quantity.name()
-        ))
-    }
+    let sensitivity = Sensitivity::of(*quantity, *over, &rows);
+    Ok(Some(ToleranceMap { quantity: *quantity, over: *over, rows, sensitivity }))
 }

@@ -1,9 +1,9 @@
 //! What may be off.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// An error, or a property of the parts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Quantity {
     /// How far the part is off in the gripper, in the directions that the scene covers (m).
@@ -16,11 +16,17 @@ pub enum Quantity {
     Friction,
     /// Clearance between the parts at the goal from side to side where it is tightest (m).
     Clearance,
+    /// Width of a chamfer of 45 degrees at the mouth of the hole (m).
+    Chamfer,
 }
 
 impl Quantity {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Offset, Self::Rotation, Self::Hole, Self::Friction, Self::Clearance];
+    pub const ALL: [Self; 6] =
+        [Self::Offset, Self::Rotation, Self::Hole, Self::Friction, Self::Clearance, Self::Chamfer];
+
+    /// Those that parts have, which a requirement can be met by.
+    pub const OF_PARTS: [Self; 2] = [Self::Clearance, Self::Chamfer];
 
     /// The name in commands and files.
     pub fn name(self) -> &'static str {
@@ -30,6 +36,7 @@ impl Quantity {
             Self::Hole => "hole",
             Self::Friction => "friction",
             Self::Clearance => "clearance",
+            Self::Chamfer => "chamfer",
         }
     }
 
@@ -40,13 +47,13 @@ impl Quantity {
 
     /// Whether small values are the hard ones.
     pub fn is_hard_when_small(self) -> bool {
-        self == Self::Clearance
+        Self::OF_PARTS.contains(&self)
     }
 
     /// The unit in which people read it, and how many of these are one SI unit.
     pub fn unit(self) -> (&'static str, f64) {
         match self {
-            Self::Offset | Self::Hole | Self::Clearance => ("mm", 1e3),
+            Self::Offset | Self::Hole | Self::Clearance | Self::Chamfer => ("mm", 1e3),
             Self::Rotation => ("mrad", 1e3),
             Self::Friction => ("", 1.0),
         }
@@ -65,7 +72,7 @@ impl Quantity {
             Self::Offset | Self::Hole => 0.2,
             Self::Rotation => 0.5,
             Self::Friction => 1.0,
-            Self::Clearance => 0.02,
+            Self::Clearance | Self::Chamfer => 0.02,
         }
     }
 }

@@ -1,25 +1,28 @@
 //! `tolerance.json`, and its lines.
 
 use plan::{Format, PlannerError, VERSION};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::boundary::Boundary;
 use crate::map::ToleranceMap;
 use crate::quantity::Quantity;
 use crate::trials::Trials;
+use crate::work::reference_hash;
 
 /// Name of the file.
 pub const TOLERANCE: &str = "tolerance.json";
 
 /// What was measured, in SI units.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ToleranceRecord {
     format: Format,
-    assembly_plan: &'static str,
+    assembly_plan: String,
     /// Title of the scene.
     pub scene: String,
     /// Folders of the plans.
     pub plans: Vec<String>,
+    /// [Hash](crate::reference_hash) of the reference whose tolerances these are, apart from those of the map.
+    pub reference: String,
     /// Share of the rollouts that has to succeed.
     pub rate: f64,
     /// Frictions of the rollouts.
@@ -40,15 +43,15 @@ pub struct ToleranceRecord {
     pub map: Option<ToleranceMap>,
 }
 
-/// The smallest clearance at which something is tolerated.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+/// The smallest clearance or chamfer at which something is tolerated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct NeedRecord {
     /// What is to be tolerated.
     pub quantity: Quantity,
     /// Its value (m, rad, or 1).
     pub value: f64,
-    /// The clearance.
-    pub clearance: Boundary,
+    /// The clearance or the chamfer.
+    pub boundary: Boundary,
 }
 
 impl ToleranceRecord {
@@ -58,9 +61,10 @@ impl ToleranceRecord {
         let force = problem.task().limits.contact_force;
         Self {
             format: Format::CURRENT,
-            assembly_plan: VERSION,
+            assembly_plan: VERSION.to_owned(),
             scene: problem.scene().title.clone(),
             plans: Vec::new(),
+            reference: reference_hash(trials.reference()),
             rate: request.rate,
             frictions: request.frictions.clone(),
             seed: request.seed,

@@ -2,18 +2,24 @@
 
 use std::sync::Arc;
 
+use collision::PolytopeError;
 use nalgebra::Vector3;
-use plan::{PlannerError, Problem, Session};
+use plan::{PlannerError, Problem, Session, short};
 use scene::Scene;
+use serde::{Deserialize, Serialize};
 use simulation::{Outcome, Reference, Rollout, Settings, offsets};
 use task::{AssemblyTask, Coverage, GraspError};
 use workers::Workers;
 
+use crate::chamfer::chamfered;
 use crate::clearance::widened;
 use crate::conditions::Conditions;
+use crate::mouth::Mouth;
+use crate::quantity::Quantity;
 
 /// What is asked of a plan.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct ToleranceRequest {
     /// Fraction of the rollouts that has to succeed.
     pub rate: f64,
@@ -125,6 +131,7 @@ impl<'problem> Trials<'problem> {
             hole: 0.0,
             friction: None,
             clearance: None,
+            chamfer: None,
         }
     }
 
@@ -146,11 +153,47 @@ impl<'problem> Trials<'problem> {
     /// When nothing guides the body at its goal, or nothing would be left of a part.
     pub fn scene_with_clearance(&self, clearance: f64) -> Result<Scene, PlannerError> {
         let more = clearance - self.clearance()?;
-        let out = Vector3::from(self.problem.engagement().out);
-        widened(self.problem.scene(), &out, more).map_err(|(part, error)| PlannerError::Choice {
-            name: "clearance",
-            problem: format!("{:.3} mm leaves nothing of `{part}`: {error}", 1e3 * clearance),
+        widened(self.problem.scene(), &self.out(), more).map_err(nothing_left("clearance", clearance))
+    }
+
+    /// The mouth of the hole around the body at its goal.
+    ///
+    /// # Errors
+    /// When there is none that can have a chamfer.
+    pub fn mouth(&self) -> Result<Mouth, PlannerError> {
+        Mouth::of(self.problem.scene(), &self.out()).ok_or_else(|| PlannerError::Choice {
+            name: "chamfer",
+            problem: "the body is in no hole that can have one: a hole of convex section whose sides are along the way out and \
+                      whose upper edge is flat and sharp; take a chamfer that is there out of the scene"
+                .to_owned(),
         })
+    }
+
+    /// Refuses a quantity that the parts do not have.
+    pub(crate) fn require(&self, quantity: Quantity) -> Result<(), PlannerError> {
+        match quantity {
+            Quantity::Clearance => self.clearance().map(drop),
+            Quantity::Chamfer => self.mouth().map(drop),
+            _ => Ok(()),
+        }
+    }
+
+    /// The scene with a chamfer of some width (m) at the mouth of its hole.
+    ///
+    /// # Errors
+    /// When there is no such mouth, the chamfer is too large for it, or nothing would be left of a part.
+    pub fn scene_with_chamfer(&self, width: f64) -> Result<Scene, PlannerError> {
+        let mouth = self.mouth()?;
+        if !(0.0..=mouth.most).contains(&width) {
+            let rule = format!("must lie between 0 and {} m, half of the smallest side or rim", short(mouth.most));
+            return Err(PlannerError::value("chamfer", width, &rule));
+        }
+        chamfered(self.problem.scene(), &mouth, width).map_err(nothing_left("chamfer", width))
+    }
+
+    /// Direction in which the body leaves its goal.
+    fn out(&self) -> Vector3<f64> {
+        self.problem.engagement().out.into()
     }
 
     /// The reference of the plan.
@@ -165,11 +208,11 @@ impl<'problem> Trials<'problem> {
 
     /// The cases under conditions; what `last` has prepared for the same shapes and frictions is used again.
     pub(crate) fn player(&self, conditions: Conditions, last: Option<&Player>) -> Result<Player, PlannerError> {
-        let shapes = |conditions: &Conditions| (conditions.friction, conditions.clearance);
+        let shapes = |conditions: &Conditions| (conditions.friction, conditions.clearance, conditions.chamfer);
         if let Some(last) = last.filter(|last| shapes(&last.conditions) == shapes(&conditions)) {
             return Ok(Player { conditions, rollouts: last.rollouts.clone() });
         }
-        let world = self.world(conditions.clearance)?;
+        let world = self.world(&conditions)?;
         let frictions = conditions.friction.map_or_else(|| self.request.frictions.clone(), |friction| vec![friction]);
         let rollout = |friction| {
             let settings = Settings { friction, ..Settings::default() };
@@ -178,11 +221,17 @@ impl<'problem> Trials<'problem> {
         Ok(Player { conditions, rollouts: frictions.into_iter().map(rollout).collect::<Result<_, _>>()? })
     }
 
-    /// All shapes, with a clearance (m).
-    fn world(&self, clearance: Option<f64>) -> Result<AssemblyTask, PlannerError> {
+    /// All shapes, with the clearance and the chamfer of some conditions.
+    fn world(&self, conditions: &Conditions) -> Result<AssemblyTask, PlannerError> {
         let world = self.problem.world();
-        let Some(clearance) = clearance else { return Ok(world) };
-        Ok(AssemblyTask { pairs: self.scene_with_clearance(clearance)?.all_pairs(), ..world })
+        let body = conditions.clearance.map(|clearance| self.scene_with_clearance(clearance)).transpose()?;
+        let hole = conditions.chamfer.map(|width| self.scene_with_chamfer(width)).transpose()?;
+        let pairs = match (body, hole) {
+            (None, None) => return Ok(world),
+            (Some(scene), None) | (None, Some(scene)) => scene.all_pairs(),
+            (Some(body), Some(hole)) => Scene { body: body.body, ..hole }.all_pairs(),
+        };
+        Ok(AssemblyTask { pairs, ..world })
     }
 
     /// Whether a case ends at the goal within the limits of the task.
@@ -201,6 +250,14 @@ impl<'problem> Trials<'problem> {
     fn is_success(&self, outcome: &Outcome) -> bool {
         let excess = outcome.loads.excess(&self.problem.task().limits);
         outcome.reaches_goal(&self.problem.success()) && excess <= 0.0
+    }
+}
+
+/// The error of a size (m) of a part with which nothing is left of it.
+fn nothing_left(name: &'static str, size: f64) -> impl FnOnce((String, PolytopeError)) -> PlannerError {
+    move |(part, error)| PlannerError::Choice {
+        name,
+        problem: format!("{:.3} mm leaves nothing of `{part}`: {error}", 1e3 * size),
     }
 }
 

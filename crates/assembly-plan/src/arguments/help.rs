@@ -38,7 +38,7 @@ const GROUPS: &[(&str, &[&str])] = &[
         ],
     ),
     ("Offsets", &["offset", "random", "hull", "disc", "ball", "seed", "grid", "offsets", "magnitude", "coverage"]),
-    ("Errors", &["plan", "quantity", "map", "rows", "no_map", "need", "fit", "cases"]),
+    ("Errors", &["plan", "quantity", "map", "rows", "no_map", "need", "by", "fit", "cases"]),
     ("Success", &["position_tolerance", "angle_tolerance", "contact_force", "strict"]),
     ("Robustness", &["robust", "target_rate", "time_limit", "from", "stall_limit", "friction", "rotation_error"]),
     ("Simulation", &["stages", "settling_time", "time_step", "executed"]),
@@ -132,12 +132,14 @@ pub const CLOSINGS: &[Closing] = &[
                 "the least clearance for an offset",
             ),
             ("tolerance peg.toml --fit H7/g6 --diameter 0.01", "plans for both ends of a fit"),
+            ("tolerance scenes/peg1.toml --plan out/peg1 --resume", "continue an interrupted run"),
         ],
         no_plan: Some("too many rollouts fail at every value of a quantity that was tried"),
         files: &[
             ("DIR/tolerance.json", "largest errors, confidence intervals and the map, in SI units"),
             ("DIR/tolerance.svg", "the map"),
             ("DIR/plans/", "without --plan, the plans"),
+            (".DIR.unfinished/, beside DIR", "finished boundaries of an interrupted run, which --resume continues"),
         ],
     },
     Closing {

@@ -17,8 +17,8 @@ pub struct ToleranceCommandArguments {
     /// Folder of a plan of the scene, whose tolerances are measured [default: one that is made, and one for each row of the map]
     #[arg(long, value_name = "DIR", conflicts_with_all = ["start", "delta"])]
     pub plan: Option<PathBuf>,
-    /// What to increase, or to decrease for clearance, until too many rollouts fail: offset, rotation, hole, friction,
-    /// clearance [default: all of them]
+    /// What to increase, or to decrease for clearance and chamfer, until too many rollouts fail: offset, rotation, hole, friction,
+    /// clearance, chamfer [default: all of them but chamfer]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = values::quantity())]
     pub quantity: Vec<Quantity>,
     /// The two quantities of the map: the first is increased at several values of the second
@@ -31,9 +31,12 @@ pub struct ToleranceCommandArguments {
     /// Draw no map
     #[arg(long, conflicts_with = "rows")]
     pub no_map: bool,
-    /// Ask for the smallest clearance at which this is tolerated, such as offset=2mm
+    /// Ask for the smallest clearance, or chamfer, at which this is tolerated, such as offset=2mm
     #[arg(long, value_name = "NAME=VALUE", value_parser = values::required)]
     pub need: Option<(Quantity, f64)>,
+    /// What is to meet --need: clearance, or a chamfer of 45 degrees at the mouth of the hole
+    #[arg(long, value_name = "NAME", value_parser = values::part_quantity(), default_value = "clearance", requires = "need")]
+    pub by: Quantity,
     /// Rows of the map at the smallest and the largest clearance of an ISO 286 fit, such as H7/g6
     #[arg(long, value_name = "FIT", requires = "diameter", conflicts_with_all = ["rows", "no_map"])]
     pub fit: Option<String>,
@@ -63,6 +66,9 @@ pub struct ToleranceCommandArguments {
     pub jobs: Option<u16>,
     #[command(flatten)]
     pub progress: ProgressArguments,
+    /// Continue an interrupted run of the same command: what it has finished is not measured again
+    #[arg(long)]
+    pub resume: bool,
     /// Folder for tolerance.json, tolerance.svg and the plans [default: DIR of --plan, or out/SCENE-START-tolerance]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -164,7 +164,8 @@ impl Plans {
             return Ok(None);
         }
         claimed.finish(&plan)?;
-        Ok(Some(plan.reference()))
+        // As another run will read it, to the last bit.
+        StoredPlan::open(&folder)?.reference().map(Some)
     }
 }
 
@@ -189,6 +190,7 @@ fn row_problem(trials: &Trials, over: Quantity, at: f64) -> Result<Problem, Plan
         // No part of the problem: the target of the refinement, and no error of the grasp.
         Quantity::Friction | Quantity::Hole => {}
         Quantity::Clearance => scene = trials.scene_with_clearance(at)?,
+        Quantity::Chamfer => scene = trials.scene_with_chamfer(at)?,
     }
     Problem::new(scene, Some(&problem.start().name), Some(offset_magnitude), problem.homotopy().clone())
 }

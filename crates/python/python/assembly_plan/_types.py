@@ -63,6 +63,7 @@ class ToleranceOptions(TypedDict):
 
     quantities: list[str]
     need: tuple[str, float] | None
+    by: str
     map: tuple[str, str] | None
     rows: list[float]
     target_rate: float

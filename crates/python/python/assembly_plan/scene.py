@@ -348,6 +348,7 @@ class Scene(SceneContent):
         *,
         quantities: Iterable[str] = (),
         need: tuple[str, float] | None = None,
+        by: str = "clearance",
         map: tuple[str, str] | None = None,
         rows: Iterable[float] = (),
         target_rate: float = 0.99,
@@ -363,8 +364,10 @@ class Scene(SceneContent):
 
         As the command ``tolerance`` with a plan, but without a map unless it is asked for:
 
-        - `quantities`: ``offset``, ``rotation``, ``hole``, ``friction``, ``clearance``; by default all.
-        - `need`: the smallest clearance at which this is tolerated, such as ``("offset", 0.002)``, in SI units.
+        - `quantities`: ``offset``, ``rotation``, ``hole``, ``friction``, ``clearance``, ``chamfer``; by default all but
+          the last.
+        - `need`: the smallest clearance, or with `by` the smallest ``chamfer`` at the mouth of the hole, at which this is
+          tolerated, such as ``("offset", 0.002)``, in SI units.
         - `map`: the first quantity at several values of the second, such as ``("offset", "clearance")``; `rows` are
           these values, by default some around the scene's.
         - `target_rate`: share of the rollouts that has to succeed.
@@ -374,6 +377,7 @@ class Scene(SceneContent):
         options: ToleranceOptions = {
             "quantities": list(quantities),
             "need": need,
+            "by": by,
             "map": map,
             "rows": _values.several(rows, "rows"),
             "target_rate": _values.number(target_rate, "target_rate"),

@@ -4,19 +4,21 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use plan::{Event, Problem, Session};
 use simulation::Reference;
-use tolerance::{Boundary, MapQuestion, Quantity, ToleranceRequest, Trials, boundary, map};
+use tolerance::{
+    Boundary, MapQuestion, Quantity, Question, Sensitivity, ToleranceRequest, Trials, Work, boundary, map,
+};
 
 use crate::{SLOT, moved_down};
 
 /// Far from everything.
 const FLOOR: &str = "[[environment.part]]\nname = \"floor\"\nbox = [0.1, 0.1, 0.01]\nposition = [0.0, 0.0, -0.5]\n";
 
-fn straight(problem: &Problem) -> Reference {
+pub fn straight(problem: &Problem) -> Reference {
     let task = problem.task();
     Reference::straight(&task.start, &task.goal, task.horizon)
 }
 
-fn with_trials<R>(problem: &Problem, request: ToleranceRequest, ask: impl FnOnce(&Trials, &Session) -> R) -> R {
+pub fn with_trials<R>(problem: &Problem, request: ToleranceRequest, ask: impl FnOnce(&Trials, &Session) -> R) -> R {
     let stopped = AtomicBool::new(false);
     let session = Session { threads: 2, ..Session::new(&|_: &Event| {}, &stopped) };
     ask(&Trials::new(problem, straight(problem), request, &session).unwrap(), &session)
@@ -77,13 +79,19 @@ fn more_clearance_buys_as_much_offset_to_each_side() {
     let request = ToleranceRequest { cases: 100, rate: 0.9, ..ToleranceRequest::default() };
     let drawn = with_trials(&problem, request, |trials, session| {
         let question = MapQuestion::new(trials, Quantity::Offset, Quantity::Clearance, &[0.003, 0.001, 0.002]).unwrap();
-        map(trials, &question, &mut |_| Ok(Some(trials.reference().clone())), session).unwrap().unwrap()
+        let asked = Question { quantities: Vec::new(), need: None, map: Some(question.clone()) };
+        let mut work = Work::new(trials, &asked);
+        map(trials, &question, &mut work, &mut |_| Ok(Some(trials.reference().clone())), session).unwrap().unwrap()
     });
     let values: Vec<f64> = drawn.rows.iter().map(|row| row.boundary.value.unwrap()).collect();
     assert_eq!(drawn.rows.iter().map(|row| (1e4 * row.at).round()).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);
     assert!(values.windows(2).all(|pair| (pair[1] - pair[0] - 0.0005).abs() < 1e-4), "{values:?}");
-    let sentence = drawn.sensitivity(0.002).unwrap();
-    assert!(sentence.starts_with("from 1.000 mm to 2.000 mm, 1.000 mm more clearance buys 0.5"), "{sentence}");
+    let Sensitivity { between, slope, interval: [low, high], sentence } = drawn.sensitivity.unwrap();
+    assert!(
+        between == [0.001, 0.003] && (slope - 0.5).abs() < 0.05 && low < 0.5 && 0.5 < high,
+        "{slope}: {low} to {high}"
+    );
+    assert!(sentence.starts_with("1 mm more clearance buys 0.5"), "{sentence}");
 }
 
 #[test]

@@ -1,7 +1,9 @@
-//! Boundaries that are known exactly, and scenes with another clearance.
+//! Boundaries that are known exactly, work that is resumed, and scenes with another clearance or a chamfer.
 
 mod boundaries;
+mod chamfer;
 mod clearance;
+mod resuming;
 
 use std::path::Path;
 
