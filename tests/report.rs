@@ -195,3 +195,36 @@ fn plans_of_the_same_parts_are_shown_beside_each_other() {
     dir.run("report rates --beside plan --out refused.html").code(2).says("rates: is no plan");
     assert!(!dir.exists("refused.html"), "nothing is written");
 }
+
+#[test]
+fn tolerances_are_on_the_page_of_their_plan_or_on_their_own() {
+    let dir = Dir::new();
+    dir.run("solve corner.toml --out plan").code(0);
+    let line = "tolerance corner.toml --plan plan --quantity offset --map offset,friction --rows 0,0.3 --cases 40 \
+                --target-rate 0.8 --friction 0 --position-tolerance 0.006";
+    dir.run(line).code(0).says("`assembly-plan report plan` shows it");
+    dir.run(&format!("{line} --out alone")).code(0);
+    let record = dir.json("plan/tolerance.json");
+    dir.run("report plan").code(0);
+    assert_eq!(data(&dir, "plan/report.html")["tolerated"], record);
+    dir.run("report alone").code(0);
+    let alone = data(&dir, "alone/report.html");
+    assert_eq!((alone["kind"].as_str(), &alone["record"]), (Some("tolerance"), &record));
+    dir.run("report alone --figures figures").code(2).says("the map of tolerances is tolerance.svg there");
+    dir.run("report alone --executed log.csv")
+        .code(2)
+        .says("alone: is not the folder of a plan that log.csv could have executed");
+
+    dir.run("solve corner.toml --delta 0.01 --out plan").code(0);
+    dir.run("report plan").code(0);
+    let other = data(&dir, "plan/report.html");
+    assert!(other["tolerated"].is_null(), "they are of the plan that was there");
+    let warning = "tolerance.json is of another plan and is not shown; measure again with `assembly-plan tolerance`";
+    assert!(list(&other, "notes").iter().any(|note| note == warning), "{}", other["notes"]);
+
+    let text = dir.read("alone/tolerance.json");
+    dir.write("alone/tolerance.json", &text[..text.len() / 2]);
+    dir.run("report alone").code(2).says("alone/tolerance.json: is no record of tolerances: ").says("measure again");
+    dir.write("alone/tolerance.json", text.replacen("\"format\": 1", "\"format\": 99", 1));
+    dir.run("report alone").code(2).says("format 99 is that of a newer version");
+}

@@ -19,6 +19,8 @@ pub const ROWS: &[Row] = &[
     ("report plan", &[("plan/result.json", "\"format\": 1,", "\"format\": 9,")], "plan/result.json:2: not a result of this version of `assembly-plan solve`: format 9"),
     ("report plan", &[("plan/result.json", "\"start\": \"a\"", "\"start\": \"c\"")], "start is `c`, and resolved.toml makes it `a`"),
     ("report folder", &[(".folder.unfinished/lock", "", "")], "folder: holds an unfinished plan"),
+    ("report folder", &[(".folder.unfinished/tolerance.json", "", "")], "folder: holds unfinished tolerances"),
+    ("report folder", &[("folder/tolerance.json", "", "{}")], "folder/tolerance.json: is no record of tolerances"),
     ("report folder", &[("folder/success.csv", "", "motion\nplan\n")], "folder/success.csv:2"),
     ("report folder", &[("folder/success.csv", "", "")], "folder/success.csv: has no rows"),
 ];

@@ -1,4 +1,4 @@
-//! `report`: HTML pages of plans, batches and simulations, figures and animations.
+//! `report`: HTML pages of plans, batches, simulations and tolerances, figures and animations.
 
 use std::path::{Path, PathBuf};
 

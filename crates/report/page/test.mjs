@@ -1,5 +1,6 @@
 // Drives report pages in Chromium, as a reader would, and lets axe look for what some readers could not use. Arguments: a
-// folder with the pages of plans (plan, robust, lossy, arm, executed), of two of them, a batch and a simulation, and animations; with a second one, pictures of the
+// folder with the pages of plans (plan, robust, lossy, arm, executed), of two of them, a batch, a simulation and tolerances, and
+// animations; with a second one, pictures of the
 // pages are written there.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
@@ -286,6 +287,45 @@ async function testSimulation(name) {
   await page.close();
 }
 
+/** Boundaries and a map, whose marks are where its numbers are; `hasUnknown` of which one row has no value. */
+async function testTolerance(name, hasUnknown) {
+  const page = await open(name);
+  const data = await page.evaluate(() => JSON.parse(document.getElementById("data").textContent));
+  const { map, boundaries } = data.record ?? data.tolerated;
+  const section = page.getByRole("region", { name: "Tolerances" });
+  const said = await section.textContent();
+  for (const { quantity, successes, rollouts } of boundaries) {
+    assert.match(said, new RegExp(`${quantity}.*up to [\\d.]+.*${successes} of ${rollouts}`, "s"));
+  }
+  const sentence = map.sensitivity?.sentence;
+  assert.ok(sentence === undefined || said.includes(`${sentence}.`), `what a change buys: ${sentence}`);
+  const known = map.rows.filter(({ boundary }) => boundary.value !== null);
+  assert.equal(known.length < map.rows.length, hasUnknown, "a row without a value");
+  const marks = await section.locator(".map .value").evaluateAll((circles) =>
+    circles.map((circle) => ["cx", "cy"].map((key) => Number(circle.getAttribute(key)))),
+  );
+  assert.equal(marks.length, known.length, "a mark for each known row");
+  const numbers = known.map(({ at, boundary }) => [at, boundary.value]);
+  // Marks are where a line through the first and the last one has them.
+  for (const axis of [0, 1]) {
+    const [first, last] = [0, known.length - 1];
+    const [from, to] = [numbers[first][axis], numbers[last][axis]];
+    if (from === to) continue;
+    numbers.forEach((number, index) => {
+      const share = (number[axis] - from) / (to - from);
+      const expected = marks[first][axis] + share * (marks[last][axis] - marks[first][axis]);
+      assert.ok(Math.abs(marks[index][axis] - expected) < 0.1, `mark ${index} of ${name}: ${marks}`);
+    });
+  }
+  const ends = known.flatMap(({ boundary }) => boundary.interval).filter((end) => end !== null).length;
+  const bars = await section.locator(".map .interval").count();
+  assert.equal(bars, known.length + ends, "intervals have caps where they are known");
+  await page.getByText("Numbers of the map").click();
+  assert.equal(await section.getByRole("row").count(), 2 + boundaries.length + map.rows.length, "tables have all rows");
+  await page.close();
+  return sentence !== undefined;
+}
+
 /** Frames per second while a page plays, and the pixels that it has left out for that. */
 async function framesPerSecond(name) {
   const page = await open(name);
@@ -327,6 +367,8 @@ try {
   for (const kind of ["svg", "gif"]) await testAnimation(`plan.${kind}`);
   await testBatch("batch/report.html");
   await testSimulation("simulation/report.html");
+  const areDecided = [await testTolerance("robust/report.html", false), await testTolerance("tolerance/report.html", true)];
+  assert.ok(areDecided.includes(true), "a map says what a change buys");
   await testLossy("lossy/report.html");
   await testArm("arm/report.html");
   await testExecuted("executed/report.html");

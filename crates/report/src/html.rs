@@ -38,6 +38,7 @@ fn title(data: &PageData) -> String {
         PageData::Beside(beside) => format!("{}: {}", beside.plans[0].result.scene, beside.names.join(" and ")),
         PageData::Batch(batch) => format!("batch {}", batch.title),
         PageData::Simulation(simulation) => format!("simulation {}", simulation.title),
+        PageData::Tolerance(tolerance) => format!("tolerances of {}", tolerance.record.scene),
     }
 }
 

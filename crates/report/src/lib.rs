@@ -1,4 +1,4 @@
-//! Pages, figures and animations of plans, batches and simulations.
+//! Pages, figures and animations of plans, batches, simulations and tolerances.
 //!
 //! A folder is read ([`read()`]) into the data of a page ([`PageData`]), and the page is that data as JSON, a script and a
 //! style sheet in one HTML file ([`html`]) that needs no network. What the folder lacks is computed while

@@ -4,6 +4,7 @@
 use serde::Serialize;
 use store::{PlanResult, SimulationRecord, SuccessRow, Versions};
 use task::Pose;
+use tolerance::ToleranceRecord;
 
 /// The data of one page.
 #[derive(Debug, Clone, Serialize)]
@@ -17,6 +18,8 @@ pub enum PageData {
     Batch(BatchData),
     /// Of a simulation.
     Simulation(SimulationData),
+    /// Of the tolerances of plans.
+    Tolerance(Box<ToleranceData>),
 }
 
 /// Two plans of the same parts.
@@ -60,6 +63,8 @@ pub struct PlanData {
     pub weakest: Vec<String>,
     /// Success rates of the last `simulate` in this folder.
     pub simulation: Option<SimulationData>,
+    /// `tolerance.json` of this folder, if it is of this plan.
+    pub tolerated: Option<ToleranceRecord>,
 }
 
 /// Errors of the execution that rollouts of a plan vary besides offsets, and those that they do not.
@@ -249,4 +254,13 @@ pub struct SimulationData {
     pub record: Option<SimulationRecord>,
     /// `success.csv`.
     pub groups: Vec<SuccessRow>,
+}
+
+/// Which errors plans tolerate, in a folder without a plan.
+#[derive(Debug, Clone, Serialize)]
+pub struct ToleranceData {
+    /// `tolerance.json`.
+    pub record: ToleranceRecord,
+    /// Success rates of the last `simulate` in this folder.
+    pub simulation: Option<SimulationData>,
 }

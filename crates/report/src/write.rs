@@ -98,7 +98,10 @@ fn drawn(data: &PageData, folder: &Path, target: &Path) -> Result<Vec<(PathBuf, 
     let drawn: Vec<(PathBuf, Vec<u8>)> =
         figures(data).into_iter().map(|(name, figure)| (target.join(name), figure.into_bytes())).collect();
     if drawn.is_empty() {
-        let advice = "a batch without a simulation has no figures; name the folder of a cell, or simulate first";
+        let advice = match data {
+            PageData::Tolerance(_) => "the map of tolerances is tolerance.svg there, and it has no other figures",
+            _ => "a batch without a simulation has no figures; name the folder of a cell, or simulate first",
+        };
         return Err(PlannerError::file(folder, advice));
     }
     drawn.iter().try_for_each(|(file, _)| require_own(file, FIGURE, "figure; choose another folder for --figures"))?;

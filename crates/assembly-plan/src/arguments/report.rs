@@ -6,7 +6,7 @@ use clap::Args;
 
 #[derive(Debug, Args)]
 pub struct ReportArguments {
-    /// Folder that `solve`, `batch` or `simulate` wrote
+    /// Folder that `solve`, `batch`, `simulate` or `tolerance` wrote
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
     /// Also show an execution, as the player of an export logged it, beside a rollout that has the same grasp error;

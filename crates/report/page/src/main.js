@@ -7,8 +7,15 @@ import { element } from "./dom.js";
 import { planPage } from "./plan.js";
 import { simulationPage } from "./simulation.js";
 import { followTheme } from "./theme.js";
+import { tolerancePage } from "./tolerance.js";
 
-const pages = { plan: planPage, beside: besidePage, batch: batchPage, simulation: simulationPage };
+const pages = {
+  plan: planPage,
+  beside: besidePage,
+  batch: batchPage,
+  simulation: simulationPage,
+  tolerance: tolerancePage,
+};
 const data = JSON.parse(document.getElementById("data").textContent);
 const root = document.getElementById("page");
 

@@ -9,6 +9,7 @@ import { atFirst, openView } from "./stage.js";
 import { duration, store } from "./state.js";
 import { convergence, executions, madeFrom } from "./story.js";
 import { themeButton } from "./theme.js";
+import { tolerance } from "./tolerance.js";
 import { standing, verdict } from "./verdict.js";
 import { magnitude } from "./words.js";
 
@@ -45,6 +46,7 @@ function cards(data, shown) {
     result.robust ? robustness(result.robust, data.weakest, result.goal_reached) : null,
     result.tested ? test(result.tested) : null,
     simulation ? rateMatrix(simulation) : null,
+    data.tolerated ? tolerance(data.tolerated) : null,
     convergence(data, shown),
     madeFrom(data),
   ];

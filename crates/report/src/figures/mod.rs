@@ -21,13 +21,15 @@ pub(crate) use svg::{COLOURS, Colour, Hex};
 
 use crate::model::{PageData, PlanData, SimulationData};
 
-/// Names and contents of the figures of some data; of a batch only those of its simulation, of two plans those of the first.
+/// Names and contents of the figures of some data; of a batch and of tolerances only those of their simulation, of two plans
+/// those of the first.
 pub fn figures(data: &PageData) -> Vec<(String, String)> {
     match data {
         PageData::Plan(plan) => of_plan(plan),
         PageData::Beside(beside) => of_plan(&beside.plans[0]),
         PageData::Batch(batch) => of_simulation(batch.simulation.as_ref()).into_iter().collect(),
         PageData::Simulation(simulation) => of_simulation(Some(simulation)).into_iter().collect(),
+        PageData::Tolerance(tolerance) => of_simulation(tolerance.simulation.as_ref()).into_iter().collect(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! From a folder that `solve`, `batch` or `simulate` wrote to the data of its page.
+//! From a folder that `solve`, `batch`, `simulate` or `tolerance` wrote to the data of its page.
 
 mod arm;
 mod batch;
@@ -7,10 +7,12 @@ mod executed;
 mod motion;
 mod plan;
 mod simulation;
+mod tolerance;
 
 use std::path::{Path, PathBuf};
 
 use ::plan::PlannerError;
+use ::tolerance::TOLERANCE;
 pub use beside::read_beside;
 use store::{MANIFEST, RESULT, SUCCESS, require_moved};
 
@@ -19,22 +21,28 @@ use crate::model::PageData;
 /// Reads a folder, and logs of executions of the plan in it.
 ///
 /// # Errors
-/// When it is no plan, batch or simulation, is unfinished or damaged, or was written by another version; when there are logs
+/// When it is none of these, is unfinished or damaged, or was written by another version; when there are logs
 /// that are not of its plan.
 pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PageData, PlannerError> {
     let holds = |name: &str| folder.join(name).exists();
     if !folder.is_dir() {
-        return Err(PlannerError::file(folder, "is not a folder; name one that `solve`, `batch` or `simulate` wrote"));
+        return Err(PlannerError::file(
+            folder,
+            "is not a folder; name one that `solve`, `batch`, `simulate` or `tolerance` wrote",
+        ));
     }
     if holds(RESULT) {
         return Ok(PageData::Plan(Box::new(plan::read(folder, logs)?)));
     }
-    if let ([log, ..], true) = (logs, holds(MANIFEST) || holds(SUCCESS)) {
+    if let ([log, ..], true) = (logs, [MANIFEST, SUCCESS, TOLERANCE].into_iter().any(holds)) {
         let problem = format!("is not the folder of a plan that {} could have executed; name one", log.display());
         return Err(PlannerError::file(folder, problem));
     }
     if holds(MANIFEST) {
         return Ok(PageData::Batch(batch::read(folder)?));
+    }
+    if holds(TOLERANCE) {
+        return Ok(PageData::Tolerance(Box::new(tolerance::read(folder)?)));
     }
     if holds(SUCCESS) {
         return Ok(PageData::Simulation(simulation::read(folder)?));
@@ -49,11 +57,15 @@ fn nothing(folder: &Path) -> String {
     let name = absolute.file_name().unwrap_or_default().to_string_lossy();
     let work = absolute.with_file_name(format!(".{name}.unfinished"));
     if name.ends_with(".unfinished") || work.exists() {
-        return "holds an unfinished plan; wait for its solve, or resume it with `assembly-plan solve --resume`"
-            .to_owned();
+        let (what, command) = match work.join(TOLERANCE).exists() {
+            true => ("unfinished tolerances; wait for them", "tolerance"),
+            false => ("an unfinished plan; wait for its solve", "solve"),
+        };
+        return format!("holds {what}, or resume with `assembly-plan {command} --resume`");
     }
     format!(
-        "holds no {RESULT}, {MANIFEST} or {SUCCESS}; name a folder that `assembly-plan solve`, `batch` or `simulate` wrote"
+        "holds no {RESULT}, {MANIFEST}, {SUCCESS} or {TOLERANCE}; name a folder that `assembly-plan solve`, `batch`, \
+         `simulate` or `tolerance` wrote"
     )
 }
 

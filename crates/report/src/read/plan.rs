@@ -11,7 +11,7 @@ use store::{CoverageRecord, MotionTables, PlanResult, STAGES, ScenarioRecord, St
 use task::GraspError;
 
 use super::motion::{HARD, Measures, World};
-use super::{arm, executed, simulation as rates};
+use super::{arm, executed, simulation as rates, tolerance};
 use crate::model::{ErrorsData, MotionData, PartData, PlanData, Source};
 use crate::rounded::{LENGTH, rounded};
 
@@ -34,6 +34,7 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
     motions.extend(iterations(&plan, &world)?);
     motions.extend(executed::motions(logs, &plan, &problem, &world)?);
     let simulation = rates::read_if_there(folder)?;
+    let (tolerated, other_plan) = tolerance::of_plan(&plan)?;
     let mut result = plan.result;
     result.files.clear();
     Ok(PlanData {
@@ -47,9 +48,10 @@ pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PlanData, PlannerError> {
         engagement_depth: problem.engagement().depth_m.map(|depth| rounded(depth, LENGTH)),
         errors: errors(&problem.scene().robustness),
         motions,
-        notes: result.warnings.iter().cloned().chain(why_not_done(&result)).collect(),
+        notes: result.warnings.iter().cloned().chain(other_plan).chain(why_not_done(&result)).collect(),
         weakest: loss(&result).map_or_else(Vec::new, |loss| loss.sentences().into()),
         simulation,
+        tolerated,
         result,
     })
 }
