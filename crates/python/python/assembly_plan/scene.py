@@ -366,8 +366,8 @@ class Scene(SceneContent):
 
         - `quantities`: ``offset``, ``rotation``, ``hole``, ``friction``, ``clearance``, ``chamfer``; by default all but
           the last.
-        - `need`: the smallest clearance, or with `by` the smallest ``chamfer`` at the mouth of the hole, at which this is
-          tolerated, such as ``("offset", 0.002)``, in SI units.
+        - `need`: the smallest clearance, or with `by` the smallest ``chamfer`` at the mouth of the hole, at which this
+          is tolerated, such as ``("offset", 0.002)``, in SI units.
         - `map`: the first quantity at several values of the second, such as ``("offset", "clearance")``; `rows` are
           these values, by default some around the scene's.
         - `target_rate`: share of the rollouts that has to succeed.
