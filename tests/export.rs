@@ -176,7 +176,7 @@ fn parameters_of_the_admittance_controller_are_those_of_the_law() {
         assert!(dir.exists(format!("{folder}/{file}")), "{file}");
     }
     assert!(!dir.read(format!("{folder}/README.md")).contains("{{"));
-    // The controller has no room for the lever of a part that is held beside the tip.
+    // The controller has no parameter for the lever of a part that is held beside the tip.
     let arm = dir.read("arm.toml");
     let grasp = "grasp = { position = [0.0, 0.0, 0.0]";
     assert!(arm.contains(grasp));

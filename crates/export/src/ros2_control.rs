@@ -43,13 +43,13 @@ impl Parameters {
     /// Of the law of a robot that is commanded by position.
     ///
     /// # Errors
-    /// When the controller has no room for the law: the reason, and what to change in the scene.
+    /// When the controller cannot run the law: the reason, and what to change in the scene.
     pub fn new(robot: &PositionRobot, frames: &Frames) -> Result<Self, String> {
         let distance = frames.grasp.translation.vector.norm();
         if !(distance <= SAME_ORIGIN) {
             return Err(format!(
                 "the law of the plan acts at the origin of the part, which is {:.3} mm from that of robot.tip, and \
-                 admittance_controller has no room for the lever between them: add a link to the URDF file whose origin is that of \
+                 admittance_controller has no parameter for the lever between them: add a link to the URDF file whose origin is that of \
                  the part, name it as robot.tip, and solve again",
                 1e3 * distance
             ));

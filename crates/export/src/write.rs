@@ -200,7 +200,7 @@ fn require_arm(plan: &StoredPlan, scene: &scene::Scene, target: Target) -> Resul
     }
 }
 
-/// The parameters of `ros2-control`, whose controller may not have room for the law of the plan.
+/// The parameters of `ros2-control`, whose controller may not be able to run the law of the plan.
 fn parameters(plan: &StoredPlan, scene: &scene::Scene, target: Target) -> Result<Option<Parameters>, PlannerError> {
     let (Target::Ros2Control, Some(robot)) = (target, &scene.position_robot) else { return Ok(None) };
     let refuse = |problem| PlannerError::file(&plan.folder, format!("--to {target}: {problem}"));

@@ -1,11 +1,22 @@
 //! Hashes that identify content.
 
 use sha2::{Digest, Sha256};
+use simulation::Reference;
 
 /// Hash (SHA-256, hexadecimal) of some bytes.
 pub fn hash(content: &[u8]) -> String {
     let mut hasher = Hasher::default();
     hasher.add(content);
+    hasher.finish()
+}
+
+/// Hash (SHA-256, hexadecimal) of a reference motion.
+pub fn reference_hash(reference: &Reference) -> String {
+    let mut hasher = Hasher::default();
+    hasher.add(&reference.time_step().to_le_bytes());
+    for number in reference.states().iter().flat_map(|state| state.0) {
+        hasher.add(&number.to_le_bytes());
+    }
     hasher.finish()
 }
 

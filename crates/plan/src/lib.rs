@@ -50,7 +50,7 @@ mod variant;
 pub use arm_course::ArmCourse;
 pub use checkpoint::Checkpoint;
 pub use clock::{Now, RunClock};
-pub use digest::{Hasher, hash};
+pub use digest::{Hasher, hash, reference_hash};
 pub use engagement::{Engagement, engagement};
 pub use error::{Fault, PlannerError, Unusable, short};
 pub use format::Format;

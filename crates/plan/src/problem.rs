@@ -6,7 +6,7 @@ use scene::{RobustnessSpec, Scene, StartPose, TaskError, resolved, resolved_sett
 use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
 use task::{AssemblyTask, HomotopySettings, Horizon, LinearSolver, Trajectory};
 
-use crate::digest::hash;
+use crate::digest::{hash, reference_hash};
 use crate::engagement::{Engagement, engagement};
 use crate::error::PlannerError;
 use crate::ranges::require_rotation_error;
@@ -152,9 +152,8 @@ impl Problem {
 
     /// The same problem whose homotopy starts from the motions that a reference leads to.
     pub fn with_guess(self, guess: Reference) -> Self {
-        let numbers = guess.states().into_iter().flat_map(|state| state.0).chain([guess.time_step()]);
-        let content: Vec<u8> = self.identity.bytes().chain(numbers.flat_map(f64::to_le_bytes)).collect();
-        Self { identity: hash(&content), guess: Some(guess), ..self }
+        let content = format!("{}\n{}", self.identity, reference_hash(&guess));
+        Self { identity: hash(content.as_bytes()), guess: Some(guess), ..self }
     }
 
     /// The reference from which its homotopy starts, if not from rest.

@@ -122,6 +122,7 @@ def written(scene: Scene, plan: Plan, out: Path) -> None:
     (out / "plan.xml").write_text(plan.mjcf(anyway=True))
     plan.report(out / "report.html")
     plan.figure("forces").save(out / "forces.svg")
+    plan.animate(out / "moving.svg", scenario=1)
     plan.plot()[0].figure.savefig(out / "positions.png")
     (out / "resolved.toml").write_text(plan.resolved)
     peg = assembly_plan.generate("round", out / "peg.toml", diameter=0.01, facets=6, force=True)

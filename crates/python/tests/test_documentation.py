@@ -58,8 +58,8 @@ def test_keywords_are_flags_of_the_command(name: str) -> None:
     keywords = {key for key, value in parameters.items() if value.kind is value.KEYWORD_ONLY}
     # A word of the language ends with an underscore.
     flags |= {flag + "_" for flag in flags & set(keyword.kwlist)}
-    # The command shows progress; a homotopy can be chosen for a check, which has no flag for it.
-    assert keywords - {"progress"} - ({"homotopy"} if subcommand == "check" else set()) <= flags
+    # The command shows progress; a guess is an array; `check` has no flag for a homotopy.
+    assert keywords - {"progress", "guess"} - ({"homotopy"} if subcommand == "check" else set()) <= flags
     for key in keywords:
         default = re.search(
             rf"--{key.replace('_', '-')} <[^\n]*\[default: ([0-9.e-]+)", shown.split("Options:")[1], re.DOTALL
@@ -135,7 +135,18 @@ def test_the_tour_uses_everything(tmp_path: Path) -> None:
         assert unused == [], kind.__name__
     shown = run([EXAMPLES / "tour.py", CORNER, tmp_path / "tour"], tmp_path)
     assert "replanned: done, 0 iterations" in shown
-    names = {"plan", "robust", "robot", "simulation", "plan.xml", "report.html", "forces.svg", "peg.toml", "batch"}
+    names = {
+        "plan",
+        "robust",
+        "robot",
+        "simulation",
+        "plan.xml",
+        "report.html",
+        "forces.svg",
+        "moving.svg",
+        "peg.toml",
+        "batch",
+    }
     assert names <= {file.name for file in (tmp_path / "tour").iterdir()}
 
 

@@ -31,4 +31,4 @@ pub use record::{NeedRecord, TOLERANCE, ToleranceRecord};
 pub use sensitivity::Sensitivity;
 pub use svg::svg;
 pub use trials::{ToleranceRequest, Trials};
-pub use work::{Keep, ResumeError, Work, reference_hash};
+pub use work::{Keep, ResumeError, Work};

@@ -1,13 +1,12 @@
 //! `tolerance.json`, and its lines.
 
-use plan::{Format, PlannerError, VERSION};
+use plan::{Format, PlannerError, VERSION, reference_hash};
 use serde::{Deserialize, Serialize};
 
 use crate::boundary::Boundary;
 use crate::map::ToleranceMap;
 use crate::quantity::Quantity;
 use crate::trials::Trials;
-use crate::work::reference_hash;
 
 /// Name of the file.
 pub const TOLERANCE: &str = "tolerance.json";
@@ -21,7 +20,7 @@ pub struct ToleranceRecord {
     pub scene: String,
     /// Folders of the plans.
     pub plans: Vec<String>,
-    /// [Hash](crate::reference_hash) of the reference whose tolerances these are, apart from those of the map.
+    /// [Hash](plan::reference_hash) of the reference whose tolerances these are, apart from those of the map.
     pub reference: String,
     /// Share of the rollouts that has to succeed.
     pub rate: f64,

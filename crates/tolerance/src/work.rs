@@ -1,8 +1,7 @@
 //! Finished boundaries, from which another run goes on.
 
-use plan::{Hasher, PlannerError, Session, Unusable, VERSION, hash, seal, unseal};
+use plan::{PlannerError, Session, Unusable, VERSION, hash, reference_hash, seal, unseal};
 use serde::{Deserialize, Serialize};
-use simulation::Reference;
 
 use crate::answer::Question;
 use crate::boundary::{Boundary, boundary};
@@ -139,14 +138,4 @@ impl Inputs {
         ];
         differences.into_iter().find_map(|(differs, name)| differs.then_some(name))
     }
-}
-
-/// Hash (SHA-256, hexadecimal) of a reference motion.
-pub fn reference_hash(reference: &Reference) -> String {
-    let mut hasher = Hasher::default();
-    hasher.add(&reference.time_step().to_le_bytes());
-    for number in reference.states().iter().flat_map(|state| state.0) {
-        hasher.add(&number.to_le_bytes());
-    }
-    hasher.finish()
 }

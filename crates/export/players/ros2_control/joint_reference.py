@@ -8,7 +8,7 @@ from failures import Stopped
 from guards import JOINT_MARGIN
 from kinematics import Arm, Pose
 
-# Newton's method ends when the tool is this close (m and rad) to its reference, or after so many steps.
+# Newton's method ends when the tool is this close (m and rad) to its reference, or after this many steps.
 CLOSE, STEPS = 1e-9, 20
 # From one reference to the next, a joint moves by no more than this (rad or m): close to a singular configuration it would.
 LARGEST_STEP = 0.05

@@ -55,7 +55,7 @@ function viewpointOf(text) {
 
 const within = (value, low, high) => Math.min(Math.max(value, low), high);
 
-/** An index from a number that counts from 1; null if it is none of so many things. */
+/** An index from a number that counts from 1; null if there is no such thing. */
 function indexOf(text, count) {
   const index = /^\d+$/.test(text ?? "") ? Number(text) - 1 : -1;
   return index >= 0 && index < count ? index : null;

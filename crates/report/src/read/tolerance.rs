@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use plan::PlannerError;
+use plan::{PlannerError, reference_hash};
 use store::{StoredPlan, read_text};
-use tolerance::{TOLERANCE, ToleranceRecord, reference_hash};
+use tolerance::{TOLERANCE, ToleranceRecord};
 
 use super::simulation;
 use crate::model::ToleranceData;
