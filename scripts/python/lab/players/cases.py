@@ -112,15 +112,14 @@ def guards() -> list[Case]:
         Case("ros2-control less damping", "ros2-control", "corner", 2, "oscillates", flags=("--damping-factor", "0.5")),
         *(
             Case(
-                f"urscript force mode {plan} {number}",
+                f"urscript force mode corner {number}",
                 "urscript",
-                plan,
+                "corner",
                 arm="force",
                 inserts=True,
                 simulation={"offset": offset},
             )
-            for plan in ("corner", "clamp1")
-            for number, offset in enumerate(OFFSETS[plan], 1)
+            for number, offset in enumerate(OFFSETS["corner"], 1)
         ),
         Case("urscript without receiver", "urscript", "corner", inserts=True, has_receiver=False),
         Case("urscript turned base", "urscript", "corner", inserts=True, simulation={"base_is_turned": True}),

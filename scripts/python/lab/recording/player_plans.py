@@ -23,7 +23,7 @@ FLAGS = ["--robust", "--rotation-error", "0.01", "--friction", "0,0.1", "--time-
 KEPT = ("plan.json", "trajectory.csv", "plan.script", "controllers.yaml")
 # Those for the arm with six joints that is commanded by position or force, with a soft contact, so that motions are
 # short. In front of the corner it stands closer, where no joint has to move fast.
-COMMANDED_PLANS = (("corner", "position"), ("corner", "force"), ("clamp1", "force"))
+COMMANDED_PLANS = (("corner", "position"), ("corner", "force"))
 COMMANDED = {"control_period": 0.002, "contact_stiffness": 2e4}
 # Rotations that a spring on the measured pose does not make swing.
 SOFT = {"stiffness_range": {"rotational": [1.0, 50.0]}}
