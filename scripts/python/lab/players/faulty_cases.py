@@ -180,7 +180,7 @@ def faults() -> list[Fault]:
 
 def dry_run_plan(player: str) -> str:
     """One with heights in free air for the arm of a player."""
-    return "corner" if player in POSITIONS else DRY_RUN_PLAN
+    return "corner" if player not in TORQUES else DRY_RUN_PLAN
 
 
 def faulty() -> list[Case]:
