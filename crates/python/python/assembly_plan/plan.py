@@ -99,8 +99,9 @@ class Plan(Motion):
         `start` and `goal` are poses, shape (7,), and the environment moves with the goal; `offset_magnitude` is in
         metres. By default they are those of this plan, as are the rest of its scene, frictions and target rate. The
         reference is moved with the goal, led there from the new start, and evaluated in rollouts. It is refined if it
-        fails, and the scene is solved if it fails in most of the first rollouts. After `time_limit` (s), everything
-        included, the best plan so far is returned, and ``result["robust"]["after"]`` says how often it was played.
+        fails, and the scene is solved if it fails in most of the first rollouts. After `time_limit` (s), apart from
+        reading and checking the scene, the best plan so far is returned, and ``result["robust"]["after"]`` says how
+        often it was played.
         """
         from assembly_plan.scene import Scene
 
