@@ -70,7 +70,7 @@ fn without_a_plan_each_row_is_planned_once() {
 fn a_reference_that_misses_the_goal_tolerates_nothing() {
     let dir = planned();
     let line = "tolerance corner.toml --plan plan --quantity friction --no-map --cases 40 --position-tolerance 1e-6";
-    dir.run(line).code(1).says("friction: too few succeed at any value that was tried");
+    dir.run(line).code(1).says("friction: too few succeed at any tested value");
     assert!(dir.json("plan/tolerance.json")["boundaries"][0]["value"].is_null());
     assert!(!dir.exists("plan/tolerance.svg"));
 }

@@ -55,7 +55,8 @@ fn passes(search: &Search, references: &[Reference]) -> bool {
 fn first_pass(search: &Search, reference: &Reference) -> bool {
     let cases = &search.training.cases;
     let first = &cases[..search.setting.target.parameters.training.first.min(cases.len())];
-    let results = search.setting.trainer.evaluate_all(reference, first, &|| false);
+    let stop = || search.setting.session.is_interrupted();
+    let results = search.setting.trainer.evaluate_all(reference, first, &stop);
     results.is_some_and(|results| are_enough(search, &results))
 }
 

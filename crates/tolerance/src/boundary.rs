@@ -35,16 +35,16 @@ const CHUNK: usize = 64;
 pub struct Boundary {
     /// Which quantity.
     pub quantity: Quantity,
-    /// Its value (m, rad, or 1); `None` where even the easiest value that was tried is too hard.
+    /// Its value (m, rad, or 1); `None` where even the easiest tested value is too hard.
     pub value: Option<f64>,
     /// Confidence interval of 95 %: the share is exceeded at the first value and missed at the second one. `None` beyond
-    /// what was tried.
+    /// the tested values.
     pub interval: [Option<f64>; 2],
     /// Rollouts that succeed at the value, of those that were played there.
     pub successes: usize,
     /// Rollouts that were played there.
     pub rollouts: usize,
-    /// Whether the hardest value that was tried succeeds, too: the boundary may lie beyond it.
+    /// Whether the hardest tested value succeeds, too: the boundary may lie beyond it.
     pub is_open: bool,
 }
 
@@ -55,7 +55,7 @@ impl fmt::Display for Boundary {
         let [bound, hardest] =
             if quantity.is_hard_when_small() { ["down to", "the smallest"] } else { ["up to", "the largest"] };
         let Some(value) = value else {
-            return write!(formatter, "{}: too few succeed at any value that was tried", quantity.name());
+            return write!(formatter, "{}: too few succeed at any tested value", quantity.name());
         };
         let [surely, surely_not] = interval.map(|end| end.map(|end| quantity.in_words(end)));
         let surely = surely.unwrap_or_else(|| "unknown".to_owned());
@@ -65,7 +65,7 @@ impl fmt::Display for Boundary {
             (None, true) => format!("at most {surely}"),
             (None, false) => format!("at least {surely}"),
         };
-        let open = if *is_open { format!(", {hardest} value that was tried") } else { String::new() };
+        let open = if *is_open { format!(", {hardest} tested value") } else { String::new() };
         write!(
             formatter,
             "{} {bound} {} ({range}){open}, where {successes} of {rollouts} succeed",

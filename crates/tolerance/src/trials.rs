@@ -159,7 +159,7 @@ impl<'problem> Trials<'problem> {
     /// The mouth of the hole around the body at its goal.
     ///
     /// # Errors
-    /// When there is none that can have a chamfer.
+    /// When the body is in no hole, or in one that cannot have a chamfer.
     pub fn mouth(&self) -> Result<Mouth, PlannerError> {
         Mouth::of(self.problem.scene(), &self.out()).ok_or_else(|| PlannerError::Choice {
             name: "chamfer",

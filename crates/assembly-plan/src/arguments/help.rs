@@ -134,7 +134,7 @@ pub const CLOSINGS: &[Closing] = &[
             ("tolerance peg.toml --fit H7/g6 --diameter 0.01", "plans for both ends of a fit"),
             ("tolerance scenes/peg1.toml --plan out/peg1 --resume", "continue an interrupted run"),
         ],
-        no_plan: Some("too many rollouts fail at every value of a quantity that was tried"),
+        no_plan: Some("too many rollouts fail at every tested value of a quantity"),
         files: &[
             ("DIR/tolerance.json", "largest errors, confidence intervals and the map, in SI units"),
             ("DIR/tolerance.svg", "the map"),

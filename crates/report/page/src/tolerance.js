@@ -73,12 +73,12 @@ const withUnit = (name, value) => `${number(name, value)} ${UNITS[name].unit}`.t
 
 /** The value of a boundary in words. */
 function valueInWords({ quantity, value, is_open: isOpen }) {
-  if (value === null) return "nothing that was tried";
+  if (value === null) return "no tested value";
   const bound = HARD_WHEN_SMALL.includes(quantity) ? "down to" : "up to";
   return `${bound} ${withUnit(quantity, value)}${isOpen ? ", no harder value was tried" : ""}`;
 }
 
-/** Its interval, by ascending values; an end beyond what was tried has a word. */
+/** Its interval, by ascending values; an end beyond the tested values has a word. */
 function intervalInWords({ quantity, interval }) {
   const [one, other] = HARD_WHEN_SMALL.includes(quantity) ? interval.toReversed() : interval;
   const end = (value, word) => (value === null ? word : withUnit(quantity, value));
@@ -89,7 +89,7 @@ const successesInWords = ({ successes, rollouts }) => `${successes} of ${rollout
 
 const RESULTS = [
   explained("tolerated", "the hardest value at which enough rollouts succeed"),
-  explained("95 % confidence", "of that value; unknown where no value that was tried decides it"),
+  explained("95 % confidence", "of that value; unknown where no tested value decides it"),
   explained("succeed there", "rollouts at that value"),
 ];
 const results = (boundary) => [valueInWords(boundary), intervalInWords(boundary), successesInWords(boundary)];
@@ -108,7 +108,7 @@ function boundaryTable({ boundaries, planned_offset_m: offset, clearance_m: clea
 
 function needInWords({ quantity, value, boundary }) {
   const needed = `${withUnit(quantity, value)} of ${quantity} is tolerated at a ${boundary.quantity}`;
-  return boundary.value === null ? `${needed} of no value that was tried.` : `${needed} ${valueInWords(boundary)} (95 % confidence: ${intervalInWords(boundary)}).`;
+  return boundary.value === null ? `${needed} of no tested value.` : `${needed} ${valueInWords(boundary)} (95 % confidence: ${intervalInWords(boundary)}).`;
 }
 
 function mapped(map) {
@@ -124,7 +124,7 @@ function mapped(map) {
 
 const axisName = (name) => (UNITS[name].unit ? `${name} (${UNITS[name].unit})` : name);
 
-/** The map: values with their intervals, open where they end beyond what was tried. */
+/** The map: values with their intervals, open where they end beyond the tested values. */
 function drawn({ quantity, over, rows }) {
   const [xs, ys] = [UNITS[over].scale, UNITS[quantity].scale];
   const ends = rows.flatMap(({ boundary }) => [boundary.value, ...boundary.interval]).filter((value) => value !== null);

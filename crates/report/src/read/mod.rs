@@ -21,7 +21,7 @@ use crate::model::PageData;
 /// Reads a folder, and logs of executions of the plan in it.
 ///
 /// # Errors
-/// When it is none of these, is unfinished or damaged, or was written by another version; when there are logs
+/// When it is not one of these, is unfinished or damaged, or was written by another version; when there are logs
 /// that are not of its plan.
 pub fn read(folder: &Path, logs: &[PathBuf]) -> Result<PageData, PlannerError> {
     let holds = |name: &str| folder.join(name).exists();

@@ -17,7 +17,7 @@ pub fn read(folder: &Path) -> Result<ToleranceData, PlannerError> {
     Ok(ToleranceData { record: record(folder)?, simulation: simulation::read_if_there(folder)? })
 }
 
-/// The tolerances of a plan in its folder, or a warning if the file there is of another plan; neither where there is none.
+/// The tolerances of a plan in its folder, or a warning if the file there is of another plan; nothing without a file.
 ///
 /// # Errors
 /// When the file is wrong.
