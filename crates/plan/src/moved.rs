@@ -1,7 +1,6 @@
 //! The reference of an earlier plan, for a start and a goal that have been measured again.
 
 use simulation::Reference;
-use task::Trajectory;
 
 use crate::error::PlannerError;
 use crate::problem::Problem;
@@ -13,22 +12,14 @@ use crate::problem::Problem;
 /// When the arm of the earlier problem does not reach its start.
 pub fn moved(reference: &Reference, from: &Problem, to: &Problem) -> Result<Reference, PlannerError> {
     let [before, now] = [from, to].map(|problem| problem.task().goal.isometry());
-    let motions = from.motions(&from.world(), reference, 0.0)?;
-    let free = intervals_in_free_air(&motions).min(reference.intervals());
+    let free = from.intervals_in_free_air(reference)?;
     Ok(reference.transformed(&(now * before.inverse())).led_from(&to.task().start.isometry(), free))
-}
-
-/// Number of first intervals in which nothing touches in any scenario.
-fn intervals_in_free_air(motions: &Trajectory) -> usize {
-    let touches = |step: &Vec<task::Contact>| step.iter().any(|contact| contact.force > 0.0);
-    let first = |contacts: &[Vec<task::Contact>]| contacts.iter().position(touches).unwrap_or(contacts.len());
-    motions.scenarios.iter().map(|scenario| first(&scenario.contacts)).min().unwrap_or(0)
 }
 
 #[cfg(test)]
 mod tests {
     use simulation::Settings;
-    use task::Pose;
+    use task::{Pose, ScenarioTrajectory};
 
     use super::*;
     use crate::problem::Choices;
@@ -54,9 +45,15 @@ mod tests {
         let other = Problem::choose(scene, &corner(), &Choices::default()).unwrap();
         let led = moved(&push, &problem, &other).unwrap();
         assert!((far(&led, &push, 0) - 0.005).abs() < 1e-9);
+        let contact = problem.intervals_in_free_air(&push).unwrap();
         let motions = problem.motions(&problem.world(), &push, 0.0).unwrap();
-        let contact = intervals_in_free_air(&motions);
+        let touches = |interval: usize| {
+            let force =
+                |scenario: &ScenarioTrajectory| scenario.contacts[interval].iter().any(|contact| contact.force > 0.0);
+            motions.scenarios.iter().any(force)
+        };
         assert!(0 < contact && contact < push.intervals(), "{contact}");
+        assert_eq!((0..push.intervals()).find(|&interval| touches(interval)), Some(contact));
         assert!((contact..=push.intervals()).all(|knot| far(&led, &push, knot) < 1e-12));
         let rollout = other.rollout(Settings::default()).unwrap();
         let end = |reference: &Reference| rollout.play(reference, [0.0; 3], |_, _| {}).position_error;

@@ -1,6 +1,7 @@
 //! A planning problem after defaults and choices: the one gate that every command and the library go through.
 
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use scene::{RobustnessSpec, Scene, StartPose, TaskError, resolved, resolved_settings, resolved_world};
 use simulation::{ArmModel, Evaluator, Reference, Rollout, Settings, Success};
@@ -42,7 +43,7 @@ pub struct Problem {
     scene: Scene,
     start: StartPose,
     offset_magnitude: f64,
-    engagement: Engagement,
+    engagement: OnceLock<Engagement>,
     success: Success,
     chosen_tolerance: Option<ChosenTolerance>,
     edge_radius: f64,
@@ -107,9 +108,11 @@ impl Problem {
         let offset_magnitude = offset_magnitude.unwrap_or(scene.offset_magnitude) + 0.0;
         let task = scene.task(Some(&start.name), Some(offset_magnitude))?;
         ocp::check_settings(&homotopy)?;
-        let engagement = engagement(&task);
-        let chosen_tolerance =
-            scene.position_tolerance.is_none().then(|| ChosenTolerance::new(&scene, &task, &engagement));
+        let found = OnceLock::new();
+        let chosen_tolerance = scene.position_tolerance.is_none().then(|| {
+            let engagement = found.get_or_init(|| engagement(&task));
+            ChosenTolerance::new(&scene, &task, engagement)
+        });
         let stated = scene.position_tolerance.or(chosen_tolerance.map(|chosen| chosen.position()));
         let success = Success { position: stated.unwrap_or(f64::NAN), orientation: scene.angle_tolerance };
         success.validate()?;
@@ -127,7 +130,7 @@ impl Problem {
             scene,
             start,
             offset_magnitude,
-            engagement,
+            engagement: found,
             success,
             chosen_tolerance,
             edge_radius,
@@ -198,9 +201,9 @@ impl Problem {
         self.offset_magnitude
     }
 
-    /// How the environment guides the body at its goal, and the engagement depth.
+    /// How the environment guides the body at its goal, and the engagement depth; found when it is asked for first.
     pub fn engagement(&self) -> &Engagement {
-        &self.engagement
+        self.engagement.get_or_init(|| engagement(&self.task))
     }
 
     /// Why the position tolerance is what it is, where the scene does not state it.
@@ -272,6 +275,20 @@ impl Problem {
             all
         });
         all.ok_or(PlannerError::Internal("a plan without a friction"))
+    }
+
+    /// Number of first intervals of a reference in which the body touches nothing in rollouts of any scenario.
+    ///
+    /// # Errors
+    /// When the arm does not reach the start.
+    pub fn intervals_in_free_air(&self, reference: &Reference) -> Result<usize, PlannerError> {
+        let world = self.world();
+        let mut free = reference.intervals();
+        for &friction in &world.frictions {
+            let rollout = self.rollout_in(&world, Settings { friction, ..Settings::default() })?;
+            free = free.min(rollout.intervals_in_free_air(reference, &world.grasps));
+        }
+        Ok(free)
     }
 
     /// Evaluates references in reality, at some friction coefficients.

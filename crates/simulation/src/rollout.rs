@@ -191,6 +191,25 @@ impl Rollout {
         self.finish(state, reference, &injection, &mut observe, |_| true)
     }
 
+    /// Number of first intervals of a reference in which the body touches nothing, whatever the injection; 0 where a rollout
+    /// cannot begin.
+    pub fn intervals_in_free_air<G: Copy + Into<Injection>>(&self, reference: &Reference, injections: &[G]) -> usize {
+        let free = injections.iter().map(|&injection| self.first_contact(reference, &injection.into()));
+        free.fold(reference.intervals(), usize::min)
+    }
+
+    /// Number of intervals before the one in which the body touches something for the first time.
+    fn first_contact(&self, reference: &Reference, injection: &Injection) -> usize {
+        let Some(state) = self.begin(reference, injection) else { return 0 };
+        let mut free = 0;
+        self.finish(state, reference, injection, &mut |_, _| {}, |state| {
+            let touches = state.impulses.iter().any(|impulse| *impulse > 0.0);
+            free = if touches { free } else { state.intervals };
+            !touches && state.is_finite()
+        });
+        free
+    }
+
     /// As [`play`](Self::play), but continues from the last applicable snapshot of another reference's rollout. Returns
     /// the outcome and new snapshots. `None` when `stop` returned true before an interval.
     pub(crate) fn replay<'rollout>(

@@ -28,7 +28,8 @@ pub fn is_own(content: &[u8]) -> bool {
 /// # Errors
 /// None that a film of ours causes.
 pub fn write(film: &Film) -> Result<Vec<u8>, PlannerError> {
-    let drawn: Vec<Vec<Colour>> = film.pictures.iter().map(|picture| pixels(film, picture)).collect();
+    let drawn: Option<Vec<Vec<Colour>>> = film.pictures.iter().map(|picture| pixels(film, picture)).collect();
+    let drawn = drawn.ok_or_else(|| failed("no size"))?;
     let mut palette = Palette::new(&drawn);
     let [width, height] = film.size.map(|length| length as u16);
     let mut content = Vec::new();
@@ -156,7 +157,7 @@ mod tests {
                     shown[place] = [pixel[0], pixel[1], pixel[2]];
                 }
             }
-            assert_eq!(shown, pixels(&film, picture));
+            assert_eq!(Some(&shown), pixels(&film, picture).as_ref());
         }
         assert!(decoder.read_next_frame().unwrap().is_none());
         assert_eq!(delays, [7, 7, 7, 100]);
