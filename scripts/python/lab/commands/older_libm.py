@@ -8,9 +8,9 @@ from lab.packaging import older_libm
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds its arguments."""
-    parser.add_argument("version", metavar="VERSION", help="version of that glibc, such as 2.34")
-    parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER", help="where libm.so is written, for `cc -L FOLDER`")
     add = parser.add_argument
+    add("version", metavar="VERSION", help="version of that glibc, such as 2.34")
+    add("folder", type=pathlib.Path, metavar="FOLDER", help="where libm.so is written, for `cc -L FOLDER`")
     add("--compiler", default="gcc", metavar="CC", help="compiler of the machine that it is for [default: gcc]")
 
 

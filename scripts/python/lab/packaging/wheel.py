@@ -18,7 +18,9 @@ PACKAGE = ROOT / "crates/python"
 
 # Libraries of the wheel are those of the table in this page.
 PAGE = notebook.PYTHON
+LIBRARY = re.compile(r"`(lib\w+)`")
 TABLE = re.compile(r"<!-- libraries -->\n(.*?)<!-- end of libraries -->", re.DOTALL)
+ARCHITECTURE = re.compile(r"manylinux_\d+_\d+_(\w+)\.whl$")
 # A library in the wheel has a hash in its name: libipopt-0123abcd.so.1.9.9.
 GRAFTED = re.compile(r"^assembly_plan\.libs/(lib\w+)")
 
@@ -30,7 +32,8 @@ def add_licences(wheel: Path) -> None:
         files = {info.filename: (info, archive.read(info)) for info in archive.infolist()}
     record = next(name for name in files if name.endswith(".dist-info/RECORD"))
     folder = record.removesuffix("RECORD") + "licenses/"
-    added = {f"{folder}{name}": content for name, content in licences(list(files)).items()}
+    architecture = ARCHITECTURE.search(wheel.name)[1]
+    added = {f"{folder}{name}": content for name, content in licences(list(files), architecture).items()}
     replaced = {f"{folder.removesuffix('licenses/')}METADATA": metadata(files, added, folder)}
     replaced |= {name: without_places(files[name][1]) for name in files if "/sboms/" in name}
     rows = list(csv.reader(io.StringIO(files[record][1].decode())))
@@ -67,11 +70,13 @@ def without_places(sbom: bytes) -> bytes:
     return re.sub(rb"(path\+)?file://[^\"#?]*/crates/", rb"\1file:///crates/", sbom)
 
 
-def licences(names: list[str]) -> dict[str, bytes]:
-    """Texts of licences by their paths, for all libraries among some files."""
+def licences(names: list[str], architecture: str) -> dict[str, bytes]:
+    """Texts of licences by their paths, for all libraries among some files of a wheel for an architecture."""
     texts = {path.name: path.read_bytes() for path in (PACKAGE / "licenses").iterdir()}
     texts["third-party-crates.txt"] = debian.licences_of_crates("python").encode()
-    known = set(re.findall(r"`(lib\w+)`", TABLE.search(PAGE.read_text())[1]))
+    rows = TABLE.search(PAGE.read_text())[1].splitlines()
+    rows = [row for row in rows if "only on" not in row or f"only on {architecture} " in row]
+    known = {library for row in rows for library in LIBRARY.findall(row)}
     grafted = {match[1] for name in names if (match := GRAFTED.match(name))}
     if grafted != known:
         raise Failure(
