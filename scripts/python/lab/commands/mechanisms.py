@@ -18,6 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Adds its arguments."""
     add = parser.add_argument
     add("scenes", nargs="+", metavar="SCENE", help="scenes by their names in scenes/")
+    add("--search", action="append", metavar="NAME", help="only this search, such as `no drafts`; may be repeated")
     add("--arm", type=pathlib.Path, metavar="FILE", help="file with the [robot] table of an arm that holds the body")
     add("--time", type=int, default=20, metavar="S", help="limit of each plan (s) [default: 20]")
     add("--seeds", type=int, default=3, metavar="N", help="number of seeds [default: 3]")
@@ -30,7 +31,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Plans and prints the table."""
     from lab import program
+    from lab.errors import InputError
     from lab.robust import mechanisms
 
+    arguments.search = arguments.search or list(mechanisms.SEARCHES)
+    if unknown := set(arguments.search) - set(mechanisms.SEARCHES):
+        raise InputError(f"no search {', '.join(unknown)}; there are {', '.join(mechanisms.SEARCHES)}")
     arguments.program = program.given_or_built(arguments.program)
     print(mechanisms.study(arguments))

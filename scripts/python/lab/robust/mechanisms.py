@@ -41,7 +41,7 @@ class Case:
 def study(arguments: argparse.Namespace) -> str:
     """Plans all cases that are missing; returns the table as Markdown."""
     seeds = range(1, arguments.seeds + 1)
-    cases = [Case(search, scene, seed) for seed in seeds for scene in arguments.scenes for search in SEARCHES]
+    cases = [Case(search, scene, seed) for seed in seeds for scene in arguments.scenes for search in arguments.search]
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         results = dict(zip(cases, pool.map(lambda case: plan(arguments, case), cases), strict=True))
     return table(arguments, results)
@@ -72,7 +72,7 @@ def table(arguments: argparse.Namespace, results: dict[Case, dict]) -> str:
     """For each search and scene: plans that are robust, and the means of their success rates and times."""
     count = arguments.seeds
     lines = ["| search | " + " | ".join(arguments.scenes) + " |", "|---|" + "---|" * len(arguments.scenes)]
-    for search in SEARCHES:
+    for search in arguments.search:
         cells = []
         for scene in arguments.scenes:
             own = [results[Case(search, scene, seed)] for seed in range(1, count + 1)]
