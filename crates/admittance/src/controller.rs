@@ -5,11 +5,12 @@ use task::pose::moved;
 
 use crate::gains::Gains;
 use crate::motion::Motion;
-use crate::robot::Limits;
+use crate::robot::{Feedback, Limits};
 
 /// The law and the pose that it commands.
 #[derive(Debug, Clone)]
 pub struct Controller {
+    feedback: Feedback,
     gains: Gains,
     limits: Limits,
     period: f64,
@@ -19,9 +20,20 @@ pub struct Controller {
 }
 
 impl Controller {
-    /// At rest at a pose; `period` in seconds.
+    /// At rest at a pose, which is its reference; `period` in seconds.
     pub fn new(gains: Gains, limits: Limits, period: f64, start: Isometry3<f64>) -> Self {
-        Self { gains, limits, period, commanded: Motion::at_rest(start), before: start }
+        let commanded = Motion::at_rest(start);
+        Self { feedback: Feedback::Commanded, gains, limits, period, commanded, before: start }
+    }
+
+    /// With other feedback than that of commanded poses.
+    pub fn with_feedback(self, feedback: Feedback) -> Self {
+        Self { feedback, ..self }
+    }
+
+    /// At rest beside its reference, which is this one.
+    pub fn beside(self, reference: Isometry3<f64>) -> Self {
+        Self { before: reference, ..self }
     }
 
     /// The pose that is commanded.
@@ -29,17 +41,27 @@ impl Controller {
         self.commanded.pose
     }
 
-    /// One sample of the law: `M a + D (v - v_r) + K (x - x_r) = F`, implicit in damping and stiffness, with the contact force
-    /// (N, world frame) and torque (Nm, body frame) on the part. The reference moved from its pose at the last sample to this one.
-    /// Speeds and accelerations stay within the limits.
-    pub fn sample(&mut self, reference: &Isometry3<f64>, [force, torque]: [Vector3<f64>; 2]) -> Isometry3<f64> {
+    /// One sample of the law, with the contact force (N, world frame) and torque (Nm, body frame) on the part, and the motion of
+    /// the robot as it is measured. Returns the pose that is commanded from now on.
+    pub fn sample(&mut self, reference: &Motion, measured: &Motion, load: [Vector3<f64>; 2]) -> Isometry3<f64> {
+        match self.feedback {
+            Feedback::Commanded => self.follow(&reference.pose, load),
+            Feedback::MeasuredPose => self.deviate(&reference.pose, &measured.pose, load),
+            Feedback::Measured { damping } => self.apply(reference, measured, damping, load),
+        }
+        self.before = reference.pose;
+        self.commanded.pose
+    }
+
+    /// `M a + D (v - v_r) + K (x - x_r) = F`, implicit in damping and stiffness. The reference moved from its pose at the last
+    /// sample to this one. Speeds and accelerations stay within the limits.
+    fn follow(&mut self, reference: &Isometry3<f64>, [force, torque]: [Vector3<f64>; 2]) {
         let Self { commanded, period, before, .. } = self;
         let shift = before.translation.vector - commanded.pose.translation.vector;
         let error = commanded.pose.rotation.inverse() * before.rotation;
         let rotation = error.imag() * (2.0 * error.w);
         let velocity_of_reference = (reference.translation.vector - before.translation.vector) / *period;
         let rotated = (before.rotation.inverse() * reference.rotation).scaled_axis() / *period;
-        *before = *reference;
         let velocity = self.gains.answer(0, *period, commanded.velocity, velocity_of_reference, shift, force);
         let angular = self.gains.answer(1, *period, commanded.angular_velocity, rotated, rotation, torque);
         let within = |part: usize, before: Vector3<f64>, after: Vector3<f64>| {
@@ -50,7 +72,35 @@ impl Controller {
         commanded.angular_velocity = within(1, commanded.angular_velocity, angular);
         commanded.pose =
             moved(&commanded.pose, &(commanded.velocity * *period), &(commanded.angular_velocity * *period));
-        commanded.pose
+    }
+
+    /// `M u' + D u + K (x_m - x_r) = F` for the rate `u` at which the commanded pose deviates from the reference, under the
+    /// measured pose `x_m`; implicit in damping. The velocity of the command is here `u`.
+    fn deviate(&mut self, reference: &Isometry3<f64>, measured: &Isometry3<f64>, load: [Vector3<f64>; 2]) {
+        let Self { gains, commanded, period, before, .. } = self;
+        let pull = gains.springs(reference, measured);
+        commanded.velocity = gains.braked(0, *period, commanded.velocity, pull[0] + load[0]);
+        commanded.angular_velocity = gains.braked(1, *period, commanded.angular_velocity, pull[1] + load[1]);
+        let carried = Isometry3::from_parts(
+            (reference.translation.vector + commanded.pose.translation.vector - before.translation.vector).into(),
+            commanded.pose.rotation * before.rotation.inverse() * reference.rotation,
+        );
+        commanded.pose = moved(&carried, &(commanded.velocity * *period), &(commanded.angular_velocity * *period));
+    }
+
+    /// `M a + D v = K (x_r - x_m) + D_w (v_r - v_m) + F`: a force mode of damping `D` that is commanded the wrench of an
+    /// impedance law with the damping `D_w` of measured poses and twists. Speeds stay within the limits.
+    fn apply(&mut self, reference: &Motion, measured: &Motion, damping: [f64; 2], load: [Vector3<f64>; 2]) {
+        let Self { gains, limits, commanded, period, .. } = self;
+        let [force, torque] = gains.springs(&reference.pose, &measured.pose);
+        let force = force + (reference.velocity - measured.velocity) * damping[0];
+        let torque = torque + (reference.angular_velocity - measured.angular_velocity) * damping[1];
+        let velocity = gains.braked(0, *period, commanded.velocity, force + load[0]);
+        let angular_velocity = gains.braked(1, *period, commanded.angular_velocity, torque + load[1]);
+        commanded.velocity = velocity.cap_magnitude(limits.speed[0]);
+        commanded.angular_velocity = angular_velocity.cap_magnitude(limits.speed[1]);
+        commanded.pose =
+            moved(&commanded.pose, &(commanded.velocity * *period), &(commanded.angular_velocity * *period));
     }
 }
 
@@ -71,6 +121,18 @@ impl Gains {
         let momentum = velocity * mass + (reference * damping + error * stiffness + load) * period;
         momentum / (mass + damping * period + stiffness * period * period)
     }
+
+    /// Velocity of translations (0) or rotations (1) a period (s) later, under a force that damping brakes.
+    fn braked(&self, part: usize, period: f64, velocity: Vector3<f64>, load: Vector3<f64>) -> Vector3<f64> {
+        (velocity * self.mass[part] + load * period) / (self.mass[part] + self.damping[part] * period)
+    }
+
+    /// Force (N, world frame) and torque (Nm, body frame) of the springs between a reference and a pose.
+    fn springs(&self, reference: &Isometry3<f64>, pose: &Isometry3<f64>) -> [Vector3<f64>; 2] {
+        let shift = reference.translation.vector - pose.translation.vector;
+        let turn = pose.rotation.inverse() * reference.rotation;
+        [shift * self.stiffness[0], turn.imag() * (2.0 * turn.w * self.stiffness[1])]
+    }
 }
 
 #[cfg(test)]
@@ -84,16 +146,52 @@ mod tests {
         Controller::new(GAINS, limits, 0.002, Isometry3::identity())
     }
 
+    /// A sample with a robot that goes at once where it is told.
+    fn sample(controller: &mut Controller, reference: &Isometry3<f64>, load: [Vector3<f64>; 2]) {
+        let measured = controller.commanded;
+        controller.sample(&Motion::at_rest(*reference), &measured, load);
+    }
+
     #[test]
     fn it_rests_where_stiffness_balances_the_wrench() {
-        let mut controller = controller(FREE);
         let reference = Isometry3::translation(0.01, 0.0, 0.0);
         let wrench = [Vector3::new(0.0, 20.0, 0.0), Vector3::new(0.0, 0.0, 0.5)];
-        (0..10_000).for_each(|_| _ = controller.sample(&reference, wrench));
-        let Isometry3 { translation, rotation } = controller.commanded();
-        assert!((translation.vector - Vector3::new(0.01, 0.02, 0.0)).norm() < 1e-9, "{translation}");
-        // 2 sin(angle / 2) cos(angle / 2) K = torque.
-        assert!((rotation.scaled_axis() - Vector3::new(0.0, 0.0, 0.1_f64.asin())).norm() < 1e-9);
+        for feedback in [Feedback::Commanded, Feedback::MeasuredPose, Feedback::Measured { damping: [300.0, 3.0] }] {
+            let mut controller = controller(FREE).with_feedback(feedback);
+            (0..10_000).for_each(|_| sample(&mut controller, &reference, wrench));
+            let Isometry3 { translation, rotation } = controller.commanded();
+            assert!((translation.vector - Vector3::new(0.01, 0.02, 0.0)).norm() < 1e-9, "{feedback:?} {translation}");
+            // 2 sin(angle / 2) cos(angle / 2) K = torque.
+            assert!((rotation.scaled_axis() - Vector3::new(0.0, 0.0, 0.1_f64.asin())).norm() < 1e-9, "{feedback:?}");
+        }
+    }
+
+    #[test]
+    fn a_deviation_is_added_to_the_reference_and_decays_by_the_law() {
+        let mut controller = controller(FREE).with_feedback(Feedback::MeasuredPose).beside(Isometry3::identity());
+        controller.commanded = Motion::at_rest(Isometry3::translation(0.0, 0.001, 0.0));
+        for index in 1..=400 {
+            let at = Isometry3::translation(1e-5 * f64::from(index), 0.0, 0.0);
+            sample(&mut controller, &at, [Vector3::zeros(); 2]);
+            let deviation = controller.commanded().translation.vector - at.translation.vector;
+            // In the time constant D / K, after the time M / D in which the mass follows.
+            let expected = 0.001 * (-(0.002 * f64::from(index) - 0.01) / 0.4).exp();
+            assert!(deviation.x == 0.0 && (index < 50 || (deviation.y / expected - 1.0).abs() < 0.03), "{deviation}");
+        }
+    }
+
+    #[test]
+    fn a_force_mode_with_the_damping_of_its_wrench_follows_at_half_the_speed_at_first() {
+        let feedback = Feedback::Measured { damping: GAINS.damping };
+        let mut controller = controller(FREE).with_feedback(feedback);
+        let velocity = Vector3::new(0.02, 0.0, 0.0);
+        for index in 1..=25 {
+            let pose = Isometry3::translation(velocity.x * 0.002 * f64::from(index), 0.0, 0.0);
+            let measured = controller.commanded;
+            let reference = Motion { velocity, ..Motion::at_rest(pose) };
+            controller.sample(&reference, &measured, [Vector3::zeros(); 2]);
+        }
+        assert!((controller.commanded.velocity.x - 0.01).abs() < 2e-3, "{:?}", controller.commanded);
     }
 
     #[test]
@@ -102,7 +200,7 @@ mod tests {
         let velocity = Vector3::new(0.02, 0.0, 0.0);
         for index in 1..=2000 {
             let position = velocity * (0.002 * f64::from(index));
-            controller.sample(&Isometry3::translation(position.x, 0.0, 0.0), [Vector3::zeros(); 2]);
+            sample(&mut controller, &Isometry3::translation(position.x, 0.0, 0.0), [Vector3::zeros(); 2]);
         }
         // It starts late by the time in which its mass follows.
         assert!((controller.commanded().translation.x - 0.08).abs() < 5e-5);
@@ -114,7 +212,7 @@ mod tests {
         let mut controller = controller(limits);
         let mut before = controller.commanded;
         for _ in 0..500 {
-            controller.sample(&Isometry3::translation(1.0, 1.0, 0.0), [Vector3::zeros(); 2]);
+            sample(&mut controller, &Isometry3::translation(1.0, 1.0, 0.0), [Vector3::zeros(); 2]);
             let after = controller.commanded;
             assert!(after.velocity.norm() <= 0.05 + 1e-12);
             assert!((after.velocity - before.velocity).norm() <= 0.5 * 0.002 + 1e-12);

@@ -22,6 +22,6 @@ pub use contact_loop::{ContactLoop, LARGEST_SENSITIVITY};
 pub use controller::Controller;
 pub use gains::Gains;
 pub use motion::Motion;
-pub use robot::{ForceMode, Limits, PositionRobot, Sensor};
+pub use robot::{Feedback, ForceMode, Limits, PositionRobot, Sensor};
 pub use sensor::Measurement;
 pub use servo::Servo;

@@ -1,10 +1,11 @@
 //! What a robot that is commanded by position is like.
 
+use std::f64::consts::TAU;
 use std::fmt;
 
 use task::Inertia;
 
-use crate::contact_loop::{ContactLoop, LARGEST_SENSITIVITY};
+use crate::contact_loop::{CRITICAL_BANDWIDTH, ContactLoop, LARGEST_SENSITIVITY};
 use crate::gains::Gains;
 
 /// A robot that is commanded by position, its sensor, and the law that makes it compliant. Pairs of numbers are those of
@@ -13,6 +14,8 @@ use crate::gains::Gains;
 pub struct PositionRobot {
     /// Gains of the admittance law.
     pub gains: Gains,
+    /// What spring and damper of the law act on.
+    pub feedback: Feedback,
     /// Time between two samples of the law (s).
     pub period: f64,
     /// Time from a sample to the first motion that it causes (s).
@@ -31,6 +34,22 @@ pub struct PositionRobot {
     pub lever: f64,
     /// Inertia of what the sensor carries.
     pub carried: Inertia,
+}
+
+/// What spring and damper of a law act on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Feedback {
+    /// The commanded pose and its velocity, as in the plan: the lag of the robot does not come back into the law.
+    Commanded,
+    /// The spring on the measured pose, damper and mass on the commanded deviation from the reference, as in
+    /// `admittance_controller` of ros2_controllers.
+    MeasuredPose,
+    /// Both on the measured pose and twist: an impedance law of this damping (Ns/m, Nms/rad) commands a force mode, which has
+    /// the damping of the gains besides.
+    Measured {
+        /// Of translations and rotations.
+        damping: [f64; 2],
+    },
 }
 
 /// Largest speeds (m/s, rad/s) and accelerations (m/s^2, rad/s^2) of commands, each as a vector's norm.
@@ -62,6 +81,11 @@ pub struct Sensor {
     pub resolution: [f64; 2],
 }
 
+/// Time (s) by which slow motions follow a servo of this bandwidth (Hz), and the other way round.
+fn servo_lag(bandwidth: f64) -> f64 {
+    2.0 * CRITICAL_BANDWIDTH / (TAU * bandwidth)
+}
+
 /// The law in one line, with what it is stable against.
 impl fmt::Display for PositionRobot {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
@@ -88,6 +112,18 @@ impl fmt::Display for PositionRobot {
 }
 
 impl PositionRobot {
+    /// Time (s) by which slow motions follow their commands: delay and servo.
+    pub fn lag(&self) -> f64 {
+        self.delay + servo_lag(self.bandwidth)
+    }
+
+    /// With a bandwidth (Hz) and the delay that makes up this lag (s). A servo that is slower than that becomes as fast, without
+    /// a delay.
+    pub fn with_lag(self, lag: f64, bandwidth: f64) -> Self {
+        let servo = servo_lag(bandwidth).min(lag);
+        Self { delay: lag - servo, bandwidth: servo_lag(servo), ..self }
+    }
+
     /// The loop that a contact closes.
     pub fn contact_loop(&self) -> ContactLoop {
         ContactLoop {

@@ -41,14 +41,25 @@ impl Servo {
         self.commands.push_back((time + self.delay, command));
     }
 
-    /// Moves from a time on for a step (s) towards the last command that has arrived.
+    /// Moves from a time on for a step (s), always towards the last command that has arrived.
     pub fn advance(&mut self, time: f64, step: f64) {
+        let (mut now, end) = (time, time + step);
         while let Some(&(arrival, command)) = self.commands.front()
-            && arrival <= time + ROUNDING
+            && arrival < end - ROUNDING
         {
+            if arrival > now + ROUNDING {
+                self.follow(arrival - now);
+                now = arrival;
+            }
             self.command = command;
             self.commands.pop_front();
         }
+        // The whole step where nothing has arrived in it, without rounding.
+        self.follow(if now == time { step } else { end - now });
+    }
+
+    /// Moves for a time (s) towards the command.
+    fn follow(&mut self, step: f64) {
         let Self { rate, motion, command, .. } = self;
         let shift = command.translation.vector - motion.pose.translation.vector;
         let rotation = (motion.pose.rotation.inverse() * command.rotation).scaled_axis();
@@ -84,6 +95,24 @@ mod tests {
             }
         }
         assert!((largest - 0.5_f64.sqrt()).abs() < 1e-3, "{largest}");
+    }
+
+    #[test]
+    fn commands_that_arrive_within_a_step_act_from_then_on() {
+        let end = |step: f64| {
+            let mut servo = Servo::new(5.0, 0.0137, Isometry3::identity());
+            let count = (0.06 / step).round() as i32;
+            for index in 0..count {
+                let time = f64::from(index) * step;
+                if time == 0.0 {
+                    servo.send(time, Isometry3::translation(0.01, 0.0, 0.0));
+                    servo.send(time + 0.0041, Isometry3::translation(0.02, 0.0, 0.0));
+                }
+                servo.advance(time, step);
+            }
+            servo.motion().pose.translation.x
+        };
+        assert!((end(0.01) - end(0.0001)).abs() < 1e-12, "{} {}", end(0.01), end(0.0001));
     }
 
     #[test]

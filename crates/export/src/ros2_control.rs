@@ -153,7 +153,7 @@ fn quoted(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use admittance::{Limits, Sensor};
+    use admittance::{Feedback, Limits, Sensor};
     use nalgebra::Isometry3;
     use task::Inertia;
 
@@ -162,6 +162,7 @@ mod tests {
     fn robot() -> PositionRobot {
         PositionRobot {
             gains: Gains { mass: [24.0, 0.06], damping: [6000.0, 15.0], stiffness: [500.0, 50.0] },
+            feedback: Feedback::Commanded,
             period: 0.002,
             delay: 0.004,
             bandwidth: 20.0,

@@ -58,7 +58,8 @@ impl AdmittanceStepper {
             body: Stepper::new(&Steps { most: 1, ..*shortest }, &inertia, &spring, offset, solver)?,
             spring,
             offset,
-            controller: Controller::new(robot.gains, robot.limits, robot.period, believed),
+            controller: Controller::new(robot.gains, robot.limits, robot.period, believed)
+                .with_feedback(robot.feedback),
             servo: Servo::new(robot.bandwidth, robot.delay + disturbance.delay, believed),
             measurement: Measurement::new(robot.sensor, [force, torque], deadband),
             period: robot.period,
@@ -67,6 +68,11 @@ impl AdmittanceStepper {
             next_sample: 0.0,
             wrench: Wrench::ZERO,
         })
+    }
+
+    /// At rest beside its reference, which is this one.
+    pub fn beside(self, reference: Isometry3<f64>) -> Self {
+        Self { controller: self.controller.beside(reference), ..self }
     }
 
     /// Moves the body by one of the shortest steps; otherwise as [`Stepper::step`].
@@ -81,7 +87,8 @@ impl AdmittanceStepper {
         let (time, step) = (self.steps as f64 * self.time_step, self.time_step);
         if self.next_sample <= time + ROUNDING {
             self.next_sample += self.period;
-            let command = self.controller.sample(&target(substeps.done as f64).pose, self.measurement.sample());
+            let reference = Motion::from(target(substeps.done as f64));
+            let command = self.controller.sample(&reference, self.servo.motion(), self.measurement.sample());
             self.servo.send(time, command);
         }
         self.servo.advance(time, step);
@@ -92,6 +99,11 @@ impl AdmittanceStepper {
         self.measurement.filter(measured, step);
         self.steps += 1;
         (1, penetration)
+    }
+
+    /// The pose of the flange: the position of the believed part, and the rotation that the part has where it is believed.
+    pub fn flange(&self) -> &Isometry3<f64> {
+        &self.servo.motion().pose
     }
 
     /// Wrench of the flange on the body after the last step: force (N, world frame) and torque (Nm, body frame).
@@ -106,6 +118,12 @@ impl AdmittanceStepper {
         self.wrench = self.spring.wrench(&reference, &TimedState::new(0.0, body).state(), &held);
         let [force, torque] = [0, 3].map(|first| -Vector3::from_fn(|axis, _| self.wrench[first + axis]));
         [force, torque - self.offset.cross(&(body.pose.rotation.inverse() * force))]
+    }
+}
+
+impl From<Knot> for Motion {
+    fn from(Knot { pose, velocity, angular_velocity }: Knot) -> Self {
+        Self { pose, velocity, angular_velocity }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The simulated plant.
 
+use nalgebra::Isometry3;
 use task::Wrench;
 
 use crate::admittance_dynamics::AdmittanceStepper;
@@ -32,6 +33,14 @@ impl Plant<'_> {
             Self::Body(stepper) => stepper.step(body, substeps, target, finder, impulses),
             Self::Arm(stepper) => stepper.step(body, substeps, target, finder, impulses),
             Self::Admittance(stepper) => stepper.step(body, substeps, target, finder, impulses),
+        }
+    }
+
+    /// The flange of a robot that is commanded by position or force.
+    pub fn flange(&self) -> Option<&Isometry3<f64>> {
+        match self {
+            Self::Body(_) | Self::Arm(_) => None,
+            Self::Admittance(stepper) => Some(stepper.flange()),
         }
     }
 

@@ -54,6 +54,8 @@ pub struct Rollout {
     reverses_friction: bool,
     /// The orientation of the part for which the gains are set, where the arm is controlled as by players.
     set_for: Option<UnitQuaternion<f64>>,
+    /// Where the robot believes the part at the beginning, if not at the start of the reference.
+    begins_at: Option<Pose>,
     pub(crate) holder: Holder,
 }
 
@@ -111,6 +113,7 @@ impl Rollout {
             steady: STEADY,
             reverses_friction: false,
             set_for: None,
+            begins_at: None,
             holder: Holder::Impedance,
         }
     }
@@ -158,6 +161,11 @@ impl Rollout {
     /// axes do not rotate with the part. Coriolis and centrifugal torques are not balanced.
     pub fn with_gains_set_for(self, orientation: UnitQuaternion<f64>) -> Self {
         Self { set_for: Some(orientation), ..self }
+    }
+
+    /// At rest at the beginning where the robot believes the part at this pose, beside the start of the reference.
+    pub fn with_beginning(self, believed: Pose) -> Self {
+        Self { begins_at: Some(believed), ..self }
     }
 
     /// One rollout of a reference per injection, grasp error or offset (m, body frame). Outcomes have their order and
@@ -242,7 +250,7 @@ impl Rollout {
     /// The rollout before its first step. `None` if it cannot be simulated.
     fn begin(&self, reference: &Reference, injection: &Injection) -> Option<RolloutState<'_>> {
         let Injection { grasp, disturbance } = injection;
-        let pose = grasp.actual(&reference.start()).isometry();
+        let pose = grasp.actual(&self.begins_at.unwrap_or_else(|| reference.start())).isometry();
         let mut finder = ContactFinder::new(&self.shapes, disturbance.edge_radius);
         let pairs = self.task.pairs.len();
         Some(RolloutState {
@@ -302,6 +310,11 @@ impl Rollout {
             }
             Holder::Position(robot) => {
                 let stepper = AdmittanceStepper::new(robot, start, offset, disturbance, &steps, solver);
+                let beside = self.begins_at.map(|_| reference.of_part(grasp).at(0, 0.0).pose);
+                let stepper = stepper.map(|stepper| match beside {
+                    Some(reference) => stepper.beside(reference),
+                    None => stepper,
+                });
                 stepper.map(|stepper| Plant::Admittance(Box::new(stepper)))
             }
             Holder::Arm(model, near) => {

@@ -65,7 +65,8 @@ impl RolloutState<'_> {
             for moment in 1..=taken {
                 let time = (interval * count + done + moment) as f64 * time_step;
                 let state = before.towards(body, moment as f64 / taken as f64);
-                observe(&TimedState::new(time, &state), &self.impulses);
+                let flange = self.plant.flange().copied();
+                observe(&TimedState { flange, ..TimedState::new(time, &state) }, &self.impulses);
             }
             done += taken;
         }

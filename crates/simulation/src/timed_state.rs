@@ -1,5 +1,6 @@
 //! What observers of a rollout see.
 
+use nalgebra::Isometry3;
 use task::{Pose, State, Twist};
 
 use crate::body::Body;
@@ -13,11 +14,19 @@ pub struct TimedState {
     pub pose: Pose,
     /// Velocity and angular velocity of the body.
     pub twist: Twist,
+    /// Of a robot that is commanded by position or force: its flange, as the position of the believed part and the rotation of
+    /// the part where it is believed. The part yields from there under forces.
+    pub flange: Option<Isometry3<f64>>,
 }
 
 impl TimedState {
     pub(crate) fn new(time: f64, body: &Body) -> Self {
-        Self { time, pose: Pose::from(&body.pose), twist: Twist::new(&body.velocity, &body.angular_velocity) }
+        Self {
+            time,
+            pose: Pose::from(&body.pose),
+            twist: Twist::new(&body.velocity, &body.angular_velocity),
+            flange: None,
+        }
     }
 
     /// Pose and twist in the order of tables and transcriptions.

@@ -1,6 +1,6 @@
 //! What the robot is commanded, and the admittance law of one that is commanded poses or a wrench.
 
-use admittance::{ContactLoop, ForceMode, Gains, LARGEST_SENSITIVITY, Limits, PositionRobot, Sensor};
+use admittance::{ContactLoop, Feedback, ForceMode, Gains, LARGEST_SENSITIVITY, Limits, PositionRobot, Sensor};
 use task::Inertia;
 
 use crate::entry::Entry;
@@ -75,6 +75,7 @@ pub fn position_robot(scene: &Table, about: &Surroundings) -> Result<Option<Posi
     let pair = |table: &Table, of: [&str; 2]| Ok::<_, SceneError>([table.number(of[0])?, table.number(of[1])?]);
     let mut robot = PositionRobot {
         gains: Gains { mass: [0.0; 2], damping: [0.0; 2], stiffness: stiffness(scene, about)? },
+        feedback: Feedback::Commanded,
         period: table.number("control_period")?,
         delay: table.number("delay")?,
         bandwidth: table.number("bandwidth")?,

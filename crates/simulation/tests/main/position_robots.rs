@@ -1,6 +1,6 @@
 //! Robots that are commanded by position: their rollouts.
 
-use admittance::{ContactLoop, Gains, Limits, PositionRobot, Sensor};
+use admittance::{ContactLoop, Feedback, Gains, Limits, PositionRobot, Sensor};
 use nalgebra::Matrix3;
 use simulation::{Disturbance, Injection, Reference, Rollout, Settings};
 use task::{AssemblyTask, GraspError, Horizon, Inertia, Pose};
@@ -16,6 +16,7 @@ fn robot(contact_stiffness: f64, period: f64, delay: f64) -> PositionRobot {
     let of = ContactLoop { period, delay, bandwidth: 20.0, cutoff: 50.0, contact_stiffness, lever: 0.05 };
     PositionRobot {
         gains: of.gains([SOFTNESS * contact_stiffness, 50.0]).unwrap(),
+        feedback: Feedback::Commanded,
         period,
         delay,
         bandwidth: 20.0,
@@ -131,5 +132,24 @@ fn what_cannot_be_simulated_has_diverged() {
         PositionRobot { gains: Gains { damping: [f64::NAN; 2], ..good.gains }, ..good.clone() },
     ] {
         assert!(rollout(&task, &wrong).play(&still, GraspError::default(), |_, _| {}).diverged);
+    }
+}
+
+#[test]
+fn a_robot_that_begins_beside_its_reference_comes_back_by_the_law() {
+    let task = task(&block([0.1; 3], [0.0; 3]), &[]);
+    let still = Reference::new(INTERVAL, &vec![at_rest([0.0; 3]); 250]);
+    let beginning = at_rest([0.0, 0.001, 0.0]).pose();
+    for feedback in [Feedback::Commanded, Feedback::MeasuredPose] {
+        let robot = PositionRobot { feedback, ..robot(1e5, 0.002, 0.004) };
+        let time_constant = robot.gains.damping[0] / robot.gains.stiffness[0];
+        let mut flanges = Vec::new();
+        let rollout = rollout(&task, &robot).with_beginning(beginning);
+        rollout.play(&still, GraspError::default(), |state, _| flanges.push((state.time, state.flange.unwrap())));
+        let (time, flange) = *flanges.iter().find(|(time, _)| *time > time_constant).unwrap();
+        let left = flange.translation.y / 0.001;
+        // Late by the lag of robot and law.
+        let expected = (-(time - robot.contact_loop().lag()) / time_constant).exp();
+        assert!(time > 0.5 && (left / expected - 1.0).abs() < 0.02, "{feedback:?} {time}: {left}");
     }
 }
