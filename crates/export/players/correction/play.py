@@ -26,6 +26,8 @@ def parser() -> argparse.ArgumentParser:
         metavar="S",
         help="without a datagram for this time, the player stops, 0 to 10 [default: %(default)s]",
     )
+    # The player computes the law from its own commands, and the log says so.
+    parser.set_defaults(spring_acts_on="commanded pose")
     return parser
 
 

@@ -76,13 +76,16 @@ def require_free(height: float, plan: ExportedPlan) -> None:
 
 
 def header(arguments: argparse.Namespace, plan: ExportedPlan) -> dict[str, Any]:
-    """What a log says of its session: the plan, its frames, the dry run (m), and the gains as they are set."""
+    """What a log says of its session: the plan, its frames, the dry run (m), and the gains as they are set. Of a law for position or
+    force also whether its spring acts on the pose that is commanded or on the one that is measured."""
     document, impedance = plan.document, dict(plan.document["impedance"])
     for kind, factor in (("stiffness", arguments.stiffness_factor), ("damping", arguments.damping_factor)):
         for name in (f"translational_{kind}", f"rotational_{kind}"):
             impedance[name] = (factor * np.array(impedance[name])).tolist()
-    names = ("scene", "start", "problem", "delta_m", "base", "grasp", "goal")
-    copied = {name: document[name] for name in names}
+    names = ("scene", "start", "problem", "delta_m", "base", "grasp", "goal", "admittance")
+    copied = {name: document[name] for name in names if document.get(name) is not None}
+    if "admittance" in copied:
+        copied["spring_acts_on"] = getattr(arguments, "spring_acts_on", "measured pose")
     return {"format": FORMAT, **copied, "dry_run_m": arguments.dry_run, "impedance": impedance}
 
 
