@@ -104,7 +104,7 @@ mod tests {
             let count = (0.06 / step).round() as i32;
             for index in 0..count {
                 let time = f64::from(index) * step;
-                if time == 0.0 {
+                if index == 0 {
                     servo.send(time, Isometry3::translation(0.01, 0.0, 0.0));
                     servo.send(time + 0.0041, Isometry3::translation(0.02, 0.0, 0.0));
                 }
