@@ -114,7 +114,7 @@ struct Outcome {
 /// gets every fit before it starts.
 ///
 /// # Errors
-/// When the robot is commanded by position or force, a log does not fit the scene, or no rollout can be made.
+/// When a log does not fit the scene, or no rollout can be made.
 pub fn calibrate(
     problem: &Problem,
     logs: &[Log],
@@ -122,14 +122,6 @@ pub fn calibrate(
     workers: &Workers,
     observe: &dyn Fn(Progress),
 ) -> Result<Calibration, PlannerError> {
-    if problem.scene().position_robot.is_some() {
-        return Err(PlannerError::Choice {
-            name: "robot.interface",
-            problem: "robots that are commanded by position or force are not calibrated: measure delay, bandwidth and \
-                      contact_stiffness as docs/guide/position-robots.md says"
-                .to_owned(),
-        });
-    }
     let runs: Vec<Run> = logs.iter().map(|log| Run::new(log, problem)).collect::<Result<_, _>>()?;
     let quantities = Quantity::all(problem, &runs, per_joint);
     let mut comparison = Comparison::new(problem, &runs, &quantities, workers);
@@ -265,8 +257,10 @@ impl Comparison<'_> {
             let index = fitted[place];
             if self.quantities[index].parameter.is_of_forces() { DOUBT * values[index] } else { 0.0 }
         };
+        let least = |place: usize| self.quantities[fitted[place]].parameter.least_error(values[fitted[place]]);
         Mat::from_fn(fitted.len(), fitted.len(), |row, column| {
-            scale(row) * covariance[(row, column)] * scale(column) + doubt(row) * doubt(column)
+            let own = if row == column { least(row).powi(2) } else { 0.0 };
+            scale(row) * covariance[(row, column)] * scale(column) + doubt(row) * doubt(column) + own
         })
     }
 
@@ -280,11 +274,13 @@ impl Comparison<'_> {
     fn refusal(&self, values: &[f64]) -> PlannerError {
         let diverges = self.compared.iter().find(|&&run| self.deviations(run, values).is_none());
         let name = diverges.map_or("", |&run| self.runs[run].name.as_str());
-        PlannerError::file(
-            std::path::Path::new(name),
-            "a rollout of the scene with these gains swings up or leaves the arm's reach: check robot.base, robot.grasp, \
-             robot.control_period and rotor_inertia",
-        )
+        let advice = match self.runs.iter().any(|run| run.robot.is_some()) {
+            true => "robot.control_period, robot.delay, robot.bandwidth and robot.contact_stiffness",
+            false => "robot.base, robot.grasp, robot.control_period and rotor_inertia",
+        };
+        let problem =
+            format!("a rollout of the scene with these gains swings up or leaves the arm's reach: check {advice}");
+        PlannerError::file(std::path::Path::new(name), problem)
     }
 
     /// Standard deviations of a component of positions (m) and orientations (rad), from residuals in units of the

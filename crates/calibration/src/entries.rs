@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use admittance::PositionRobot;
 use nalgebra::Matrix6;
 use plan::{PlannerError, Problem};
 use scene::{Robot, Scene, Source};
 use store::{read_text, write_new_scene};
 use task::Inertia;
-use toml_edit::{Array, DocumentMut, Item, Table, Value};
+use toml_edit::{Array, DocumentMut, Item, Table, TableLike, Value};
 
 use crate::calibration::{Calibration, Estimate};
 use crate::model::{scaled, set};
@@ -16,7 +17,7 @@ use crate::parameter::Parameter;
 /// A key of a scene with its new value.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// Table that it stands in.
+    /// Table that it stands in; the names of nested tables have points between them.
     pub table: &'static str,
     /// Its name there.
     pub key: &'static str,
@@ -32,6 +33,8 @@ pub struct Entries(Vec<Entry>);
 const TOLERATED: f64 = 2.0;
 /// Largest relative error that a scene can have.
 const LARGEST_ERROR: f64 = 0.9;
+/// Largest delay (s) that a scene can have.
+const LARGEST_DELAY: f64 = 0.1;
 /// Smallest uncertainty of contact friction: it varies from place to place.
 const FRICTION_SPREAD: f64 = 0.02;
 
@@ -40,9 +43,10 @@ impl Entries {
     pub fn new(calibration: &Calibration, problem: &Problem) -> Self {
         let known = Known(calibration.estimates.iter().filter(|estimate| estimate.standard_error.is_some()).collect());
         let mut entries = Self(Vec::new());
-        match &problem.scene().robot {
-            Some(robot) => entries.add_arm(&known, robot),
-            None => entries.add_body(&known, problem),
+        match (&problem.scene().position_robot, &problem.scene().robot) {
+            (Some(robot), _) => entries.add_commanded(&known, robot),
+            (None, Some(robot)) => entries.add_arm(&known, robot),
+            (None, None) => entries.add_body(&known, problem),
         }
         if let Some(estimate) = known.estimate(Parameter::Stiffness) {
             // Gain errors that the player does not correct must be tolerated.
@@ -51,7 +55,7 @@ impl Entries {
             entries.add("robustness", "stiffness_error", rounded_up(error, 0.01).min(LARGEST_ERROR).into());
         }
         if let Some((delay, error)) = known.find(Parameter::Delay) {
-            entries.add("robustness", "delay", rounded_up(delay + TOLERATED * error, 1e-4).min(0.1).into());
+            entries.add("robustness", "delay", rounded_up(delay + TOLERATED * error, 1e-4).min(LARGEST_DELAY).into());
         }
         if let Some((friction, error)) = known.find(Parameter::Friction) {
             let spread = TOLERATED * error.max(FRICTION_SPREAD);
@@ -110,6 +114,38 @@ impl Entries {
         self.add("robustness", "inertia_error", rounded_up(error, 0.01).min(LARGEST_ERROR).into());
     }
 
+    /// Delay and bandwidth, gains of a force mode, and what is to be tolerated of delay and sensor.
+    fn add_commanded(&mut self, known: &Known, robot: &PositionRobot) {
+        let bandwidth = known.find(Parameter::Bandwidth);
+        if let Some((lag, error)) = known.find(Parameter::Lag) {
+            // With the bandwidth of the scene where that is not known: together they have the lag that was found.
+            let fitted = robot.clone().with_lag(lag, bandwidth.map_or(robot.bandwidth, |(bandwidth, _)| bandwidth));
+            self.add("robot", "delay", rounded(fitted.delay.min(LARGEST_DELAY), 1e-5).into());
+            // Less than the servo of the scene lags: then it is faster.
+            if bandwidth.is_some() || fitted.delay == 0.0 {
+                self.add("robot", "bandwidth", rounded_to_digits(fitted.bandwidth).into());
+            }
+            let tolerated = rounded_up(TOLERATED * error, 1e-4).min(LARGEST_DELAY);
+            self.add("robustness", "delay", tolerated.into());
+        }
+        for (part, key) in ["translational_gain", "rotational_gain"].into_iter().enumerate() {
+            if let Some((gain, _)) = known.find(Parameter::Gain { part }) {
+                self.add("robot.force_mode", key, rounded_to_digits(gain).into());
+            }
+        }
+        for (part, (key, unit)) in [("force_bias", 0.01), ("torque_bias", 0.001)].into_iter().enumerate() {
+            let of_part = known.0.iter().filter(
+                |estimate| matches!(estimate.quantity.parameter, Parameter::Bias { part: of, .. } if of == part),
+            );
+            let largest = of_part
+                .map(|estimate| estimate.value.abs() + TOLERATED * estimate.standard_error.unwrap_or_default())
+                .reduce(f64::max);
+            if let Some(largest) = largest {
+                self.add("robustness", key, rounded_up(largest, unit).into());
+            }
+        }
+    }
+
     /// All of them.
     pub fn iter(&self) -> impl Iterator<Item = &Entry> {
         self.0.iter()
@@ -144,15 +180,20 @@ impl Entries {
     }
 
     fn applied(&self, mut document: DocumentMut) -> DocumentMut {
-        for Entry { table, key, value } in &self.0 {
-            let place = document.entry(table).or_insert(Item::Table(Table::new()));
-            let Some(table) = place.as_table_like_mut() else { continue };
+        'entries: for Entry { table, key, value } in &self.0 {
+            let mut place: &mut dyn TableLike = document.as_table_mut();
+            for name in table.split('.') {
+                match place.entry(name).or_insert(Item::Table(Table::new())).as_table_like_mut() {
+                    Some(within) => place = within,
+                    None => continue 'entries,
+                }
+            }
             let mut value = value.clone();
             // The decoration of the old value, such as a trailing comment, stays.
-            if let Some(old) = table.get(key).and_then(Item::as_value) {
+            if let Some(old) = place.get(key).and_then(Item::as_value) {
                 *value.decor_mut() = old.decor().clone();
             }
-            table.insert(key, Item::Value(value));
+            place.insert(key, Item::Value(value));
         }
         document
     }

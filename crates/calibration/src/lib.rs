@@ -23,12 +23,14 @@
 //! | `log`, `run` | logs, and their form for rollouts |
 //! | `deviation`, `swing` | distances between poses; robots that oscillate by themselves |
 //! | `parameter`, `model` | parameters, and rollouts with them |
+//! | `commanded` | what is special to robots that are commanded by position or force |
 //! | `least_squares`, `statistics` | the fit and its uncertainty; dense algebra by faer |
 //! | `profile` | the valley of the delay |
 //! | `calibration` | the search |
 //! | `entries`, `record` | output |
 
 mod calibration;
+mod commanded;
 mod deviation;
 mod entries;
 mod least_squares;

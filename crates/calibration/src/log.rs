@@ -4,11 +4,14 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Isometry3;
 use plan::PlannerError;
-use plan::records::ImpedanceRecord;
+use plan::records::{AdmittanceRecord, ImpedanceRecord};
 use scene::Scene;
 use serde::Deserialize;
 use store::{PLAYING, RESTING, StateRow, Value, read_csv, read_log_header, state_problem};
 use task::{Pose, State};
+
+use crate::commanded::{Law, SpringActsOn};
+use crate::deviation::{COMPONENTS, deviation};
 
 /// Longest time between two rows (s): the motion between them is unknown.
 const LONGEST_GAP: f64 = 0.1;
@@ -27,6 +30,9 @@ struct Header {
     delta_m: f64,
     dry_run_m: f64,
     impedance: ImpedanceRecord,
+    /// The law of a robot that is commanded by position or force.
+    admittance: Option<AdmittanceRecord>,
+    spring_acts_on: Option<SpringActsOn>,
     /// Why the robot was stopped, if it was.
     stopped: Option<String>,
 }
@@ -92,6 +98,10 @@ pub struct Log {
     pub rows: Vec<Row>,
     /// The gains that were set.
     pub impedance: ImpedanceRecord,
+    /// The law of a robot that is commanded by position or force.
+    pub law: Option<Law>,
+    /// Number of first rows that are in free air for certain.
+    pub approach: usize,
     /// Whether all of its rows are of motions in free air.
     pub in_free_air: bool,
     /// Why it ends before its plan does, if so: then it only has rows in free air.
@@ -112,11 +122,13 @@ impl Log {
         header.require_scene(file, scene)?;
         let (states, followed) = (read_csv::<StateRow>(file)?, read_csv::<FollowedRow>(file)?);
         require_states(file, &states, &followed)?;
-        let Header { impedance, dry_run_m, delta_m, stopped, .. } = header;
+        let Header { impedance, admittance, spring_acts_on, dry_run_m, delta_m, stopped, .. } = header;
+        let law = admittance.zip(spring_acts_on).map(|(record, spring)| Law { record, spring });
         let stopped = stopped.or_else(|| followed.last().filter(|row| row.phase != RESTING).map(|_| CUT.to_owned()));
         let is_dry = dry_run_m > 0.0;
         let in_free_air = |row: &&FollowedRow| is_dry || (row.phase != PLAYING && row.phase != RESTING);
         let kept = if stopped.is_some() { followed.iter().take_while(in_free_air).count() } else { followed.len() };
+        let approach = followed.iter().take(kept).take_while(in_free_air).count();
         let rows: Vec<Row> = states
             .iter()
             .zip(&followed)
@@ -136,7 +148,29 @@ impl Log {
         }
         require_rows(file, &rows)?;
         let in_free_air = is_dry || stopped.is_some();
-        Ok(Self { file: file.to_owned(), rows, impedance, in_free_air, stopped, offset_magnitude: delta_m })
+        Ok(Self {
+            file: file.to_owned(),
+            rows,
+            impedance,
+            law,
+            approach,
+            in_free_air,
+            stopped,
+            offset_magnitude: delta_m,
+        })
+    }
+}
+
+impl Log {
+    /// Mean distance of the robot from its reference (m, rad) in the second half of the approach, or of a dry run.
+    pub fn sag(&self) -> [f64; COMPONENTS] {
+        let settled = &self.rows[self.approach / 2..self.approach];
+        let far = |row: &Row| deviation(&row.believed, &row.reference.pose().isometry());
+        let sum = settled
+            .iter()
+            .map(far)
+            .fold([0.0; COMPONENTS], |sum, far| std::array::from_fn(|component| sum[component] + far[component]));
+        sum.map(|sum| sum / settled.len().max(1) as f64)
     }
 }
 
@@ -165,6 +199,21 @@ impl Header {
         };
         if !is_same(&self.goal, &scene.goal) {
             return refuse("its goal is another pose".to_owned());
+        }
+        let own = self.admittance.as_ref().map_or("torque", |law| &law.interface);
+        let of_scene = match &scene.position_robot {
+            None => "torque",
+            Some(robot) if robot.force_mode.is_some() => "force",
+            Some(_) => "position",
+        };
+        if own != of_scene {
+            return refuse(format!(
+                "its robot has the interface `{own}`, and robot.interface is `{of_scene}`; logs of former versions say none: \
+                 export the plan again, and repeat the run"
+            ));
+        }
+        if self.admittance.is_some() && self.spring_acts_on.is_none() {
+            return refuse("`spring_acts_on` is missing, with what the law acts on".to_owned());
         }
         let Some(robot) = &scene.robot else { return Ok(()) };
         for (name, own, given) in [("base", &self.base, &robot.base), ("grasp", &self.grasp, &robot.grasp)] {

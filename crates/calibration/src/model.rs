@@ -2,16 +2,18 @@
 
 use std::ops::RangeInclusive;
 
+use admittance::PositionRobot;
 use faer::Mat;
-use nalgebra::Matrix6;
+use nalgebra::{Isometry3, Matrix6};
 use plan::Problem;
-use simulation::{ArmModel, Rollout, Settings};
+use simulation::{ArmModel, Disturbance, Injection, Rollout, Settings};
 use task::{AssemblyTask, GraspError, Inertia};
 use workers::Workers;
 
+use crate::commanded::set_gain;
 use crate::deviation::{COMPONENTS, deviation};
 use crate::least_squares::Model;
-use crate::parameter::{DIFFERENCE, Parameter, Quantity, mean};
+use crate::parameter::{DIFFERENCE, Parameter, Quantity, SMOOTH_DIFFERENCE, mean};
 use crate::run::Run;
 
 /// Residuals of some runs: differences of the believed poses of rollouts and robot, at the same times.
@@ -36,9 +38,11 @@ pub struct Comparison<'work> {
 /// Robot and run with parameters applied.
 struct Played {
     arm: Option<ArmModel>,
+    robot: Option<PositionRobot>,
     task: AssemblyTask,
     friction: f64,
     grasp: GraspError,
+    disturbance: Disturbance,
 }
 
 impl<'work> Comparison<'work> {
@@ -53,21 +57,28 @@ impl<'work> Comparison<'work> {
     /// Deviations in a run (m, rad), one after the other; `None` where the rollout diverges.
     pub fn deviations(&self, index: usize, values: &[f64]) -> Option<Vec<[f64; COMPONENTS]>> {
         let run = &self.runs[index];
-        let Played { arm, task, friction, grasp } = self.played(index, values)?;
+        let Played { arm, robot, task, friction, grasp, disturbance } = self.played(index, values)?;
         let settings = Settings { friction, settling_time: 0.0, ..Settings::default() };
         let mut rollout = Rollout::new(&task, settings).with_even_steps();
         if let Some(arm) = &arm {
             rollout = rollout.with_arm(arm).ok()?.with_gains_set_for(task.goal.isometry().rotation);
         }
+        if let Some(robot) = &robot {
+            rollout = rollout.with_position_robot(robot).with_beginning(run.beginning);
+        }
         let believed = grasp.believed();
         let mut deviations = Vec::with_capacity(run.samples.len());
-        let outcome = rollout.play(&run.reference, grasp, |state, _| {
+        let outcome = rollout.play(&run.reference, Injection { grasp, disturbance }, |state, _| {
             /// Times of steps are sums.
             const ROUNDING: f64 = 1e-7;
             if let Some((time, measured)) = run.samples.get(deviations.len())
                 && state.time >= time - ROUNDING
             {
-                deviations.push(deviation(&(state.pose.isometry() * believed), measured));
+                let pose = match state.flange {
+                    Some(flange) => Isometry3::from_parts(flange.translation, flange.rotation * believed.rotation),
+                    None => state.pose.isometry() * believed,
+                };
+                deviations.push(deviation(&pose, measured));
             }
         });
         (!outcome.diverged && deviations.len() == run.samples.len()).then_some(deviations)
@@ -75,13 +86,19 @@ impl<'work> Comparison<'work> {
 
     fn played(&self, index: usize, values: &[f64]) -> Option<Played> {
         let run = &self.runs[index];
-        let mut played =
-            Played { arm: self.arm.clone(), task: run.task.clone(), friction: 0.0, grasp: GraspError::default() };
+        let mut played = Played {
+            arm: self.arm.clone(),
+            robot: run.robot.clone(),
+            task: run.task.clone(),
+            friction: 0.0,
+            grasp: GraspError::default(),
+            disturbance: Disturbance::default(),
+        };
         let (mut rotors, mut blocks) = (self.rotor_inertia(), [1.0; 2]);
         let impedance = &mut played.task.impedance;
         let friction = played.arm.as_mut().map(|arm| &mut arm.joint_friction);
         let mut joint_friction = friction.map(std::mem::take).unwrap_or_default();
-        let mut delay = 0.0;
+        let (mut delay, mut lag, mut bandwidth) = (0.0, 0.0, 0.0);
         for (quantity, &value) in self.quantities.iter().zip(values) {
             match quantity.parameter {
                 Parameter::TranslationalInertia => blocks[0] = value,
@@ -97,13 +114,20 @@ impl<'work> Comparison<'work> {
                     impedance.translational_damping *= value;
                     impedance.rotational_damping *= value;
                 }
+                Parameter::Lag => lag = value,
+                Parameter::Bandwidth => bandwidth = value,
+                Parameter::Gain { part } => {
+                    played.robot.iter_mut().for_each(|robot| set_gain(robot, part, value));
+                }
+                Parameter::Bias { run, part, axis } if run == index => played.disturbance.bias[3 * part + axis] = value,
                 Parameter::Friction => played.friction = value,
                 Parameter::Offset { run, axis } if run == index => played.grasp.offset[axis] = value,
                 Parameter::Rotation { run, axis } if run == index => played.grasp.rotation[axis] = value,
-                Parameter::Offset { .. } | Parameter::Rotation { .. } => {}
+                Parameter::Offset { .. } | Parameter::Rotation { .. } | Parameter::Bias { .. } => {}
             }
         }
         played.task.inertia = scaled(&played.task.inertia, blocks);
+        played.robot = played.robot.map(|robot| robot.with_lag(lag, bandwidth));
         if let Some(arm) = &mut played.arm {
             arm.arm = arm.arm.clone().with_rotor_inertia(&rotors).ok()?;
             (arm.joint_friction, arm.delay) = (joint_friction, delay);
@@ -149,7 +173,10 @@ impl Model for Comparison<'_> {
         let changed = self.workers.map(pieces.iter(), |&(_, index, run, _)| {
             let quantity = &self.quantities[index];
             let most = quantity.range.end() - values[index];
-            let step = DIFFERENCE * if most > DIFFERENCE * quantity.scale { 1.0 } else { -1.0 };
+            let played = &self.runs[run];
+            let is_smooth = played.robot.is_some() && !played.has_contact();
+            let difference = if is_smooth { SMOOTH_DIFFERENCE } else { DIFFERENCE };
+            let step = difference * if most > difference * quantity.scale { 1.0 } else { -1.0 };
             let mut values = values.to_vec();
             values[index] += step * quantity.scale;
             self.deviations(run, &values).map(|deviations| (step, deviations))

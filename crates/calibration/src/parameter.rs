@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use plan::Problem;
 use simulation::{ArmModel, Settings};
 
+use crate::commanded;
 use crate::run::Run;
 
 /// A parameter of the robot or of a run.
@@ -24,6 +25,24 @@ pub enum Parameter {
     Stiffness,
     /// The robot's damping relative to that which was set.
     Damping,
+    /// Time by which the motion of a robot that is commanded by position or force follows its commands: delay and servo (s).
+    Lag,
+    /// Frequency at which that motion is 3 dB smaller than its command (Hz).
+    Bandwidth,
+    /// Speed that a difference between commanded and measured wrench causes in a force mode (m/s per N, rad/s per Nm).
+    Gain {
+        /// 0 for translations, 1 for rotations.
+        part: usize,
+    },
+    /// A component of the error of the measured force (N, world frame) or torque (Nm, body frame), in the run of an index.
+    Bias {
+        /// Index of the run.
+        run: usize,
+        /// 0 for forces, 1 for torques.
+        part: usize,
+        /// 0 to 2: along x, y or z.
+        axis: usize,
+    },
     /// Coulomb's coefficient of contacts.
     Friction,
     /// A component of the offset of the part in the gripper, in the run of an index.
@@ -60,9 +79,12 @@ pub struct Quantity {
 /// Step of finite differences, as a fraction of a quantity's scale. Contacts and dry friction respond to smaller
 /// changes with jumps or not at all.
 pub const DIFFERENCE: f64 = 0.02;
+/// The same of motions without either: parameters with similar effects need accurate derivatives.
+pub const SMOOTH_DIFFERENCE: f64 = 1e-3;
 
 impl Quantity {
-    fn new(parameter: Parameter, before: f64, scale: f64, range: RangeInclusive<f64>, resolution: f64) -> Self {
+    /// From all of its fields.
+    pub fn new(parameter: Parameter, before: f64, scale: f64, range: RangeInclusive<f64>, resolution: f64) -> Self {
         Self { parameter, before, scale, range, resolution }
     }
 
@@ -73,14 +95,15 @@ impl Quantity {
 
     /// All parameters that logs of a scene may determine; with `per_joint`, rotor inertia and friction of each joint.
     pub fn all(problem: &Problem, runs: &[Run], per_joint: bool) -> Vec<Self> {
-        let mut quantities = match problem.arm() {
-            None => vec![
+        let mut quantities = match (&problem.scene().position_robot, problem.arm()) {
+            (Some(robot), _) => commanded::quantities(robot, runs),
+            (None, None) => vec![
                 Self::factor(Parameter::TranslationalInertia, 0.5, 0.1),
                 Self::factor(Parameter::RotationalInertia, 0.5, 0.1),
+                Self::factor(Parameter::Damping, 0.3, 0.1),
             ],
-            Some(arm) => Self::of_arm(&arm, per_joint),
+            (None, Some(arm)) => Self::of_arm(&arm, per_joint),
         };
-        quantities.push(Self::factor(Parameter::Damping, 0.3, 0.1));
         if runs.iter().any(Run::has_contact) {
             quantities.push(Self::new(Parameter::Friction, 0.1, 0.3, 0.0..=*Settings::FRICTIONS.end(), 0.05));
         }
@@ -113,6 +136,7 @@ impl Quantity {
         }
         quantities.push(Self::new(Parameter::Delay, arm.delay, 5e-3, 0.0..=*ArmModel::DELAYS.end(), 1e-3));
         quantities.push(Self::factor(Parameter::Stiffness, 0.1, 0.05));
+        quantities.push(Self::factor(Parameter::Damping, 0.3, 0.1));
         quantities
     }
 
@@ -134,7 +158,7 @@ impl Parameter {
     pub fn acts_on(self, index: usize, run: &Run) -> bool {
         match self {
             Self::Friction => run.has_contact(),
-            Self::Offset { run, .. } | Self::Rotation { run, .. } => run == index,
+            Self::Offset { run, .. } | Self::Rotation { run, .. } | Self::Bias { run, .. } => run == index,
             _ => true,
         }
     }
@@ -147,7 +171,21 @@ impl Parameter {
     /// Whether it is proportional to the forces: multiplying all of these and the masses by one factor leaves the
     /// motion in free air the same.
     pub fn is_of_forces(self) -> bool {
-        !self.is_of_contact() && self != Self::Delay
+        let is_of_torques = matches!(
+            self,
+            Self::TranslationalInertia | Self::RotationalInertia | Self::RotorInertia(_) | Self::JointFriction(_)
+        );
+        is_of_torques || matches!(self, Self::Stiffness | Self::Damping)
+    }
+
+    /// Smallest standard error of a value that counts. Robots sample, interpolate and hold otherwise than rollouts do.
+    pub fn least_error(self, value: f64) -> f64 {
+        match self {
+            Self::Lag => 5e-5,
+            Self::Bandwidth | Self::Gain { .. } => 0.01 * value,
+            Self::Bias { part, .. } => [0.01, 0.001][part],
+            _ => 0.0,
+        }
     }
 
     /// Its name in messages.
@@ -165,6 +203,12 @@ impl Parameter {
             Self::Delay => "delay".to_owned(),
             Self::Stiffness => "stiffness factor".to_owned(),
             Self::Damping => "damping factor".to_owned(),
+            Self::Lag => "lag of the motion".to_owned(),
+            Self::Bandwidth => "bandwidth".to_owned(),
+            Self::Gain { part } => format!("gain of {}", ["translations", "rotations"][part]),
+            Self::Bias { run, part, axis: along } => {
+                format!("{} bias {} in log {}", ["force", "torque"][part], axis(along), run + 1)
+            }
             Self::Friction => "contact friction".to_owned(),
             Self::Offset { run, axis: along } => format!("offset {} in log {}", axis(along), run + 1),
             Self::Rotation { run, axis: about } => format!("rotation error {} in log {}", axis(about), run + 1),
@@ -176,7 +220,12 @@ impl Parameter {
         match self {
             Self::RotorInertia(_) => ("kg m^2", 1.0),
             Self::JointFriction(_) => ("Nm", 1.0),
-            Self::Delay => ("ms", 1e3),
+            Self::Delay | Self::Lag => ("ms", 1e3),
+            Self::Bandwidth => ("Hz", 1.0),
+            Self::Gain { part: 0 } => ("mm/s/N", 1e3),
+            Self::Gain { .. } => ("rad/s/Nm", 1.0),
+            Self::Bias { part: 0, .. } => ("N", 1.0),
+            Self::Bias { .. } => ("Nm", 1.0),
             Self::Offset { .. } => ("mm", 1e3),
             Self::Rotation { .. } => ("rad", 1.0),
             _ => ("", 1.0),
@@ -186,7 +235,8 @@ impl Parameter {
     /// Its SI unit; 1 where it has none.
     pub fn si_unit(self) -> &'static str {
         match self {
-            Self::Delay => "s",
+            Self::Delay | Self::Lag => "s",
+            Self::Gain { part: 0 } => "m/s/N",
             Self::Offset { .. } => "m",
             other if other.unit().0.is_empty() => "1",
             other => other.unit().0,
@@ -201,6 +251,12 @@ impl Parameter {
             }
             Self::JointFriction(_) => "make a run with the self-test of the frames, in which joints reverse",
             Self::Delay => "make a run with faster motion or higher gains",
+            Self::Lag => "make a run with faster motion and the self-test of the frames",
+            Self::Bandwidth => "motions are too slow to separate it from the delay: together they are the lag",
+            Self::Gain { .. } => "make a run with the self-test of the frames",
+            Self::Bias { .. } => {
+                "make a longer run in free air; a bias below the deadband of a force mode has no effect"
+            }
             Self::Stiffness => {
                 "only runs in which joint friction or the known masses of links matter separate it from inertia"
             }

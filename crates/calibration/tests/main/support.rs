@@ -88,13 +88,26 @@ impl Workshop {
                 poses.push(state.pose.isometry() * truth.grasp.believed());
             }
         });
-        let mut text = format!("# {}\n{}\n", self.header(dry_run), columns());
-        let mut random = fastrand::Rng::with_seed(5);
+        self.write_log(name, self.header(dry_run), reference, &poses, truth.noise, 5);
+    }
+
+    /// Writes where a robot was at each knot of its reference, with noise (m, rad) of a seed.
+    pub fn write_log(
+        &self,
+        name: &str,
+        header: serde_json::Value,
+        reference: &Reference,
+        poses: &[Isometry3<f64>],
+        noise: f64,
+        seed: u64,
+    ) {
+        let mut text = format!("# {header}\n{}\n", columns());
+        let mut random = fastrand::Rng::with_seed(seed);
         let states = reference.states();
         for (knot, pose) in poses.iter().enumerate().take(states.len() - 1) {
             let time = knot as f64 * reference.time_step();
             // The sum of twelve uniform values has variance 1.
-            let mut noise = || truth.noise * ((0..12).map(|_| random.f64()).sum::<f64>() - 6.0);
+            let mut noise = || noise * ((0..12).map(|_| random.f64()).sum::<f64>() - 6.0);
             let (shift, rotation) = (Vector3::from_fn(|_, _| noise()), Vector3::from_fn(|_, _| noise()));
             let noisy = Isometry3::from_parts(
                 (pose.translation.vector + shift).into(),
@@ -111,7 +124,8 @@ impl Workshop {
         fs::write(self.path(name), text).unwrap();
     }
 
-    fn header(&self, dry_run: f64) -> serde_json::Value {
+    /// The first line of a log of a robot that is commanded torques.
+    pub fn header(&self, dry_run: f64) -> serde_json::Value {
         let scene = self.problem.scene();
         let [base, grasp] = scene.robot.as_ref().map_or([Pose::IDENTITY; 2], |robot| [robot.base, robot.grasp]);
         serde_json::json!({

@@ -28,8 +28,9 @@ class PositionArm(SimulatedArm):
         document = json.loads((task.plan / "plan.json").read_text())
         scene = tomllib.loads((SCENES / f"{document['scene']}.toml").read_text())
         grasp_error = GraspError(np.array(task.offset), np.array(task.turn))
-        self.rate = 2 * math.pi * BANDWIDTH / CRITICAL_BANDWIDTH
-        self.coming = collections.deque([self.data.qpos.copy()] * round(DELAY / TIME_STEP))
+        truth = task.truth
+        self.rate = 2 * math.pi * (truth.bandwidth or BANDWIDTH) / CRITICAL_BANDWIDTH
+        self.coming = collections.deque([self.data.qpos.copy()] * round((truth.delay or DELAY) / TIME_STEP))
         self.passed_on = np.zeros(6)
         self.part = commanded_part(scene, document, self.believed()[0], grasp_error, TIME_STEP, UNFILTERED)
 

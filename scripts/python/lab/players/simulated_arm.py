@@ -48,7 +48,8 @@ class Fault:
 class Truth:
     """What the robot and the parts really are, where that is not what the plan takes them for: rotor inertia (kg m^2)
     and friction (Nm) of every joint, delay of the torques (s), stiffness and damping of the controller over those which
-    are set, friction of contacts."""
+    are set, friction of contacts. Of robots that are commanded by position or force: delay (s) and bandwidth (Hz), error
+    of the measured force and torque (N, Nm, along the axes of the base)."""
 
     rotor_inertia: float | None = None
     joint_friction: float | None = None
@@ -56,6 +57,8 @@ class Truth:
     stiffness: float = 1.0
     damping: float = 1.0
     friction: float = FRICTION
+    bandwidth: float | None = None
+    bias: tuple[float, ...] = (0.0,) * 6
 
     def robot(self, robot: robots.Robot) -> robots.Robot:
         """The arm as it is."""
@@ -213,7 +216,7 @@ class SimulatedArm:
     def wrench(self) -> np.ndarray:
         """Force (N) and torque (Nm) that the environment applies, about the tool point, along the axes of the base."""
         load = LOAD if self.fails("payload") else np.zeros(6)
-        return self.pushed_back() + load + self.contact_wrench()
+        return self.pushed_back() + load + self.contact_wrench() + np.array(self.task.truth.bias)
 
     def contact_wrench(self) -> np.ndarray:
         """What the parts do to each other."""

@@ -15,6 +15,8 @@ OTHERS = {
     "late": {"rotor_inertia": 0.28, "joint_friction": 1.0, "delay": 0.008, "stiffness": 0.9, "damping": 0.8},
     "stiff": {"rotor_inertia": 0.3, "joint_friction": 3.0, "delay": 0.005, "stiffness": 0.8, "damping": 1.1},
 }
+# The scene of the robot that is commanded by position says 20 Hz, 4 ms and no bias.
+COMMANDED = {"position": {"bandwidth": 12.0, "delay": 0.009, "bias": (0.8, -0.5, 1.2, 0.03, 0.02, -0.04)}}
 # A grasp error that the plan tolerates with this friction.
 OFFSET, TURN = (0.003, 0.003, 0.0), (0.0, 0.005, 0.0)
 FLAGS = ("--message", "motion-update", "--rate", "100")
@@ -29,16 +31,19 @@ CASES = {
     "light": Case("light", "ros2", "clamp1", flags=DRY),
     "late": Case("late", "ros2", "clamp1", flags=DRY),
     "stiff": Case("stiff", "ros2", "clamp1", flags=(*DRY, *GAINS)),
+    "position": Case("position", "ros2-control", "corner", flags=("--dry-run", "0.05", "--path-is-free")),
 }
+# Time between two rows that are kept (s): rollouts are compared no more often.
+APART = 0.0099
 # Decimals that are kept, fewer of measured velocities, which fits do not need.
 DECIMALS, FEW = 6, 2
 VELOCITIES = ("vx_m_s", "vy_m_s", "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s")
 DROPPED = ("fx_n", "fy_n", "fz_n", "tx_nm", "ty_nm", "tz_nm")
 
 
-def shortened(text: str) -> str:
+def shortened(log: str) -> str:
     """A log with fewer rows, columns and decimals."""
-    header, names, *rows = text.splitlines()
+    header, names, *rows = log.splitlines()
     columns = names.split(",")
     kept = [index for index, name in enumerate(columns) if name not in DROPPED]
 
@@ -47,18 +52,25 @@ def shortened(text: str) -> str:
             return row[index]
         return f"{round(float(row[index]), FEW if columns[index] in VELOCITIES else DECIMALS) + 0.0:g}"
 
-    lines = [",".join(cell(row.split(","), index) for index in kept) for row in rows]
+    lines, last = [], -APART
+    for text in rows:
+        row = text.split(",")
+        time = float(row[columns.index("elapsed_s")])
+        if time >= last + APART or text is rows[-1]:
+            lines.append(",".join(cell(row, index) for index in kept))
+            last = time
     return "\n".join([header, ",".join(columns[index] for index in kept), *lines]) + "\n"
 
 
 def write(folder: pathlib.Path, names: list[str]) -> None:
     """Records the logs that are named, or all, and what MuJoCo was given."""
     (folder / "truths.json").write_text(json.dumps(OTHERS, indent=2) + "\n")
+    (folder / "commanded.json").write_text(json.dumps(COMMANDED, indent=2) + "\n")
     for name, case in CASES.items():
         if names and name not in names:
             continue
         with tempfile.TemporaryDirectory() as work:
-            case.simulation["truth"] = OTHERS.get(name, TRUTH)
+            case.simulation["truth"] = COMMANDED.get(name) or OTHERS.get(name, TRUTH)
             if problem := run(case, "", pathlib.Path(work)):
                 raise Failure(f"{case.name}: {problem}")
             log = (pathlib.Path(work) / case.folder / "executed.csv").read_text()
