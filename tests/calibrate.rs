@@ -1,6 +1,6 @@
 //! `calibrate` as a user runs it. What is found, the tests of the crate `calibration` say.
 
-use crate::support::{Dir, list};
+use crate::support::{Dir, list, project};
 
 /// A short log of a body that is heavier than that of the corner scene: its reference jumps aside.
 fn log() -> (Dir, String) {
@@ -98,4 +98,45 @@ fn what_is_no_log_of_the_scene_is_refused() {
     }
     dir.run("calibrate corner.toml").code(2).says("LOG");
     dir.run("calibrate corner.toml gone.csv").code(2).says("gone.csv");
+}
+
+/// The corner with an arm that is commanded by position, and the beginning of a log of it, which the tests of the crate
+/// `calibration` fit as a whole.
+fn commanded() -> Dir {
+    let dir = Dir::new();
+    let replaced = ["translational_stiffness", "rotational_stiffness"];
+    // The body of the stand-in that was logged.
+    let scene = dir.read("corner.toml").replace("[0.1, 0.1, 0.1]", "[0.01, 0.01, 0.01]");
+    let kept = scene.lines().filter(|line| !replaced.iter().any(|key| line.starts_with(key)));
+    let arm = std::fs::read_to_string(project("examples/arms/six.toml")).unwrap();
+    let arm =
+        arm.replace("six.urdf", project("examples/arms/six.urdf").to_str().unwrap()).replace("[-0.55,", "[-0.45,");
+    let keys = "interface = \"position\"\ncontact_stiffness = 2e4\nstiffness_range = { rotational = [1.0, 50.0] }\n";
+    dir.write("arm.toml", kept.map(|line| line.to_owned() + "\n").collect::<String>() + &arm + keys);
+    let log = std::fs::read_to_string(project("crates/calibration/tests/logs/position.csv")).unwrap();
+    dir.write("log.csv", log.lines().take(600).map(|line| line.to_owned() + "\n").collect::<String>());
+    dir
+}
+
+#[test]
+fn a_robot_that_is_commanded_by_position_is_fitted() {
+    let dir = commanded();
+    let run = dir.run("calibrate arm.toml log.csv --out fitted.toml").code(0);
+    run.says("lag of the motion").says("force bias x in log 1").says("used until it was stopped");
+    dir.run("check fitted.toml").code(0);
+    let run = dir.run("calibrate fitted.toml log.csv --json --quiet").code(0);
+    let record: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert!(record["entries"]["robot"]["delay"].is_number(), "{record}");
+    assert!(record["entries"]["robustness"]["force_bias"].is_number(), "{record}");
+    // From the copy, nothing is left to be found.
+    let lag = &list(&record, "parameters")[0];
+    let (before, after) = (lag["before"].as_f64().unwrap(), lag["value"].as_f64().unwrap());
+    assert!((before - after).abs() < 2e-4 && before > 0.02, "{before} {after}");
+}
+
+#[test]
+fn a_log_of_another_interface_is_refused() {
+    let dir = commanded();
+    let run = dir.run("calibrate corner.toml log.csv").code(2);
+    run.says("its robot has the interface `position`, and robot.interface is `torque`");
 }
