@@ -47,7 +47,7 @@ impl Controller {
         match self.feedback {
             Feedback::Commanded => self.follow(&reference.pose, load),
             Feedback::MeasuredPose => self.deviate(&reference.pose, &measured.pose, load),
-            Feedback::Measured { damping } => self.apply(reference, measured, damping, load),
+            Feedback::ForceMode { damping } => self.apply(reference, &measured.pose, damping, load),
         }
         self.before = reference.pose;
         self.commanded.pose
@@ -91,13 +91,13 @@ impl Controller {
         commanded.pose = moved(&carried, &(commanded.velocity * *period), &(commanded.angular_velocity * *period));
     }
 
-    /// `M a + D v = K (x_r - x_m) + D_w (v_r - v_m) + F`: a force mode of damping `D` that is commanded the wrench of an
-    /// impedance law with the damping `D_w` of measured poses and twists. Speeds stay within the limits.
-    fn apply(&mut self, reference: &Motion, measured: &Motion, damping: [f64; 2], load: [Vector3<f64>; 2]) {
+    /// `M a + D v = K (x_r - x_m) + D_w v_r + F`: a force mode of damping `D` that is commanded the spring of an impedance law,
+    /// and the force that moves it with the reference by the damping `D_w` of that law. Speeds stay within the limits.
+    fn apply(&mut self, reference: &Motion, measured: &Isometry3<f64>, damping: [f64; 2], load: [Vector3<f64>; 2]) {
         let Self { gains, limits, commanded, period, .. } = self;
-        let [force, torque] = gains.springs(&reference.pose, &measured.pose);
-        let force = force + (reference.velocity - measured.velocity) * damping[0];
-        let torque = torque + (reference.angular_velocity - measured.angular_velocity) * damping[1];
+        let [force, torque] = gains.springs(&reference.pose, measured);
+        let force = force + reference.velocity * damping[0];
+        let torque = torque + reference.angular_velocity * damping[1];
         let velocity = gains.braked(0, *period, commanded.velocity, force + load[0]);
         let angular_velocity = gains.braked(1, *period, commanded.angular_velocity, torque + load[1]);
         commanded.velocity = velocity.cap_magnitude(limits.speed[0]);
@@ -159,7 +159,7 @@ mod tests {
     fn it_rests_where_stiffness_balances_the_wrench() {
         let reference = Isometry3::translation(0.01, 0.0, 0.0);
         let wrench = [Vector3::new(0.0, 20.0, 0.0), Vector3::new(0.0, 0.0, 0.5)];
-        for feedback in [Feedback::Commanded, Feedback::MeasuredPose, Feedback::Measured { damping: [300.0, 3.0] }] {
+        for feedback in [Feedback::Commanded, Feedback::MeasuredPose, Feedback::ForceMode { damping: [300.0, 3.0] }] {
             let mut controller = controller(FREE).with_feedback(feedback);
             (0..10_000).for_each(|_| sample(&mut controller, &reference, wrench));
             let Isometry3 { translation, rotation } = controller.commanded();
@@ -188,8 +188,8 @@ mod tests {
     }
 
     #[test]
-    fn a_force_mode_with_the_damping_of_its_wrench_follows_at_half_the_speed_at_first() {
-        let feedback = Feedback::Measured { damping: GAINS.damping };
+    fn a_force_mode_with_the_damping_of_its_law_follows_at_the_speed_of_its_reference() {
+        let feedback = Feedback::ForceMode { damping: GAINS.damping };
         let mut controller = controller(FREE).with_feedback(feedback);
         let velocity = Vector3::new(0.02, 0.0, 0.0);
         for index in 1..=25 {
@@ -198,7 +198,7 @@ mod tests {
             let reference = Motion { velocity, ..Motion::at_rest(pose) };
             controller.sample(&reference, &measured, [Vector3::zeros(); 2]);
         }
-        assert!((controller.commanded.velocity.x - 0.01).abs() < 2e-3, "{:?}", controller.commanded);
+        assert!((controller.commanded.velocity.x - 0.02).abs() < 2e-3, "{:?}", controller.commanded);
     }
 
     #[test]

@@ -44,9 +44,9 @@ pub enum Feedback {
     /// The spring on the measured pose, damper and mass on the commanded deviation from the reference, as in
     /// `admittance_controller` of ros2_controllers.
     MeasuredPose,
-    /// Both on the measured pose and twist: an impedance law of this damping (Ns/m, Nms/rad) commands a force mode, which has
-    /// the damping of the gains besides.
-    Measured {
+    /// The spring on the measured pose, which a force mode is commanded; the damper is that of the force mode. What moves it
+    /// with the reference has the damping of the law (Ns/m, Nms/rad).
+    ForceMode {
         /// Of translations and rotations.
         damping: [f64; 2],
     },

@@ -46,8 +46,8 @@ impl Law {
         let stiffness = [set.translational_stiffness, set.rotational_stiffness];
         let own = Gains { stiffness, ..robot.gains };
         let (gains, feedback) = match self.spring {
-            // The force mode has its own damping, that which was set is in the commanded wrench.
-            _ if robot.force_mode.is_some() => (own, Feedback::Measured { damping }),
+            // The force mode has its own damping, that which was set moves it with the reference.
+            _ if robot.force_mode.is_some() => (own, Feedback::ForceMode { damping }),
             SpringActsOn::Commanded => (Gains { mass: self.record.mass, damping, ..own }, Feedback::Commanded),
             SpringActsOn::Measured => (Gains { mass: self.record.mass, damping, ..own }, Feedback::MeasuredPose),
         };

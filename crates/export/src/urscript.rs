@@ -21,6 +21,8 @@ struct Control {
     needs: &'static str,
     settings: &'static str,
     functions: &'static str,
+    /// On the damping of the plan.
+    damping_factor: &'static str,
 }
 
 /// Joint torques.
@@ -28,6 +30,7 @@ const TORQUE: Control = Control {
     needs: "It sends joint torques, with `direct_torque` and `get_jacobian`: PolyScope 5.26 or newer.",
     settings: include_str!("../players/urscript/torque_settings.script"),
     functions: include_str!("../players/urscript/torque.script"),
+    damping_factor: "damping_factor",
 };
 
 /// The wrench of force mode.
@@ -35,6 +38,7 @@ const FORCE: Control = Control {
     needs: "It sends wrenches to force mode: a robot of the e-Series.",
     settings: include_str!("../players/urscript/force_settings.script"),
     functions: include_str!("../players/urscript/force.script"),
+    damping_factor: "1.0",
 };
 
 impl Control {
@@ -60,6 +64,7 @@ pub fn script(document: &Document, arm: &ArmRecord, reference: &SmoothReference,
     let of_joints = |limit: fn(&JointRecord) -> f64| list(&arm.joints.iter().map(limit).collect::<Vec<_>>());
     let limits = |guards: &Guards| list(&[guards.force_n, guards.torque_nm, guards.deviation_m, guards.deviation_rad]);
     let (guards, free) = (&document.guards, &document.free);
+    let Control { needs, settings, functions, damping_factor } = Control::of(document);
     let heights = |end: usize| list_of(&free.heights_m, end);
     let values = [
         ("scene", document.scene.clone()),
@@ -91,9 +96,8 @@ pub fn script(document: &Document, arm: &ArmRecord, reference: &SmoothReference,
         ("arm_clearances", list(&free.arm_starts.iter().map(clearance).collect::<Vec<_>>())),
         ("test_is_free", flags(free.arm_starts.iter().map(|start| start.test_is_free))),
         ("arm_count", free.arm_starts.len().to_string()),
-        ("wrench", wrench(&document.tool_stiffness, &document.tool_damping)),
+        ("wrench", wrench(&document.tool_stiffness, &document.tool_damping, damping_factor)),
     ];
-    let Control { needs, settings, functions } = Control::of(document);
     let template = include_str!("../players/urscript/plan.script")
         .replace("{{needs}}", needs)
         .replace("{{control_settings}}\n", settings)
@@ -128,7 +132,7 @@ fn flat(vectors: &[nalgebra::Vector3<f64>; 2]) -> Vec<f64> {
 }
 
 /// The components of the wrench from the errors `e` and `d` of pose and twist.
-fn wrench(stiffness: &[[f64; 6]; 6], damping: &[[f64; 6]; 6]) -> String {
+fn wrench(stiffness: &[[f64; 6]; 6], damping: &[[f64; 6]; 6], damping_factor: &str) -> String {
     let term = |gains: &[f64; 6], name: &str, factor: &str| {
         let products = gains.iter().enumerate().filter(|(_, gain)| **gain != 0.0);
         let sum: Vec<String> = products.map(|(index, gain)| format!("{} * {name}[{index}]", number(*gain))).collect();
@@ -136,7 +140,7 @@ fn wrench(stiffness: &[[f64; 6]; 6], damping: &[[f64; 6]; 6]) -> String {
     };
     let row = |index: usize| {
         let (spring, damper) =
-            (term(&stiffness[index], "e", "stiffness_factor"), term(&damping[index], "d", "damping_factor"));
+            (term(&stiffness[index], "e", "stiffness_factor"), term(&damping[index], "d", damping_factor));
         format!("    w{index} = {spring} + {damper}")
     };
     (0..6).map(row).collect::<Vec<_>>().join("\n")

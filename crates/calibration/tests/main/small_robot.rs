@@ -18,7 +18,7 @@ pub enum Law {
     Correction,
     /// By `admittance_controller` of ros2_controllers.
     Controller,
-    /// By a force mode with these gains (m/s per N, rad/s per Nm), which gets the wrench of an impedance law.
+    /// By a force mode with these gains (m/s per N, rad/s per Nm), which gets a spring and what moves it with the reference.
     ForceMode([f64; 2]),
 }
 
@@ -92,7 +92,7 @@ impl SmallRobot {
                     wanted + own
                 }
                 Law::ForceMode(gain) => {
-                    let wrench = stiffness * (wanted - position) + damping * (wanted_speed - velocity);
+                    let wrench = stiffness * (wanted - position) + damping * wanted_speed;
                     let (damping, mass) = (1.0 / gain[part], period / gain[part]);
                     speed = (mass * speed + period * (wrench + load)) / (mass + period * damping);
                     own += period * speed;

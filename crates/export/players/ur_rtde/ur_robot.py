@@ -165,11 +165,13 @@ class TorqueRobot(Connection):
 
 
 class ForceRobot(Connection):
-    """The impedance law of the plan as the wrench of force mode: how the robot moves under it is its own affair."""
+    """The impedance law of the plan as the wrench of force mode: how the robot moves under it is its own affair. The force mode
+    for which a plan was made damps the measured velocity itself, with the damping of the law."""
 
     def __init__(self, host: str, plan: ExportedPlan, impedance: Impedance, gain: float, damping: float) -> None:
         super().__init__(host, plan)
         self.impedance, self.gain, self.damping = impedance, gain, damping
+        self.damps_itself = is_planned_for_force(plan)
 
     def begin(self, hold: ToolState) -> None:
         """Also zeroes the sensor and sets the robot's own gains."""
@@ -184,7 +186,8 @@ class ForceRobot(Connection):
     def track(self, reference: ToolState, measured: Measurement) -> None:
         """The wrench at the tool point."""
         frame = [*(self.root.T @ measured.tool.pose.position).tolist(), 0.0, 0.0, 0.0]
-        wrench = self.to_controller(self.impedance.wrench(reference, measured.tool))
+        tool = ToolState.at_rest(measured.tool.pose) if self.damps_itself else measured.tool
+        wrench = self.to_controller(self.impedance.wrench(reference, tool))
         require_command("wrench", wrench)
         self.send(self.control.forceMode(frame, ALL_AXES, wrench.tolist(), FRAME_AS_GIVEN, FORCE_MODE_SPEEDS))
 
@@ -205,17 +208,23 @@ def connect(arguments: argparse.Namespace, plan: ExportedPlan, _: Settings) -> C
     try:
         version = polyscope_version(arguments.host)
         can_torque = version >= TORQUE_VERSION
-        is_planned_for_force = plan.document.get("admittance") is not None
         if arguments.mode == "torque" and not can_torque:
             newest = ".".join(map(str, TORQUE_VERSION))
             raise InputError(f"PolyScope {'.'.join(map(str, version))} takes no joint torques: {newest} does; use --mode force")
-        if arguments.mode == "torque" and is_planned_for_force:
+        if is_planned_for_force(plan) and arguments.damping_factor != 1.0:
+            raise InputError("the plan was made for force mode, which has a damping of its own: leave --damping-factor out")
+        if arguments.mode == "torque" and is_planned_for_force(plan):
             raise InputError("the plan was made for force mode: use --mode force, or plan with robot.interface = \"torque\"")
-        if arguments.mode == "force" or not can_torque or is_planned_for_force:
+        if arguments.mode == "force" or not can_torque or is_planned_for_force(plan):
             return ForceRobot(arguments.host, plan, impedance, arguments.force_mode_gain, arguments.force_mode_damping)
         return TorqueRobot(arguments.host, plan, impedance)
     except RuntimeError as error:
         raise InputError(f"{arguments.host}: the robot cannot be reached ({error}); is it on, and in remote control?") from error
+
+
+def is_planned_for_force(plan: ExportedPlan) -> bool:
+    """Whether the plan was made for force mode."""
+    return plan.document.get("admittance") is not None
 
 
 def polyscope_version(host: str) -> tuple[int, ...]:

@@ -65,7 +65,11 @@ impl Sheet {
             let samples = (SAMPLES * row..SAMPLES * (row + 1))
                 .flat_map(|line| &self.0.pixels()[line * width + SAMPLES * column..][..SAMPLES]);
             let sums = samples.fold([0_usize; 3], |[red, green, blue], sample| {
-                [red + usize::from(sample.red()), green + usize::from(sample.green()), blue + usize::from(sample.blue())]
+                [
+                    red + usize::from(sample.red()),
+                    green + usize::from(sample.green()),
+                    blue + usize::from(sample.blue()),
+                ]
             });
             sums.map(|sum| (sum / (SAMPLES * SAMPLES)) as u8)
         };

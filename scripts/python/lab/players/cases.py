@@ -121,6 +121,15 @@ def guards() -> list[Case]:
             )
             for number, offset in enumerate(OFFSETS["corner"], 1)
         ),
+        Case(
+            "urscript force mode dry run",
+            "urscript",
+            "corner",
+            0,
+            "the plan is played",
+            arm="force",
+            flags=("--skip-self-test", "--dry-run", DRY_RUN, "--path-is-free"),
+        ),
         Case("urscript without receiver", "urscript", "corner", inserts=True, has_receiver=False),
         Case("urscript turned base", "urscript", "corner", inserts=True, simulation={"base_is_turned": True}),
         Case("urscript force", "urscript", "corner", 1, "beyond the limit", simulation=fault("force")),
