@@ -122,6 +122,15 @@ def guards() -> list[Case]:
             for number, offset in enumerate(OFFSETS["corner"], 1)
         ),
         Case(
+            "ur-rtde damping of force mode",
+            "ur-rtde",
+            "corner",
+            2,
+            "has a damping of its own",
+            arm="force",
+            flags=("--damping-factor", "0.5"),
+        ),
+        Case(
             "urscript force mode dry run",
             "urscript",
             "corner",

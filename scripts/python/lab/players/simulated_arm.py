@@ -48,8 +48,8 @@ class Fault:
 class Truth:
     """What the robot and the parts really are, where that is not what the plan takes them for: rotor inertia (kg m^2)
     and friction (Nm) of every joint, delay of the torques (s), stiffness and damping of the controller over those which
-    are set, friction of contacts. Of robots that are commanded by position or force: delay (s) and bandwidth (Hz), error
-    of the measured force and torque (N, Nm, along the axes of the base)."""
+    are set, friction of contacts. Of robots that are commanded by position or force: delay (s) and bandwidth (Hz),
+    error of the measured force and torque (N, Nm, along the axes of the base)."""
 
     rotor_inertia: float | None = None
     joint_friction: float | None = None
