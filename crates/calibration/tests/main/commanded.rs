@@ -240,7 +240,7 @@ fn recorded(robot: &str) -> Workshop {
 }
 
 #[test]
-#[ignore = "slow, fits a log of seventeen seconds: scripts/test and CI run it"]
+#[ignore = "slow, fits a log of 21 seconds: scripts/test and CI run it"]
 fn the_robot_of_mujoco_is_found_from_the_log_of_its_player() {
     let logs = project("crates/calibration/tests/logs");
     let truths = fs::read_to_string(logs.join("commanded.json")).unwrap();
