@@ -171,11 +171,15 @@ impl Parameter {
     /// Whether it is proportional to the forces: multiplying all of these and the masses by one factor leaves the
     /// motion in free air the same.
     pub fn is_of_forces(self) -> bool {
-        let is_of_torques = matches!(
+        matches!(
             self,
-            Self::TranslationalInertia | Self::RotationalInertia | Self::RotorInertia(_) | Self::JointFriction(_)
-        );
-        is_of_torques || matches!(self, Self::Stiffness | Self::Damping)
+            Self::TranslationalInertia
+                | Self::RotationalInertia
+                | Self::RotorInertia(_)
+                | Self::JointFriction(_)
+                | Self::Stiffness
+                | Self::Damping
+        )
     }
 
     /// Smallest standard error of a value that counts. Robots sample, interpolate and hold otherwise than rollouts do.

@@ -72,7 +72,7 @@ pub struct Document {
     pub admittance: Option<AdmittanceRecord>,
     /// The same at the tool point, at the goal: rows along and about the axes of the frame.
     pub tool_stiffness: [[f64; 6]; 6],
-    /// Likewise.
+    /// Damping at the tool point, at the goal, in the same rows.
     pub tool_damping: [[f64; 6]; 6],
     /// Largest values in the plan.
     pub expected: Expectation,

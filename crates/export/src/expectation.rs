@@ -39,7 +39,7 @@ pub struct Expectation {
     pub deviation_rad: f64,
     /// How far joint friction can hold the tool (m).
     pub held_m: f64,
-    /// Likewise (rad).
+    /// Angle by which joint friction can hold the tool (rad).
     pub held_rad: f64,
 }
 

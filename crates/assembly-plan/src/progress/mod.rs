@@ -91,7 +91,7 @@ impl Progress {
         self.draw(what, done, of, details, end);
     }
 
-    /// Likewise, for work whose end can be foretold from what is done.
+    /// The same for work whose end can be foretold from what is done.
     pub fn show_with_end(&self, what: &str, done: usize, of: usize) {
         self.draw(what, done, of, &[], End::Foretold);
     }

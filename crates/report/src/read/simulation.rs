@@ -21,7 +21,7 @@ pub fn read(folder: &Path) -> Result<SimulationData, PlannerError> {
     Ok(SimulationData { title: title(folder), record: Some(SimulationRecord::read(folder)?), groups })
 }
 
-/// Likewise, of a folder that may hold none.
+/// The table and record of a folder that may hold none.
 ///
 /// # Errors
 /// When it holds a table that is wrong.

@@ -14,7 +14,7 @@ fn load(bytes: &[u8]) -> Result<Scene, SceneError> {
     load_with(bytes, "unit = \"mm\"")
 }
 
-/// Likewise, with these keys of the mesh.
+/// The same with these keys of the mesh.
 fn load_with(bytes: &[u8], keys: &str) -> Result<Scene, SceneError> {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("wall.stl"), bytes).unwrap();

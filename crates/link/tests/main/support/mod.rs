@@ -14,7 +14,7 @@ pub fn shapes(text: &str, name: &str) -> Result<Vec<LinkShape>, ModelError> {
     shapes_of_file(Path::new(FILE), text, name)
 }
 
-/// Likewise, of a model in this file.
+/// The shapes of the link of a name, of a model in this file.
 pub fn shapes_of_file(file: &Path, text: &str, name: &str) -> Result<Vec<LinkShape>, ModelError> {
     let model = Model::parse(file, text)?;
     let links = model.links()?;
