@@ -25,7 +25,7 @@ pub struct RobustParameters {
     pub drafts: DraftParameters,
     /// Margins of robust plans beyond the requirements.
     pub margins: MarginParameters,
-    /// How robust plans are made simpler.
+    /// How robust plans are refined in what they fail, and made simpler.
     pub simplification: SimplificationParameters,
     /// The spiral search for the hole.
     pub spiral: SpiralParameters,
@@ -135,8 +135,6 @@ pub struct TrainingParameters {
     pub force_share: f64,
     /// Misses that shrink by less than this factor are no improvement: refinement could creep until the time is over.
     pub creeping: f64,
-    /// How often a robust plan is refined in the few test cases that it fails.
-    pub polishes: usize,
     /// Evaluations in a row without a better rate after which a refinement is given up.
     pub given_up: usize,
     /// Success rate from which on a plan is refined rather than replaced.
@@ -147,16 +145,7 @@ pub struct TrainingParameters {
 
 impl Default for TrainingParameters {
     fn default() -> Self {
-        Self {
-            random: 1,
-            first: 6,
-            force_share: 0.85,
-            creeping: 0.99,
-            polishes: 2,
-            given_up: 3,
-            nearly_robust: 0.75,
-            simple: true,
-        }
+        Self { random: 1, first: 6, force_share: 0.85, creeping: 0.99, given_up: 3, nearly_robust: 0.75, simple: true }
     }
 }
 
@@ -180,6 +169,9 @@ pub struct EvaluationParameters {
     pub batch: usize,
     /// Number of failures that is enough to train on.
     pub enough_failures: usize,
+    /// Number of rollouts after which fewer failures are enough, where the plan is certain to fail: rare ones would take the
+    /// whole evaluation.
+    pub enough_rollouts: usize,
     /// Part of the limit of contact forces that evaluations may use: largest forces in MuJoCo are a tenth larger.
     pub force_share: f64,
 }
@@ -193,6 +185,7 @@ impl Default for EvaluationParameters {
             spread: 0.05,
             batch: 24,
             enough_failures: 8,
+            enough_rollouts: 240,
             force_share: 0.9,
         }
     }
@@ -324,7 +317,7 @@ impl Default for MarginParameters {
 pub struct SimplificationParameters {
     /// Random grasp errors per friction and magnitude in which the simpler plan must succeed besides the training cases.
     pub random: usize,
-    /// How often a plan that is too simple is simplified again, with the test cases that it fails.
+    /// How often this is repeated, with the test cases that the simpler plan fails.
     pub attempts: usize,
 }
 

@@ -7,7 +7,7 @@ use plan::PlannerError;
 use simulation::Reference;
 
 use crate::candidate::Evaluated;
-use crate::evaluation::Judgement;
+use crate::evaluation::{Judgement, Wanted};
 use crate::keep::keep;
 use crate::race::{Heats, race};
 use crate::search::Search;
@@ -30,7 +30,7 @@ pub fn compare_latest(search: &mut Search) -> Result<(), PlannerError> {
     let stop = || search.schedule.is_over(search.schedule.limit());
     let heats = Heats { cases: evaluation.cases(), first: parameters.first };
     let Some(winner) = race(evaluator, &references, heats, &stop) else { return Ok(()) };
-    let judgement = evaluation.judgement(&winner.results, target.target_rate);
+    let judgement = evaluation.judgement(&winner.results, Wanted::target(target));
     let winner = compared.swap_remove(winner.index);
     search.tell_refined(&judgement);
     let best = if judgement.reached { decided(search, winner, judgement) } else { winner.judged(&judgement) };

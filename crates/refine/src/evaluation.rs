@@ -114,13 +114,32 @@ pub struct Evaluation {
     group: Vec<usize>,
 }
 
+/// What an evaluation asks for: success rates from 0 to 1.
+#[derive(Debug, Clone, Copy)]
+pub struct Wanted {
+    /// At each friction.
+    pub each: f64,
+    /// Of all rollouts.
+    pub overall: f64,
+}
+
+impl Wanted {
+    /// The target rate at each friction, and no more.
+    pub fn target(target: &RobustnessTarget) -> Self {
+        Self { each: target.target_rate, overall: 0.0 }
+    }
+
+    fn is_met_by(self, rates: &SuccessRates) -> bool {
+        rates.satisfy(self.each) && rates.overall() >= self.overall
+    }
+}
+
 /// The result of an evaluation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
     /// Of the test cases that were played.
     pub rates: SuccessRates,
-    /// Whether the whole evaluation was played, every planned grasp error succeeds, and the target rate holds at each
-    /// friction.
+    /// Whether the whole evaluation was played, every planned grasp error succeeds, and rates are as wanted.
     pub reached: bool,
     /// The evaluation.
     pub evaluation: Drawn,
@@ -199,19 +218,21 @@ impl Evaluation {
         cases
     }
 
-    /// Plays a reference in the test cases until it is decided whether it succeeds at the target rate (0 to 1), and
-    /// enough failures are known; or until `stop` returns true.
+    /// Plays a reference in the test cases until it is decided whether it succeeds as often as wanted, and enough failures are
+    /// known; or until `stop` returns true.
     pub fn judge(
         &self,
         evaluator: &Evaluator,
         reference: &Reference,
-        wanted: f64,
+        wanted: Wanted,
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Judgement {
         let (mut results, mut unplayed) = (Vec::new(), 0);
         for batch in self.cases.chunks(self.parameters.batch) {
             let Judgement { rates, failures, .. } = self.judgement(&results, wanted);
-            if failures.len() >= self.parameters.enough_failures && !self.can_satisfy(&rates.0, wanted) {
+            let EvaluationParameters { enough_failures, enough_rollouts, .. } = self.parameters;
+            let is_enough = failures.len() >= enough_failures || results.len() >= enough_rollouts;
+            if is_enough && !self.can_satisfy(&rates.0, wanted) {
                 break;
             }
             let Some(new) = evaluator.evaluate_all(reference, batch, stop) else {
@@ -224,7 +245,7 @@ impl Evaluation {
     }
 
     /// The judgement from the results of the first test cases.
-    pub fn judgement(&self, results: &[TestResult], wanted: f64) -> Judgement {
+    pub fn judgement(&self, results: &[TestResult], wanted: Wanted) -> Judgement {
         let (mut groups, mut failures) = (self.groups.clone(), Vec::new());
         for ((result, case), &group) in results.iter().zip(&self.cases).zip(&self.group) {
             groups[group].count(result.passed, result.contact_force);
@@ -233,19 +254,19 @@ impl Evaluation {
             }
         }
         let rates = SuccessRates(groups);
-        let reached = results.len() == self.cases.len() && rates.satisfy(wanted);
+        let reached = results.len() == self.cases.len() && wanted.is_met_by(&rates);
         Judgement { reached, evaluation: self.drawn, unplayed: 0, rates, failures }
     }
 
-    /// Whether the target rate could be reached if all remaining test cases succeeded.
-    fn can_satisfy(&self, groups: &[SuccessRate], wanted: f64) -> bool {
+    /// Whether rates could be as wanted if all remaining test cases succeeded.
+    fn can_satisfy(&self, groups: &[SuccessRate], wanted: Wanted) -> bool {
         let mut hoped = groups.to_vec();
         for (index, group) in hoped.iter_mut().enumerate() {
             let all = self.group.iter().filter(|&&of| of == index).count();
             group.successes += all - group.rollouts;
             group.rollouts = all;
         }
-        SuccessRates(hoped).satisfy(wanted)
+        wanted.is_met_by(&SuccessRates(hoped))
     }
 }
 
@@ -414,9 +435,12 @@ mod tests {
     #[test]
     fn an_evaluation_is_lost_when_what_is_left_cannot_save_it() {
         let evaluation = evaluation(98);
-        let can = |counts| evaluation.can_satisfy(&played(&evaluation.groups, counts), 0.99);
-        assert!(can([(2, 2), (10, 9)]), "one of a hundred may fail");
-        assert!(!can([(2, 2), (10, 8)]), "two may not");
-        assert!(!can([(2, 1), (0, 0)]), "every planned offset has to succeed");
+        let can_be = |overall, counts| {
+            evaluation.can_satisfy(&played(&evaluation.groups, counts), Wanted { each: 0.99, overall })
+        };
+        assert!(can_be(0.0, [(2, 2), (10, 9)]), "one of a hundred may fail");
+        assert!(!can_be(0.0, [(2, 2), (10, 8)]), "two may not");
+        assert!(!can_be(0.0, [(2, 1), (0, 0)]), "every planned offset has to succeed");
+        assert!(can_be(0.99, [(2, 2), (10, 9)]) && !can_be(0.995, [(2, 2), (10, 9)]), "as often as another plan");
     }
 }

@@ -2,7 +2,7 @@
 
 use simulation::Reference;
 
-use crate::evaluation::{Drawn, ErrorRange, Evaluation, Judgement};
+use crate::evaluation::{Drawn, ErrorRange, Evaluation, Judgement, Wanted};
 use crate::setting::Setting;
 
 /// Draws evaluations and judges references by them.
@@ -21,10 +21,10 @@ impl<'run> Judge<'run> {
     }
 
     /// Evaluates a reference at new grasp errors, until that is decided or `stop` returns true.
-    pub fn judge(&mut self, reference: &Reference, stop: &(dyn Fn() -> bool + Sync)) -> Judgement {
+    pub fn judge(&mut self, reference: &Reference, wanted: Wanted, stop: &(dyn Fn() -> bool + Sync)) -> Judgement {
         let Setting { target, evaluator, .. } = self.setting;
         let evaluation = self.new_evaluation(target.parameters.evaluation.random);
-        evaluation.judge(evaluator, reference, target.target_rate, stop)
+        evaluation.judge(evaluator, reference, wanted, stop)
     }
 
     /// At most `count` random grasp errors per friction and magnitude, not played yet.

@@ -63,6 +63,7 @@ use simulation::Reference;
 use crate::again::{refine_again, refine_best, refine_if_nearly_robust};
 use crate::candidate::Evaluated;
 use crate::comparison::compare_latest;
+use crate::evaluation::Wanted;
 use crate::evaluators::evaluators;
 use crate::first::judge_first;
 use crate::loss::loss;
@@ -182,7 +183,7 @@ fn report(search: &Search, best: &Evaluated) -> RobustnessReport {
         before: search.found.before.clone(),
         after: best.rates.clone(),
         unplayed: best.unplayed,
-        push: judge_push(problem, evaluator, &evaluation, target.target_rate, &stop),
+        push: judge_push(problem, evaluator, &evaluation, Wanted::target(target), &stop),
         kept_round: best.round,
         kept_stage: best.solved.chosen,
         kept_perturbations: best.perturbations,

@@ -3,7 +3,7 @@
 use plan::{PlanIteration, PlannerError, Problem, PushReport, Variant};
 use simulation::Evaluator;
 
-use crate::evaluation::Evaluation;
+use crate::evaluation::{Evaluation, Wanted};
 use crate::origin::{Origin, Solved};
 use crate::refining::refine;
 use crate::search::Search;
@@ -24,13 +24,13 @@ pub fn refine_push(search: &mut Search, homotopy: Vec<PlanIteration>) -> Result<
     refine(search, candidate, until, 0.0)
 }
 
-/// The judgement of a straight push in an evaluation with a target rate (0 to 1) at each friction. `None` where `stop`
+/// The judgement of a straight push in an evaluation. `None` where `stop`
 /// returned true before it was decided.
 pub fn judge_push(
     problem: &Problem,
     evaluator: &Evaluator,
     evaluation: &Evaluation,
-    wanted: f64,
+    wanted: Wanted,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<PushReport> {
     let judgement = evaluation.judge(evaluator, &straight_push(problem), wanted, stop);

@@ -12,10 +12,9 @@ use crate::origin::Solved;
 use crate::schedule::Deadline;
 use crate::search::Search;
 
-/// Refines a reference and evaluates it, until it is good enough, given up, all perturbations have been tried, or the time is
+/// Refines a reference and evaluates it, until it is robust, given up, all perturbations have been tried, or the time is
 /// over, which may be [extended](Refining::extend). It is given up at once if a smaller fraction than `least` of its first
-/// evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to go back. What is
-/// robust, but fails in some test cases, is refined in these a few times more: simulators differ, and so does reality.
+/// evaluation succeeds. Rates of evaluations that end early vary, so that a lower one is no reason to go back.
 pub fn refine<'run>(
     search: &mut Search<'run>,
     candidate: Candidate<'run>,
@@ -59,8 +58,6 @@ struct Refining<'run> {
     /// Rollouts that it was chosen with.
     chosen_with: usize,
     evaluations: usize,
-    /// Evaluations that were passed.
-    passed: usize,
     /// Evaluations in a row without a better rate.
     stalled: usize,
 }
@@ -73,7 +70,7 @@ impl<'run> Refining<'run> {
         search.setting.session.tell(Event::Refining { planned: &round.planned });
         search.training.update(&mut refinement, &|| search.schedule.is_over(until));
         let (number, chosen_with) = (search.found.rounds.len() + 1, round.rollouts);
-        Self { solved, refinement, round, number, until, begin, chosen_with, evaluations: 0, passed: 0, stalled: 0 }
+        Self { solved, refinement, round, number, until, begin, chosen_with, evaluations: 0, stalled: 0 }
     }
 
     fn train(&mut self, search: &mut Search) {
@@ -92,7 +89,6 @@ impl<'run> Refining<'run> {
     fn count(&mut self, judgement: &Judgement) {
         let rate = judgement.rates.overall();
         self.evaluations += 1;
-        self.passed += usize::from(judgement.reached);
         self.stalled = if self.round.rate.is_none_or(|best| rate > best) { 0 } else { self.stalled + 1 };
         self.round.rate = Some(self.round.rate.map_or(rate, |best: f64| best.max(rate)));
     }
@@ -107,10 +103,13 @@ impl<'run> Refining<'run> {
 
     fn is_finished(&self, search: &Search, judgement: &Judgement, least: f64) -> bool {
         let parameters = search.setting.target.parameters.training;
-        let is_good = judgement.reached && (judgement.failures.is_empty() || self.passed > parameters.polishes);
         let is_lost = self.evaluations == 1 && judgement.rates.overall() < least;
         let is_stalled = self.stalled == parameters.given_up;
-        is_good || is_lost || is_stalled || !search.training.may_perturb() || search.schedule.is_over(self.until)
+        judgement.reached
+            || is_lost
+            || is_stalled
+            || !search.training.may_perturb()
+            || search.schedule.is_over(self.until)
     }
 
     /// Adds failures to the training set.

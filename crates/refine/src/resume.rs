@@ -141,7 +141,7 @@ mod tests {
 
     use super::*;
     use crate::draft::Draft;
-    use crate::evaluation::{ErrorRange, Evaluation};
+    use crate::evaluation::{ErrorRange, Evaluation, Wanted};
     use crate::origin::Origin;
     use crate::tests::in_corner;
 
@@ -157,7 +157,7 @@ mod tests {
             let solved = Solved::new(Origin::Draft(draft), variant.clone(), plan.iterations.clone());
             let evaluation =
                 Evaluation::new(problem.task(), &ErrorRange::new(problem, target), &target.frictions, 1, 1);
-            let unplayed = evaluation.judgement(&[], target.target_rate);
+            let unplayed = evaluation.judgement(&[], Wanted::target(target));
             let best = Evaluated::new(solved, plan.reference(), &unplayed, 1, 0);
             let restored = restore(search, checkpoint(search, &best, Vec::new()), &plan).unwrap().solved.variant;
             assert_ne!(variant.task.cost, plan.variant.task.cost);

@@ -4,7 +4,7 @@ use plan::Event;
 use simulation::Reference;
 
 use crate::candidate::Candidate;
-use crate::evaluation::Judgement;
+use crate::evaluation::{Judgement, Wanted};
 use crate::found::Found;
 use crate::judge::Judge;
 use crate::origin::Solved;
@@ -46,7 +46,12 @@ impl<'run> Search<'run> {
 
     /// Evaluates a reference at new grasp errors.
     pub fn judge(&mut self, reference: &Reference, until: Deadline) -> Judgement {
-        self.judge.judge(reference, &|| self.schedule.is_over(until))
+        self.judge_as(reference, Wanted::target(self.setting.target), until)
+    }
+
+    /// The same with other rates than the target.
+    pub fn judge_as(&mut self, reference: &Reference, wanted: Wanted, until: Deadline) -> Judgement {
+        self.judge.judge(reference, wanted, &|| self.schedule.is_over(until))
     }
 
     /// Tells the success rate of a refined reference, if any rollout has shown it.

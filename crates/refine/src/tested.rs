@@ -3,7 +3,7 @@
 use plan::ranges::require_threads;
 use plan::{Plan, PlannerError, RobustnessTarget, Session, TestReport};
 
-use crate::evaluation::{ErrorRange, Evaluation};
+use crate::evaluation::{ErrorRange, Evaluation, Wanted};
 use crate::evaluators::evaluators;
 use crate::push::judge_push;
 
@@ -20,7 +20,7 @@ pub fn test(plan: &Plan, target: &RobustnessTarget, session: &Session) -> Result
         return Ok(None);
     }
     let begin = session.clock.elapsed();
-    let (problem, reference, wanted) = (&plan.problem, plan.reference(), target.target_rate);
+    let (problem, reference, wanted) = (&plan.problem, plan.reference(), Wanted::target(target));
     let [evaluator, _] = evaluators(problem, target, &reference, session)?;
     let range = ErrorRange::new(problem, target);
     let (parameters, seeds) = (&target.parameters, target.parameters.seeds);
@@ -36,5 +36,11 @@ pub fn test(plan: &Plan, target: &RobustnessTarget, session: &Session) -> Result
     let Some(push) = judge_push(problem, &evaluator, &evaluation, wanted, &stop) else { return Ok(None) };
     let judgement = evaluation.judgement(&results, wanted);
     let wall_s = session.clock.elapsed().saturating_sub(begin).as_secs_f64();
-    Ok(Some(TestReport { target_rate: wanted, reached: judgement.reached, rates: judgement.rates, push, wall_s }))
+    Ok(Some(TestReport {
+        target_rate: target.target_rate,
+        reached: judgement.reached,
+        rates: judgement.rates,
+        push,
+        wall_s,
+    }))
 }

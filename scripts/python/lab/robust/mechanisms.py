@@ -18,7 +18,6 @@ SEARCHES = {
     "no margins": {"margins": {"friction": 1.0}},
     "no simplification": {"simplification": {"attempts": 0}},
     "no spiral": {"spiral": {"pitch": 0.0}},
-    "no polishing": {"training": {"polishes": 0}},
     "no spread of evaluations": {"evaluation": {"spread": 0.0}},
     "no stricter force": {"training": {"force_share": 1.0}, "evaluation": {"force_share": 1.0}},
     "no failures in variants": {"portfolio": {"added_failures": 0}},
