@@ -281,8 +281,18 @@ fn flags(text: &str) -> BTreeSet<String> {
 #[test]
 fn flags_that_are_named_exist_and_those_of_the_program_are_named() {
     /// Flags of cargo, sbatch and hq.
-    const FOREIGN: [&str; 9] =
-        ["--no-deps", "--open", "--bench", "--features", "--path", "--example", "--partition", "--time", "--array"];
+    const FOREIGN: [&str; 10] = [
+        "--no-deps",
+        "--open",
+        "--bench",
+        "--features",
+        "--path",
+        "--example",
+        "--partition",
+        "--time",
+        "--array",
+        "--wrap",
+    ];
     let program = flags_of_program();
     let mut scripts = String::new();
     let players = ["shared", "topics", "ur_rtde", "franka", "ros2", "ros2_control"]

@@ -73,3 +73,39 @@ fn unfinished_work_of_something_else_is_refused_and_stays() {
         .says("unfinished work of an earlier run is discarded; --resume would have continued it");
     assert!(!dir.exists(UNFINISHED));
 }
+
+#[test]
+fn tasks_of_an_array_measure_what_another_run_answers_with() {
+    let dir = planned();
+    dir.run(&LONG.replace("--out out", "--out whole")).code(0);
+    // Two of the five boundaries.
+    for index in [1, 3] {
+        let line = format!("{LONG} --index {index}");
+        dir.run(&line)
+            .code(0)
+            .says(&format!("boundary {index}: "))
+            .says(&format!("kept in out/boundaries/{index}.json"));
+        let kept = dir.bytes(format!("out/boundaries/{index}.json"));
+        dir.run(&line).code(0);
+        assert!(dir.bytes(format!("out/boundaries/{index}.json")) == kept, "it is there already");
+    }
+    assert!(!dir.exists("out/tolerance.json"));
+    dir.run(&format!("{LONG} --index 5"))
+        .code(2)
+        .says("index: 5 is too large: 5 boundaries are asked for, counted from 0");
+    dir.run(&format!("{LONG} --index 1 --resume")).code(2);
+    dir.run(&format!("{} --resume", LONG.replace("--cases 100", "--cases 101")))
+        .code(2)
+        .says("1.json: cannot be resumed: it has another --cases");
+    // What is damaged is measured again.
+    dir.write("out/boundaries/3.json", "{");
+    dir.run(&format!("{LONG} --index 3")).code(0);
+    dir.run(&format!("{LONG} --resume")).code(0).says("resuming after 2 finished boundaries of an earlier run");
+    for file in ["tolerance.json", "tolerance.svg"] {
+        assert!(dir.bytes(format!("out/{file}")) == dir.bytes(format!("whole/{file}")), "{file}");
+    }
+    assert!(!dir.exists("out/boundaries"), "nothing is left of what is answered");
+    dir.run(&format!("{LONG} --index 0")).code(0);
+    dir.run(LONG).code(0).says("unfinished work of an earlier run is discarded");
+    assert!(!dir.exists("out/boundaries"));
+}

@@ -1,14 +1,16 @@
 //! `tolerance`: measures which errors a plan tolerates.
 
+mod kept;
 mod plans;
 
 use std::path::Path;
 
-use planner::files::{WorkFolder, read_text, remove_file, write_file};
-use planner::{PlannerError, RunClock, Session};
+use planner::files::{WorkFolder, remove_file, write_file};
+use planner::{Problem, RunClock, Session};
+use simulation::Reference;
 use tolerance::{
     Fit, MapQuestion, Need, NeedRecord, Quantity, Question, TOLERANCE, ToleranceRecord, ToleranceRequest, Trials, Work,
-    answer, svg,
+    answer, answer_one, svg,
 };
 
 use crate::arguments::ToleranceCommandArguments;
@@ -17,6 +19,7 @@ use crate::exit::{CommandError, Exit};
 use crate::interrupt::stop_flag;
 use crate::progress::Progress;
 use crate::solve::DISCARDED;
+use crate::tolerance::kept::Kept;
 use crate::tolerance::plans::Plans;
 use crate::values::threads;
 
@@ -30,13 +33,15 @@ pub fn run(arguments: &ToleranceCommandArguments, clock: RunClock) -> Result<Exi
     let stopped = stop_flag();
     let session = Session { threads: threads(arguments.jobs), clock, ..Session::new(&progress, &stopped) };
     let out = plans.out(arguments);
+    if let Some(index) = arguments.index {
+        return measure_one(index, arguments, &mut plans, &out, &progress, &session);
+    }
     let folder = WorkFolder::claim(&out)?;
-    let unfinished = folder.path().join(TOLERANCE);
-    if !arguments.resume && unfinished.exists() {
-        remove_file(&unfinished)?;
+    let kept = Kept::new(&folder, &out);
+    if !arguments.resume && kept.discard()? {
         tell!("{DISCARDED}");
     }
-    let measured = measure(arguments, &mut plans, &unfinished, &progress, &session)?;
+    let measured = measure(arguments, &mut plans, &kept, &progress, &session)?;
     progress.end();
     let Some(record) = measured else {
         let again = if arguments.resume { "the same command" } else { "the same command with --resume" };
@@ -49,36 +54,26 @@ pub fn run(arguments: &ToleranceCommandArguments, clock: RunClock) -> Result<Exi
         // One of an earlier run would be taken for this one's.
         None => remove_file(&out.join(PICTURE))?,
     }
-    remove_file(&unfinished)?;
+    kept.discard()?;
     show(&record);
     say!("written to {0}; `assembly-plan report {0}` shows it", out.display());
     let is_none_tolerated = record.boundaries.iter().any(|boundary| boundary.value.is_none());
     Ok(if is_none_tolerated { Exit::NoPlan } else { Exit::Done })
 }
 
-/// All that is asked for; `None` after an interrupt. Finished boundaries are kept in the file `unfinished`, and those that it has
-/// are not measured again.
+/// All that is asked for; `None` after an interrupt. Finished boundaries are kept, and those that are kept are not measured again.
 fn measure(
     arguments: &ToleranceCommandArguments,
     plans: &mut Plans,
-    unfinished: &Path,
+    kept: &Kept,
     progress: &Progress,
     session: &Session,
 ) -> Result<Option<ToleranceRecord>, CommandError> {
     let Some((problem, reference)) = plans.nominal(arguments, session)? else { return Ok(None) };
-    let request = ToleranceRequest {
-        rate: arguments.target_rate,
-        frictions: plans.frictions(arguments),
-        cases: arguments.cases as usize,
-        seed: arguments.seed,
-    };
-    let trials = Trials::new(&problem, reference, request, session)?;
-    let map = requested_map(arguments, &trials)?;
-    let over = map.as_ref().map(MapQuestion::over);
-    let need = arguments.need.map(|(quantity, value)| Need { quantity, value, by: arguments.by });
-    let question = Question { quantities: arguments.quantity.clone(), need, map };
-    let keep = |record: &[u8]| write_file(unfinished, record);
-    let mut work = begun(Work::new(&trials, &question), unfinished, progress)?.kept_by(&keep);
+    let (trials, question) = asked(arguments, plans, &problem, reference, session)?;
+    let keep = |record: &[u8]| write_file(&kept.own, record);
+    let mut work = kept.begun(Work::new(&trials, &question), progress)?.kept_by(&keep);
+    let over = question.map.as_ref().map(MapQuestion::over);
     let mut reference_at = |at: f64| match over {
         Some(over) => plans.for_row(arguments, &trials, over, at, session),
         None => Ok(None),
@@ -90,18 +85,47 @@ fn measure(
     Ok(answered)
 }
 
-/// Work with the boundaries that an earlier run has kept in a file, if there is one.
-fn begun<'store>(work: Work<'store>, unfinished: &Path, progress: &Progress) -> Result<Work<'store>, PlannerError> {
-    if unfinished.symlink_metadata().is_err() {
-        return Ok(work);
-    }
-    let work = work.resumed(&read_text(unfinished)?).map_err(|error| {
-        let advice = "repeat the command that was interrupted, or leave out --resume to measure from the beginning";
-        PlannerError::file(unfinished, format!("cannot be resumed: {error}; {advice}"))
-    })?;
-    let noun = if work.count() == 1 { "boundary" } else { "boundaries" };
-    progress.say(&format!("resuming after {} finished {noun} of an earlier run", work.count()));
-    Ok(work)
+/// One of the boundaries, by its number, for a later run with --resume, which has the others.
+fn measure_one(
+    index: usize,
+    arguments: &ToleranceCommandArguments,
+    plans: &mut Plans,
+    out: &Path,
+    progress: &Progress,
+    session: &Session,
+) -> Result<Exit, CommandError> {
+    let Some((problem, reference)) = plans.nominal(arguments, session)? else { return Ok(Exit::Interrupted) };
+    let (trials, question) = asked(arguments, plans, &problem, reference, session)?;
+    let file = kept::file_of(out, index);
+    let keep = |record: &[u8]| write_file(&file, record);
+    let mut work = kept::resumed_if_usable(&file, &trials, &question).kept_by(&keep);
+    let mut reference_at = |_| Ok(Some(trials.reference().clone()));
+    let found = answer_one(&trials, &question, index, &mut work, &mut reference_at, session)?;
+    progress.end();
+    let Some(boundary) = found else { return Ok(Exit::Interrupted) };
+    say!("boundary {index}: {boundary}");
+    say!("kept in {}; the same command with --resume instead of --index answers the whole question", file.display());
+    Ok(Exit::Done)
+}
+
+/// The rollouts of the plan, and what is asked of it.
+fn asked<'problem>(
+    arguments: &ToleranceCommandArguments,
+    plans: &Plans,
+    problem: &'problem Problem,
+    reference: Reference,
+    session: &Session,
+) -> Result<(Trials<'problem>, Question), CommandError> {
+    let request = ToleranceRequest {
+        rate: arguments.target_rate,
+        frictions: plans.frictions(arguments),
+        cases: arguments.cases as usize,
+        seed: arguments.seed,
+    };
+    let trials = Trials::new(problem, reference, request, session)?;
+    let map = requested_map(arguments, &trials)?;
+    let need = arguments.need.map(|(quantity, value)| Need { quantity, value, by: arguments.by });
+    Ok((trials, Question { quantities: arguments.quantity.clone(), need, map }))
 }
 
 /// The map that is asked for: none by default, where the scene has no clearance.

@@ -1,14 +1,12 @@
 //! How the boundary of one quantity depends on another one.
 
-use plan::{PlannerError, Session};
+use plan::PlannerError;
 use serde::{Deserialize, Serialize};
-use simulation::Reference;
 
 use crate::boundary::Boundary;
 use crate::quantity::Quantity;
 use crate::sensitivity::Sensitivity;
 use crate::trials::Trials;
-use crate::work::Work;
 
 /// Boundaries of a quantity at several values of another one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,11 +41,11 @@ const ROTATIONS: [f64; 5] = [0.0, 0.01, 0.02, 0.05, 0.1];
 #[serde(deny_unknown_fields)]
 pub struct MapQuestion {
     /// The quantity whose boundary is of interest.
-    quantity: Quantity,
+    pub(crate) quantity: Quantity,
     /// The other one.
-    over: Quantity,
+    pub(crate) over: Quantity,
     /// Its values, ascending.
-    values: Vec<f64>,
+    pub(crate) values: Vec<f64>,
 }
 
 impl MapQuestion {
@@ -70,6 +68,14 @@ impl MapQuestion {
     pub fn over(&self) -> Quantity {
         self.over
     }
+
+    /// The map of a boundary at each value.
+    pub(crate) fn drawn(&self, boundaries: Vec<Boundary>) -> ToleranceMap {
+        let row = |(&at, boundary)| ToleranceMapRow { at, boundary };
+        let rows: Vec<ToleranceMapRow> = self.values.iter().zip(boundaries).map(row).collect();
+        let sensitivity = Sensitivity::of(self.quantity, self.over, &rows);
+        ToleranceMap { quantity: self.quantity, over: self.over, rows, sensitivity }
+    }
 }
 
 /// Values of a quantity that are of interest for a plan.
@@ -82,30 +88,4 @@ fn values_around(trials: &Trials, over: Quantity) -> Result<Vec<f64>, PlannerErr
         Quantity::Friction => FRICTIONS.to_vec(),
         Quantity::Rotation => ROTATIONS.to_vec(),
     })
-}
-
-/// Draws a map; rows that are finished in `work` are not measured again. `reference_at` has the reference for a value of the
-/// other quantity. `None` when the session is interrupted, or there is no reference.
-///
-/// # Errors
-/// When a value is not possible, and those of `reference_at` and `work`.
-pub fn map(
-    trials: &Trials,
-    question: &MapQuestion,
-    work: &mut Work,
-    reference_at: &mut dyn FnMut(f64) -> Result<Option<Reference>, PlannerError>,
-    session: &Session,
-) -> Result<Option<ToleranceMap>, PlannerError> {
-    let MapQuestion { quantity, over, values } = question;
-    let mut rows = Vec::with_capacity(values.len());
-    for &at in values {
-        let Some(reference) = reference_at(at)? else { return Ok(None) };
-        let of_row = trials.of(reference, session)?;
-        match work.boundary(&of_row, &trials.nominal().with(*over, at), *quantity, session)? {
-            Some(boundary) => rows.push(ToleranceMapRow { at, boundary }),
-            None => return Ok(None),
-        }
-    }
-    let sensitivity = Sensitivity::of(*quantity, *over, &rows);
-    Ok(Some(ToleranceMap { quantity: *quantity, over: *over, rows, sensitivity }))
 }

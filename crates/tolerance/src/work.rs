@@ -75,16 +75,17 @@ impl<'store> Work<'store> {
         Self { keep: Some(keep), ..self }
     }
 
-    /// The same with the boundaries of a record that an earlier run has kept.
+    /// The same with the boundaries of a record that another run has kept, too.
     ///
     /// # Errors
     /// When the record was changed, or is of another measurement.
-    pub fn resumed(self, text: &str) -> Result<Self, ResumeError> {
+    pub fn resumed(mut self, text: &str) -> Result<Self, ResumeError> {
         let record: WorkRecord = unseal(text, Unusable::DamagedCheckpoint)?;
-        match record.inputs.difference(&self.record.inputs) {
-            Some(difference) => Err(ResumeError::Other(difference)),
-            None => Ok(Self { record, ..self }),
+        if let Some(difference) = record.inputs.difference(&self.record.inputs) {
+            return Err(ResumeError::Other(difference));
         }
+        self.record.finished.extend(record.finished);
+        Ok(self)
     }
 
     /// Number of finished boundaries.

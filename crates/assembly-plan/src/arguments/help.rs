@@ -44,7 +44,7 @@ const GROUPS: &[(&str, &[&str])] = &[
     ("Simulation", &["stages", "settling_time", "time_step", "executed"]),
     ("Robot", &["to", "rate", "anyway", "per_joint"]),
     ("Distances", &["pose", "tau"]),
-    ("Cells", &["index", "count", "slurm", "now"]),
+    ("Job arrays", &["index", "count", "slurm", "now"]),
     ("Output", &["out", "force", "resume", "report", "trace", "figures", "animation", "scenario", "beside", "json"]),
     ("Running", &["linear_solver", "jobs", "quiet", "verbose", "log"]),
 ];
@@ -133,12 +133,17 @@ pub const CLOSINGS: &[Closing] = &[
             ),
             ("tolerance peg.toml --fit H7/g6 --diameter 0.01", "plans for both ends of a fit"),
             ("tolerance scenes/peg1.toml --plan out/peg1 --resume", "continue an interrupted run"),
+            (
+                "tolerance scenes/peg1.toml --plan out/peg1 --index 3",
+                "the fourth of its boundaries, as a task of a job array",
+            ),
         ],
         no_plan: Some("too many rollouts fail at every tested value of a quantity"),
         files: &[
             ("DIR/tolerance.json", "largest errors, confidence intervals and the map, in SI units"),
             ("DIR/tolerance.svg", "the map"),
             ("DIR/plans/", "without --plan, the plans"),
+            ("DIR/boundaries/", "boundaries of runs with --index, which --resume takes from there"),
             (".DIR.unfinished/, beside DIR", "finished boundaries of an interrupted run, which --resume continues"),
         ],
     },

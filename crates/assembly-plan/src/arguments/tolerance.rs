@@ -66,6 +66,9 @@ pub struct ToleranceCommandArguments {
     pub jobs: Option<u16>,
     #[command(flatten)]
     pub progress: ProgressArguments,
+    /// Measure only one of the boundaries that are asked for, by its number from 0, and keep it for a run with --resume
+    #[arg(long, value_name = "K", requires = "plan", conflicts_with = "resume")]
+    pub index: Option<usize>,
     /// Continue an interrupted run of the same command: what it has finished is not measured again
     #[arg(long)]
     pub resume: bool,

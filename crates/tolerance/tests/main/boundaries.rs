@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use plan::{Event, Problem, Session};
 use simulation::Reference;
 use tolerance::{
-    Boundary, MapQuestion, Quantity, Question, Sensitivity, ToleranceRequest, Trials, Work, boundary, map,
+    Boundary, MapQuestion, Quantity, Question, Sensitivity, ToleranceRequest, Trials, Work, answer, boundary,
 };
 
 use crate::{SLOT, moved_down};
@@ -78,10 +78,11 @@ fn more_clearance_buys_as_much_offset_to_each_side() {
     let problem = moved_down([0.02, 0.018, 0.02], SLOT);
     let request = ToleranceRequest { cases: 100, rate: 0.9, ..ToleranceRequest::default() };
     let drawn = with_trials(&problem, request, |trials, session| {
-        let question = MapQuestion::new(trials, Quantity::Offset, Quantity::Clearance, &[0.003, 0.001, 0.002]).unwrap();
-        let asked = Question { quantities: Vec::new(), need: None, map: Some(question.clone()) };
+        let map = MapQuestion::new(trials, Quantity::Offset, Quantity::Clearance, &[0.003, 0.001, 0.002]).unwrap();
+        let asked = Question { quantities: vec![Quantity::Offset], need: None, map: Some(map) };
         let mut work = Work::new(trials, &asked);
-        map(trials, &question, &mut work, &mut |_| Ok(Some(trials.reference().clone())), session).unwrap().unwrap()
+        let mut reference_at = |_| Ok(Some(trials.reference().clone()));
+        answer(trials, &asked, &mut work, &mut reference_at, session).unwrap().unwrap().map.unwrap()
     });
     let values: Vec<f64> = drawn.rows.iter().map(|row| row.boundary.value.unwrap()).collect();
     assert_eq!(drawn.rows.iter().map(|row| (1e4 * row.at).round()).collect::<Vec<_>>(), [10.0, 20.0, 30.0]);

@@ -4,7 +4,9 @@ use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use plan::{Event, PlannerError, Problem, Session};
-use tolerance::{MapQuestion, Need, Quantity, Question, ToleranceRecord, ToleranceRequest, Trials, Work, answer};
+use tolerance::{
+    MapQuestion, Need, Quantity, Question, ToleranceRecord, ToleranceRequest, Trials, Work, answer, answer_one,
+};
 
 use crate::boundaries::{straight, with_trials};
 use crate::{SLOT, moved_down};
@@ -69,6 +71,45 @@ fn an_answer_in_parts_is_the_whole_one() {
     assert_eq!(played, all, "nothing is measured twice");
     let (answered, records, rollouts) = measured(resumed.as_deref(), 0);
     assert_eq!((answered.unwrap().json().unwrap(), records.len(), rollouts), (whole, 0, 0), "all is finished");
+}
+
+#[test]
+fn boundaries_of_several_processes_are_one_answer() {
+    let (whole, _, all) = measured(None, 0);
+    let (problem, played) = (slot(), AtomicUsize::new(0));
+    let stopped = AtomicBool::new(false);
+    let observer = |event: &Event| {
+        if let Event::Rollouts { .. } = event {
+            played.fetch_add(1, Ordering::Relaxed);
+        }
+    };
+    let session = Session { threads: 2, ..Session::new(&observer, &stopped) };
+    let trials = Trials::new(&problem, straight(&problem), few(), &session).unwrap();
+    let asked = question(&trials);
+    let mut reference_at = |_| Ok(Some(trials.reference().clone()));
+    let records = RefCell::new(Vec::new());
+    let keep = |record: &[u8]| {
+        records.borrow_mut().push(String::from_utf8(record.to_vec()).unwrap());
+        Ok(())
+    };
+    let mut measure = |index: usize| {
+        let mut work = Work::new(&trials, &asked).kept_by(&keep);
+        answer_one(&trials, &asked, index, &mut work, &mut reference_at, &session)
+    };
+    for index in [4, 2, 0, 1, 3] {
+        assert!(measure(index).unwrap().is_some());
+    }
+    assert!(measure(5).unwrap_err().to_string().contains("5 boundaries are asked for, counted from 0"));
+    assert_eq!(played.load(Ordering::Relaxed), all, "each measures its own");
+
+    let mut work = Work::new(&trials, &asked);
+    for record in records.borrow().iter() {
+        work = work.resumed(record).unwrap();
+    }
+    let mut reference_at = |_| Ok(Some(trials.reference().clone()));
+    let answered = answer(&trials, &asked, &mut work, &mut reference_at, &session).unwrap();
+    assert_eq!(answered.unwrap().json().unwrap(), whole.unwrap().json().unwrap());
+    assert_eq!(played.load(Ordering::Relaxed), all, "nothing is measured twice");
 }
 
 #[test]
