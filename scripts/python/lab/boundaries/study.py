@@ -23,22 +23,23 @@ from lab.validation.rollouts import DRAKE, PLANNED, Rollouts, Settings
 
 # Rest (s) before a motion is judged.
 SETTLING = 1.0
-HEAD = ["plan", "predicted, mm", "in `simulate`, mm", "engine, mm", "motions", "differ", "agree", "within the interval"]
+HEAD = ["plan", "predicted, mm", "in `simulate`, mm", "in the engine, mm", "cases at the same, one apart, more"]
+HEAD += ["motions", "agree", "within the interval"]
 MOTION_COLUMNS = ["case", "level", "friction", "x_m", "y_m", "z_m", "success"]
 MOTION_COLUMNS += ["position_error_m", "angle_error_rad", "overlap_m", "force_n"]
 
 
 @dataclasses.dataclass(frozen=True)
 class Measured:
-    """What is known of a plan: the prediction, the offsets that were tried (m), both boundaries, how many motions the
-    engine played, and in how many `simulate` has another outcome."""
+    """What is known of a plan: the prediction, the offsets that were tried (m), both boundaries, how many levels apart
+    every case is in the engine and in `simulate`, and how many motions the engine played."""
 
     known: dict
     levels: list[float]
     simulated: Boundary
     engine: Boundary
+    apart: list[int]
     motions: int
-    different: int
 
 
 def study(arguments: argparse.Namespace) -> str:
@@ -67,7 +68,7 @@ def measured(arguments: argparse.Namespace, plan: Plan) -> Measured:
     cases = drawn(plan, known["frictions"], arguments.cases, arguments.seed)
     own = simulated(arguments, plan, known, cases, levels, out)
     engine = Engine(arguments, plan, Tolerance(known["position_tolerance_m"], known["angle_tolerance_rad"]), out)
-    ours, theirs, motions, different = [], [], 0, 0
+    ours, theirs, motions = [], [], 0
     for index, case in enumerate(cases):
         played: dict[int, bool] = {}
 
@@ -78,9 +79,8 @@ def measured(arguments: argparse.Namespace, plan: Plan) -> Measured:
         ours.append(search.levels_passed(own[index].__getitem__, len(levels)))
         theirs.append(search.levels_passed(passes, len(levels)))
         motions += len(played)
-        different += sum(own[index][level] != success for level, success in played.items())
     boundaries = [search.boundary(passed, len(levels), arguments.target_rate) for passed in (ours, theirs)]
-    return Measured(known, levels, *boundaries, motions, different)
+    return Measured(known, levels, *boundaries, [abs(one - other) for one, other in zip(ours, theirs)], motions)
 
 
 def predicted(arguments: argparse.Namespace, plan: Plan, out: pathlib.Path) -> dict:
@@ -141,8 +141,8 @@ def row(name: str, found: Measured) -> list[object]:
         f"{millimetres(prediction['value'])} ({between(prediction['interval'])})",
         in_words(found.simulated, found.levels),
         in_words(found.engine, found.levels),
+        f"{found.apart.count(0)}, {found.apart.count(1)}, {sum(levels > 1 for levels in found.apart)}",
         found.motions,
-        found.different,
         yes(search.agree(found.simulated, found.engine)),
         inside,
     ]
