@@ -15,6 +15,7 @@ import pathlib
 
 from lab import environment
 from lab.paths import OUT, PROGRAM
+from lab.validation.arguments import positive
 
 PACKAGES = ("mujoco", "numpy")
 
@@ -29,12 +30,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("plans", nargs="+", type=pathlib.Path, metavar="DIR", help="folders that `solve` wrote")
     add("--engine", choices=("mujoco", "drake"), default="mujoco", help="which engine [default: mujoco]")
-    add("--time-step", type=float, metavar="S", help="of the engine [default: 0.0005 s in MuJoCo, 0.00025 s in Drake]")
-    add("--contact-stiffness", type=float, default=1e6, metavar="N/M", help="of contacts in Drake [default: 1e6]")
-    add("--cases", type=int, default=60, metavar="N", help="random offsets per plan [default: 60]")
+    step = "of the engine [default: 0.0005 s in MuJoCo, 0.00025 s in Drake]"
+    add("--time-step", type=positive(float), metavar="S", help=step)
+    stiffness = "of contacts in Drake [default: 1e6]"
+    add("--contact-stiffness", type=positive(float), default=1e6, metavar="N/M", help=stiffness)
+    add("--cases", type=positive(int), default=60, metavar="N", help="random offsets per plan [default: 60]")
     add("--seed", type=int, default=1, metavar="N", help="seed of the offsets [default: 1]")
     add("--target-rate", type=float, default=0.9, metavar="RATE", help="share that has to succeed [default: 0.9]")
-    add("--jobs", type=int, default=1, metavar="N", help="threads of assembly-plan [default: 1]")
+    add("--jobs", type=positive(int), default=1, metavar="N", help="threads of assembly-plan [default: 1]")
     add("--program", type=pathlib.Path, metavar="FILE", help=f"run this one instead of building {PROGRAM.name}")
     add("--out", type=pathlib.Path, default=OUT / "boundaries", metavar="DIR", help="folder of results")
 
