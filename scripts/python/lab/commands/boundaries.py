@@ -1,5 +1,4 @@
-"""Finds the offsets that plans tolerate in MuJoCo or Drake, and compares them with what `assembly-plan tolerance`
-predicts.
+"""Finds the offsets that plans tolerate in MuJoCo or Drake, beside those that `assembly-plan tolerance` predicts.
 
 For each plan, `tolerance` predicts the largest offset at which 90 % of the motions succeed. Random offsets are then
 scaled to nine magnitudes around that one, in steps of 5 % (at least 0.1 mm). By bisection, both the engine and
