@@ -45,11 +45,11 @@ def parser() -> argparse.ArgumentParser:
 
 def add(commands: argparse._SubParsersAction, name: str, command: object) -> None:
     """Adds a command: an object with documentation, names of the packages that it needs, arguments and `run`."""
-    text = command.__doc__.replace("%", "%%")
     parser = commands.add_parser(
         name,
-        help=text.splitlines()[0],
-        description=text,
+        # Only this one is a format.
+        help=command.__doc__.splitlines()[0].replace("%", "%%"),
+        description=command.__doc__,
         epilog=getattr(command, "EPILOG", EPILOG),
         formatter_class=FORMAT,
     )

@@ -1,0 +1,1 @@
+"""The offsets that plans tolerate in another engine, compared with those that `assembly-plan tolerance` predicts."""
