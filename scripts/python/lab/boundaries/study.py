@@ -3,6 +3,7 @@
 import argparse
 import csv
 import dataclasses
+import hashlib
 import json
 import pathlib
 import sys
@@ -63,6 +64,7 @@ def measured(arguments: argparse.Namespace, plan: Plan) -> Measured:
     """Does what is missing of a plan."""
     out = arguments.out / plan.folder.name
     out.mkdir(parents=True, exist_ok=True)
+    require_same(plan.folder, out)
     known = predicted(arguments, plan, out)
     levels = search.levels(known["boundaries"][0]["value"])
     cases = drawn(plan, known["frictions"], arguments.cases, arguments.seed)
@@ -81,6 +83,14 @@ def measured(arguments: argparse.Namespace, plan: Plan) -> Measured:
         motions += len(played)
     boundaries = [search.boundary(passed, len(levels), arguments.target_rate) for passed in (ours, theirs)]
     return Measured(known, levels, *boundaries, [abs(one - other) for one, other in zip(ours, theirs)], motions)
+
+
+def require_same(folder: pathlib.Path, out: pathlib.Path) -> None:
+    """Refuses results of another plan than that of the folder."""
+    file, reference = out / "reference.sha256", hashlib.sha256((folder / "reference.csv").read_bytes()).hexdigest()
+    if file.exists() and file.read_text() != reference:
+        raise InputError(f"{out}: has results of another plan than {folder} has now; choose another folder with --out")
+    file.write_text(reference)
 
 
 def predicted(arguments: argparse.Namespace, plan: Plan, out: pathlib.Path) -> dict:
