@@ -2,7 +2,6 @@
 
 import csv
 import dataclasses
-from collections.abc import Iterator
 
 import numpy as np
 
@@ -20,8 +19,7 @@ ARM = studies.MATRICES / "ur10e.toml"
 SETTINGS = Settings(0.001, 1.0, MUJOCO)
 # Directions of the offsets: one of those that are planned, and one outside of their hull.
 DIRECTIONS = {"in distribution": (0.7071, 0.7071, 0.0), "out of distribution": (0.7071, -0.7071, 0.0)}
-# Of the parts, and a larger one that the last iterations are played with, too.
-FRICTION, MORE_FRICTION = 0.1, 0.3
+FRICTION = 0.1
 # Smoothing of the paper's homotopy iterations.
 TAUS = [0.0005 / 2**iteration for iteration in range(6)]
 LAST = len(TAUS)
@@ -86,35 +84,36 @@ def append(outcomes: dict[Play, Played]) -> None:
         writer.writerows([*dataclasses.astuple(play), *dataclasses.astuple(done)] for play, done in outcomes.items())
 
 
-def wanted(clamp: str, cell: studies.Cell, iteration: int, friction: float) -> list[Play]:
+def wanted(clamp: str, cell: studies.Cell, iteration: int) -> list[Play]:
     """The motions of one trajectory. Without an offset, all directions are the same."""
     return [
-        Play(clamp, cell.start, cell.delta_m, iteration, direction, magnitude, friction)
+        Play(clamp, cell.start, cell.delta_m, iteration, direction, magnitude, FRICTION)
         for magnitude in force_scenes.DELTAS
         for direction in (DIRECTIONS if magnitude else list(DIRECTIONS)[:1])
     ]
 
 
-def trajectories() -> Iterator[tuple[str, studies.Cell, int, float]]:
-    """What is played, with its friction: first the last iteration of each plan, then the others of those with the
-    largest delta-hat, then the last ones with more friction."""
+def finished() -> list[tuple[str, studies.Cell]]:
+    """The plans that there are, each with its clamp."""
     cells = [(clamp, cell) for clamp in force_scenes.CLAMPS for cell in studies.load(force_scenes.study(clamp))]
-    finished = [(clamp, cell) for clamp, cell in cells if cell.is_finished]
-    largest = [(clamp, cell) for clamp, cell in finished if cell.delta_m == max(force_scenes.DELTAS)]
-    yield from ((*found, LAST, FRICTION) for found in finished)
-    yield from ((*found, iteration, FRICTION) for found in largest for iteration in range(LAST - 1, 0, -1))
-    yield from ((*found, LAST, MORE_FRICTION) for found in finished)
+    return [(clamp, cell) for clamp, cell in cells if cell.is_finished]
+
+
+def trajectories() -> list[tuple[str, studies.Cell, int]]:
+    """What is played: first the last iteration of each plan, then the others of those with the largest delta-hat."""
+    plans = finished()
+    largest = [(clamp, cell) for clamp, cell in plans if cell.delta_m == max(force_scenes.DELTAS)]
+    last = [(clamp, cell, LAST) for clamp, cell in plans]
+    return last + [(clamp, cell, iteration) for clamp, cell in largest for iteration in range(LAST - 1, 0, -1)]
 
 
 def run(jobs: int, is_quick: bool) -> None:
     """Plays what is planned and not played yet; only the first trajectory for a quick look."""
     known = read()
-    for clamp, cell, iteration, friction in trajectories():
-        missing = [play for play in wanted(clamp, cell, iteration, friction) if play not in known]
+    for clamp, cell, iteration in trajectories()[: 1 if is_quick else None]:
+        missing = [play for play in wanted(clamp, cell, iteration) if play not in known]
         if missing:
             append(play_trajectory(cell, iteration, missing, jobs))
-        if is_quick:
-            break
 
 
 def play_trajectory(cell: studies.Cell, iteration: int, plays: list[Play], jobs: int) -> dict[Play, Played]:
