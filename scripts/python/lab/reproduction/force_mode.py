@@ -1,6 +1,6 @@
 """Sec. clamp: the clamps, played by a UR10e in force mode in MuJoCo."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection
 
 from lab import notebook
 from lab.reproduction import force_plays, force_rollouts, force_scenes, paper, studies
@@ -13,14 +13,13 @@ HALF_STEP = 5e-4
 
 Plays = dict[Play, Played]
 
-# Of the plans that were looked at, those of clamp1 from two starts.
-EXPLANATION = """All of these end on top of the wall, 25 mm above the goal: the clamp slides over the wall and its gap
-passes it. From start 1, the plans for 1 to 4 mm cross the wall towards -y with an end of the clamp lowered by 0.02 rad,
-and drop into place. That for 5 mm is another optimum: it crosses towards +y, flat on the wall and at 14 mm/s. Its gap,
-0.5 mm wider than the wall, is open for 36 ms, which is not long enough for a robot with a lag of 19 ms. From start 2,
-all plans cross at 12 to 17 mm/s, and the faster the larger delta-hat is; the gap is open for 100 ms with 1 mm and for
-50 ms with 5 mm. So a larger delta-hat is not always safer: the plan has to cover a longer way across the wall in the
-same time. In the planner's model, contact is smooth and the clamp is not stuck where the gap passes."""
+# Of the motions that were looked at, those of clamp1 without an offset.
+EXPLANATION = """All of these end on top of the wall, 25 mm above the goal: the gap, 0.5 mm wider than the wall, has
+passed the wall before the clamp sinks in. Of `clamp1` without an offset, the gap is open for 31 ms (start 3, 2 mm) and
+36 ms (start 1, 5 mm), at 14 to 17 mm/s; the lag of the robot is 19 ms. Where it is open for 50 ms or more (start 2) or
+one end of the clamp is 0.02 rad lower (start 1, 1 to 4 mm), the clamp sinks in. So a larger delta-hat is not always
+safer: plans with a longer way across the wall cross it faster, at 12 mm/s for 1 mm and 17 mm/s for 5 mm (start 2), and
+the one for 5 mm from start 1 is another optimum, which comes from the other side of the wall, flat on it."""
 DIFFERENCES = """What differs from the paper: it is a simulation, and the same motion always ends alike; the motion
 without an offset counts once for each plan. Clamps 2 and 3 are our own. Friction, gains and lag of the paper's robot
 and its two offsets are not known. The homotopy begins with four times the paper's smoothing: with the paper's own, some
@@ -35,13 +34,13 @@ def run(jobs: int, is_quick: bool) -> None:
     force_plays.run(jobs, is_quick)
 
 
-def share(plays: Iterable[Played]) -> str:
+def share(plays: Collection[Played]) -> str:
     """Successes of how many."""
     successes = [played.success for played in plays]
     return f"{sum(successes)} of {len(successes)}" if successes else "-"
 
 
-def rate(plays: Iterable[Played]) -> str:
+def rate(plays: Collection[Played]) -> str:
     """The same with percent."""
     successes = [played.success for played in plays]
     return f"{share(plays)}, {100 * sum(successes) / len(successes):.1f} %" if successes else "-"
@@ -66,7 +65,7 @@ def margin(play: Play) -> float:
 
 
 def is_on_diagonal(play: Play) -> bool:
-    """Whether the plan models exactly the injected magnitude; without any offset there is nothing to model."""
+    """Whether the plan models exactly the injected magnitude."""
     return abs(margin(play)) < HALF_STEP
 
 
