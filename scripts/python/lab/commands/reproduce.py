@@ -10,8 +10,8 @@ from lab import notebook, program
 from lab.errors import InputError
 from lab.paths import OUT
 
-PACKAGES = ("matplotlib", "numpy")
-PAGES = ("distances", "pegs", "clamps", "hessians")
+PACKAGES = ("matplotlib", "mujoco", "numpy")
+PAGES = ("distances", "pegs", "clamps", "force-mode", "hessians")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

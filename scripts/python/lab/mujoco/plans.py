@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import math
 import pathlib
 import tomllib
 from typing import Any
@@ -98,8 +99,9 @@ class Reference:
 
 @dataclasses.dataclass(frozen=True)
 class PositionRobot:
-    """A robot that is commanded by position: period and delay (s), bandwidth and cutoff (Hz), virtual mass, damping and
-    stiffness of translations and rotations, contact stiffness (N/m) and its lever (m)."""
+    """A robot that is commanded by position, or a wrench in force mode: period and delay (s), bandwidth and cutoff
+    (Hz), virtual mass, damping and stiffness of translations and rotations, contact stiffness (N/m) and its lever (m);
+    of force mode, deadband of the measured wrench (N, Nm) and largest speeds (m/s, rad/s)."""
 
     period: float
     delay: float
@@ -110,6 +112,9 @@ class PositionRobot:
     stiffness: tuple[float, float]
     contact_stiffness: float
     lever: float
+    is_force_mode: bool = False
+    deadband: tuple[float, float] = (0.0, 0.0)
+    speed: tuple[float, float] = (math.inf, math.inf)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -240,21 +245,41 @@ def free_body(resolved: dict[str, Any]) -> FreeBody | None:
 
 
 def position_robot(resolved: dict[str, Any], document: dict[str, Any], folder: pathlib.Path) -> PositionRobot | None:
-    """The robot of a plan that is commanded by position; None for one with torques."""
+    """The robot of a plan that is commanded by position or in force mode; None for one with torques."""
     robot, impedance = resolved.get("robot", {}), resolved["impedance"]
-    if robot.get("interface") != "position":
+    if robot.get("interface") not in ("position", "force"):
         return None
     parts = [part_vertices(part, folder) for part in document["body"]["part"]]
-    return PositionRobot(
+    common = PositionRobot(
         period=robot["control_period"],
         delay=robot["delay"],
         bandwidth=robot["bandwidth"],
         cutoff=robot["sensor"]["cutoff"],
-        mass=(robot["virtual_mass"], robot["virtual_inertia"]),
-        damping=(impedance["translational_damping"], impedance["rotational_damping"][0]),
+        mass=(0.0, 0.0),
+        damping=(0.0, 0.0),
         stiffness=(impedance["translational_stiffness"], impedance["rotational_stiffness"]),
         contact_stiffness=robot["contact_stiffness"],
         lever=max(float(np.linalg.norm(part, axis=1).max()) for part in parts),
+    )
+    if robot["interface"] == "force":
+        return in_force_mode(common, robot["force_mode"], robot["command"])
+    return dataclasses.replace(
+        common,
+        mass=(robot["virtual_mass"], robot["virtual_inertia"]),
+        damping=(impedance["translational_damping"], impedance["rotational_damping"][0]),
+    )
+
+
+def in_force_mode(robot: PositionRobot, mode: dict[str, float], command: dict[str, float]) -> PositionRobot:
+    """The robot in force mode: its gains are inverse dampings, and its mass follows within a period."""
+    damping = (1 / mode["translational_gain"], 1 / mode["rotational_gain"])
+    return dataclasses.replace(
+        robot,
+        mass=(damping[0] * robot.period, damping[1] * robot.period),
+        damping=damping,
+        is_force_mode=True,
+        deadband=(mode["force_deadband"], mode["torque_deadband"]),
+        speed=(command["translational_velocity"], command["rotational_velocity"]),
     )
 
 

@@ -42,8 +42,12 @@ class PositionPlayer(FreePlayer):
         # Deviation of the law from the reference (m, rad), its rate, and the filtered wrench.
         self.deviation, self.rates = [np.zeros(3), np.zeros(3)], [np.zeros(3), np.zeros(3)]
         self.wrench = [np.zeros(3), np.zeros(3)]
-        self.commands = collections.deque([pose] * max(1, round(self.robot.delay / self.time_step)))
-        self.command = pose
+        self.hold(pose)
+
+    def hold(self, command: tuple[np.ndarray, ...] | np.ndarray) -> None:
+        """A command that has been the only one for long."""
+        self.command = command
+        self.commands = collections.deque([command] * max(1, round(self.robot.delay / self.time_step)))
 
     def believed(self, reference: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Position of the believed part and rotation matrix of the part, at a reference."""

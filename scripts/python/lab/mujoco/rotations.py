@@ -6,7 +6,8 @@ import numpy as np
 
 def rotation_matrix(quaternion: np.ndarray) -> np.ndarray:
     """Rotation matrix of a unit quaternion (w, x, y, z)."""
-    w, x, y, z = quaternion
+    # Plain numbers: those of numpy take several times longer.
+    w, x, y, z = np.asarray(quaternion).tolist()
     return np.array(
         [
             [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],

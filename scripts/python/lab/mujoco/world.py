@@ -16,7 +16,7 @@ from lab.mujoco.rotations import rotation_matrix
 SOLREF = [0.004, 1.0]
 SOLIMP = [0.95, 0.99, 0.0001, 0.5, 2.0]
 
-# Largest product of time step and frequency (rad/s) of the controller's springs that is integrated faithfully.
+# Largest product of time step and frequency (rad/s) of springs that is integrated faithfully.
 LARGEST_PHASE = 0.2
 
 # MuJoCo keeps vertices in single precision: they may be misplaced by this much (m).
@@ -57,12 +57,16 @@ def build(plan: Plan, contact: Contact) -> mujoco.MjModel:
 
 
 def check_time_step(plan: Plan, time_step: float) -> None:
-    """Refuses a time step that is too long for the controller."""
+    """Refuses a time step that is too long for the springs that move the body: those of the controller, or of the
+    contacts of a robot that is commanded by position."""
     smallest = np.linalg.eigvalsh(plan.free_body.inertia).min()
-    stiffness = plan.impedance
+    robot, stiffness = plan.position_robot, plan.impedance
+    springs = (stiffness.translational_stiffness, stiffness.rotational_stiffness)
+    if robot:
+        springs = (robot.contact_stiffness, robot.contact_stiffness * robot.lever**2)
     for name, frequency in (
-        ("k_r / I", np.sqrt(stiffness.rotational_stiffness / smallest)),
-        ("k_t / m", np.sqrt(stiffness.translational_stiffness / plan.free_body.mass)),
+        ("k_r / I", np.sqrt(springs[1] / smallest)),
+        ("k_t / m", np.sqrt(springs[0] / plan.free_body.mass)),
     ):
         if time_step * frequency >= LARGEST_PHASE:
             raise InputError(

@@ -5,6 +5,7 @@ import json
 
 import numpy as np
 
+from lab.mujoco.force_robot import ForceMode
 from lab.players.position_arm import PositionArm
 from lab.players.simulated_arm import Task
 
@@ -24,17 +25,13 @@ class ForceModeArm(PositionArm):
     def __init__(self, task: Task) -> None:
         super().__init__(task)
         law = json.loads((task.plan / "plan.json").read_text())["admittance"]
-        self.damping, self.mass, self.deadband = (np.repeat(law[name], 3) for name in ("damping", "mass", "deadband"))
+        self.law = ForceMode(*(np.repeat(law[name], 3) for name in ("mass", "damping", "deadband")))
         self.twist, self.wanted = np.zeros(6), self.data.qpos.copy()
 
     def comply(self, wrench: np.ndarray, limits: np.ndarray, seconds: float) -> None:
         """A period in which the tool is told to apply a wrench, with largest speeds (m/s, rad/s), all along the axes of
         the root."""
-        felt = self.wrench()
-        felt = felt - np.clip(felt, -self.deadband, self.deadband)
-        # The speed follows within the time in which the damping stops the virtual mass.
-        speed = (self.mass * self.twist + seconds * (wrench + felt)) / (self.mass + seconds * self.damping)
-        self.twist = np.clip(speed, -limits, limits)
+        self.twist = self.law.twist(self.twist, wrench, self.wrench(), limits, seconds)
         inverse = np.linalg.pinv(self.tool()[2], rcond=LEAST_SINGULAR)
         self.wanted = self.wanted + seconds * (inverse @ self.twist)
         self.move(self.wanted, seconds)

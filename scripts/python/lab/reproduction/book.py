@@ -4,7 +4,7 @@ import os
 import pathlib
 
 from lab import notebook
-from lab.reproduction import clamps, distances, hessians, pegs, studies
+from lab.reproduction import clamps, distances, force_mode, hessians, pegs, studies
 from lab.reproduction.page import Page
 
 # In the order of the index.
@@ -12,6 +12,7 @@ PAGES = {
     "distances": (distances, "Distances: times, level lines, normals"),
     "pegs": (pegs, "Pegs"),
     "clamps": (clamps, "Clamps"),
+    "force-mode": (force_mode, "Clamps in force mode"),
     "hessians": (hessians, "Hessians, relaxation and smoothing"),
 }
 
@@ -21,6 +22,9 @@ def run(names: list[str], jobs: int, is_quick: bool) -> None:
     for name in names:
         if name == "distances" and not is_quick:
             distances.run()
+        if name == "force-mode":
+            force_mode.run(jobs, is_quick)
+            continue
         for study in PAGES[name][0].STUDIES:
             studies.run(study, jobs, is_quick)
 

@@ -24,6 +24,7 @@ class Cell:
     state: str
     failure: str | None
     result: dict | None
+    folder: pathlib.Path
 
     @property
     def is_finished(self) -> bool:
@@ -55,11 +56,12 @@ class Cell:
         return sum(stage["wall_split_s"][part] for stage in self.stages)
 
 
-def run(study: str, jobs: int, is_quick: bool) -> None:
-    """Solves what is not finished of a study; only its first cell for a quick look."""
-    folder = RUNS / study
+def run(study: str, jobs: int, is_quick: bool, matrix: pathlib.Path | None = None) -> None:
+    """Solves what is not finished of a study, that of its own matrix unless one is given; only its first cell for a
+    quick look."""
+    folder, matrix = RUNS / study, matrix or MATRICES / f"{study}.toml"
     print(f"{study}:", file=sys.stderr, flush=True)
-    program.run("batch", "expand", "--matrix", MATRICES / f"{study}.toml", "--out", folder, output=subprocess.DEVNULL)
+    program.run("batch", "expand", "--matrix", matrix, "--out", folder, output=subprocess.DEVNULL)
     first = ["--index", "0"] if is_quick else []
     program.run("batch", "run", folder, "--jobs", jobs, *first, output=subprocess.DEVNULL)
 
@@ -79,6 +81,7 @@ def load(study: str) -> list[Cell]:
             state=element["state"],
             failure=element["failure"],
             result=element["result"],
+            folder=folder / element["cell"]["folder"],
         )
         for element in json.loads((folder / "cells.json").read_text())
     ]

@@ -47,6 +47,13 @@ def with_arm(arguments: argparse.Namespace, plan: Plan) -> Plan:
         raise InputError(f"--robot {file} cannot be read: {error}") from error
     except ValueError as error:
         raise InputError(f"{file}: {error}") from error
+    if plan.position_robot and plan.position_robot.is_force_mode:
+        if arguments.gain_factor != 1 or arguments.delay > 0 or arguments.joint_friction is not None:
+            raise InputError(
+                f"{plan.folder}: the plan is for force mode, with the gains and the delay of its [robot] table: leave "
+                "--gain-factor, --delay and --joint-friction out"
+            )
+        return dataclasses.replace(plan, robot=robot)
     robot = dataclasses.replace(robot, delay=arguments.delay)
     if arguments.joint_friction is not None:
         robot = dataclasses.replace(robot, joint_friction=np.full(len(robot.configuration), arguments.joint_friction))
@@ -162,6 +169,14 @@ def print_tables(arguments: argparse.Namespace) -> None:
 def arm_line(plan: Plan) -> str:
     """What arm plays a plan, and how."""
     robot, gains = plan.robot, plan.impedance
+    mode = plan.position_robot
+    if mode and mode.is_force_mode:
+        return (
+            f"{plan.folder}: arm {robot.urdf.name} in force mode, {gains.translational_stiffness:g} N/m and "
+            f"{gains.rotational_stiffness:g} Nm/rad, damping {mode.damping[0]:g} Ns/m and {mode.damping[1]:g} Nms/rad, "
+            f"every {1e3 * mode.period:g} ms after {1e3 * mode.delay:g} ms; forces are means over "
+            f"{1e3 * FORCE_WINDOW:g} ms.\n"
+        )
     frictions = " ".join(f"{friction:g}" for friction in dict.fromkeys(robot.joint_friction.tolist()))
     return (
         f"{plan.folder}: whole arm {robot.urdf.name}, {gains.translational_stiffness:g} N/m and "

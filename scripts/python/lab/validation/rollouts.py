@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from lab.mujoco import arm_world, world
 from lab.mujoco.arm import ArmPlayer
 from lab.mujoco.control import GraspError
+from lab.mujoco.force_robot import ForceArmPlayer, ForcePlayer
 from lab.mujoco.plans import Plan
 from lab.mujoco.position_robot import PositionPlayer
 from lab.mujoco.rollout import FreePlayer, Outcome, Player
@@ -56,6 +57,9 @@ class Rollouts:
 
                 stiffness = self.settings.contact_stiffness
                 self.players[friction] = DrakePlayer(self.plan, contact, stiffness, FORCE_WINDOW)
+            elif self.plan.position_robot and self.plan.position_robot.is_force_mode:
+                kind = ForceArmPlayer if self.plan.robot else ForcePlayer
+                self.players[friction] = kind(world.build(self.plan, contact), self.plan, window)
             elif self.plan.robot:
                 self.players[friction] = ArmPlayer(arm_world.build(self.plan, contact), self.plan, window)
             elif self.plan.position_robot:

@@ -14,7 +14,7 @@ from lab.mujoco.control import GraspError, displaced
 from lab.mujoco.plans import FreeBody, Impedance, Plan, Reference, damping_matrix
 from lab.mujoco.rollout import ContactRecord, FreePlayer
 from lab.mujoco.rotations import rotation_vector, slerp
-from lab.validation import arm_selftest, contact_cases, results
+from lab.validation import arm_selftest, contact_cases, force_selftest, results
 from lab.validation.offsets import cells
 from lab.validation.rollouts import MUJOCO
 
@@ -99,6 +99,11 @@ def oscillator(times: np.ndarray, start: float, frequency: float, ratio: float) 
     damped = frequency * math.sqrt(1 - ratio**2)
     decay = ratio * frequency
     return start * np.exp(-decay * times) * (np.cos(damped * times) + decay / damped * np.sin(damped * times))
+
+
+def force_mode() -> Iterator[Check]:
+    """Robots in force mode."""
+    return force_selftest.checks(example)
 
 
 def whole_arms() -> Iterator[Check]:
@@ -318,4 +323,5 @@ MUJOCO_CHECKS = (
     interpolation,
     statistics,
     whole_arms,
+    force_mode,
 )
