@@ -26,7 +26,7 @@ def enter(packages: tuple[str, ...]) -> None:
     """Goes on in the environment with some packages, anywhere if there are none: runs the same command there."""
     if packages:
         install(packages)
-        if pathlib.Path(sys.prefix).resolve() != FOLDER:
+        if pathlib.Path(sys.prefix).resolve() != FOLDER.resolve():
             python = FOLDER / "bin/python"
             os.execv(python, [python, "-P", "-m", "lab", *sys.argv[1:]])
 
