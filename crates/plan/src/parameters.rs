@@ -7,7 +7,7 @@ use crate::ranges::require;
 
 /// All numbers that the search for a robust plan depends on, besides what the plan must tolerate.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct RobustParameters {
     /// Shares of the time.
     pub time: TimeShares,
@@ -81,7 +81,7 @@ impl RobustParameters {
 
 /// Shares (0 to 1) of the remaining time when a part of the work begins.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct TimeShares {
     /// The homotopy of the scene itself; with an arm, at least its first step.
     pub homotopy: f64,
@@ -124,7 +124,7 @@ impl Default for TimeShares {
 
 /// How references are changed until they pass.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct TrainingParameters {
     /// Random offsets per friction and magnitude to train with at first: what fails in an evaluation is trained on next, so that
     /// one is enough. More cost more rollouts than they save.
@@ -151,7 +151,7 @@ impl Default for TrainingParameters {
 
 /// Test cases of evaluations.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct EvaluationParameters {
     /// Random offsets per friction and magnitude. A plan that fails in 4 % of the offsets of one magnitude passes 50 of them by
     /// luck in 13 of 100 cases, and 100 of them in 2.
@@ -193,7 +193,7 @@ impl Default for EvaluationParameters {
 
 /// How far references may be led away: a part that is thrown may arrive as well.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct NearParameters {
     /// A refined reference leaves the box of plan and straight path by at most this multiple of the sum of delta-hat and tolerance.
     pub margin: f64,
@@ -209,7 +209,7 @@ impl Default for NearParameters {
 
 /// The final comparison, where no reference is robust.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct ComparisonParameters {
     /// Number of latest references that are compared.
     pub latest: usize,
@@ -227,7 +227,7 @@ impl Default for ComparisonParameters {
 
 /// Other problems whose plans may have more margin.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct PortfolioParameters {
     /// Failing grasp errors that a variant adopts as scenarios.
     pub added_failures: usize,
@@ -250,7 +250,7 @@ impl Default for PortfolioParameters {
 /// The many plans of an arm's scene from which the best is taken. Compliant motions that shift slowly and rotate freely pass most
 /// rollouts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct DraftParameters {
     /// Fraction of the training cases in which the plan of the scene must fail.
     pub lost: f64,
@@ -299,7 +299,7 @@ impl Default for DraftParameters {
 
 /// Margins of robust plans for arms beyond the requirements.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct MarginParameters {
     /// Factor applied to friction coefficients in the hardened environment.
     pub friction: f64,
@@ -313,7 +313,7 @@ impl Default for MarginParameters {
 
 /// How robust plans are made simpler.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct SimplificationParameters {
     /// Random grasp errors per friction and magnitude in which the simpler plan must succeed besides the training cases.
     pub random: usize,
@@ -329,7 +329,7 @@ impl Default for SimplificationParameters {
 
 /// The spiral search for the hole, of free bodies only.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct SpiralParameters {
     /// Distance between two turns, in clearances from side to side: at 1, the hole is just found; 0 for no search.
     pub pitch: f64,
@@ -345,7 +345,7 @@ impl Default for SpiralParameters {
 
 /// Seeds of random numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub struct Seeds {
     /// Seed of training offsets and perturbations; evaluations have the following seeds.
     pub first: u64,
