@@ -102,7 +102,10 @@ fn measure_one(
     let mut reference_at = |_| Ok(Some(trials.reference().clone()));
     let found = answer_one(&trials, &question, index, &mut work, &mut reference_at, session)?;
     progress.end();
-    let Some(boundary) = found else { return Ok(Exit::Interrupted) };
+    let Some(boundary) = found else {
+        tell!("interrupted; boundary {index} is not finished, and the same command measures it from the beginning");
+        return Ok(Exit::Interrupted);
+    };
     say!("boundary {index}: {boundary}");
     say!("kept in {}; the same command with --resume instead of --index answers the whole question", file.display());
     Ok(Exit::Done)

@@ -28,31 +28,37 @@ fn question(trials: &Trials) -> Question {
     }
 }
 
-/// Measures with the finished boundaries of a record, until `most` further ones are finished. Returns the answer, all records
-/// that were kept, and the number of rollouts.
-fn measured(resumed: Option<&str>, most: usize) -> (Option<ToleranceRecord>, Vec<String>, usize) {
-    let (problem, stopped, played) = (slot(), AtomicBool::new(false), AtomicUsize::new(0));
+/// Hands over trials of the slot, a session that `stopped` interrupts, and the number of rollouts so far.
+fn with_slot<T>(stopped: &AtomicBool, work: impl FnOnce(&Trials, &Session, &AtomicUsize) -> T) -> T {
+    let (problem, played) = (slot(), AtomicUsize::new(0));
     let observer = |event: &Event| {
         if let Event::Rollouts { .. } = event {
             played.fetch_add(1, Ordering::Relaxed);
         }
     };
-    let session = Session { threads: 2, ..Session::new(&observer, &stopped) };
+    let session = Session { threads: 2, ..Session::new(&observer, stopped) };
     let trials = Trials::new(&problem, straight(&problem), few(), &session).unwrap();
-    let asked = question(&trials);
-    let records = RefCell::new(Vec::new());
+    work(&trials, &session, &played)
+}
+
+/// Measures with the finished boundaries of a record, until `most` further ones are finished. Returns the answer, all records
+/// that were kept, and the number of rollouts.
+fn measured(resumed: Option<&str>, most: usize) -> (Option<ToleranceRecord>, Vec<String>, usize) {
+    let (stopped, records) = (AtomicBool::new(false), RefCell::new(Vec::new()));
     let keep = |record: &[u8]| {
         records.borrow_mut().push(String::from_utf8(record.to_vec()).unwrap());
         stopped.store(records.borrow().len() == most, Ordering::Relaxed);
         Ok(())
     };
-    let begun = Work::new(&trials, &asked);
-    let begun = if let Some(text) = resumed { begun.resumed(text).unwrap() } else { begun };
-    let mut work = begun.kept_by(&keep);
-    let mut reference_at = |_| Ok(Some(trials.reference().clone()));
-    let answered = answer(&trials, &asked, &mut work, &mut reference_at, &session).unwrap();
-    drop(work);
-    (answered, records.into_inner(), played.into_inner())
+    let (answered, played) = with_slot(&stopped, |trials, session, played| {
+        let asked = question(trials);
+        let begun = Work::new(trials, &asked);
+        let begun = if let Some(text) = resumed { begun.resumed(text).unwrap() } else { begun };
+        let mut reference_at = |_| Ok(Some(trials.reference().clone()));
+        let answered = answer(trials, &asked, &mut begun.kept_by(&keep), &mut reference_at, session).unwrap();
+        (answered, played.load(Ordering::Relaxed))
+    });
+    (answered, records.into_inner(), played)
 }
 
 #[test]
@@ -76,40 +82,29 @@ fn an_answer_in_parts_is_the_whole_one() {
 #[test]
 fn boundaries_of_several_processes_are_one_answer() {
     let (whole, _, all) = measured(None, 0);
-    let (problem, played) = (slot(), AtomicUsize::new(0));
-    let stopped = AtomicBool::new(false);
-    let observer = |event: &Event| {
-        if let Event::Rollouts { .. } = event {
-            played.fetch_add(1, Ordering::Relaxed);
+    with_slot(&AtomicBool::new(false), |trials, session, played| {
+        let (asked, records) = (question(trials), RefCell::new(Vec::new()));
+        let keep = |record: &[u8]| {
+            records.borrow_mut().push(String::from_utf8(record.to_vec()).unwrap());
+            Ok(())
+        };
+        let mut reference_at = |_| Ok(Some(trials.reference().clone()));
+        let mut measure = |index: usize| {
+            let mut work = Work::new(trials, &asked).kept_by(&keep);
+            answer_one(trials, &asked, index, &mut work, &mut reference_at, session)
+        };
+        for index in [4, 2, 0, 1, 3] {
+            assert!(measure(index).unwrap().is_some());
         }
-    };
-    let session = Session { threads: 2, ..Session::new(&observer, &stopped) };
-    let trials = Trials::new(&problem, straight(&problem), few(), &session).unwrap();
-    let asked = question(&trials);
-    let mut reference_at = |_| Ok(Some(trials.reference().clone()));
-    let records = RefCell::new(Vec::new());
-    let keep = |record: &[u8]| {
-        records.borrow_mut().push(String::from_utf8(record.to_vec()).unwrap());
-        Ok(())
-    };
-    let mut measure = |index: usize| {
-        let mut work = Work::new(&trials, &asked).kept_by(&keep);
-        answer_one(&trials, &asked, index, &mut work, &mut reference_at, &session)
-    };
-    for index in [4, 2, 0, 1, 3] {
-        assert!(measure(index).unwrap().is_some());
-    }
-    assert!(measure(5).unwrap_err().to_string().contains("5 boundaries are asked for, counted from 0"));
-    assert_eq!(played.load(Ordering::Relaxed), all, "each measures its own");
+        assert!(measure(5).unwrap_err().to_string().contains("5 boundaries are asked for, counted from 0"));
+        assert_eq!(played.load(Ordering::Relaxed), all, "each measures its own");
 
-    let mut work = Work::new(&trials, &asked);
-    for record in records.borrow().iter() {
-        work = work.resumed(record).unwrap();
-    }
-    let mut reference_at = |_| Ok(Some(trials.reference().clone()));
-    let answered = answer(&trials, &asked, &mut work, &mut reference_at, &session).unwrap();
-    assert_eq!(answered.unwrap().json().unwrap(), whole.unwrap().json().unwrap());
-    assert_eq!(played.load(Ordering::Relaxed), all, "nothing is measured twice");
+        let mut work =
+            records.borrow().iter().fold(Work::new(trials, &asked), |work, text| work.resumed(text).unwrap());
+        let answered = answer(trials, &asked, &mut work, &mut reference_at, session).unwrap();
+        assert_eq!(answered.unwrap().json().unwrap(), whole.unwrap().json().unwrap());
+        assert_eq!(played.load(Ordering::Relaxed), all, "nothing is measured twice");
+    });
 }
 
 #[test]
