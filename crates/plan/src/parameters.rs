@@ -64,6 +64,7 @@ impl RobustParameters {
             ("time.comparison", comparison),
             ("training.force_share", self.training.force_share),
             ("evaluation.force_share", self.evaluation.force_share),
+            ("evaluation.confidence", self.evaluation.confidence),
         ] {
             require((0.0..=1.0).contains(&share), name, share, "must lie between 0 and 1")?;
         }
@@ -172,6 +173,9 @@ pub struct EvaluationParameters {
     /// Number of rollouts after which fewer failures are enough, where the plan is certain to fail: rare ones would take the
     /// whole evaluation.
     pub enough_rollouts: usize,
+    /// Confidence with which random offsets alone show the target rate at each friction, so that no more are played: 0.95 takes 299
+    /// of them without a failure for a rate of 99 %. 1 plays all.
+    pub confidence: f64,
     /// Part of the limit of contact forces that evaluations may use: largest forces in MuJoCo are a tenth larger.
     pub force_share: f64,
 }
@@ -186,6 +190,7 @@ impl Default for EvaluationParameters {
             batch: 24,
             enough_failures: 8,
             enough_rollouts: 240,
+            confidence: 0.95,
             force_share: 0.9,
         }
     }

@@ -91,6 +91,17 @@ impl SuccessRates {
         self.planned_succeed() && self.by_friction().all(|groups| rate(groups) >= wanted)
     }
 
+    /// Whether random offsets show the rate that is wanted at each friction with some confidence: if it were lower, so few of them
+    /// would fail with a probability of at most `1 - confidence`. Every planned offset has to succeed.
+    pub fn show(&self, wanted: f64, confidence: f64) -> bool {
+        let is_shown = |groups: &[SuccessRate]| {
+            let random = groups.iter().filter(|group| !group.planned);
+            let [successes, rollouts] = counts(random);
+            rollouts > 0 && at_most(rollouts - successes, rollouts, 1.0 - wanted) <= 1.0 - confidence
+        };
+        self.planned_succeed() && self.by_friction().all(is_shown)
+    }
+
     /// The groups of each friction.
     pub fn by_friction(&self) -> impl Iterator<Item = &[SuccessRate]> {
         self.0.chunk_by(|one, other| one.friction == other.friction)
@@ -114,8 +125,21 @@ pub fn interval(groups: &[SuccessRate]) -> [f64; 2] {
     wilson_interval(successes, rollouts)
 }
 
-fn counts(groups: &[SuccessRate]) -> [usize; 2] {
-    groups.iter().fold([0; 2], |[successes, rollouts], group| [successes + group.successes, rollouts + group.rollouts])
+/// Probability that at most `failures` of some rollouts fail, each with probability `each`.
+fn at_most(failures: usize, rollouts: usize, each: f64) -> f64 {
+    let none = (1.0 - each).powi(rollouts as i32);
+    let more = |term: &mut f64, failures: usize| {
+        let probability = *term;
+        *term *= (rollouts - failures) as f64 / (failures + 1) as f64 * each / (1.0 - each);
+        Some(probability)
+    };
+    (0..=failures).scan(none, more).sum()
+}
+
+fn counts<'group>(groups: impl IntoIterator<Item = &'group SuccessRate>) -> [usize; 2] {
+    groups
+        .into_iter()
+        .fold([0; 2], |[successes, rollouts], group| [successes + group.successes, rollouts + group.rollouts])
 }
 
 #[cfg(test)]
@@ -140,6 +164,28 @@ mod tests {
         let rates = SuccessRates(vec![group(0.0, true, 9), group(0.0, false, 10)]);
         assert!(!rates.satisfy(0.5));
         assert!(SuccessRates(vec![group(0.0, true, 10), group(0.0, false, 5)]).satisfy(0.5));
+    }
+
+    #[test]
+    fn the_rate_of_99_percent_is_shown_by_299_successes_in_a_row() {
+        // With one failure, 473 rollouts show it: 0.99^n (1 + n / 99) <= 0.05.
+        let show = |rollouts, failures, confidence| {
+            let random = SuccessRate { rollouts, successes: rollouts - failures, ..group(0.1, false, 0) };
+            SuccessRates(vec![group(0.1, true, 10), random]).show(0.99, confidence)
+        };
+        assert!(show(299, 0, 0.95) && !show(298, 0, 0.95) && !show(299, 1, 0.95));
+        assert!(show(473, 1, 0.95) && !show(472, 1, 0.95));
+        assert!(!show(10_000, 0, 1.0) && !show(0, 0, 0.0), "never for certain, and never by planned offsets alone");
+        let planned_fails = SuccessRates(vec![
+            group(0.1, true, 9),
+            SuccessRate { rollouts: 500, successes: 500, ..group(0.1, false, 0) },
+        ]);
+        assert!(!planned_fails.show(0.99, 0.95));
+        let only_one = SuccessRates(vec![
+            SuccessRate { rollouts: 500, successes: 500, ..group(0.1, false, 0) },
+            group(0.3, false, 10),
+        ]);
+        assert!(!only_one.show(0.99, 0.95), "it has to be shown at each friction");
     }
 
     #[test]

@@ -132,6 +132,10 @@ impl Wanted {
     fn is_met_by(self, rates: &SuccessRates) -> bool {
         rates.satisfy(self.each) && rates.overall() >= self.overall
     }
+
+    fn is_shown_by(self, rates: &SuccessRates, confidence: f64) -> bool {
+        rates.show(self.each, confidence) && rates.overall() >= self.overall
+    }
 }
 
 /// The result of an evaluation.
@@ -139,7 +143,7 @@ impl Wanted {
 pub struct Judgement {
     /// Of the test cases that were played.
     pub rates: SuccessRates,
-    /// Whether the whole evaluation was played, every planned grasp error succeeds, and rates are as wanted.
+    /// Whether every planned grasp error succeeds, and rates are as wanted in the whole evaluation, or shown by a part of it.
     pub reached: bool,
     /// The evaluation.
     pub evaluation: Drawn,
@@ -218,7 +222,7 @@ impl Evaluation {
         cases
     }
 
-    /// Plays a reference in the test cases until it is decided whether it succeeds as often as wanted, and enough failures are
+    /// Plays a reference in the test cases until it is decided whether it succeeds as often as wanted, and enough of them are
     /// known; or until `stop` returns true.
     pub fn judge(
         &self,
@@ -229,10 +233,10 @@ impl Evaluation {
     ) -> Judgement {
         let (mut results, mut unplayed) = (Vec::new(), 0);
         for batch in self.cases.chunks(self.parameters.batch) {
-            let Judgement { rates, failures, .. } = self.judgement(&results, wanted);
+            let Judgement { rates, failures, reached, .. } = self.judgement(&results, wanted);
             let EvaluationParameters { enough_failures, enough_rollouts, .. } = self.parameters;
             let is_enough = failures.len() >= enough_failures || results.len() >= enough_rollouts;
-            if is_enough && !self.can_satisfy(&rates.0, wanted) {
+            if reached || is_enough && !self.can_satisfy(&rates.0, wanted) {
                 break;
             }
             let Some(new) = evaluator.evaluate_all(reference, batch, stop) else {
@@ -254,7 +258,10 @@ impl Evaluation {
             }
         }
         let rates = SuccessRates(groups);
-        let reached = results.len() == self.cases.len() && wanted.is_met_by(&rates);
+        let EvaluationParameters { enough_rollouts, confidence, .. } = self.parameters;
+        let is_whole = results.len() == self.cases.len();
+        let reached = is_whole && wanted.is_met_by(&rates)
+            || results.len() >= enough_rollouts && wanted.is_shown_by(&rates, confidence);
         Judgement { reached, evaluation: self.drawn, unplayed: 0, rates, failures }
     }
 
@@ -442,5 +449,34 @@ mod tests {
         assert!(!can_be(0.0, [(2, 2), (10, 8)]), "two may not");
         assert!(!can_be(0.0, [(2, 1), (0, 0)]), "every planned offset has to succeed");
         assert!(can_be(0.99, [(2, 2), (10, 9)]) && !can_be(0.995, [(2, 2), (10, 9)]), "as often as another plan");
+    }
+
+    /// The judgement of an evaluation of 500 random offsets after `passes` successes and then `failures`.
+    fn judged(wanted: Wanted, passes: usize, failures: usize) -> bool {
+        let result = |passed| TestResult {
+            passed,
+            violation: 0.0,
+            contact_force: 0.0,
+            remaining_shift: Vector3::zeros(),
+            unblocked_shift: Vector3::zeros(),
+            remaining_rotation: Vector3::zeros(),
+            overshoot: None,
+        };
+        let results = [vec![result(true); passes], vec![result(false); failures]].concat();
+        evaluation(500).judgement(&results, wanted).reached
+    }
+
+    #[test]
+    fn an_evaluation_is_decided_once_the_rate_is_shown() {
+        let wanted = |each, overall| Wanted { each, overall };
+        let target = wanted(0.99, 0.0);
+        assert!(judged(target, 2 + 299, 0) && !judged(target, 2 + 298, 0), "two of them are planned offsets");
+        assert!(!judged(target, 2 + 299, 1), "one failure takes 473 random offsets");
+        assert!(judged(target, 2 + 495, 5) && !judged(target, 2 + 494, 6), "the whole evaluation");
+        assert!(
+            judged(wanted(0.99, 1.0), 2 + 299, 0) && !judged(wanted(0.99, 1.0), 2 + 473, 1),
+            "as often as another plan"
+        );
+        assert!(!judged(wanted(0.5, 0.0), 200, 0) && judged(wanted(0.5, 0.0), 240, 0), "at least some rollouts");
     }
 }

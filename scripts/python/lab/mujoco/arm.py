@@ -9,6 +9,7 @@ from lab.errors import InputError
 from lab.mujoco.control import GraspError, State, impedance_wrench
 from lab.mujoco.inverse_kinematics import configuration_at
 from lab.mujoco.plans import Plan
+from lab.mujoco.robots import Robot
 from lab.mujoco.rollout import Player
 from lab.mujoco.rotations import quaternion_of, rotation_matrix
 from lab.mujoco.world import clearance
@@ -26,17 +27,11 @@ class ArmPlayer(Player):
         super().__init__(model, plan, window)
         self.grasp = model.site("grasp").id
         self.part = model.body("body").id
-        self.torque_limits = np.where(model.jnt_actfrclimited, model.jnt_actfrcrange.T, [[-np.inf], [np.inf]])
-        time_step, robot = model.opt.timestep, plan.robot
-        self.period = round(robot.control_period / time_step)
-        self.delay = round(robot.delay / time_step)
-        if abs(self.period * time_step - robot.control_period) > 1e-9:
-            raise InputError(
-                f"--time-step {time_step:g}: the control period of {robot.control_period:g} s is no multiple of it"
-            )
+        self.torque_limits = torque_limits(model)
+        self.period, self.delay = timing(plan.robot, model.opt.timestep)
 
     def begin(self, samples: list[State], grasp_error: GraspError) -> None:
-        self.release(self.start(samples), grasp_error)
+        self.release(start_configuration(self.model, self.plan.robot, samples), grasp_error)
 
     def release(self, configuration: np.ndarray, grasp_error: GraspError) -> None:
         """Puts the arm at rest at joint positions (rad) with a grasp error."""
@@ -49,20 +44,9 @@ class ArmPlayer(Player):
         self.pending = collections.deque([data.qfrc_bias.copy()] * self.delay)
 
     def misplace(self, grasp_error: GraspError) -> None:
-        """Moves the part in the gripper: its pose, shifted by the offset and turned, is the believed one."""
-        nominal, quaternion = self.plan.robot.grasp, np.zeros(4)
-        mujoco.mju_mulQuat(quaternion, nominal[3:], quaternion_of(-grasp_error.turn))
-        self.model.body_pos[self.part] = nominal[:3] - rotation_matrix(quaternion) @ grasp_error.offset
-        self.model.body_quat[self.part] = quaternion
-
-    def start(self, samples: list[State]) -> np.ndarray:
-        """Joint positions at the first sample, on the branch of the robot's configuration: the reference is followed
-        backwards from its end."""
-        stride = max(1, round(FOLLOWING_STEP / self.model.opt.timestep))
-        configuration = self.plan.robot.configuration
-        for sample in [*samples[:0:-stride], samples[0]]:
-            configuration = configuration_at(self.model, np.array(sample[:7]), configuration)
-        return configuration
+        """Moves the part in the gripper."""
+        place = misplaced(self.plan.robot, grasp_error)
+        self.model.body_pos[self.part], self.model.body_quat[self.part] = place[:3], place[3:]
 
     def advance(self, step: int, reference: State) -> None:
         model, data = self.model, self.data
@@ -99,3 +83,36 @@ class ArmPlayer(Player):
         configuration = configuration_at(self.model, self.plan.goal, self.plan.robot.configuration)
         self.release(configuration, GraspError(np.zeros(3), np.zeros(3)))
         return clearance(self.model, self.data)
+
+
+def start_configuration(model: mujoco.MjModel, robot: Robot, samples: list[State]) -> np.ndarray:
+    """Joint positions at the first sample, on the branch of the robot's configuration: the reference is followed
+    backwards from its end."""
+    stride = max(1, round(FOLLOWING_STEP / model.opt.timestep))
+    configuration = robot.configuration
+    for sample in [*samples[:0:-stride], samples[0]]:
+        configuration = configuration_at(model, np.array(sample[:7]), configuration)
+    return configuration
+
+
+def misplaced(robot: Robot, grasp_error: GraspError) -> np.ndarray:
+    """Pose of the part in the tip (7 numbers) with a grasp error: shifted by the offset and turned, it is the believed
+    one."""
+    quaternion = np.zeros(4)
+    mujoco.mju_mulQuat(quaternion, robot.grasp[3:], quaternion_of(-grasp_error.turn))
+    return np.concatenate([robot.grasp[:3] - rotation_matrix(quaternion) @ grasp_error.offset, quaternion])
+
+
+def timing(robot: Robot, time_step: float) -> tuple[int, int]:
+    """Control period and delay in time steps."""
+    period = round(robot.control_period / time_step)
+    if abs(period * time_step - robot.control_period) > 1e-9:
+        raise InputError(
+            f"--time-step {time_step:g}: the control period of {robot.control_period:g} s is no multiple of it"
+        )
+    return period, round(robot.delay / time_step)
+
+
+def torque_limits(model: mujoco.MjModel) -> np.ndarray:
+    """Lowest and highest torque (Nm) of every joint (2 x joints)."""
+    return np.where(model.jnt_actfrclimited, model.jnt_actfrcrange.T, [[-np.inf], [np.inf]])

@@ -99,6 +99,12 @@ class Player:
         observe()
         return record
 
+    def normal_force(self) -> float:
+        """Sum of the normal forces (N) of all contacts."""
+        data = self.data
+        # The first row of a contact is its normal, with and without friction.
+        return float(data.efc_force[data.contact.efc_address].sum()) if data.ncon else 0.0
+
     def warned(self) -> bool:
         """Whether MuJoCo warned of anything since the start of the motion."""
         return bool(self.data.warning.number.any()) or not np.isfinite(self.data.qpos).all()

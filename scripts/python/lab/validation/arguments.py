@@ -54,7 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--engine",
         choices=("mujoco", "drake"),
         default="mujoco",
-        help="simulator; drake plays free bodies [default: %(default)s]",
+        help="simulator; drake plays free bodies and arms with torques [default: %(default)s]",
     )
     add(
         "--time-step",
@@ -67,7 +67,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=positive(float),
         default=1e6,
         metavar="N/M",
-        help="of each contact in Drake [default: 1e6, which is next to rigid]",
+        help="of each point of contact in Drake [default: 1e6, which is next to rigid]",
+    )
+    add(
+        "--hydroelastic-modulus",
+        type=positive(float),
+        metavar="PA",
+        help="contact over surfaces in Drake, not at points: pressure in the middle of the body's pieces",
     )
     add(
         "--baseline",
@@ -99,8 +105,10 @@ def check(arguments: argparse.Namespace) -> None:
     """Refuses arguments that do not go together."""
     if not arguments.folders and not arguments.self_test:
         raise InputError("name at least one folder, or --self-test")
-    if arguments.engine == "drake" and (arguments.arm or arguments.trace):
-        raise InputError("--arm and --trace need --engine mujoco")
+    if arguments.engine == "drake" and arguments.trace:
+        raise InputError("--trace needs --engine mujoco")
+    if arguments.hydroelastic_modulus and arguments.engine != "drake":
+        raise InputError("--hydroelastic-modulus needs --engine drake")
     optional = (arguments.robot, arguments.joint_friction)
     is_given = optional != (None, None) or arguments.gain_factor != 1 or arguments.delay > 0
     if is_given and not arguments.arm:

@@ -5,17 +5,18 @@ import math
 import pathlib
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator
+from typing import Any
 
 import mujoco
 import numpy as np
 
-from lab.mujoco import arm_world, robots, shapes, world
-from lab.mujoco.arm import ArmPlayer
+from lab.mujoco import robots, shapes
 from lab.mujoco.control import GraspError
 from lab.mujoco.inverse_kinematics import configuration_at
 from lab.mujoco.plans import Impedance, Plan, Reference, damping_matrix
 from lab.mujoco.rotations import rotation_matrix, rotation_vector
 from lab.paths import ARMS
+from lab.validation.rollouts import Rollouts, Settings
 
 TIME_STEP = 0.0005
 FORCE_WINDOW = 20
@@ -28,15 +29,11 @@ NO_ERROR = GraspError(np.zeros(3), np.zeros(3))
 Check = tuple[str, float, float]
 
 
-def checks(example: Plan) -> Iterator[Check]:
+def checks(example: Plan, engine: str) -> Iterator[Check]:
     """All checks, with the box of an example above its floor."""
     for arm in NAMES:
-        plan = held(example, arm)
-        yield from forward_kinematics(plan, arm)
-        yield from free_motion(plan, arm)
-        yield from press(plan, arm)
-        yield from deadband(plan, arm)
-        yield from delay(plan, arm)
+        for check in (forward_kinematics, free_motion, press, deadband, delay):
+            yield from check(held(example, arm), arm, engine)
 
 
 def held(example: Plan, arm: str) -> Plan:
@@ -47,9 +44,9 @@ def held(example: Plan, arm: str) -> Plan:
     return dataclasses.replace(example, robot=robot, impedance=impedance)
 
 
-def player(plan: Plan) -> ArmPlayer:
-    """A player of a plan without contact friction."""
-    return ArmPlayer(arm_world.build(plan, world.Contact(0.0, TIME_STEP)), plan, FORCE_WINDOW)
+def player(plan: Plan, engine: str) -> Any:
+    """A player of a plan without contact friction, and with a MuJoCo model of the arm."""
+    return Rollouts(plan, Settings(TIME_STEP, 1.0, engine)).player(0.0)
 
 
 def resting(pose: np.ndarray, duration: float) -> list[list[float]]:
@@ -58,9 +55,9 @@ def resting(pose: np.ndarray, duration: float) -> list[list[float]]:
     return Reference(np.array([0.0, duration]), states).sample(TIME_STEP, 0.0).tolist()
 
 
-def forward_kinematics(plan: Plan, arm: str) -> Iterator[Check]:
+def forward_kinematics(plan: Plan, arm: str, engine: str) -> Iterator[Check]:
     """The part is where the product of all transforms of the URDF file puts it, displaced by the grasp error."""
-    arm_player, random = player(plan), np.random.default_rng(3)
+    arm_player, random = player(plan, engine), np.random.default_rng(3)
     offset, angle = np.array([0.004, -0.003, 0.005]), 0.1
     for name, turn in (("", 0.0), (" with a turned part", angle)):
         configuration = random.uniform(-1, 1, len(plan.robot.configuration))
@@ -105,14 +102,14 @@ def turned(axis: int, angle: float) -> np.ndarray:
     return rotation_matrix(quaternion)
 
 
-def free_motion(plan: Plan, arm: str) -> Iterator[Check]:
+def free_motion(plan: Plan, arm: str, engine: str) -> Iterator[Check]:
     """Released beside a resting reference, the part moves as a body of the apparent inertia on springs and dampers."""
     shift, duration = np.array([0.001, -0.002, 0.002]), 0.3
-    arm_player = player(plan)
+    arm_player = player(plan, engine)
     samples = resting(np.append(shift, UPRIGHT), duration)
     start = configuration_at(arm_player.model, plan.goal, plan.robot.configuration)
     arm_player.release(start, NO_ERROR)
-    inertia = apparent_inertia(arm_player)
+    inertia = apparent_inertia(arm_player.model, start)
     rows: list[list[float]] = []
     arm_player.play(samples, lambda: rows.append(arm_player.state()))
     actual = np.array(rows)[:, :3]
@@ -129,50 +126,51 @@ def free_motion(plan: Plan, arm: str) -> Iterator[Check]:
     yield f"{arm}: free motion, m", np.abs(actual - exact).max(), 1e-5
 
 
-def apparent_inertia(arm_player: ArmPlayer) -> np.ndarray:
+def apparent_inertia(model: mujoco.MjModel, configuration: np.ndarray) -> np.ndarray:
     """`(J M^-1 J')^-1` of the part (6 x 6), where it is upright."""
-    model, data = arm_player.model, arm_player.data
-    mass, jacobian = np.zeros((model.nv, model.nv)), np.zeros((6, model.nv))
+    data, jacobian = at(model, configuration)
+    mass = np.zeros((model.nv, model.nv))
     mujoco.mj_fullM(model, data, mass)
-    mujoco.mj_jacBody(model, data, jacobian[:3], jacobian[3:], arm_player.part)
     return np.linalg.inv(jacobian @ np.linalg.solve(mass, jacobian.T))
 
 
-def press(plan: Plan, arm: str) -> Iterator[Check]:
+def at(model: mujoco.MjModel, configuration: np.ndarray) -> tuple[mujoco.MjData, np.ndarray]:
+    """The arm at joint positions (rad), and the Jacobian of the part's pose (6 x joints, world frame)."""
+    data, jacobian = mujoco.MjData(model), np.zeros((6, model.nv))
+    data.qpos[:] = configuration
+    mujoco.mj_forward(model, data)
+    mujoco.mj_jacSite(model, data, jacobian[:3], jacobian[3:], model.site("grasp").id)
+    return data, jacobian
+
+
+def press(plan: Plan, arm: str, engine: str) -> Iterator[Check]:
     """Told to go below a floor, the part presses on it with stiffness times depth. A part that sits higher than the
     controller believes presses less."""
     depth, height = 0.01, 0.03
     floor = {"box": [2.0, 2.0, 0.1], "position": [0.0, 0.0, -height - 0.05]}
     plan = dataclasses.replace(plan, environment=[shapes.part_vertices(floor, pathlib.Path())])
-    arm_player = player(plan)
+    arm_player = player(plan, engine)
     samples = resting(np.array([0.0, 0.0, -depth, *UPRIGHT]), 2.0)
     start = configuration_at(arm_player.model, plan.goal, plan.robot.configuration)
     for offset in (0.0, 0.004):
         arm_player.release(start, GraspError(np.array([0.0, 0.0, -offset]), np.zeros(3)))
         forces: list[float] = []
-        arm_player.play(samples, lambda seen=forces: seen.append(pressing_force(arm_player.data)))
+        arm_player.play(samples, lambda seen=forces: seen.append(arm_player.normal_force()))
         # Its corners take turns in carrying the part.
         force = np.mean(forces[len(forces) // 2 :])
         yield f"{arm}: press with an offset of {1e3 * offset:g} mm, N", abs(force - STIFFNESS * (depth - offset)), 0.05
         yield f"{arm}: height of the pressed part, m", abs(arm_player.state()[2]), 5e-5
 
 
-def pressing_force(data: mujoco.MjData) -> float:
-    """Sum of all normal forces (N) without contact friction."""
-    return data.efc_force[data.contact.efc_address].sum() if data.ncon else 0.0
-
-
-def deadband(plan: Plan, arm: str) -> Iterator[Check]:
+def deadband(plan: Plan, arm: str, engine: str) -> Iterator[Check]:
     """With joint friction the arm rests where all torques of the springs are below it, and not elsewhere."""
     friction = 0.5
     robot = dataclasses.replace(plan.robot, joint_friction=np.full(len(plan.robot.configuration), friction))
-    arm_player = player(dataclasses.replace(plan, robot=robot))
+    arm_player = player(dataclasses.replace(plan, robot=robot), engine)
     start = configuration_at(arm_player.model, plan.goal, robot.configuration)
-    linear = np.zeros((3, arm_player.model.nv))
-    arm_player.release(start, NO_ERROR)
-    mujoco.mj_jacBody(arm_player.model, arm_player.data, linear, None, arm_player.part)
+    _, jacobian = at(arm_player.model, start)
     # Along x the friction of one joint after the other is overcome: the first one at this distance.
-    edge = friction / (STIFFNESS * np.abs(linear[0]).max())
+    edge = friction / (STIFFNESS * np.abs(jacobian[0]).max())
     for share, moves in ((0.95, False), (1.1, True)):
         arm_player.release(start, NO_ERROR)
         arm_player.play(resting(np.array([share * edge, 0.0, 0.0, *UPRIGHT]), 2.0))
@@ -183,14 +181,14 @@ def deadband(plan: Plan, arm: str) -> Iterator[Check]:
             yield f"{arm}: creep within the deadband, m", moved, 1e-6
 
 
-def delay(plan: Plan, arm: str) -> Iterator[Check]:
+def delay(plan: Plan, arm: str, engine: str) -> Iterator[Check]:
     """Until the first torque arrives, the arm carries itself and does not move."""
     wait = 10
     robot = dataclasses.replace(plan.robot, delay=wait * TIME_STEP)
-    arm_player = player(dataclasses.replace(plan, robot=robot))
+    arm_player = player(dataclasses.replace(plan, robot=robot), engine)
     arm_player.release(configuration_at(arm_player.model, plan.goal, robot.configuration), NO_ERROR)
     speeds: list[float] = []
     samples = resting(np.array([0.01, 0.0, 0.0, *UPRIGHT]), 2 * wait * TIME_STEP)
-    arm_player.play(samples, lambda: speeds.append(np.abs(arm_player.data.qvel).max()))
+    arm_player.play(samples, lambda: speeds.append(np.abs(arm_player.state()[7:]).max()))
     # The first torque acts in the step after the delay, and its speed is seen before the next one.
     yield f"{arm}: first motion with delay, steps", abs(int(np.argmax(np.array(speeds) > 1e-6)) - (wait + 1)), 0.0

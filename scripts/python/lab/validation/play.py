@@ -63,7 +63,8 @@ def with_arm(arguments: argparse.Namespace, plan: Plan) -> Plan:
 def settings_of(arguments: argparse.Namespace) -> Settings:
     """How the arguments say to play."""
     time_step = arguments.time_step or TIME_STEPS[arguments.engine]
-    return Settings(time_step, arguments.settling_time, arguments.engine, arguments.contact_stiffness)
+    compliance = arguments.contact_stiffness, arguments.hydroelastic_modulus
+    return Settings(time_step, arguments.settling_time, arguments.engine, *compliance)
 
 
 def engine_line(arguments: argparse.Namespace) -> str:
@@ -71,6 +72,8 @@ def engine_line(arguments: argparse.Namespace) -> str:
     version = importlib.metadata.version(arguments.engine)
     if arguments.engine == MUJOCO:
         return f"MuJoCo {version}"
+    if arguments.hydroelastic_modulus:
+        return f"Drake {version}, hydroelastic contact of {arguments.hydroelastic_modulus:g} Pa"
     return f"Drake {version}, contacts of {arguments.contact_stiffness:g} N/m"
 
 

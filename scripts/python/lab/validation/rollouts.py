@@ -5,6 +5,7 @@ import multiprocessing
 import signal
 from collections.abc import Iterator
 
+from lab.errors import InputError
 from lab.mujoco import arm_world, world
 from lab.mujoco.arm import ArmPlayer
 from lab.mujoco.control import GraspError
@@ -25,12 +26,14 @@ RIGID = 1e6
 
 @dataclasses.dataclass(frozen=True)
 class Settings:
-    """How motions are played: steps and rest (s), engine, and stiffness of its contacts (N/m), which only Drake has."""
+    """How motions are played: steps and rest (s) and engine; for Drake alone, the stiffness of points of contact (N/m),
+    or the hydroelastic modulus of surfaces (Pa)."""
 
     time_step: float
     settling_time: float
     engine: str
     contact_stiffness: float = RIGID
+    hydroelastic_modulus: float | None = None
 
 
 class Rollouts:
@@ -52,11 +55,7 @@ class Rollouts:
             contact = world.Contact(friction, self.settings.time_step)
             window = max(1, round(FORCE_WINDOW / self.settings.time_step))
             if self.settings.engine == DRAKE:
-                # Only this engine needs the package.
-                from lab.drake.player import DrakePlayer
-
-                stiffness = self.settings.contact_stiffness
-                self.players[friction] = DrakePlayer(self.plan, contact, stiffness, FORCE_WINDOW)
+                self.players[friction] = self.in_drake(contact)
             elif self.plan.position_robot and self.plan.position_robot.is_force_mode:
                 kind = ForceArmPlayer if self.plan.robot else ForcePlayer
                 self.players[friction] = kind(world.build(self.plan, contact), self.plan, window)
@@ -68,6 +67,18 @@ class Rollouts:
             else:
                 self.players[friction] = FreePlayer(world.build(self.plan, contact), self.plan, window)
         return self.players[friction]
+
+    def in_drake(self, surface: world.Contact) -> object:
+        """The simulation in Drake, whose package nothing else needs."""
+        from lab.drake import arm, contact, free
+
+        if self.plan.position_robot:
+            raise InputError(
+                f"{self.plan.folder}: Drake has no robot that is commanded by position; use --engine mujoco"
+            )
+        kind = arm.ArmPlayer if self.plan.robot else free.FreePlayer
+        compliance = contact.Compliance(self.settings.contact_stiffness, self.settings.hydroelastic_modulus)
+        return kind(self.plan, surface, compliance, FORCE_WINDOW)
 
     def play(self, motion: str, friction: float, grasp_error: GraspError) -> Outcome:
         """One motion."""

@@ -37,7 +37,8 @@ def run(engine: str) -> bool:
     """Prints every check of an engine and returns whether all hold."""
     good = True
     own = MUJOCO_CHECKS if engine == MUJOCO else ()
-    for check in (functools.partial(contact_cases.checks, example(), engine), *own):
+    both = [functools.partial(module.checks, example(), engine) for module in (contact_cases, arm_selftest)]
+    for check in (*both, *own):
         for name, error, tolerance in check():
             verdict = "ok" if error <= tolerance else "FAILED"
             good = good and error <= tolerance
@@ -104,11 +105,6 @@ def oscillator(times: np.ndarray, start: float, frequency: float, ratio: float) 
 def force_mode() -> Iterator[Check]:
     """Robots in force mode."""
     return force_selftest.checks(example)
-
-
-def whole_arms() -> Iterator[Check]:
-    """Arms that hold the box."""
-    return arm_selftest.checks(example())
 
 
 def free_motion() -> Iterator[Check]:
@@ -322,6 +318,5 @@ MUJOCO_CHECKS = (
     shape_forms,
     interpolation,
     statistics,
-    whole_arms,
     force_mode,
 )
