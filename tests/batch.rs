@@ -139,7 +139,7 @@ fn a_terminated_batch_resumes_from_the_homotopy_step_it_had_reached() {
     run.wait_until("a homotopy step of the first cell", || checkpoint(&cell).exists());
     batch(&dir, "status runs", 0).says("1 running");
     run.signal("TERM");
-    run.finish().code(130).says("interrupted with 2 cells to do");
+    run.finish().code(130).says("interrupted; 2 cells left");
     assert_eq!(finished(&dir, "runs"), [None, None]);
     batch(&dir, "status runs", 0).says("2 cells: 0 planned, 0 running, 0 failed, 2 to do");
 

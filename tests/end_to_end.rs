@@ -375,7 +375,7 @@ fn a_plan_of_the_solver_is_played_and_the_summary_names_the_next_commands() {
         .says("  friction 0.3: ")
         .says("a straight push ")
         .says("run with --robust for a plan")
-        .says("next: `assembly-plan report out` shows it, `assembly-plan export out`");
+        .says("next: `assembly-plan report out` shows it, `assembly-plan export out --to csv`");
     let result = dir.result("out");
     assert_eq!((&result["planned"], &result["done"]), (&true.into(), &false.into()));
     assert!(list(&result["tested"], "rates").len() > 3 && result["tested"]["push"]["reached"].is_boolean(), "{result}");
@@ -385,6 +385,6 @@ fn a_plan_of_the_solver_is_played_and_the_summary_names_the_next_commands() {
 #[test]
 fn a_straight_push_that_does_it_too_is_named() {
     let dir = Dir::new();
-    dir.run("solve corner.toml --robust --friction 0 --out out").code(0).says("a straight push does it too");
+    dir.run("solve corner.toml --robust --friction 0 --out out").code(0).says("a straight push also succeeds");
     assert_eq!(dir.result("out")["robust"]["push"]["reached"], true);
 }

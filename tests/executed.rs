@@ -46,6 +46,9 @@ fn what_a_robot_did_is_compared_with_a_rollout() {
     let text = dir.read("executed.csv");
     dir.write("missed.csv", text.replace("0.059", "0.159"));
     dir.run(&format!("{compare} missed.csv")).code(1).says("larger than planned for").says("is closest");
+    // Where the goal is, but tilted by 0.3 rad.
+    dir.write("tilted.csv", text.replace("0.031,1,0,0,0,", "0.031,0.98877,0,0,0.14944,"));
+    dir.run(&format!("{compare} tilted.csv")).code(1).says("larger than planned for").says("is closest");
     dir.write("stopped.csv", log(&dir, &header(&dir), 0.5, &[]));
     dir.run(&format!("{compare} stopped.csv")).code(1).says("was stopped").says("gives no reason").says("is closest");
     dir.run(&format!("{compare} executed.csv --friction 0,0.1")).code(2).says("one friction");

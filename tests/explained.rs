@@ -98,7 +98,7 @@ fn a_body_that_begins_inside_with_every_offset_is_refused() {
 fn a_body_that_begins_inside_with_some_offset_is_warned_of() {
     let dir = Dir::new();
     add_box(&dir, 0.025);
-    let words = "warning: at the start with offset 1 box/floor penetrate by 15.000 mm, more than any other pair; move that \
+    let words = "warning: box/floor penetrate by 15.000 mm at the start with offset 1, the deepest of all pairs; move that \
                  start, or lower robustness.offset_magnitude";
     dir.run("check box.toml").code(0).says(words).keeps_silent_about("with every offset");
     let run = dir.run("solve box.toml --out out").says(words);

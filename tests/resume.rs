@@ -31,7 +31,7 @@ fn iterations(dir: &Dir, folder: &str) -> Vec<u64> {
 #[test]
 fn a_resumed_plan_is_the_uninterrupted_one() {
     let dir = folder();
-    dir.run("solve slow.toml --out whole --resume").code(0);
+    dir.run("solve slow.toml --out whole --resume").code(0).says("whole: there is no unfinished work to resume");
     assert!(!dir.exists(".whole.unfinished"), "a whole plan needs no checkpoint");
 
     for (signal, code) in [("TERM", Some(130)), ("INT", Some(130)), ("KILL", None)] {
@@ -180,7 +180,7 @@ fn a_refinement_for_another_target_is_not_used() {
     {
         dir.run(&format!("{} {end}", HOPELESS.replace(from, to)))
             .says("resuming after homotopy step 5 of at most 5 of an earlier run")
-            .says("not used: it was refined for other frictions, rotation errors or tolerances")
+            .says("not used: it was refined for other requirements")
             .keeps_silent_about("resuming the refinement");
         dir.copy("kept", UNFINISHED);
     }

@@ -193,7 +193,11 @@ fn files_of_two_plans_are_no_plan_whatever_their_hashes_are() {
         dir.remove("plan");
     }
     forge(&dir, "contacts.csv", |text| text.lines().next().unwrap().to_owned() + "\n");
-    dir.run("report plan").code(2).says("plan/contacts.csv: has no rows");
+    dir.run("report plan").code(2).says("plan/contacts.csv: has no row of the first scenario");
+    dir.remove("plan");
+    // Contacts of scenarios that are not there.
+    forge(&dir, "scenarios.csv", |text| text.lines().next().unwrap().to_owned() + "\n");
+    dir.run("report plan").code(2).says("plan/");
     dir.remove("plan");
     forge(&dir, "resolved.toml", |text| {
         text.replacen("translational_stiffness = 50.0", "translational_stiffness = 900.0", 1)
@@ -215,4 +219,16 @@ fn a_plan_with_a_lost_file_is_refused() {
         dir.remove("plans/lost");
         dir.remove("plan");
     }
+}
+
+#[test]
+fn plans_of_different_scenes_are_not_mixed() {
+    let dir = Dir::new();
+    let corner = dir.read("corner.toml");
+    dir.write("other.toml", corner.replacen("title = \"corner\"", "title = \"other\"", 1));
+    for scene in ["corner", "other"] {
+        dir.run(&format!("solve {scene}.toml --out plans/{scene}")).code(0);
+    }
+    dir.run("simulate plans").code(2).says("plans/corner and plans/other are plans of different scenes");
+    dir.run("simulate plans/other").code(0);
 }

@@ -92,6 +92,15 @@ fn press_and_snap_fits_are_named_with_depth_and_place() {
     };
     new("wide.obj", "groove.obj").says("a press fit").says("penetrate by 0.100 mm at (").says("when assembled");
     new("low.obj", "lips.obj").says("a snap fit").says("penetrate by 0.400 mm at (").says("on the way out along +z");
+    // Longer hooks than parts of this size bend are in the way all the same.
+    dir.write("hooked.obj", swept(&[[8.0, 8.1], [22.0, 8.1], [22.0, 17.0], [8.0, 17.0]], [2.0, 18.0]));
+    let undercut = [
+        [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [19.0, 20.0]],
+        [[19.0, 18.0], [23.0, 18.0], [23.0, 8.0], [7.0, 8.0]],
+        [[7.0, 18.0], [11.0, 18.0], [11.0, 20.0], [0.0, 20.0]],
+    ];
+    dir.write("undercut.obj", swept(&undercut.concat(), [0.0, 20.0]));
+    new("hooked.obj", "undercut.obj").says("body and environment penetrate by ").says(" mm from the assembled pose");
 }
 
 #[test]

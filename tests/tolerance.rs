@@ -19,7 +19,7 @@ fn errors_and_a_map_of_a_plan_are_written_and_told() {
     );
     dir.run(&line)
         .code(0)
-        .says("corner: largest errors at which 80 % of the rollouts succeed")
+        .says("corner: largest tolerated errors (80 % of the rollouts succeed")
         .says("  offset up to ")
         .says(", planned for 20.00 mm")
         .says("\noffset by friction:\n  at 0.00: offset up to ")
@@ -59,9 +59,13 @@ fn without_a_plan_each_row_is_planned_once() {
     let first = plans.map(|plan| dir.bytes(plan));
     dir.run(&line).code(0);
     assert_eq!(plans.map(|plan| dir.bytes(plan)), first, "plans are used again");
+    // For another tolerance, plans are others.
+    dir.run(&line.replace("0.006", "0.007")).code(0);
+    let second = dir.bytes(plans[0]);
+    assert_ne!(second, first[0]);
     // For other frictions, the plan is another one; a row of friction has its own.
     dir.run(&line.replace("--friction 0,0.1", "--friction 0.2")).code(0);
-    assert_ne!(dir.bytes(plans[0]), first[0]);
+    assert_ne!(dir.bytes(plans[0]), second);
     let row = dir.json(plans[1]);
     assert!(list(&row["robust"], "after").iter().all(|group| number(group, "friction") == 0.0), "{row}");
 }
@@ -70,7 +74,7 @@ fn without_a_plan_each_row_is_planned_once() {
 fn a_reference_that_misses_the_goal_tolerates_nothing() {
     let dir = planned();
     let line = "tolerance corner.toml --plan plan --quantity friction --no-map --cases 40 --position-tolerance 1e-6";
-    dir.run(line).code(1).says("friction: too few succeed at any tested value");
+    dir.run(line).code(1).says("friction: not tolerated at any tested value");
     assert!(dir.json("plan/tolerance.json")["boundaries"][0]["value"].is_null());
     assert!(!dir.exists("plan/tolerance.svg"));
 }
@@ -86,14 +90,17 @@ fn wrong_requests_say_what_would_be_right() {
         ("--need clearance=1mm", "`clearance` cannot be required; choose one of offset, rotation, hole, friction"),
         ("--need offset=2deg", "`deg` is no unit of offset"),
         ("--need friction=-1", "must not be negative"),
+        ("--need friction=1e6", "must lie between 0 and 10"),
+        ("--need rotation=100", "must lie between 0 and 1.57 rad"),
+        ("--map offset,friction --rows 0.1,1e6", "--rows: friction = 1000000: must lie between 0 and 10"),
         ("--by chamfer", "--need"),
         ("--need offset=2mm --by friction", "[possible values: clearance, chamfer]"),
         (
             "--need offset=2mm --by chamfer --quantity offset --no-map --cases 20 --target-rate 0.5",
-            "chamfer: the body is in no hole that can have one",
+            "chamfer: the hole cannot be given a chamfer",
         ),
-        ("--quantity chamfer", "chamfer: the body is in no hole that can have one"),
-        ("--map offset,chamfer", "chamfer: the body is in no hole that can have one"),
+        ("--quantity chamfer", "chamfer: the hole cannot be given a chamfer"),
+        ("--map offset,chamfer", "chamfer: the hole cannot be given a chamfer"),
         ("--target-rate 1", "rate: must be at least 0.5 and below 1"),
         ("--cases 5", "--cases"),
         ("--fit H7/g6", "--diameter"),

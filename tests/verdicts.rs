@@ -275,3 +275,73 @@ fn many_pairs_are_named_and_pieces_are_summed_up() {
     assert!(run.stdout.lines().count() < 40 && !run.stdout.contains("body12"), "{}", run.stdout);
     dir.run("check s.toml --verbose").code(0).says("body12");
 }
+
+/// The outline of a D: a circle of some radius without what is beyond a chord of a quarter turn.
+fn d_outline(radius: f64) -> Vec<[f64; 2]> {
+    let angle = |index: u32| (45.0 + 270.0 * f64::from(index) / 51.0).to_radians();
+    (0..52).map(|index| [radius * angle(index).cos(), radius * angle(index).sin()]).collect()
+}
+
+/// Faces along an outline, each made of an edge from one point to the next.
+fn along(outline: &[[f64; 2]], face: impl Fn([f64; 2], [f64; 2]) -> Face) -> Vec<Face> {
+    (0..outline.len()).map(|index| face(outline[index], outline[(index + 1) % outline.len()])).collect()
+}
+
+/// A prism with an outline of an even number of points, between two heights.
+fn prism(outline: &[[f64; 2]], [low, high]: [f64; 2]) -> Vec<Face> {
+    let at = |[x, y]: [f64; 2], height: f64| [x, y, height];
+    let walls = along(outline, |from, to| [at(from, low), at(to, low), at(to, high), at(from, high)]);
+    let cap = |height: f64| -> Vec<Face> {
+        let point = |index: usize| at(outline[index % outline.len()], height);
+        (0..outline.len()).step_by(2).map(|i| [[0.0, 0.0, height], point(i), point(i + 1), point(i + 2)]).collect()
+    };
+    [walls, cap(high), reversed(cap(low))].concat()
+}
+
+/// A square block of 40 x 40 mm with a hole through it, whose outline has points in the directions of the corners.
+fn bored(outline: &[[f64; 2]], [low, high]: [f64; 2]) -> Vec<Face> {
+    let at = |[x, y]: [f64; 2], height: f64| [x, y, height];
+    let outer = |[x, y]: [f64; 2]| {
+        let largest = x.abs().max(y.abs());
+        [20.0 * x / largest, 20.0 * y / largest]
+    };
+    let face = |height: f64| {
+        along(outline, |from, to| [at(from, height), at(outer(from), height), at(outer(to), height), at(to, height)])
+    };
+    let walls = |side: &dyn Fn([f64; 2]) -> [f64; 2]| {
+        along(outline, |from, to| [at(side(from), low), at(side(to), low), at(side(to), high), at(side(from), high)])
+    };
+    [face(high), reversed(face(low)), walls(&outer), reversed(walls(&|point| point))].concat()
+}
+
+#[test]
+fn a_shaft_with_a_flat_keeps_it_in_its_bore() {
+    let dir = Dir::new();
+    dir.write("plug.obj", obj(&prism(&d_outline(3.0), [-8.0, 8.0]), here));
+    dir.write("socket.obj", obj(&bored(&d_outline(3.1), [-10.0, 0.0]), here));
+    dir.run(&format!("new s.toml {FILES} --axis z")).code(0);
+    // A tenth on the round side, and 0.1 cos(45 degrees) on the flat.
+    dir.run("check s.toml").code(0).says("at the goal: meshes 0.0707 mm apart, convex parts 0.07");
+    // A round pin that the bore has room for.
+    let circle: Vec<[f64; 2]> = (0..48)
+        .map(|index| {
+            let angle = (7.5 * f64::from(index)).to_radians();
+            [1.9 * angle.cos(), 1.9 * angle.sin()]
+        })
+        .collect();
+    dir.write("plug.obj", obj(&prism(&circle, [-8.0, 8.0]), here));
+    dir.run(&format!("new pin.toml {FILES} --axis z")).code(0);
+    dir.run("check pin.toml").code(0).says("at the goal: meshes 0.29");
+}
+
+#[test]
+fn parts_that_are_size_on_size_are_warned_of() {
+    let dir = plug(8.0, 0.0, here);
+    let words = "the parts have no clearance where the environment guides the body";
+    dir.run(&format!("new s.toml {FILES}")).code(0).says(words);
+    dir.run("check s.toml").code(0).says(words);
+    dir.run("check s.toml --strict").code(1).says(words);
+    // A hundredth is a fit.
+    let dir = plug(8.0, 0.01, here);
+    dir.run(&format!("new s.toml {FILES}")).code(0).keeps_silent_about(words);
+}

@@ -30,7 +30,7 @@ pub fn run(arguments: &CalibrateArguments) -> Result<Exit, CommandError> {
     }
     record.warnings.iter().for_each(|warning| tell!("warning: {warning}"));
     if entries.is_empty() {
-        tell!("these logs tell nothing that the scene could say; see above which runs would");
+        tell!("these logs determine no entry of the scene; the remarks above say which runs would");
         return Ok(Exit::NoPlan);
     }
     match &arguments.out {

@@ -81,7 +81,7 @@ fn print_verdict(explanation: &Explanation) {
     let title = &explanation.title;
     match (&explanation.refusal, explanation.warnings.len()) {
         (Some(reason), _) => say!("{title}: no plan can be made: {reason}"),
-        (None, 0) => say!("{title}: can be planned, nothing is odd"),
+        (None, 0) => say!("{title}: can be planned, all checks pass"),
         (None, 1) => say!("{title}: can be planned, with 1 warning"),
         (None, count) => say!("{title}: can be planned, with {count} warnings"),
     }

@@ -17,6 +17,7 @@ mod program;
 mod progress;
 mod report;
 mod schema;
+mod shell;
 mod simulate;
 mod solve;
 mod summary;

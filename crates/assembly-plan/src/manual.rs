@@ -1,13 +1,13 @@
 //! `man`: the manual pages.
 
 use std::fs::create_dir_all;
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 use clap::{Arg, Command};
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, italic, roman};
-use planner::files::require_folder;
+use planner::files::{require_folder, write_file};
 
 use crate::arguments::{CLOSINGS, Closing, ManualArguments, command_line};
 use crate::console::say;
@@ -57,7 +57,7 @@ fn write_page(command: &Command, folder: &Path) -> io::Result<()> {
     }
     closing.map_or(Ok(()), |closing| closing_sections(closing, name).to_writer(&mut text))?;
     page.render_version_section(&mut text)?;
-    std::fs::File::create(folder.join(page.get_filename()))?.write_all(&text)
+    write_file(&folder.join(page.get_filename()), &text).map_err(io::Error::other)
 }
 
 /// How a command is called, with the values of its flags.

@@ -7,16 +7,16 @@ use scene_templates::{Axis, FilePair, StarterValues};
 use crate::arguments::NewArguments;
 use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
+use crate::shell::word;
 
 /// Writes the scene.
 pub fn run(arguments: &NewArguments) -> Result<Exit, CommandError> {
     let starter = starter(&arguments.file, arguments.files().as_ref(), arguments.axis, &arguments.values())?;
     write_new_scene(&arguments.file, &starter.text, arguments.force)?;
-    let file = arguments.file.display();
-    say!("written to {file}");
+    say!("written to {}", arguments.file.display());
     print_starter(&starter);
     warnings::of_problem(&starter.problem).iter().for_each(|warning| tell!("warning: {warning}"));
-    say!("next: assembly-plan check {file}");
+    say!("next: assembly-plan check {}", word(&arguments.file));
     Ok(Exit::Done)
 }
 

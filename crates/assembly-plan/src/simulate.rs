@@ -20,6 +20,7 @@ use crate::exit::{CommandError, Exit};
 use crate::played::problem_of;
 use crate::progress::Progress;
 use crate::report;
+use crate::shell::word;
 use crate::values::threads;
 
 /// Plays everything, writes both tables and prints the one of successes.
@@ -31,6 +32,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
         .into_iter()
         .map(|plan| problem_of(arguments.scene.as_deref(), &arguments.tolerance, plan))
         .collect::<Result<_, _>>()?;
+    require_one_scene(&played)?;
     if let Some(log) = &arguments.executed {
         return show_execution(&played, &request, log);
     }
@@ -82,8 +84,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     }
     if let Some((_, problem)) = played.first() {
         say!(
-            "{}: {}; success is to end within {:.2} mm and {} rad of the goal, in brackets Wilson's interval of 95 %; errors, \
-             penetration and force are the largest of all rollouts\n\n{table}",
+            "{}: {}; a success ends within {:.2} mm and {} rad of the goal and keeps the forces of [limits]; Wilson's interval \
+             of 95 % in brackets; errors, penetration and force are the largest of all rollouts\n\n{table}",
             problem.scene().title,
             request.errors.offsets_in_words(problem),
             1e3 * problem.success().position,
@@ -100,12 +102,28 @@ pub fn run(arguments: &SimulateArguments) -> Result<Exit, CommandError> {
     Ok(Exit::Done)
 }
 
+/// Refuses plans that are judged by different rules: one table would mix them.
+fn require_one_scene(played: &[(StoredPlan, Problem)]) -> Result<(), CommandError> {
+    let rules =
+        |problem: &Problem| (problem.scene().title.clone(), problem.success(), problem.task().limits.contact_force);
+    let Some(((first, problem), others)) = played.split_first() else { return Ok(()) };
+    match others.iter().find(|(_, other)| rules(other) != rules(problem)) {
+        Some((other, _)) => Err(CommandError::Usage(format!(
+            "{} and {} are plans of different scenes, or with different tolerances or limits: name one of them, or a batch of one \
+             scene",
+            first.folder.display(),
+            other.folder.display()
+        ))),
+        None => Ok(()),
+    }
+}
+
 /// Refuses a plan before its scene.
 fn require_order(arguments: &SimulateArguments) -> Result<(), CommandError> {
     let SimulateArguments { scene, folder, .. } = arguments;
     match scene {
         Some(scene) if scene.is_dir() && folder.is_file() => {
-            let (scene, folder) = (scene.display(), folder.display());
+            let (scene, folder) = (word(scene), word(folder));
             Err(CommandError::Usage(format!(
                 "{scene} is a folder and {folder} a file; the scene comes first: `assembly-plan simulate {folder} {scene}`"
             )))

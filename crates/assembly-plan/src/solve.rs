@@ -13,6 +13,7 @@ use crate::exit::{CommandError, Exit};
 use crate::interrupt::{stop_flag, stop_with_parent};
 use crate::progress::Progress;
 use crate::report;
+use crate::shell::word;
 use crate::summary::summary;
 use crate::values::threads;
 
@@ -48,6 +49,9 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
     if !arguments.resume && folder.discard()? {
         tell!("{DISCARDED}");
     }
+    if arguments.resume && !folder.has_unfinished_work() {
+        tell!("{}: there is no unfinished work to resume; the scene is solved from the beginning", out.display());
+    }
 
     let stopped = stop_flag();
     if arguments.cell.is_some() {
@@ -80,7 +84,7 @@ pub fn run(arguments: &SolveArguments, clock: RunClock) -> Result<Exit, CommandE
     if arguments.report {
         report::write_into(&out)?;
     } else if page.exists() {
-        tell!("{} shows an older plan; `assembly-plan report {}` rewrites it", page.display(), out.display());
+        tell!("{} shows an older plan; `assembly-plan report {}` rewrites it", page.display(), word(&out));
     } else {
         say!("{}", next(&result, &out));
     }
@@ -108,17 +112,17 @@ fn going_on(arguments: &SolveArguments, out: &Path) -> String {
     let robust = if arguments.robust.robust { " --robust" } else { "" };
     format!(
         "to resume: assembly-plan solve {}{robust} --resume --out {} --time-limit S, with all other flags as they were",
-        arguments.task.scene.display(),
-        out.display()
+        word(&arguments.task.scene),
+        word(out)
     )
 }
 
 /// The command that follows.
 fn next(result: &PlanResult, out: &Path) -> String {
-    let out = out.display();
+    let out = word(out);
     match result.done || result.planned {
         true => format!(
-            "next: `assembly-plan report {out}` shows it, `assembly-plan export {out}` writes what a robot reads"
+            "next: `assembly-plan report {out}` shows it, `assembly-plan export {out} --to csv` writes what a robot reads"
         ),
         false => format!("next: `assembly-plan report {out}` shows it"),
     }

@@ -47,7 +47,7 @@ pub fn summary(result: &PlanResult) -> String {
     }
     let deepest = result.scenarios.iter().map(|scenario| scenario.max_penetration_m).fold(0.0, f64::max);
     let [deepest, most] = [deepest, result.max_overlap_m].map(|penetration| 1e3 * penetration);
-    lines.push(format!("  exact shapes penetrate by at most {deepest:.3} mm, of {most:.3} mm that are allowed"));
+    lines.push(format!("  exact shapes penetrate by at most {deepest:.3} mm ({most:.3} mm allowed)"));
     lines.push(format!("  offsets covered: {}", result.coverage));
     lines.push(execution(result));
     lines.extend(result.motion.as_ref().map(motion));
@@ -68,7 +68,7 @@ pub fn summary(result: &PlanResult) -> String {
 /// Duration, largest rotation and forces of a plan.
 fn motion(motion: &MotionRecord) -> String {
     format!(
-        "  moves for {:.2} s, presses with at most {:.1} N (mean over 10 ms), rotates by up to {:.1} degrees away from the \
+        "  moves for {:.2} s, contact force up to {:.1} N (mean over 10 ms), rotates by up to {:.1} degrees away from the \
          straight motion, leaves the straight path by up to {:.2} mm ({:.2} mm in free air)",
         motion.duration_s,
         motion.max_force_n,
@@ -90,7 +90,7 @@ fn limits(limits: &LimitsRecord, reached: &LimitsRecord) -> Option<String> {
 
 fn robustness(report: &RobustnessReport, planned: usize) -> Vec<String> {
     let mut lines = vec![format!(
-        "success in rollouts with hard contact: {:.1} % of {} before, {:.1} % of {} after ({:.1} % wanted at each friction), \
+        "success in rollouts with hard contact: {:.1} % of {} before, {:.1} % of {} after (target of {:.1} % at each friction), \
          {:.0} s; {}",
         100.0 * report.rate_before,
         report.before.rollouts(),
@@ -118,7 +118,7 @@ fn tested(report: &TestReport) -> Vec<String> {
 
 fn straight_push(push: &PushReport) -> String {
     match push.reached {
-        true => "  a straight push does it too: it succeeds in the same rollouts".to_owned(),
+        true => "  a straight push also succeeds in these rollouts: no plan is needed".to_owned(),
         false => format!(
             "  a straight push succeeds in {:.1} % of {} of the same rollouts",
             100.0 * push.rates.overall(),
@@ -134,7 +134,7 @@ fn by_friction(rates: &SuccessRates) -> impl Iterator<Item = String> {
         let (friction, percent) = (groups[0].friction, 100.0 * rate(groups));
         let force = max_force(groups);
         format!(
-            "  friction {friction}: {percent:.1} % (95 % confidence: {low:.1} to {high:.1}), presses with at most {force:.1} N: {}",
+            "  friction {friction}: {percent:.1} % (95 % confidence: {low:.1} to {high:.1}), contact force up to {force:.1} N: {}",
             listed.join(", ")
         )
     })

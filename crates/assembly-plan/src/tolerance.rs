@@ -18,9 +18,11 @@ use crate::console::{say, tell};
 use crate::exit::{CommandError, Exit};
 use crate::interrupt::stop_flag;
 use crate::progress::Progress;
+use crate::shell::word;
 use crate::solve::DISCARDED;
 use crate::tolerance::kept::Kept;
 use crate::tolerance::plans::Plans;
+use crate::values;
 use crate::values::threads;
 
 /// Name of the picture of the map.
@@ -28,6 +30,10 @@ const PICTURE: &str = "tolerance.svg";
 
 /// Measures all that is asked for, writes it and prints it.
 pub fn run(arguments: &ToleranceCommandArguments, clock: RunClock) -> Result<Exit, CommandError> {
+    let MapFlags { rows, .. } = MapFlags::of(arguments)?;
+    if let (Some(name), Some(diameter), [least, most]) = (&arguments.fit, arguments.diameter, &rows[..]) {
+        say!("{name} at {} mm: clearance {:.3} to {:.3} mm", 1e3 * diameter, 1e3 * least, 1e3 * most);
+    }
     let mut plans = Plans::of(arguments)?;
     let progress = Progress::new(&arguments.progress)?;
     let stopped = stop_flag();
@@ -51,14 +57,13 @@ pub fn run(arguments: &ToleranceCommandArguments, clock: RunClock) -> Result<Exi
     write_file(&out.join(TOLERANCE), record.json()?.as_bytes())?;
     match &record.map {
         Some(map) => write_file(&out.join(PICTURE), svg(map).as_bytes())?,
-        // One of an earlier run would be taken for this one's.
+        // A picture of an earlier run would look like this run's.
         None => remove_file(&out.join(PICTURE))?,
     }
     kept.discard()?;
     show(&record);
-    say!("written to {0}; `assembly-plan report {0}` shows it", out.display());
-    let is_none_tolerated = record.boundaries.iter().any(|boundary| boundary.value.is_none());
-    Ok(if is_none_tolerated { Exit::NoPlan } else { Exit::Done })
+    say!("written to {}; `assembly-plan report {}` shows it", out.display(), word(&out));
+    Ok(if record.is_answered() { Exit::Done } else { Exit::NoPlan })
 }
 
 /// All that is asked for; `None` after an interrupt. Finished boundaries are kept, and those that are kept are not measured again.
@@ -133,31 +138,52 @@ fn asked<'problem>(
 
 /// The map that is asked for: none by default, where the scene has no clearance.
 fn requested_map(arguments: &ToleranceCommandArguments, trials: &Trials) -> Result<Option<MapQuestion>, CommandError> {
-    let [quantity, over] = arguments.map[..] else {
-        return Err(CommandError::Usage("--map takes two quantities, such as offset,clearance".to_owned()));
-    };
-    let is_default = arguments.rows.is_empty() && arguments.fit.is_none() && over == Quantity::Clearance;
+    let MapFlags { quantity, over, rows } = MapFlags::of(arguments)?;
+    let is_default = rows.is_empty() && over == Quantity::Clearance;
     if arguments.no_map || (is_default && trials.clearance().is_err()) {
         return Ok(None);
     }
-    let rows = match (&arguments.fit, arguments.diameter) {
-        (Some(_), _) if over != Quantity::Clearance => {
-            return Err(CommandError::Usage("--fit needs a map over clearance".to_owned()));
-        }
-        (Some(name), Some(diameter)) => {
-            let fit = Fit::new(name, diameter).map_err(|error| CommandError::Usage(format!("--fit: {error}")))?;
-            say!("{name} at {} mm: clearance {:.3} to {:.3} mm", 1e3 * diameter, 1e3 * fit.least, 1e3 * fit.most);
-            vec![fit.least, fit.most]
-        }
-        _ => arguments.rows.clone(),
-    };
     Ok(Some(MapQuestion::new(trials, quantity, over, &rows)?))
+}
+
+/// What flags say of the map.
+struct MapFlags {
+    quantity: Quantity,
+    over: Quantity,
+    /// Values of `over`; none are chosen by the scene.
+    rows: Vec<f64>,
+}
+
+impl MapFlags {
+    /// Reads the flags, which need no plan.
+    fn of(arguments: &ToleranceCommandArguments) -> Result<Self, CommandError> {
+        let [quantity, over] = arguments.map[..] else {
+            return Err(CommandError::Usage("--map takes two quantities, such as offset,clearance".to_owned()));
+        };
+        if quantity == over {
+            let name = quantity.name();
+            return Err(CommandError::Usage(format!("--map {name},{name}: the two quantities must differ")));
+        }
+        let rows = match (&arguments.fit, arguments.diameter) {
+            (Some(_), _) if over != Quantity::Clearance => {
+                return Err(CommandError::Usage("--fit needs a map over clearance".to_owned()));
+            }
+            (Some(name), Some(diameter)) => {
+                let fit = Fit::new(name, diameter).map_err(|error| CommandError::Usage(format!("--fit: {error}")))?;
+                vec![fit.least, fit.most]
+            }
+            _ => arguments.rows.clone(),
+        };
+        let in_range = rows.iter().try_for_each(|&row| values::in_range(over, row));
+        in_range.map_err(|problem| CommandError::Usage(format!("--rows: {problem}")))?;
+        Ok(Self { quantity, over, rows })
+    }
 }
 
 fn show(record: &ToleranceRecord) {
     say!(
-        "{}: largest errors at which {} % of the rollouts succeed, each with the others as planned, in brackets the \
-         confidence interval of 95 %; frictions {} in turn",
+        "{}: largest tolerated errors ({} % of the rollouts succeed, other errors as planned; 95 % confidence interval in \
+         brackets; frictions {} in turn)",
         record.scene,
         100.0 * record.rate,
         record.frictions.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")

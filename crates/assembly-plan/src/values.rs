@@ -69,7 +69,26 @@ pub fn required(text: &str) -> Result<(Quantity, f64), String> {
     if !fits {
         return Err(format!("`{unit}` is no unit of {name}"));
     }
-    Ok((quantity, scale * number(digits.trim(), |number| number >= 0.0, "must not be negative")?))
+    let value = scale * number(digits.trim(), |number| number >= 0.0, "must not be negative")?;
+    in_range(quantity, value)?;
+    Ok((quantity, value))
+}
+
+/// Refuses a value (SI units) that no scene could have.
+pub fn in_range(quantity: Quantity, value: f64) -> Result<(), String> {
+    let key = match quantity {
+        Quantity::Offset | Quantity::Hole => scene::key("robustness", "offset_magnitude"),
+        Quantity::Rotation => scene::key("robustness", "rotation_error"),
+        Quantity::Friction => scene::key("robustness", "friction"),
+        Quantity::Clearance | Quantity::Chamfer => scene::key("part", "clearance"),
+    };
+    match key.range().filter(|range| !range.contains(value)) {
+        Some(range) => {
+            let rule = format!("{} = {value}: must lie {range} {}", quantity.name(), key.unit);
+            Err(rule.trim_end().to_owned())
+        }
+        None => Ok(()),
+    }
 }
 
 /// A unit of length of meshes.

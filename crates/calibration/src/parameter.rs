@@ -182,7 +182,7 @@ impl Parameter {
         )
     }
 
-    /// Smallest standard error of a value that counts. Robots sample, interpolate and hold otherwise than rollouts do.
+    /// Smallest standard error of a value that counts. Robots sample, interpolate and hold differently from rollouts.
     pub fn least_error(self, value: f64) -> f64 {
         match self {
             Self::Lag => 5e-5,

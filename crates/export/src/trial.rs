@@ -2,7 +2,7 @@
 
 use plan::{PlannerError, Problem};
 use serde::Serialize;
-use simulation::{Settings, offsets, wilson_interval};
+use simulation::{Settings, larger, offsets, wilson_interval};
 use store::StoredPlan;
 use task::GraspError;
 use workers::Workers;
@@ -59,7 +59,7 @@ impl TrialRecord {
     /// When the arm does not reach the start, or the reference is too long.
     pub fn new(plan: &StoredPlan, problem: &Problem, reference: &SmoothReference) -> Result<Self, PlannerError> {
         let grasps = grasps(plan, problem);
-        let (played, success) = (reference.pieces(PIECES), problem.success());
+        let (played, success, limits) = (reference.pieces(PIECES), problem.success(), problem.task().limits);
         let workers = Workers::new(std::thread::available_parallelism().map_or(1, usize::from));
         let mut contact_force_n = 0.0_f64;
         let mut rates = Vec::new();
@@ -67,14 +67,13 @@ impl TrialRecord {
             let settings = Settings { friction, ..Settings::default() };
             settings.validate_for(&played)?;
             let outcomes = problem.rollout(settings)?.simulate(&played, &grasps, &workers);
-            let largest = outcomes.iter().map(|outcome| outcome.loads.contact_force).fold(0.0, f64::max);
-            contact_force_n = contact_force_n.max(largest);
-            let successes = outcomes.iter().filter(|outcome| outcome.reaches_goal(&success)).count();
+            contact_force_n = outcomes.iter().map(|outcome| outcome.loads.contact_force).fold(contact_force_n, larger);
+            let successes = outcomes.iter().filter(|outcome| outcome.succeeds(&success, &limits)).count();
             let (magnitude_m, turn_rad) = (problem.offset_magnitude(), problem.scene().robustness.rotation_error);
             let interval = wilson_interval(successes, outcomes.len());
             rates.push(RateRecord { friction, magnitude_m, turn_rad, rollouts: outcomes.len(), successes, interval });
         }
-        let limit = problem.task().limits.contact_force;
+        let limit = limits.contact_force;
         Ok(Self { rates, contact_force_n, contact_force_limit_n: Some(limit).filter(|limit| limit.is_finite()) })
     }
 
@@ -102,11 +101,11 @@ fn frictions(plan: &StoredPlan, problem: &Problem) -> Vec<f64> {
     if refined.is_empty() { problem.scene().robustness.frictions.clone() } else { refined }
 }
 
-/// The planned grasp errors, and random offsets in their hull with random rotations.
+/// The planned grasp errors, and random offsets of those that the scene covers with random rotations.
 fn grasps(plan: &StoredPlan, problem: &Problem) -> Vec<GraspError> {
     let planned: Vec<GraspError> = plan.result.scenarios.iter().map(|scenario| (&scenario.grasp).into()).collect();
     let offsets: Vec<[f64; 3]> = problem.task().grasps.iter().map(|grasp| grasp.offset).collect();
-    let random = offsets::hull(&offsets, RANDOM, SEED);
+    let random = offsets::covered(&problem.scene().coverage, &offsets, problem.offset_magnitude(), RANDOM, SEED);
     let turns = offsets::ball(problem.scene().robustness.rotation_error, RANDOM, SEED);
     let random = random.into_iter().zip(turns).map(|(offset, rotation)| GraspError { offset, rotation });
     GraspError::distinct(planned.into_iter().chain(random))

@@ -16,6 +16,8 @@ const SAME_ANGLE: f64 = 1e-4;
 /// A plane that leaves a curved surface at a smaller angle (rad) is its tangent plane.
 const TANGENT: f64 = 0.02;
 
+/// A facet that is wider than the others by more than this is a flat: that of a D-shaft has its corners on the circle, too.
+const WIDER: f64 = 2.5;
 /// The strips of an arc are longer than wide by this.
 const SLIM: f64 = 1.5;
 
@@ -152,8 +154,14 @@ fn neighbors<'a>(face: usize, mesh: &'a Mesh) -> impl Iterator<Item = usize> + '
 }
 
 fn fit(strips: &[Strip], mesh: &Mesh) -> Option<(Cone, f64)> {
-    let rims = rims(strips, mesh.vertices);
-    Cone::through(&[&rims[0], &rims[1]], mesh.tolerance)
+    let [near, far] = rims(strips, mesh.vertices);
+    let width = |rim: &[Vector]| rim.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect::<Vec<_>>();
+    let mut widths: Vec<f64> = width(&near).iter().zip(width(&far)).map(|(one, other)| one.max(other)).collect();
+    widths.sort_by(f64::total_cmp);
+    if *widths.last()? > WIDER * widths[widths.len() / 2] {
+        return None;
+    }
+    Cone::through(&[&near, &far], mesh.tolerance)
 }
 
 /// The longest parts of a chain that lie on a cone each.
@@ -244,10 +252,13 @@ fn face_middle(face: usize, mesh: &Mesh) -> Vector {
 fn adopt(faces: &mut Vec<usize>, is_taken: &mut [bool], cone: &Cone, is_convex: bool, deviation: f64, mesh: &Mesh) {
     let allowed = deviation + mesh.tolerance;
     let sign = if is_convex { 1.0 } else { -1.0 };
+    let widest = faces.iter().map(|&face| extent(face, cone, mesh).1).fold(0.0, f64::max);
+    let widest = (WIDER * widest).min(LARGEST_ANGLE);
     let belongs = |face: usize| {
         let normal = sign * mesh.faces.faces[face].plane.normal;
         let angle = cone.coordinates(&face_middle(face, mesh)).0;
         normal.dot(&cone.normal(angle)) > LARGEST_ANGLE.cos()
+            && extent(face, cone, mesh).1 <= widest
             && face_points(&[face], mesh).all(|point| cone.deviation(&point) <= allowed)
     };
     let mut next = 0;

@@ -20,6 +20,8 @@ use crate::passing::Place;
 use crate::solid::Solid;
 use crate::strips::LARGEST_ANGLE;
 
+/// Halfspaces of a piece, at most: a piece with more would make every distance slow.
+const MOST_CUTS: usize = 500;
 /// More cells take too long.
 const MOST_CELLS: usize = 6000;
 /// Places by which planes are chosen, and planes that are compared.
@@ -294,7 +296,8 @@ impl<'a> Touched<'a> {
         })
     }
 
-    /// A cell around a hull with few halfspaces that keeps its distance from all places.
+    /// A cell around a hull with few halfspaces that keeps its distance from all places, or from most of them where that takes
+    /// too many; the comparison of gaps with the meshes shows what that costs.
     pub fn trim(&self, hull: &Hull, root: &Cell) -> Cell {
         let facets = hull.facets(2.0 * self.tolerance);
         let mut cell = root.clone();
@@ -314,7 +317,7 @@ impl<'a> Touched<'a> {
         }
         let mut waiting: Vec<usize> = (0..self.places.len()).collect();
         let mut used: FxHashSet<usize> = FxHashSet::default();
-        for _ in 0..500 {
+        for _ in 0..MOST_CUTS {
             let outer = OuterCell::new(&cell);
             waiting.retain(|&place| !outer.is_beyond(&self.places[place].point, self.places[place].enough));
             let depth = |place: &usize| self.places[*place].enough - outer.height(&self.places[*place].point);

@@ -128,7 +128,9 @@ pub enum Unusable {
     #[error("its tables are damaged")]
     DamagedTables,
     /// Another target of the refinement.
-    #[error("it was refined for other frictions, rotation errors or tolerances")]
+    #[error(
+        "it was refined for other requirements: frictions, errors to tolerate, tolerances or parameters of the search"
+    )]
     OtherTarget,
     /// The record of the refinement was cut or changed.
     #[error("its refinement is damaged")]

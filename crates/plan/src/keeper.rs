@@ -25,11 +25,17 @@ pub trait Keeper: Sync {
     /// When it is missing, or no motion of the task.
     fn iteration(&self, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError>;
 
-    /// Keeps the motions of the homotopy steps of a round of refinement, where they are not those of the scene itself.
+    /// Keeps the motions of the homotopy steps of a round of refinement, where they are not those of the scene itself. Returns
+    /// names and hashes of their tables.
     ///
     /// # Errors
     /// When they cannot be written.
-    fn keep_refined(&self, round: usize, motions: &[&Trajectory], task: &AssemblyTask) -> Result<(), PlannerError>;
+    fn keep_refined(
+        &self,
+        round: usize,
+        motions: &[&Trajectory],
+        task: &AssemblyTask,
+    ) -> Result<Vec<(String, String)>, PlannerError>;
 
     /// The motion of a kept homotopy step, from 1, of a round of refinement.
     ///

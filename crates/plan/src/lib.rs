@@ -1,4 +1,4 @@
-//! A planning problem, its solution, and how rollouts of that do: in memory, without files of its own.
+//! A planning problem, its solution, and its rollouts: in memory, without files of its own.
 //!
 //! | module | what it holds |
 //! |---|---|

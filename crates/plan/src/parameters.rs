@@ -173,8 +173,8 @@ pub struct EvaluationParameters {
     /// Number of rollouts after which fewer failures are enough, where the plan is certain to fail: rare ones would take the
     /// whole evaluation.
     pub enough_rollouts: usize,
-    /// Confidence with which random offsets alone show the target rate at each friction, so that no more are played: 0.95 takes 299
-    /// of them without a failure for a rate of 99 %. 1 plays all.
+    /// Confidence with which random offsets alone show the target rate, so that no more are played: 0.95 takes 299 of them at each
+    /// friction, without a failure, for a rate of 99 %. 1 plays all.
     pub confidence: f64,
     /// Part of the limit of contact forces that evaluations may use: largest forces in MuJoCo are a tenth larger.
     pub force_share: f64,

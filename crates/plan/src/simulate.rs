@@ -3,7 +3,7 @@
 use std::fmt;
 
 use scene::Scene;
-use simulation::{Outcome, Reference, Settings, offsets};
+use simulation::{Outcome, Reference, Settings, larger, offsets};
 use task::{Coverage, GraspError};
 use workers::Workers;
 
@@ -145,7 +145,9 @@ pub struct PlayedRollout {
     pub grasp: GraspError,
     /// How it ended.
     pub outcome: Outcome,
-    /// Whether it reached the goal.
+    /// Whether it ends at the goal.
+    pub at_goal: bool,
+    /// Whether it ends there and keeps the limits of forces.
     pub success: bool,
 }
 
@@ -255,7 +257,8 @@ pub fn simulate_each(
                             magnitude: *magnitude,
                             grasp,
                             outcome,
-                            success: outcome.reaches_goal(&success),
+                            at_goal: outcome.reaches_goal(&success),
+                            success: outcome.succeeds(&success, &problem.task().limits),
                         })?;
                     }
                     done += errors.len();
@@ -325,8 +328,8 @@ pub struct RolloutRemarks {
     rollouts: usize,
     /// Rollouts in which parts penetrate.
     penetrating: usize,
-    /// Successes of the plan, and those that press with more than the limit.
-    successes: usize,
+    /// Rollouts of the plan that end at the goal, and those of them that press with more than the limit.
+    at_goal: usize,
     beyond: usize,
     /// Largest force of these (N).
     force: f64,
@@ -339,25 +342,26 @@ impl RolloutRemarks {
         const PENETRATION: f64 = 1e-4;
         let outcome = &played.outcome;
         self.rollouts += 1;
-        self.penetrating += usize::from(outcome.max_penetration > PENETRATION);
-        if played.success && played.motion == Motion::Plan {
-            self.successes += 1;
+        // Comparisons are false for what is no number.
+        self.penetrating += usize::from(!(outcome.max_penetration <= PENETRATION));
+        if played.at_goal && played.motion == Motion::Plan {
+            self.at_goal += 1;
             let force = outcome.loads.contact_force;
             // Comparisons are false for what is no number.
             if !(force <= limit) {
                 self.beyond += 1;
-                self.force = self.force.max(force);
+                self.force = larger(self.force, force);
             }
         }
     }
 
-    /// A warning about successes that press with more than the limit of contact forces (N), which no robust plan may.
+    /// A warning about rollouts that end at the goal and press with more than the limit of contact forces (N), and so fail.
     pub fn force_warning(&self, limit: f64) -> Option<String> {
-        let Self { successes, beyond, force, .. } = self;
+        let Self { at_goal, beyond, force, .. } = self;
         (*beyond > 0).then(|| {
             format!(
-                "{beyond} of the {successes} successes of the plan press with more than contact_force = {limit:.1} N, with up to \
-                 {force:.1} N; `solve --robust` counts such rollouts as failures"
+                "{beyond} of the {at_goal} rollouts of the plan that end at the goal press with more than contact_force = \
+                 {limit:.1} N, with up to {force:.1} N, and count as failures"
             )
         })
     }

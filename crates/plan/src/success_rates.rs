@@ -1,7 +1,7 @@
 //! How often a reference succeeds, by friction and magnitude of the offsets.
 
 use serde::{Deserialize, Serialize};
-use simulation::wilson_interval;
+use simulation::{larger, wilson_interval};
 
 use crate::length::Millimetres;
 use crate::or_null;
@@ -50,7 +50,7 @@ impl SuccessRate {
     pub fn count(&mut self, passed: bool, force: f64) {
         self.rollouts += 1;
         self.successes += usize::from(passed);
-        self.max_force_n = self.max_force_n.max(if force.is_nan() { f64::INFINITY } else { force });
+        self.max_force_n = larger(self.max_force_n, force);
     }
 
     /// The offsets, such as `random offsets of up to 0.80 mm`.
@@ -91,13 +91,12 @@ impl SuccessRates {
         self.planned_succeed() && self.by_friction().all(|groups| rate(groups) >= wanted)
     }
 
-    /// Whether random offsets show the rate that is wanted at each friction with some confidence: if it were lower, so few of them
-    /// would fail with a probability of at most `1 - confidence`. Every planned offset has to succeed.
+    /// Whether random offsets show the rate that is wanted at each friction with some confidence: none of them fails, which would
+    /// happen with a probability of at most `1 - confidence` at a lower rate. Every planned offset has to succeed.
     pub fn show(&self, wanted: f64, confidence: f64) -> bool {
         let is_shown = |groups: &[SuccessRate]| {
-            let random = groups.iter().filter(|group| !group.planned);
-            let [successes, rollouts] = counts(random);
-            rollouts > 0 && at_most(rollouts - successes, rollouts, 1.0 - wanted) <= 1.0 - confidence
+            let [successes, rollouts] = counts(groups.iter().filter(|group| !group.planned));
+            successes == rollouts && rollouts > 0 && wanted.powi(rollouts as i32) <= 1.0 - confidence
         };
         self.planned_succeed() && self.by_friction().all(is_shown)
     }
@@ -123,17 +122,6 @@ pub fn rate(groups: &[SuccessRate]) -> f64 {
 pub fn interval(groups: &[SuccessRate]) -> [f64; 2] {
     let [successes, rollouts] = counts(groups);
     wilson_interval(successes, rollouts)
-}
-
-/// Probability that at most `failures` of some rollouts fail, each with probability `each`.
-fn at_most(failures: usize, rollouts: usize, each: f64) -> f64 {
-    let none = (1.0 - each).powi(rollouts as i32);
-    let more = |term: &mut f64, failures: usize| {
-        let probability = *term;
-        *term *= (rollouts - failures) as f64 / (failures + 1) as f64 * each / (1.0 - each);
-        Some(probability)
-    };
-    (0..=failures).scan(none, more).sum()
 }
 
 fn counts<'group>(groups: impl IntoIterator<Item = &'group SuccessRate>) -> [usize; 2] {
@@ -168,23 +156,18 @@ mod tests {
 
     #[test]
     fn the_rate_of_99_percent_is_shown_by_299_successes_in_a_row() {
-        // With one failure, 473 rollouts show it: 0.99^n (1 + n / 99) <= 0.05.
-        let show = |rollouts, failures, confidence| {
-            let random = SuccessRate { rollouts, successes: rollouts - failures, ..group(0.1, false, 0) };
-            SuccessRates(vec![group(0.1, true, 10), random]).show(0.99, confidence)
+        let random = |friction, rollouts, failures| SuccessRate {
+            rollouts,
+            successes: rollouts - failures,
+            ..group(friction, false, 0)
         };
-        assert!(show(299, 0, 0.95) && !show(298, 0, 0.95) && !show(299, 1, 0.95));
-        assert!(show(473, 1, 0.95) && !show(472, 1, 0.95));
+        let show = |rollouts, failures, confidence| {
+            SuccessRates(vec![group(0.1, true, 10), random(0.1, rollouts, failures)]).show(0.99, confidence)
+        };
+        assert!(show(299, 0, 0.95) && !show(298, 0, 0.95) && !show(500, 1, 0.95));
         assert!(!show(10_000, 0, 1.0) && !show(0, 0, 0.0), "never for certain, and never by planned offsets alone");
-        let planned_fails = SuccessRates(vec![
-            group(0.1, true, 9),
-            SuccessRate { rollouts: 500, successes: 500, ..group(0.1, false, 0) },
-        ]);
-        assert!(!planned_fails.show(0.99, 0.95));
-        let only_one = SuccessRates(vec![
-            SuccessRate { rollouts: 500, successes: 500, ..group(0.1, false, 0) },
-            group(0.3, false, 10),
-        ]);
+        assert!(!SuccessRates(vec![group(0.1, true, 9), random(0.1, 500, 0)]).show(0.99, 0.95), "a planned one fails");
+        let only_one = SuccessRates(vec![random(0.1, 500, 0), random(0.3, 10, 0)]);
         assert!(!only_one.show(0.99, 0.95), "it has to be shown at each friction");
     }
 

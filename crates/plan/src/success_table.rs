@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use simulation::wilson_interval;
+use simulation::{larger, wilson_interval};
 
 use crate::length::Millimetres;
 use crate::simulate::{Motion, PlayedRollout};
@@ -61,13 +61,13 @@ impl SuccessGroup {
         let outcome = &played.outcome;
         self.rollouts += 1;
         self.successes += usize::from(played.success);
-        self.position_error = self.position_error.max(outcome.position_error);
-        self.orientation_error = self.orientation_error.max(outcome.orientation_error);
-        self.max_penetration = self.max_penetration.max(outcome.max_penetration);
-        self.max_force = self.max_force.max(outcome.loads.contact_force);
+        self.position_error = larger(self.position_error, outcome.position_error);
+        self.orientation_error = larger(self.orientation_error, outcome.orientation_error);
+        self.max_penetration = larger(self.max_penetration, outcome.max_penetration);
+        self.max_force = larger(self.max_force, outcome.loads.contact_force);
     }
 
-    /// `17/20 (64-95 %)`.
+    /// By motion, friction, modelled and injected magnitude.
     fn order(&self, other: &Self) -> Ordering {
         let motion = |group: &Self| match group.motion {
             Motion::HomotopyStep(number) => number,
@@ -80,6 +80,7 @@ impl SuccessGroup {
             .then(self.magnitude.total_cmp(&other.magnitude))
     }
 
+    /// `17/20 (64-95 %)`.
     fn rate(&self) -> String {
         let [low, high] = wilson_interval(self.successes, self.rollouts).map(|rate| 100.0 * rate);
         let digits = if self.rollouts < MANY { 0 } else { 2 };

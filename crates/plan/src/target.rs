@@ -70,7 +70,7 @@ impl RobustnessTarget {
     pub fn validate(&self) -> Result<(), PlannerError> {
         require(
             0.0 <= self.target_rate && self.target_rate <= 1.0,
-            "wanted rate",
+            "target_rate",
             self.target_rate,
             "must lie between 0 and 1",
         )?;

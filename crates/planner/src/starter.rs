@@ -128,12 +128,13 @@ fn fit(
         if let Some(tight) = tight {
             return PlannerError::file(file, tight);
         }
-        PlannerError::file(
-            file,
+        let problem = format!(
             "the body gets out of the environment along no axis of the files, whichever way: export both files in the assembled \
              pose, with an axis along the insertion; where a motion of several parts leads out, name the axis of the last \
-             (--axis)",
-        )
+             (--axis). {}",
+            in_the_way(separation, &Axis::ALL, &apart)
+        );
+        PlannerError::file(file, problem)
     })?;
     if !ways.contains(&out)
         && let Some(tight) = tight_fit(parts, separation, out, apart(out))
@@ -143,8 +144,16 @@ fn fit(
     if !ways.is_empty() && !ways.contains(&out) {
         let names: Vec<String> = ways.iter().map(Axis::to_string).collect();
         let problem = format!(
-            "the body does not get out of the environment along {out}, but along {}: name such a direction (--axis), or none",
-            names.join(", ")
+            "the body does not get out of the environment along {out}, but along {}: name such a direction (--axis), or none. {}",
+            names.join(", "),
+            in_the_way(separation, &[out], &apart)
+        );
+        return Err(PlannerError::file(file, problem));
+    }
+    if ways.is_empty() && separation.penetration(&[0.0; 3]).depth <= ROUNDING {
+        let problem = format!(
+            "the body gets out of the environment along no axis of the files. {}",
+            in_the_way(separation, &[out], &apart)
         );
         return Err(PlannerError::file(file, problem));
     }
@@ -168,14 +177,12 @@ fn fit(
 fn tight_fit(parts: &PartPair, separation: &Separation, out: Axis, longest: f64) -> Option<String> {
     let is_fit = |depth: f64| ROUNDING < depth && depth <= ELASTIC * smallest_edge(parts);
     let assembled = separation.penetration(&[0.0; 3]);
-    let steps = (0..=WAY_STEPS).map(|step| longest * f64::from(step) / f64::from(WAY_STEPS));
-    let way = steps.map(|travelled| (travelled, separation.penetration(&out.times(travelled))));
-    let (travelled, deepest) = way.max_by(|one, other| one.1.depth.total_cmp(&other.1.depth))?;
+    let (travelled, deepest) = deepest_on_path(separation, out, longest)?;
     let is_press = assembled.depth >= PRESSED * deepest.depth;
     let Penetration { depth, place } = if is_press { assembled } else { deepest };
     is_fit(deepest.depth).then(|| {
-        let place = place.map(|coordinate| format!("{:.2}", 1e3 * coordinate)).join(", ");
-        let found = format!("body and environment, as given, penetrate by {:.3} mm at ({place}) mm", 1e3 * depth);
+        let found =
+            format!("body and environment, as given, penetrate by {:.3} mm at ({}) mm", 1e3 * depth, millimetres(place));
         if is_press {
             format!(
                 "a press fit: {found} when assembled. Parts need clearance; where CAD draws parts as large as their holes, \
@@ -189,6 +196,33 @@ fn tight_fit(parts: &PartPair, separation: &Separation, out: Axis, longest: f64)
             )
         }
     })
+}
+
+/// Where parts penetrate most on the path out along an axis, after which distance (m).
+fn deepest_on_path(separation: &Separation, out: Axis, longest: f64) -> Option<(f64, Penetration)> {
+    let steps = (0..=WAY_STEPS).map(|step| longest * f64::from(step) / f64::from(WAY_STEPS));
+    let path = steps.map(|travelled| (travelled, separation.penetration(&out.times(travelled))));
+    path.max_by(|one, other| one.1.depth.total_cmp(&other.1.depth))
+}
+
+/// What keeps the body in the environment, along that of some axes where this is the least.
+fn in_the_way(separation: &Separation, axes: &[Axis], longest: &dyn Fn(Axis) -> f64) -> String {
+    let paths = axes.iter().filter_map(|&axis| Some((axis, deepest_on_path(separation, axis, longest(axis))?)));
+    let least = paths.min_by(|one, other| one.1.1.depth.total_cmp(&other.1.1.depth));
+    least.map_or_else(String::new, |(axis, (travelled, Penetration { depth, place }))| {
+        format!(
+            "Least is in the way along {axis}: body and environment penetrate by {:.3} mm at ({}) mm, {:.3} mm from the assembled \
+             pose. Hooks of a snap fit bend, and a bayonet is rotated; here parts are rigid and are not rotated out: export them \
+             without what is in the way",
+            1e3 * depth,
+            millimetres(place),
+            1e3 * travelled
+        )
+    })
+}
+
+fn millimetres(place: [f64; 3]) -> String {
+    place.map(|coordinate| format!("{:.2}", 1e3 * coordinate)).join(", ")
 }
 
 /// Shortest edge (m) of the boxes around both parts.

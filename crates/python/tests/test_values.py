@@ -95,7 +95,7 @@ def test_tolerances_are_those_of_the_command(scene: Scene, plan: Plan) -> None:
         scene.tolerance(plan, quantities=["size"])
     with pytest.raises(SceneError, match="by = friction: unknown; choose clearance or chamfer"):
         scene.tolerance(plan, need=("offset", 0.001), by="friction")
-    with pytest.raises(SceneError, match="chamfer: the body is in no hole that can have one"):
+    with pytest.raises(SceneError, match="chamfer: the hole cannot be given a chamfer"):
         scene.tolerance(plan, quantities=["chamfer"])
 
 

@@ -19,7 +19,7 @@ pub struct Evaluated {
     pub solved: Solved,
     pub reference: Reference,
     pub rates: SuccessRates,
-    /// Whether they reach the target, after a whole evaluation.
+    /// Whether they reach the target, as an evaluation has shown.
     pub reached: bool,
     /// The evaluation that they are of.
     pub evaluation: Drawn,

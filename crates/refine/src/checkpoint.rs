@@ -1,5 +1,7 @@
 //! The checkpoint of an unfinished refinement, from which another one resumes its best plan.
 
+use std::collections::BTreeMap;
+
 use plan::records::GraspRecord;
 use plan::{IterationRecord, Keeper, PlannerError, RobustParameters, Round, SuccessRates, Unusable, seal, unseal};
 use serde::{Deserialize, Serialize};
@@ -47,6 +49,8 @@ pub struct RefinementCheckpoint {
     pub training: Vec<TestCaseRecord>,
     /// Rounds so far, including the unfinished one.
     pub rounds: Vec<Round>,
+    /// Names and hashes of the tables of its homotopy steps, where they are not those of the scene.
+    pub tables: BTreeMap<String, String>,
     /// The best plan.
     pub best: BestRecord,
 }
@@ -79,7 +83,7 @@ pub struct BestRecord {
     pub reference: Vec<State>,
     /// Its success rates.
     pub rates: SuccessRates,
-    /// Whether they reach the target, after a whole evaluation.
+    /// Whether they reach the target, as an evaluation has shown.
     pub reached: bool,
     /// The evaluation that they are of.
     pub evaluation: Drawn,
@@ -207,14 +211,17 @@ impl From<&TestCaseRecord> for TestCase {
 }
 
 impl RefinementCheckpoint {
-    /// The stored checkpoint, if there is one; `Err` with the reason where it is truncated or modified, or belongs to
-    /// another problem.
+    /// The stored checkpoint, if there is one; `Err` with the reason where it or a table is truncated or modified, or belongs
+    /// to another problem.
     pub fn load(keeper: &dyn Keeper, identity: &str) -> Result<Option<Self>, Unusable> {
         let Some(text) = keeper.record(REFINEMENT) else { return Ok(None) };
         let checkpoint: Self = unseal(&text, Unusable::DamagedRefinement)?;
-        match checkpoint.identity == identity {
+        if checkpoint.identity != identity {
+            return Err(Unusable::OtherProblem);
+        }
+        match checkpoint.tables.iter().all(|(name, hash)| keeper.is_unchanged(name, hash)) {
             true => Ok(Some(checkpoint)),
-            false => Err(Unusable::OtherProblem),
+            false => Err(Unusable::DamagedRefinementTables),
         }
     }
 

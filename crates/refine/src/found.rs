@@ -1,6 +1,6 @@
 //! Results of a refinement so far.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use plan::{PlannerError, Round, SuccessRates};
 
@@ -12,6 +12,8 @@ pub struct Found {
     pub before: SuccessRates,
     pub rounds: Vec<Round>,
     pub best: Option<Evaluated>,
+    /// Names and hashes of the tables that are kept of its homotopy.
+    pub tables: BTreeMap<String, String>,
     /// The latest that were evaluated, for a comparison.
     pub latest: VecDeque<Evaluated>,
 }
@@ -19,7 +21,13 @@ pub struct Found {
 impl Found {
     /// Nothing yet.
     pub fn nothing() -> Self {
-        Self { before: SuccessRates(Vec::new()), rounds: Vec::new(), best: None, latest: VecDeque::new() }
+        Self {
+            before: SuccessRates(Vec::new()),
+            rounds: Vec::new(),
+            best: None,
+            tables: BTreeMap::new(),
+            latest: VecDeque::new(),
+        }
     }
 
     /// Success rate of the best plan so far; 0 without one.

@@ -21,9 +21,12 @@ pub fn keep(search: &mut Search, evaluated: Evaluated, rounds: Vec<Round>) -> Re
     if let Some(folder) = search.setting.session.folder {
         let are_kept = search.found.best.as_ref().is_some_and(|best| best.round == evaluated.round);
         let solved = &evaluated.solved;
-        if !solved.origin.has_homotopy_of_scene() && !are_kept {
+        if solved.origin.has_homotopy_of_scene() {
+            search.found.tables.clear();
+        } else if !are_kept {
             let motions: Vec<&Trajectory> = solved.iterations.iter().map(|iteration| &iteration.trajectory).collect();
-            folder.keep_refined(evaluated.round, &motions, &solved.variant.task)?;
+            let tables = folder.keep_refined(evaluated.round, &motions, &solved.variant.task)?;
+            search.found.tables = tables.into_iter().collect();
         }
         checkpoint(search, &evaluated, rounds).save(folder)?;
     }

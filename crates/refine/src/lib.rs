@@ -2,8 +2,8 @@
 //!
 //! `run` is the method. Among the homotopy steps of a solved problem it takes the one whose reference passes most of the
 //! training set, with a final oscillation where that helps. Random perturbations of this reference are kept when more test
-//! cases pass ([`simulation::Refinement`]). Where more test cases pass with a spiral search for the hole, that is refined. An evaluation at grasp errors outside the training set then decides; its failures
-//! join the training set. When this stalls, a straight push is refined instead, which needs no plan; then other problems are
+//! cases pass ([`simulation::Refinement`]). Where a spiral search for the hole passes more test cases, it is refined instead.
+//! An evaluation at grasp errors outside the training set then decides; its failures join the training set. When this stalls, a straight push is refined instead, which needs no plan; then other problems are
 //! solved, the promising first, and their plans are refined. The plan with the best evaluation is kept; if none is robust,
 //! the latest are compared in the same test cases. With an arm, the best of several drafts replaces a plan that fails too
 //! often, no push is refined, and a robust plan is refined with margins while there is time.

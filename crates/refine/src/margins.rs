@@ -1,6 +1,6 @@
 //! Robust plans with margins beyond the requirements.
 //!
-//! Simulators differ, and reality differs from them: what barely succeeds in one fails in another. A robust plan for an
+//! Simulators disagree with one another and with reality: a plan that barely succeeds in one may fail in another. A robust plan for an
 //! arm is therefore refined in a hardened environment while there is time: with more friction, the largest rotation
 //! errors only, and upper estimates of contact forces for compliant contacts.
 

@@ -111,9 +111,9 @@ impl fmt::Display for Recipe {
             Self::FailingOffsetsFromRefinedPlan => "failing offsets as scenarios, from the refined plan",
             Self::FailingOffsets => "failing offsets as scenarios",
             Self::NoneAndHalfOffsets => "no offset and half offsets as scenarios",
-            Self::MoreOffset => "10 % more offset",
+            Self::MoreOffset => "more offset",
             Self::TwiceTheTime => "twice the time",
-            Self::SlowMotion => "ten times the weight of velocities",
+            Self::SlowMotion => "slower motion",
             Self::HalfTheFirstSmoothing => "half the first smoothing",
             Self::TwiceTheFirstSmoothing => "twice the first smoothing",
         })

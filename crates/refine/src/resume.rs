@@ -33,6 +33,7 @@ pub fn checkpoint(search: &Search, best: &Evaluated, rounds: Vec<Round>) -> Refi
         evaluations: search.judge.evaluations,
         before: search.found.before.clone(),
         training: search.training.cases.iter().map(TestCaseRecord::from).collect(),
+        tables: search.found.tables.clone(),
         best: BestRecord {
             origin: best.solved.origin,
             marks: best.solved.marks,
@@ -86,9 +87,9 @@ pub fn earlier_work(search: &Search) -> Result<Option<RefinementCheckpoint>, Pla
     Ok(None)
 }
 
-/// Takes over what another run has left, unless its tables are damaged; `plan` is that of the scene itself.
+/// Restores the work of an earlier run, unless its tables are damaged; `plan` is that of the scene itself.
 pub fn restore(search: &mut Search, checkpoint: RefinementCheckpoint, plan: &Plan) -> Option<Evaluated> {
-    let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, best, .. } = checkpoint;
+    let RefinementCheckpoint { elapsed_s, evaluations, before, training, rounds, tables, best, .. } = checkpoint;
     let Setting { target, session, .. } = search.setting;
     let mut variant = plan.variant.clone();
     variant.task.grasps = best.scenarios.iter().map(GraspError::from).collect();
@@ -119,6 +120,7 @@ pub fn restore(search: &mut Search, checkpoint: RefinementCheckpoint, plan: &Pla
     search.found.before = before;
     search.training.cases = training.iter().map(TestCase::from).collect();
     search.found.rounds = rounds;
+    search.found.tables = tables;
     Some(Evaluated {
         reference: Reference::new(best.time_step_s, &best.reference),
         solved: Solved { origin: best.origin, marks: best.marks, variant, iterations, chosen: best.chosen_stage },

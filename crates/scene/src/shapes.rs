@@ -73,8 +73,8 @@ pub fn shapes(
     let compared_exact = |most_cells: MostCells| exact(most_cells).and_then(|shapes| compared(shapes, chord_errors));
     // Round fits are worth more time: only exact pieces know them.
     let exact = compared_exact(if fit.is_some() { |_| FEW_CELLS } else { few_cells });
-    let is_good = |exact: &Shapes| exact.pairs() <= FEW_PAIRS && exact.gaps.iter().all(|gap| gap.kept() >= LEAST_KEPT);
-    if exact.as_ref().is_ok_and(is_good) {
+    let keeps_gap = |exact: &Shapes| exact.gaps.iter().all(|gap| gap.kept() >= LEAST_KEPT);
+    if exact.as_ref().is_ok_and(|exact| exact.pairs() <= FEW_PAIRS && keeps_gap(exact)) {
         return exact;
     }
     let touching_at = |spacing: f64| touching_shapes(body, environment, &sides, motions, spacing);
@@ -90,7 +90,7 @@ pub fn shapes(
         touching
     };
     match (exact, touching()) {
-        (Ok(exact), Ok(touching)) if touching.pairs() < exact.pairs() => Ok(touching),
+        (Ok(exact), Ok(touching)) if touching.pairs() < exact.pairs() || !keeps_gap(&exact) => Ok(touching),
         (Ok(exact), _) => Ok(exact),
         (Err(_), Ok(touching)) => Ok(touching),
         (Err(_), Err(reason)) => compared_exact(|_| FEW_CELLS).or(Err(reason)),

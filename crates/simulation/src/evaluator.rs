@@ -9,7 +9,7 @@ use task::{AssemblyTask, GraspError, Limits};
 use workers::Workers;
 
 use crate::arm_model::{ArmModel, ArmModelError};
-use crate::bounds::{Bounds, LIMIT_SLACK};
+use crate::bounds::Bounds;
 use crate::disturbance::{Disturbance, Injection};
 use crate::overshoot::Overshoot;
 use crate::reference::Reference;
@@ -208,7 +208,7 @@ impl Evaluator {
     /// Turns the outcome of a rollout into a result.
     fn result(&self, outcome: &Outcome) -> TestResult {
         let (excess, contact_force) = (outcome.loads.excess(&self.limits), outcome.loads.contact_force);
-        if outcome.reaches_goal(&self.success) && excess <= LIMIT_SLACK {
+        if outcome.succeeds(&self.success, &self.limits) {
             return TestResult { contact_force, ..TestResult::PASSED };
         }
         let shift = outcome.position_error + outcome.unblocked.norm();

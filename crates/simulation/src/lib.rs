@@ -107,7 +107,7 @@ pub use bounds::{Bounds, LIMIT_SLACK};
 pub use disturbance::{Disturbance, Injection};
 pub use evaluator::{Evaluator, FrictionIndex, TestCase, TestResult};
 pub use final_oscillation::FinalOscillation;
-pub use loads::Loads;
+pub use loads::{Loads, larger};
 pub use overshoot::Overshoot;
 pub use perturbation::Perturbation;
 pub use reference::{Knot, Reference};

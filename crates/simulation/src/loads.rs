@@ -19,12 +19,22 @@ pub struct Loads {
 }
 
 impl Loads {
+    /// Those of a rollout of which nothing is known: beyond any limit.
+    pub const UNBOUNDED: Self = Self { contact_force: f64::INFINITY, force: f64::INFINITY, torque: f64::INFINITY };
+
     /// Excess over the limits: the sum of the three excesses, each as a fraction of its limit.
     pub fn excess(&self, limits: &Limits) -> f64 {
         let Self { contact_force, force, torque } = self;
         let pairs = [(contact_force, limits.contact_force), (force, limits.force), (torque, limits.torque)];
-        pairs.iter().map(|(load, limit)| (*load / limit - 1.0).max(0.0)).sum()
+        // Comparisons are false for what is no number.
+        let excess = |load: f64, limit: f64| if load <= limit { 0.0 } else { larger(load / limit - 1.0, 0.0) };
+        pairs.iter().map(|(load, limit)| excess(**load, *limit)).sum()
     }
+}
+
+/// The larger one of two numbers; infinite if one is no number.
+pub fn larger(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other.is_nan() { f64::INFINITY } else { one.max(other) }
 }
 
 /// Records the loads of a motion.
@@ -66,8 +76,9 @@ impl LoadMeter {
         }
         let mean = self.mean();
         let is_largest = mean > self.largest.contact_force;
-        self.largest.contact_force = self.largest.contact_force.max(mean);
-        let largest = |part: &[f64], before: f64| part.iter().fold(before, |most, component| most.max(component.abs()));
+        self.largest.contact_force = larger(self.largest.contact_force, mean);
+        let largest =
+            |part: &[f64], before: f64| part.iter().fold(before, |most, component| larger(most, component.abs()));
         self.largest.force = largest(&wrench[..3], self.largest.force);
         self.largest.torque = largest(&wrench[3..], self.largest.torque);
         is_largest
@@ -91,7 +102,7 @@ impl LoadMeter {
             let earlier: f64 = first.iter().filter(|(of, _)| *of == pair).map(|(_, impulse)| before * impulse).sum();
             (self.impulses[pair] - earlier) / FORCE_WINDOW
         };
-        last.iter().map(|(pair, _)| mean(*pair)).fold(0.0, f64::max)
+        last.iter().map(|(pair, _)| mean(*pair)).fold(0.0, larger)
     }
 
     /// The largest loads of all steps.

@@ -5,13 +5,14 @@ use std::sync::Arc;
 use admittance::PositionRobot;
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot::JointVector;
-use task::{AssemblyTask, Pose};
+use task::{AssemblyTask, Limits, Pose};
 use workers::Workers;
 
 use crate::admittance_dynamics::AdmittanceStepper;
 use crate::arm_dynamics::ArmStepper;
 use crate::arm_model::{ArmModel, ArmModelError};
 use crate::body::Body;
+use crate::bounds::LIMIT_SLACK;
 use crate::contact::{ContactFinder, Shapes};
 use crate::contact_solver::ContactSolver;
 use crate::disturbance::Injection;
@@ -36,6 +37,10 @@ pub(crate) struct SharedStart<'start, 'rollout> {
     /// Number of the first intervals on which the references are the same.
     pub intervals: usize,
 }
+
+/// Contact forces beyond this (N) are those of no parts that a robot assembles, but of a solver without a solution: between walls
+/// without clearance, impulses grow from step to step.
+const LARGEST_FORCE: f64 = 1e6;
 
 /// Largest number of snapshots of a rollout.
 const SNAPSHOTS: usize = 10;
@@ -89,12 +94,17 @@ pub struct Outcome {
     pub remaining: Vector3<f64>,
     /// The part of this that no contact blocks (m, world frame).
     pub unblocked: Vector3<f64>,
-    /// Whether the state ceased to be finite, or the rollout could not be computed at all. The other fields are then
-    /// meaningless.
+    /// Whether the state ceased to be finite, a contact force is larger than any that parts stand, as between walls without
+    /// clearance, or the rollout could not be computed at all. The other fields are then meaningless.
     pub diverged: bool,
 }
 
 impl Outcome {
+    /// Whether the rollout succeeds: it ends at the goal and keeps the limits of contact forces and of the controller's wrench.
+    pub fn succeeds(&self, success: &Success, limits: &Limits) -> bool {
+        self.reaches_goal(success) && self.loads.excess(limits) <= LIMIT_SLACK
+    }
+
     /// Whether the rollout ends at the goal.
     pub fn reaches_goal(&self, success: &Success) -> bool {
         !self.diverged && success.reached(self.position_error, self.orientation_error)
@@ -287,8 +297,11 @@ impl Rollout {
             }
         }
         let RolloutState { body, max_penetration, loads, overshoot, finder, .. } = &state;
-        let outcome = self.outcome(&body.pose, *max_penetration, loads.largest(), *overshoot);
-        Outcome { unblocked: finder.unblocked(&outcome.remaining), diverged: !state.is_finite(), ..outcome }
+        // Comparisons are false for what is no number.
+        let diverged = !(state.is_finite() && loads.largest().contact_force <= LARGEST_FORCE);
+        let loads = if diverged { Loads::UNBOUNDED } else { loads.largest() };
+        let outcome = self.outcome(&body.pose, *max_penetration, loads, *overshoot);
+        Outcome { unblocked: finder.unblocked(&outcome.remaining), diverged, ..outcome }
     }
 
     /// The plant with the body at rest at a pose; `None` if it cannot be simulated.
@@ -328,7 +341,7 @@ impl Rollout {
     /// The outcome of a rollout that cannot be simulated.
     fn impossible(&self, reference: &Reference, injection: &Injection) -> Outcome {
         let pose = injection.grasp.actual(&reference.start()).isometry();
-        Outcome { diverged: true, ..self.outcome(&pose, 0.0, LoadMeter::new(0).largest(), Overshoot::NONE) }
+        Outcome { diverged: true, ..self.outcome(&pose, 0.0, Loads::UNBOUNDED, Overshoot::NONE) }
     }
 
     fn outcome(&self, pose: &Isometry3<f64>, max_penetration: f64, loads: Loads, overshoot: Overshoot) -> Outcome {

@@ -114,7 +114,7 @@ impl Execution {
             ending: ending.clone(),
             grasp,
             friction: settings.friction,
-            rollout_succeeds: outcome.reaches_goal(&problem.success()),
+            rollout_succeeds: outcome.succeeds(&problem.success(), &problem.task().limits),
             course: course.to_vec(),
             distances: course.iter().map(|state| distance(&believed, state)).collect(),
             offset_magnitude: problem.offset_magnitude(),
@@ -237,7 +237,9 @@ fn require_duration(file: &Path, course: &[ExecutedState], reference: &Reference
 /// How a motion ended that was not stopped.
 fn ending(problem: &Problem, course: &[ExecutedState]) -> Ending {
     let grasp = grasp_at_end(problem, course);
-    let is_planned = Vector3::from(grasp.offset).norm() <= problem.offset_magnitude() + problem.success().position;
+    let (success, rotation_error) = (problem.success(), problem.scene().robustness.rotation_error);
+    let is_planned = Vector3::from(grasp.offset).norm() <= problem.offset_magnitude() + success.position
+        && Vector3::from(grasp.rotation).norm() <= rotation_error + success.orientation;
     if is_planned { Ending::AtGoal } else { Ending::Missed(grasp) }
 }
 

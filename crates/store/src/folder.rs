@@ -53,6 +53,11 @@ impl PlanFolder {
         self.folder.target()
     }
 
+    /// Whether an earlier run has left unfinished work.
+    pub fn has_unfinished_work(&self) -> bool {
+        self.folder.has_unfinished_work()
+    }
+
     /// Folder of unfinished work.
     pub fn work(&self) -> &Path {
         self.folder.path()
@@ -173,6 +178,18 @@ impl PlanFolder {
     }
 }
 
+impl PlanFolder {
+    /// Names and hashes of the tables of a motion.
+    fn hashed(&self, folder: &str) -> Result<Vec<(String, String)>, PlannerError> {
+        let hashed = |table: &str| {
+            let name = format!("{folder}/{table}");
+            let file = self.work().join(&name);
+            Ok((name, hash(&read_bytes(&file)?)))
+        };
+        TABLES.into_iter().map(hashed).collect()
+    }
+}
+
 impl Keeper for PlanFolder {
     fn keep_iteration(
         &self,
@@ -183,20 +200,24 @@ impl Keeper for PlanFolder {
         let begin = Instant::now();
         write_trajectory(&self.work().join(STAGES).join(number.to_string()), motion, task)?;
         *self.writing.lock().unwrap_or_else(PoisonError::into_inner) += begin.elapsed();
-        let hashed = |table: &str| {
-            let name = format!("{STAGES}/{number}/{table}");
-            let file = self.work().join(&name);
-            Ok((name, hash(&read_bytes(&file)?)))
-        };
-        TABLES.into_iter().map(hashed).collect()
+        self.hashed(&format!("{STAGES}/{number}"))
     }
 
     fn iteration(&self, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {
         read_trajectory(&self.work().join(STAGES).join(number.to_string()), task)
     }
 
-    fn keep_refined(&self, round: usize, motions: &[&Trajectory], task: &AssemblyTask) -> Result<(), PlannerError> {
-        write_iterations(&self.work().join(REFINED).join(round.to_string()), motions.iter().copied(), task)
+    fn keep_refined(
+        &self,
+        round: usize,
+        motions: &[&Trajectory],
+        task: &AssemblyTask,
+    ) -> Result<Vec<(String, String)>, PlannerError> {
+        let folder = format!("{REFINED}/{round}");
+        write_iterations(&self.work().join(&folder), motions.iter().copied(), task)?;
+        let of_step = |number: usize| self.hashed(&format!("{folder}/{number}"));
+        let hashed: Vec<_> = (1..=motions.len()).map(of_step).collect::<Result<_, _>>()?;
+        Ok(hashed.concat())
     }
 
     fn refined(&self, round: usize, number: usize, task: &AssemblyTask) -> Result<Trajectory, PlannerError> {

@@ -294,8 +294,9 @@ pub fn read_tables(folder: &Path) -> Result<MotionTables, PlannerError> {
     // Every pair is named in the first step of the first scenario.
     let first_step = |row: &&ContactRow| row.scenario == 1 && row.time_s == contacts[0].time_s;
     let pairs: Vec<String> = contacts.iter().take_while(first_step).map(|row| row.pair.clone()).collect();
-    if pairs.is_empty() && scenarios > 0 {
-        return Err(PlannerError::file(&folder.join(CONTACTS), "has no rows; solve again"));
+    if pairs.is_empty() && (scenarios > 0 || !contacts.is_empty()) {
+        let problem = "has no row of the first scenario; solve again";
+        return Err(PlannerError::file(&folder.join(CONTACTS), problem));
     }
     for (index, row) in contacts.iter().enumerate() {
         let place = place(index / pairs.len(), steps, 1);

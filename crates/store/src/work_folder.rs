@@ -55,6 +55,12 @@ impl WorkFolder {
         self.path.join(WHOLE)
     }
 
+    /// Whether an earlier run has left unfinished work.
+    pub fn has_unfinished_work(&self) -> bool {
+        let mut entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        entries.any(|entry| entry.file_name() != LOCK)
+    }
+
     /// Removes unfinished work; whether there was any.
     ///
     /// # Errors

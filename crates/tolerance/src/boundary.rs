@@ -55,7 +55,7 @@ impl fmt::Display for Boundary {
         let [bound, hardest] =
             if quantity.is_hard_when_small() { ["down to", "the smallest"] } else { ["up to", "the largest"] };
         let Some(value) = value else {
-            return write!(formatter, "{}: too few succeed at any tested value", quantity.name());
+            return write!(formatter, "{}: not tolerated at any tested value", quantity.name());
         };
         let [surely, surely_not] = interval.map(|end| end.map(|end| quantity.in_words(end)));
         let surely = surely.unwrap_or_else(|| "unknown".to_owned());

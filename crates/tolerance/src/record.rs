@@ -22,7 +22,7 @@ pub struct ToleranceRecord {
     pub plans: Vec<String>,
     /// [Hash](plan::reference_hash) of the reference whose tolerances these are, apart from those of the map.
     pub reference: String,
-    /// Share of the rollouts that has to succeed.
+    /// Success rate that the rollouts must reach.
     pub rate: f64,
     /// Frictions of the rollouts.
     pub frictions: Vec<f64>,
@@ -54,6 +54,12 @@ pub struct NeedRecord {
 }
 
 impl ToleranceRecord {
+    /// Whether each boundary that was asked for has a value, and what is needed can be had. Rows of the map need not.
+    pub fn is_answered(&self) -> bool {
+        let needed = self.need.iter().map(|need| &need.boundary);
+        self.boundaries.iter().chain(needed).all(|boundary| boundary.value.is_some())
+    }
+
     /// Of some trials.
     pub(crate) fn new(trials: &Trials, boundaries: Vec<Boundary>) -> Self {
         let (problem, request) = (trials.problem(), &trials.request);

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::map::ToleranceMap;
+use crate::boundary::Boundary;
+use crate::map::{ToleranceMap, ToleranceMapRow};
 
 /// Size of the picture, and of its margins to the left and below (pixels).
 const WIDTH: f64 = 480.0;
@@ -16,10 +17,15 @@ const MARKS: f64 = 6.0;
 pub fn svg(map: &ToleranceMap) -> String {
     let (x_unit, x_scale) = map.over.unit();
     let (y_unit, y_scale) = map.quantity.unit();
-    let rows = &map.rows;
+    // Where nothing is tolerated, or no value suffices, there is no point.
+    let rows: Vec<&ToleranceMapRow> = map.rows.iter().filter(|row| row.boundary.value.is_some()).collect();
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
-    let x_step = step(largest(&mut rows.iter().map(|row| x_scale * row.at)));
-    let of_rows = |row: &crate::ToleranceMapRow| [row.boundary.value, row.boundary.interval[1]];
+    let x_step = step(largest(&mut map.rows.iter().map(|row| x_scale * row.at)));
+    // Whichever end of an interval is the larger one.
+    let of_rows = |row: &&ToleranceMapRow| {
+        let Boundary { value, interval: [first, last], .. } = row.boundary;
+        [value, first, last]
+    };
     let y_step = step(largest(&mut rows.iter().flat_map(of_rows).flatten().map(|value| y_scale * value)));
     let [x_most, y_most] = [x_step, y_step].map(|(step, count)| step * count as f64);
     let x = |value: f64| MARGIN + (WIDTH - MARGIN - EDGE) * x_scale * value / x_most;
@@ -37,7 +43,7 @@ pub fn svg(map: &ToleranceMap) -> String {
     let _ = writeln!(text, "<polygon points=\"{}\" fill=\"#cfe2f3\"/>", band.join(" "));
     let _ =
         writeln!(text, "<polyline points=\"{}\" fill=\"none\" stroke=\"#1f5c99\" stroke-width=\"2\"/>", line.join(" "));
-    for row in rows {
+    for row in &rows {
         let (cx, cy) = (x(row.at), y(value(row.boundary.value)));
         let _ = writeln!(text, "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"3\" fill=\"#1f5c99\"/>");
     }
@@ -79,6 +85,8 @@ fn number(mark: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use crate::quantity::Quantity;
+
     use super::*;
 
     #[test]
@@ -88,6 +96,30 @@ mod tests {
         {
             let (found, count) = step(most);
             assert!((found - expected.0).abs() < 1e-12 * found && count == expected.1, "{most}: {found}, {count}");
+        }
+    }
+
+    #[test]
+    fn every_point_and_the_whole_band_are_in_the_picture() {
+        // The first end of the interval of a clearance is the larger one; no clearance suffices for the last row.
+        let row = |at: f64, value: Option<f64>| {
+            let interval = [value.map(|value| 2.0 * value), value.map(|value| 0.5 * value)];
+            let quantity = Quantity::Clearance;
+            let boundary = Boundary { quantity, value, interval, successes: 99, rollouts: 100, is_open: false };
+            ToleranceMapRow { at, boundary }
+        };
+        let rows = vec![row(0.001, Some(1e-4)), row(0.002, Some(2e-4)), row(0.003, None)];
+        let map = ToleranceMap { quantity: Quantity::Clearance, over: Quantity::Offset, rows, sensitivity: None };
+        let picture = svg(&map);
+        assert_eq!(picture.matches("<circle").count(), 2, "{picture}");
+        let band = picture.split_once("<polygon points=\"").unwrap().1.split_once('"').unwrap().0;
+        let corners: Vec<[f64; 2]> = band
+            .split(' ')
+            .map(|corner| corner.split_once(',').map(|(x, y)| [x, y].map(|number| number.parse().unwrap())).unwrap())
+            .collect();
+        assert_eq!(corners.len(), 4, "{band}");
+        for [x, y] in corners {
+            assert!((MARGIN..=WIDTH - EDGE).contains(&x) && (EDGE..=HEIGHT - MARGIN).contains(&y), "{band}");
         }
     }
 }

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use plan::{PlannerError, Problem, Session, short};
 use scene::Scene;
 use serde::{Deserialize, Serialize};
-use simulation::{Outcome, Reference, Rollout, Settings, offsets};
+use simulation::{Reference, Rollout, Settings, offsets};
 use task::{AssemblyTask, Coverage, GraspError};
 use workers::Workers;
 
@@ -21,7 +21,7 @@ use crate::quantity::Quantity;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ToleranceRequest {
-    /// Fraction of the rollouts that has to succeed.
+    /// Success rate that the rollouts must reach.
     pub rate: f64,
     /// Coulomb's coefficients, of which the rollouts have one each in turn.
     pub frictions: Vec<f64>,
@@ -163,8 +163,8 @@ impl<'problem> Trials<'problem> {
     pub fn mouth(&self) -> Result<Mouth, PlannerError> {
         Mouth::of(self.problem.scene(), &self.out()).ok_or_else(|| PlannerError::Choice {
             name: "chamfer",
-            problem: "the body is in no hole that can have one: a hole of convex section whose sides are along the way out and \
-                      whose upper edge is flat and sharp; take a chamfer that is there out of the scene"
+            problem: "the hole cannot be given a chamfer: it needs a convex section, sides along the insertion and a flat, sharp \
+                      rim; remove an existing chamfer from the scene"
                 .to_owned(),
         })
     }
@@ -241,15 +241,10 @@ impl<'problem> Trials<'problem> {
         let rollout = &player.rollouts[case.friction % player.rollouts.len()];
         let outcome = match hole == 0.0 {
             true => rollout.play(&self.reference, grasp, |_, _| {}),
-            // The robot is off the other way.
+            // An error of the hole is the opposite error of the robot.
             false => rollout.play(&self.reference.shifted(&(case.hole * -hole)), grasp, |_, _| {}),
         };
-        self.is_success(&outcome)
-    }
-
-    fn is_success(&self, outcome: &Outcome) -> bool {
-        let excess = outcome.loads.excess(&self.problem.task().limits);
-        outcome.reaches_goal(&self.problem.success()) && excess <= 0.0
+        outcome.succeeds(&self.problem.success(), &self.problem.task().limits)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Finished boundaries, from which another run goes on.
+//! Finished boundaries, from which another run resumes.
 
 use plan::{PlannerError, Session, Unusable, VERSION, hash, reference_hash, seal, unseal};
 use serde::{Deserialize, Serialize};

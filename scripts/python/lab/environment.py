@@ -4,6 +4,7 @@ far.
 It is rebuilt when the pins change.
 """
 
+import fcntl
 import importlib.util
 import json
 import os
@@ -32,6 +33,14 @@ def enter(packages: tuple[str, ...]) -> None:
 
 
 def install(packages: tuple[str, ...]) -> None:
+    """Adds packages to the environment, unless it has them. Another command that installs is waited for."""
+    FOLDER.parent.mkdir(parents=True, exist_ok=True)
+    with FOLDER.with_suffix(".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        install_missing(packages)
+
+
+def install_missing(packages: tuple[str, ...]) -> None:
     """Adds packages to the environment, unless it has them."""
     pins = PINS.read_text()
     record = json.loads(RECORD.read_text()) if RECORD.exists() else {}

@@ -34,7 +34,7 @@ pub enum BatchCommand {
     Expand(MatrixArguments),
     /// Solve the cells of a manifest that are not finished
     Run(RunArguments),
-    /// Show which cells are done, running, failed or pending
+    /// Count the cells that are planned, running, failed or to do, with the reasons of failures
     Status(FolderArguments),
     /// Write cells.csv and cells.json: convergence, iterations, times, errors, penetration and force of every cell
     Collect(FolderArguments),

@@ -21,7 +21,7 @@ pub struct ExportArguments {
     /// Folder to write; an earlier export in it is replaced [default: DIR/export/TARGET]
     #[arg(short, long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
-    /// Also export a plan that is not done, or succeeds too rarely in rollouts
+    /// Also export a plan that did not converge, or succeeds too rarely in rollouts
     #[arg(long)]
     pub anyway: bool,
 }

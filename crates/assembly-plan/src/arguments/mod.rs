@@ -54,7 +54,7 @@ pub enum Command {
     Tolerance(ToleranceCommandArguments),
     /// Write an HTML page that shows a plan, a batch or a simulation
     Report(ReportArguments),
-    /// Write what a robot reads of a plan: tool motion, gains, limits, player
+    /// Export a plan for a robot or simulator: motion, gains, limits, player
     Export(ExportArguments),
     /// Fit the robot of a scene to logs of executed plans
     Calibrate(CalibrateArguments),

@@ -17,18 +17,18 @@ pub struct NewArguments {
     /// Mesh or model of the environment, in the same frame
     #[arg(long, value_name = "FILE", requires = "body")]
     pub environment: Option<PathBuf>,
-    /// Unit of meshes, which need one
+    /// Unit of the mesh files, required for STL and OBJ
     #[arg(long, value_name = "UNIT", value_parser = values::unit(), requires_all = ["body", "environment"])]
     pub unit: Option<String>,
-    /// Direction in which the body is taken out, opposite to the insertion [default: the one in which it gets out, where it
-    /// ends at a stop in the opposite one]
+    /// Direction in which the body is taken out, opposite to the insertion [default: the direction in which it can
+    /// be pulled out and whose opposite ends at a stop]
     #[arg(long, value_name = "AXIS", value_parser = values::axis(), ignore_case = true, allow_hyphen_values = true)]
     #[arg(requires = "body")]
     pub axis: Option<Axis>,
-    /// Link of the body's model, where that has several
+    /// Link of the body's model, if it has several
     #[arg(long, value_name = "NAME", requires = "body")]
     pub link: Option<String>,
-    /// Link of the environment's model, where that has several
+    /// Link of the environment's model, if it has several
     #[arg(long, value_name = "NAME", requires = "environment")]
     pub environment_link: Option<String>,
     /// How far the body may be off in the gripper (m) [default: 0.001, with meshes or models]

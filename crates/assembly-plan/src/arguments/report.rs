@@ -9,7 +9,7 @@ pub struct ReportArguments {
     /// Folder that `solve`, `batch`, `simulate` or `tolerance` wrote
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Also show an execution, as the player of an export logged it, beside a rollout that has the same grasp error;
+    /// Also show an execution, logged by an exported player, beside a rollout that has the same grasp error;
     /// can be given several times
     #[arg(long, value_name = "LOG")]
     pub executed: Vec<PathBuf>,

@@ -19,7 +19,7 @@ pub struct SimulateArguments {
     /// Folder that `solve` wrote, or a folder of such folders
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Play N random offsets of those that the scene covers, half of a disc or ball on its rim [default: the planned
+    /// Play N random offsets of those that the scene covers, half of them on the rim of the disc or ball [default: the planned
     /// offsets themselves]
     #[arg(long, value_name = "N", value_parser = values::whole::<u32>(1..=1_000_000), group = "source")]
     pub random: Option<u32>,
@@ -65,7 +65,7 @@ pub struct SimulateArguments {
     /// first friction and offset
     #[arg(long, value_name = "FILE")]
     pub trace: Option<PathBuf>,
-    /// Compare an execution, as the player of an export logged it, with a rollout that has the same grasp error; play
+    /// Compare an execution, logged by an exported player, with a rollout that has the same grasp error; play
     /// nothing else
     #[arg(long, value_name = "LOG", conflicts_with_all = ["source", "trace", "out", "stages", "report"])]
     pub executed: Option<PathBuf>,

@@ -61,7 +61,7 @@ pub struct RobustArguments {
     /// With --robust: before anything is solved, try the plan in this folder, moved to the start and the goal of the scene
     #[arg(long, value_name = "DIR", requires = "robust")]
     pub from: Option<PathBuf>,
-    /// With --robust: evaluate a plan again after this many perturbations in a row without improvement; 0 only evaluates it
+    /// With --robust: evaluate again after this many perturbations without improvement; 0 only evaluates the plan
     #[arg(long, value_name = "N", default_value_t = 150, value_parser = values::whole::<u32>(0..=values::BILLION), requires = "robust")]
     pub stall_limit: u32,
     /// With --robust: try at most this many perturbations

@@ -14,7 +14,7 @@ use crate::values::{self, jobs, not_negative, positive, seconds};
 pub struct ToleranceCommandArguments {
     #[command(flatten)]
     pub task: TaskArguments,
-    /// Folder of a plan of the scene, whose tolerances are measured [default: one that is made, and one for each row of the map]
+    /// Folder of the plan to measure [default: plan the scene, and again for each row of the map]
     #[arg(long, value_name = "DIR", conflicts_with_all = ["start", "delta"])]
     pub plan: Option<PathBuf>,
     /// What to increase, or to decrease for clearance and chamfer, until too many rollouts fail: offset, rotation, hole, friction,
@@ -34,7 +34,7 @@ pub struct ToleranceCommandArguments {
     /// Ask for the smallest clearance, or chamfer, at which this is tolerated, such as offset=2mm
     #[arg(long, value_name = "NAME=VALUE", value_parser = values::required)]
     pub need: Option<(Quantity, f64)>,
-    /// What is to meet --need: clearance, or a chamfer of 45 degrees at the mouth of the hole
+    /// What to size for --need: clearance, or a chamfer of 45 degrees at the mouth of the hole
     #[arg(long, value_name = "NAME", value_parser = values::part_quantity(), default_value = "clearance", requires = "need")]
     pub by: Quantity,
     /// Rows of the map at the smallest and the largest clearance of an ISO 286 fit, such as H7/g6
@@ -43,7 +43,7 @@ pub struct ToleranceCommandArguments {
     /// Nominal diameter of --fit (m)
     #[arg(long, value_name = "M", requires = "fit", value_parser = positive)]
     pub diameter: Option<f64>,
-    /// Share of the rollouts that has to succeed
+    /// Success rate that the rollouts must reach
     #[arg(long, value_name = "RATE", default_value_t = ToleranceRequest::default().rate, value_parser = values::fraction)]
     pub target_rate: f64,
     /// Coulomb friction coefficients, which the rollouts have in turn [default: those that the plan was refined for]
@@ -52,7 +52,7 @@ pub struct ToleranceCommandArguments {
     pub friction: Vec<f64>,
     #[command(flatten)]
     pub tolerance: ToleranceArguments,
-    /// Largest number of random errors that are compared; half as many or fewer if they suffice
+    /// Largest number of random errors; fewer, but at least 500, where the interval is narrow before
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = values::whole::<u32>(20..=1_000_000))]
     pub cases: u32,
     /// Seed of the random errors
@@ -66,7 +66,7 @@ pub struct ToleranceCommandArguments {
     pub jobs: Option<u16>,
     #[command(flatten)]
     pub progress: ProgressArguments,
-    /// Measure only one of the boundaries that are asked for, by its number from 0, and keep it for a run with --resume
+    /// Measure only one boundary, by its number from 0, and keep it for a run with --resume
     #[arg(long, value_name = "K", requires = "plan", conflicts_with = "resume")]
     pub index: Option<usize>,
     /// Continue an interrupted run of the same command: what it has finished is not measured again

@@ -130,7 +130,10 @@ impl<'manifest> Pool<'manifest> {
                 }
                 Ok(Some(Ended::Interrupted)) => self.interrupted.push(cell),
                 Ok(Some(Ended::Crashed(reason))) => self.crashed(cell, reason),
-                Err(error) => self.crashed(cell, error.to_string()),
+                Err(error) => {
+                    process.stop();
+                    self.crashed(cell, error.to_string());
+                }
             }
         }
     }
@@ -177,7 +180,7 @@ impl<'manifest> Pool<'manifest> {
             tell!("failed: {}: {reason} (see {})", cell.label(), self.manifest.folder.join(&cell.folder).display());
         }
         if !self.interrupted.is_empty() {
-            tell!("interrupted with {} cells to do; the same command resumes them", self.interrupted.len());
+            tell!("interrupted; {} cells left; the same command resumes", self.interrupted.len());
         }
     }
 }

@@ -13,6 +13,7 @@ use crate::arguments::SubmitArguments;
 use crate::console::say;
 use crate::exit::{CommandError, Exit};
 use crate::program::Program;
+use crate::shell::word;
 
 /// Tells a script of ours from another one.
 const MARK: &str = "# Written by `assembly-plan batch submit`.";
@@ -34,7 +35,7 @@ pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, 
     fs::create_dir_all(&logs).map_err(in_system(&logs))?;
     write_file(&file, script(&folder, tasks, arguments)?.as_bytes())?;
     if !arguments.now {
-        say!("{} written; sbatch {0} submits its {tasks} tasks", file.display());
+        say!("{} written; sbatch {} submits its {tasks} tasks", file.display(), word(&file));
         return Ok(Exit::Done);
     }
     let status = Command::new("sbatch")
@@ -49,7 +50,7 @@ pub fn submit(manifest: &Manifest, arguments: &SubmitArguments) -> Result<Exit, 
 
 /// A task finds its cells by its number. It replaces the shell, so that it gets Slurm's request to terminate.
 fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<String, CommandError> {
-    let program: Vec<String> = Program::words().iter().map(|word| quote(Path::new(word))).collect();
+    let program: Vec<String> = Program::words().iter().map(|part| word(Path::new(part))).collect();
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let options: String = arguments.options.iter().map(|option| format!("#SBATCH {option}\n")).collect();
     Ok(format!(
@@ -65,7 +66,7 @@ fn script(folder: &Path, tasks: usize, arguments: &SubmitArguments) -> Result<St
         last = tasks.saturating_sub(1),
         folder = folder.display().to_string().replace('%', "%%"),
         program = program.join(" "),
-        quoted = quote(folder),
+        quoted = word(folder),
         count = arguments.count,
     ))
 }
@@ -86,9 +87,4 @@ fn require_plain(folder: &Path, options: &[String]) -> Result<(), CommandError> 
         Some(option) => Err(CommandError::Usage(format!("{option:?}: no option of sbatch, such as --time=1:00:00"))),
         None => Ok(()),
     }
-}
-
-/// A path as one word of a shell.
-fn quote(path: &Path) -> String {
-    format!("'{}'", path.display().to_string().replace('\'', r"'\''"))
 }

@@ -5,12 +5,16 @@ use std::time::Duration;
 
 use planner::files::{PlanFolder, StoredPlan};
 use planner::{Choices, PlannerError, Problem, RobustnessTarget, RunClock, Session, Stop};
-use simulation::Reference;
+use scene::RobustnessSpec;
+use simulation::{Reference, Success};
 use tolerance::{Quantity, Trials};
 
 use crate::arguments::ToleranceCommandArguments;
 use crate::played::problem_of;
 use crate::solve::default_folder;
+
+/// Share of the time limit from which on a plan that missed its target has had the whole of it.
+const WHOLE_TIME: f64 = 0.8;
 
 /// The plans.
 pub enum Plans {
@@ -141,7 +145,7 @@ impl Plans {
         if let Self::Made { folders, .. } = self {
             folders.push(folder.clone());
         }
-        if let Some(known) = known(&folder, problem, frictions, arguments.target_rate) {
+        if let Some(known) = known(&folder, problem, frictions, arguments) {
             return known.reference().map(Some);
         }
         let claimed = PlanFolder::claim(&folder, &[&arguments.task.scene])?;
@@ -169,15 +173,29 @@ impl Plans {
     }
 }
 
-/// A plan in a folder, if it was made for this problem, these frictions and this rate.
-fn known(folder: &Path, problem: &Problem, frictions: &[f64], rate: f64) -> Option<StoredPlan> {
+/// A plan in a folder, if it was made for this problem, these frictions and this rate, and what more time could not improve.
+fn known(
+    folder: &Path,
+    problem: &Problem,
+    frictions: &[f64],
+    arguments: &ToleranceCommandArguments,
+) -> Option<StoredPlan> {
     let plan = StoredPlan::open(folder).ok()?;
     let robust = plan.result.robust.as_ref()?;
     let is_same = plan.result.made_from.problem == problem.identity()
-        && robust.target_rate == rate
+        && requirements(&plan.problem().ok()?) == requirements(problem)
+        && robust.target_rate == arguments.target_rate
         && robust.after.0.iter().all(|group| frictions.contains(&group.friction))
         && frictions.iter().all(|friction| robust.after.0.iter().any(|group| group.friction == *friction));
-    is_same.then_some(plan)
+    let is_final = robust.reached || robust.wall_s >= WHOLE_TIME * arguments.time_limit;
+    (is_same && is_final).then_some(plan)
+}
+
+/// What a refinement depends on beside the problem and the frictions: tolerances of the goal, errors to tolerate, and how round
+/// edges are.
+fn requirements(problem: &Problem) -> (Success, RobustnessSpec, f64) {
+    let errors = RobustnessSpec { frictions: Vec::new(), edge_radius: None, ..problem.scene().robustness.clone() };
+    (problem.success(), errors, problem.edge_radius())
 }
 
 /// The problem of a row.

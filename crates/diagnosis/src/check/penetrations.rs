@@ -106,5 +106,5 @@ fn largest_penetration(penetrations: &[PosePenetration]) -> f64 {
 fn warning(penetrations: &[PosePenetration], cure: &str) -> Option<String> {
     let worst = penetrations.iter().min_by(|one, other| one.distance_m.total_cmp(&other.distance_m))?;
     let PosePenetration { pose, pair, distance_m } = worst;
-    Some(format!("at the {pose} {pair} penetrate by {:.3} mm, more than any other pair; {cure}", -1e3 * distance_m))
+    Some(format!("{pair} penetrate by {:.3} mm at the {pose}, the deepest of all pairs; {cure}", -1e3 * distance_m))
 }

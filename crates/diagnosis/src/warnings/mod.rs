@@ -2,6 +2,7 @@
 
 mod arm;
 mod carried;
+mod fit;
 mod limits;
 mod motion;
 mod region;
@@ -19,6 +20,7 @@ use crate::check::penetrations;
 pub fn of_problem(problem: &Problem) -> Vec<String> {
     let mut warnings = problem.scene().warnings.clone();
     warnings.extend(penetrations::warnings(problem));
+    warnings.extend(fit::warning(problem));
     warnings.extend(carried::warning(problem));
     warnings.extend(tolerance::warnings(problem));
     warnings.extend(sizes::warnings(problem));

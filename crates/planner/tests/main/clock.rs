@@ -120,7 +120,8 @@ fn an_evaluation_that_is_cut_says_so() {
     assert!((290.0..330.0).contains(&report.wall_s), "{}", report.wall_s);
     let report = whole.robustness.as_ref().unwrap();
     assert_eq!((report.unplayed, whole.stopped), (0, None), "what is decided is not cut");
-    assert_eq!(report.after.rollouts(), 502);
+    // Two planned offsets and 299 random ones show 99 %, which is asked after every 24.
+    assert_eq!(report.after.rollouts(), 312);
 }
 
 #[test]

@@ -140,13 +140,13 @@ fn a_limit_that_the_solve_has_used_up_leaves_the_plan_unjudged() {
 }
 
 #[test]
-fn lost_evaluations_end_early_and_whole_ones_decide() {
+fn evaluations_end_as_soon_as_they_are_decided() {
     let rollouts =
         |plan: &Plan| plan.robustness.as_ref().unwrap().after.0.iter().map(|group| group.rollouts).sum::<usize>();
-    // 100 random offsets at each of five magnitudes, of which the first is zero, and two planned ones.
+    // Of 100 random offsets at each of five magnitudes, 299 show 99 %; they are played in groups of 24, after two planned ones.
     let (robust, lost) = (refined(0.1, &impatient()), refined(1e-5, &impatient()));
     assert!(robust.robustness.as_ref().unwrap().is_reached());
-    assert_eq!(rollouts(&robust), 502);
+    assert_eq!(rollouts(&robust), 312);
     assert_eq!(rollouts(&lost), 24, "the first rollouts show that it cannot succeed");
 }
 

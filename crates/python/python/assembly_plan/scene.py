@@ -370,7 +370,7 @@ class Scene(SceneContent):
           is tolerated, such as ``("offset", 0.002)``, in SI units.
         - `map`: the first quantity at several values of the second, such as ``("offset", "clearance")``; `rows` are
           these values, by default some around the scene's.
-        - `target_rate`: share of the rollouts that has to succeed.
+        - `target_rate`: success rate that the rollouts must reach.
         - `friction`: Coulomb friction coefficients, which the rollouts have in turn; by default the scene's.
         - `cases`: largest number of random errors that are compared; `seed` is theirs.
         """

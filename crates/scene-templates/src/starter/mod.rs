@@ -26,7 +26,7 @@ pub struct FilePair {
     pub environment: PathBuf,
     /// Name of the environment's link, where the file has several.
     pub environment_link: Option<String>,
-    /// Unit of meshes, which need one: one of the words of `part.unit`.
+    /// Unit of the mesh files, required for STL and OBJ: one of the words of `part.unit`.
     pub unit: Option<String>,
 }
 

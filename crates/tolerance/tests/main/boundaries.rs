@@ -97,7 +97,7 @@ fn more_clearance_buys_as_much_offset_to_each_side() {
 
 #[test]
 fn what_cannot_be_tolerated_has_no_boundary() {
-    // The tolerance of the rotation is missed from the beginning: the reference ends somewhere else.
+    // The tolerance of the position is missed from the beginning: the reference ends somewhere else.
     let problem = moved_down([0.02, 0.018, 0.02], SLOT);
     let stopped = AtomicBool::new(false);
     let session = Session::new(&|_: &Event| {}, &stopped);

@@ -7,6 +7,7 @@ import hashlib
 import json
 import pathlib
 import sys
+import tomllib
 
 import numpy as np
 
@@ -54,9 +55,12 @@ def study(arguments: argparse.Namespace) -> str:
 
 
 def required(plan: Plan) -> Plan:
-    """A plan whose only errors are offsets."""
+    """A plan whose only errors are offsets, and whose success depends on where it ends alone."""
     if plan.turn > 0:
         raise InputError(f"{plan.folder}: it is planned for rotation errors, which are left out here")
+    limits = tomllib.loads((plan.folder / "resolved.toml").read_text()).get("limits", {})
+    if "contact_force" in limits:
+        raise InputError(f"{plan.folder}: it has a limit of contact force, which is left out here; plan without it")
     return plan
 
 
@@ -105,8 +109,6 @@ def predicted(arguments: argparse.Namespace, plan: Plan, out: pathlib.Path) -> d
         raise InputError(f"{file} has a rate of {known['rate']:g}; choose another folder with --out")
     if known["boundaries"][0]["value"] is None:
         raise InputError(f"{plan.folder}: it tolerates no offset that `tolerance` tried")
-    if known["contact_force_limit_n"] is not None:
-        raise InputError(f"{plan.folder}: it has a limit of contact force, which is left out here")
     return known
 
 

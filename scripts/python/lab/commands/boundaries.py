@@ -35,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--contact-stiffness", type=positive(float), default=1e6, metavar="N/M", help=stiffness)
     add("--cases", type=positive(int), default=60, metavar="N", help="random offsets per plan [default: 60]")
     add("--seed", type=int, default=1, metavar="N", help="seed of the offsets [default: 1]")
-    add("--target-rate", type=float, default=0.9, metavar="RATE", help="share that has to succeed [default: 0.9]")
+    add("--target-rate", type=float, default=0.9, metavar="RATE", help="success rate to reach [default: 0.9]")
     add("--jobs", type=positive(int), default=1, metavar="N", help="threads of assembly-plan [default: 1]")
     add("--program", type=pathlib.Path, metavar="FILE", help=f"run this one instead of building {PROGRAM.name}")
     add("--out", type=pathlib.Path, default=OUT / "boundaries", metavar="DIR", help="folder of results")

@@ -16,7 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("scenes", nargs="*", help="only these scenes, by name [default: all]")
     add("--jobs", type=int, default=1, help="threads of each solve, processes of MuJoCo [default: 1]")
-    add("--count", default=COUNT, help=f"random offsets of each magnitude in MuJoCo [default: {COUNT}]")
+    add("--count", type=int, default=COUNT, help=f"random offsets of each magnitude in MuJoCo [default: {COUNT}]")
     add(
         "--friction",
         metavar="LIST",

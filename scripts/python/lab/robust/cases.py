@@ -18,7 +18,7 @@ CASES = [(f"peg{number}", [0.02]) for number in range(1, 6)] + [
 # The offsets in MuJoCo are not those of our own exams.
 SEED = "7"
 # Random offsets of each magnitude in MuJoCo.
-COUNT = "10"
+COUNT = 10
 
 
 @dataclasses.dataclass(frozen=True)

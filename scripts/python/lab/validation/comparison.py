@@ -61,7 +61,10 @@ def table(theirs: list[Rollout], ours: list[Outcome], tolerance: Tolerance) -> s
     rows = []
     for motion, friction in dict.fromkeys((rollout.motion, rollout.friction) for rollout in theirs):
         pairs = [pair for pair in zip(theirs, ours) if (pair[0].motion, pair[0].friction) == (motion, friction)]
-        verdicts = [(other.success, tolerance.accepts(outcome)) for other, outcome in pairs]
+        verdicts = [
+            (tolerance.holds(other.position_error, other.angle_error), tolerance.accepts(outcome))
+            for other, outcome in pairs
+        ]
         both = [pair for pair, verdict in zip(pairs, verdicts) if all(verdict)]
         positions = [1e3 * abs(other.position_error - outcome.position_error) for other, outcome in both]
         angles = [abs(other.angle_error - outcome.angle_error) for other, outcome in both]

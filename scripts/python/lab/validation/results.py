@@ -22,9 +22,13 @@ class Tolerance:
     position: float
     angle: float
 
+    def holds(self, position_error: float, angle_error: float) -> bool:
+        """Whether errors (m, rad) are those of a success."""
+        return position_error <= self.position and angle_error <= self.angle
+
     def accepts(self, outcome: Outcome) -> bool:
         """Whether a motion ended at the goal; one with a warning of MuJoCo never did."""
-        return not outcome.warned and outcome.position_error <= self.position and outcome.angle_error <= self.angle
+        return not outcome.warned and self.holds(outcome.position_error, outcome.angle_error)
 
 
 @dataclasses.dataclass(frozen=True)
