@@ -28,7 +28,7 @@ pub struct CalibrateArguments {
     /// Number of threads; does not affect the result [default: one per processor]
     #[arg(short, long, value_name = "N", value_parser = jobs)]
     pub jobs: Option<u16>,
-    /// Print only warnings
+    /// Print no progress: standard error has only warnings and errors
     #[arg(short, long)]
     pub quiet: bool,
 }

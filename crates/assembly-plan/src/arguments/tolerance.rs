@@ -21,9 +21,9 @@ pub struct ToleranceCommandArguments {
     /// clearance, chamfer [default: all of them but chamfer]
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = values::quantity())]
     pub quantity: Vec<Quantity>,
-    /// The two quantities of the map: the first is increased at several values of the second
+    /// The two quantities of the map: the first is increased at several values of the second [default: offset,clearance]
     #[arg(long, value_name = "NAME,NAME", value_delimiter = ',', num_args = 1, value_parser = values::quantity())]
-    #[arg(default_values = ["offset", "clearance"])]
+    #[arg(default_values = ["offset", "clearance"], hide_default_value = true)]
     pub map: Vec<Quantity>,
     /// Values of the second quantity of the map (m, rad, or 1) [default: multiples of the scene's]
     #[arg(long, value_name = "VALUE,...", value_delimiter = ',', value_parser = not_negative)]

@@ -22,7 +22,7 @@ use refinement::Refinement;
 /// Verbosity during the work.
 #[derive(Debug, Clone, Args)]
 pub struct ProgressArguments {
-    /// Print only warnings
+    /// Print no progress: standard error has only warnings and errors
     #[arg(short, long, conflicts_with = "verbose")]
     pub quiet: bool,
     /// Also print every solver iteration, in Ipopt's columns
