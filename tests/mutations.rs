@@ -72,7 +72,8 @@ fn add_log(dir: &Dir) {
     let (columns, rows) = reference.split_once('\n').unwrap();
     let rows: String = rows.lines().map(|row| format!("{row},1.5,playing\n")).collect();
     dir.write("log.csv", format!("{columns},fx_n,phase\n{rows}"));
-    dir.run("simulate plan --executed log.csv").code(0);
+    // It ends while the plan is played.
+    dir.run("simulate plan --executed log.csv").code(1).says("the robot was stopped");
 }
 
 /// Leaves a checkpoint and a refinement in the working folder of `work`.

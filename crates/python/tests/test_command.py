@@ -1,5 +1,6 @@
 """The command of the package."""
 
+import shlex
 import shutil
 import signal
 import subprocess
@@ -34,7 +35,7 @@ def test_a_batch_starts_its_cells(tmp_path: Path) -> None:
     assert len(list((tmp_path / "runs").rglob("result.json"))) == 2
     assert command("batch", "submit", "--slurm", tmp_path / "runs").returncode == 0
     script = (tmp_path / "runs" / "submit.sh").read_text()
-    assert f"exec '{sys.executable}' '-P' '-m' 'assembly_plan' batch run" in script
+    assert f"exec {shlex.join([sys.executable, '-P', '-m', 'assembly_plan'])} batch run" in script
 
 
 def test_ctrl_c_ends_the_command(tmp_path: Path) -> None:

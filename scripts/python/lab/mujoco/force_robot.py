@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 
 from lab.mujoco import arm_world
-from lab.mujoco.arm import ArmPlayer
+from lab.mujoco.arm import ArmPlayer, start_configuration
 from lab.mujoco.control import GraspError, State
 from lab.mujoco.plans import Plan
 from lab.mujoco.position_robot import PositionPlayer, rotation_of
@@ -89,7 +89,7 @@ class ForceArmPlayer(ForcePlayer):
         """Also puts the joints where the flange is."""
         super().begin(samples, grasp_error)
         if self.known is None or self.known[0] is not samples:
-            self.known = samples, self.arm.start(samples)
+            self.known = samples, start_configuration(self.arm.model, self.plan.robot, samples)
         self.joints = self.known[1].copy()
         self.rates = np.zeros(len(self.joints))
         self.move()

@@ -67,7 +67,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=positive(float),
         default=1e6,
         metavar="N/M",
-        help="of each point of contact in Drake [default: 1e6, which is next to rigid]",
+        help="of each point of contact in Drake [default: 1e6; 1e7 is rigid at edges, too]",
     )
     add(
         "--hydroelastic-modulus",

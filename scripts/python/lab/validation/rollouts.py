@@ -20,7 +20,7 @@ PLANNED, STRAIGHT = "plan", "straight push"
 FORCE_WINDOW = 0.01
 
 
-# Stiffness (N/m) of contacts next to rigid: 20 N are 0.02 mm.
+# Stiffness (N/m) of contacts that hardly yield on faces: 20 N are 0.02 mm.
 RIGID = 1e6
 
 
