@@ -2,12 +2,12 @@
 
 use plan::Problem;
 
-/// A clearance from side to side (m) that is not larger is none.
-const NONE: f64 = 1e-7;
+/// Largest clearance from side to side (m) that counts as zero.
+const ZERO: f64 = 1e-7;
 
 /// A warning about parts without clearance. Those that penetrate at the goal have one of their own.
 pub fn warning(problem: &Problem) -> Option<String> {
-    problem.engagement().clearance_m.filter(|clearance| clearance.abs() <= NONE).map(|_| {
+    problem.engagement().clearance_m.filter(|clearance| clearance.abs() <= ZERO).map(|_| {
         "the parts have no clearance where the environment guides the body, so that no offset can be tolerated: where CAD is size on \
          size, state the fit by `clearance` of a mesh"
             .to_owned()
