@@ -218,3 +218,10 @@ fn a_refined_variant_goes_on_with_its_own_tables() {
     dir.remove(format!("{UNFINISHED}/refined/{}/1/contacts.csv", best["round"]));
     dir.run(&again).code(1).says("not used: the tables of its refinement are damaged");
 }
+
+#[test]
+fn a_plan_that_is_not_there_yet_is_resumed_first() {
+    let dir = Dir::new();
+    dir.make_folder(".out.unfinished");
+    dir.run("export out --to csv").code(2).says("out: has no plan yet, a run on it was interrupted").says("--resume");
+}

@@ -32,5 +32,8 @@ pub const ROWS: &[Row] = &[
     ("simulate scene.toml plan", &[("scene.toml", "name = \"a\"", "name = \"one\"")], "there is no start `a`"),
     ("simulate scene.toml plan", &[("scene.toml", "[contact]", "[[environment.part]]\nname = \"lid\"\nbox = [1, 1, 1]\nposition = [0, 0, 9]\n[contact]")], "its environment has 2 parts, this one 3"),
     ("simulate scene.toml plan", &[("plan/result.json", "\"position_error_m\": ", "\"position_error_m\": null, \"was\": ")], "plan/result.json: is called done, but has a null"),
+    ("export gone --to csv", &[], "gone: there is no such folder; `assembly-plan solve"),
+    ("export folder --to csv", &[], "folder: no result.json in it"),
+    ("export runs --to csv", &[], "runs: is the folder of a batch; name that of one of its plans, such as runs/cells/"),
     ("simulate scene.toml .", &[("plan/result.json", "", "{}")], "plan/result.json:1"),
 ];

@@ -9,6 +9,7 @@ use simulation::Reference;
 use task::Pose;
 
 use crate::atomic::{read_bytes, read_text};
+use crate::manifest::Manifest;
 use crate::result::{PlanResult, RESULT, problem_of_seal};
 use crate::trajectory::{REFERENCE, SCENARIOS, TABLES, read_ends, read_reference};
 use crate::work_folder::WorkFolder;
@@ -35,10 +36,11 @@ impl StoredPlan {
     pub fn find(folder: &Path) -> Result<Vec<Self>, PlannerError> {
         require_no_file(folder)?;
         let mut plans = Vec::new();
-        collect(folder, &mut plans)?;
+        if folder.exists() {
+            collect(folder, &mut plans)?;
+        }
         if plans.is_empty() {
-            let advice = "`assembly-plan solve SCENE --out DIR` writes a plan";
-            return Err(PlannerError::file(folder, format!("no {RESULT} in it or below; {advice}")));
+            return Err(without_plan(folder));
         }
         Ok(plans)
     }
@@ -223,6 +225,9 @@ pub fn read_result(folder: &Path) -> Result<PlanResult, PlannerError> {
     require_no_file(folder)?;
     require_moved(folder)?;
     let file = folder.join(RESULT);
+    if !file.exists() {
+        return Err(without_plan(folder));
+    }
     let text = read_text(&file)?;
     let result: PlanResult = serde_json::from_str(&text).map_err(|error| {
         let advice = "not a result of this version of `assembly-plan solve`";
@@ -249,6 +254,26 @@ fn require_no_file(folder: &Path) -> Result<(), PlannerError> {
         }
         false => Ok(()),
     }
+}
+
+/// What a folder without a plan is instead.
+fn without_plan(folder: &Path) -> PlannerError {
+    let cells = Manifest::load(folder).map(|manifest| manifest.cells).unwrap_or_default();
+    let problem = match cells.first() {
+        Some(cell) => format!(
+            "is the folder of a batch; name that of one of its plans, such as {}, which `assembly-plan batch run` writes",
+            folder.join(&cell.folder).display()
+        ),
+        None if WorkFolder::is_unfinished(folder) => {
+            "has no plan yet, a run on it was interrupted; the same `assembly-plan solve` with --resume resumes it"
+                .to_owned()
+        }
+        None if !folder.exists() => {
+            "there is no such folder; `assembly-plan solve SCENE --out DIR` writes a plan".to_owned()
+        }
+        None => format!("no {RESULT} in it or below; `assembly-plan solve SCENE --out DIR` writes a plan"),
+    };
+    PlannerError::file(folder, problem)
 }
 
 /// Refuses a folder without a plan into which a run was moving one when it was killed.

@@ -40,6 +40,11 @@ impl WorkFolder {
         work_of(&target, name).join(WHOLE).is_dir()
     }
 
+    /// Whether an interrupted run on a folder can be resumed.
+    pub fn is_unfinished(target: &Path) -> bool {
+        target.file_name().is_some_and(|name| work_of(target, name).is_dir())
+    }
+
     /// The target folder.
     pub fn target(&self) -> &Path {
         &self.target

@@ -69,9 +69,9 @@ fn not_assembled(problem: &Problem) -> Option<String> {
     let (pair, depth) = deepest(&world, &world.goal)?;
     (-depth > reach).then(|| {
         format!(
-            "[goal]: nothing is near the body there: the nearest parts, {pair}, are {:.1} mm apart, and no offset or clearance is \
-             larger than {:.1} mm; the parts are not assembled: export both files in one frame, in the assembled pose, or move \
-             [goal] there",
+            "nothing is near the body at its goal: the nearest parts, {pair}, are {:.1} mm apart, and no offset or clearance is \
+             larger than {:.1} mm; the parts are not assembled: export both files in one frame, in the assembled pose; a scene \
+             can also move its [goal]",
             -1e3 * depth,
             1e3 * reach
         )

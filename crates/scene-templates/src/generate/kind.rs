@@ -6,7 +6,7 @@ use fastrand::Rng;
 use scene::Range;
 
 use super::section::Section;
-use super::{LENGTH, PegError, metres, random, require, within};
+use super::{LENGTH, PegError, metres, metres_within, random, require, within};
 
 /// Cross-section of a peg. Lengths are in metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,16 +61,16 @@ impl PegSection {
             Self::Random { prisms, facets, diameter, .. } => {
                 within(PRISMS, "prisms", prisms as f64)?;
                 facets_within(facets)?;
-                within(LENGTH, "diameter", diameter)
+                metres_within(LENGTH, "diameter", diameter)
             }
             Self::Round { diameter, facets, key } => {
                 facets_within(facets)?;
-                within(LENGTH, "diameter", diameter)?;
+                metres_within(LENGTH, "diameter", diameter)?;
                 key.map_or(Ok(()), |key| key.check(diameter))
             }
             Self::Rectangular { width, depth, key } => {
-                within(LENGTH, "width", width)?;
-                within(LENGTH, "depth", depth)?;
+                metres_within(LENGTH, "width", width)?;
+                metres_within(LENGTH, "depth", depth)?;
                 key.map_or(Ok(()), |key| key.check(depth))
             }
         }

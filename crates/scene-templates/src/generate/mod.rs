@@ -87,8 +87,8 @@ impl Peg {
 
     /// Checks all sizes but those of the section, and returns the offset (m).
     fn check_sizes(&self) -> Result<f64, PegError> {
-        within(LENGTH, "length", self.length)?;
-        within(CLEARANCE, "clearance", self.clearance)?;
+        metres_within(LENGTH, "length", self.length)?;
+        metres_within(CLEARANCE, "clearance", self.clearance)?;
         let longest = 0.25 * self.length;
         require((0.0..=longest).contains(&self.chamfer), "chamfer", self.chamfer, || {
             format!("must lie between 0 and {} m, a quarter of the length", metres(longest))
@@ -193,6 +193,11 @@ fn metres(length: f64) -> String {
 
 fn within(range: Range, name: &'static str, value: f64) -> Result<(), PegError> {
     require(range.contains(value), name, value, || format!("must lie {range}"))
+}
+
+/// The same for a length in metres.
+fn metres_within(range: Range, name: &'static str, value: f64) -> Result<(), PegError> {
+    require(range.contains(value), name, value, || format!("must lie {range} m"))
 }
 
 fn require(is_right: bool, name: &'static str, value: f64, rule: impl Fn() -> String) -> Result<(), PegError> {

@@ -207,9 +207,9 @@ fn sizes_that_are_not_possible_are_refused() {
     let (small, odd) = (rectangular(None), random(1, 4, 7));
     #[rustfmt::skip]
     let wrong = [
-        (Peg { length: 0.0, ..small.clone() }, "length = 0: must lie between 0.001 and 1"),
+        (Peg { length: 0.0, ..small.clone() }, "length = 0: must lie between 0.001 and 1 m"),
         (Peg { length: f64::NAN, ..small.clone() }, "length = NaN"),
-        (Peg { clearance: 0.0, ..small.clone() }, "clearance = 0: must lie"),
+        (Peg { clearance: 0.2, ..small.clone() }, "clearance = 0.2: must lie between 1e-6 and 0.1 m"),
         (Peg { chamfer: -1e-3, ..small.clone() }, "chamfer = -0.001: must lie between 0 and 0.01 m, a quarter of the length"),
         (Peg { chamfer: 0.003, ..small.clone() }, "chamfer = 0.003: edges of the section would vanish"),
         (Peg { offset: Some(0.1), ..small.clone() }, "offset = 0.1: must be above 0 and at most 0.003 m"),
