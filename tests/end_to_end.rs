@@ -275,7 +275,7 @@ fn check_measures_clearance_and_looks_for_a_path() {
     dir.add_scene("peg1");
     let run = dir.run("check peg1.toml --json").code(0);
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
-    assert_eq!(report["way"]["found"], "straight");
+    assert_eq!(report["path"]["found"], "straight");
     let at_goal = &list(&report, "insertion")[0];
     for axis in &list(at_goal, "axes")[..2] {
         for side in ["backward_m", "forward_m"] {

@@ -74,7 +74,7 @@ fn a_pose_that_overlaps_is_one_line_whatever_the_number_of_pairs() {
     let run = dir.run("check fit.toml").code(1).says("(--json lists them)").says("a round part is 0.070 mm larger");
     assert_eq!(count(&run, "penetration at the goal"), 1, "{}", run.stdout);
     let report: serde_json::Value = serde_json::from_str(&dir.run("check fit.toml --json").code(1).stdout).unwrap();
-    let penetrations = list(&report, "overlaps");
+    let penetrations = list(&report, "penetrations");
     assert!(
         penetrations.len() > 1 && penetrations.iter().all(|penetration| penetration["pose"] == "goal"),
         "{penetrations:?}"

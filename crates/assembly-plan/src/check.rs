@@ -198,7 +198,7 @@ fn print_success(problem: &Problem, explanation: &Explanation) {
         "\nsuccess: to end within {:.3} mm and {} rad of the goal, with exact shapes that penetrate by at most {:.3} mm",
         1e3 * success.position,
         success.orientation,
-        1e3 * explanation.max_overlap_m
+        1e3 * explanation.allowed_penetration_m
     );
     say!("--robust also tolerates edge radii of up to {:.3} mm", 1e3 * problem.edge_radius());
 }

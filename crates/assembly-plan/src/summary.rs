@@ -46,7 +46,7 @@ pub fn summary(result: &PlanResult) -> String {
         ));
     }
     let deepest = result.scenarios.iter().map(|scenario| scenario.max_penetration_m).fold(0.0, f64::max);
-    let [deepest, most] = [deepest, result.max_overlap_m].map(|penetration| 1e3 * penetration);
+    let [deepest, most] = [deepest, result.allowed_penetration_m].map(|penetration| 1e3 * penetration);
     lines.push(format!("  exact shapes penetrate by at most {deepest:.3} mm ({most:.3} mm allowed)"));
     lines.push(format!("  offsets covered: {}", result.coverage));
     lines.push(execution(result));

@@ -35,7 +35,6 @@ pub struct Engagement {
     /// Directions across the insertion along which nothing stops the body, either way (unit vectors, world frame).
     pub free: Vec<[f64; 3]>,
     /// Clearance between the stops of the tightest guided direction (m).
-    #[serde(rename = "play_m")]
     pub clearance_m: Option<f64>,
     /// Resting error: how far clearance lets the body rest from its goal across the insertion, in guided directions
     /// (m); `None` where something stops it on one side only.

@@ -108,7 +108,7 @@ pub enum Outcome {
     GoalMissed,
     NotConverged,
     NotRobust,
-    #[serde(rename = "overlapping")]
+    #[serde(alias = "overlapping")]
     Penetrating,
     OutOfTime,
     Interrupted,
@@ -257,7 +257,7 @@ impl Plan {
                 let played = report.after.rollouts();
                 PlanStatus::OutOfTime(Cut::Evaluation { played, of: played + report.unplayed })
             }
-            Some(report) if !report.is_reached() => PlanStatus::NotRobust,
+            Some(report) if !report.reached => PlanStatus::NotRobust,
             None if !self.is_converged() => self.unconverged(),
             None if !self.reaches_goal() => PlanStatus::GoalMissed,
             _ if !self.keeps_apart() => PlanStatus::Penetrating,

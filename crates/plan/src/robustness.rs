@@ -146,11 +146,6 @@ impl Round {
 }
 
 impl RobustnessReport {
-    /// Whether every planned offset succeeds and the target rate holds, at each friction.
-    pub fn is_reached(&self) -> bool {
-        self.reached
-    }
-
     /// Whether every planned offset succeeds at every friction.
     pub fn planned_offsets_succeed(&self) -> bool {
         self.after.planned_succeed()

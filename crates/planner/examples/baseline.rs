@@ -43,7 +43,7 @@ fn row(scene: &Path) -> Result<String, PlannerError> {
     let robust_time = begin.elapsed();
     let same_time = RobustnessTarget { time_limit: robust_time, ..target.clone() };
     let (refined_push, pushed) = planner::refine_reference(&problem, push.clone(), &same_time, &session)?;
-    let found_after = if pushed.is_reached() { Duration::from_secs_f64(pushed.wall_s) } else { robust_time };
+    let found_after = if pushed.reached { Duration::from_secs_f64(pushed.wall_s) } else { robust_time };
 
     let play = |reference: &Reference| played(&problem, reference, &target);
     let (push, refined_push, plain, robust) =

@@ -86,8 +86,8 @@ pub struct PlanResult {
     /// Largest components of the reference and of all scenarios.
     pub reached: LimitsRecord,
     /// How deep the exact shapes may penetrate in a plan that is done.
-    #[serde(default)]
-    pub max_overlap_m: f64,
+    #[serde(default, alias = "max_overlap_m")]
+    pub allowed_penetration_m: f64,
     /// Attempts until a plan reached the goal, if there were several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub attempts: Vec<AttemptRecord>,
@@ -328,7 +328,7 @@ impl PlanResult {
             motion: Some(plan.motion()),
             limits: plan.task.limits.into(),
             reached: plan.trajectory.keeps().into(),
-            max_overlap_m: plan.problem.allowed_penetration(),
+            allowed_penetration_m: plan.problem.allowed_penetration(),
             attempts: plan.attempts.iter().filter(|_| plan.attempts.len() > 1).cloned().collect(),
             stages: records().cloned().collect(),
             scenarios: plan.trajectory.scenarios.iter().map(|motion| scenario(motion, &plan.task)).collect(),

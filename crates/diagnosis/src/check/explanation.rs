@@ -31,18 +31,15 @@ pub struct Explanation {
     /// Pairs that may touch.
     pub pairs: usize,
     /// Pairs that are left out because no motion from start to goal comes near to them.
-    #[serde(rename = "far_pairs")]
     pub culled_pairs: Vec<String>,
-    /// Play at the goal and on the straight path back to the start.
+    /// Clearance at the goal and on the straight path back to the start.
     pub insertion: Vec<PoseClearance>,
     /// How far clearance lets the body rest from its goal in directions across the insertion that are guided; null where none
     /// is, or something stops it on one side only.
     pub farthest_rest_m: Option<f64>,
     /// Pairs that penetrate at the goal or at the start with an offset.
-    #[serde(rename = "overlaps")]
     pub penetrations: Vec<PosePenetration>,
     /// Whether the body gets from start to goal in clearance.
-    #[serde(rename = "way")]
     pub path: ClearPath,
     /// Edges of the box around the body, in its frame.
     pub body_edges_m: [f64; 3],
@@ -53,7 +50,7 @@ pub struct Explanation {
     /// Largest final distance from the goal of a success.
     pub position_tolerance_m: f64,
     /// How deep exact shapes may penetrate in a plan that is done.
-    pub max_overlap_m: f64,
+    pub allowed_penetration_m: f64,
     /// Why no plan can be made; null where one may be found.
     pub refusal: Option<String>,
     /// How large the optimal control problem is.

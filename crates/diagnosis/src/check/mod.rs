@@ -109,7 +109,7 @@ pub fn explain(problem: &Problem, tau: f64) -> Result<Explanation, PlannerError>
         environment_edges_m: parts::edges(&scene.environment, &scene.environment_meshes),
         engagement: problem.engagement().clone(),
         position_tolerance_m: problem.success().position,
-        max_overlap_m: problem.allowed_penetration(),
+        allowed_penetration_m: problem.allowed_penetration(),
         refusal: refusal(problem).or_else(|| refusal::enclosed(&path)),
         size: size(problem),
         chosen: problem.chosen(),

@@ -133,7 +133,7 @@ fn a_limit_that_the_solve_has_used_up_leaves_the_plan_unjudged() {
     let plan = refined(0.1, &target);
     let report = plan.robustness.as_ref().unwrap();
     assert!(report.after.0.iter().all(|group| group.rollouts == 0));
-    assert_eq!((report.rate_after, report.is_reached()), (0.0, false));
+    assert_eq!((report.rate_after, report.reached), (0.0, false));
     assert_eq!(plan.status(), PlanStatus::OutOfTime(Cut::Evaluation { played: 0, of: 502 }));
     assert_eq!(plan.status().to_string(), "out of time: the time limit ended before the plan was tested");
     assert!(report.push.is_none() && plan.can_go_on() && explanation(&plan).is_none());
@@ -145,7 +145,7 @@ fn evaluations_end_as_soon_as_they_are_decided() {
         |plan: &Plan| plan.robustness.as_ref().unwrap().after.0.iter().map(|group| group.rollouts).sum::<usize>();
     // Of 100 random offsets at each of five magnitudes, 299 show 99 %; they are played in groups of 24, after two planned ones.
     let (robust, lost) = (refined(0.1, &impatient()), refined(1e-5, &impatient()));
-    assert!(robust.robustness.as_ref().unwrap().is_reached());
+    assert!(robust.robustness.as_ref().unwrap().reached);
     assert_eq!(rollouts(&robust), 312);
     assert_eq!(rollouts(&lost), 24, "the first rollouts show that it cannot succeed");
 }
@@ -180,7 +180,7 @@ fn any_reference_can_be_refined_without_a_plan() {
     let push = Reference::straight(&task.start, &beside, task.horizon);
     let target = RobustnessTarget { frictions: vec![0.0], ..RobustnessTarget::default() };
     let (refined, report) = quietly(|session| refine_reference(&problem, push.clone(), &target, session)).unwrap();
-    assert!(report.is_reached() && report.kept_perturbations > 0, "{report:?}");
+    assert!(report.reached && report.kept_perturbations > 0, "{report:?}");
     assert_eq!(refined.start(), push.start());
     assert_eq!(report.kept_stage, 0, "no homotopy has run");
 }
